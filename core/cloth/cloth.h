@@ -1,0 +1,50 @@
+#pragma once
+// Cloth: one period of threads laid out in millimetres, and their centre lines as bodies.
+// Everything that has a shape or meets the light is made from this value: the maps, the
+// ray-traced reference and the numbers of the lobes.
+
+#include <vector>
+
+#include "draft/design.h"
+#include "draft/drawdown.h"
+
+namespace weftlight {
+
+/// Linear-light colour.
+struct Linear {
+  float r = 0, g = 0, b = 0;
+};
+Linear linear_from_srgb(Rgb c);
+Rgb srgb_from_linear(Linear c);
+
+/// One thread of the period.
+struct ThreadBody {
+  float centre_mm = 0;    // across: x of an end, y of a pick
+  float spacing_mm = 0;   // room it has, >= 0
+  float width_mm = 0;     // full width of the flattened cross-section
+  float height_mm = 0;    // full height of it
+  Linear colour;          // linear light
+  int yarn = 0;           // index into Cloth::yarns
+};
+
+/// One period of one face. Front: up = drawdown; back: its complement, same end order, seen with +z
+/// towards the viewer.
+struct Cloth {
+  float width_mm = 0, depth_mm = 0;  // u period (along the weft), v period (along the warp)
+  BitMatrix up;                      // picks x ends; 1: warp on top of this face
+  std::vector<ThreadBody> ends, picks;
+  std::vector<Yarn> yarns;
+};
+
+enum class Period { kWholeDraft, kRepeat };
+
+/// Lays the design out. `cells` is its drawdown. Threads of no thickness take the yarn's diameter; of no
+/// spacing, the mean touching distance of yarns in a balanced cloth.
+Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period);
+
+/// Height (mm above the middle plane, signed) of a thread's centre line at distance s_mm along it
+/// (y for an end, x for a pick), periodic. Crimp from touching threads, relaxed along floats up to the
+/// bound that the tightness of the weave sets (VRST 2003, section 3.4).
+float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm);
+
+}  // namespace weftlight

@@ -1,0 +1,70 @@
+#pragma once
+// Maps: one period of a face sampled on a grid, seamless. Texel (x, y) is the middle of its
+// square: u = (x + 0.5) / width * width_mm along the weft, v likewise along the warp; row 0 is v = 0.
+
+#include <cstdint>
+#include <vector>
+
+#include "cloth/cloth.h"
+
+namespace weftlight {
+
+template <class T>
+struct Plane {
+  int width = 0, height = 0;
+  std::vector<T> at_;
+  Plane() = default;
+  Plane(int w, int h, T fill = {}) : width(w), height(h), at_(static_cast<size_t>(w) * h, fill) {}
+  T& at(int x, int y) { return at_[static_cast<size_t>(y) * width + x]; }
+  const T& at(int x, int y) const { return at_[static_cast<size_t>(y) * width + x]; }
+  T* row(int y) { return at_.data() + static_cast<size_t>(y) * width; }
+  const T* row(int y) const { return at_.data() + static_cast<size_t>(y) * width; }
+};
+
+struct Slope {
+  float x = 0, y = 0;  // -dz/du, -dz/dv: the normal is (x, y, 1) normalised
+};
+struct Direction {
+  float x = 1, y = 0, z = 0;  // unit
+};
+
+/// The sharp surface: what is on top at each texel. coverage 0 is a gap.
+struct Maps {
+  float width_mm = 0, depth_mm = 0;
+  Plane<float> height_mm;         // above the middle plane; gaps hold the floor of the lowest thread
+  Plane<float> coverage;          // 0..1
+  Plane<Linear> colour;           // thread colour times hair noise, linear; not premultiplied
+  Plane<float> groove;            // 0..1 factor of the twist's dark grooves (VRST 2003, section 3.2)
+  Plane<Slope> slope;             // of the thread's surface
+  Plane<Direction> tangent;       // fibre direction at the surface, with twist
+  Plane<uint8_t> system;          // 0 warp, 1 weft (in gaps: that of the nearest thread)
+  Plane<uint32_t> thread;         // index in its system
+  Plane<float> occlusion;         // 0..1, share of the cosine-weighted sky that is seen
+  // Horizon: azimuth k points to (cos, sin)(2 pi k / azimuths) in (u, v). Value: sine of the elevation
+  // below which light is blocked, 0..1.
+  int azimuths = 0;
+  std::vector<Plane<uint8_t>> horizon;  // unorm8
+};
+
+struct MapsSize {
+  int width = 1024, height = 1024;
+  int azimuths = 16;
+};
+
+/// Bakes all maps of one period. Sizes are clamped to 1..16384, azimuths to 0..64. Deterministic: the
+/// same bits whatever the number of threads.
+Maps bake(const Cloth& cloth, const MapsSize& size);
+
+/// Texels that a change of cells can touch (cells grown by the longest float and the shadow's reach).
+struct TexelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+/// Re-bakes the part of `maps` that the cells changed in `dirty` can touch; `after` has the same layout
+/// (thread positions) as the cloth that `maps` was baked from. Equal to bake(after, size) bit for bit.
+/// May wrap: the rectangles returned do not.
+std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& dirty);
+
+/// Boolean shadow of one light direction (VRST 2003, section 3.4): 1 lit, 0 in shadow.
+Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad);
+
+}  // namespace weftlight

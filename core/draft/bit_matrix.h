@@ -1,0 +1,49 @@
+#pragma once
+// A dense matrix of bits, rows padded to 64-bit words: threading, tie-up, treadling,
+// liftplan and drawdown are all of this type. Padding bits are always zero.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace weftlight {
+
+class BitMatrix {
+ public:
+  BitMatrix() = default;
+  BitMatrix(int rows, int cols)
+      : rows_(rows), cols_(cols), words_((cols + 63) / 64), bits_(static_cast<size_t>(rows) * words_, 0) {}
+
+  int rows() const { return rows_; }
+  int cols() const { return cols_; }
+  int words() const { return words_; }
+
+  bool get(int row, int col) const { return (bits_[word_at(row, col)] >> (col & 63)) & 1u; }
+  void set(int row, int col, bool on) {
+    const uint64_t bit = uint64_t{1} << (col & 63);
+    uint64_t& word = bits_[word_at(row, col)];
+    word = on ? (word | bit) : (word & ~bit);
+  }
+  std::span<uint64_t> row(int r) { return {bits_.data() + static_cast<size_t>(r) * words_, static_cast<size_t>(words_)}; }
+  std::span<const uint64_t> row(int r) const {
+    return {bits_.data() + static_cast<size_t>(r) * words_, static_cast<size_t>(words_)};
+  }
+  /// Mask of the bits of the last word of a row that are columns.
+  uint64_t last_word_mask() const {
+    return (cols_ & 63) ? (uint64_t{1} << (cols_ & 63)) - 1 : ~uint64_t{0};
+  }
+  /// Keeps the cells that both sizes share; new cells are 0.
+  void resize(int rows, int cols);
+  /// First set column of a row, or -1.
+  int first(int row) const;
+  int count() const;
+
+  bool operator==(const BitMatrix&) const = default;
+
+ private:
+  size_t word_at(int row, int col) const { return static_cast<size_t>(row) * words_ + static_cast<size_t>(col >> 6); }
+  int rows_ = 0, cols_ = 0, words_ = 0;
+  std::vector<uint64_t> bits_;
+};
+
+}  // namespace weftlight

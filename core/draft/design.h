@@ -1,0 +1,47 @@
+#pragma once
+// The Design: the one value that is edited and saved. Draft, yarns, notes, look and
+// scene; drawdown, maps, meshes and pictures are derived from it, never stored in it.
+
+#include <string>
+#include <vector>
+
+#include "draft/draft.h"
+#include "draft/yarn.h"
+
+namespace weftlight {
+
+/// Rung of the ladder of methods (MODEL, section 5); kAuto chooses by footprint.
+enum class Method { kAuto, kFlat, kVrst03, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
+
+struct Look {
+  Method method = Method::kAuto;
+  float tolerance = 0.05f;   // relative RMSE that kAuto may spend
+  float exposure_ev = 0.0f;  // stops
+  bool operator==(const Look&) const = default;
+};
+
+/// Angles in degrees. View and light azimuth 0 face the cloth's front (+z of the mesh), positive to
+/// its right; elevation 90 is straight above.
+struct Scene {
+  std::string mesh = "tablecloth";  // name in presets/meshes, or a path to .glb/.gltf
+  float view_azimuth = 25, view_elevation = 22;
+  float view_distance = 1.0f;       // 1 frames the mesh
+  float pan_x = 0, pan_y = 0;       // in frame widths
+  float light_azimuth = -50, light_elevation = 48;
+  float light_strength = 1.0f;      // irradiance scale of the key light
+  float sky_strength = 1.0f;        // scale of the soft environment
+  Rgb background{0.93f, 0.925f, 0.91f};
+  bool operator==(const Scene&) const = default;
+};
+
+struct Design {
+  std::string title, author;
+  std::vector<std::string> notes;
+  Draft draft;
+  std::vector<Yarn> yarns{Yarn{}};  // never empty
+  Look look;
+  Scene scene;
+  bool operator==(const Design&) const = default;
+};
+
+}  // namespace weftlight

@@ -1,0 +1,38 @@
+#pragma once
+// Pure edits: Design -> Design. Each keeps the draft's invariants; an index out of range
+// returns the design unchanged. The editor commits them to the History with a label.
+
+#include "draft/design.h"
+#include "draft/drawdown.h"
+
+namespace weftlight {
+
+/// `only`: the thread is taken off its other shafts/treadles first (what a weaver expects of a click).
+Design with_threading(Design design, int end, int shaft, bool on, bool only = true);
+Design with_tieup(Design design, int treadle, int shaft, bool on);
+Design with_treadling(Design design, int pick, int treadle, bool on, bool only = true);
+/// Painting a liftplan of a treadled draft first turns it into a liftplan draft.
+Design with_liftplan(Design design, int pick, int shaft, bool on);
+/// Paints a crossing where the threading allows it: lifts (or lowers) the end's shafts in that pick's
+/// liftplan. Every end on the same shaft changes with it, as on the loom.
+Design with_drawdown_cell(Design design, int end, int pick, bool up);
+
+Design with_thread_color(Design design, System system, int thread, int color);
+Design with_thread_yarn(Design design, System system, int thread, int yarn);
+Design with_thread_thickness(Design design, System system, int thread, float mm);
+Design with_thread_spacing(Design design, System system, int thread, float mm);
+Design with_palette_color(Design design, int color, Rgb rgb);
+Design with_new_palette_color(Design design, Rgb rgb);
+Design with_yarn(Design design, int yarn, const Yarn& value);
+Design with_new_yarn(Design design, const Yarn& value);
+/// New threads repeat the draft's last colours; cells beyond are empty. Counts are clamped to 1..kMax.
+Design with_size(Design design, int ends, int picks, int shafts, int treadles);
+Design with_rising(Design design, bool rising);
+
+/// Same drawdown, driven by the liftplan; the tie-up becomes straight (treadle = shaft) if asked.
+Design to_liftplan(Design design);
+/// Same drawdown, driven by treadles: the fewest treadles that single-treadle the lifts, by first use.
+/// Unchanged when more than kMaxShafts distinct lifts would be needed.
+Design to_treadling(Design design);
+
+}  // namespace weftlight

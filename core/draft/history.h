@@ -1,0 +1,44 @@
+#pragma once
+// Undo: a list of immutable snapshots of the Design with labels. One drag is one step
+// (commits with the same stroke id join). The saved mark is a position in the list.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "draft/design.h"
+
+namespace weftlight {
+
+class History {
+ public:
+  explicit History(Design first);
+
+  const Design& now() const { return *steps_[position_].design; }
+  std::shared_ptr<const Design> snapshot() const { return steps_[position_].design; }
+  /// Equal designs make no step. A non-zero `stroke` joins the step before if it has the same stroke.
+  void commit(Design next, std::string label, uint64_t stroke = 0);
+  bool can_undo() const { return position_ > 0; }
+  bool can_redo() const { return position_ + 1 < steps_.size(); }
+  void undo();
+  void redo();
+  /// Label of the step that undo (redo) would take back (bring again); empty if none.
+  std::string undo_label() const;
+  std::string redo_label() const;
+  void mark_saved();
+  bool is_saved() const;
+
+ private:
+  struct Step {
+    std::shared_ptr<const Design> design;
+    std::string label;
+    uint64_t stroke = 0;
+    uint64_t id = 0;
+  };
+  std::vector<Step> steps_;
+  size_t position_ = 0;
+  uint64_t next_id_ = 1, saved_id_ = 0;
+};
+
+}  // namespace weftlight

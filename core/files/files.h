@@ -1,0 +1,59 @@
+#pragma once
+// The only place that touches OpenImageIO and tinygltf.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/maps.h"
+#include "drape/mesh.h"
+
+namespace weftlight {
+
+/// Interleaved float image, row 0 at the top.
+struct Image {
+  int width = 0, height = 0, channels = 0;
+  std::vector<float> texels;
+};
+enum class PixelType { kU8, kU16, kHalf, kFloat };
+
+/// Writes .png, .exr, .tif, .jpg by extension, beside the target and renamed into place. 8- and 16-bit
+/// values are taken as they are (0..1): the caller encodes sRGB. Empty string: done; else what went wrong.
+std::string write_image(const std::string& path, const Image& image, PixelType type);
+struct ReadImage {
+  std::optional<Image> image;
+  std::string error;
+};
+ReadImage read_image(const std::string& path);
+
+struct ReadMesh {
+  std::optional<Mesh> mesh;
+  std::string error;  // what is wrong and what to do
+};
+/// Loads the first mesh scene of a .glb or .gltf (all primitives joined, node transforms applied, metres
+/// to millimetres). UVs are taken as millimetres when asset.extras.weftlight_uv_mm is set, otherwise one
+/// UV unit is the size that makes texture area equal surface area.
+ReadMesh read_mesh(const std::string& path);
+
+/// glTF material inputs; textures are encoded PNG bytes.
+struct GltfMaterial {
+  std::string name;
+  std::vector<unsigned char> base_color_png, orm_png, normal_png, anisotropy_png, sheen_png;
+  float uv_scale_u = 1, uv_scale_v = 1;      // KHR_texture_transform: repeats a millimetre
+  Linear sheen_color{0, 0, 0};
+  float sheen_roughness = 0.5f;
+  float anisotropy_strength = 0, anisotropy_rotation = 0;
+  bool alpha_mask_or_blend = false;
+};
+/// Writes a .glb (or .gltf with files beside it) of the mesh; without material when null.
+std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* material);
+
+/// Folder of presets: $WEFTLIGHT_PRESETS, beside the program, or the source tree.
+std::string presets_dir();
+/// A shipped drape by name (presets/meshes/NAME.glb) or a file by path.
+ReadMesh load_drape(const std::string& name_or_path);
+
+/// PNG bytes in memory, for embedding.
+std::vector<unsigned char> encode_png(const Image& image, PixelType type = PixelType::kU8);
+
+}  // namespace weftlight

@@ -1,0 +1,163 @@
+// The command line of the contract, read once here (CLI11 is slow to compile).
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "commands/commands.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kUnset = std::numeric_limits<float>::quiet_NaN();
+
+bool parse_pair(const std::string& text, char between, float& a, float& b) {
+  const size_t at = text.find(between, 1);
+  if (at == std::string::npos) return false;
+  try {
+    size_t used_a = 0, used_b = 0;
+    a = std::stof(text.substr(0, at), &used_a);
+    b = std::stof(text.substr(at + 1), &used_b);
+    return used_a == at && used_b == text.size() - at - 1 && std::isfinite(a) && std::isfinite(b);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+CLI::Validator pair_of(char between, const std::string& form) {
+  return CLI::Validator(
+      [between, form](const std::string& text) {
+        float a = 0, b = 0;
+        return parse_pair(text, between, a, b) ? std::string{} : "'" + text + "' is not of the form " + form;
+      },
+      form);
+}
+
+struct PictureText {
+  std::string size = "1280x800", view, light, face = "front";
+};
+
+void add_face(CLI::App* verb, std::string& face) {
+  verb->add_option("--face", face, "Which face of the cloth")->check(CLI::IsMember({"front", "back"}));
+}
+
+void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
+  verb->add_option("file", o.file, "Draft (.wif)")->required();
+  verb->add_option("-o,--output", o.out, "Picture: .png or .exr")->required();
+  verb->add_option("--mesh", o.mesh, "A shipped drape or a .glb/.gltf file");
+  verb->add_option("--size", t.size, "Pixels, WxH")->check(pair_of('x', "WxH"));
+  verb->add_option("--method", o.method, "Rung of the ladder")
+      ->check(CLI::IsMember({"auto", "flat", "vrst03", "cloth", "repeat", "cell", "yarn", "engine"}));
+  verb->add_option("--yarns-per-pixel", o.yarns_per_pixel, "Footprint at the middle of the picture")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--view", t.view, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
+  verb->add_option("--light", t.light, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
+  add_face(verb, t.face);
+  verb->add_option("--stats", o.stats, "Write costs as JSON");
+}
+
+bool take_picture_text(PictureOptions& o, const PictureText& t) {
+  float w = 0, h = 0;
+  parse_pair(t.size, 'x', w, h);
+  if (w < 1 || h < 1 || w > 16384 || h > 16384 || w != std::floor(w) || h != std::floor(h)) {
+    std::fprintf(stderr, "weftlight: --size %s: give whole pixels from 1x1 to 16384x16384\n", t.size.c_str());
+    return false;
+  }
+  o.width = static_cast<int>(w);
+  o.height = static_cast<int>(h);
+  if (!t.view.empty()) parse_pair(t.view, ',', o.view_azimuth, o.view_elevation);
+  if (!t.light.empty()) parse_pair(t.light, ',', o.light_azimuth, o.light_elevation);
+  o.face = t.face == "back" ? Face::kBack : Face::kFront;
+  return true;
+}
+
+}  // namespace
+
+CommandLine run_command_line(int argc, char** argv) {
+  CommandLine result;
+  CLI::App app{"Weftlight: paint a draft and see the real cloth, lit and draped, at once"};
+  app.name("weftlight");
+  app.set_version_flag("--version", "weftlight " WEFTLIGHT_VERSION);
+  app.require_subcommand(0, 1);
+  app.add_option("file", result.editor.file, "Draft to open in the editor");
+  app.add_option("--live-export", result.editor.live_export, "Editor: keep this .wif up to date with every edit");
+  app.add_option("--ui-map", result.editor.ui_map, "Editor: write where the controls are, as JSON");
+
+  InfoOptions info;
+  auto* info_verb = app.add_subcommand("info", "Counts, floats, repeat and warnings of a draft");
+  info_verb->add_option("file", info.file, "Draft (.wif)")->required();
+  info_verb->add_flag("--json", info.json, "Machine-readable");
+
+  DrawdownOptions drawdown;
+  std::string drawdown_face = "front";
+  auto* drawdown_verb = app.add_subcommand("drawdown", "The drawdown as text, or as a coloured picture");
+  drawdown_verb->add_option("file", drawdown.file, "Draft (.wif)")->required();
+  drawdown_verb->add_option("-o,--output", drawdown.out, "Text file, or .png for the coloured drawdown");
+  add_face(drawdown_verb, drawdown_face);
+
+  ConvertOptions convert;
+  bool to_lifts = false, to_treadles = false;
+  auto* convert_verb = app.add_subcommand("convert", "Copy a draft, byte-true unless asked otherwise");
+  convert_verb->add_option("in", convert.in, "Draft (.wif)")->required();
+  convert_verb->add_option("out", convert.out, "New file")->required();
+  convert_verb->add_flag("--plain", convert.plain, "Save for other programs and looms");
+  auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "Drive by a liftplan");
+  convert_verb->add_flag("--treadling", to_treadles, "Drive by tie-up and treadling")->excludes(lifts_flag);
+
+  PictureOptions picture;
+  picture.view_azimuth = picture.view_elevation = picture.light_azimuth = picture.light_elevation = kUnset;
+  PictureText picture_text;
+  auto* render_verb = app.add_subcommand("render", "The lit, draped cloth as a picture");
+  add_picture_options(render_verb, picture, picture_text);
+  auto* reference_verb = app.add_subcommand("reference", "The same picture by ray tracing the threads");
+  add_picture_options(reference_verb, picture, picture_text);
+  reference_verb->add_option("--spp", picture.spp, "Samples a pixel")->check(CLI::Range(1, 1 << 20));
+  reference_verb->add_option("--bounces", picture.bounces, "Indirect bounces")->check(CLI::Range(0, 16));
+
+  ExportOptions texture;
+  auto* export_verb = app.add_subcommand("export", "A seamless texture set of one repeat");
+  export_verb->add_option("files", texture.files, "Drafts (.wif)")->required();
+  export_verb->add_option("--target", texture.target, "What reads the set")
+      ->check(CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "raw"}));
+  export_verb->add_option("-o,--output", texture.out, "Folder")->required();
+  export_verb->add_option("--size", texture.size, "Texels a side, a power of two")->check(CLI::Range(16, 8192));
+  export_verb->add_option("--mesh", texture.mesh, "Drape for the .glb");
+  export_verb->add_option("--jobs", texture.jobs, "Drafts at a time")->check(CLI::Range(1, 64));
+
+  ChartOptions chart;
+  auto* chart_verb = app.add_subcommand("chart", "Speed against accuracy, measured");
+  chart_verb->add_option("-o,--output", chart.out, "Folder")->required();
+  chart_verb->add_flag("--quick", chart.quick, "Within a minute");
+
+  DrapeOptions drape;
+  auto* drape_verb = app.add_subcommand("drape", "Simulate a shipped drape again");
+  drape_verb->add_option("name", drape.name, "plane, sphere, tablecloth, curtain, skirt, tunic or all")->required();
+  drape_verb->add_option("-o,--output", drape.out, "A .glb, or a folder for all")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    result.exit_code = app.exit(e) == 0 ? kDone : kUsage;
+    return result;
+  }
+
+  drawdown.face = drawdown_face == "back" ? Face::kBack : Face::kFront;
+  convert.drive = to_lifts ? ConvertDrive::kLiftplan : to_treadles ? ConvertDrive::kTreadling : ConvertDrive::kAsIs;
+  if ((render_verb->parsed() || reference_verb->parsed()) && !take_picture_text(picture, picture_text)) {
+    result.exit_code = kUsage;
+    return result;
+  }
+  if (info_verb->parsed()) result.exit_code = info_command(info);
+  else if (drawdown_verb->parsed()) result.exit_code = drawdown_command(drawdown);
+  else if (convert_verb->parsed()) result.exit_code = convert_command(convert);
+  else if (render_verb->parsed()) result.exit_code = render_command(picture);
+  else if (reference_verb->parsed()) result.exit_code = reference_command(picture);
+  else if (export_verb->parsed()) result.exit_code = export_command(texture);
+  else if (chart_verb->parsed()) result.exit_code = chart_command(chart);
+  else if (drape_verb->parsed()) result.exit_code = drape_command(drape);
+  else result.open_editor = true;
+  return result;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,81 @@
+#pragma once
+// The headless verbs. cli.cpp reads the arguments into these options; one file a verb does the work.
+// Verbs print to stdout, problems to stderr as "file:line: what, and what to do".
+
+#include <string>
+#include <vector>
+
+#include "draft/design.h"
+#include "draft/drawdown.h"
+
+namespace weftlight {
+
+/// The exit codes of the command-line contract.
+enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWritten = 5 };
+
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+};
+struct DrawdownOptions {
+  std::string file, out;
+  Face face = Face::kFront;
+};
+enum class ConvertDrive { kAsIs, kLiftplan, kTreadling };
+struct ConvertOptions {
+  std::string in, out;
+  bool plain = false;
+  ConvertDrive drive = ConvertDrive::kAsIs;
+};
+/// NaN or empty: as the design says.
+struct PictureOptions {
+  std::string file, out, mesh, method, stats;
+  int width = 1280, height = 800;
+  float yarns_per_pixel = 0;  // 0: as the scene frames it
+  float view_azimuth, view_elevation, light_azimuth, light_elevation;
+  Face face = Face::kFront;
+  int spp = 64;      // reference only
+  int bounces = 0;   // reference only
+};
+struct ExportOptions {
+  std::vector<std::string> files;
+  std::string target = "gltf", out, mesh = "plane";
+  int size = 1024, jobs = 1;
+};
+struct ChartOptions {
+  std::string out;
+  bool quick = false;
+};
+struct DrapeOptions {
+  std::string name, out;  // name "all": every shipped drape into the folder `out`
+};
+
+int info_command(const InfoOptions&);
+int drawdown_command(const DrawdownOptions&);
+int convert_command(const ConvertOptions&);
+int render_command(const PictureOptions&);
+int reference_command(const PictureOptions&);
+int export_command(const ExportOptions&);
+int chart_command(const ChartOptions&);
+int drape_command(const DrapeOptions&);
+
+/// What the command line asks for.
+struct EditorOptions {
+  std::string file, live_export, ui_map;
+};
+struct CommandLine {
+  bool open_editor = false;  // true: start the window with `editor`; else leave with `exit_code`
+  int exit_code = kDone;
+  EditorOptions editor;
+};
+/// Parses and, for a verb, runs it.
+CommandLine run_command_line(int argc, char** argv);
+
+/// Shared by the verbs: the file read, its problems printed. Empty when it cannot be used.
+struct OpenedDesign {
+  bool ok = false;
+  Design design;
+};
+OpenedDesign open_design(const std::string& path, bool print_warnings = false);
+
+}  // namespace weftlight

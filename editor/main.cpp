@@ -1,0 +1,7 @@
+#include "app/app.h"
+#include "commands/commands.h"
+
+int main(int argc, char** argv) {
+  const weftlight::CommandLine line = weftlight::run_command_line(argc, argv);
+  return line.open_editor ? weftlight::run_editor(line.editor) : line.exit_code;
+}

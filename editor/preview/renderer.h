@@ -1,0 +1,57 @@
+#pragma once
+// The OpenGL renderer of the draped, lit cloth, the same for the window and for `render`.
+// All calls need a current OpenGL 3.3+ core context (context.h, or the window's).
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "draft/design.h"
+#include "drape/mesh.h"
+#include "files/files.h"
+#include "preview/packed_maps.h"
+
+namespace weftlight {
+
+struct Frame {
+  int width = 0, height = 0;     // pixels of the finished picture
+  float render_scale = 1.0f;     // < 1: fewer pixels while something moves, upscaled
+  float yarns_per_pixel = 0;     // > 0: overrides the scene's distance so that the middle of the picture has this footprint
+  Face front = Face::kFront;     // which face is shown on the front of the mesh
+  bool ground = true;            // ground with the cloth's shadow
+  bool transparent = false;      // leave the background out (alpha 0)
+  bool false_color_rungs = false;
+};
+
+struct FrameStats {
+  double gpu_ms = 0;             // timer query of the cloth pass
+  double shaded_pixels = 0;
+  float yarns_per_pixel = 0;     // footprint at the middle of the picture
+  Method method = Method::kAuto; // what was drawn
+  size_t texture_bytes = 0;
+};
+
+class Renderer {
+ public:
+  /// Compiles the shaders of shaders/. Null with `error` set when they do not build.
+  static std::unique_ptr<Renderer> create(std::string& error);
+  ~Renderer();
+
+  void set_mesh(const Mesh& mesh);
+  /// New maps of both faces, or patches of the maps that are there (packed_maps.h).
+  void upload(const PackedCloth& cloth);
+  void upload(const std::vector<PackedPatch>& patches);
+
+  /// Draws into the renderer's own target; texture() holds sRGB-encoded RGBA8 until the next draw.
+  FrameStats draw(const Scene& scene, const Look& look, const Frame& frame);
+  unsigned texture() const;
+  /// The last picture, row 0 on top: sRGB-encoded RGBA (linear: scene-linear before tone mapping).
+  Image read_back(bool linear = false) const;
+
+ private:
+  Renderer();
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace weftlight

@@ -21,13 +21,20 @@ struct Mesh {
   std::vector<uint32_t> index; // three a triangle
 };
 
-/// Fills normals (area-weighted) and tangents from positions and uv.
+/// Fills normals (area-weighted) and tangents from positions and uv. Vertices at the very same place
+/// (the two sides of a seam) share their normal; each keeps its own tangent, at right angles to it.
 void compute_frames(Mesh& mesh);
 
 /// Names of the shipped drapes, in menu order: plane, sphere, tablecloth, curtain, skirt, tunic.
 const std::vector<std::string>& drape_names();
 
-/// Simulates a shipped drape. Deterministic. `steps_scale` < 1 for quick tests.
+/// Simulates a shipped drape; the ground is y = 0. Deterministic. `steps_scale` < 1 shortens the
+/// simulated time, for quick tests. Empty for unknown names.
 Mesh simulate_drape(const std::string& name, float steps_scale = 1.0f);
+
+/// What a shipped drape lies on (table, ball, rod, dress form), to be drawn under it in a neutral
+/// material: normals and a right-angled tangent, uv all zero. Empty (no vertices) for the plane and
+/// for unknown names.
+Mesh body_mesh(const std::string& name);
 
 }  // namespace weftlight

@@ -1,0 +1,460 @@
+// Reads a mesh from glTF 2.0. The file is not trusted: its JSON is parsed here with a limit on depth, cut
+// down to what a mesh needs (no images, materials, animations or extras), and only then given to tinygltf;
+// every accessor is checked against its buffer before a vertex is read, and counts are capped first.
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "files/files.h"
+
+namespace weftlight {
+namespace {
+
+using nlohmann::json;
+
+constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
+constexpr size_t kMaxVertices = 8'000'000, kMaxIndices = 48'000'000;
+constexpr int kMaxJsonDepth = 64;
+constexpr size_t kMaxNodes = 100'000;
+constexpr float kMmPerMetre = 1000.0f;
+constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
+
+/// What is wrong and what to do; caught at the border of this file.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+[[noreturn]] void refuse(const std::string& why) { throw Refused(why); }
+
+std::string whole_file(const std::string& path) {
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(path, ec)) refuse("no such file");
+  const uint64_t size = std::filesystem::file_size(path, ec);
+  if (ec || size > kMaxFileBytes) refuse("larger than 1 GiB; export a lighter mesh, without textures");
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(size, '\0');
+  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) refuse("cannot be read");
+  return bytes;
+}
+
+// tinygltf's own reader of files beside the .gltf would follow a device or a pipe without end.
+bool read_regular(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+  try {
+    const std::string bytes = whole_file(path);
+    out->assign(bytes.begin(), bytes.end());
+    return true;
+  } catch (const Refused& e) {
+    if (error) *error += path + ": " + e.what();
+    return false;
+  }
+}
+
+uint32_t u32_at(const std::string& bytes, size_t at) {
+  uint32_t v = 0;
+  for (int k = 3; k >= 0; --k) v = (v << 8) | static_cast<unsigned char>(bytes[at + static_cast<size_t>(k)]);
+  return v;
+}
+
+struct Chunks {
+  std::string_view json, binary;
+};
+
+Chunks split(const std::string& bytes) {
+  if (bytes.compare(0, 4, "glTF") != 0) return {bytes, {}};
+  if (bytes.size() < 20) refuse("the file ends within its header; export it again");
+  if (u32_at(bytes, 4) != 2) refuse("glTF version " + std::to_string(u32_at(bytes, 4)) + " is not read; export as glTF 2.0");
+  if (u32_at(bytes, 8) > bytes.size()) refuse("the file is cut short; export or copy it again");
+  Chunks chunks;
+  const std::string_view all(bytes);
+  for (size_t at = 12; at + 8 <= bytes.size();) {
+    const uint64_t size = u32_at(bytes, at);
+    const uint32_t kind = u32_at(bytes, at + 4);
+    if (size > bytes.size() - at - 8) refuse("the file is cut short; export or copy it again");
+    if (kind == kJsonChunk && chunks.json.empty()) chunks.json = all.substr(at + 8, size);
+    if (kind == kBinChunk && chunks.binary.empty()) chunks.binary = all.substr(at + 8, size);
+    at += 8 + size + (4 - size % 4) % 4;
+  }
+  return chunks;
+}
+
+json parse(std::string_view text) {
+  const json root = json::parse(
+      text.begin(), text.end(),
+      [](int depth, json::parse_event_t, json&) {
+        if (depth > kMaxJsonDepth) refuse("its JSON is nested too deeply");
+        return true;
+      },
+      false);
+  if (root.is_discarded()) refuse("this is not glTF (its JSON does not parse); export it again as .glb");
+  if (!root.is_object()) refuse("this is not glTF: its JSON is no object");
+  return root;
+}
+
+struct Needed {
+  json root;
+  bool uv_mm = false;
+};
+
+/// Only what a mesh needs, each kind of thing checked to be an array of objects.
+Needed cut_down(const json& root) {
+  Needed out;
+  const json asset = root.value("asset", json::object());
+  if (!asset.is_object() || asset.value("version", json()) != "2.0") refuse("not glTF 2.0; export it as glTF 2.0");
+  const json extras = asset.value("extras", json());
+  out.uv_mm = extras.is_object() && extras.value("weftlight_uv_mm", json()) == true;
+  for (const json& extension : root.value("extensionsRequired", json::array())) {
+    for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+      if (extension == packed) refuse(std::string("packed by ") + packed + "; export it without compression");
+    }
+  }
+  out.root = {{"asset", {{"version", "2.0"}}}};
+  if (root.contains("scene")) out.root["scene"] = root["scene"];
+  for (const char* kind : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes"}) {
+    const auto found = root.find(kind);
+    if (found == root.end()) continue;
+    if (!found->is_array() || found->size() > kMaxNodes) refuse(std::string("its ") + kind + " are no list, or too many");
+    json list = *found;
+    for (json& item : list) {
+      if (!item.is_object()) refuse(std::string("one of its ") + kind + " is no object");
+      for (const char* gone : {"extensions", "extras"}) item.erase(gone);
+    }
+    out.root[kind] = std::move(list);
+  }
+  return out;
+}
+
+tinygltf::Model load(const Needed& needed, std::string_view binary, const std::string& folder) {
+  tinygltf::TinyGLTF loader;
+  loader.RemoveImageLoader();
+  loader.SetFsCallbacks({&tinygltf::FileExists, &tinygltf::ExpandFilePath, &read_regular, &tinygltf::WriteWholeFile, nullptr});
+  tinygltf::Model model;
+  std::string error, warning;
+  std::string text = needed.root.dump();
+  bool good = false;
+  if (binary.empty()) {
+    good = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), folder);
+  } else {
+    text.append((4 - text.size() % 4) % 4, ' ');
+    std::string body(binary);
+    body.append((4 - body.size() % 4) % 4, '\0');
+    std::string glb = "glTF";
+    auto put = [&glb](uint64_t v) {
+      for (int shift = 0; shift < 32; shift += 8) glb.push_back(static_cast<char>(v >> shift));
+    };
+    put(2), put(28 + text.size() + body.size()), put(text.size()), put(kJsonChunk);
+    glb += text;
+    put(body.size()), put(kBinChunk);
+    glb += body;
+    good = loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(glb.data()),
+                                       static_cast<unsigned>(glb.size()), folder);
+  }
+  if (!good) {
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    refuse((error.empty() ? "its parts do not fit together" : error) + "; export it again as .glb");
+  }
+  return model;
+}
+
+template <class T>
+const T& item(const std::vector<T>& list, int index, const char* what) {
+  if (index < 0 || static_cast<size_t>(index) >= list.size()) refuse(std::string("it names a ") + what + " that is not there; export it again");
+  return list[static_cast<size_t>(index)];
+}
+
+/// An accessor whose every element is known to lie within its buffer.
+struct Elements {
+  const unsigned char* data = nullptr;
+  size_t count = 0, stride = 0;
+  int component = 0, components = 0;
+  bool normalised = false;
+
+  double value(size_t i, int k) const {
+    const unsigned char* at = data + i * stride;
+    auto as = [at, k]<class T>(T) {
+      T v;
+      std::memcpy(&v, at + sizeof(T) * static_cast<size_t>(k), sizeof v);
+      return static_cast<double>(v);
+    };
+    switch (component) {
+      case TINYGLTF_COMPONENT_TYPE_FLOAT: return as(float{});
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return as(uint32_t{});
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return as(uint16_t{}) / (normalised ? 65535.0 : 1.0);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return as(uint8_t{}) / (normalised ? 255.0 : 1.0);
+      case TINYGLTF_COMPONENT_TYPE_SHORT: return normalised ? std::max(as(int16_t{}) / 32767.0, -1.0) : as(int16_t{});
+      case TINYGLTF_COMPONENT_TYPE_BYTE: return normalised ? std::max(as(int8_t{}) / 127.0, -1.0) : as(int8_t{});
+      default: return 0;
+    }
+  }
+};
+
+Elements elements(const tinygltf::Model& model, int index, int type, size_t most) {
+  const tinygltf::Accessor& accessor = item(model.accessors, index, "accessor");
+  if (accessor.type != type) refuse("an accessor has the wrong number of components; export it again");
+  if (accessor.sparse.isSparse) refuse("sparse accessors are not read; export without morph targets or sparse data");
+  if (accessor.count < 1 || accessor.count > most) refuse("it has too many vertices or none; export a lighter mesh");
+  const tinygltf::BufferView& view = item(model.bufferViews, accessor.bufferView, "buffer view");
+  const tinygltf::Buffer& buffer = item(model.buffers, view.buffer, "buffer");
+  const int component = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
+  if (component < 1 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE) refuse("an accessor's component type is unknown; export it again");
+  Elements out;
+  out.count = accessor.count;
+  out.component = accessor.componentType;
+  out.components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(type));
+  out.normalised = accessor.normalized;
+  const size_t element = static_cast<size_t>(component) * static_cast<size_t>(out.components);
+  out.stride = view.byteStride ? view.byteStride : element;
+  const size_t total = buffer.data.size();
+  const bool fits = out.stride >= element && out.stride <= 252 + element && view.byteOffset <= total &&
+                    view.byteLength <= total - view.byteOffset && accessor.byteOffset <= view.byteLength &&
+                    element <= view.byteLength - accessor.byteOffset &&
+                    out.count - 1 <= (view.byteLength - accessor.byteOffset - element) / out.stride;
+  if (!fits) refuse("an accessor reaches past the end of its buffer: the file is cut short or broken; export it again");
+  out.data = buffer.data.data() + view.byteOffset + accessor.byteOffset;
+  return out;
+}
+
+float finite(double v, const char* what) {
+  if (!std::isfinite(v) || std::abs(v) > 1e9) refuse(std::string("a ") + what + " is no usable number; export it again");
+  return static_cast<float>(v);
+}
+
+/// Column-major 4 x 4, as in glTF.
+using Matrix = std::array<double, 16>;
+constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix out{};
+  for (size_t c = 0; c < 4; ++c) {
+    for (size_t r = 0; r < 4; ++r) {
+      for (size_t k = 0; k < 4; ++k) out[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k];
+    }
+  }
+  return out;
+}
+
+Matrix local_matrix(const tinygltf::Node& node) {
+  Matrix m = kIdentity;
+  if (node.matrix.size() == 16) {
+    std::copy(node.matrix.begin(), node.matrix.end(), m.begin());
+    return m;
+  }
+  const std::array<double, 3> s = node.scale.size() == 3 ? std::array{node.scale[0], node.scale[1], node.scale[2]} : std::array{1.0, 1.0, 1.0};
+  if (node.rotation.size() == 4) {
+    const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
+    m = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
+         2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
+         2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0,
+         0, 0, 0, 1};
+  }
+  for (size_t c = 0; c < 3; ++c) {
+    for (size_t r = 0; r < 3; ++r) m[c * 4 + r] *= s[c];
+  }
+  if (node.translation.size() == 3) std::copy(node.translation.begin(), node.translation.end(), m.begin() + 12);
+  return m;
+}
+
+std::array<double, 9> cofactors(const Matrix& m) {  // normals turn by these
+  return {m[5] * m[10] - m[6] * m[9], m[6] * m[8] - m[4] * m[10], m[4] * m[9] - m[5] * m[8],
+          m[2] * m[9] - m[1] * m[10], m[0] * m[10] - m[2] * m[8], m[1] * m[8] - m[0] * m[9],
+          m[1] * m[6] - m[2] * m[5], m[2] * m[4] - m[0] * m[6], m[0] * m[5] - m[1] * m[4]};
+}
+
+Vec3 turned(const std::array<double, 9>& m, const Elements& e, size_t i) {
+  std::array<double, 3> v{};
+  for (size_t c = 0; c < 3; ++c) {
+    for (size_t r = 0; r < 3; ++r) v[r] += m[c * 3 + r] * e.value(i, static_cast<int>(c));
+  }
+  const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
+  return {static_cast<float>(v[0] / length), static_cast<float>(v[1] / length), static_cast<float>(v[2] / length)};
+}
+
+/// The mesh as it grows, primitive by primitive. `normals_given` stays true while every primitive has them.
+struct Gathered {
+  Mesh mesh;
+  bool normals_given = true;
+};
+
+void add_triangles(Gathered& out, std::vector<uint32_t> corner, int mode, uint32_t base, bool mirrored) {
+  const size_t n = corner.size();
+  if (n < 3) return;
+  const size_t count = mode == TINYGLTF_MODE_TRIANGLES ? n / 3 : n - 2;
+  if (out.mesh.index.size() + 3 * count > kMaxIndices) refuse("it has too many triangles; export a lighter mesh");
+  for (size_t t = 0; t < count; ++t) {
+    size_t a = 3 * t, b = a + 1, c = a + 2;
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) a = t, b = t + 1 + t % 2, c = t + 2 - t % 2;
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) a = 0, b = t + 1, c = t + 2;
+    if (mirrored) std::swap(b, c);
+    for (size_t k : {a, b, c}) out.mesh.index.push_back(base + corner[k]);
+  }
+}
+
+int attribute(const tinygltf::Primitive& primitive, const char* name) {
+  const auto found = primitive.attributes.find(name);
+  return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+std::vector<uint32_t> corners(const tinygltf::Model& model, const tinygltf::Primitive& primitive, size_t vertices) {
+  std::vector<uint32_t> out;
+  if (primitive.indices < 0) {
+    out.resize(vertices);
+    for (size_t i = 0; i < vertices; ++i) out[i] = static_cast<uint32_t>(i);
+    return out;
+  }
+  const Elements e = elements(model, primitive.indices, TINYGLTF_TYPE_SCALAR, kMaxIndices);
+  if (e.component == TINYGLTF_COMPONENT_TYPE_FLOAT) refuse("its indices are not whole numbers; export it again");
+  out.resize(e.count);
+  for (size_t i = 0; i < e.count; ++i) {
+    const double v = e.value(i, 0);
+    if (v < 0 || v >= static_cast<double>(vertices)) refuse("a triangle names a vertex that is not there; export it again");
+    out[i] = static_cast<uint32_t>(v);
+  }
+  return out;
+}
+
+void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::Primitive& primitive, const Matrix& m) {
+  const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+  if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) return;  // points and lines have no cloth
+  const Elements position = elements(model, attribute(primitive, "POSITION"), TINYGLTF_TYPE_VEC3, kMaxVertices);
+  if (attribute(primitive, "TEXCOORD_0") < 0) {
+    refuse("it has no texture coordinates (TEXCOORD_0), so the threads have no direction; unwrap it along the grain of the cloth and export again");
+  }
+  const Elements uv = elements(model, attribute(primitive, "TEXCOORD_0"), TINYGLTF_TYPE_VEC2, kMaxVertices);
+  const int normal_at = attribute(primitive, "NORMAL");
+  const Elements normal = normal_at < 0 ? Elements{} : elements(model, normal_at, TINYGLTF_TYPE_VEC3, kMaxVertices);
+  if (uv.count != position.count || (normal_at >= 0 && normal.count != position.count)) refuse("its attributes differ in length; export it again");
+  const size_t base = out.mesh.position_mm.size();
+  if (base + position.count > kMaxVertices) refuse("it has too many vertices; export a lighter mesh");
+  const std::array<double, 9> turn = cofactors(m);
+  out.normals_given = out.normals_given && normal_at >= 0;
+  for (size_t i = 0; i < position.count; ++i) {
+    const double x = position.value(i, 0), y = position.value(i, 1), z = position.value(i, 2);
+    Vec3 p;
+    for (size_t r = 0; r < 3; ++r) p[r] = finite((m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]) * double{kMmPerMetre}, "position");
+    out.mesh.position_mm.push_back(p);
+    // glTF's second coordinate runs down the image, v runs up the warp.
+    out.mesh.uv_mm.push_back({finite(uv.value(i, 0), "texture coordinate"), -finite(uv.value(i, 1), "texture coordinate")});
+    out.mesh.normal.push_back(normal_at >= 0 ? turned(turn, normal, i) : Vec3{});
+  }
+  const double determinant = m[0] * turn[0] + m[1] * turn[1] + m[2] * turn[2];
+  if (determinant < 0) {
+    for (size_t i = base; i < out.mesh.normal.size(); ++i) {
+      for (float& c : out.mesh.normal[i]) c = -c;
+    }
+  }
+  add_triangles(out, corners(model, primitive, position.count), mode, static_cast<uint32_t>(base), determinant < 0);
+}
+
+void add_mesh(Gathered& out, const tinygltf::Model& model, int index, const Matrix& m) {
+  const tinygltf::Mesh& mesh = item(model.meshes, index, "mesh");
+  if (out.mesh.name.empty()) out.mesh.name = mesh.name;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) add_primitive(out, model, primitive, m);
+}
+
+std::vector<int> root_nodes(const tinygltf::Model& model) {
+  if (!model.scenes.empty()) return item(model.scenes, std::max(model.defaultScene, 0), "scene").nodes;
+  std::vector<bool> child(model.nodes.size(), false);
+  for (const tinygltf::Node& node : model.nodes) {
+    for (int c : node.children) {
+      if (c >= 0 && static_cast<size_t>(c) < child.size()) child[static_cast<size_t>(c)] = true;
+    }
+  }
+  std::vector<int> roots;
+  for (size_t i = 0; i < child.size(); ++i) {
+    if (!child[i]) roots.push_back(static_cast<int>(i));
+  }
+  return roots;
+}
+
+Gathered gather(const tinygltf::Model& model) {
+  Gathered out;
+  struct Visit {
+    int node;
+    Matrix above;
+  };
+  std::vector<Visit> stack;
+  const std::vector<int> roots = root_nodes(model);
+  for (auto r = roots.rbegin(); r != roots.rend(); ++r) stack.push_back({*r, kIdentity});
+  std::vector<bool> seen(model.nodes.size(), false);
+  while (!stack.empty()) {
+    const Visit visit = stack.back();
+    stack.pop_back();
+    const tinygltf::Node& node = item(model.nodes, visit.node, "node");
+    if (seen[static_cast<size_t>(visit.node)]) refuse("its nodes form a ring, or one has two parents; export it again");
+    seen[static_cast<size_t>(visit.node)] = true;
+    const Matrix m = product(visit.above, local_matrix(node));
+    if (node.mesh >= 0) add_mesh(out, model, node.mesh, m);
+    for (auto c = node.children.rbegin(); c != node.children.rend(); ++c) stack.push_back({*c, m});
+  }
+  if (model.nodes.empty()) {
+    for (size_t i = 0; i < model.meshes.size(); ++i) add_mesh(out, model, static_cast<int>(i), kIdentity);
+  }
+  if (out.mesh.index.empty()) refuse("it has no triangles in its scene; export a triangle mesh");
+  return out;
+}
+
+/// One UV unit becomes the length that makes texture area equal surface area.
+void scale_uv(Mesh& mesh) {
+  double surface = 0, texture = 0;
+  for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
+    const Vec3 &a = mesh.position_mm[mesh.index[t]], &b = mesh.position_mm[mesh.index[t + 1]], &c = mesh.position_mm[mesh.index[t + 2]];
+    const Vec2 &p = mesh.uv_mm[mesh.index[t]], &q = mesh.uv_mm[mesh.index[t + 1]], &r = mesh.uv_mm[mesh.index[t + 2]];
+    std::array<double, 3> e{}, f{};
+    for (size_t k = 0; k < 3; ++k) e[k] = double{b[k]} - double{a[k]}, f[k] = double{c[k]} - double{a[k]};
+    surface += std::hypot(e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]);
+    texture += std::abs((double{q[0]} - double{p[0]}) * (double{r[1]} - double{p[1]}) - (double{q[1]} - double{p[1]}) * (double{r[0]} - double{p[0]}));
+  }
+  if (!(texture > 1e-12) || !(surface > 0)) refuse("its texture coordinates cover no area, so the threads have no direction; unwrap it and export again");
+  const float scale = static_cast<float>(std::sqrt(surface / texture));
+  for (Vec2& uv : mesh.uv_mm) uv = {uv[0] * scale, uv[1] * scale};
+}
+
+/// Tangents always follow the millimetre coordinates; normals of the file are kept where it has them.
+void complete_frames(Gathered& gathered) {
+  const std::vector<Vec3> given = gathered.mesh.normal;
+  compute_frames(gathered.mesh);
+  if (!gathered.normals_given) return;
+  Mesh& mesh = gathered.mesh;
+  for (size_t i = 0; i < given.size(); ++i) {
+    const Vec3& n = given[i];
+    Vec3& t = mesh.tangent[i];
+    const float along = n[0] * t[0] + n[1] * t[1] + n[2] * t[2];
+    const Vec3 flat{t[0] - along * n[0], t[1] - along * n[1], t[2] - along * n[2]};
+    const float length = std::sqrt(flat[0] * flat[0] + flat[1] * flat[1] + flat[2] * flat[2]);
+    if (n == Vec3{} || !(length > 1e-6f)) continue;
+    mesh.normal[i] = n;
+    t = {flat[0] / length, flat[1] / length, flat[2] / length};
+  }
+}
+
+Mesh read_checked(const std::string& path) {
+  const std::string bytes = whole_file(path);
+  const Chunks chunks = split(bytes);
+  const Needed needed = cut_down(parse(chunks.json));
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  Gathered gathered = gather(load(needed, chunks.binary, folder));
+  if (!needed.uv_mm) scale_uv(gathered.mesh);
+  complete_frames(gathered);
+  if (gathered.mesh.name.empty()) gathered.mesh.name = std::filesystem::path(path).stem().string();
+  return std::move(gathered.mesh);
+}
+
+}  // namespace
+
+ReadMesh read_mesh(const std::string& path) {
+  try {
+    return {read_checked(path), {}};
+  } catch (const std::exception& e) {
+    return {{}, path + ": " + e.what()};
+  }
+}
+
+}  // namespace weftlight

@@ -1,0 +1,255 @@
+// Writes a mesh with its material as glTF 2.0, one .glb or a .gltf with files beside it.
+//
+// Texture coordinates are stored in millimetres, (u, -v), since glTF's second coordinate runs down the
+// image: textures whose top row is the largest v then stand upright, and +Y of a normal map is +v. The
+// material turns millimetres into repeats by KHR_texture_transform.
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "files/atomic_file.h"
+#include "files/files.h"
+
+namespace weftlight {
+namespace {
+
+using nlohmann::json;
+using Bytes = std::vector<unsigned char>;
+
+constexpr float kMetresPerMm = 0.001f;
+constexpr int kFloat = 5126, kUint = 5125;                  // glTF component types
+constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // and buffer view targets
+constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
+
+struct Document {
+  json root;
+  Bytes binary;                                     // of the one buffer
+  bool embed = true;                                // images within the buffer, else as files
+  std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
+  std::string stem;
+};
+
+void append_u32(Bytes& bytes, uint32_t v) {
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<unsigned char>(v >> shift));
+}
+
+void pad(Bytes& bytes, unsigned char fill) {
+  while (bytes.size() % 4) bytes.push_back(fill);
+}
+
+int add_view(Document& doc, const void* data, size_t size, int target) {
+  pad(doc.binary, 0);
+  json view{{"buffer", 0}, {"byteOffset", doc.binary.size()}, {"byteLength", size}};
+  if (target) view["target"] = target;
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  doc.binary.insert(doc.binary.end(), bytes, bytes + size);
+  doc.root["bufferViews"].push_back(std::move(view));
+  return static_cast<int>(doc.root["bufferViews"].size()) - 1;
+}
+
+template <size_t N>
+int add_vectors(Document& doc, const std::vector<std::array<float, N>>& values, bool bounds) {
+  json accessor{{"bufferView", add_view(doc, values.data(), values.size() * sizeof values[0], kArrayBuffer)},
+                {"componentType", kFloat},
+                {"count", values.size()},
+                {"type", "VEC" + std::to_string(N)}};
+  if (bounds) {
+    std::array<float, N> low, high;
+    low.fill(std::numeric_limits<float>::max());
+    high.fill(std::numeric_limits<float>::lowest());
+    for (const auto& v : values) {
+      for (size_t k = 0; k < N; ++k) low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
+    }
+    accessor["min"] = low;
+    accessor["max"] = high;
+  }
+  doc.root["accessors"].push_back(std::move(accessor));
+  return static_cast<int>(doc.root["accessors"].size()) - 1;
+}
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Unit length, or `otherwise` where there is no direction: glTF allows no other lengths.
+Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
+  const float length = std::sqrt(dot(v, v));
+  if (!(length > 1e-12f) || !std::isfinite(length)) return otherwise;
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+/// Triangles that name a vertex twice have no area and are left out.
+std::vector<uint32_t> proper_triangles(const Mesh& mesh) {
+  std::vector<uint32_t> index;
+  index.reserve(mesh.index.size());
+  for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
+    const uint32_t a = mesh.index[t], b = mesh.index[t + 1], c = mesh.index[t + 2];
+    if (a != b && b != c && c != a) index.insert(index.end(), {a, b, c});
+  }
+  return index;
+}
+
+json add_attributes(Document& doc, const Mesh& mesh, bool tangents) {
+  std::vector<Vec3> position(mesh.position_mm), normal(mesh.normal);
+  std::vector<Vec2> uv(mesh.uv_mm);
+  for (Vec3& p : position) p = {p[0] * kMetresPerMm, p[1] * kMetresPerMm, p[2] * kMetresPerMm};
+  for (Vec3& n : normal) n = unit_or(n, {0, 1, 0});
+  for (Vec2& t : uv) t[1] = -t[1];
+  json attributes{{"POSITION", add_vectors(doc, position, true)}, {"NORMAL", add_vectors(doc, normal, false)}};
+  if (tangents) {
+    std::vector<std::array<float, 4>> tangent(mesh.tangent.size());
+    for (size_t i = 0; i < tangent.size(); ++i) {
+      const Vec3& n = normal[i];
+      const Vec3 any = unit_or(cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
+      const Vec3 t = unit_or(mesh.tangent[i], any);
+      tangent[i] = {t[0], t[1], t[2], 1.0f};  // normal x tangent is +v: the cloth's frame is right-handed
+    }
+    attributes["TANGENT"] = add_vectors(doc, tangent, false);
+  }
+  attributes["TEXCOORD_0"] = add_vectors(doc, uv, false);
+  return attributes;
+}
+
+void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* material) {
+  json primitive{{"attributes", add_attributes(doc, mesh, material && !material->normal_png.empty())}};
+  const std::vector<uint32_t> index = proper_triangles(mesh);
+  doc.root["accessors"].push_back(
+      {{"bufferView", add_view(doc, index.data(), index.size() * sizeof index[0], kElementBuffer)},
+       {"componentType", kUint},
+       {"count", index.size()},
+       {"type", "SCALAR"}});
+  primitive["indices"] = doc.root["accessors"].size() - 1;
+  if (material) primitive["material"] = 0;
+  const std::string name = mesh.name.empty() ? "cloth" : mesh.name;
+  doc.root["meshes"] = json::array({{{"name", name}, {"primitives", json::array({primitive})}}});
+  doc.root["nodes"] = json::array({{{"name", name}, {"mesh", 0}}});
+  doc.root["scenes"] = json::array({{{"nodes", {0}}}});
+  doc.root["scene"] = 0;
+}
+
+/// A textureInfo that repeats the image by the millimetre.
+json add_texture(Document& doc, const GltfMaterial& material, const std::string& what, const Bytes& png) {
+  json image{{"name", what}, {"mimeType", "image/png"}};
+  if (doc.embed) {
+    image["bufferView"] = add_view(doc, png.data(), png.size(), 0);
+  } else {
+    image = {{"uri", doc.stem + "_" + what + ".png"}};
+    doc.files.emplace_back(doc.stem + "_" + what + ".png", png);
+  }
+  doc.root["images"].push_back(std::move(image));
+  doc.root["textures"].push_back({{"source", doc.root["images"].size() - 1}, {"sampler", 0}});
+  return {{"index", doc.root["textures"].size() - 1},
+          {"extensions",
+           {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
+}
+
+bool has_sheen(const GltfMaterial& m) {
+  return !m.sheen_png.empty() || m.sheen_color.r > 0 || m.sheen_color.g > 0 || m.sheen_color.b > 0;
+}
+
+json sheen_extension(Document& doc, const GltfMaterial& m) {
+  json sheen{{"sheenColorFactor", {m.sheen_color.r, m.sheen_color.g, m.sheen_color.b}},
+             {"sheenRoughnessFactor", m.sheen_roughness}};
+  if (!m.sheen_png.empty()) {
+    sheen["sheenColorTexture"] = add_texture(doc, m, "sheen", m.sheen_png);
+    sheen["sheenRoughnessTexture"] = sheen["sheenColorTexture"];
+  }
+  return sheen;
+}
+
+json anisotropy_extension(Document& doc, const GltfMaterial& m) {
+  json anisotropy{{"anisotropyStrength", m.anisotropy_strength}, {"anisotropyRotation", m.anisotropy_rotation}};
+  if (!m.anisotropy_png.empty()) anisotropy["anisotropyTexture"] = add_texture(doc, m, "anisotropy", m.anisotropy_png);
+  return anisotropy;
+}
+
+void add_material(Document& doc, const GltfMaterial& m) {
+  json pbr{{"metallicFactor", m.orm_png.empty() ? 0.0 : 1.0}};
+  json material{{"name", m.name}, {"doubleSided", true}};
+  if (!m.base_color_png.empty()) pbr["baseColorTexture"] = add_texture(doc, m, "basecolor", m.base_color_png);
+  if (!m.orm_png.empty()) {
+    pbr["metallicRoughnessTexture"] = add_texture(doc, m, "orm", m.orm_png);
+    material["occlusionTexture"] = pbr["metallicRoughnessTexture"];
+  }
+  material["pbrMetallicRoughness"] = std::move(pbr);
+  if (!m.normal_png.empty()) material["normalTexture"] = add_texture(doc, m, "normal", m.normal_png);
+  if (m.alpha_mask_or_blend) material["alphaMode"] = "MASK";  // sorted by no one, so it holds on folded cloth
+  if (has_sheen(m)) material["extensions"]["KHR_materials_sheen"] = sheen_extension(doc, m);
+  if (m.anisotropy_strength > 0) material["extensions"]["KHR_materials_anisotropy"] = anisotropy_extension(doc, m);
+  doc.root["materials"] = json::array({material});
+  if (!doc.root.contains("textures")) return;
+  doc.root["samplers"] = json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 10497}, {"wrapT", 10497}}});
+  doc.root["extensionsUsed"].push_back("KHR_texture_transform");
+}
+
+std::string check_mesh(const Mesh& mesh) {
+  const size_t n = mesh.position_mm.size();
+  if (mesh.normal.size() != n || mesh.uv_mm.size() != n || mesh.tangent.size() != n) {
+    return "the mesh lacks normals, tangents or texture coordinates";
+  }
+  if (proper_triangles(mesh).empty()) return "the mesh has no triangles";
+  for (uint32_t i : mesh.index) {
+    if (i >= n) return "the mesh names a vertex that is not there";
+  }
+  return {};
+}
+
+std::string write_glb(const std::string& path, Document& doc) {
+  pad(doc.binary, 0);
+  doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}}});
+  const std::string text = doc.root.dump();
+  Bytes head(text.begin(), text.end());
+  pad(head, ' ');
+  const uint64_t total = 12 + 8 + head.size() + 8 + doc.binary.size();
+  if (total > std::numeric_limits<uint32_t>::max()) return path + ": a .glb ends at 4 GB; export smaller textures";
+  Bytes glb{'g', 'l', 'T', 'F'};
+  glb.reserve(total);
+  for (uint32_t v : {uint32_t{2}, static_cast<uint32_t>(total), static_cast<uint32_t>(head.size()), kJsonChunk}) {
+    append_u32(glb, v);
+  }
+  glb.insert(glb.end(), head.begin(), head.end());
+  append_u32(glb, static_cast<uint32_t>(doc.binary.size()));
+  append_u32(glb, kBinChunk);
+  glb.insert(glb.end(), doc.binary.begin(), doc.binary.end());
+  return write_bytes(path, glb);
+}
+
+/// The files beside it first, so that the .gltf never names what is not there.
+std::string write_gltf(const std::string& path, Document& doc) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}, {"uri", doc.stem + ".bin"}}});
+  doc.files.emplace_back(doc.stem + ".bin", std::move(doc.binary));
+  for (const auto& [name, bytes] : doc.files) {
+    if (std::string problem = write_bytes((folder / name).string(), bytes); !problem.empty()) return problem;
+  }
+  return write_text(path, doc.root.dump(1) + "\n");
+}
+
+}  // namespace
+
+std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* material) {
+  if (std::string problem = check_mesh(mesh); !problem.empty()) return path + ": " + problem;
+  const std::filesystem::path target(path);
+  Document doc;
+  doc.embed = target.extension() != ".gltf";
+  doc.stem = target.stem().string();
+  doc.root["asset"] = {{"version", "2.0"}, {"generator", "Weftlight"}, {"extras", {{"weftlight_uv_mm", true}}}};
+  add_mesh(doc, mesh, material);
+  if (material) {
+    if (has_sheen(*material)) doc.root["extensionsUsed"].push_back("KHR_materials_sheen");
+    if (material->anisotropy_strength > 0) doc.root["extensionsUsed"].push_back("KHR_materials_anisotropy");
+    add_material(doc, *material);
+  }
+  try {
+    return doc.embed ? write_glb(path, doc) : write_gltf(path, doc);
+  } catch (const json::exception& e) {  // a name that is not UTF-8
+    return path + ": " + e.what();
+  }
+}
+
+}  // namespace weftlight

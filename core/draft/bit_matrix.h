@@ -24,26 +24,31 @@ class BitMatrix {
     uint64_t& word = bits_[word_at(row, col)];
     word = on ? (word | bit) : (word & ~bit);
   }
-  std::span<uint64_t> row(int r) { return {bits_.data() + static_cast<size_t>(r) * words_, static_cast<size_t>(words_)}; }
+  std::span<uint64_t> row(int r) {
+    return {bits_.data() + static_cast<size_t>(r) * words_, static_cast<size_t>(words_)};
+  }
   std::span<const uint64_t> row(int r) const {
     return {bits_.data() + static_cast<size_t>(r) * words_, static_cast<size_t>(words_)};
   }
   /// Mask of the bits of the last word of a row that are columns.
-  uint64_t last_word_mask() const {
-    return (cols_ & 63) ? (uint64_t{1} << (cols_ & 63)) - 1 : ~uint64_t{0};
-  }
+  uint64_t last_word_mask() const { return (cols_ & 63) ? (uint64_t{1} << (cols_ & 63)) - 1 : ~uint64_t{0}; }
   /// Keeps the cells that both sizes share; new cells are 0.
   void resize(int rows, int cols);
   /// First set column of a row, or -1.
   int first(int row) const;
-  int count() const;
+  int64_t count() const;
 
   bool operator==(const BitMatrix&) const = default;
 
  private:
-  size_t word_at(int row, int col) const { return static_cast<size_t>(row) * words_ + static_cast<size_t>(col >> 6); }
+  size_t word_at(int row, int col) const {
+    return static_cast<size_t>(row) * words_ + static_cast<size_t>(col >> 6);
+  }
   int rows_ = 0, cols_ = 0, words_ = 0;
   std::vector<uint64_t> bits_;
 };
+
+/// Rows become columns.
+BitMatrix transposed(const BitMatrix& matrix);
 
 }  // namespace weftlight

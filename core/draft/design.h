@@ -25,11 +25,11 @@ struct Look {
 struct Scene {
   std::string mesh = "tablecloth";  // name in presets/meshes, or a path to .glb/.gltf
   float view_azimuth = 25, view_elevation = 22;
-  float view_distance = 1.0f;       // 1 frames the mesh
-  float pan_x = 0, pan_y = 0;       // in frame widths
+  float view_distance = 1.0f;  // 1 frames the mesh
+  float pan_x = 0, pan_y = 0;  // in frame widths
   float light_azimuth = -50, light_elevation = 48;
-  float light_strength = 1.0f;      // irradiance scale of the key light
-  float sky_strength = 1.0f;        // scale of the soft environment
+  float light_strength = 1.0f;  // irradiance scale of the key light
+  float sky_strength = 1.0f;    // scale of the soft environment
   Rgb background{0.93f, 0.925f, 0.91f};
   bool operator==(const Scene&) const = default;
 };
@@ -43,5 +43,8 @@ struct Design {
   Scene scene;
   bool operator==(const Design&) const = default;
 };
+
+/// True when the draft is consistent and every thread's yarn exists.
+bool is_consistent(const Design& design);
 
 }  // namespace weftlight

@@ -24,9 +24,9 @@ struct Rgb {
 enum class System { kWarp, kWeft };
 
 /// Largest counts a draft may have; readers refuse more before memory is taken.
-inline constexpr int kMaxThreads = 100000;    // ends or picks
-inline constexpr int kMaxShafts = 4096;       // shafts or treadles
-inline constexpr int kMaxColors = 65536;      // palette entries
+inline constexpr int kMaxThreads = 100000;              // ends or picks
+inline constexpr int kMaxShafts = 4096;                 // shafts or treadles
+inline constexpr int kMaxColors = 65536;                // palette entries
 inline constexpr int64_t kMaxCells = int64_t{1} << 31;  // of any one grid
 
 /// A spacing or thickness that the draft leaves to the yarn.
@@ -34,10 +34,10 @@ inline constexpr float kFromYarn = -1.0f;
 
 /// The threads of one system; the four tables have one row a thread.
 struct Threads {
-  std::vector<int> color;          // index into Draft::palette
-  std::vector<float> spacing_mm;   // centre to centre (1 / sett), or kFromYarn
-  std::vector<float> thickness_mm; // diameter, or kFromYarn
-  std::vector<int> yarn;           // index into Design::yarns
+  std::vector<int> color;           // index into Draft::palette
+  std::vector<float> spacing_mm;    // centre to centre (1 / sett), or kFromYarn
+  std::vector<float> thickness_mm;  // diameter, or kFromYarn
+  std::vector<int> yarn;            // index into Design::yarns
 
   int size() const { return static_cast<int>(color.size()); }
   void resize(int n, int new_color = 0);

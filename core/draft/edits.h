@@ -25,14 +25,16 @@ Design with_palette_color(Design design, int color, Rgb rgb);
 Design with_new_palette_color(Design design, Rgb rgb);
 Design with_yarn(Design design, int yarn, const Yarn& value);
 Design with_new_yarn(Design design, const Yarn& value);
-/// New threads repeat the draft's last colours; cells beyond are empty. Counts are clamped to 1..kMax.
+/// New threads go on with the stripes of the old ones (colour, yarn, spacing, thickness); cells beyond are
+/// empty. Counts are clamped to 1..kMax; more crossings than kMaxCells: unchanged.
 Design with_size(Design design, int ends, int picks, int shafts, int treadles);
+/// Turns the meaning of tie-up and liftplan; the faces change places.
 Design with_rising(Design design, bool rising);
 
-/// Same drawdown, driven by the liftplan; the tie-up becomes straight (treadle = shaft) if asked.
+/// Same drawdown, driven by the liftplan; tie-up and treadling stay as they are.
 Design to_liftplan(Design design);
 /// Same drawdown, driven by treadles: the fewest treadles that single-treadle the lifts, by first use.
-/// Unchanged when more than kMaxShafts distinct lifts would be needed.
+/// Unchanged when it is treadled so already, or when more than kMaxShafts treadles would be needed.
 Design to_treadling(Design design);
 
 }  // namespace weftlight

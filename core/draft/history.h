@@ -2,6 +2,7 @@
 // Undo: a list of immutable snapshots of the Design with labels. One drag is one step
 // (commits with the same stroke id join). The saved mark is a position in the list.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,8 +12,12 @@
 
 namespace weftlight {
 
+/// What the snapshots may take together; past it the oldest steps go, but never the last one.
+inline constexpr size_t kMaxHistoryBytes = size_t{256} << 20;
+
 class History {
  public:
+  /// `first` counts as saved.
   explicit History(Design first);
 
   const Design& now() const { return *steps_[position_].design; }
@@ -35,9 +40,13 @@ class History {
     std::string label;
     uint64_t stroke = 0;
     uint64_t id = 0;
+    size_t bytes = 0;
   };
+  void drop_redo();
+  void drop_last();
+  void drop_oldest();
   std::vector<Step> steps_;
-  size_t position_ = 0;
+  size_t position_ = 0, total_bytes_ = 0;
   uint64_t next_id_ = 1, saved_id_ = 0;
 };
 

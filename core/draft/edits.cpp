@@ -1,0 +1,220 @@
+#include "draft/edits.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+
+namespace weftlight {
+namespace {
+
+bool within(int index, int count) {
+  return index >= 0 && index < count;
+}
+
+bool is_length(float mm) {
+  return mm == kFromYarn || (std::isfinite(mm) && mm >= 0);
+}
+
+bool is_color(Rgb c) {
+  return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+}
+
+Rgb in_gamut(Rgb c) {
+  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
+}
+
+void mark(BitMatrix& grid, int row, int col, bool on, bool only) {
+  if (on && only) std::fill(grid.row(row).begin(), grid.row(row).end(), 0);
+  grid.set(row, col, on);
+}
+
+bool same_thread(const Threads& t, int a, int b) {
+  return t.color[a] == t.color[b] && t.spacing_mm[a] == t.spacing_mm[b] &&
+         t.thickness_mm[a] == t.thickness_mm[b] && t.yarn[a] == t.yarn[b];
+}
+
+// Smallest p with thread i alike to thread i - p throughout (Knuth, Morris, Pratt 1977: n less the longest
+// border), so that a lengthened warp goes on with its stripes.
+int stripe_period(const Threads& t) {
+  const int n = t.size();
+  std::vector<int> border(static_cast<size_t>(n) + 1, 0);
+  for (int i = 1, k = 0; i < n; ++i) {
+    while (k > 0 && !same_thread(t, i, k)) k = border[k];
+    if (same_thread(t, i, k)) ++k;
+    border[i + 1] = k;
+  }
+  return n - border[n];
+}
+
+void lengthen(Threads& t, int n, int new_color) {
+  const int old = t.size();
+  const int period = old > 0 ? stripe_period(t) : 0;
+  t.resize(n, new_color);
+  for (int i = old; period > 0 && i < n; ++i) {
+    t.color[i] = t.color[i - period];
+    t.spacing_mm[i] = t.spacing_mm[i - period];
+    t.thickness_mm[i] = t.thickness_mm[i - period];
+    t.yarn[i] = t.yarn[i - period];
+  }
+}
+
+bool single_treadled(const BitMatrix& treadling) {
+  for (int p = 0; p < treadling.rows(); ++p) {
+    int treadles = 0;
+    for (const uint64_t word : treadling.row(p)) treadles += std::popcount(word);
+    if (treadles > 1) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Design with_threading(Design design, int end, int shaft, bool on, bool only) {
+  Draft& d = design.draft;
+  if (within(end, d.ends()) && within(shaft, d.shafts)) mark(d.threading, end, shaft, on, only);
+  return design;
+}
+
+Design with_tieup(Design design, int treadle, int shaft, bool on) {
+  Draft& d = design.draft;
+  if (within(treadle, d.treadles) && within(shaft, d.shafts)) d.tieup.set(treadle, shaft, on);
+  return design;
+}
+
+Design with_treadling(Design design, int pick, int treadle, bool on, bool only) {
+  Draft& d = design.draft;
+  if (within(pick, d.picks()) && within(treadle, d.treadles)) mark(d.treadling, pick, treadle, on, only);
+  return design;
+}
+
+Design with_liftplan(Design design, int pick, int shaft, bool on) {
+  if (!within(pick, design.draft.picks()) || !within(shaft, design.draft.shafts)) return design;
+  design = to_liftplan(std::move(design));
+  design.draft.liftplan.set(pick, shaft, on);
+  return design;
+}
+
+Design with_drawdown_cell(Design design, int end, int pick, bool up) {
+  if (!within(end, design.draft.ends()) || !within(pick, design.draft.picks())) return design;
+  if (design.draft.threading.first(end) < 0) return design;
+  const auto shafts = design.draft.threading.row(end);
+  Design lifted = to_liftplan(design);
+  const auto lift = lifted.draft.liftplan.row(pick);
+  bool named = false;
+  for (size_t w = 0; w < lift.size(); ++w) named |= (shafts[w] & lift[w]) != 0;
+  const bool want_named = up == design.draft.rising;
+  if (named == want_named) return design;
+  for (size_t w = 0; w < lift.size(); ++w) lift[w] = want_named ? lift[w] | shafts[w] : lift[w] & ~shafts[w];
+  return lifted;
+}
+
+Design with_thread_color(Design design, System system, int thread, int color) {
+  Threads& t = design.draft.threads(system);
+  if (within(thread, t.size()) && within(color, static_cast<int>(design.draft.palette.size()))) {
+    t.color[thread] = color;
+  }
+  return design;
+}
+
+Design with_thread_yarn(Design design, System system, int thread, int yarn) {
+  Threads& t = design.draft.threads(system);
+  if (within(thread, t.size()) && within(yarn, static_cast<int>(design.yarns.size()))) t.yarn[thread] = yarn;
+  return design;
+}
+
+Design with_thread_thickness(Design design, System system, int thread, float mm) {
+  Threads& t = design.draft.threads(system);
+  if (within(thread, t.size()) && is_length(mm)) t.thickness_mm[thread] = mm;
+  return design;
+}
+
+Design with_thread_spacing(Design design, System system, int thread, float mm) {
+  Threads& t = design.draft.threads(system);
+  if (within(thread, t.size()) && is_length(mm)) t.spacing_mm[thread] = mm;
+  return design;
+}
+
+Design with_palette_color(Design design, int color, Rgb rgb) {
+  auto& palette = design.draft.palette;
+  if (within(color, static_cast<int>(palette.size())) && is_color(rgb)) palette[color] = in_gamut(rgb);
+  return design;
+}
+
+Design with_new_palette_color(Design design, Rgb rgb) {
+  auto& palette = design.draft.palette;
+  if (palette.size() < static_cast<size_t>(kMaxColors) && is_color(rgb)) palette.push_back(in_gamut(rgb));
+  return design;
+}
+
+Design with_yarn(Design design, int yarn, const Yarn& value) {
+  if (within(yarn, static_cast<int>(design.yarns.size()))) design.yarns[yarn] = clamped(value);
+  return design;
+}
+
+Design with_new_yarn(Design design, const Yarn& value) {
+  if (design.yarns.size() < static_cast<size_t>(kMaxColors)) design.yarns.push_back(clamped(value));
+  return design;
+}
+
+Design with_size(Design design, int ends, int picks, int shafts, int treadles) {
+  ends = std::clamp(ends, 1, kMaxThreads);
+  picks = std::clamp(picks, 1, kMaxThreads);
+  shafts = std::clamp(shafts, 1, kMaxShafts);
+  treadles = std::clamp(treadles, 1, kMaxShafts);
+  if (int64_t{ends} * picks > kMaxCells) return design;
+  Draft& d = design.draft;
+  if (d.palette.empty()) d.palette = blank_draft(1, 1, 1, 1).palette;
+  d.shafts = shafts;
+  d.treadles = treadles;
+  d.threading.resize(ends, shafts);
+  d.tieup.resize(treadles, shafts);
+  d.treadling.resize(picks, treadles);
+  d.liftplan.resize(picks, shafts);
+  lengthen(d.warp, ends, 0);
+  lengthen(d.weft, picks, static_cast<int>(d.palette.size()) > 1 ? 1 : 0);
+  return design;
+}
+
+Design with_rising(Design design, bool rising) {
+  design.draft.rising = rising;
+  return design;
+}
+
+Design to_liftplan(Design design) {
+  design.draft.liftplan = lifts(design.draft);
+  design.draft.drive = Drive::kLiftplan;
+  return design;
+}
+
+Design to_treadling(Design design) {
+  Draft& d = design.draft;
+  if (d.drive == Drive::kTreadling && single_treadled(d.treadling)) return design;
+  const BitMatrix lift = lifts(d);
+  std::unordered_map<std::string_view, int> treadle_of;
+  std::vector<int> first_pick, used(static_cast<size_t>(lift.rows()), -1);
+  for (int p = 0; p < lift.rows(); ++p) {
+    if (lift.first(p) < 0) continue;  // nothing to lift needs no treadle
+    const auto words = lift.row(p);
+    const std::string_view key(reinterpret_cast<const char*>(words.data()), words.size_bytes());
+    const auto [at, is_new] = treadle_of.try_emplace(key, static_cast<int>(first_pick.size()));
+    if (is_new) first_pick.push_back(p);
+    used[p] = at->second;
+  }
+  if (first_pick.size() > static_cast<size_t>(kMaxShafts)) return design;
+  d.treadles = std::max(1, static_cast<int>(first_pick.size()));
+  d.tieup = BitMatrix(d.treadles, d.shafts);
+  d.treadling = BitMatrix(d.picks(), d.treadles);
+  for (size_t t = 0; t < first_pick.size(); ++t) {
+    std::copy(lift.row(first_pick[t]).begin(), lift.row(first_pick[t]).end(),
+              d.tieup.row(static_cast<int>(t)).begin());
+  }
+  for (int p = 0; p < lift.rows(); ++p) {
+    if (used[p] >= 0) d.treadling.set(p, used[p], true);
+  }
+  d.drive = Drive::kTreadling;
+  return design;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,273 @@
+// Samples of the surface averaged into the texels of the maps, then horizons and occlusion.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cloth/bands.h"
+#include "cloth/horizon.h"
+#include "cloth/maps.h"
+#include "cloth/surface.h"
+
+namespace weftlight {
+namespace {
+
+constexpr int kBandRows = 32;
+constexpr int kLargestMap = 16384, kMostAzimuths = 64;
+// Threads further away than this many spacings are taken not to stand above nearer ones.
+constexpr float kShadowReach = 4.0f;
+
+int wrap(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
+/// Average of the samples of one texel, weighted by what they cover.
+class TexelSum {
+ public:
+  void add(const SurfaceSample& s) {
+    const float w = s.cover;
+    cover_ += w;
+    ++count_;
+    height_ += w * s.height_mm, groove_ += w * s.groove;
+    r_ += w * s.colour.r, g_ += w * s.colour.g, b_ += w * s.colour.b;
+    sx_ += w * s.slope.x, sy_ += w * s.slope.y;
+    Side& side = sides_[s.system];
+    side.cover += w;
+    side.x += w * s.tangent.x, side.y += w * s.tangent.y, side.z += w * s.tangent.z;
+    if (w > side.best) side.best = w, side.thread = s.thread;
+  }
+  /// `ground` is any sample of the texel, for one that nothing covers.
+  SurfaceSample mean(const SurfaceSample& ground) const {
+    if (cover_ <= 0.0f) return ground;
+    const float k = 1.0f / cover_;
+    const uint8_t system = sides_[0].cover >= sides_[1].cover ? 0 : 1;
+    const Side& side = sides_[system];
+    const float length = std::sqrt(side.x * side.x + side.y * side.y + side.z * side.z);
+    SurfaceSample s;
+    s.height_mm = height_ * k, s.groove = groove_ * k;
+    s.cover = cover_ / static_cast<float>(count_);
+    s.colour = {r_ * k, g_ * k, b_ * k};
+    s.slope = {sx_ * k, sy_ * k};
+    s.tangent = length > 0.0f ? Direction{side.x / length, side.y / length, side.z / length} : ground.tangent;
+    s.system = system, s.thread = side.thread;
+    return s;
+  }
+
+ private:
+  struct Side {
+    float cover = 0, x = 0, y = 0, z = 0, best = 0;
+    uint32_t thread = 0;
+  };
+  float cover_ = 0, height_ = 0, groove_ = 0, r_ = 0, g_ = 0, b_ = 0, sx_ = 0, sy_ = 0;
+  int count_ = 0;
+  Side sides_[2];
+};
+
+void put(Maps& m, int x, int y, const SurfaceSample& s) {
+  m.height_mm.at(x, y) = s.height_mm;
+  m.coverage.at(x, y) = s.cover;
+  m.colour.at(x, y) = s.colour;
+  m.groove.at(x, y) = s.groove;
+  m.slope.at(x, y) = s.slope;
+  m.tangent.at(x, y) = s.tangent;
+  m.system.at(x, y) = s.system;
+  m.thread.at(x, y) = s.thread;
+}
+
+/// The texels of a rectangle inside the maps.
+void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r) {
+  const int nx = grid.per_texel_x, ny = grid.per_texel_y;
+  SurfaceSampler sampler(cloth, grid, r.x0 * nx, r.x1 * nx, r.y0 * ny, r.y1 * ny);
+  const size_t texels = static_cast<size_t>(r.x1 - r.x0);
+  std::vector<SurfaceSample> row(texels * static_cast<size_t>(nx));
+  std::vector<TexelSum> sums;
+  for (int y = r.y0; y < r.y1; ++y) {
+    sums.assign(nx * ny > 1 ? texels : 0, {});
+    for (int j = 0; j < ny; ++j) {
+      sampler.row(y * ny + j, row);
+      for (size_t i = 0; i < row.size() && !sums.empty(); ++i) sums[i / static_cast<size_t>(nx)].add(row[i]);
+    }
+    for (size_t t = 0; t < texels; ++t) {
+      const SurfaceSample& first = row[t * static_cast<size_t>(nx)];
+      put(maps, r.x0 + static_cast<int>(t), y, sums.empty() ? first : sums[t].mean(first));
+    }
+  }
+}
+
+Sweep sweep_of(const Maps& maps, const Cloth& cloth, int k) {
+  const double azimuth = 2.0 * std::numbers::pi * k / maps.azimuths;
+  const int w = maps.height_mm.width, h = maps.height_mm.height;
+  const float spacing = std::max(cloth.width_mm / static_cast<float>(cloth.ends.size()),
+                                 cloth.depth_mm / static_cast<float>(cloth.picks.size()));
+  return sweep_towards(azimuth, w, h, maps.width_mm / static_cast<float>(w),
+                       maps.depth_mm / static_cast<float>(h), kShadowReach * spacing);
+}
+
+/// Cosine-weighted share of the sky above the horizons.
+void bake_occlusion(Maps& maps, const TexelRect& r) {
+  if (maps.azimuths == 0) return;
+  const float scale = 1.0f / (255.0f * 255.0f * static_cast<float>(maps.azimuths));
+  std::vector<int> sum(static_cast<size_t>(r.x1 - r.x0));
+  for (int y = r.y0; y < r.y1; ++y) {
+    std::fill(sum.begin(), sum.end(), 0);
+    for (const auto& plane : maps.horizon) {
+      const uint8_t* row = plane.row(y) + r.x0;
+      for (size_t i = 0; i < sum.size(); ++i) sum[i] += row[i] * row[i];
+    }
+    float* out = maps.occlusion.row(y) + r.x0;
+    for (size_t i = 0; i < sum.size(); ++i) out[i] = 1.0f - static_cast<float>(sum[i]) * scale;
+  }
+}
+
+/// Runs over bands of rows.
+template <class Job>
+void for_each_row_band(int rows, int threads, const Job& job) {
+  for_each_band((rows + kBandRows - 1) / kBandRows, threads,
+                [&](int band) { job(band * kBandRows, std::min(rows, (band + 1) * kBandRows)); });
+}
+
+Maps empty_maps(const Cloth& cloth, const MapsSize& size) {
+  const int w = std::clamp(size.width, 1, kLargestMap), h = std::clamp(size.height, 1, kLargestMap);
+  Maps m;
+  m.width_mm = cloth.width_mm, m.depth_mm = cloth.depth_mm;
+  m.azimuths = std::clamp(size.azimuths, 0, kMostAzimuths);
+  m.horizon.resize(static_cast<size_t>(m.azimuths));
+  // Filling the planes touches more memory than it computes: spread it too.
+  const auto make = [&](int i) {
+    switch (i) {
+      case 0: m.height_mm = Plane<float>(w, h); break;
+      case 1: m.coverage = Plane<float>(w, h); break;
+      case 2: m.colour = Plane<Linear>(w, h); break;
+      case 3: m.groove = Plane<float>(w, h, 1.0f); break;
+      case 4: m.slope = Plane<Slope>(w, h); break;
+      case 5: m.tangent = Plane<Direction>(w, h); break;
+      case 6: m.system = Plane<uint8_t>(w, h); break;
+      case 7: m.thread = Plane<uint32_t>(w, h); break;
+      default: m.occlusion = Plane<float>(w, h, 1.0f); break;
+    }
+  };
+  for_each_band(9, size.threads, make);
+  return m;
+}
+
+bool is_empty(const Cloth& cloth) { return cloth.ends.empty() || cloth.picks.empty(); }
+
+/// A run of an axis that may leave 0..n, as pieces inside it.
+std::vector<std::pair<int, int>> pieces(int from, int to, int n) {
+  if (to - from >= n) return {{0, n}};
+  const int a = wrap(from, n), b = a + (to - from);
+  if (b <= n) return {{a, b}};
+  return {{a, n}, {0, b - n}};
+}
+
+std::vector<TexelRect> pieces(const TexelRect& r, int width, int height) {
+  std::vector<TexelRect> out;
+  for (const auto& [y0, y1] : pieces(r.y0, r.y1, height))
+    for (const auto& [x0, x1] : pieces(r.x0, r.x1, width)) out.push_back({x0, y0, x1, y1});
+  return out;
+}
+
+/// Texels, not wrapped, that the threads [first, last) (not wrapped either) can be seen in.
+std::pair<int, int> texels_of(const std::vector<ThreadBody>& threads, float period, int texels, int first, int last) {
+  const int n = static_cast<int>(threads.size());
+  const auto edge = [&](int i, float side) {
+    const ThreadBody& t = threads[static_cast<size_t>(wrap(i, n))];
+    const double turns = std::floor(static_cast<double>(i) / n);
+    return (static_cast<double>(t.centre_mm + side * t.spacing_mm) / static_cast<double>(period) + turns) * texels;
+  };
+  // One texel more: the borders are rounded.
+  return {static_cast<int>(std::floor(edge(first, -0.5f))) - 1, static_cast<int>(std::ceil(edge(last - 1, 0.5f))) + 1};
+}
+
+TexelRect joined(const TexelRect& a, const TexelRect& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+/// Sweeps again what a change of height inside `changed` (not wrapped) can touch; returns where that is.
+TexelRect resweep(Maps& maps, const Sweep& s, int k, const TexelRect& changed) {
+  const int w = maps.height_mm.width;
+  const auto height = view_along<const float>(s, maps.height_mm.row(0), w);
+  const auto out = view_along(s, maps.horizon[static_cast<size_t>(k)].row(0), w);
+  const int a0 = s.along_x ? changed.x0 : changed.y0, a1 = s.along_x ? changed.x1 : changed.y1;
+  const int c0 = s.along_x ? changed.y0 : changed.x0, c1 = s.along_x ? changed.y1 : changed.x1;
+  int reach0 = a0, reach1 = a1, side0 = c0, side1 = c1;
+  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
+  const auto turns = [&](int i) { return static_cast<int>(std::floor(static_cast<double>(i) / s.length)); };
+  for (int turn = turns(a0 - s.ahead) - 1; turn <= turns(a1 + s.ahead) + 1; ++turn) {
+    for (int b = 0; b < s.blocks(); ++b) {
+      const int from = b * s.block, to = std::min(s.length, from + s.block);
+      // Where this block's lines read a changed texel, in their own count along the line.
+      const int i0 = std::max(a0 - turn * s.length, s.forward ? from : from - s.ahead);
+      const int i1 = std::min(a1 - turn * s.length, s.forward ? to + s.ahead : to);
+      if (i0 >= i1) continue;
+      const int low = std::min(shift(i0), shift(i1 - 1)), high = std::max(shift(i0), shift(i1 - 1));
+      // A line reads two texels and its value reaches two.
+      const int line0 = c0 - high - 2, line1 = std::min(c1 - low + 2, line0 + s.lines);
+      sweep_block(s, height, line0, line1, b, out);
+      reach0 = std::min(reach0, from + turn * s.length), reach1 = std::max(reach1, to + turn * s.length);
+      side0 = std::min(side0, line0 + std::min(shift(from), shift(to - 1)));
+      side1 = std::max(side1, line1 + std::max(shift(from), shift(to - 1)));
+    }
+  }
+  return s.along_x ? TexelRect{reach0, side0, reach1, side1} : TexelRect{side0, reach0, side1, reach1};
+}
+
+}  // namespace
+
+Maps bake(const Cloth& cloth, const MapsSize& size) {
+  Maps maps = empty_maps(cloth, size);
+  if (is_empty(cloth)) {
+    for (auto& plane : maps.horizon) plane = Plane<uint8_t>(maps.height_mm.width, maps.height_mm.height);
+    return maps;
+  }
+  const int w = maps.height_mm.width, h = maps.height_mm.height;
+  const SampleGrid grid = sample_grid(cloth, w, h);
+  for_each_row_band(h, size.threads, [&](int y0, int y1) { bake_surface(maps, cloth, grid, {0, y0, w, y1}); });
+  for_each_band(maps.azimuths, size.threads, [&](int k) {
+    maps.horizon[static_cast<size_t>(k)] = horizon(maps.height_mm, sweep_of(maps, cloth, k));
+  });
+  for_each_row_band(h, size.threads, [&](int y0, int y1) { bake_occlusion(maps, {0, y0, w, y1}); });
+  return maps;
+}
+
+std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& dirty) {
+  if (dirty.empty() || is_empty(after)) return {};
+  const int w = maps.height_mm.width, h = maps.height_mm.height;
+  const SampleGrid grid = sample_grid(after, w, h);
+  const auto columns = [&](int e0, int e1) { return texels_of(after.ends, after.width_mm, w, e0, e1); };
+  const auto rows = [&](int p0, int p1) { return texels_of(after.picks, after.depth_mm, h, p0, p1); };
+  // The changed ends move along their picks' reach, the changed picks along their ends'.
+  const auto [ex0, ex1] = columns(dirty.end0, dirty.end1);
+  const auto [ey0, ey1] = rows(dirty.pick0 - kCentreReach, dirty.pick1 + kCentreReach);
+  const auto [px0, px1] = columns(dirty.end0 - kCentreReach, dirty.end1 + kCentreReach);
+  const auto [py0, py1] = rows(dirty.pick0, dirty.pick1);
+  for (const TexelRect& cross : {TexelRect{ex0, ey0, ex1, ey1}, TexelRect{px0, py0, px1, py1}})
+    for (const TexelRect& r : pieces(cross, w, h)) bake_surface(maps, after, grid, r);
+
+  const TexelRect changed = joined({ex0, ey0, ex1, ey1}, {px0, py0, px1, py1});
+  std::vector<TexelRect> swept(static_cast<size_t>(maps.azimuths), changed);
+  for_each_band(maps.azimuths, 0, [&](int k) {
+    swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(maps, after, k), k, changed);
+  });
+  TexelRect all = changed;
+  for (const TexelRect& r : swept) all = joined(all, r);
+  const std::vector<TexelRect> touched = pieces(all, w, h);
+  for (const TexelRect& r : touched) bake_occlusion(maps, r);
+  return touched;
+}
+
+Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad) {
+  const int w = maps.height_mm.width, h = maps.height_mm.height;
+  Plane<uint8_t> lit(w, h);
+  if (w == 0 || h == 0 || !(maps.width_mm > 0.0f) || !(maps.depth_mm > 0.0f)) return lit;
+  const float dx = maps.width_mm / static_cast<float>(w), dy = maps.depth_mm / static_cast<float>(h);
+  const Sweep sweep = sweep_towards(static_cast<double>(light_azimuth_rad), w, h, dx, dy,
+                                    std::max(maps.width_mm, maps.depth_mm));
+  const Plane<uint8_t> sines = horizon(maps.height_mm, sweep);
+  const float light = 255.0f * std::sin(light_elevation_rad);
+  for (size_t i = 0; i < lit.at_.size(); ++i) lit.at_[i] = light > static_cast<float>(sines.at_[i]) ? 1 : 0;
+  return lit;
+}
+
+}  // namespace weftlight

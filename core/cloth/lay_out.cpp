@@ -1,0 +1,110 @@
+// Lays a design out in millimetres: where each thread lies and how the weave flattens it.
+//
+// Based on: F. T. Peirce, The Geometry of Cloth Structure, 1937, and A. Kemp, An Extension of
+// Peirce's Cloth Geometry to the Treatment of Non-circular Threads, 1958.
+// Differs: Kemp's race-track section is an ellipse of the same area here.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/cloth.h"
+#include "draft/analysis.h"
+
+namespace weftlight {
+namespace {
+
+// Centre distance of threads over their width where the draft gives no spacing: a balanced cloth
+// of touching threads has a few percent of air (open share 1 - 1/1.08 a system).
+constexpr float kTouching = 1.08f;
+// A jammed thread gives way sideways until it is this much taller than wide; beyond, it is packed
+// denser (its fibres fill about 60 % of a spun yarn, so there is air to give).
+constexpr float kTallest = 1.5f;
+constexpr float kLargest_mm = 1.0e4f;
+constexpr float kSmallestSpacing_mm = 1.0e-3f;
+
+float channel_to_linear(float c) {
+  c = std::clamp(c, 0.0f, 1.0f);
+  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+float channel_to_srgb(float c) {
+  c = std::clamp(c, 0.0f, 1.0f);
+  return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
+}
+
+template <class T>
+T entry(const std::vector<T>& table, int i, T missing) {
+  return i >= 0 && i < static_cast<int>(table.size()) ? table[static_cast<size_t>(i)] : missing;
+}
+
+/// Negative and NaN mean "left to the yarn".
+bool is_given(float mm) { return mm >= 0.0f; }
+
+ThreadBody body_of(float diameter, float spacing, const Yarn& yarn) {
+  ThreadBody body;
+  diameter = std::clamp(diameter, 0.0f, kLargest_mm);
+  const float flat = std::isnan(yarn.flattening) ? 1.0f : std::clamp(yarn.flattening, 0.3f, 1.0f);
+  const float free_width = diameter / std::sqrt(flat);
+  body.spacing_mm = spacing > 0.0f ? std::min(spacing, kLargest_mm) : kTouching * free_width;
+  body.spacing_mm = std::max(body.spacing_mm, kSmallestSpacing_mm);
+  // Threads that stand apart are pressed less and stay rounder; the area stays.
+  const float tightness = std::min(1.0f, diameter * kTouching / body.spacing_mm);
+  const float section = 1.0f - (1.0f - flat) * tightness;
+  body.width_mm = std::min(diameter / std::sqrt(section), body.spacing_mm);
+  if (body.width_mm > 0.0f)
+    body.height_mm = std::min(diameter * diameter / body.width_mm, kTallest * body.width_mm);
+  return body;
+}
+
+std::vector<ThreadBody> bodies(const Design& design, const Threads& threads, int count, float& period) {
+  std::vector<ThreadBody> out;
+  out.reserve(static_cast<size_t>(count));
+  double edge = 0;
+  const int last_yarn = static_cast<int>(design.yarns.size()) - 1;
+  for (int i = 0; i < count; ++i) {
+    const int yarn = std::clamp(entry(threads.yarn, i, 0), 0, last_yarn);
+    const Yarn& y = design.yarns[static_cast<size_t>(yarn)];
+    const float thickness = entry(threads.thickness_mm, i, kFromYarn);
+    ThreadBody body = body_of(is_given(thickness) ? thickness : std::max(0.0f, y.diameter_mm),
+                              entry(threads.spacing_mm, i, kFromYarn), y);
+    body.yarn = yarn;
+    body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
+    body.centre_mm = static_cast<float>(edge + 0.5 * static_cast<double>(body.spacing_mm));
+    edge += static_cast<double>(body.spacing_mm);
+    out.push_back(body);
+  }
+  period = static_cast<float>(edge);
+  return out;
+}
+
+BitMatrix top_left(const BitMatrix& cells, int picks, int ends, bool flip) {
+  BitMatrix out(picks, ends);
+  for (int p = 0; p < picks; ++p) {
+    const auto from = cells.row(p);
+    const auto to = out.row(p);
+    for (size_t w = 0; w < to.size(); ++w) to[w] = flip ? ~from[w] : from[w];
+    if (!to.empty()) to.back() &= out.last_word_mask();
+  }
+  return out;
+}
+
+}  // namespace
+
+Linear linear_from_srgb(Rgb c) {
+  return {channel_to_linear(c.r), channel_to_linear(c.g), channel_to_linear(c.b)};
+}
+
+Rgb srgb_from_linear(Linear c) { return {channel_to_srgb(c.r), channel_to_srgb(c.g), channel_to_srgb(c.b)}; }
+
+Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period) {
+  Repeat size{cells.cols(), cells.rows()};
+  if (period == Period::kRepeat && size.ends > 0 && size.picks > 0) size = design_repeat(design, cells);
+  Cloth cloth;
+  cloth.yarns = design.yarns.empty() ? std::vector<Yarn>{Yarn{}} : design.yarns;
+  cloth.up = top_left(cells, size.picks, size.ends, face == Face::kBack);
+  cloth.ends = bodies(design, design.draft.warp, size.ends, cloth.width_mm);
+  cloth.picks = bodies(design, design.draft.weft, size.picks, cloth.depth_mm);
+  return cloth;
+}
+
+}  // namespace weftlight

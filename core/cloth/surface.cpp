@@ -1,0 +1,213 @@
+// The top of the union of threads: each an ellipse swept along its centre line. At a sample at most
+// one end and one pick can be on top, since a thread is never wider than its room.
+
+#include "cloth/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace weftlight {
+namespace {
+
+constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
+constexpr int kSamplesPerThread = 4;
+constexpr double kMostSamples = 1 << 26;  // of one map, before threads are sampled more sparsely
+
+const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
+  return s == System::kWarp ? cloth.ends : cloth.picks;
+}
+
+int per_texel(size_t threads, int texels, double most) {
+  const double wanted = std::ceil(kSamplesPerThread * static_cast<double>(threads) / texels);
+  return static_cast<int>(std::clamp(wanted, 1.0, std::max(1.0, most)));
+}
+
+int thread_at(const std::vector<ThreadBody>& threads, float s_mm) {
+  const auto it = std::partition_point(threads.begin(), threads.end(), [&](const ThreadBody& t) {
+    return t.centre_mm + 0.5f * t.spacing_mm <= s_mm;
+  });
+  return static_cast<int>(std::min(it - threads.begin(), std::ssize(threads) - 1));
+}
+
+std::vector<ThreadTexture> textures(const Cloth& cloth, System system) {
+  const auto& threads = threads_of(cloth, system);
+  const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
+  std::vector<ThreadTexture> out;
+  out.reserve(threads.size());
+  for (size_t i = 0; i < threads.size(); ++i)
+    out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(threads[i].yarn)], threads[i], system,
+                                 static_cast<int>(i), length));
+  return out;
+}
+
+float unit_or_less(float x) { return std::min(x, 1.0f); }
+
+}  // namespace
+
+SampleGrid sample_grid(const Cloth& cloth, int width, int height) {
+  SampleGrid grid{width, height, 1, 1};
+  const double room = std::sqrt(kMostSamples / (static_cast<double>(width) * height));
+  grid.per_texel_x = per_texel(cloth.ends.size(), width, room);
+  grid.per_texel_y = per_texel(cloth.picks.size(), height, room);
+  return grid;
+}
+
+float floor_mm(const Cloth& cloth) {
+  float end = 0, pick = 0;
+  for (const ThreadBody& t : cloth.ends) end = std::max(end, t.height_mm);
+  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, t.height_mm);
+  return -0.5f * (end + pick);
+}
+
+SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x0, int x1, int y0, int y1)
+    : cloth_(cloth), grid_(grid), x0_(x0), x1_(x1), y0_(y0), y1_(y1),
+      dx_mm_(cloth.width_mm / static_cast<float>(grid.samples_x())),
+      dy_mm_(cloth.depth_mm / static_cast<float>(grid.samples_y())),
+      floor_mm_(floor_mm(cloth)),
+      warp_texture_(textures(cloth, System::kWarp)),
+      weft_texture_(textures(cloth, System::kWeft)),
+      columns_(across(System::kWarp, x0, x1)),
+      rows_(across(System::kWeft, y0, y1)) {
+  column_steps_.reserve(columns_.size());
+  for (int x = x0; x < x1; ++x)
+    column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
+  // One crossing more on each side than the curves' steps touch.
+  lines_ = centre_lines(cloth, {columns_.front().thread - 2, columns_.back().thread + 4,
+                                rows_.front().thread - 2, rows_.back().thread + 4});
+  weft_along_.resize(columns_.size());
+  warp_along_.resize(static_cast<size_t>(columns_.back().thread - columns_.front().thread + 1));
+}
+
+std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int first, int last) const {
+  const auto& threads = threads_of(cloth_, system);
+  const auto& textures = system == System::kWarp ? warp_texture_ : weft_texture_;
+  const float step = system == System::kWarp ? dx_mm_ : dy_mm_;
+  const float step_along = system == System::kWarp ? dy_mm_ : dx_mm_;
+  const float length = system == System::kWarp ? cloth_.depth_mm : cloth_.width_mm;
+  std::vector<Across> out(static_cast<size_t>(last - first));
+  int lowest = thread_at(threads, static_cast<float>(first) * step);
+  for (int i = first; i < last; ++i) {
+    Across& a = out[static_cast<size_t>(i - first)];
+    const float from = static_cast<float>(i) * step, to = static_cast<float>(i + 1) * step;
+    const float middle = 0.5f * (from + to);
+    const int count = static_cast<int>(threads.size());
+    const auto end_of = [&](int t) {
+      return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
+    };
+    while (lowest + 1 < count && end_of(lowest) <= from) ++lowest;
+    float covered = 0;
+    for (int t = lowest; t < count; ++t) {
+      const ThreadBody& b = threads[static_cast<size_t>(t)];
+      if (b.centre_mm - 0.5f * b.spacing_mm >= to) break;
+      covered += std::max(0.0f, std::min(to, b.centre_mm + 0.5f * b.width_mm) -
+                                    std::max(from, b.centre_mm - 0.5f * b.width_mm));
+    }
+    a.cover = unit_or_less(covered / step);
+    a.thread = lowest;
+    while (a.thread + 1 < count && end_of(a.thread) <= middle) ++a.thread;
+
+    const ThreadBody& body = threads[static_cast<size_t>(a.thread)];
+    const ThreadTexture& texture = textures[static_cast<size_t>(a.thread)];
+    const float half = std::max(0.5f * body.width_mm, 1e-7f), d = middle - body.centre_mm;
+    a.inside = std::abs(d) < half && body.width_mm > 0.0f;
+    a.beyond_mm = std::max(0.0f, std::abs(d) - half);
+    const auto section = [&](float u) { return 0.5f * body.height_mm * std::sqrt(std::max(0.0f, 1.0f - u * u)); };
+    const float u0 = std::clamp((from - body.centre_mm) / half, -1.0f, 1.0f);
+    const float u1 = std::clamp((to - body.centre_mm) / half, -1.0f, 1.0f);
+    const float u = 0.5f * (u0 + u1);
+    a.height_mm = section(u);
+    if (u1 - u0 > 1e-6f) a.slope = -(section(u1) - section(u0)) / ((u1 - u0) * half);
+    const float around = std::asin(std::clamp(u, -1.0f, 1.0f)) / kTwoPi;
+    a.turn = texture.fibres * around;
+    a.ply_turn = static_cast<float>(texture.plies) * around;
+    const float turn_per_sample = step / (kTwoPi * half * std::sqrt(std::max(1e-4f, 1.0f - u * u)));
+    const auto fade = [&](float patterns, int advance) {
+      return contrast_left(std::max(patterns * turn_per_sample,
+                                    std::abs(static_cast<float>(advance)) * step_along / length));
+    };
+    a.fade = fade(texture.fibres, texture.advance);
+    a.ply_fade = fade(static_cast<float>(texture.plies), texture.ply_advance);
+  }
+  return out;
+}
+
+SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
+  const bool warp = system == System::kWarp;
+  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_)[static_cast<size_t>(thread)];
+  const float share = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
+  const CentrePoint centre = centre_at(lines_, system, thread, step);
+  Along a;
+  a.centre_mm = centre.height_mm;
+  a.slope = centre.slope;
+  a.turn = static_cast<float>(texture.advance) * share;
+  a.ply_turn = static_cast<float>(texture.ply_advance) * share;
+  const float node = std::floor(share * static_cast<float>(texture.nodes));
+  a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
+  a.blend = std::clamp(share * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
+  return a;
+}
+
+void SurfaceSampler::follow_pick(int pick) {
+  pick_ = pick;
+  for (int x = x0_; x < x1_; ++x) {
+    const size_t i = static_cast<size_t>(x - x0_);
+    weft_along_[i] = along(System::kWeft, pick, column_steps_[i], (static_cast<float>(x) + 0.5f) * dx_mm_);
+  }
+}
+
+SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along& l) const {
+  const bool warp = system == System::kWarp;
+  const size_t index = static_cast<size_t>(a.thread);
+  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_)[index];
+  const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
+  const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, l.node, l.blend, a.fade, a.ply_fade});
+  float across = a.slope, along = -l.slope;
+  SurfaceSample s;
+  s.height_mm = l.centre_mm + a.height_mm;
+  if (texture.plies > 1) {
+    // z -= relief ply^2, with the factor 1 / cos of the tube's side left out: it ends at its edge.
+    const float slant = 4.0f * texture.ply_relief_mm * texel.ply;
+    const float length = warp ? cloth_.depth_mm : cloth_.width_mm;
+    s.height_mm -= texture.ply_relief_mm * texel.ply * texel.ply;
+    across += slant * static_cast<float>(texture.plies) / (kTwoPi * texture.radius_mm);
+    along += slant * static_cast<float>(texture.ply_advance) / length;
+  }
+  s.groove = texel.groove;
+  s.colour = {unit_or_less(body.colour.r * texel.tone), unit_or_less(body.colour.g * texel.tone),
+              unit_or_less(body.colour.b * texel.tone)};
+  s.thread = static_cast<uint32_t>(a.thread);
+  s.system = warp ? 0 : 1;
+  s.slope = warp ? Slope{across, along} : Slope{along, across};
+  // Fibre: the axis turned by the helix angle in the surface's tangent plane.
+  const float turn = texture.fibre_tan / std::sqrt(1.0f + across * across);
+  const float axis = 1.0f / std::sqrt(1.0f + along * along);
+  const float ta = turn, tl = axis, tz = -(across * turn + along * axis);
+  const float scale = 1.0f / std::sqrt(ta * ta + tl * tl + tz * tz);
+  s.tangent = warp ? Direction{ta * scale, tl * scale, tz * scale} : Direction{tl * scale, ta * scale, tz * scale};
+  return s;
+}
+
+void SurfaceSampler::row(int y, std::span<SurfaceSample> out) {
+  const Across& across_row = rows_[static_cast<size_t>(y - y0_)];
+  if (across_row.thread != pick_) follow_pick(across_row.thread);
+  const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
+  const CentreStep step = centre_step(cloth_, System::kWarp, s_mm);
+  const int first_end = columns_.front().thread;
+  for (size_t e = 0; e < warp_along_.size(); ++e)
+    warp_along_[e] = along(System::kWarp, first_end + static_cast<int>(e), step, s_mm);
+  for (size_t i = 0; i < out.size(); ++i) {
+    const Across& column = columns_[i];
+    const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
+    const Along& pick = weft_along_[i];
+    const bool warp = column.inside != across_row.inside ? column.inside
+                      : column.inside ? end.centre_mm + column.height_mm >= pick.centre_mm + across_row.height_mm
+                                      : column.beyond_mm <= across_row.beyond_mm;
+    SurfaceSample& s = out[i];
+    s = warp ? finish(System::kWarp, column, end) : finish(System::kWeft, across_row, pick);
+    s.cover = 1.0f - (1.0f - column.cover) * (1.0f - across_row.cover);
+    if (s.cover <= 0.0f) s.height_mm = floor_mm_, s.slope = {};
+  }
+}
+
+}  // namespace weftlight

@@ -1,0 +1,79 @@
+#pragma once
+// The surface of a cloth, sampled: what is on top at the samples of one row. Shared by the maps and
+// by their moments, which differ only in how they average samples into texels.
+
+#include <span>
+#include <vector>
+
+#include "cloth/centre_line.h"
+#include "cloth/maps.h"
+#include "cloth/thread_texture.h"
+
+namespace weftlight {
+
+/// Samples of one period; a texel of the maps holds per_texel_x x per_texel_y of them, so that there
+/// are about four samples a thread where the map has fewer texels.
+struct SampleGrid {
+  int width = 1, height = 1;  // of the maps, texels
+  int per_texel_x = 1, per_texel_y = 1;
+  int samples_x() const { return width * per_texel_x; }
+  int samples_y() const { return height * per_texel_y; }
+};
+SampleGrid sample_grid(const Cloth& cloth, int width, int height);
+
+struct SurfaceSample {
+  float height_mm = 0, cover = 0, groove = 1;
+  Linear colour;
+  Slope slope;
+  Direction tangent;
+  uint32_t thread = 0;
+  uint8_t system = 0;
+};
+
+/// Height of a gap's ground: the underside of the lowest thread, whatever the weave.
+float floor_mm(const Cloth& cloth);
+
+/// Samples rows of a window of the grid: columns [x0, x1), rows [y0, y1) inside the grid.
+class SurfaceSampler {
+ public:
+  SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x0, int x1, int y0, int y1);
+  /// Row y (in samples) of the window; out has x1 - x0 entries. Rows in order are cheapest.
+  void row(int y, std::span<SurfaceSample> out);
+
+ private:
+  /// A sample's place across the threads of one system.
+  struct Across {
+    int thread = 0;
+    bool inside = false;
+    float cover = 0;        // share of the sample's width that threads cover
+    float beyond_mm = 0;    // distance from the thread's edge, 0 inside
+    float height_mm = 0;    // of the section above the centre line
+    float slope = 0;        // -d height / d across, mean over the sample
+    float turn = 0, ply_turn = 0, fade = 1, ply_fade = 1;
+  };
+  /// A thread's state at a sample along it.
+  struct Along {
+    float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0;
+    int node = 0;
+    float blend = 0;
+  };
+
+  std::vector<Across> across(System system, int first, int last) const;
+  Along along(System system, int thread, const CentreStep& step, float s_mm) const;
+  void follow_pick(int pick);
+  SurfaceSample finish(System system, const Across& across, const Along& along) const;
+
+  const Cloth& cloth_;
+  SampleGrid grid_;
+  int x0_, x1_, y0_, y1_;
+  float dx_mm_, dy_mm_, floor_mm_;
+  std::vector<ThreadTexture> warp_texture_, weft_texture_;
+  std::vector<Across> columns_, rows_;
+  std::vector<CentreStep> column_steps_;
+  CentreLines lines_;
+  std::vector<Along> warp_along_;  // of this row, by end of the window
+  std::vector<Along> weft_along_;  // of this row's pick, by column
+  int pick_ = -1;
+};
+
+}  // namespace weftlight

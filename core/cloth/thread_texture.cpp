@@ -1,0 +1,94 @@
+// Based on: N. Adabala, N. Magnenat-Thalmann, G. Fei, Real-time Rendering of Woven Clothes, 2003,
+// section 3.2 and figure 3 (twist tightness, thickness of the fibres, noise of stray fibres).
+// Differs: the twist is a helix on a round thread with its pitch in millimetres, its phase is rounded
+// so that the tile closes, and a pattern finer than the samples fades to its mean.
+
+#include "cloth/thread_texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace weftlight {
+namespace {
+
+constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
+// Tone keeps along a fibre for about this many of its widths before it changes.
+constexpr float kToneLength = 14.0f;
+// A plied yarn is twisted against its singles, which lays its fibres nearly along the axis.
+constexpr float kFibreTwistInPly = -0.2f;
+constexpr float kPlyRelief = 0.14f;  // of the thread's height
+constexpr int kMostTurns = 1 << 22;  // keeps phases exact enough in float
+
+uint32_t mix(uint32_t a, uint32_t b) {
+  uint32_t h = a * 0x9E3779B1u ^ (b + 0x7F4A7C15u) * 0x85EBCA77u;
+  h ^= h >> 15;
+  h *= 0x2C1B3C6Du;
+  h ^= h >> 12;
+  h *= 0x297A2D39u;
+  return h ^ (h >> 15);
+}
+
+float unit(uint32_t h) { return static_cast<float>(h >> 8) * 0x1p-24f; }
+
+int rounded(float x) {
+  return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMostTurns, 1.0f * kMostTurns)));
+}
+
+}  // namespace
+
+ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm) {
+  ThreadTexture t;
+  t.radius_mm = std::max(0.25f * (body.width_mm + body.height_mm), 1e-5f);
+  const float fibre_mm = std::clamp(yarn.fibre_um, 1.0f, 2000.0f) * 1e-3f;
+  t.fibres = std::max(3.0f, std::round(kTwoPi * t.radius_mm / fibre_mm));
+  // Z runs like the stroke of the letter: up and to the right along an end (+x across), which is
+  // against +y along a pick.
+  const float hand = yarn.twist == Twist::kNone ? 0.0f : (yarn.twist == Twist::kZ) == (system == System::kWarp) ? -1.0f : 1.0f;
+  const float turns = hand * std::clamp(yarn.turns_per_m, 0.0f, 5000.0f) * 1e-3f * length_mm;
+  t.plies = std::clamp(yarn.plies, 1, 8);
+  if (t.plies > 1) {
+    t.ply_advance = rounded(turns * static_cast<float>(t.plies));
+    t.ply_relief_mm = kPlyRelief * body.height_mm;
+  }
+  t.advance = rounded(turns * t.fibres * (t.plies > 1 ? kFibreTwistInPly : 1.0f));
+  t.fibre_tan = -kTwoPi * t.radius_mm * static_cast<float>(t.advance) / (t.fibres * std::max(length_mm, 1e-6f));
+  t.nodes = std::max(1, rounded(length_mm / (kToneLength * fibre_mm)));
+  t.depth = std::clamp(yarn.groove_depth, 0.0f, 1.0f);
+  t.hair = std::clamp(yarn.hairiness, 0.0f, 1.0f);
+  t.seed = mix(static_cast<uint32_t>(thread), system == System::kWarp ? 0x51u : 0xA7u);
+  t.phase = unit(mix(t.seed, 1)) * 64.0f;
+  t.ply_phase = unit(mix(t.seed, 2));
+  return t;
+}
+
+Texel texture_at(const ThreadTexture& x, const TexturePoint& p) {
+  const float turn = p.turn + x.phase;
+  const float fibre = std::floor(turn);
+  // Tone: one value a fibre and node, blended along; over the tile's border fibre k goes on as k - advance.
+  const int k = static_cast<int>(fibre);
+  const bool wraps = p.node + 1 == x.nodes;
+  const auto tone_of = [&](int fibre_index, int node) {
+    return unit(mix(x.seed + static_cast<uint32_t>(fibre_index) * 0x632BE5ABu, static_cast<uint32_t>(node)));
+  };
+  const float b = p.blend * p.blend * (3.0f - 2.0f * p.blend);
+  const float here = tone_of(k, p.node);
+  const float tone = here + b * (tone_of(wraps ? k - x.advance : k, wraps ? 0 : p.node + 1) - here) - 0.5f;
+  // Groove: 1 between fibres, 0 on their ridge; the fourth power has the mean 1/5.
+  const float across = 2.0f * (turn - fibre) - 1.0f;
+  const float groove = across * across * across * across;
+  Texel out;
+  out.groove = 1.0f - x.depth * (0.2f + p.fade * (groove * (1.0f + x.hair * tone) - 0.2f));
+  out.tone = 1.0f + 0.7f * x.hair * p.fade * tone;
+  if (x.plies > 1) {
+    const float ply_turn = p.ply_turn + x.ply_phase;
+    out.ply = 2.0f * (ply_turn - std::floor(ply_turn)) - 1.0f;
+    const float furrow = out.ply * out.ply * out.ply * out.ply * out.ply * out.ply;  // mean 1/7
+    out.groove *= 1.0f - x.depth * (1.0f / 7.0f + p.ply_fade * (furrow - 1.0f / 7.0f));
+    out.ply *= p.ply_fade;
+  }
+  out.groove = std::clamp(out.groove, 0.0f, 1.0f);
+  return out;
+}
+
+}  // namespace weftlight

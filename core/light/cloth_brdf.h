@@ -1,0 +1,38 @@
+#pragma once
+// The BRDF of a whole cloth from its weave (VRST 2003, section 3.3; shaders/vrst03.glsl): shares,
+// widths and colours from the cloth, its normalisations and the table of g by quadrature.
+
+#include <string_view>
+
+#include "cloth/cloth.h"
+#include "light/formulas.h"
+#include "light/tables.h"
+
+namespace weftlight {
+
+struct ClothBrdf {
+  formulas::Vrst03 p;  // complete: c_warp, c_weft and mean_hn are set
+  Table g;             // over formulas::vrst03_g_coord
+};
+
+/// From the shares and widths alone. Shares are normalised (both zero: halves), widths clamped to 0.01..4.
+ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float sigma_weft, Linear warp,
+                          Linear weft);
+
+/// From the weave: shares by the cells of this face; the width of a system's Gaussian is the slope of a
+/// thread that climbs over the crossing threads within its mean float, so long floats shine as satin.
+ClothBrdf cloth_brdf(const Cloth& cloth);
+
+/// The two of VRST 2003, figure 7: "cotton" (even shares, wide) and "satin" (long weft floats, narrow);
+/// colours as given. Any other name gives cotton.
+ClothBrdf preset_cloth_brdf(std::string_view name, Linear warp, Linear weft);
+
+/// g(w) from the table; w.z >= 0.
+float shadowing(const ClothBrdf& brdf, const glm::vec3& w);
+/// g(w) by its integral, without the table.
+float shadowing_exact(const formulas::Vrst03& p, const glm::vec3& w);
+
+/// BRDF, 1/sr; 0 below the horizon.
+glm::vec3 evaluate(const ClothBrdf& brdf, const glm::vec3& wi, const glm::vec3& wo);
+
+}  // namespace weftlight

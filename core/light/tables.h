@@ -1,0 +1,39 @@
+#pragma once
+// The tables that the formulas ask for: albedos of Gaussian facets and of the fuzz layer. They depend
+// on no design: computed once, in milliseconds, and uploaded as float textures as they are.
+
+#include <cstddef>
+#include <vector>
+
+namespace weftlight {
+
+/// A regular grid over 0..1 in each axis, entries at both ends; x runs fastest, channels inside.
+struct Table {
+  int nx = 1, ny = 1, nz = 1, channels = 1;
+  std::vector<float> values;
+  Table() = default;
+  Table(int x, int y, int z, int channels_)
+      : nx(x), ny(y), nz(z), channels(channels_),
+        values(static_cast<size_t>(x) * static_cast<size_t>(y) * static_cast<size_t>(z) *
+               static_cast<size_t>(channels_)) {}
+  float* at(int x, int y, int z = 0) {
+    return values.data() + ((static_cast<size_t>(z) * static_cast<size_t>(ny) + static_cast<size_t>(y)) *
+                                static_cast<size_t>(nx) + static_cast<size_t>(x)) * static_cast<size_t>(channels);
+  }
+  const float* at(int x, int y, int z = 0) const { return const_cast<Table*>(this)->at(x, y, z); }
+};
+
+struct LightTables {
+  Table albedo;       // RG over (opening, along, across): with F = 1, and its part times (1 - wi.h)^5
+  Table albedo_mean;  // RG over (major, minor): cosine-weighted means of it
+  Table fuzz;         // RGBA over (opening, depth): scattered once; lost by single scattering over a white
+                      // body; share of a diffuse light that comes through; mean of the loss
+};
+
+/// Computes them, on `threads` threads; the same bits whatever their number.
+LightTables make_light_tables(int threads = 2);
+
+/// The tables, made at the first call (thread-safe).
+const LightTables& light_tables();
+
+}  // namespace weftlight

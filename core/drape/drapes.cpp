@@ -1,19 +1,14 @@
-// The shipped drapes: what is cut, where it starts and what it falls on.
+// The shipped drapes: how each is cut, where it starts and what it falls on.
 
 #include <algorithm>
-#include <cmath>
 
-#include "drape/pattern.h"
+#include "drape/bodies.h"
+#include "drape/garments.h"
 #include "drape/vec.h"
 
 namespace weftlight {
 
 using namespace draping;
-
-const std::vector<std::string>& drape_names() {
-  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain", "skirt", "tunic"};
-  return names;
-}
 
 namespace {
 
@@ -21,59 +16,101 @@ PatternShape rectangle(float width_mm, float depth_mm) {
   return [=](float s, float t) { return Vec2{s * width_mm, t * depth_mm}; };
 }
 
-/// Over a round form: flat to `flat`, down its shoulder, then hanging in folds.
-Placement over_round(float half_mm, float radius, float top, int folds) {
-  return [=](Vec2 uv) {
-    const float x = uv[0] - half_mm, y = uv[1] - half_mm;
-    const float r = std::sqrt(x * x + y * y), phi = std::atan2(y, x);
-    const float bend = 60;
-    const float past = std::max(r - (radius - bend), 0.0f);
-    const float angle = std::min(past / bend, kPi / 2);
-    const float hang = std::max(past - bend * kPi / 2, 0.0f);
-    const float fold = 0.25f * hang * std::cos(static_cast<float>(folds) * phi);
-    const float out = std::min(r, radius - bend) + bend * std::sin(angle) + 0.25f * hang + fold;
-    const float height = std::max(top - bend * (1 - std::cos(angle)) - 0.9f * hang, 2.0f);
-    return Vec3{out * std::cos(phi), height, -out * std::sin(phi)};
-  };
+/// A gentle, fixed unevenness, so that folds do not come out as symmetric as no real cloth is.
+float uneven(float x_mm, float y_mm) {
+  return std::sin(0.0113f * x_mm + 0.0041f * y_mm + 0.7f) + std::sin(0.0067f * y_mm - 0.0092f * x_mm + 2.1f) +
+         0.5f * std::sin(0.0231f * x_mm - 0.0173f * y_mm + 4.0f);
 }
 
-Placement around(float radius, float flare, float top) {
-  return [=](Vec2 uv) {
-    const float phi = uv[0] / 1400 * 2 * kPi, down = 600 - uv[1];
-    const float out = radius + flare * down * (1 + 0.4f * std::cos(10 * phi));
-    return Vec3{out * std::sin(phi), top - down, out * std::cos(phi)};
+/// A square of cloth lying flat, its middle near the axis.
+Pattern flat_square(int vertices, float side_mm, float height_mm) {
+  Pattern pattern;
+  add_piece(pattern, vertices, vertices, rectangle(side_mm, side_mm), [=](Vec2 uv) {
+    const float x = uv[0] - side_mm / 2, y = uv[1] - side_mm / 2;
+    return Vec3{x + 4, height_mm + 2.5f + uneven(x, y), -y + 3};
+  });
+  return pattern;
+}
+
+Mesh plane() {
+  Pattern pattern;
+  add_piece(pattern, 31, 21, rectangle(300, 200), [](Vec2 uv) { return Vec3{uv[0] - 150, uv[1], 0}; });
+  return to_mesh(pattern, "plane");
+}
+
+Drape sphere() {
+  Drape drape;
+  drape.pattern = flat_square(101, 600, 2 * kBallRadius + 2);
+  drape.body = [](Vec3 p) { return std::min(ball(p), ground(p)); };
+  drape.fall.seconds = 3;
+  drape.fall.apart_mm = 4.5;
+  return drape;
+}
+
+Drape tablecloth() {
+  Drape drape;
+  drape.pattern = flat_square(101, 1400, kTableHeight + 2);
+  drape.body = [](Vec3 p) { return std::min(table(p), ground(p)); };
+  drape.fall.seconds = 4;
+  drape.fall.apart_mm = 10;
+  return drape;
+}
+
+Drape curtain() {
+  constexpr int kColumns = 101, kRows = 105;
+  constexpr float kWidth = 1400, kLength = 1800, kTop = kRodHeight - 2 * kRingRadius;
+  Drape drape;
+  add_piece(drape.pattern, kColumns, kRows, rectangle(kWidth, kLength), [](Vec2 uv) {
+    const float wave = std::sin(uv[0] / kWidth * (kRings - 1) * kPi) * 7 + 3 * uneven(uv[0], uv[1]);
+    return Vec3{(uv[0] - kWidth / 2) * 0.995f, kTop - kLength + uv[1], wave};
+  });
+  drape.body = ground;
+  drape.fall.seconds = 5;
+  drape.fall.apart_mm = 9;
+  std::vector<uint32_t> held;
+  for (int ring = 0; ring < kRings; ++ring) {
+    held.push_back(static_cast<uint32_t>((kRows - 1) * kColumns + ring * (kColumns - 1) / (kRings - 1)));
+  }
+  drape.held = held;
+  // The rings slide together along the rod.
+  drape.fall.lead = [held](Cloth& cloth, double time, double until) {
+    for (int ring = 0; ring < kRings; ++ring) {
+      const float from = (static_cast<float>(ring) / (kRings - 1) - 0.5f) * kWidth * 0.995f;
+      const float gathered = ramp(0, 1.8f, static_cast<float>(until));
+      const Vec3d goal{static_cast<double>(mix(from, ring_x(ring), gathered)), static_cast<double>(kTop), 0};
+      const uint32_t particle = held[static_cast<size_t>(ring)];
+      cloth.velocity[particle] = (goal - cloth.position[particle]) * (1 / (until - time));
+    }
   };
+  return drape;
+}
+
+Mesh finish(Drape drape, const std::string& name, float steps_scale) {
+  Cloth cloth = weave(drape.pattern, drape.fabric, 1.6 * drape.fall.apart_mm);
+  for (const uint32_t particle : drape.held) cloth.inverse_mass[particle] = 0;
+  drape.fall.seconds *= static_cast<double>(steps_scale);
+  fall(cloth, drape.body, drape.fall);
+  for (size_t i = 0; i < cloth.position.size(); ++i) drape.pattern.position_mm[i] = to_float(cloth.position[i]);
+  return to_mesh(drape.pattern, name);
 }
 
 }  // namespace
 
-Mesh simulate_drape(const std::string& name, float) {
-  Pattern pattern;
-  const auto cut = [&](float width, float depth, const Placement& place) {
-    add_piece(pattern, 101, 101, rectangle(width, depth), place);
-  };
-  if (name == "plane") {
-    add_piece(pattern, 31, 21, rectangle(300, 200), [](Vec2 uv) { return Vec3{uv[0] - 150, uv[1], 0}; });
-  } else if (name == "sphere") {
-    cut(600, 600, over_round(300, 150, 300, 8));
-  } else if (name == "tablecloth") {
-    cut(1400, 1400, over_round(700, 450, 722, 14));
-  } else if (name == "curtain") {
-    cut(1400, 1800, [](Vec2 uv) {
-      return Vec3{(uv[0] - 700) * 0.6f, uv[1] + 50, 50 * std::sin(uv[0] * 2 * kPi / 170)};
-    });
-  } else if (name == "skirt") {
-    cut(1400, 600, around(120, 0.35f, 1050));
-  } else if (name == "tunic") {
-    cut(1400, 600, around(200, 0.05f, 1400));
-  }
-  return to_mesh(pattern, name);
+const std::vector<std::string>& drape_names() {
+  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain", "skirt", "tunic"};
+  return names;
 }
 
-Mesh body_mesh(const std::string& name) {
-  Mesh mesh;
-  mesh.name = name + "_body";
-  return mesh;
+Mesh simulate_drape(const std::string& name, float steps_scale) {
+  if (name == "plane") return plane();
+  if (name == "sphere") return finish(sphere(), name, steps_scale);
+  if (name == "tablecloth") return finish(tablecloth(), name, steps_scale);
+  if (name == "curtain") return finish(curtain(), name, steps_scale);
+  if (name == "skirt") return finish(skirt(), name, steps_scale);
+  if (name == "tunic") return finish(tunic(), name, steps_scale);
+  return {};
 }
+
+Mesh body_mesh(const std::string& name) { return mesh_of_body(name); }
 
 }  // namespace weftlight

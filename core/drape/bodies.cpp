@@ -1,0 +1,103 @@
+// Signed distances. Based on: Quilez, "Distance functions" (iquilezles.org), for the rounded
+// cylinder, the round cone and the smooth minimum. Measures of the form: a woman's size 38-40.
+
+#include "drape/bodies.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "drape/vec.h"
+
+namespace weftlight::draping {
+
+namespace {
+
+float smooth_min(float a, float b, float width) {
+  const float h = std::max(width - std::fabs(a - b), 0.0f) / width;
+  return std::min(a, b) - h * h * width * 0.25f;
+}
+
+float smooth_max(float a, float b, float width) { return -smooth_min(-a, -b, width); }
+
+/// A limb that narrows from radius ra at a to rb at b.
+float limb(Vec3 p, Vec3 a, Vec3 b, float ra, float rb) {
+  const Vec3 axis = b - a, from = p - a;
+  const float t = std::clamp(dot(from, axis) / dot(axis, axis), 0.0f, 1.0f);
+  return length(from - axis * t) - mix(ra, rb, t);
+}
+
+struct Measure {
+  float height, half_width, half_depth, middle;
+};
+
+constexpr Measure kTrunk[] = {
+    {740, 152, 112, -8}, {800, 170, 121, -9},  {880, 178, 122, -8}, {960, 162, 108, -3},
+    {1060, 126, 92, 0},  {1140, 138, 102, 3},  {1230, 155, 119, 8}, {1310, 163, 106, 1},
+    {1360, 163, 86, -6}, {1395, 132, 70, -12}, {1420, 84, 60, -14}, {1445, 60, 56, -10},
+    {1530, 53, 53, 4},
+};
+
+/// Cubic through four equally weighted values, between the middle two.
+float curve(float before, float from, float to, float after, float t) {
+  const float slope_from = 0.5f * (to - before), slope_to = 0.5f * (after - from);
+  const float t2 = t * t, t3 = t2 * t;
+  return from * (2 * t3 - 3 * t2 + 1) + to * (3 * t2 - 2 * t3) + slope_from * (t3 - 2 * t2 + t) +
+         slope_to * (t3 - t2);
+}
+
+float trunk(Vec3 p) {
+  const Section s = trunk_section(p[1]);
+  const float x = p[0], z = p[2] - s.middle;
+  const float out = std::sqrt(x * x + z * z);
+  const float scaled = std::sqrt(x * x / (s.half_width * s.half_width) + z * z / (s.half_depth * s.half_depth));
+  return scaled < 0.05f ? -std::min(s.half_width, s.half_depth) : out * (1 - 1 / scaled);
+}
+
+}  // namespace
+
+Section trunk_section(float height) {
+  const auto last = std::prev(std::end(kTrunk));
+  const auto above = std::find_if(std::begin(kTrunk), last, [&](const Measure& m) { return m.height > height; });
+  const Measure& to = above == std::begin(kTrunk) ? *std::next(above) : *above;
+  const Measure& from = *std::prev(&to);
+  const Measure& before = &from == std::begin(kTrunk) ? from : *std::prev(&from);
+  const Measure& after = &to == last ? to : *std::next(&to);
+  const float t = std::clamp((height - from.height) / (to.height - from.height), 0.0f, 1.0f);
+  const auto along = [&](float Measure::*part) {
+    return curve(before.*part, from.*part, to.*part, after.*part, t);
+  };
+  return {along(&Measure::half_width), along(&Measure::half_depth), along(&Measure::middle)};
+}
+
+Arm arm() { return {{176, 1352, -10}, {338, 1128, -4}, {452, 918, 44}, 47, 37, 26}; }
+
+float ground(Vec3 p) { return p[1]; }
+
+float ball(Vec3 p) { return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius; }
+
+float table(Vec3 p) {
+  constexpr float kEdge = 11, kHalfThickness = 14;
+  const float out = std::sqrt(p[0] * p[0] + p[2] * p[2]) - (kTableRadius - kEdge);
+  const float up = std::fabs(p[1] - (kTableHeight - kHalfThickness)) - (kHalfThickness - kEdge);
+  const float outside = std::hypot(std::max(out, 0.0f), std::max(up, 0.0f));
+  return outside + std::min(std::max(out, up), 0.0f) - kEdge;
+}
+
+float dress_form(Vec3 p) {
+  const Arm a = arm();
+  const Vec3 right{std::fabs(p[0]), p[1], p[2]};
+  const float upper = limb(right, a.shoulder, a.elbow, a.shoulder_radius, a.elbow_radius);
+  const float lower = limb(right, a.elbow, a.wrist, a.elbow_radius, a.wrist_radius);
+  const float body = smooth_min(trunk(p), smooth_min(upper, lower, 12), 34);
+  return smooth_max(smooth_max(body, p[1] - 1520, 14), 752 - p[1], 20);
+}
+
+float skirt_form(Vec3 p) {
+  return smooth_max(smooth_max(trunk(p), p[1] - (kWaistHeight + 70), 14), 752 - p[1], 20);
+}
+
+float ring_x(int ring) {
+  return (static_cast<float>(ring) / (kRings - 1) - 0.5f) * 760;
+}
+
+}  // namespace weftlight::draping

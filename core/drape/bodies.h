@@ -1,0 +1,41 @@
+#pragma once
+// What the drapes lie on, as signed distances to collide with and as meshes to draw.
+
+#include "drape/mesh.h"
+#include "drape/solver.h"
+
+namespace weftlight::draping {
+
+constexpr float kBallRadius = 150;
+constexpr float kTableRadius = 450, kTableHeight = 720;
+constexpr float kRodHeight = 1890, kRodRadius = 11, kRodHalfLength = 480, kRingRadius = 21;
+constexpr int kRings = 11;
+constexpr float kWaistHeight = 1060;
+
+float ground(Vec3 p);
+float ball(Vec3 p);
+float table(Vec3 p);
+/// A dress form from the hips to the neck, arms hanging outwards.
+float dress_form(Vec3 p);
+/// Its lower half, cut a little above the waist, without arms.
+float skirt_form(Vec3 p);
+
+/// Half width (x), half depth (z) and middle (z) of the form's trunk at a height.
+struct Section {
+  float half_width, half_depth, middle;
+};
+Section trunk_section(float height);
+
+/// An arm of the dress form at +x; that at -x is its mirror image.
+struct Arm {
+  Vec3 shoulder, elbow, wrist;
+  float shoulder_radius, elbow_radius, wrist_radius;
+};
+Arm arm();
+
+/// Where ring i of the curtain hangs once gathered.
+float ring_x(int ring);
+
+Mesh mesh_of_body(const std::string& name);
+
+}  // namespace weftlight::draping

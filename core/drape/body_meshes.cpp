@@ -1,0 +1,194 @@
+// Meshes of the bodies: turned profiles, rings, and the zero set of a distance.
+// Based on: Gibson, "Constrained Elastic Surface Nets", MICCAI 1998 (a vertex a cell).
+// Differs: the vertex is then moved onto the surface along the slope of the distance.
+
+#include <algorithm>
+
+#include "drape/bodies.h"
+#include "drape/vec.h"
+
+namespace weftlight::draping {
+
+namespace {
+
+void append_quad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+  mesh.index.insert(mesh.index.end(), {a, b, c, a, c, d});
+}
+
+/// Turns a profile of (radius, height), from the bottom up on the outside, about the axis y.
+void append_turned(Mesh& mesh, const std::vector<Vec2>& profile, uint32_t around) {
+  const auto first = static_cast<uint32_t>(mesh.position_mm.size());
+  for (const Vec2& point : profile) {
+    for (uint32_t k = 0; k < around; ++k) {
+      const float phi = 2 * kPi * static_cast<float>(k) / static_cast<float>(around);
+      mesh.position_mm.push_back({point[0] * std::sin(phi), point[1], point[0] * std::cos(phi)});
+    }
+  }
+  for (uint32_t row = 0; row + 1 < profile.size(); ++row) {
+    for (uint32_t k = 0; k < around; ++k) {
+      const uint32_t a = first + row * around + k, b = first + row * around + (k + 1) % around;
+      append_quad(mesh, a, b, b + around, a + around);
+    }
+  }
+}
+
+/// A quarter circle of the profile about `centre`, from angle `from` on (0: outwards, 1: up, in quarters).
+void append_round(std::vector<Vec2>& profile, Vec2 centre, float radius, float from) {
+  constexpr int kSteps = 5;
+  for (int k = 0; k <= kSteps; ++k) {
+    const float angle = (from + static_cast<float>(k) / kSteps) * kPi / 2;
+    profile.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+  }
+}
+
+/// A disc with rounded edges.
+std::vector<Vec2> disc(float radius, float bottom, float top, float edge) {
+  std::vector<Vec2> profile{{0, bottom}};
+  append_round(profile, {radius - edge, bottom + edge}, edge, -1);
+  append_round(profile, {radius - edge, top - edge}, edge, 0);
+  profile.push_back({0, top});
+  return profile;
+}
+
+void append_ball(Mesh& mesh) {
+  std::vector<Vec2> profile;
+  for (int k = 0; k <= 48; ++k) {
+    const float angle = kPi * static_cast<float>(k) / 48;
+    profile.push_back({kBallRadius * std::sin(angle), kBallRadius * (1 - std::cos(angle))});
+  }
+  append_turned(mesh, profile, 96);
+}
+
+void append_table(Mesh& mesh) {
+  append_turned(mesh, disc(kTableRadius, kTableHeight - 28, kTableHeight, 11), 128);
+  append_turned(mesh, {{62, 18}, {48, 40}, {38, 90}, {36, 560}, {44, 650}, {90, kTableHeight - 28}}, 48);
+  append_turned(mesh, disc(260, 0, 20, 9), 96);
+}
+
+void append_stand(Mesh& mesh, float top) {
+  append_turned(mesh, {{15, 14}, {13, 40}, {13, top}}, 32);
+  append_turned(mesh, disc(165, 0, 16, 7), 96);
+}
+
+/// A ring about the rod at x.
+void append_ring(Mesh& mesh, float x) {
+  constexpr uint32_t kAround = 40, kAcross = 10;
+  const auto first = static_cast<uint32_t>(mesh.position_mm.size());
+  const float middle = kRodHeight + kRodRadius - kRingRadius + 3;
+  for (uint32_t i = 0; i < kAround; ++i) {
+    for (uint32_t k = 0; k < kAcross; ++k) {
+      const float phi = 2 * kPi * static_cast<float>(i) / kAround;
+      const float theta = 2 * kPi * static_cast<float>(k) / kAcross;
+      const float out = kRingRadius + 2.6f * std::cos(theta);
+      mesh.position_mm.push_back({x + 2.6f * std::sin(theta), middle + out * std::sin(phi), out * std::cos(phi)});
+    }
+  }
+  for (uint32_t i = 0; i < kAround; ++i) {
+    for (uint32_t k = 0; k < kAcross; ++k) {
+      const uint32_t i1 = (i + 1) % kAround, k1 = (k + 1) % kAcross;
+      append_quad(mesh, first + i * kAcross + k, first + i * kAcross + k1, first + i1 * kAcross + k1,
+                  first + i1 * kAcross + k);
+    }
+  }
+}
+
+void append_rod(Mesh& mesh) {
+  std::vector<Vec2> profile{{0, -kRodHalfLength - 34}};
+  append_round(profile, {4, -kRodHalfLength - 17}, 17, -1);
+  append_round(profile, {4, -kRodHalfLength - 17}, 17, 0);
+  profile.push_back({kRodRadius, -kRodHalfLength});
+  const size_t half = profile.size();
+  for (size_t k = half; k-- > 0;) profile.push_back({profile[k][0], -profile[k][1]});
+  append_turned(mesh, profile, 40);
+  // Turned about y; laid along x.
+  for (Vec3& p : mesh.position_mm) p = {p[1], kRodHeight - p[0], p[2]};
+  for (int ring = 0; ring < kRings; ++ring) append_ring(mesh, ring_x(ring));
+}
+
+/// Samples of a distance on a grid of cubes.
+struct Samples {
+  std::array<int, 3> count;
+  Vec3 origin;
+  float width;
+  std::vector<float> value;
+
+  size_t at(int x, int y, int z) const {
+    return (static_cast<size_t>(z) * static_cast<size_t>(count[1]) + static_cast<size_t>(y)) *
+               static_cast<size_t>(count[0]) + static_cast<size_t>(x);
+  }
+  Vec3 place(int x, int y, int z) const {
+    return origin + Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * width;
+  }
+};
+
+Samples sample(const Distance& distance, Vec3 low, Vec3 high, float width) {
+  Samples s{{}, low, width, {}};
+  for (size_t k = 0; k < 3; ++k) s.count[k] = static_cast<int>((high[k] - low[k]) / width) + 1;
+  for (int z = 0; z < s.count[2]; ++z) {
+    for (int y = 0; y < s.count[1]; ++y) {
+      for (int x = 0; x < s.count[0]; ++x) s.value.push_back(distance(s.place(x, y, z)));
+    }
+  }
+  return s;
+}
+
+/// Which of a cell's corners are inside: 0 none, 8 all.
+int corners_inside(const Samples& s, int x, int y, int z) {
+  int inside = 0;
+  for (int k = 0; k < 8; ++k) inside += s.value[s.at(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2))] < 0;
+  return inside;
+}
+
+void append_zero_set(Mesh& mesh, const Distance& distance, const Samples& s) {
+  std::vector<uint32_t> vertex(s.value.size(), 0);
+  const auto [nx, ny, nz] = s.count;
+  for (int z = 0; z + 1 < nz; ++z) {
+    for (int y = 0; y + 1 < ny; ++y) {
+      for (int x = 0; x + 1 < nx; ++x) {
+        const int inside = corners_inside(s, x, y, z);
+        if (inside == 0 || inside == 8) continue;
+        vertex[s.at(x, y, z)] = static_cast<uint32_t>(mesh.position_mm.size());
+        const float half = 0.5f * s.width;
+        mesh.position_mm.push_back(settle(distance, s.place(x, y, z) + Vec3{half, half, half}));
+      }
+    }
+  }
+  // A quad for each grid edge that crosses the surface, from the four cells about it.
+  const auto quad = [&](bool out, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+    out ? append_quad(mesh, a, b, c, d) : append_quad(mesh, d, c, b, a);
+  };
+  for (int z = 1; z + 1 < nz; ++z) {
+    for (int y = 1; y + 1 < ny; ++y) {
+      for (int x = 1; x + 1 < nx; ++x) {
+        const bool here = s.value[s.at(x, y, z)] < 0;
+        const auto v = [&](int dx, int dy, int dz) { return vertex[s.at(x - dx, y - dy, z - dz)]; };
+        if (here != (s.value[s.at(x + 1, y, z)] < 0)) quad(here, v(0, 1, 1), v(0, 0, 1), v(0, 0, 0), v(0, 1, 0));
+        if (here != (s.value[s.at(x, y + 1, z)] < 0)) quad(here, v(1, 0, 1), v(1, 0, 0), v(0, 0, 0), v(0, 0, 1));
+        if (here != (s.value[s.at(x, y, z + 1)] < 0)) quad(here, v(1, 1, 0), v(0, 1, 0), v(0, 0, 0), v(1, 0, 0));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Mesh mesh_of_body(const std::string& name) {
+  Mesh mesh;
+  mesh.name = name + "_body";
+  if (name == "sphere") append_ball(mesh);
+  if (name == "tablecloth") append_table(mesh);
+  if (name == "curtain") append_rod(mesh);
+  if (name == "skirt") {
+    append_zero_set(mesh, skirt_form, sample(skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
+    append_stand(mesh, 800);
+  }
+  if (name == "tunic") {
+    append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 9));
+    append_stand(mesh, 800);
+  }
+  mesh.uv_mm.assign(mesh.position_mm.size(), Vec2{});
+  compute_frames(mesh);
+  return mesh;
+}
+
+}  // namespace weftlight::draping

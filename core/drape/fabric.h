@@ -1,0 +1,43 @@
+#pragma once
+// A pattern made into cloth: particles with mass, threads that hardly stretch, a bias that gives,
+// and stiffness against bending. Units: mm, kg, s (so stiffness in N/m is kg/s2 as it stands).
+
+#include "drape/pattern.h"
+#include "drape/vec.h"
+
+namespace weftlight::draping {
+
+/// A heavy cotton: 260 g/m2; its bending length, cube root of stiffness over weight, is 22 mm.
+struct Fabric {
+  double kg_per_m2 = 0.26;
+  double thread_n_per_m = 2500;  // stretch along warp and weft
+  double bias_n_per_m = 70;      // stretch at 45 degrees to them
+  double bending_n_m = 2.8e-5;
+};
+
+/// Keeps two particles apart by rest_mm.
+struct Stretch {
+  uint32_t a, b;
+  double rest_mm, compliance;  // s2/kg
+};
+
+/// Keeps two triangles in a plane: sum of weight * position is zero when they are.
+struct Bend {
+  std::array<uint32_t, 4> particle;  // the shared edge, then the two far corners
+  std::array<double, 4> weight;
+  double compliance;
+};
+
+struct Cloth {
+  std::vector<Vec3d> position, velocity;  // mm, mm/s
+  std::vector<double> inverse_mass;       // 1/kg; 0: held, goes where its velocity says
+  std::vector<Stretch> stretches;
+  std::vector<Bend> bends;
+  // Particles near i along the cloth: near[near_first[i]] .. near[near_first[i + 1]], ascending.
+  std::vector<uint32_t> near_first, near;
+};
+
+/// `near_mm`: how far along the cloth two particles count as near (they never collide).
+Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm);
+
+}  // namespace weftlight::draping

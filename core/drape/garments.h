@@ -1,0 +1,22 @@
+#pragma once
+// A drape before it falls, and the sewn ones.
+
+#include "drape/fabric.h"
+#include "drape/solver.h"
+
+namespace weftlight::draping {
+
+struct Drape {
+  Pattern pattern;
+  Distance body;
+  Fabric fabric;
+  Fall fall;
+  std::vector<uint32_t> held;  // particles held in place (or led)
+};
+
+/// Two flared panels, a quarter circle each, sewn at the sides, held at the waist.
+Drape skirt();
+/// Front, back and two sleeves, sewn at shoulders, sides and armholes.
+Drape tunic();
+
+}  // namespace weftlight::draping

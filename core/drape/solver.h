@@ -1,0 +1,35 @@
+#pragma once
+// Lets a cloth fall on a body until it rests. Deterministic: fixed order, no randomness.
+
+#include <functional>
+
+#include "drape/fabric.h"
+
+namespace weftlight::draping {
+
+/// Signed distance to a body in mm, negative inside; only its zero set and its direction need be
+/// true, its slope is measured.
+using Distance = std::function<float(Vec3)>;
+
+struct Fall {
+  double seconds = 4;
+  int looks_per_second = 120;   // contacts are found this often
+  int substeps = 16;            // between two looks
+  double skin_mm = 2;           // the middle of the cloth stays this far from the body
+  double apart_mm = 8;          // and sheets of cloth this far from each other
+  double body_friction = 0.4, cloth_friction = 0.3;
+  double air_per_second = 1.5;  // share of the speed that the air takes
+  double rest_from = 0.7;       // share of the time after which the air thickens, to bring rest
+  /// Moves the held particles (sets their velocity) for the time to the next look.
+  std::function<void(Cloth&, double time, double until)> lead;
+};
+
+void fall(Cloth& cloth, const Distance& body, const Fall& how);
+
+/// The place on the surface that p slides to along the slope of the distance.
+Vec3 settle(const Distance& body, Vec3 p);
+
+/// A place on the body's outside, skin_mm from it, if p is nearer than that; else p.
+Vec3 push_out(const Distance& body, Vec3 p, float skin_mm);
+
+}  // namespace weftlight::draping

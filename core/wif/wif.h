@@ -1,6 +1,6 @@
 #pragma once
-// WIF 1.1, lossless. The text is kept line by line; reading gives a Design and a list of
-// diagnostics; writing an edited Design changes only the lines that the edit concerns.
+// WIF 1.1, lossless. Reading gives a Design and a list of diagnostics; the bytes are kept. Writing an
+// edited Design changes only the lines that the edit concerns.
 
 #include <optional>
 #include <string>
@@ -20,19 +20,9 @@ struct Diagnostic {
   std::string remedy;  // what to do, or what was done
 };
 
-/// One physical line: its bytes without the line end, and the line end as found.
-struct WifLine {
-  std::string text;
-  std::string eol;  // "\r\n", "\n", "\r" or "" (last line)
-};
-
-enum class Encoding { kUtf8, kLatin1 };
-
-/// An opened file: the lines as they were and the design they mean.
+/// An opened file: its bytes as they were and the design they mean.
 struct WifFile {
-  bool bom = false;
-  Encoding encoding = Encoding::kUtf8;
-  std::vector<WifLine> lines;
+  std::string bytes;
   Design design;
   // What is read but not edited (info shows it).
   std::string source_program, source_version, version, date;
@@ -41,14 +31,16 @@ struct WifFile {
 };
 
 struct WifRead {
-  std::optional<WifFile> file;           // empty when the input cannot be used
-  std::vector<Diagnostic> diagnostics;   // in the order of lines
+  std::optional<WifFile> file;          // empty when the input cannot be used
+  std::vector<Diagnostic> diagnostics;  // in the order of lines
 };
 
 /// Reads WIF 1.1 from bytes, leniently. Never throws; counts are capped (draft.h) before memory is taken.
 WifRead read_wif(std::string_view bytes);
 
-/// The file with `now` in place of `opened.design`. Byte-identical when they are equal.
+/// The file with `now` in place of `opened.design`. Byte-identical when they are equal. Reading the
+/// result gives `now` again, as long as `now` is consistent, has at least one end, pick, shaft and
+/// treadle, and its yarns are within the ranges of yarn.h.
 std::string write_wif(const WifFile& opened, const Design& now);
 
 /// A new file for a design that was never a file.

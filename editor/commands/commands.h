@@ -7,6 +7,7 @@
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
+#include "wif/wif.h"
 
 namespace weftlight {
 
@@ -75,7 +76,11 @@ CommandLine run_command_line(int argc, char** argv);
 struct OpenedDesign {
   bool ok = false;
   Design design;
+  WifFile file;
+  std::vector<Diagnostic> diagnostics;
 };
+/// "file:line: what; what to do" on stderr.
+void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
 OpenedDesign open_design(const std::string& path, bool print_warnings = false);
 
 }  // namespace weftlight

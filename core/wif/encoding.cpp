@@ -1,0 +1,192 @@
+#include "wif/encoding.h"
+
+#include <array>
+#include <cstdint>
+
+#include "wif/numbers.h"
+
+namespace weftlight {
+namespace {
+
+/// Code points of bytes 0x80..0x9F; the five unassigned ones keep their own number.
+constexpr std::array<uint16_t, 32> kHigh = {
+    0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+    0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+    0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+
+/// Letters that U+00C0..U+00FF lose their accents to.
+constexpr std::string_view kPlainLetters = "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
+
+void append_utf8(std::string& out, uint32_t code) {
+  if (code < 0x80) {
+    out += static_cast<char>(code);
+  } else if (code < 0x800) {
+    out += static_cast<char>(0xC0 | (code >> 6));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  } else {
+    out += static_cast<char>(0xE0 | (code >> 12));
+    out += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  }
+}
+
+/// Size of the valid UTF-8 sequence at `at` (its code point in `code`), or 0.
+size_t sequence(std::string_view text, size_t at, uint32_t& code) {
+  const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
+  const uint8_t first = byte(at);
+  if (first < 0x80) {
+    code = first;
+    return 1;
+  }
+  const size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return 0;
+  code = first & (0x7Fu >> size);
+  for (size_t i = 1; i < size; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+    code = (code << 6) | (byte(at + i) & 0x3Fu);
+  }
+  const bool overlong = (size == 3 && code < 0x800) || (size == 4 && code < 0x10000);
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return overlong || surrogate || code > 0x10FFFF ? 0 : size;
+}
+
+int latin1_byte(uint32_t code) {
+  if (code < 0x80 || (code >= 0xA0 && code <= 0xFF)) return static_cast<int>(code);
+  for (size_t i = 0; i < kHigh.size(); ++i) {
+    if (kHigh[i] == code) return static_cast<int>(0x80 + i);
+  }
+  return -1;
+}
+
+bool is_control(uint32_t code) { return code < 0x20 || code == 0x7F; }
+
+char plain_char(uint32_t code) {
+  if (code >= 0xC0 && code <= 0xFF) return kPlainLetters[code - 0xC0];
+  if (code >= 0x2010 && code <= 0x2015) return '-';
+  if (code == 0x2018 || code == 0x2019) return '\'';
+  if (code == 0x201C || code == 0x201D || code == 0xAB || code == 0xBB) return '"';
+  if (code == 0xA0) return ' ';
+  return '?';
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view bytes) {
+  uint32_t code = 0;
+  for (size_t at = 0; at < bytes.size();) {
+    if (static_cast<uint8_t>(bytes[at]) < 0x80) {
+      ++at;
+      continue;
+    }
+    const size_t size = sequence(bytes, at, code);
+    if (size == 0) return false;
+    at += size;
+  }
+  return true;
+}
+
+std::string to_utf8(std::string_view bytes, Encoding from) {
+  if (from == Encoding::kUtf8) return std::string(bytes);
+  std::string out;
+  for (const char c : bytes) {
+    const uint8_t byte = static_cast<uint8_t>(c);
+    append_utf8(out, byte >= 0x80 && byte < 0xA0 ? kHigh[byte - 0x80u] : byte);
+  }
+  return out;
+}
+
+std::optional<std::string> from_utf8(std::string_view text, Encoding to) {
+  if (to == Encoding::kUtf8) return std::string(text);
+  std::string out;
+  uint32_t code = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t size = sequence(text, at, code);
+    const int byte = size ? latin1_byte(code) : -1;
+    if (byte < 0) return std::nullopt;
+    out += static_cast<char>(byte);
+    at += size;
+  }
+  return out;
+}
+
+std::string to_ascii(std::string_view text) {
+  std::string out;
+  uint32_t code = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t size = sequence(text, at, code);
+    if (size == 0) {
+      out += '?';
+      ++at;
+      continue;
+    }
+    out += code < 0x80 ? (is_control(code) ? ' ' : static_cast<char>(code)) : plain_char(code);
+    at += size;
+  }
+  return out;
+}
+
+std::string escaped(std::string_view text) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string out;
+  uint32_t code = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t size = sequence(text, at, code);
+    const bool edge_blank = text[at] == ' ' && (at == 0 || at + 1 == text.size());
+    if (text[at] == '\n') {
+      out += "\\n";
+    } else if (text[at] == '\\') {
+      out += "\\\\";
+    } else if (size == 0 || is_control(code) || edge_blank) {
+      const uint8_t byte = static_cast<uint8_t>(text[at]);
+      out += "\\x";
+      out += kHex[byte >> 4];
+      out += kHex[byte & 15];
+    } else {
+      out.append(text, at, size);
+    }
+    at += size ? size : 1;
+  }
+  return out;
+}
+
+std::string unescaped(std::string_view text) {
+  const auto hex = [](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    return upper(c) >= 'A' && upper(c) <= 'F' ? upper(c) - 'A' + 10 : -1;
+  };
+  std::string out;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 >= text.size()) {
+      out += text[i];
+    } else if (text[i + 1] == 'x' && i + 3 < text.size() && hex(text[i + 2]) >= 0 && hex(text[i + 3]) >= 0) {
+      out += static_cast<char>(hex(text[i + 2]) * 16 + hex(text[i + 3]));
+      i += 3;
+    } else {
+      out += text[i + 1] == 'n' ? '\n' : text[i + 1];
+      ++i;
+    }
+  }
+  return out;
+}
+
+std::string one_line(std::string_view text) {
+  std::string out;
+  uint32_t code = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t size = sequence(text, at, code);
+    if (size == 0) {
+      out += '?';
+      ++at;
+      continue;
+    }
+    if (is_control(code)) {
+      out += ' ';
+    } else {
+      out.append(text, at, size);
+    }
+    at += size;
+  }
+  return std::string(trimmed(out));
+}
+
+}  // namespace weftlight

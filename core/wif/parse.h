@@ -1,0 +1,71 @@
+#pragma once
+// Inside of the reader: what is found out about a file beside its design, so that an edit can be
+// written in the file's own terms.
+
+#include <string>
+#include <vector>
+
+#include "wif/text.h"
+#include "wif/wif.h"
+
+namespace weftlight {
+
+/// A diagnostic for each kind of finding, with a count of the further lines it concerns.
+class Findings {
+ public:
+  /// Findings of the same non-empty `kind` are joined.
+  void add(Severity severity, int line_index, std::string_view kind, std::string text, std::string remedy);
+  void warn(int line_index, std::string_view kind, std::string text, std::string remedy) {
+    add(Severity::kWarning, line_index, kind, std::move(text), std::move(remedy));
+  }
+  bool has_error() const { return error_; }
+  std::vector<Diagnostic> take();
+
+ private:
+  struct Item {
+    Diagnostic diagnostic;
+    std::string kind;
+    int more = 0;
+  };
+  std::vector<Item> items_;
+  bool error_ = false;
+};
+
+/// How one table of a thread system is kept: rows listed, or one value for all.
+struct ColumnHabits {
+  bool list_all = false;  // rows are in the file
+  double fallback = 0;    // what a row not listed means: palette index or millimetres
+};
+
+struct SystemHabits {
+  ColumnHabits color, spacing, thickness;
+  double unit_mm = 10.0;
+  std::string unit = "Centimeters";
+};
+
+/// The file's own way of saying things.
+struct WifHabits {
+  int range_low = 0, range_high = 255;
+  int palette_base = 1;        // number of the first row of [COLOR TABLE]
+  int default_color_base = 1;  // of Color= in [WARP] and [WEFT] (Luminescence: 0)
+  SystemHabits warp, weft;
+  bool has_liftplan = false;   // a liftplan is kept beside the treadling
+  std::vector<std::string> zero_based;  // sections whose rows count from 0
+
+  int base_of(std::string_view section) const;
+};
+
+struct ParsedWif {
+  WifText text;
+  WifHabits habits;
+  Design design;
+};
+
+/// Everything of [PRIVATE WEFTLIGHT ...], once the drive is known: yarns, thread yarns, look, scene, exact
+/// values, and the grids of the drive that sleeps.
+void read_private_sections(const WifText& text, const WifHabits& habits, Findings& findings, Design& design);
+
+/// Reads a file; nothing but findings when it cannot be used. `info` is given the facts for the user.
+std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, WifFile* info = nullptr);
+
+}  // namespace weftlight

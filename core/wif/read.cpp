@@ -1,0 +1,395 @@
+// Reading: from the index of lines to a Design, leniently, with findings. Rules and the habits of other
+// programs: WIF 1.1 (20 April 1997) and files as they are met.
+
+#include <algorithm>
+#include <cmath>
+
+#include "draft/drawdown.h"
+#include "wif/rows.h"
+
+namespace weftlight {
+
+int row_base(const WifSection& section, int count) {
+  bool zero = false;
+  for (const WifKey& key : section.keys) {
+    if (key.value.empty()) continue;
+    if (key.number == count) return 1;
+    zero = zero || key.number == 0;
+  }
+  return zero ? 0 : 1;
+}
+
+namespace {
+
+struct Reader {
+  const WifText& text;
+  Findings& findings;
+  WifHabits& habits;
+  Design& design;
+
+  Draft& draft() const { return design.draft; }
+  int line_of(std::string_view section) const {
+    const WifSection* s = text.find(section);
+    return s && !s->blocks.empty() ? s->blocks.front().header : -1;
+  }
+  std::string words(const WifKey* key) const { return key ? to_utf8(key->value, text.encoding) : std::string{}; }
+  /// [WIF], or the lines before the first header.
+  const WifKey* wif(std::string_view key) const {
+    const WifKey* found = text.find("WIF", key);
+    return found ? found : text.find("", key);
+  }
+};
+
+/// The number a key holds; warns when it holds something else.
+std::optional<int> int_of(const Reader& r, const WifKey* key) {
+  if (!key) return std::nullopt;
+  const std::optional<int> value = leading_int(key->value);
+  if (!value) {
+    r.findings.warn(key->line, {}, std::string(key->key) + " is not a number", "ignored; write a whole number");
+  }
+  return value;
+}
+
+int largest_key(const WifSection* section) {
+  int largest = 0;
+  if (section) {
+    for (const WifKey& key : section->keys) {
+      if (!key.value.empty() && key.number > largest && key.number <= kMaxThreads) largest = key.number;
+    }
+  }
+  return largest;
+}
+
+/// Threads of [WARP] or [WEFT]; 0 after an error.
+int read_thread_count(const Reader& r, const char* system, std::initializer_list<const char*> tables) {
+  const WifKey* key = r.text.find(system, "Threads");
+  const std::string place = std::string("[") + system + "] Threads";
+  const char* what = system[1] == 'A' ? "ends" : "picks";
+  int count = int_of(r, key).value_or(0);
+  if (count > kMaxThreads) {
+    r.findings.add(Severity::kError, key->line, {}, place + " is " + std::to_string(count),
+                   "at most " + std::to_string(kMaxThreads) + " can be opened; correct the count");
+    return 0;
+  }
+  if (count <= 0) {
+    count = 0;
+    for (const char* table : tables) count = std::max(count, largest_key(r.text.find(table)));
+    const int line = key ? key->line : r.line_of(system);
+    if (count == 0) {
+      r.findings.add(Severity::kError, line, {}, std::string("the draft has no ") + what,
+                     "give their number as Threads= in [" + std::string(system) + "]");
+    } else {
+      r.findings.warn(line, {}, place + " is missing", "taken as " + std::to_string(count) + ", the last line listed");
+    }
+  }
+  return count;
+}
+
+/// Largest value up to kMaxShafts in the lists of a section.
+int largest_value(const Reader& r, const char* name, int& line) {
+  int largest = 0;
+  std::vector<int> list;
+  if (const WifSection* section = r.text.find(name)) {
+    for (const WifKey& key : section->keys) {
+      leading_ints(key.value, list);
+      for (const int value : list) {
+        if (value > largest && value <= kMaxShafts) {
+          largest = value;
+          line = key.line;
+        }
+      }
+    }
+  }
+  return largest;
+}
+
+int read_shaft_count(const Reader& r) {
+  const WifKey* key = r.text.find("WEAVING", "Shafts");
+  const int stated = int_of(r, key).value_or(0);
+  if (stated > kMaxShafts) {
+    r.findings.add(Severity::kError, key->line, {}, "[WEAVING] Shafts is " + std::to_string(stated),
+                   "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
+    return 0;
+  }
+  int used = 0, used_line = -1;
+  for (const char* name : {"THREADING", "TIEUP", "LIFTPLAN"}) {
+    int line = -1;
+    const int largest = largest_value(r, name, line);
+    if (largest > used) {
+      used = largest;
+      used_line = line;
+    }
+  }
+  if (stated > 0 && used > stated) {
+    r.findings.warn(used_line, {}, "shaft " + std::to_string(used) + " is used but [WEAVING] Shafts is " + std::to_string(stated),
+                    "read with " + std::to_string(used) + " shafts; correct the one or the other");
+  } else if (stated <= 0) {
+    r.findings.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Shafts is missing",
+                    "taken as " + std::to_string(std::max(used, 1)) + ", the highest shaft used");
+  }
+  return std::max({stated, used, 1});
+}
+
+int read_treadle_count(const Reader& r) {
+  const WifKey* key = r.text.find("WEAVING", "Treadles");
+  const int stated = int_of(r, key).value_or(0);
+  if (stated > kMaxShafts) {
+    r.findings.add(Severity::kError, key->line, {}, "[WEAVING] Treadles is " + std::to_string(stated),
+                   "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
+    return 0;
+  }
+  int line = -1;
+  int used = largest_value(r, "TREADLING", line);
+  if (const WifSection* tieup = r.text.find("TIEUP")) {
+    for (const WifKey& k : tieup->keys) {
+      if (k.number > used && k.number <= kMaxShafts && leading_int(k.value).value_or(0) != 0) {
+        used = k.number;
+        line = k.line;
+      }
+    }
+  }
+  if (stated > 0 && used > stated) {
+    r.findings.warn(line, {}, "treadle " + std::to_string(used) + " is used but [WEAVING] Treadles is " + std::to_string(stated),
+                    "read with " + std::to_string(used) + " treadles; correct the one or the other");
+  } else if (stated <= 0 && (used > 0 || !r.text.find("LIFTPLAN"))) {
+    r.findings.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Treadles is missing",
+                    "taken as " + std::to_string(std::max(used, 1)) + ", the highest treadle used");
+  }
+  return std::max({stated, used, 1});
+}
+
+void read_rising(const Reader& r, WifFile* info) {
+  const WifKey* key = r.text.find("WEAVING", "Rising Shed");
+  const std::optional<bool> value = key ? word_as_bool(key->value) : std::nullopt;
+  if (!value) {
+    r.findings.warn(key ? key->line : r.line_of("WEAVING"), {},
+                    key ? "Rising Shed is neither true nor false" : "[WEAVING] does not say Rising Shed",
+                    "read as rising; write Rising Shed=true, or false for a sinking shed");
+  }
+  r.draft().rising = value.value_or(true);
+  if (info) info->rising_stated = value.has_value();
+}
+
+/// Rows of lists (threading, tie-up, treadling, liftplan) as bits.
+void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what) {
+  const WifSection* section = r.text.find(name);
+  if (!section) return;
+  const int base = row_base(*section, bits.rows());
+  if (base == 0) {
+    r.habits.zero_based.push_back(name);
+    r.findings.add(Severity::kNote, r.line_of(name), {}, std::string("[") + name + "] counts from 0",
+                   "read so; nothing to do");
+  }
+  std::vector<int> list;
+  each_row(*section, bits.rows(), base, r.findings, [&](int row, const WifKey& key) {
+    leading_ints(key.value, list);
+    if (list.empty()) {
+      r.findings.warn(key.line, section->name + " value", "[" + section->name + "] has a value that is not a list of numbers",
+                      std::string("ignored; write the numbers of its ") + what);
+    }
+    for (const int value : list) {
+      if (value >= 1 && value <= bits.cols()) {
+        bits.set(row, value - 1, true);
+      } else if (value != 0) {
+        r.findings.warn(key.line, section->name + " shaft", "[" + section->name + "] names " + what + " " + std::to_string(value),
+                        "ignored; there are " + std::to_string(bits.cols()));
+      }
+    }
+  });
+}
+
+void note_differing_liftplan(const Reader& r, const BitMatrix& liftplan) {
+  const BitMatrix from_treadles = lifts(r.draft());
+  for (int pick = 0; pick < liftplan.rows(); ++pick) {
+    if (std::ranges::equal(liftplan.row(pick), from_treadles.row(pick))) continue;
+    r.findings.warn(r.line_of("LIFTPLAN"), {},
+                    "the liftplan differs from tie-up and treadling, first at pick " + std::to_string(pick + 1),
+                    "tie-up and treadling were used; remove one of the two");
+    return;
+  }
+}
+
+/// Tie-up with treadling rule where they lift anything; otherwise the liftplan.
+void read_drive(Reader& r, WifFile* info) {
+  Draft& draft = r.draft();
+  const bool has_tieup = r.text.find("TIEUP"), has_treadling = r.text.find("TREADLING");
+  const bool has_liftplan = r.text.find("LIFTPLAN");
+  read_lists(r, "TIEUP", draft.tieup, "shafts");
+  read_lists(r, "TREADLING", draft.treadling, "treadles");
+  BitMatrix liftplan(draft.picks(), draft.shafts);
+  read_lists(r, "LIFTPLAN", liftplan, "shafts");
+  draft.drive = Drive::kTreadling;
+  const bool treadles_lift = has_tieup && has_treadling && lifts(draft).count() > 0;
+  if (!treadles_lift && (liftplan.count() > 0 || (has_liftplan && !has_treadling))) draft.drive = Drive::kLiftplan;
+  if (draft.drive == Drive::kLiftplan) {
+    draft.treadling = BitMatrix(draft.picks(), draft.treadles);
+    draft.liftplan = std::move(liftplan);
+  } else {
+    if (has_liftplan) note_differing_liftplan(r, liftplan);
+    if (!has_liftplan && !has_treadling) {
+      r.findings.warn(-1, {}, "there is neither a treadling nor a liftplan", "every pick is empty; add [TREADLING] or [LIFTPLAN]");
+    } else if (!has_tieup) {
+      r.findings.warn(r.line_of("TREADLING"), {}, "there is a treadling but no tie-up", "no shaft moves; add [TIEUP]");
+    }
+  }
+  r.habits.has_liftplan = has_liftplan;
+  if (info) {
+    info->has_liftplan = has_liftplan;
+    info->has_treadling = has_treadling;
+    info->has_tieup = has_tieup;
+  }
+}
+
+void read_notes(const Reader& r) {
+  const WifSection* notes = r.text.find("NOTES");
+  if (!notes) return;
+  constexpr int kMaxNotes = 100000;
+  int base = 1, last = -1;
+  for (const WifKey& key : notes->keys) {
+    if (key.number == 0) base = 0;
+    if (key.number <= kMaxNotes) last = std::max(last, key.number);
+  }
+  if (last < base) return;
+  if (base == 0) r.habits.zero_based.push_back("NOTES");
+  r.design.notes.resize(static_cast<size_t>(last - base + 1));
+  each_row(*notes, last - base + 1, base, r.findings,
+           [&](int line, const WifKey& key) { r.design.notes[static_cast<size_t>(line)] = r.words(&key); });
+}
+
+void read_head(const Reader& r, WifFile* info) {
+  if (!r.text.find("WIF")) {
+    r.findings.add(Severity::kNote, 0, {}, "the file does not start with [WIF]",
+                   "read as WIF; \"save for other programs\" writes the heading");
+  } else if (!r.wif("Version")) {
+    r.findings.add(Severity::kNote, r.line_of("WIF"), {}, "[WIF] does not give a Version", "read as version 1.1");
+  }
+  r.design.title = r.words(r.text.find("TEXT", "Title"));
+  r.design.author = r.words(r.text.find("TEXT", "Author"));
+  if (!info) return;
+  info->version = r.words(r.wif("Version"));
+  info->date = r.words(r.wif("Date"));
+  info->source_program = r.words(r.wif("Source Program"));
+  info->source_version = r.words(r.wif("Source Version"));
+}
+
+/// Sections whose lines must all be keys; others may hold free text.
+constexpr const char* kKeyedSections[] = {
+    "WIF", "CONTENTS", "COLOR PALETTE", "WEAVING", "WARP", "WEFT", "TIEUP", "COLOR TABLE", "THREADING",
+    "TREADLING", "LIFTPLAN", "WARP COLORS", "WEFT COLORS", "WARP SPACING", "WEFT SPACING", "WARP THICKNESS",
+    "WEFT THICKNESS", "NOTES"};
+
+void check_lines(const Reader& r) {
+  for (const int line : r.text.unclosed_headers) {
+    r.findings.warn(line, "bracket", "a section heading has no closing bracket", "read as if it had one");
+  }
+  if (r.text.second_warp_colors >= 0) {
+    r.findings.warn(r.text.second_warp_colors, {}, "a second [WARP COLORS] and no [WEFT COLORS]",
+                    "read as the colours of the weft, as Luminescence writes them");
+  }
+  for (const char* name : kKeyedSections) {
+    const WifSection* section = r.text.find(name);
+    if (!section) continue;
+    if (section->blocks.size() > 1) {
+      r.findings.warn(section->blocks[1].header, {}, "[" + section->name + "] is there more than once",
+                      "read as one section");
+    }
+    for (const int line : section->other_lines) {
+      r.findings.warn(line, "no key", "a line is neither a key, a comment nor a heading", "ignored and kept");
+    }
+  }
+}
+
+void check_contents(const Reader& r) {
+  const WifSection* contents = r.text.find("CONTENTS");
+  if (!contents) {
+    r.findings.warn(-1, {}, "there is no [CONTENTS]", "sections were found by their headings");
+    return;
+  }
+  for (const WifKey& key : contents->keys) {
+    if (word_as_bool(key.value) == true && !r.text.find(uppercase(key.key))) {
+      r.findings.warn(key.line, "missing", "[CONTENTS] lists " + std::string(key.key) + ", which is not there",
+                      "taken as absent; remove the line");
+    }
+  }
+  for (const WifSection& section : r.text.sections) {
+    if (section.name.empty() || section.name == "WIF" || section.name == "CONTENTS" || section.name == "TRANSLATIONS") continue;
+    const WifKey* key = contents->find(section.name);
+    if (!key || word_as_bool(key->value) != true) {
+      r.findings.add(Severity::kNote, section.blocks.front().header, "unlisted", "[" + section.name + "] is not listed in [CONTENTS]",
+                     "read all the same; other programs may skip it");
+    }
+  }
+}
+
+bool is_usable(const WifText& text, Findings& findings) {
+  const auto refuse = [&](std::string what, std::string remedy) {
+    findings.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, std::move(what), std::move(remedy));
+    return false;
+  };
+  if (text.lines.empty()) return refuse("the file is empty", "choose a WIF file");
+  if (text.bytes.starts_with("\xFF\xFE") || text.bytes.starts_with("\xFE\xFF")) {
+    return refuse("the file is UTF-16 text", "save it as UTF-8 or ASCII first");
+  }
+  for (const char* name : {"WEAVING", "WARP", "WEFT", "THREADING"}) {
+    if (text.find(name)) return true;
+  }
+  return refuse("this is not a WIF file: it has none of [WEAVING], [WARP], [WEFT] and [THREADING]",
+                "choose a draft saved as .wif");
+}
+
+}  // namespace
+
+// Colours and measures of the threads: read_threads.cpp.
+void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Draft& draft, WifFile* info);
+
+std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, WifFile* info) {
+  constexpr size_t kMaxBytes = size_t{1} << 28;
+  if (bytes.size() > kMaxBytes) {
+    findings.add(Severity::kError, -1, {}, "the file is larger than 256 MB", "choose a WIF file");
+    return std::nullopt;
+  }
+  ParsedWif parsed{scan_wif(bytes), {}, {}};
+  Reader r{parsed.text, findings, parsed.habits, parsed.design};
+  if (!is_usable(r.text, findings)) return std::nullopt;
+  read_head(r, info);
+  check_lines(r);
+  check_contents(r);
+  const int ends = read_thread_count(r, "WARP", {"THREADING", "WARP COLORS"});
+  const int picks = read_thread_count(r, "WEFT", {"TREADLING", "LIFTPLAN", "WEFT COLORS"});
+  Draft& draft = r.draft();
+  draft.shafts = read_shaft_count(r);
+  draft.treadles = read_treadle_count(r);
+  if (static_cast<int64_t>(ends) * picks > kMaxCells) {
+    findings.add(Severity::kError, -1, {}, std::to_string(ends) + " ends by " + std::to_string(picks) + " picks",
+                 "this is more than the " + std::to_string(kMaxCells) + " crossings that can be opened");
+  }
+  if (findings.has_error()) return std::nullopt;
+  draft.warp.resize(ends);
+  draft.weft.resize(picks);
+  draft.threading = BitMatrix(ends, draft.shafts);
+  draft.tieup = BitMatrix(draft.treadles, draft.shafts);
+  draft.treadling = BitMatrix(picks, draft.treadles);
+  draft.liftplan = BitMatrix(picks, draft.shafts);
+  read_rising(r, info);
+  read_lists(r, "THREADING", draft.threading, "shafts");
+  read_drive(r, info);
+  read_threads(r.text, findings, r.habits, draft, info);
+  read_notes(r);
+  read_private_sections(r.text, r.habits, findings, r.design);
+  return parsed;
+}
+
+WifRead read_wif(std::string_view bytes) {
+  Findings findings;
+  WifRead result;
+  WifFile file;
+  if (std::optional<ParsedWif> parsed = parse_wif(bytes, findings, &file)) {
+    file.bytes = std::string(bytes);
+    file.design = std::move(parsed->design);
+    result.file = std::move(file);
+  }
+  result.diagnostics = findings.take();
+  return result;
+}
+
+}  // namespace weftlight

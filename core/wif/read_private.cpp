@@ -1,0 +1,208 @@
+// Reading [PRIVATE WEFTLIGHT ...]. A value that restates a public line exactly (a colour between two
+// steps of Range, a title of two lines) counts only while the public line still says the same, so that
+// another program's change is not undone.
+
+#include <algorithm>
+#include <charconv>
+
+#include "wif/private.h"
+#include "wif/rows.h"
+
+namespace weftlight {
+namespace {
+
+const WifSection* private_section(const WifText& text, std::string_view name) {
+  return text.find(std::string(kPrivate) + std::string(name));
+}
+
+std::optional<float> as_float(std::string_view value) {
+  float result = 0;
+  const auto read = std::from_chars(value.data(), value.data() + value.size(), result);
+  return read.ec == std::errc{} ? std::optional(result) : std::nullopt;
+}
+
+std::vector<float> as_floats(std::string_view value) {
+  std::vector<float> result;
+  while (!value.empty()) {
+    const size_t comma = std::min(value.find(','), value.size());
+    const std::optional<float> number = as_float(trimmed(value.substr(0, comma)));
+    if (!number) return {};
+    result.push_back(*number);
+    value.remove_prefix(std::min(comma + 1, value.size()));
+  }
+  return result;
+}
+
+struct Source {
+  const WifText& text;
+  Findings& findings;
+
+  void unusable(const WifKey& key) const {
+    findings.warn(key.line, "private", "a value of Weftlight's own is not usable", "the default was used");
+  }
+};
+
+template <class T, size_t N>
+void read_fields(const Source& s, const WifSection& section, const std::string& prefix, const FloatField<T> (&fields)[N], T& out) {
+  for (const FloatField<T>& field : fields) {
+    const WifKey* key = section.find(prefix + field.key);
+    if (!key) continue;
+    const std::optional<float> value = as_float(key->value);
+    if (value && std::isfinite(*value)) {
+      out.*field.member = std::clamp(*value, field.low, field.high);
+    } else {
+      s.unusable(*key);
+    }
+  }
+}
+
+void read_color(const Source& s, const WifSection& section, const std::string& name, Rgb& out) {
+  const WifKey* key = section.find(name);
+  if (!key) return;
+  const std::vector<float> c = as_floats(key->value);
+  if (c.size() != 3 || !std::all_of(c.begin(), c.end(), [](float v) { return std::isfinite(v); })) return s.unusable(*key);
+  out = {c[0], c[1], c[2]};
+}
+
+template <size_t N>
+int name_index(const char* const (&names)[N], std::string_view value, int otherwise) {
+  for (size_t i = 0; i < N; ++i) {
+    if (same_word(names[i], value)) return static_cast<int>(i);
+  }
+  return otherwise;
+}
+
+std::string words(const Source& s, const WifKey& key) { return unescaped(to_utf8(key.value, s.text.encoding)); }
+
+Yarn read_yarn(const Source& s, const WifSection& section, const std::string& prefix) {
+  Yarn yarn;
+  if (const WifKey* key = section.find(prefix + "Name")) yarn.name = words(s, *key);
+  else yarn.name.clear();
+  if (const WifKey* key = section.find(prefix + "Twist")) {
+    yarn.twist = static_cast<Twist>(name_index(kTwistNames, key->value, static_cast<int>(yarn.twist)));
+  }
+  if (const WifKey* key = section.find(prefix + "Plies")) {
+    yarn.plies = std::clamp(leading_int(key->value).value_or(1), 1, 8);
+  }
+  if (const WifKey* key = section.find(prefix + "Metallic")) yarn.lobes.metallic = word_as_bool(key->value).value_or(false);
+  read_fields(s, section, prefix, kYarnFloats, yarn);
+  read_fields(s, section, prefix, kLobeFloats, yarn.lobes);
+  read_color(s, section, prefix + "Tint", yarn.lobes.specular_tint);
+  return yarn;
+}
+
+void read_yarns(const Source& s, Design& design) {
+  const WifSection* section = private_section(s.text, "YARNS");
+  if (!section) return;
+  constexpr int kMaxYarns = 4096;
+  const WifKey* count = section->find("Yarns");
+  const int yarns = count ? std::clamp(leading_int(count->value).value_or(1), 1, kMaxYarns) : 1;
+  design.yarns.clear();
+  for (int i = 0; i < yarns; ++i) design.yarns.push_back(read_yarn(s, *section, std::to_string(i + 1) + " "));
+}
+
+void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads& threads) {
+  const WifSection* section = private_section(s.text, name);
+  if (!section) return;
+  each_row(*section, threads.size(), 1, s.findings, [&](int thread, const WifKey& key) {
+    const int yarn = leading_int(key.value).value_or(0);
+    if (yarn >= 1 && static_cast<size_t>(yarn) <= yarns) {
+      threads.yarn[static_cast<size_t>(thread)] = yarn - 1;
+    } else {
+      s.unusable(key);
+    }
+  });
+}
+
+void read_look_and_scene(const Source& s, Design& design) {
+  if (const WifSection* look = private_section(s.text, "LOOK")) {
+    read_fields(s, *look, "", kLookFloats, design.look);
+    if (const WifKey* key = look->find("Method")) design.look.method = static_cast<Method>(name_index(kMethodNames, key->value, 0));
+  }
+  if (const WifSection* scene = private_section(s.text, "SCENE")) {
+    read_fields(s, *scene, "", kSceneFloats, design.scene);
+    read_color(s, *scene, "Background", design.scene.background);
+    const WifKey* mesh = scene->find("Mesh");
+    design.scene.mesh = mesh ? words(s, *mesh) : std::string{};
+  }
+}
+
+void restore_text(const Source& s, const WifSection& section, const std::string& name, std::string& text) {
+  const WifKey* key = section.find(name);
+  if (!key) return;
+  const std::string exact = words(s, *key);
+  if (one_line(exact) == text) text = exact;
+}
+
+void read_exact_text(const Source& s, Design& design) {
+  const WifSection* section = private_section(s.text, "TEXT");
+  if (!section) return;
+  restore_text(s, *section, "Title", design.title);
+  restore_text(s, *section, "Author", design.author);
+  for (const WifKey& key : section->keys) {
+    if (key.key.size() < 6 || !same_word(key.key.substr(0, 5), "NOTE ")) continue;
+    const int note = leading_int(key.key.substr(5)).value_or(0);
+    if (note < 1 || static_cast<size_t>(note) > design.notes.size()) continue;
+    std::string& text = design.notes[static_cast<size_t>(note) - 1];
+    const std::string exact = words(s, key);
+    if (one_line(exact) == text) text = exact;
+  }
+}
+
+void read_exact_colors(const Source& s, const WifHabits& habits, Draft& draft) {
+  const WifSection* section = private_section(s.text, "COLORS");
+  if (!section) return;
+  const auto number = [&](float channel) { return channel_number(channel, habits.range_low, habits.range_high); };
+  each_row(*section, static_cast<int>(draft.palette.size()), 1, s.findings, [&](int index, const WifKey& key) {
+    Rgb& color = draft.palette[static_cast<size_t>(index)];
+    const std::vector<float> c = as_floats(key.value);
+    if (c.size() != 3) return s.unusable(key);
+    const bool same = number(c[0]) == number(color.r) && number(c[1]) == number(color.g) && number(c[2]) == number(color.b);
+    if (same) color = {c[0], c[1], c[2]};
+  });
+}
+
+void read_exact_measures(const Source& s, const char* name, std::vector<float>& measures) {
+  const WifSection* section = private_section(s.text, name);
+  if (!section) return;
+  each_row(*section, static_cast<int>(measures.size()), 1, s.findings, [&](int thread, const WifKey& key) {
+    const std::optional<float> mm = as_float(key.value);
+    float& public_mm = measures[static_cast<size_t>(thread)];
+    if (mm && public_mm == kFromYarn) public_mm = *mm;
+  });
+}
+
+void read_sleeping(const Source& s, const char* name, BitMatrix& bits) {
+  const WifSection* section = private_section(s.text, name);
+  if (!section) return;
+  std::vector<int> list;
+  each_row(*section, bits.rows(), 1, s.findings, [&](int row, const WifKey& key) {
+    leading_ints(key.value, list);
+    for (const int value : list) {
+      if (value >= 1 && value <= bits.cols()) bits.set(row, value - 1, true);
+    }
+  });
+}
+
+}  // namespace
+
+void read_private_sections(const WifText& text, const WifHabits& habits, Findings& findings, Design& design) {
+  const Source s{text, findings};
+  read_yarns(s, design);
+  read_thread_yarns(s, "WARP YARNS", design.yarns.size(), design.draft.warp);
+  read_thread_yarns(s, "WEFT YARNS", design.yarns.size(), design.draft.weft);
+  read_look_and_scene(s, design);
+  read_exact_text(s, design);
+  read_exact_colors(s, habits, design.draft);
+  read_exact_measures(s, "WARP SPACING", design.draft.warp.spacing_mm);
+  read_exact_measures(s, "WEFT SPACING", design.draft.weft.spacing_mm);
+  read_exact_measures(s, "WARP THICKNESS", design.draft.warp.thickness_mm);
+  read_exact_measures(s, "WEFT THICKNESS", design.draft.weft.thickness_mm);
+  if (design.draft.drive == Drive::kLiftplan) {
+    read_sleeping(s, "TREADLING", design.draft.treadling);
+  } else {
+    read_sleeping(s, "LIFTPLAN", design.draft.liftplan);
+  }
+}
+
+}  // namespace weftlight

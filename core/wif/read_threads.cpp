@@ -1,0 +1,279 @@
+// Reading the tables of threads: palette, colours, spacing, thickness, zooms and symbols.
+
+#include <algorithm>
+#include <cmath>
+
+#include "wif/rows.h"
+
+namespace weftlight {
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+constexpr double kDecipointsPerInch = 720.0;  // by convention; the text of WIF is silent
+
+struct Context {
+  const WifText& text;
+  Findings& findings;
+  WifHabits& habits;
+  Draft& draft;
+};
+
+int base_of_rows(Context& c, const WifSection& section, int count) {
+  const int base = row_base(section, count);
+  if (base == 0) c.habits.zero_based.push_back(section.name);
+  return base;
+}
+
+bool is_luminescence(const WifText& text) {
+  for (const char* section : {"WIF", ""}) {
+    for (const char* name : {"Source Program", "Developers"}) {
+      const WifKey* key = text.find(section, name);
+      if (!key) continue;
+      const std::string value = uppercase(key->value);
+      if (value.find("LUMINESCENCE") != std::string::npos || value.find("GLASSNER") != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
+void read_range(Context& c, int largest_channel) {
+  const WifKey* key = c.text.find("COLOR PALETTE", "Range");
+  std::vector<int> list;
+  if (key) leading_ints(key->value, list);
+  if (list.size() >= 2 && list[0] >= 0 && list[1] > list[0]) {
+    c.habits.range_low = list[0];
+    c.habits.range_high = list[1];
+    return;
+  }
+  c.habits.range_high = largest_channel <= 255 ? 255 : largest_channel <= 999 ? 999 : std::max(65535, largest_channel);
+  c.findings.warn(key ? key->line : -1, {}, "[COLOR PALETTE] gives no usable Range",
+                  "colours were read as 0," + std::to_string(c.habits.range_high) + "; write Range= as two numbers");
+}
+
+Rgb color_of(Context& c, const int* channel, int line) {
+  const double low = c.habits.range_low, high = c.habits.range_high;
+  float out[3];
+  for (int i = 0; i < 3; ++i) {
+    if (channel[i] < low || channel[i] > high) {
+      c.findings.warn(line, "channel", "a colour is outside Range", "taken as the nearest that is inside");
+    }
+    out[i] = static_cast<float>((std::clamp<double>(channel[i], low, high) - low) / (high - low));
+  }
+  return {out[0], out[1], out[2]};
+}
+
+/// False when the file has no table.
+bool read_palette(Context& c) {
+  const WifSection* table = c.text.find("COLOR TABLE");
+  int base = 1, last = -1, largest_channel = 0;
+  std::vector<int> list;
+  if (table) {
+    for (const WifKey& key : table->keys) {
+      if (key.value.empty() || key.number < 0 || key.number > kMaxColors - 1) continue;
+      if (key.number == 0) base = 0;
+      last = std::max(last, key.number);
+      leading_ints(key.value, list);
+      for (const int channel : list) largest_channel = std::max(largest_channel, channel);
+    }
+  }
+  if (last < base) return false;
+  c.habits.palette_base = base;
+  if (base == 0) c.habits.zero_based.push_back("COLOR TABLE");
+  read_range(c, largest_channel);
+  c.draft.palette.assign(static_cast<size_t>(last - base + 1), Rgb{});
+  each_row(*table, last - base + 1, base, c.findings, [&](int index, const WifKey& key) {
+    leading_ints(key.value, list);
+    if (list.size() < 3) {
+      c.findings.warn(key.line, "rgb", "a colour has fewer than three numbers", "read as black; write red,green,blue");
+      return;
+    }
+    c.draft.palette[static_cast<size_t>(index)] = color_of(c, list.data(), key.line);
+  });
+  return true;
+}
+
+/// Color=index,R,G,B of a two-colour draft without a table.
+std::optional<Rgb> stated_rgb(Context& c, const char* system) {
+  const WifKey* key = c.text.find(system, "Color");
+  std::vector<int> list;
+  if (key) leading_ints(key->value, list);
+  if (list.size() < 4) return std::nullopt;
+  const WifKey* range = c.text.find("COLOR PALETTE", "Range");
+  if (!range) read_range(c, *std::max_element(list.begin() + 1, list.end()));
+  return color_of(c, list.data() + 1, key->line);
+}
+
+void default_palette(Context& c) {
+  const WifKey* range = c.text.find("COLOR PALETTE", "Range");
+  if (range) read_range(c, 255);
+  c.draft.palette = {stated_rgb(c, "WARP").value_or(Rgb{0, 0, 0}), stated_rgb(c, "WEFT").value_or(Rgb{1, 1, 1})};
+  std::fill(c.draft.weft.color.begin(), c.draft.weft.color.end(), 1);
+  c.habits.warp.color.fallback = 0;
+  c.habits.weft.color.fallback = 1;
+  c.findings.add(Severity::kNote, -1, {}, "there is no color table", "warp and weft were given two colours; paint them as you like");
+}
+
+int color_index(Context& c, int number, int base, int line) {
+  const int count = static_cast<int>(c.draft.palette.size());
+  const int index = std::clamp(number, base, base + count - 1) - base;
+  if (index != number - base) {
+    c.findings.warn(line, "color index", "color " + std::to_string(number) + " is not in the color table",
+                    "color " + std::to_string(index + base) + " was used; correct one of them");
+  }
+  return index;
+}
+
+void read_colors(Context& c, const char* system, Threads& threads, ColumnHabits& habit, int implied) {
+  const WifKey* key = c.text.find(system, "Color");
+  const std::optional<int> stated = key ? leading_int(key->value) : std::nullopt;
+  const int fallback = stated ? color_index(c, *stated, c.habits.default_color_base, key->line)
+                              : std::min(implied, static_cast<int>(c.draft.palette.size()) - 1);
+  std::fill(threads.color.begin(), threads.color.end(), fallback);
+  habit.fallback = fallback;
+  const WifSection* rows = c.text.find(std::string(system) + " COLORS");
+  if (!rows) return;
+  habit.list_all = true;
+  each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.findings, [&](int thread, const WifKey& row) {
+    if (const std::optional<int> number = leading_int(row.value)) {
+      threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.habits.palette_base, row.line);
+    }
+  });
+}
+
+void read_units(Context& c, const char* system, SystemHabits& habits) {
+  const WifKey* key = c.text.find(system, "Units");
+  if (!key) {
+    for (const char* name : {"Spacing", "Thickness"}) {
+      if (const WifKey* measure = c.text.find(system, name)) {
+        c.findings.warn(measure->line, {}, std::string("[") + system + "] gives no Units", "read as centimeters; write Units=");
+        return;
+      }
+    }
+    return;
+  }
+  size_t size = 0;
+  while (size < key->value.size() && !is_blank(key->value[size]) && key->value[size] != ';') ++size;
+  const std::string unit = uppercase(key->value.substr(0, size));
+  habits.unit = std::string(key->value.substr(0, size));
+  if (unit == "INCHES" || unit == "INCH" || unit == "ENGLISH") {
+    habits.unit_mm = kMmPerInch;
+  } else if (unit == "DECIPOINTS" || unit == "DECIPOINT") {
+    habits.unit_mm = kMmPerInch / kDecipointsPerInch;
+  } else if (unit != "CENTIMETERS" && unit != "CENTIMETER" && unit != "CENTIMETRES" && unit != "CM") {
+    c.findings.warn(key->line, {}, "Units is neither Inches, Centimeters nor Decipoints", "read as centimeters");
+  }
+  if (unit == "ENGLISH") {
+    c.findings.add(Severity::kNote, key->line, {}, "Units=" + habits.unit + " is not a unit of WIF", "read as inches");
+  }
+}
+
+/// Millimetres of a measure; nothing for 0, which leaves it to the yarn.
+std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
+  bool comma = false;
+  const std::optional<double> value = leading_real(key.value, &comma);
+  if (comma) c.findings.warn(key.line, "comma", "a measure has a decimal comma", "read as a point; write a point");
+  const float mm = static_cast<float>(value.value_or(-1) * unit_mm);
+  if (!value || *value < 0 || !std::isfinite(mm)) {
+    c.findings.warn(key.line, "measure", "a spacing or thickness is not a usable number", "ignored; write a number of 0 or more");
+    return std::nullopt;
+  }
+  return mm > 0 ? mm : kFromYarn;
+}
+
+/// Spacing or thickness: a row's own measure, or the system's times the row's (or the system's) zoom.
+void read_measures(Context& c, const std::string& system, const std::string& name, std::vector<float>& out,
+                   ColumnHabits& habit, double unit_mm) {
+  const WifKey* stated = c.text.find(system, name);
+  const float base = stated ? measure(c, *stated, unit_mm).value_or(kFromYarn) : kFromYarn;
+  const WifKey* zoom_key = c.text.find(system, name + " Zoom");
+  const int zoom = zoom_key ? leading_int(zoom_key->value).value_or(1) : 1;
+  const auto zoomed = [base](int times) { return base > 0 && times > 0 ? base * static_cast<float>(times) : base; };
+  const int count = static_cast<int>(out.size());
+  std::fill(out.begin(), out.end(), zoomed(zoom));
+  habit.fallback = static_cast<double>(zoomed(zoom));
+  const std::string table = system + " " + uppercase(name);
+  if (const WifSection* rows = c.text.find(table + " ZOOM")) {
+    habit.list_all = true;
+    each_row(*rows, count, row_base(*rows, count), c.findings, [&](int thread, const WifKey& row) {
+      if (const std::optional<int> times = leading_int(row.value)) out[static_cast<size_t>(thread)] = zoomed(*times);
+    });
+  }
+  habit.list_all = habit.list_all || zoom > 1;
+  if (const WifSection* rows = c.text.find(table)) {
+    habit.list_all = true;
+    each_row(*rows, count, base_of_rows(c, *rows, count), c.findings, [&](int thread, const WifKey& row) {
+      if (const std::optional<float> mm = measure(c, row, unit_mm)) out[static_cast<size_t>(thread)] = *mm;
+    });
+  }
+}
+
+/// The character a WIF symbol means: X, 'X' or #88.
+std::string symbol_of(std::string_view value, Encoding encoding) {
+  if (value.size() >= 3 && value.front() == '\'') return to_utf8(value.substr(1, value.find('\'', 2) - 1), encoding);
+  if (value.size() >= 2 && value.front() == '#') {
+    const int code = leading_int(value.substr(1)).value_or(-1);
+    if (code >= 0 && code <= 255) {
+      const char byte = static_cast<char>(code);
+      return to_utf8(std::string_view(&byte, 1), Encoding::kLatin1);
+    }
+  }
+  if (encoding == Encoding::kLatin1 || static_cast<unsigned char>(value.front()) < 0x80) {
+    return to_utf8(value.substr(0, 1), encoding);
+  }
+  size_t size = 1;
+  while (size < value.size() && (static_cast<unsigned char>(value[size]) & 0xC0) == 0x80) ++size;
+  return std::string(value.substr(0, size));
+}
+
+std::vector<std::string> read_symbols(Context& c, const std::string& system, int count) {
+  constexpr int kMaxSymbols = 65536;
+  const WifSection* table = c.text.find(system + " SYMBOL TABLE");
+  const WifSection* rows = c.text.find(system + " SYMBOLS");
+  const WifKey* stated = c.text.find(system, "Symbol");
+  const WifKey* number = c.text.find(system, "Symbol Number");
+  if (!rows && !stated && !number) return {};
+  std::vector<std::string> symbols(1);
+  if (table) {
+    for (const WifKey& key : table->keys) {
+      if (key.value.empty() || key.number < 1 || key.number > kMaxSymbols) continue;
+      symbols.resize(std::max(symbols.size(), static_cast<size_t>(key.number) + 1));
+      symbols[static_cast<size_t>(key.number)] = symbol_of(key.value, c.text.encoding);
+    }
+  }
+  const auto at = [&](int index) {
+    return index >= 0 && index < static_cast<int>(symbols.size()) ? symbols[static_cast<size_t>(index)] : std::string{};
+  };
+  std::string fallback = stated ? symbol_of(stated->value, c.text.encoding) : std::string{};
+  if (number) fallback = at(leading_int(number->value).value_or(0));
+  std::vector<std::string> result(static_cast<size_t>(count), fallback);
+  if (rows) {
+    each_row(*rows, count, row_base(*rows, count), c.findings, [&](int thread, const WifKey& row) {
+      result[static_cast<size_t>(thread)] = at(leading_int(row.value).value_or(0));
+    });
+  }
+  return result;
+}
+
+}  // namespace
+
+void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Draft& draft, WifFile* info) {
+  Context c{text, findings, habits, draft};
+  if (is_luminescence(text)) habits.default_color_base = 0;
+  if (read_palette(c)) {
+    read_colors(c, "WARP", draft.warp, habits.warp.color, 0);
+    read_colors(c, "WEFT", draft.weft, habits.weft.color, 1);
+  } else {
+    default_palette(c);
+  }
+  for (const System system : {System::kWarp, System::kWeft}) {
+    const char* name = system == System::kWarp ? "WARP" : "WEFT";
+    SystemHabits& own = system == System::kWarp ? habits.warp : habits.weft;
+    Threads& threads = draft.threads(system);
+    read_units(c, name, own);
+    read_measures(c, name, "Spacing", threads.spacing_mm, own.spacing, own.unit_mm);
+    read_measures(c, name, "Thickness", threads.thickness_mm, own.thickness, own.unit_mm);
+    if (info) (system == System::kWarp ? info->warp_symbols : info->weft_symbols) = read_symbols(c, name, threads.size());
+  }
+}
+
+}  // namespace weftlight

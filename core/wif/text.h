@@ -1,0 +1,60 @@
+#pragma once
+// The lines of a WIF file and the index of its sections and keys. Nothing is changed: everything points
+// into the bytes.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wif/encoding.h"
+
+namespace weftlight {
+
+/// One physical line: where its bytes start, how many before the line end, and how many the line end has
+/// ("\r\n", "\n", "\r", or none on the last line).
+struct WifLine {
+  uint32_t begin = 0, size = 0, eol_size = 0;
+};
+
+/// A Key=Value line. Blanks round key and value belong to neither.
+struct WifKey {
+  int line = 0;     // index into WifText::lines
+  int number = -1;  // the key as a number, -1 when it is a word
+  std::string_view key, value;
+};
+
+/// All the lines under one section name (repeated sections are merged).
+struct WifSection {
+  struct Block {
+    int header = -1;       // index of the [NAME] line; -1: lines before the first header
+    int first = 0, end = 0;  // lines of the body, half-open
+  };
+  std::string name;  // upper case
+  std::vector<Block> blocks;
+  std::vector<WifKey> keys;
+  std::vector<int> other_lines;  // neither blank, comment nor key
+  /// First key of that name with a value, or nullptr.
+  const WifKey* find(std::string_view key) const;
+};
+
+struct WifText {
+  std::string_view bytes;  // owned by the caller
+  bool bom = false;
+  Encoding encoding = Encoding::kUtf8;
+  std::vector<WifLine> lines;
+  std::vector<WifSection> sections;  // by first appearance
+  std::vector<int> unclosed_headers;  // lines like "[WARP"
+  int second_warp_colors = -1;  // header line of a repeated [WARP COLORS] that holds the weft's (Luminescence)
+
+  std::string_view line(int index) const { return bytes.substr(lines[index].begin, lines[index].size); }
+  std::string_view eol(int index) const {
+    return bytes.substr(lines[index].begin + lines[index].size, lines[index].eol_size);
+  }
+  const WifSection* find(std::string_view name) const;
+  const WifKey* find(std::string_view section, std::string_view key) const;
+};
+
+WifText scan_wif(std::string_view bytes);
+
+}  // namespace weftlight

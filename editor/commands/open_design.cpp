@@ -1,0 +1,33 @@
+#include <cstdio>
+
+#include "commands/commands.h"
+
+namespace weftlight {
+
+void print_diagnostic(const std::string& path, const Diagnostic& d) {
+  const std::string place = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
+  std::fprintf(stderr, "%s: %s%s; %s\n", place.c_str(), d.severity == Severity::kError ? "" : "warning: ", d.text.c_str(),
+               d.remedy.c_str());
+}
+
+OpenedDesign open_design(const std::string& path, bool print_warnings) {
+  OpenedDesign result;
+  const FileBytes file = read_file(path);
+  if (!file.error.empty()) {
+    std::fprintf(stderr, "%s: %s; give the path of a .wif file\n", path.c_str(), file.error.c_str());
+    return result;
+  }
+  WifRead read = read_wif(file.bytes);
+  for (const Diagnostic& d : read.diagnostics) {
+    const bool warning = print_warnings && d.severity == Severity::kWarning;
+    if (d.severity == Severity::kError || warning) print_diagnostic(path, d);
+  }
+  result.diagnostics = std::move(read.diagnostics);
+  if (!read.file) return result;
+  result.ok = true;
+  result.design = read.file->design;
+  result.file = std::move(*read.file);
+  return result;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,147 @@
+// Where the numbers come from.
+//
+// Diameter: of a round thread of the count named below, d = 2 sqrt(tex / (1000 pi rho phi)) mm, with the
+//   density rho of the fibre and the share phi of the thread that is fibre. rho, g/cm3: cotton 1.52, flax
+//   1.50, silk 1.34, wool 1.31, viscose 1.52, polyester 1.39 (W. E. Morton and J. W. S. Hearle, Physical
+//   Properties of Textile Fibres, ch. 5). phi: spun yarn 0.5 (woollen) to 0.65 (hard twisted), filament 0.6.
+// Turns: of the last twist, from the angle alpha that the fibres lie at on the surface,
+//   T = 1000 tan(alpha) / (pi d). Spun cotton 20-25 degrees, worsted about 18, linen about 16, silk about 14,
+//   filament with a producer's twist under 5 (J. W. S. Hearle, P. Grosberg, S. Backer, Structural Mechanics
+//   of Fibers, Yarns, and Fabrics, 1969, on twist factors).
+// Plies: two for what weavers buy as a plied warp, one for the rest.
+// Grooves: width of the bundles of fibres that are seen as lines, some fibres wide: fibres are cotton
+//   12-20, flax ultimates 15-20 in technical fibres of 50-100, silk 10-13, wool 20-25, filaments 12-18 um
+//   (Morton and Hearle, ch. 3). Deep where bundles stay apart (linen), shallow in smooth filament.
+// Hairiness: rank of the Uster hairiness of such yarns, wool over cotton over gassed cotton; filament has
+//   almost no free ends.
+// Flattening: what loom and press leave: Peirce 1937 saw 0.6-0.8 in cotton; low twist spreads more.
+// Index: mean of the two of the fibre: cotton 1.578/1.532, flax 1.596/1.528, silk 1.591/1.538, wool
+//   1.556/1.547, viscose 1.539/1.519, polyester 1.725/1.537 (Morton and Hearle, ch. 24).
+// Widths along the fibre: tangent of the widths that I. Sadeghi, O. Bisker, J. De Deken, H. W. Jensen, A
+//   Practical Microcylinder Appearance Model for Cloth Rendering, 2013, measured on threads: linen 12, silk
+//   5-18, polyester satin 2.5-30 degrees. Cotton is a twisted ribbon, hence wider than linen; mercerising
+//   swells it round and smooth; wool has scales. Across: the spread of fibres within the thread's surface,
+//   wider the less parallel they lie.
+// Body, fuzz, transmission: by eye, in the order of the fibres' lustre and hair; delustred fibre scatters
+//   most inside.
+// Metallic: aluminium under a clear lacquer on a slit film of about 1/69 inch (the common count), wound or
+//   laid flat: a ribbon, mirror-like along, no body. The index is the lacquer's.
+
+#include "draft/yarn_presets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace weftlight {
+namespace {
+
+constexpr Rgb kWhite{1, 1, 1};
+
+std::array<Yarn, 8> make_presets() {
+  // Lobes: specular, tint, index, along, across, body, fuzz, fuzz width, transmission, metallic.
+  return {{
+      // Ne 8/2 ring-spun, 148 tex, phi 0.6; 22 degrees.
+      {"Cotton",
+       0.45f,
+       Twist::kS,
+       285,
+       2,
+       60,
+       0.45f,
+       0.35f,
+       0.70f,
+       {0.8f, kWhite, 1.55f, 0.35f, 0.55f, 1.0f, 0.18f, 0.55f, 0.12f, false}},
+      // Ne 10/2 gassed, 118 tex, phi 0.65; 20 degrees.
+      {"Mercerised cotton",
+       0.39f,
+       Twist::kS,
+       297,
+       2,
+       40,
+       0.35f,
+       0.10f,
+       0.75f,
+       {1.0f, kWhite, 1.55f, 0.18f, 0.45f, 0.9f, 0.06f, 0.45f, 0.12f, false}},
+      // Lea 16/2 wet-spun, 207 tex, phi 0.65; 16 degrees.
+      {"Linen",
+       0.52f,
+       Twist::kS,
+       176,
+       2,
+       90,
+       0.55f,
+       0.22f,
+       0.75f,
+       {0.9f, kWhite, 1.56f, 0.21f, 0.50f, 0.95f, 0.10f, 0.50f, 0.14f, false}},
+      // Nm 30/2 spun, 67 tex, phi 0.6; 14 degrees.
+      {"Silk",
+       0.33f,
+       Twist::kS,
+       240,
+       2,
+       28,
+       0.25f,
+       0.06f,
+       0.65f,
+       {1.0f, kWhite, 1.56f, 0.12f, 0.40f, 0.85f, 0.05f, 0.40f, 0.18f, false}},
+      // Nm 28/2 worsted, 71 tex, phi 0.5; 18 degrees.
+      {"Wool",
+       0.37f,
+       Twist::kS,
+       280,
+       2,
+       70,
+       0.40f,
+       0.65f,
+       0.75f,
+       {0.7f, kWhite, 1.55f, 0.42f, 0.60f, 1.0f, 0.35f, 0.65f, 0.10f, false}},
+      // 300 den filament, 33 tex, phi 0.6; 5 degrees.
+      {"Viscose",
+       0.22f,
+       Twist::kZ,
+       127,
+       1,
+       26,
+       0.18f,
+       0.04f,
+       0.60f,
+       {1.0f, kWhite, 1.53f, 0.11f, 0.38f, 0.85f, 0.03f, 0.40f, 0.20f, false}},
+      // 150 den filament, 17 tex, phi 0.6; 4 degrees.
+      {"Polyester filament",
+       0.16f,
+       Twist::kZ,
+       139,
+       1,
+       24,
+       0.12f,
+       0.02f,
+       0.60f,
+       {1.0f, kWhite, 1.63f, 0.07f, 0.32f, 0.80f, 0.02f, 0.35f, 0.22f, false}},
+      // Slit film 0.37 mm wide, folded round its core to about 0.25 mm.
+      {"Metallic",
+       0.25f,
+       Twist::kNone,
+       0,
+       1,
+       370,
+       0.05f,
+       0.0f,
+       0.45f,
+       {1.0f, kWhite, 1.50f, 0.06f, 0.22f, 0.0f, 0.0f, 0.30f, 0.0f, true}},
+  }};
+}
+
+}  // namespace
+
+std::span<const Yarn> yarn_presets() {
+  static const std::array<Yarn, 8> presets = make_presets();
+  return presets;
+}
+
+const Yarn& yarn_preset(std::string_view name) {
+  const auto presets = yarn_presets();
+  const auto at = std::find_if(presets.begin(), presets.end(), [&](const Yarn& y) { return y.name == name; });
+  return at != presets.end() ? *at : presets.front();
+}
+
+}  // namespace weftlight

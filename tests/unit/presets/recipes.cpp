@@ -1,0 +1,214 @@
+#include "recipes.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "draft/edits.h"
+#include "draft/generators.h"
+#include "draft/yarn_presets.h"
+
+namespace weftlight {
+namespace {
+
+Rgb hex(unsigned rgb) {
+  const auto channel = [rgb](int shift) { return static_cast<float>((rgb >> shift) & 255u) / 255.0f; };
+  return {channel(16), channel(8), channel(0)};
+}
+
+std::vector<Rgb> palette(std::initializer_list<unsigned> colors) {
+  std::vector<Rgb> out;
+  for (const unsigned color : colors) out.push_back(hex(color));
+  return out;
+}
+
+const Yarn& yarn(const char* name) {
+  return yarn_preset(name);
+}
+
+Design titled(Design design, std::string title, std::vector<std::string> notes) {
+  design.title = std::move(title);
+  design.author = "Weftlight";
+  design.notes = std::move(notes);
+  return design;
+}
+
+// Yarns first, then the sett they need.
+Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float openness = 1) {
+  return with_sett(with_yarns(std::move(design), warp, weft), openness);
+}
+
+Design starter() {
+  Design d = advancing_twill({3, 2, 1, 2}, 12, 3, {96, 96});
+  d = with_colors(std::move(d), palette({0x16324f, 0x1f5c7a, 0x4b9aa3, 0xd9b26a, 0xf3e9d8}),
+                  {{0, 24}, {1, 12}, {2, 12}, {3, 2}, {2, 10}, {1, 12}, {0, 24}}, {{4, 1}});
+  d = in_yarns(std::move(d), yarn("Mercerised cotton"), yarn("Silk"));
+  return titled(std::move(d), "Tidewater",
+                {"An advancing twill on eight shafts, woven as drawn in.",
+                 "Warp of mercerised cotton from indigo to sea green, weft of ivory silk."});
+}
+
+Design plain_weave() {
+  Design d = with_colors(plain({32, 32}), palette({0xe9e1cf, 0xd8ccb4}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Linen"), yarn("Linen")), "Plain weave",
+                {"Over one, under one, in linen."});
+}
+
+Design twill_2_2() {
+  Design d =
+      with_colors(twill({2, 2}, Lean::kRight, {48, 48}), palette({0x3b4a3f, 0xb9ab86}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "2/2 twill",
+                {"The balanced twill of tweeds and blankets."});
+}
+
+Design satin_8() {
+  Design d =
+      with_colors(satin(8, 3, Face::kFront, {64, 64}), palette({0x0f5a4a, 0x123c33}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Silk"), yarn("Silk")), "Satin on eight shafts",
+                {"Warp satin, step three: each end is bound once in eight picks."});
+}
+
+Design herringbone_tweed() {
+  Design d =
+      with_colors(herringbone({2, 2}, 12, {96, 48}), palette({0x4a4540, 0xcfc6b4}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "Herringbone",
+                {"2/2 twill whose lines turn, with a break, every twelve ends."});
+}
+
+Design houndstooth_check() {
+  Design d = with_colors(houndstooth({64, 64}), palette({0x1d1c1f, 0xf1ece0}), {}, {});
+  return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "Houndstooth",
+                {"2/2 twill, four dark and four light threads in both systems."});
+}
+
+Design glen() {
+  Design d = with_colors(glen_check({192, 192}), palette({0x33363d, 0xdcd6ca}), {}, {});
+  // An overcheck of one thread in each large check.
+  d = with_new_palette_color(std::move(d), hex(0x7a2e2b));
+  for (const int at : {24, 72, 120, 168}) {
+    d = with_thread_color(std::move(d), System::kWarp, at, 2);
+    d = with_thread_color(std::move(d), System::kWeft, at, 2);
+  }
+  return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "Glen check",
+                {"Checks of four and four against two and two, with a russet overcheck."});
+}
+
+Design waffle_towel() {
+  Design d = with_colors(waffle(5, {64, 64}), palette({0xf2ead9, 0xe7d9bd}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Cotton"), yarn("Cotton")), "Waffle",
+                {"Point draw on five shafts; the floats draw the cloth into cells."});
+}
+
+Design huck() {
+  Design d = with_colors(huck_lace({60, 60}), palette({0xf4f1e8, 0xe3ebe9}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Linen"), yarn("Linen"), 1.25f), "Huck lace",
+                {"Lace spots over a plain ground, set a little open."});
+}
+
+Design overshot_coverlet() {
+  Design d = overshot({0, 1, 2, 3, 0, 1, 2, 3, 0, 3, 2, 1, 0, 3, 2, 1}, 4, {128, 128});
+  d = with_colors(std::move(d), palette({0xefe6d2, 0x24365e}), {{0, 1}}, {{1, 1}, {0, 1}});
+  Yarn pattern = yarn("Wool");
+  pattern.name = "Pattern wool";
+  pattern.diameter_mm = 0.72f;  // twice the tabby, to cover it
+  pattern.flattening = 0.6f;
+  d = with_yarns(std::move(d), yarn("Cotton"), pattern);
+  for (int p = 1; p < d.draft.picks(); p += 2) d = with_thread_yarn(std::move(d), System::kWeft, p, 0);
+  return titled(with_sett(std::move(d)), "Overshot",
+                {"Four blocks on four shafts, tabby between the pattern picks.",
+                 "Pattern weft of indigo wool over a cotton ground."});
+}
+
+Design cabin() {
+  Design d = with_colors(log_cabin(16, {96, 96}), palette({0x5b2333, 0xe8d3b0}), {}, {});
+  return titled(in_yarns(std::move(d), yarn("Cotton"), yarn("Cotton")), "Log cabin",
+                {"Plain weave; the order of dark and light turns over every sixteen threads."});
+}
+
+Design shadow() {
+  Design d = shadow_weave({0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1}, {88, 88});
+  d = with_colors(std::move(d), palette({0x2b2f5b, 0xe9c46a}), {}, {});
+  return titled(in_yarns(std::move(d), yarn("Mercerised cotton"), yarn("Mercerised cotton")), "Shadow weave",
+                {"Dark and light threads in turn; blocks choose lines along or across."});
+}
+
+Design damask() {
+  Design d = twill_damask({0, 0, 0, 1, 0, 1, 1, 1, 1, 1, 0, 1, 0, 0}, {112, 112});
+  d = with_colors(std::move(d), palette({0xf3efe6, 0x8fa3ad}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Linen"), yarn("Linen")), "Twill damask",
+                {"Two blocks of four-shaft twill, 1/3 against 3/1, with a clean cut."});
+}
+
+Design shot_taffeta() {
+  Design d = with_colors(plain({32, 32}), palette({0x1233a8, 0xc01226}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Silk"), yarn("Silk")), "Shot taffeta",
+                {"Blue warp and red weft in plain weave: the colour turns with the light."});
+}
+
+Design denim() {
+  Design d =
+      with_colors(twill({3, 1}, Lean::kRight, {48, 48}), palette({0x22304f, 0xe6e0d2}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Cotton"), yarn("Cotton")), "Denim",
+                {"3/1 twill, indigo warp over an ecru weft."});
+}
+
+Design gauze() {
+  Design d = with_colors(plain({32, 32}), palette({0xf3d9d0, 0xf7ece4}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Silk"), yarn("Silk"), 2.2f), "Gauze",
+                {"Plain weave set open, so that the light comes through the gaps."});
+}
+
+Design undulating() {
+  Design d = undulating_twill({2, 2, 2, 2}, 3, {128, 96});
+  d = with_colors(std::move(d), palette({0x6d3b47, 0xe9dcc9}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), yarn("Viscose"), yarn("Viscose")), "Undulating twill",
+                {"The twill line steepens and flattens with the crowding of the draw."});
+}
+
+Design summer_winter() {
+  Design d = summer_and_winter({0, 0, 1, 0, 1, 1, 1, 1, 0, 1, 0, 0}, {96, 96});
+  d = with_colors(std::move(d), palette({0xf0e7d6, 0x8c3b2a}), {{0, 1}}, {{1, 1}, {0, 1}});
+  return titled(in_yarns(std::move(d), yarn("Cotton"), yarn("Wool")), "Summer and winter",
+                {"Two blocks, light on the one face where dark on the other."});
+}
+
+Design swatch(const Yarn& preset) {
+  Design d = with_colors(plain({16, 16}), palette({0xd8cdbb, 0xe6ddcd}), {{0, 1}}, {{1, 1}});
+  return titled(in_yarns(std::move(d), preset, preset), preset.name, {"Plain weave swatch of one yarn."});
+}
+
+std::string file_name(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == ' ' ? '_' : static_cast<char>(std::tolower(c)); });
+  return name + ".wif";
+}
+
+}  // namespace
+
+std::vector<PresetRecipe> preset_recipes() {
+  std::vector<PresetRecipe> all = {
+      {"drafts/starter.wif", starter()},
+      {"drafts/plain.wif", plain_weave()},
+      {"drafts/twill_2_2.wif", twill_2_2()},
+      {"drafts/satin_8.wif", satin_8()},
+      {"drafts/herringbone.wif", herringbone_tweed()},
+      {"drafts/houndstooth.wif", houndstooth_check()},
+      {"drafts/glen_check.wif", glen()},
+      {"drafts/waffle.wif", waffle_towel()},
+      {"drafts/huck_lace.wif", huck()},
+      {"drafts/overshot.wif", overshot_coverlet()},
+      {"drafts/log_cabin.wif", cabin()},
+      {"drafts/shadow_weave.wif", shadow()},
+      {"drafts/twill_damask.wif", damask()},
+      {"drafts/shot_taffeta.wif", shot_taffeta()},
+      {"drafts/denim.wif", denim()},
+      {"drafts/gauze.wif", gauze()},
+      {"drafts/undulating_twill.wif", undulating()},
+      {"drafts/summer_and_winter.wif", summer_winter()},
+  };
+  for (const Yarn& preset : yarn_presets())
+    all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
+  return all;
+}
+
+}  // namespace weftlight

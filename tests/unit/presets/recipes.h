@@ -1,0 +1,17 @@
+#pragma once
+// How each shipped draft is made. presets/drafts and presets/yarns hold what these give; a test compares.
+
+#include <string>
+#include <vector>
+
+#include "draft/design.h"
+
+namespace weftlight {
+
+struct PresetRecipe {
+  std::string path;  // in presets/
+  Design design;
+};
+std::vector<PresetRecipe> preset_recipes();
+
+}  // namespace weftlight

@@ -97,8 +97,7 @@ Design summer_and_winter(const std::vector<int>& blocks, ClothSize size) {
   for (const int block : order) {
     for (const int shaft : {0, 2 + block, 1, 2 + block}) recipe.threading.push_back(shaft);
     const int tied = 2 + 2 * block;
-    for (const int treadle : {tied, 0, tied + 1, 1})
-      recipe.treadling.push_back(treadle);
+    for (const int treadle : {tied, 0, tied + 1, 1}) recipe.treadling.push_back(treadle);
   }
   return make_design(recipe, size);
 }

@@ -56,10 +56,14 @@ std::vector<int> straight(int n) {
   return order;
 }
 
-std::vector<int> point(int n) {
-  std::vector<int> order = straight(n);
-  for (int i = n - 2; i > 0; --i) order.push_back(i);
+// There and back; neither end is doubled when it repeats.
+std::vector<int> mirrored(std::vector<int> order) {
+  for (int i = static_cast<int>(order.size()) - 2; i > 0; --i) order.push_back(order[i]);
   return order;
+}
+
+std::vector<int> point(int n) {
+  return mirrored(straight(n));
 }
 
 // Interlacings of a crossing, 0..1, met in going along the rows.
@@ -177,16 +181,19 @@ Design advancing_twill(const OverUnder& order, int run, int advance, ClothSize s
   return make_design({n, draw, tieup, draw}, size);
 }
 
-Design undulating_twill(const OverUnder& order, int widest, ClothSize size) {
+Design undulating_twill(const OverUnder& order, int widest, bool diamonds, ClothSize size) {
   const auto tieup = twill_tieup(order, Lean::kRight);
   const int n = static_cast<int>(tieup.size());
+  const int steps = 3 * n;  // one wave goes three times through the shafts
   const double swing = std::clamp(widest, 1, 8) - 1;
-  std::vector<int> threading;
-  for (int i = 0; i < 2 * n; ++i) {  // one wave goes twice through the shafts
-    const double wave = 0.5 - 0.5 * std::cos(std::numbers::pi * i / n);
-    threading.insert(threading.end(), static_cast<size_t>(1 + std::lround(swing * wave)), i % n);
+  std::vector<int> draw;
+  for (int i = 0; i < steps; ++i) {
+    const double wave = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / steps);
+    draw.insert(draw.end(), static_cast<size_t>(1 + std::lround(swing * wave)), i % n);
   }
-  return make_design({n, threading, tieup, straight(n)}, size);
+  if (!diamonds) return make_design({n, draw, tieup, straight(n)}, size);
+  draw = mirrored(std::move(draw));
+  return make_design({n, draw, tieup, draw}, size);
 }
 
 Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<Stripe>& warp,

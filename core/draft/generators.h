@@ -40,8 +40,9 @@ Design pointed_twill(const OverUnder& order, bool diamonds, ClothSize size);
 Design herringbone(const OverUnder& order, int band, ClothSize size);
 /// Straight draws of `run` ends, each beginning `advance` shafts further; woven as drawn in.
 Design advancing_twill(const OverUnder& order, int run, int advance, ClothSize size);
-/// The twill line steepens and flattens: up to `widest` ends in turn hang on one shaft.
-Design undulating_twill(const OverUnder& order, int widest, ClothSize size);
+/// The twill line steepens and flattens: up to `widest` ends in turn hang on one shaft. `diamonds`: the draw
+/// is mirrored and woven as drawn in, which makes stars.
+Design undulating_twill(const OverUnder& order, int widest, bool diamonds, ClothSize size);
 /// Point draw on 4 or more shafts with floats that draw the cloth into cells.
 Design waffle(int shafts, ClothSize size);
 /// Four shafts, half units of five threads, lace spots in turn over a plain ground.

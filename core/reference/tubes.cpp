@@ -1,0 +1,304 @@
+// Tubes as triangles in Embree, with the smooth normal of the swept ellipse at the hit.
+// A ray walks from tile to tile of the period, so that the cloth has no edge.
+
+#include "reference/tubes.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace weftlight {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+// A ray nearly in the plane would cross tiles for ever; this many are more than any light at
+// 89.9 degrees crosses before it leaves the cloth.
+constexpr int kMaxTiles = 4096;
+constexpr float kThinnest_mm = 1e-5f;
+
+struct Tube {
+  System system;
+  int thread;
+  float centre_mm;  // may be a wrapped copy, outside the period
+  uint32_t first_triangle;
+};
+
+/// A point of the centre line.
+struct Ring {
+  float along, z, slope;
+};
+
+glm::vec3 axis_of(System s, float slope) {
+  return glm::normalize(s == System::kWarp ? glm::vec3(0, 1, slope) : glm::vec3(1, 0, slope));
+}
+glm::vec3 across_of(System s) { return s == System::kWarp ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0); }
+glm::vec3 up_of(System s, float slope) {
+  return glm::normalize(s == System::kWarp ? glm::vec3(0, -slope, 1) : glm::vec3(-slope, 0, 1));
+}
+glm::vec3 place(System s, float centre, const Ring& r) {
+  return s == System::kWarp ? glm::vec3(centre, r.along, r.z) : glm::vec3(r.along, centre, r.z);
+}
+
+}  // namespace
+
+struct TubeScene::Parts {
+  Cloth cloth;
+  int around = 0;
+  int rings[2] = {0, 0};  // segments along a tube of each system over the tile
+  glm::vec2 tile{0};      // tile size, whole periods
+  float z_min = 0, z_max = 0;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::vector<Tube> tubes;
+  ~Parts() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+
+  const std::vector<ThreadBody>& threads(System s) const { return s == System::kWarp ? cloth.ends : cloth.picks; }
+  float tile_along(System s) const { return s == System::kWarp ? tile.y : tile.x; }
+  float tile_across(System s) const { return s == System::kWarp ? tile.x : tile.y; }
+  float period_along(System s) const { return s == System::kWarp ? cloth.depth_mm : cloth.width_mm; }
+  float period_across(System s) const { return s == System::kWarp ? cloth.width_mm : cloth.depth_mm; }
+  int segments(System s) const { return rings[static_cast<int>(s)]; }
+  glm::vec2 radii(System s, int thread) const {
+    const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
+    return {0.5f * std::max(body.width_mm, kThinnest_mm), 0.5f * std::max(body.height_mm, kThinnest_mm)};
+  }
+  Ring ring_at(System s, int thread, float along) const {
+    const float h = period_along(s) * 1e-4f;
+    const float below = centre_height_mm(cloth, s, thread, along - h);
+    const float above = centre_height_mm(cloth, s, thread, along + h);
+    return {along, centre_height_mm(cloth, s, thread, along), (above - below) / (2 * h)};
+  }
+
+  void list_tubes();
+  int64_t triangle_count() const;
+  size_t vertex_count() const;
+  bool choose_resolution(const TubeOptions& options);
+  bool make_scene();
+  void fill(glm::vec3* vertices, uint32_t* indices);
+  void read_hit(const RTCRayHit& ray, TubeHit& hit) const;
+  template <class Visit>
+  bool walk(glm::vec3 origin, glm::vec3 direction, float t_min, Visit visit) const;
+};
+
+void TubeScene::Parts::list_tubes() {
+  tubes.clear();
+  uint32_t triangle = 0;
+  for (System s : {System::kWarp, System::kWeft}) {
+    const auto& bodies = threads(s);
+    const float period = period_across(s), across = tile_across(s);
+    const int repeats = static_cast<int>(std::lround(across / period));
+    for (int r = -1; r <= repeats; ++r) {
+      for (size_t i = 0; i < bodies.size(); ++i) {
+        const float centre = bodies[i].centre_mm + static_cast<float>(r) * period;
+        const float reach = radii(s, static_cast<int>(i)).x;
+        if (centre + reach < 0 || centre - reach > across) continue;
+        tubes.push_back({s, static_cast<int>(i), centre, triangle});
+        triangle += static_cast<uint32_t>(segments(s) * around * 2);
+      }
+    }
+  }
+}
+
+int64_t TubeScene::Parts::triangle_count() const {
+  int64_t count = 0;
+  for (const Tube& tube : tubes) count += int64_t{2} * segments(tube.system) * around;
+  return count;
+}
+
+size_t TubeScene::Parts::vertex_count() const {
+  size_t count = 0;
+  for (const Tube& tube : tubes) count += static_cast<size_t>(segments(tube.system) + 1) * static_cast<size_t>(around);
+  return count;
+}
+
+bool TubeScene::Parts::choose_resolution(const TubeOptions& options) {
+  const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
+  // Small repeats are laid side by side to a tile of about 24 threads: fewer steps from tile to tile.
+  const int across = std::max(1, 24 / ends), down = std::max(1, 24 / picks);
+  tile = {cloth.width_mm * static_cast<float>(across), cloth.depth_mm * static_cast<float>(down)};
+  around = options.around;
+  int per_crossing = options.per_crossing;
+  for (;;) {
+    if (int64_t{8} * ends * picks * per_crossing < options.max_triangles) {
+      rings[0] = picks * down * per_crossing;
+      rings[1] = ends * across * per_crossing;
+      list_tubes();
+      if (triangle_count() <= options.max_triangles) return true;
+    }
+    if (around <= 8 && per_crossing <= 4) return false;
+    around = std::max(8, around * 3 / 4);
+    per_crossing = std::max(4, per_crossing * 3 / 4);
+  }
+}
+
+void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
+  uint32_t vertex = 0;
+  z_min = kInfinity;
+  z_max = -kInfinity;
+  const uint32_t n = static_cast<uint32_t>(around);
+  for (const Tube& tube : tubes) {
+    const System s = tube.system;
+    const glm::vec2 radius = radii(s, tube.thread);
+    const float step = tile_along(s) / static_cast<float>(segments(s));
+    for (int i = 0; i <= segments(s); ++i) {
+      const Ring ring = ring_at(s, tube.thread, static_cast<float>(i) * step);
+      const glm::vec3 centre = place(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
+      for (int k = 0; k < around; ++k) {
+        const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
+        const glm::vec3 p = centre + across * (radius.x * std::cos(a)) + up * (radius.y * std::sin(a));
+        z_min = std::min(z_min, p.z);
+        z_max = std::max(z_max, p.z);
+        *vertices++ = p;
+      }
+    }
+    for (uint32_t i = 0; i < static_cast<uint32_t>(segments(s)); ++i) {
+      for (uint32_t k = 0; k < n; ++k) {
+        const uint32_t a = vertex + i * n + k, b = vertex + i * n + (k + 1) % n, c = a + n, d = b + n;
+        for (uint32_t corner : {a, b, c, b, d, c}) *indices++ = corner;
+      }
+    }
+    vertex += static_cast<uint32_t>(segments(s) + 1) * n;
+  }
+}
+
+bool TubeScene::Parts::make_scene() {
+  device = rtcNewDevice(nullptr);
+  if (!device) return false;
+  scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                   sizeof(glm::vec3), vertex_count()));
+  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(uint32_t),
+                                                                 static_cast<size_t>(triangle_count())));
+  const bool room = vertices && indices;
+  if (room) {
+    fill(vertices, indices);
+    rtcCommitGeometry(mesh);
+    rtcAttachGeometry(scene, mesh);
+    rtcCommitScene(scene);
+  }
+  rtcReleaseGeometry(mesh);
+  return room;
+}
+
+void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
+  const uint32_t prim = ray.hit.primID;
+  const auto tube = std::upper_bound(tubes.begin(), tubes.end(), prim,
+                                     [](uint32_t p, const Tube& t) { return p < t.first_triangle; }) - 1;
+  const uint32_t quad = (prim - tube->first_triangle) / 2;
+  const bool second = (prim - tube->first_triangle) & 1;
+  const float ring = static_cast<float>(quad / static_cast<uint32_t>(around));
+  const float facet = static_cast<float>(quad % static_cast<uint32_t>(around));
+  // Triangle (a, b, c): u towards b (around), v towards c (along). Triangle (b, d, c): from b, u to d, v to c.
+  const float u = ray.hit.u, v = ray.hit.v;
+  const float around_part = second ? 1 - v : u;
+  const float along_part = second ? u + v : v;
+  const System s = tube->system;
+  const float along = (ring + along_part) * tile_along(s) / static_cast<float>(segments(s));
+  hit.system = s;
+  hit.thread = tube->thread;
+  hit.around_rad = 2 * std::numbers::pi_v<float> * (facet + around_part) / static_cast<float>(around);
+  hit.along_mm = std::fmod(along, period_along(s));
+  const Ring at = ring_at(s, tube->thread, along);
+  const glm::vec2 radius = radii(s, tube->thread);
+  hit.axis = axis_of(s, at.slope);
+  hit.normal = glm::normalize(across_of(s) * (std::cos(hit.around_rad) / radius.x) +
+                              up_of(s, at.slope) * (std::sin(hit.around_rad) / radius.y));
+}
+
+/// Visits the tiles a ray crosses: visit(origin in the tile, t_near, t_far) returns true to stop.
+template <class Visit>
+bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, Visit visit) const {
+  float t0 = t_min, t1 = kInfinity;
+  if (std::abs(direction.z) > 1e-12f) {
+    const float a = (z_min - origin.z) / direction.z, b = (z_max - origin.z) / direction.z;
+    t0 = std::max(t0, std::min(a, b));
+    t1 = std::max(a, b);
+  } else if (origin.z < z_min || origin.z > z_max) {
+    return false;
+  }
+  const float hair = 1e-5f * (tile.x + tile.y);  // beyond t0, the tile is the one that the ray is entering
+  for (int tiles = 0; tiles < kMaxTiles && t0 <= t1; ++tiles) {
+    const glm::vec3 p = origin + direction * (t0 + hair);
+    const glm::vec3 shift(std::floor(p.x / tile.x) * tile.x, std::floor(p.y / tile.y) * tile.y, 0);
+    const glm::vec3 local = origin - shift;
+    float exit = t1;
+    for (int k = 0; k < 2; ++k) {
+      if (direction[k] > 0) exit = std::min(exit, (tile[k] - local[k]) / direction[k]);
+      if (direction[k] < 0) exit = std::min(exit, -local[k] / direction[k]);
+    }
+    exit = std::max(exit, t0 + hair);
+    if (visit(local, t0, exit)) return true;
+    t0 = exit;
+    if (exit >= t1) break;
+  }
+  return false;
+}
+
+std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOptions& options, std::string& error) {
+  std::unique_ptr<TubeScene> scene(new TubeScene);
+  Parts& parts = *scene->parts_;
+  parts.cloth = cloth;
+  if (cloth.ends.empty() || cloth.picks.empty() || !(cloth.width_mm > 0) || !(cloth.depth_mm > 0)) {
+    error = "the cloth has no size";
+    return nullptr;
+  }
+  if (!parts.choose_resolution(options)) {
+    error = "a repeat of " + std::to_string(cloth.ends.size()) + " ends and " + std::to_string(cloth.picks.size()) +
+            " picks is too large to trace thread by thread; use `render`, or trace a smaller draft";
+    return nullptr;
+  }
+  if (!parts.make_scene()) {
+    error = "the ray tracer (Embree) could not be started, or memory is short";
+    return nullptr;
+  }
+  return scene;
+}
+
+TubeScene::TubeScene() : parts_(std::make_unique<Parts>()) {}
+TubeScene::~TubeScene() = default;
+float TubeScene::z_min() const { return parts_->z_min; }
+float TubeScene::z_max() const { return parts_->z_max; }
+const Cloth& TubeScene::cloth() const { return parts_->cloth; }
+
+bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, TubeHit& hit) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  return parts_->walk(origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
+    RTCRayHit ray{};
+    ray.ray.org_x = local.x, ray.ray.org_y = local.y, ray.ray.org_z = local.z;
+    ray.ray.dir_x = direction.x, ray.ray.dir_y = direction.y, ray.ray.dir_z = direction.z;
+    ray.ray.tnear = t_near, ray.ray.tfar = t_far, ray.ray.mask = ~0u;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(parts_->scene, &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    hit.t = ray.ray.tfar;
+    hit.position = origin + direction * hit.t;
+    parts_->read_hit(ray, hit);
+    return true;
+  });
+}
+
+bool TubeScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  return parts_->walk(origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
+    RTCRay ray{};
+    ray.org_x = local.x, ray.org_y = local.y, ray.org_z = local.z;
+    ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+    ray.tnear = t_near, ray.tfar = t_far, ray.mask = ~0u;
+    rtcOccluded1(parts_->scene, &context, &ray);
+    return ray.tfar < 0;
+  });
+}
+
+}  // namespace weftlight

@@ -1,0 +1,101 @@
+#include "reference/mesh_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <cstring>
+#include <limits>
+
+namespace weftlight {
+namespace {
+
+glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+RTCRay ray_of(glm::vec3 origin, glm::vec3 direction, float t_min) {
+  RTCRay ray{};
+  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+  ray.tnear = t_min, ray.tfar = std::numeric_limits<float>::infinity(), ray.mask = ~0u;
+  return ray;
+}
+
+}  // namespace
+
+struct MeshScene::Parts {
+  Mesh mesh;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  ~Parts() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+};
+
+MeshScene::MeshScene() : parts_(std::make_unique<Parts>()) {}
+MeshScene::~MeshScene() = default;
+
+std::unique_ptr<MeshScene> MeshScene::build(const Mesh& mesh, std::string& error) {
+  std::unique_ptr<MeshScene> out(new MeshScene);
+  Parts& parts = *out->parts_;
+  parts.mesh = mesh;
+  parts.device = rtcNewDevice(nullptr);
+  if (!parts.device || mesh.index.empty()) {
+    error = mesh.index.empty() ? "the mesh has no triangles" : "the ray tracer (Embree) could not be started";
+    return nullptr;
+  }
+  parts.scene = rtcNewScene(parts.device);
+  rtcSetSceneFlags(parts.scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(parts.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
+                                           mesh.position_mm.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t),
+                                          mesh.index.size() / 3);
+  const bool room = vertices && indices;
+  if (room) {
+    std::memcpy(vertices, mesh.position_mm.data(), mesh.position_mm.size() * sizeof(Vec3));
+    std::memcpy(indices, mesh.index.data(), mesh.index.size() / 3 * 3 * sizeof(uint32_t));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(parts.scene, geometry);
+    rtcCommitScene(parts.scene);
+  }
+  rtcReleaseGeometry(geometry);
+  if (!room) {
+    error = "not enough memory for the mesh";
+    return nullptr;
+  }
+  return out;
+}
+
+bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, MeshHit& hit) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit ray{};
+  ray.ray = ray_of(origin, direction, t_min);
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(parts_->scene, &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  const Mesh& mesh = parts_->mesh;
+  const uint32_t* corner = &mesh.index[size_t{3} * ray.hit.primID];
+  const float u = ray.hit.u, v = ray.hit.v, w = 1 - u - v;
+  hit.t = ray.ray.tfar;
+  hit.triangle = ray.hit.primID;
+  hit.position = origin + direction * hit.t;
+  hit.normal = glm::normalize(vec(mesh.normal[corner[0]]) * w + vec(mesh.normal[corner[1]]) * u + vec(mesh.normal[corner[2]]) * v);
+  const glm::vec3 along = vec(mesh.tangent[corner[0]]) * w + vec(mesh.tangent[corner[1]]) * u + vec(mesh.tangent[corner[2]]) * v;
+  hit.weft = glm::normalize(along - hit.normal * glm::dot(along, hit.normal));
+  hit.warp = glm::cross(hit.normal, hit.weft);
+  const Vec2 &a = mesh.uv_mm[corner[0]], &b = mesh.uv_mm[corner[1]], &c = mesh.uv_mm[corner[2]];
+  hit.uv_mm = {a[0] * w + b[0] * u + c[0] * v, a[1] * w + b[1] * u + c[1] * v};
+  const glm::vec3 face(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+  hit.front = glm::dot(face, direction) < 0;
+  return true;
+}
+
+bool MeshScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay ray = ray_of(origin, direction, t_min);
+  rtcOccluded1(parts_->scene, &context, &ray);
+  return ray.tfar < 0;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,37 @@
+#pragma once
+// The draped mesh for rays: where a ray meets the cloth, and the cloth's frame there. World space, mm.
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+#include "drape/mesh.h"
+
+namespace weftlight {
+
+struct MeshHit {
+  float t = 0;
+  glm::vec3 position;
+  glm::vec2 uv_mm;
+  glm::vec3 weft, warp, normal;  // orthonormal: along u, along v, out of the front face
+  bool front = true;             // the ray met the front face
+  uint32_t triangle = 0;
+};
+
+class MeshScene {
+ public:
+  static std::unique_ptr<MeshScene> build(const Mesh& mesh, std::string& error);
+  ~MeshScene();
+  MeshScene(const MeshScene&) = delete;
+  MeshScene& operator=(const MeshScene&) = delete;
+
+  bool intersect(glm::vec3 origin, glm::vec3 direction, float t_min, MeshHit& hit) const;
+  bool occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const;
+
+ private:
+  MeshScene();
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace weftlight

@@ -1,0 +1,151 @@
+#include "reference/picture.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+namespace weftlight {
+namespace {
+
+constexpr int kMostLayers = 8;  // of cloth behind cloth, through gaps
+
+/// Runs row(y) for every row on all cores; each pixel has its own seed, so the bits do not depend on them.
+template <class Row>
+void each_row(int height, const Progress& progress, Row row) {
+  std::atomic<int> next{0}, done{0};
+  std::mutex telling;
+  const auto work = [&] {
+    for (int y = next++; y < height; y = next++) {
+      row(y);
+      const int finished = ++done;
+      if (!progress) continue;
+      const std::lock_guard lock(telling);
+      progress(static_cast<float>(finished) / static_cast<float>(height));
+    }
+  };
+  const unsigned count = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(std::max(height, 1)));
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < count; ++i) threads.emplace_back(work);
+  work();
+}
+
+/// Sample k of a pixel: the R2 sequence (Roberts 2018), shifted by pixel.
+glm::vec2 pixel_sample(int k, glm::vec2 shift) {
+  return glm::fract(shift + glm::vec2(0.7548776662f, 0.5698402910f) * static_cast<float>(k + 1));
+}
+
+uint64_t seed_of(int x, int y, int width) {
+  return (static_cast<uint64_t>(y) * static_cast<uint64_t>(width) + static_cast<uint64_t>(x)) * 0x9E3779B97F4A7C15u + 1;
+}
+
+/// A ray in the frame of a point of the drape.
+struct LocalFrame {
+  const MeshHit& hit;
+  glm::vec3 to(glm::vec3 w) const { return {glm::dot(w, hit.weft), glm::dot(w, hit.warp), glm::dot(w, hit.normal)}; }
+  glm::vec3 from(glm::vec3 l) const { return hit.weft * l.x + hit.warp * l.y + hit.normal * l.z; }
+};
+
+struct DrapeTrace {
+  const ClothTracer& tracer;
+  const MeshScene& cloth;
+  const MeshScene* body;
+  const DrapePicture& picture;
+  float thickness;
+
+  /// Turning the cloth over: u stays, z and v change sign (a half turn about the weft).
+  glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, -l.y, -l.z); }
+
+  Surroundings around(const MeshHit& hit) const {
+    const LocalFrame frame{hit};
+    Surroundings s;
+    s.light_towards = face(frame.to(picture.light_towards));
+    s.light_radius_rad = picture.light_radius_rad;
+    s.light_irradiance = picture.light_irradiance;
+    // The cloth's own threads near by are the tubes' affair; the mesh hides from a thickness on.
+    const auto hidden_in = [this, frame, &hit](glm::vec3 local) {
+      const glm::vec3 world = frame.from(face(local));
+      const glm::vec3 from = hit.position + hit.normal * (glm::dot(world, hit.normal) > 0 ? thickness : -thickness);
+      return cloth.occluded(from, world, thickness) || (body && body->occluded(from, world, 0));
+    };
+    s.hidden = hidden_in;
+    if (picture.sky) {
+      s.sky = [this, frame, hidden_in](glm::vec3 local) {
+        return hidden_in(local) ? glm::vec3(0) : picture.sky(frame.from(face(local)));
+      };
+    }
+    return s;
+  }
+
+  glm::vec4 sample(glm::vec3 direction, Sampler& sampler) const {
+    float t_min = 0;
+    MeshHit stop;
+    const bool stopped = body && body->intersect(picture.eye, direction, 0, stop);
+    for (int layer = 0; layer < kMostLayers; ++layer) {
+      MeshHit hit;
+      if (!cloth.intersect(picture.eye, direction, t_min, hit)) return glm::vec4(0);
+      if (stopped && stop.t < hit.t) return glm::vec4(0);
+      const LocalFrame frame{hit};
+      const glm::vec3 local = face(frame.to(direction));
+      const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
+      // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
+      const Seen seen = tracer.trace(at, local, -30 * thickness, around(hit), sampler, picture.bounces);
+      if (seen.hit) return glm::vec4(seen.radiance, 1);
+      t_min = hit.t + thickness;
+    }
+    return glm::vec4(0);
+  }
+};
+
+}  // namespace
+
+TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
+                        const DrapePicture& picture, const Progress& progress) {
+  const ClothTracer tracer(tubes);
+  const DrapeTrace drape{tracer, cloth, body, picture, tubes.z_max() - tubes.z_min()};
+  TracedImage image{picture.width, picture.height, {}};
+  image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
+  each_row(picture.height, progress, [&](int y) {
+    for (int x = 0; x < picture.width; ++x) {
+      Sampler sampler(seed_of(x, y, picture.width));
+      const glm::vec2 shift(sampler.next(), sampler.next());
+      glm::vec4 sum(0);
+      for (int k = 0; k < picture.spp; ++k) {
+        const glm::vec2 p = glm::vec2(x, y) + pixel_sample(k, shift);
+        const glm::vec4 far = picture.clip_to_world * glm::vec4(2 * p.x / static_cast<float>(picture.width) - 1,
+                                                                1 - 2 * p.y / static_cast<float>(picture.height), 1, 1);
+        sum += drape.sample(glm::normalize(glm::vec3(far) / far.w - picture.eye), sampler);
+      }
+      image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
+          sum / static_cast<float>(picture.spp);
+    }
+  });
+  return image;
+}
+
+TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress) {
+  const ClothTracer tracer(tubes);
+  TracedImage image{picture.width, picture.height, {}};
+  image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
+  each_row(picture.height, progress, [&](int y) {
+    for (int x = 0; x < picture.width; ++x) {
+      Sampler sampler(seed_of(x, y, picture.width));
+      const glm::vec2 shift(sampler.next(), sampler.next());
+      glm::vec4 sum(0);
+      for (int k = 0; k < picture.spp; ++k) {
+        const glm::vec2 p = glm::vec2(x, y) + pixel_sample(k, shift);
+        const glm::vec2 at = picture.corner_mm + p.x * picture.step_x_mm + p.y * picture.step_y_mm;
+        const float away = 2 * (tubes.z_max() - tubes.z_min()) / std::max(picture.view.z, 1e-4f);
+        const Seen seen = tracer.trace(glm::vec3(at, 0) + picture.view * away, -picture.view, 0, picture.around, sampler,
+                                       picture.bounces);
+        sum += glm::vec4(seen.radiance, seen.hit ? 1.0f : 0.0f);
+      }
+      image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
+          sum / static_cast<float>(picture.spp);
+    }
+  });
+  return image;
+}
+
+}  // namespace weftlight

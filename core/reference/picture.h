@@ -1,0 +1,48 @@
+#pragma once
+// Reference pictures: the draped cloth, and flat patches for the chart, thread by thread.
+
+#include <array>
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "reference/mesh_scene.h"
+#include "reference/trace.h"
+
+namespace weftlight {
+
+/// Linear RGB and coverage of each pixel, row 0 on top. rgb is premultiplied by alpha.
+struct TracedImage {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> pixels;
+};
+
+/// Called with the share done, 0..1, from one thread at a time.
+using Progress = std::function<void(float)>;
+
+struct DrapePicture {
+  int width = 0, height = 0, spp = 64, bounces = 0;
+  glm::vec3 eye{0};
+  glm::mat4 clip_to_world{1};
+  glm::vec3 light_towards{0, 0, 1};   // world
+  float light_radius_rad = 0.005f;
+  glm::vec3 light_irradiance{3.14159265f};
+  std::function<glm::vec3(glm::vec3)> sky;   // radiance by world direction; empty: black
+  bool front = true;                  // the mesh's front shows the cloth's front
+};
+/// The mesh gives position and frame; in each point's frame the ray goes through the endless flat cloth.
+/// `body`: what stops light beside the cloth, may be null.
+TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
+                        const DrapePicture& picture, const Progress& progress);
+
+/// A flat patch under parallel rays. Pixel (x, y) covers the parallelogram with corner
+/// corner_mm + x step_x + y step_y on the plane z = 0, as a camera at `view` sees it.
+struct FlatPicture {
+  int width = 0, height = 0, spp = 64, bounces = 0;
+  glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
+  glm::vec3 view{0, 0, 1};            // unit, towards the eye, cloth space
+  Surroundings around;
+};
+TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress);
+
+}  // namespace weftlight

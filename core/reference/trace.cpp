@@ -1,0 +1,164 @@
+#include "reference/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "light/formulas.h"
+#include "light/yarn_lobes.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+struct Basis {
+  glm::vec3 t, b, n;
+  explicit Basis(glm::vec3 normal) : n(normal) {
+    const glm::vec3 helper = std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    t = glm::normalize(glm::cross(helper, n));
+    b = glm::cross(n, t);
+  }
+  glm::vec3 world(glm::vec3 v) const { return t * v.x + b * v.y + n * v.z; }
+};
+
+glm::vec3 cosine_direction(glm::vec3 normal, Sampler& sampler) {
+  const float r2 = sampler.next(), a = 2 * kPi * sampler.next(), r = std::sqrt(r2);
+  return Basis(normal).world({r * std::cos(a), r * std::sin(a), std::sqrt(std::max(0.0f, 1 - r2))});
+}
+
+glm::vec3 in_disc(glm::vec3 towards, float radius_rad, Sampler& sampler) {
+  if (radius_rad <= 0) return towards;
+  const float c = 1 - sampler.next() * (1 - std::cos(radius_rad)), s = std::sqrt(std::max(0.0f, 1 - c * c));
+  const float a = 2 * kPi * sampler.next();
+  return Basis(towards).world({s * std::cos(a), s * std::sin(a), c});
+}
+
+}  // namespace
+
+/// A point on a thread, ready to be lit.
+struct ClothTracer::Point {
+  glm::vec3 position, smooth;  // smooth: geometric normal of the section, towards the viewer
+  formulas::LobeFrame frame;
+  formulas::YarnLobes lobes;
+  formulas::LobeShared shared;
+  formulas::LobeSide out;
+  glm::vec3 local_out{0};
+  float groove = 1;
+  System system = System::kWarp;
+  int thread = 0;
+};
+
+ClothTracer::ClothTracer(const TubeScene& tubes) : tubes_(tubes) {
+  const Cloth& cloth = tubes.cloth();
+  const auto fill = [&](const std::vector<ThreadBody>& bodies, System system, float length) {
+    std::vector<ThreadTexture> out;
+    for (size_t i = 0; i < bodies.size(); ++i)
+      out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(bodies[i].yarn)], bodies[i], system,
+                                   static_cast<int>(i), length));
+    return out;
+  };
+  textures_[0] = fill(cloth.ends, System::kWarp, cloth.depth_mm);
+  textures_[1] = fill(cloth.picks, System::kWeft, cloth.width_mm);
+  hair_mm_ = 2e-4f * std::max(tubes.z_max() - tubes.z_min(), 1e-4f);
+}
+
+ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) const {
+  const Cloth& cloth = tubes_.cloth();
+  const bool warp = hit.system == System::kWarp;
+  const size_t index = static_cast<size_t>(hit.thread);
+  const ThreadBody& body = (warp ? cloth.ends : cloth.picks)[index];
+  const ThreadTexture& texture = textures_[warp ? 0 : 1][index];
+  const float length = warp ? cloth.depth_mm : cloth.width_mm;
+
+  // The texture counts turns from the top of the section towards +across (core/cloth/surface.cpp).
+  const float turn = 0.25f - hit.around_rad / (2 * kPi), share = hit.along_mm / length;
+  TexturePoint at;
+  at.turn = texture.fibres * turn + static_cast<float>(texture.advance) * share;
+  at.ply_turn = static_cast<float>(texture.plies) * turn + static_cast<float>(texture.ply_advance) * share;
+  const float node = share * static_cast<float>(texture.nodes);
+  at.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
+  at.blend = std::clamp(node - static_cast<float>(at.node), 0.0f, 1.0f);
+  const Texel texel = texture_at(texture, at);
+
+  Point p;
+  p.position = hit.position;
+  p.system = hit.system;
+  p.thread = hit.thread;
+  p.groove = texel.groove;
+  const glm::vec3 across = warp ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 around = glm::normalize(across - hit.normal * glm::dot(across, hit.normal) + hit.axis * 1e-6f);
+  glm::vec3 normal = hit.normal;
+  if (texture.plies > 1) {
+    const float slant = 4 * texture.ply_relief_mm * texel.ply;
+    normal = glm::normalize(normal + around * (slant * static_cast<float>(texture.plies) / (2 * kPi * texture.radius_mm)) +
+                            hit.axis * (slant * static_cast<float>(texture.ply_advance) / length));
+  }
+  p.smooth = glm::dot(hit.normal, from) >= 0 ? hit.normal : -hit.normal;
+  if (glm::dot(normal, from) <= 0) normal = p.smooth;
+  p.frame = formulas::lobe_frame(normal, hit.axis + around * texture.fibre_tan);
+  const Yarn& yarn = cloth.yarns[static_cast<size_t>(body.yarn)];
+  p.lobes = yarn_lobes(yarn.lobes, {std::min(body.colour.r * texel.tone, 1.0f), std::min(body.colour.g * texel.tone, 1.0f),
+                                    std::min(body.colour.b * texel.tone, 1.0f)});
+  p.shared = formulas::lobe_shared(p.lobes);
+  p.local_out = formulas::lobe_local(p.frame, from);
+  p.out = formulas::lobe_side(p.lobes, p.shared, p.local_out);
+  return p;
+}
+
+/// Light from behind must cross the thread itself first; every other thread stops it.
+bool ClothTracer::shadowed(const Point& p, glm::vec3 towards) const {
+  const bool front = glm::dot(p.smooth, towards) > 0;
+  const glm::vec3 from = p.position + p.smooth * (front ? hair_mm_ : -hair_mm_);
+  if (front) return tubes_.occluded(from, towards, 0);
+  TubeHit exit;
+  float start = 0;
+  for (int crossings = 0; crossings < 4 && tubes_.intersect(from, towards, start, exit); ++crossings) {
+    if (exit.system != p.system || exit.thread != p.thread) return true;
+    start = exit.t + hair_mm_;
+  }
+  return false;
+}
+
+glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Sampler& sampler) const {
+  const glm::vec3 towards = in_disc(around.light_towards, around.light_radius_rad, sampler);
+  const glm::vec3 local = formulas::lobe_local(p.frame, towards);
+  glm::vec3 f;
+  if (local.z > 0) {
+    f = formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local, p.local_out);
+  } else {
+    const glm::vec3 mirrored(local.x, local.y, -local.z);
+    f = formulas::lobe_transmit(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, mirrored), p.out);
+  }
+  if (f.x + f.y + f.z <= 0) return glm::vec3(0);
+  if (shadowed(p, towards) || (around.hidden && around.hidden(towards))) return glm::vec3(0);
+  return f * around.light_irradiance * (std::abs(local.z) * p.groove);
+}
+
+Seen ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
+                        Sampler& sampler, int bounces) const {
+  Seen seen;
+  TubeHit hit;
+  if (!tubes_.intersect(origin, direction, t_min, hit)) return seen;
+  seen.hit = true;
+  glm::vec3 weight(1);
+  for (int depth = 0;; ++depth) {
+    const Point p = point_of(hit, -direction);
+    seen.radiance += weight * direct(p, around, sampler);
+    if (depth == bounces && !around.sky) return seen;
+    // Cosine-weighted: f cos / pdf = pi f.
+    direction = cosine_direction(p.frame.n, sampler);
+    if (glm::dot(direction, p.smooth) <= 0) return seen;
+    const glm::vec3 local = formulas::lobe_local(p.frame, direction);
+    weight *= formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
+                                     p.local_out) * (kPi * p.groove);
+    const glm::vec3 from = p.position + p.smooth * hair_mm_;
+    if (!tubes_.intersect(from, direction, 0, hit)) {
+      if (around.sky) seen.radiance += weight * around.sky(direction);
+      return seen;
+    }
+    if (depth == bounces) return seen;
+  }
+}
+
+}  // namespace weftlight

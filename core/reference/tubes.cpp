@@ -166,6 +166,10 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
     }
     vertex += static_cast<uint32_t>(segments(s) + 1) * n;
   }
+  // Rays start at these planes: keep the highest ridge clear of them.
+  const float pad = 1e-3f * std::max(z_max - z_min, 1e-4f);
+  z_min -= pad;
+  z_max += pad;
 }
 
 bool TubeScene::Parts::make_scene() {

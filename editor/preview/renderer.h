@@ -9,6 +9,7 @@
 #include "draft/design.h"
 #include "drape/mesh.h"
 #include "files/files.h"
+#include "preview/ambient.h"
 #include "preview/packed_maps.h"
 
 namespace weftlight {
@@ -37,13 +38,19 @@ class Renderer {
   static std::unique_ptr<Renderer> create(std::string& error);
   ~Renderer();
 
-  void set_mesh(const Mesh& mesh);
+  /// prepare_mesh (ambient.h) takes a tenth of a second: the window does it on its worker.
+  void set_mesh(PreparedMesh mesh);
+  void set_mesh(const Mesh& mesh) { set_mesh(prepare_mesh(mesh)); }
   /// New maps of both faces, or patches of the maps that are there (packed_maps.h).
   void upload(const PackedCloth& cloth);
   void upload(const std::vector<PackedPatch>& patches);
+  void upload_lobes(const std::vector<float>& lobes);
 
   /// Draws into the renderer's own target; texture() holds sRGB-encoded RGBA8 until the next draw.
+  /// Costs in the result are those of the last frame whose queries are done, so that nothing waits.
   FrameStats draw(const Scene& scene, const Look& look, const Frame& frame);
+  /// The costs of the last draw; waits for it.
+  FrameStats measure();
   unsigned texture() const;
   /// The last picture, row 0 on top: sRGB-encoded RGBA (linear: scene-linear before tone mapping).
   Image read_back(bool linear = false) const;

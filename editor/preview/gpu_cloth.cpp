@@ -1,0 +1,88 @@
+#include "preview/gpu_cloth.h"
+
+#include <cstring>
+
+namespace weftlight {
+namespace {
+
+struct Format {
+  GLint internal;
+  GLenum layout, type;
+  Sampler slot;
+};
+constexpr std::array<Format, kPackedKinds> kFormats{{
+    {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, kColorSlot},
+    {GL_RGBA8_SNORM, GL_RGBA, GL_BYTE, kReliefSlot},
+    {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kHorizonSlot},
+    {GL_R8, GL_RED, GL_UNSIGNED_BYTE, kThreadShadowSlot},
+}};
+
+size_t upload_face(const PackedTexture& t, const Format& format, int first_layer) {
+  size_t bytes = 0;
+  for (int level = 0; level < static_cast<int>(t.levels.size()); ++level) {
+    const std::vector<uint8_t>& texels = t.levels[static_cast<size_t>(level)];
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, first_layer, t.level_width(level), t.level_height(level), t.layers,
+                    format.layout, format.type, texels.data());
+    bytes += texels.size();
+  }
+  return bytes;
+}
+
+void filter_as_tile(int levels) {
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+}  // namespace
+
+void GpuCloth::upload(const PackedCloth& cloth) {
+  width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
+  bytes_ = 0;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (size_t k = 0; k < kPackedKinds; ++k) {
+    const PackedTexture& front = cloth.front.textures[k];
+    const PackedTexture& back = cloth.back.textures[k];
+    layers_[k] = front.layers;
+    textures_[k].reset();
+    if (!front.layers) continue;
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
+    for (int level = 0; level < static_cast<int>(front.levels.size()); ++level) {
+      glTexImage3D(GL_TEXTURE_2D_ARRAY, level, kFormats[k].internal, front.level_width(level), front.level_height(level),
+                   front.layers + back.layers, 0, kFormats[k].layout, kFormats[k].type, nullptr);
+    }
+    filter_as_tile(static_cast<int>(front.levels.size()));
+    bytes_ += upload_face(front, kFormats[k], 0) + upload_face(back, kFormats[k], front.layers);
+  }
+  upload_lobes(cloth.lobes);
+}
+
+void GpuCloth::upload(const std::vector<PackedPatch>& patches) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (const PackedPatch& p : patches) {
+    const size_t k = static_cast<size_t>(p.texture);
+    if (!layers_[k] || p.width <= 0 || p.height <= 0) continue;
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, p.level, p.x, p.y, p.face == Face::kFront ? 0 : layers_[k], p.width, p.height,
+                    layers_[k], kFormats[k].layout, kFormats[k].type, p.texels.data());
+  }
+}
+
+void GpuCloth::upload_lobes(const std::vector<float>& lobes) {
+  data_ = {};
+  std::memcpy(&data_, lobes.data(), std::min(sizeof data_, lobes.size() * sizeof(float)));
+  glBindBuffer(GL_UNIFORM_BUFFER, block_.get());
+  glBufferData(GL_UNIFORM_BUFFER, sizeof data_, &data_, GL_DYNAMIC_DRAW);
+}
+
+void GpuCloth::bind() {
+  for (size_t k = 0; k < kPackedKinds; ++k) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kFormats[k].slot));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].peek());
+  }
+  glBindBufferBase(GL_UNIFORM_BUFFER, kClothBinding, block_.get());
+}
+
+}  // namespace weftlight

@@ -1,0 +1,37 @@
+#pragma once
+// The packed maps of both faces on the GPU: one texture array a kind, the front's layers before the back's.
+
+#include <array>
+
+#include "preview/gl_objects.h"
+#include "preview/packed_maps.h"
+#include "shaders/interop.h"
+
+namespace weftlight {
+
+class GpuCloth {
+ public:
+  void upload(const PackedCloth& cloth);
+  void upload(const std::vector<PackedPatch>& patches);
+  void upload_lobes(const std::vector<float>& lobes);
+  /// Binds the textures to their slots and the block of lobes.
+  void bind();
+
+  bool empty() const { return width_mm_ <= 0; }
+  float width_mm() const { return width_mm_; }
+  float depth_mm() const { return depth_mm_; }
+  float mean_spacing_mm() const { return mean_spacing_mm_; }
+  bool has_shadows() const { return layers_[static_cast<size_t>(PackedKind::kShadow)] > 0; }
+  const interop::ClothData& data() const { return data_; }
+  size_t bytes() const { return bytes_; }
+
+ private:
+  std::array<GlTexture, kPackedKinds> textures_;
+  std::array<int, kPackedKinds> layers_{};  // of one face
+  GlBuffer block_;
+  interop::ClothData data_{};
+  float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;
+  size_t bytes_ = 0;
+};
+
+}  // namespace weftlight

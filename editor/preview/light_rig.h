@@ -1,0 +1,19 @@
+#pragma once
+// The soft light around the cloth: large lamps as spherical Gaussians (presets/lights/*.json), projected to
+// spherical harmonics of bands 0..2 once.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+
+namespace weftlight {
+
+struct LightRig {
+  glm::vec3 key{1};                  // colour of the key light, white 1
+  std::array<glm::vec3, 9> sky{};    // radiance coefficients, order Y00, Y1-1, Y10, Y11, Y2-2 .. Y22 (y, z, x)
+};
+
+/// Reads presets/lights/NAME.json. `error` says what is wrong.
+LightRig load_light_rig(const std::string& name, std::string& error);
+
+}  // namespace weftlight

@@ -1,0 +1,241 @@
+#include "preview/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <map>
+
+#include "preview/camera.h"
+#include "preview/gpu_cloth.h"
+#include "preview/gpu_mesh.h"
+#include "preview/light_rig.h"
+#include "preview/shader_program.h"
+#include "preview/sun_shadow.h"
+#include "preview/target.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kKeyIrradiance = 2.3f;   // times pi / pi: a white Lambertian at right angles leaves 0.73
+constexpr float kKeyRadius = 0.09f;      // sine of the half angle of the key light: a soft box, not the sun
+constexpr int kFullTaps = 12, kQuickTaps = 4;
+constexpr float kFullRadius = 2.2f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
+
+interop::vec4 vec(glm::vec3 v, float w) { return {v.x, v.y, v.z, w}; }
+
+struct DrawnFrame {
+  Scene scene;
+  Look look;
+  Frame frame;
+};
+
+/// The rung that is drawn for a rung that is asked for.
+Method drawn_method(Method asked) {
+  return asked == Method::kFlat || asked == Method::kVrst03 ? asked : Method::kYarn;
+}
+
+const char* define_of(Method method) {
+  switch (method) {
+    case Method::kFlat: return "METHOD_FLAT";
+    case Method::kVrst03: return "METHOD_VRST03";
+    default: return "METHOD_YARN";
+  }
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  GpuMesh mesh;
+  GpuCloth cloth;
+  LightRig rig;
+  SunShadow sun;
+  Target screen{false}, linear{true};
+  GlBuffer frame_block;
+  GlVertexArray nothing;  // for shapes that the vertex shader makes
+  std::map<std::pair<Method, int>, GlProgram> cloth_programs;
+  GlProgram backdrop, ground, body;
+  GlQuery timer, samples;
+  bool queried = false;
+  FrameStats stats;
+  DrawnFrame last;
+
+  bool build(std::string& error);
+  GLuint cloth_program(Method method, int taps, std::string& error);
+  void fill_frame(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const Target& target);
+  void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
+  void draw_cloth(const DrawnFrame& drawn, const Camera& camera);
+  void take_queries(bool wait);
+};
+
+bool Renderer::Parts::build(std::string& error) {
+  rig = load_light_rig("studio", error);
+  if (!error.empty()) return false;
+  const std::vector<std::string> taps{"SHADOW_TAPS " + std::to_string(kFullTaps)};
+  backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
+  if (!error.empty()) return false;
+  ground = build_program("ground.vert", "ground.frag", taps, error);
+  if (!error.empty()) return false;
+  body = build_program("body.vert", "body.frag", taps, error);
+  if (!error.empty() || !sun.build(error)) return false;
+  for (const Method method : {Method::kFlat, Method::kVrst03, Method::kYarn}) {
+    if (!cloth_program(method, kFullTaps, error)) return false;
+  }
+  return true;
+}
+
+GLuint Renderer::Parts::cloth_program(Method method, int taps, std::string& error) {
+  GlProgram& program = cloth_programs[{method, taps}];
+  if (!program.peek()) {
+    program = build_program("cloth.vert", "cloth.frag", {define_of(method), "SHADOW_TAPS " + std::to_string(taps)}, error);
+  }
+  return program.peek();
+}
+
+void Renderer::Parts::fill_frame(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const Target& target) {
+  const Scene& scene = drawn.scene;
+  const PreparedMesh& prepared = mesh.prepared();
+  interop::FrameData data{};
+  std::memcpy(data.world_to_clip.data(), glm::value_ptr(camera.world_to_clip), sizeof data.world_to_clip);
+  std::memcpy(data.world_to_shadow.data(), glm::value_ptr(sun.world_to_shadow()), sizeof data.world_to_shadow);
+  data.eye = vec(camera.eye, drawn.frame.front == Face::kFront ? 1.0f : -1.0f);
+  data.light = vec(direction_of(scene.light_azimuth, scene.light_elevation), kKeyRadius);
+  data.light_color = vec(rig.key * (kKeyIrradiance * scene.light_strength), std::exp2(drawn.look.exposure_ev));
+  for (size_t i = 0; i < rig.sky.size(); ++i) data.sky[i] = vec(rig.sky[i] * scene.sky_strength, 0);
+  const Linear background = linear_from_srgb(scene.background);
+  data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
+  data.picture = {static_cast<float>(target.drawn_width()), static_cast<float>(target.drawn_height()),
+                  linear_out ? 1.0f : 0.0f, 0};
+  const bool quick = drawn.frame.render_scale < 1;
+  data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 2.5f,
+                 std::max(cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1], 0.0f)};
+  const std::array<double, 2> period{std::max(1e-6, static_cast<double>(cloth.width_mm())),
+                                     std::max(1e-6, static_cast<double>(cloth.depth_mm()))};
+  for (size_t a = 0; a < 2; ++a) {
+    const double repeats = mesh.uv_origin_mm()[a] / period[a];
+    data.tile[a] = static_cast<float>(1 / period[a]);
+    data.tile[a + 2] = static_cast<float>(repeats - std::floor(repeats));
+  }
+  const glm::vec3 centre = prepared.bounds.centre();
+  data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
+  glBindBuffer(GL_UNIFORM_BUFFER, frame_block.get());
+  glBufferData(GL_UNIFORM_BUFFER, sizeof data, &data, GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());
+}
+
+void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, const Camera& camera) {
+  const float covered = cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1];
+  const bool gaps = covered < 0.998f;
+  mesh.sort(camera.eye, gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack);
+  std::string error;
+  glUseProgram(cloth_program(drawn_method(drawn.look.method), drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, error));
+  if (!gaps) glDisable(GL_BLEND);
+  take_queries(queried);
+  glBeginQuery(GL_TIME_ELAPSED, timer.get());
+  glBeginQuery(GL_SAMPLES_PASSED, samples.get());
+  mesh.draw_cloth();
+  glEndQuery(GL_SAMPLES_PASSED);
+  glEndQuery(GL_TIME_ELAPSED);
+  queried = true;
+}
+
+void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out) {
+  const PreparedMesh& prepared = mesh.prepared();
+  const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
+                                     drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
+  sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
+  if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
+  fill_frame(drawn, camera, linear_out, target);
+  sun.bind();
+  glActiveTexture(GL_TEXTURE0 + kGroundSlot);
+  glBindTexture(GL_TEXTURE_2D, mesh.ground_sky());
+  glClearColor(0, 0, 0, 0);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glBindVertexArray(nothing.get());
+  if (!drawn.frame.transparent) {
+    glDisable(GL_BLEND);
+    glUseProgram(backdrop.peek());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_BLEND);
+  }
+  if (drawn.frame.ground && camera.eye.y > prepared.ground_mm) {
+    glUseProgram(ground.peek());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glUseProgram(body.peek());
+  mesh.draw_body();
+  if (!cloth.empty()) {
+    cloth.bind();
+    draw_cloth(drawn, camera);
+  }
+  glBindVertexArray(0);
+  target.end();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  stats.method = drawn_method(drawn.look.method);
+  stats.texture_bytes = cloth.bytes();
+  stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
+}
+
+void Renderer::Parts::take_queries(bool wait) {
+  if (!queried) return;
+  GLuint ready = GL_FALSE;
+  if (!wait) glGetQueryObjectuiv(samples.get(), GL_QUERY_RESULT_AVAILABLE, &ready);
+  if (!wait && !ready) return;
+  GLuint64 ns = 0, passed = 0;
+  glGetQueryObjectui64v(timer.get(), GL_QUERY_RESULT, &ns);
+  glGetQueryObjectui64v(samples.get(), GL_QUERY_RESULT, &passed);
+  stats.gpu_ms = static_cast<double>(ns) * 1e-6;
+  stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
+  queried = false;
+}
+
+Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
+Renderer::~Renderer() = default;
+
+std::unique_ptr<Renderer> Renderer::create(std::string& error) {
+  if (epoxy_gl_version() < 33) {
+    error = "OpenGL 3.3 is needed: update the graphics driver";
+    return nullptr;
+  }
+  std::unique_ptr<Renderer> made(new Renderer);
+  return made->parts_->build(error) ? std::move(made) : nullptr;
+}
+
+void Renderer::set_mesh(PreparedMesh mesh) {
+  parts_->mesh.upload(std::move(mesh));
+  parts_->sun.forget();
+}
+void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
+void Renderer::upload(const std::vector<PackedPatch>& patches) { parts_->cloth.upload(patches); }
+void Renderer::upload_lobes(const std::vector<float>& lobes) { parts_->cloth.upload_lobes(lobes); }
+
+FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
+  parts_->last = {scene, look, frame};
+  parts_->draw_scene(parts_->last, parts_->screen, false);
+  parts_->take_queries(false);
+  return parts_->stats;
+}
+
+FrameStats Renderer::measure() {
+  parts_->take_queries(true);
+  return parts_->stats;
+}
+
+unsigned Renderer::texture() const { return parts_->screen.texture(); }
+
+Image Renderer::read_back(bool linear) const {
+  if (!linear) return parts_->screen.read();
+  parts_->draw_scene(parts_->last, parts_->linear, true);
+  return parts_->linear.read();
+}
+
+}  // namespace weftlight

@@ -1,0 +1,51 @@
+// GLSL only: the uniform blocks, the soft sky, the key light's shadow and the way a colour leaves.
+
+#include "interop.h"
+#include "tone.glsl"
+
+layout(std140) uniform FrameBlock { FrameData frame; };
+layout(std140) uniform ClothBlock { ClothData cloth; };
+
+uniform sampler2DShadow sun_shadow_map;
+
+// Radiance of the sky along d, blurred: `one` and `two` scale its bands (1, 1 as it is; 2/3, 1/4 as a
+// Lambertian sees it, times pi for irradiance; Ramamoorthi, Hanrahan 2001).
+vec3 sky_radiance(vec3 d, float one, float two) {
+  vec3 l1 = frame.sky[1].rgb * d.y + frame.sky[2].rgb * d.z + frame.sky[3].rgb * d.x;
+  vec3 l2 = (frame.sky[4].rgb * (d.x * d.y) + frame.sky[5].rgb * (d.y * d.z) + frame.sky[7].rgb * (d.x * d.z)) * 1.092548
+          + frame.sky[6].rgb * (0.946176 * d.z * d.z - 0.315392)
+          + frame.sky[8].rgb * (0.546274 * (d.x * d.x - d.y * d.y));
+  return max(frame.sky[0].rgb * 0.282095 + l1 * (0.488603 * one) + l2 * two, vec3(0.0));
+}
+
+// Mean radiance that a Lambertian surface of normal n sees (irradiance / pi).
+vec3 sky_diffuse(vec3 n) { return sky_radiance(n, 0.666667, 0.25); }
+
+// Share of the key light that reaches a point: a turned grid of taps over the shadow map, softer than its
+// texels. n: normal of the side that is seen.
+float sun_seen(vec3 position, vec3 n) {
+  vec3 lifted = position + n * (frame.shadow.z * (1.0 - 0.6 * abs(dot(n, frame.light.xyz))));
+  vec3 at = (frame.world_to_shadow * vec4(lifted, 1.0)).xyz;
+  float step_uv = frame.shadow.x * frame.shadow.y;
+#if SHADOW_TAPS == 4
+  vec2 a = vec2(0.35, 0.93) * step_uv;
+  vec2 b = vec2(-0.93, 0.35) * step_uv;
+  float lit = texture(sun_shadow_map, vec3(at.xy + a * 0.8, at.z)) + texture(sun_shadow_map, vec3(at.xy - a * 0.8, at.z))
+            + texture(sun_shadow_map, vec3(at.xy + b * 0.8, at.z)) + texture(sun_shadow_map, vec3(at.xy - b * 0.8, at.z));
+  return lit * 0.25;
+#else
+  float lit = 0.0;
+  for (int i = 0; i < SHADOW_TAPS; ++i) {
+    float r = sqrt((float(i) + 0.5) / float(SHADOW_TAPS)) * 1.4 * step_uv;
+    float t = 2.39996323 * float(i);
+    lit += texture(sun_shadow_map, vec3(at.xy + r * vec2(cos(t), sin(t)), at.z));
+  }
+  return lit / float(SHADOW_TAPS);
+#endif
+}
+
+// A scene-linear colour as the target wants it: tone-mapped, or as it is for an .exr.
+vec4 leave(vec3 scene, float alpha) {
+  vec3 c = scene * frame.light_color.w;
+  return frame.picture.z > 0.5 ? vec4(c * alpha, alpha) : vec4(tone_map(c) * alpha, alpha);
+}

@@ -152,13 +152,15 @@ PreparedMesh prepare_mesh(const Mesh& mesh) {
   out.mesh = mesh;
   out.bounds = bounds_of(mesh);
   if (mesh.position_mm.empty()) return out;
+  out.body = body_mesh(mesh.name);
   Bounds all = out.bounds;
   if (!out.body.position_mm.empty()) {
     const Bounds body = bounds_of(out.body);
     all = {glm::min(all.low, body.low), glm::max(all.high, body.high)};
   }
-  // A little air below, so that a cloth that lies flat does not fight the ground.
-  out.ground_mm = all.low.y - 0.002f * out.bounds.radius();
+  // Shipped drapes stand on y = 0; others on their lowest point, with a little air so that a cloth that
+  // lies flat does not fight the ground.
+  out.ground_mm = out.body.position_mm.empty() ? all.low.y - 0.002f * out.bounds.radius() : std::min(0.0f, all.low.y);
   Voxels voxels(all.low, all.high);
   voxels.fill(out.mesh);
   voxels.fill(out.body);

@@ -1,0 +1,128 @@
+#include "preview/pipeline.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "preview/stages.h"
+
+namespace weftlight {
+
+struct Pipeline::Parts {
+  // Guards all below but `stages`, which is the worker's; its packed maps are read by the thread with the
+  // GL context under `maps`.
+  mutable std::mutex mutex;
+  std::mutex maps;
+  std::condition_variable wake, settled;
+  std::shared_ptr<const Design> wanted;
+  bool working = false, stop = false;
+  std::optional<PreparedMesh> mesh;
+  bool all_maps = false;
+  std::vector<PackedPatch> patches;
+  std::vector<float> lobes;
+  std::string problem;
+  Stages stages;
+  std::thread worker;
+
+  void run();
+  void hand_over(StageResult result);
+  bool upload(Renderer& renderer, bool wait);
+};
+
+void Pipeline::Parts::run() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    wake.wait(lock, [&] { return stop || wanted; });
+    if (stop) return;
+    const std::shared_ptr<const Design> design = std::move(wanted);
+    wanted = nullptr;
+    working = true;
+    lock.unlock();
+    {
+      // Held through the hand-over, so that maps and patches are taken up in the order they were made.
+      const std::lock_guard hold(maps);
+      StageResult result = stages.update(design);
+      hand_over(std::move(result));
+    }
+    lock.lock();
+    working = false;
+    if (!wanted) settled.notify_all();
+  }
+}
+
+void Pipeline::Parts::hand_over(StageResult result) {
+  const std::lock_guard lock(mutex);
+  if (result.mesh) mesh = std::move(result.mesh);
+  if (result.all_maps) {
+    all_maps = true;
+    patches.clear();
+  }
+  if (!all_maps) {
+    patches.insert(patches.end(), std::make_move_iterator(result.patches.begin()),
+                   std::make_move_iterator(result.patches.end()));
+  }
+  if (!result.lobes.empty()) lobes = std::move(result.lobes);
+  problem = std::move(result.problem);
+}
+
+bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
+  // The worker holds the maps while it computes: then the last good ones stay on screen.
+  std::unique_lock hold(maps, std::defer_lock);
+  if (wait) hold.lock();
+  else if (!hold.try_lock()) return false;
+  const std::lock_guard lock(mutex);
+  const bool changed = mesh || all_maps || !patches.empty() || !lobes.empty();
+  if (mesh) renderer.set_mesh(std::move(*mesh));
+  mesh.reset();
+  if (all_maps) renderer.upload(stages.packed());
+  else if (!patches.empty()) renderer.upload(patches);
+  if (!all_maps && !lobes.empty()) renderer.upload_lobes(lobes);
+  all_maps = false;
+  patches.clear();
+  lobes.clear();
+  return changed;
+}
+
+Pipeline::Pipeline() : parts_(std::make_unique<Parts>()) {
+  parts_->worker = std::thread([parts = parts_.get()] { parts->run(); });
+}
+
+Pipeline::~Pipeline() {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->stop = true;
+  }
+  parts_->wake.notify_all();
+  parts_->worker.join();
+}
+
+void Pipeline::submit(std::shared_ptr<const Design> design) {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->wanted = std::move(design);
+  }
+  parts_->wake.notify_all();
+}
+
+bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false); }
+
+std::string Pipeline::finish(Renderer& renderer) {
+  {
+    std::unique_lock lock(parts_->mutex);
+    parts_->settled.wait(lock, [&] { return !parts_->wanted && !parts_->working; });
+  }
+  parts_->upload(renderer, true);
+  return problem();
+}
+
+std::string Pipeline::problem() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->problem;
+}
+
+bool Pipeline::busy() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->wanted || parts_->working;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,176 @@
+#include "preview/stages.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "drape/mesh.h"
+#include "files/files.h"
+#include "preview/cloth_block.h"
+
+namespace weftlight {
+namespace {
+
+constexpr int kAzimuths = 16;
+constexpr double kTexels = 1024.0 * 1024.0;       // of one face, where that gives each thread enough
+constexpr double kMostTexels = 2048.0 * 2048.0;   // for drafts of many threads
+constexpr double kLeastPerThread = 6;             // texels across a thread worth more than kTexels
+constexpr double kMostPerThread = 64;             // beyond, fibres are smooth
+constexpr double kFinePerThread = 14;             // a whole draft coarser than this gives way to its repeat
+constexpr int kLongest = 8192;
+
+bool same_yarn_shape(Yarn a, Yarn b) {
+  a.lobes = b.lobes = Lobes{};
+  return a == b;
+}
+
+bool same_yarns(const std::vector<Yarn>& a, const std::vector<Yarn>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_yarn_shape);
+}
+
+bool same_threads(const Draft& a, const Draft& b) {
+  return a.warp == b.warp && a.weft == b.weft && a.palette == b.palette;
+}
+
+bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ThreadBody& s, const ThreadBody& t) {
+    return s.centre_mm == t.centre_mm && s.spacing_mm == t.spacing_mm && s.width_mm == t.width_mm &&
+           s.height_mm == t.height_mm && s.yarn == t.yarn && s.colour.r == t.colour.r && s.colour.g == t.colour.g &&
+           s.colour.b == t.colour.b;
+  });
+}
+
+bool same_layout(const Cloth& a, const Cloth& b) {
+  return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && same_bodies(a.ends, b.ends) && same_bodies(a.picks, b.picks);
+}
+
+int power_of_two(double v) {
+  const double floor2 = std::exp2(std::floor(std::log2(std::max(1.0, v)) + 0.5));
+  return static_cast<int>(std::min<double>(kLongest, floor2));
+}
+
+/// Texels across one thread that the budget allows.
+double per_thread(const Cloth& cloth) {
+  const double crossings = static_cast<double>(cloth.ends.size()) * static_cast<double>(cloth.picks.size());
+  const double wanted = std::sqrt(kTexels / std::max(1.0, crossings));
+  if (wanted >= kLeastPerThread) return std::min(wanted, kMostPerThread);
+  return std::min(kLeastPerThread, std::sqrt(kMostTexels / std::max(1.0, crossings)));
+}
+
+/// Powers of two, so that every mip averages whole texels.
+MapsSize maps_size(const Cloth& cloth) {
+  const double n = per_thread(cloth);
+  const double ends = static_cast<double>(cloth.ends.size()), picks = static_cast<double>(cloth.picks.size());
+  // Square texels in millimetres: the shorter side of the threads' mean decides.
+  MapsSize size{power_of_two(ends * n), power_of_two(picks * n), kAzimuths};
+  return size;
+}
+
+/// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so its yarns are
+/// handed the other way there to be handed the same way in space.
+Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period) {
+  Cloth cloth = lay_out(design, cells, face, period);
+  if (face == Face::kBack) {
+    for (Yarn& yarn : cloth.yarns) {
+      yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
+    }
+  }
+  return cloth;
+}
+
+Period choose_period(const Design& design, const BitMatrix& cells) {
+  const double whole = per_thread(lay_out(design, cells, Face::kFront, Period::kWholeDraft));
+  if (whole >= kFinePerThread) return Period::kWholeDraft;
+  const double repeat = per_thread(lay_out(design, cells, Face::kFront, Period::kRepeat));
+  return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
+}
+
+ReadMesh find_mesh(const std::string& name) {
+  ReadMesh read = load_drape(name);
+  const std::vector<std::string>& shipped = drape_names();
+  const bool is_shipped = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
+  if (!read.mesh && is_shipped) read = {simulate_drape(name), {}};
+  if (read.mesh && is_shipped) read.mesh->name = name;
+  return read;
+}
+
+}  // namespace
+
+void Stages::bake_all(const Design& design, bool shadows) {
+  period_ = choose_period(design, cells_);
+  shadows_ = shadows;
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    FaceState& state = face == Face::kFront ? front_ : back_;
+    state.cloth = face_cloth(design, cells_, face, period_);
+    state.maps = bake(state.cloth, maps_size(state.cloth));
+    (face == Face::kFront ? packed_.front : packed_.back) = pack(state.maps, shadows);
+  }
+  packed_.width_mm = front_.cloth.width_mm;
+  packed_.depth_mm = front_.cloth.depth_mm;
+  packed_.mean_spacing_mm = mean_spacing_mm(front_.cloth);
+}
+
+bool Stages::bake_cells(const Design& design, const CellRect& dirty, StageResult& result) {
+  if (period_ == Period::kRepeat) return false;
+  if (dirty.empty()) return true;
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    FaceState& state = face == Face::kFront ? front_ : back_;
+    Cloth after = face_cloth(design, cells_, face, period_);
+    if (!same_layout(state.cloth, after)) return false;
+    const std::vector<TexelRect> rects = rebake(state.maps, after, dirty);
+    state.cloth = std::move(after);
+    PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
+    std::vector<PackedPatch> patches = repack(packed, face, state.maps, rects);
+    result.patches.insert(result.patches.end(), std::make_move_iterator(patches.begin()),
+                          std::make_move_iterator(patches.end()));
+  }
+  return true;
+}
+
+void Stages::take_lobes(const Design& design, StageResult& result) {
+  for (FaceState* state : {&front_, &back_}) {
+    for (size_t i = 0; i < state->cloth.yarns.size() && i < design.yarns.size(); ++i) {
+      state->cloth.yarns[i].lobes = design.yarns[i].lobes;
+    }
+  }
+  packed_.lobes = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps});
+  result.lobes = packed_.lobes;
+}
+
+StageResult Stages::update(std::shared_ptr<const Design> design) {
+  StageResult result;
+  if (design->scene.mesh != mesh_name_) {
+    ReadMesh read = find_mesh(design->scene.mesh);
+    if (read.mesh) result.mesh = prepare_mesh(*read.mesh);
+    else result.problem = read.error;
+    mesh_name_ = design->scene.mesh;
+  }
+  const Draft& now = design->draft;
+  if (now.ends() == 0 || now.picks() == 0) {
+    result.problem = "the draft has no threads: give it at least one end and one pick";
+    return result;
+  }
+  const bool shadows = shadows_ || design->look.method == Method::kVrst03;
+  const bool first = !done_;
+  const bool same_sizes = !first && done_->draft.ends() == now.ends() && done_->draft.picks() == now.picks();
+  const CellRect all{0, now.ends(), 0, now.picks()};
+  CellRect dirty = all;
+  if (same_sizes) {
+    if (done_->draft == now) dirty = {};
+    else dirty = update_drawdown(cells_, done_->draft, now);
+  } else {
+    cells_ = drawdown(now);
+  }
+  const bool same_look = same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) &&
+                         shadows == shadows_;
+  if (!same_look || !bake_cells(*design, dirty, result)) {
+    result.patches.clear();
+    bake_all(*design, shadows);
+    result.all_maps = true;
+  }
+  if (result.all_maps || !dirty.empty() || done_->yarns != design->yarns) take_lobes(*design, result);
+  done_ = std::move(design);
+  return result;
+}
+
+}  // namespace weftlight

@@ -76,7 +76,7 @@ float ground(Vec3 p) { return p[1]; }
 float ball(Vec3 p) { return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius; }
 
 float table(Vec3 p) {
-  constexpr float kEdge = 11, kHalfThickness = 14;
+  constexpr float kEdge = 13, kHalfThickness = 14;
   const float out = std::sqrt(p[0] * p[0] + p[2] * p[2]) - (kTableRadius - kEdge);
   const float up = std::fabs(p[1] - (kTableHeight - kHalfThickness)) - (kHalfThickness - kEdge);
   const float outside = std::hypot(std::max(out, 0.0f), std::max(up, 0.0f));
@@ -97,7 +97,7 @@ float skirt_form(Vec3 p) {
 }
 
 float ring_x(int ring) {
-  return (static_cast<float>(ring) / (kRings - 1) - 0.5f) * 760;
+  return (static_cast<float>(ring) / (kRings - 1) - 0.5f) * 660;
 }
 
 }  // namespace weftlight::draping

@@ -9,8 +9,10 @@ namespace weftlight::draping {
 constexpr float kBallRadius = 150;
 constexpr float kTableRadius = 450, kTableHeight = 720;
 constexpr float kRodHeight = 1890, kRodRadius = 11, kRodHalfLength = 480, kRingRadius = 21;
-constexpr int kRings = 11;
+constexpr int kRings = 15;
 constexpr float kWaistHeight = 1060;
+// The forms have a standing woman's heights; their stands are shorter than her legs by this much.
+constexpr float kSkirtLowered = 390, kTunicLowered = 600;
 
 float ground(Vec3 p);
 float ball(Vec3 p);

@@ -60,13 +60,15 @@ void append_ball(Mesh& mesh) {
 }
 
 void append_table(Mesh& mesh) {
-  append_turned(mesh, disc(kTableRadius, kTableHeight - 28, kTableHeight, 11), 128);
+  append_turned(mesh, disc(kTableRadius, kTableHeight - 28, kTableHeight, 13), 128);
   append_turned(mesh, {{62, 18}, {48, 40}, {38, 90}, {36, 560}, {44, 650}, {90, kTableHeight - 28}}, 48);
   append_turned(mesh, disc(260, 0, 20, 9), 96);
 }
 
-void append_stand(Mesh& mesh, float top) {
-  append_turned(mesh, {{15, 14}, {13, 40}, {13, top}}, 32);
+/// Lets the form down and puts a stand under it.
+void stand(Mesh& mesh, float lowered) {
+  for (Vec3& p : mesh.position_mm) p[1] -= lowered;
+  append_turned(mesh, {{15, 14}, {13, 40}, {13, 800 - lowered}}, 32);
   append_turned(mesh, disc(165, 0, 16, 7), 96);
 }
 
@@ -180,11 +182,11 @@ Mesh mesh_of_body(const std::string& name) {
   if (name == "curtain") append_rod(mesh);
   if (name == "skirt") {
     append_zero_set(mesh, skirt_form, sample(skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
-    append_stand(mesh, 800);
+    stand(mesh, kSkirtLowered);
   }
   if (name == "tunic") {
     append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 9));
-    append_stand(mesh, 800);
+    stand(mesh, kTunicLowered);
   }
   mesh.uv_mm.assign(mesh.position_mm.size(), Vec2{});
   compute_frames(mesh);

@@ -27,7 +27,7 @@ Pattern flat_square(int vertices, float side_mm, float height_mm) {
   Pattern pattern;
   add_piece(pattern, vertices, vertices, rectangle(side_mm, side_mm), [=](Vec2 uv) {
     const float x = uv[0] - side_mm / 2, y = uv[1] - side_mm / 2;
-    return Vec3{x + 4, height_mm + 2.5f + uneven(x, y), -y + 3};
+    return Vec3{x + 2, height_mm + 2.5f + uneven(x, y), -y + 1};
   });
   return pattern;
 }
@@ -42,7 +42,10 @@ Drape sphere() {
   Drape drape;
   drape.pattern = flat_square(101, 600, 2 * kBallRadius + 2);
   drape.body = [](Vec3 p) { return std::min(ball(p), ground(p)); };
-  drape.fall.seconds = 3;
+  drape.fall.seconds = 3.5;
+  drape.fall.body_friction = 0.5;
+  drape.fabric.bending_n_m = 0.8e-5;
+  drape.fabric.bias_n_per_m = 40;
   drape.fall.apart_mm = 4.5;
   return drape;
 }
@@ -57,7 +60,7 @@ Drape tablecloth() {
 }
 
 Drape curtain() {
-  constexpr int kColumns = 101, kRows = 105;
+  constexpr int kColumns = 113, kRows = 100;
   constexpr float kWidth = 1400, kLength = 1800, kTop = kRodHeight - 2 * kRingRadius;
   Drape drape;
   add_piece(drape.pattern, kColumns, kRows, rectangle(kWidth, kLength), [](Vec2 uv) {
@@ -90,7 +93,9 @@ Mesh finish(Drape drape, const std::string& name, float steps_scale) {
   for (const uint32_t particle : drape.held) cloth.inverse_mass[particle] = 0;
   drape.fall.seconds *= static_cast<double>(steps_scale);
   fall(cloth, drape.body, drape.fall);
-  for (size_t i = 0; i < cloth.position.size(); ++i) drape.pattern.position_mm[i] = to_float(cloth.position[i]);
+  for (size_t i = 0; i < cloth.position.size(); ++i) {
+    drape.pattern.position_mm[i] = to_float(cloth.position[i]) - Vec3{0, drape.lower_mm, 0};
+  }
   return to_mesh(drape.pattern, name);
 }
 

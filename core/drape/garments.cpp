@@ -65,9 +65,9 @@ Piece add_skirt_panel(Pattern& pattern, const SkirtCut& cut, bool back) {
   return add_piece(pattern, kSkirtColumns, kSkirtRows, shape, place);
 }
 
-constexpr float kBodyHalf = 262, kBodyLength = 690;  // half the panel's width; hem to neck point
-constexpr float kNeckHalf = 92, kShoulderDrop = 52, kArmhole = 205;
-constexpr int kBodyColumns = 57, kBodyRows = 73, kSleeveRows = 44;
+constexpr float kBodyHalf = 295, kBodyLength = 720;  // half the panel's width; hem to neck point
+constexpr float kNeckHalf = 92, kShoulderDrop = 62, kArmhole = 215;
+constexpr int kBodyColumns = 61, kBodyRows = 71, kSleeveRows = 44;
 constexpr float kSleeveLength = 430, kCuffShare = 0.74f;
 constexpr float kShoulderHeight = 1436;  // of the neck point
 
@@ -147,6 +147,7 @@ Drape skirt() {
     }
   }
   drape.body = skirt_form;
+  drape.lower_mm = kSkirtLowered;
   drape.fall.apart_mm = 8;
   drape.fall.body_friction = 0.25;
   return drape;
@@ -176,6 +177,9 @@ Drape tunic() {
   }
   drop_unused_particles(pattern);
   drape.body = dress_form;
+  drape.lower_mm = kTunicLowered;
+  drape.fabric.bending_n_m = 1.0e-5;
+  drape.fabric.bias_n_per_m = 45;
   drape.fall.apart_mm = 6;
   drape.fall.body_friction = 0.3;
   return drape;

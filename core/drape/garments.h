@@ -12,6 +12,7 @@ struct Drape {
   Fabric fabric;
   Fall fall;
   std::vector<uint32_t> held;  // particles held in place (or led)
+  float lower_mm = 0;          // how far the finished drape is let down, to stand near the ground
 };
 
 /// Two flared panels, a quarter circle each, sewn at the sides, held at the waist.

@@ -2,8 +2,8 @@
 // Based on: Macklin, Mueller, Chentanez, "XPBD: Position-Based Simulation of Compliant Constrained
 // Dynamics", MIG 2016 (equation 18); Macklin et al., "Small Steps in Physics Simulation", SCA 2019
 // (one pass a substep); friction as in Macklin et al., "Unified Particle Physics", 2014, section 6.1.
-// Differs: contacts are planes and pairs found once for several substeps; passes alternate in
-// direction, so that the order of the constraints leaves no drift.
+// Differs: contacts are planes and pairs found once for several substeps. Passes keep one direction:
+// alternating it makes light particles under load swing between the two answers.
 
 #include "drape/solver.h"
 
@@ -132,22 +132,13 @@ void predict(Cloth& cloth, double dt, double keep) {
   }
 }
 
-template <class Constraints, class Solve>
-void sweep(const Constraints& constraints, bool forward, Solve solve_one) {
-  if (forward) {
-    std::for_each(constraints.begin(), constraints.end(), solve_one);
-  } else {
-    std::for_each(constraints.rbegin(), constraints.rend(), solve_one);
-  }
-}
-
-void substep(Cloth& cloth, const Contacts& contacts, const Fall& how, double dt, double keep, bool forward) {
+void substep(Cloth& cloth, const Contacts& contacts, const Fall& how, double dt, double keep) {
   const std::vector<Vec3d> before = cloth.position;
   predict(cloth, dt, keep);
   const double per_dt2 = 1 / (dt * dt);
-  sweep(cloth.bends, forward, [&](const Bend& b) { solve(b, cloth, per_dt2); });
-  sweep(cloth.stretches, forward, [&](const Stretch& s) { solve(s, cloth, per_dt2); });
-  sweep(contacts.pairs, forward, [&](const Pair& p) { solve(p, cloth, before, how); });
+  for (const Bend& bend : cloth.bends) solve(bend, cloth, per_dt2);
+  for (const Stretch& stretch : cloth.stretches) solve(stretch, cloth, per_dt2);
+  for (const Pair& pair : contacts.pairs) solve(pair, cloth, before, how);
   for (const Plane& plane : contacts.planes) solve(plane, cloth, before, how.body_friction);
   for (size_t i = 0; i < cloth.position.size(); ++i) {
     if (cloth.inverse_mass[i] > 0) cloth.velocity[i] = (cloth.position[i] - before[i]) * (1 / dt);
@@ -167,7 +158,7 @@ void fall(Cloth& cloth, const Distance& body, const Fall& how) {
     find_pairs(cloth, 1.6 * how.apart_mm, contacts.pairs);
     const bool resting = look > how.rest_from * looks;
     const double keep = std::exp(-(resting ? 6 : 1) * how.air_per_second * dt);
-    for (int k = 0; k < how.substeps; ++k) substep(cloth, contacts, how, dt, keep, k % 2 == 0);
+    for (int k = 0; k < how.substeps; ++k) substep(cloth, contacts, how, dt, keep);
   }
 }
 

@@ -15,7 +15,7 @@ struct Fall {
   double seconds = 4;
   int looks_per_second = 120;   // contacts are found this often
   int substeps = 16;            // between two looks
-  double skin_mm = 2;           // the middle of the cloth stays this far from the body
+  double skin_mm = 3.5;         // the middle of the cloth stays this far from the body
   double apart_mm = 8;          // and sheets of cloth this far from each other
   double body_friction = 0.4, cloth_friction = 0.3;
   double air_per_second = 1.5;  // share of the speed that the air takes

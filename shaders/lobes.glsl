@@ -8,8 +8,8 @@
 //   With several lights: lobe_shared(y) and lobe_side(y, shared, wo) once, then lobe_reflect() a light.
 //   Prefiltered: lobe_frame(mean normal, fibre), yarn_widen(y, lobe_covariance(frame, slope covariance)).
 //
-// The host declares the tables (shaders/tables.glsl, core/light/tables.h):
-//   vec2 albedo_table(float opening, float along, float across)
+// The host declares the tables (shaders/tables.glsl, core/light/tables.h, which says what they hold):
+//   vec4 albedo_table(float opening, float along, float across)
 //   vec2 albedo_mean_table(float major, float minor)
 //   vec4 fuzz_table(float opening, float depth)
 //
@@ -102,11 +102,12 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
   float root = sqrt(half_gap * half_gap + s.cov.y * s.cov.y);
   float major = half_sum + root;
   vec2 mean = albedo_mean_table(spread_coordinate(major), spread_coordinate(det / major));
+  float lost = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
   // Kulla, Conty 2017: facets that light meets again reflect with the mean Fresnel term.
   vec3 f_mean = y.f0 + (y.f90 - y.f0) * (1.0f / 21.0f);
-  s.recurring = f_mean * f_mean * mean.x / (1.0f - f_mean * (1.0f - mean.x));
-  s.multiple = s.recurring / (kPi * max(1.0f - mean.x, 1.0e-4f));
-  vec3 mean_albedo = y.f0 * mean.x + (y.f90 - y.f0) * mean.y + s.recurring * (1.0f - mean.x);
+  s.recurring = f_mean * f_mean * (1.0f - lost) / (1.0f - f_mean * lost);
+  s.multiple = s.recurring / (kPi * lost);
+  vec3 mean_albedo = y.f0 * (1.0f - lost) + (y.f90 - y.f0) * mean.y + s.recurring * lost;
   s.mean_enters = max(1.0f - mean_albedo, vec3(2.0e-3f));
   s.body_scale = 1.0f / (kPi * s.mean_enters);
   return s;
@@ -119,12 +120,18 @@ FORMULA LobeSide lobe_side(YarnLobes y, LobeShared s, vec3 w) {
   float sigma2 = max(variance_along(s.cov, w.x, w.y), 1.0e-10f * s.cov.x);
   float sigma = sqrt(sigma2);
   side.area = gaussian_area(side.mu, sigma);
+  // The plane of w and z seldom holds a principal axis: `mixed` is the squared correlation of the slopes
+  // along it and across it.
   float along = sigma2 / sine2;
   float across = max(s.cov.x + s.cov.z - along, kLeastVariance);
-  vec2 albedo = albedo_table(side.mu / (side.mu + sigma), spread_coordinate(along),
-                             spread_coordinate(across));
-  side.lost = 1.0f - albedo.x;
-  vec3 specular = y.f0 * albedo.x + (y.f90 - y.f0) * albedo.y + s.recurring * side.lost;
+  float mixed = clamp(1.0f - (s.cov.x * s.cov.z - s.cov.y * s.cov.y) / (along * across), 0.0f, 1.0f);
+  float spread = spread_coordinate(along);
+  float rim = side.mu + sqrt(sine2) * spread;
+  vec4 t = albedo_table(side.mu / rim, spread, spread_coordinate(across));
+  side.lost = mix(t.x, t.z, mixed);
+  float k = max(1.0f - mix(t.y, t.w, mixed) * rim, 0.0f);  // of the facets that are seen
+  float k2 = k * k;
+  vec3 specular = (y.f0 + (y.f90 - y.f0) * (k2 * k2 * k)) * (1.0f - side.lost) + s.recurring * side.lost;
   side.enters = max(1.0f - specular, vec3(0.0f));
   side.clear = 1.0f;
   side.fuzz = vec4(0.0f);

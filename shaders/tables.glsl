@@ -2,14 +2,14 @@
 // Linear filter, clamped to the edge; a table of n entries holds coordinate 0 at the middle of its first
 // texel and 1 at the middle of its last.
 
-uniform sampler3D albedo_texture;       // RG float: opening, along, across
+uniform sampler3D albedo_texture;       // RGBA float: opening, along, across
 uniform sampler2D albedo_mean_texture;  // RG float: major, minor
 uniform sampler2D fuzz_texture;         // RGBA float: opening, depth
 
-vec2 albedo_table(float opening, float along, float across) {
+vec4 albedo_table(float opening, float along, float across) {
   vec3 n = vec3(textureSize(albedo_texture, 0));
   vec3 at = clamp(vec3(opening, along, across), 0.0, 1.0);
-  return textureLod(albedo_texture, (at * (n - 1.0) + 0.5) / n, 0.0).xy;
+  return textureLod(albedo_texture, (at * (n - 1.0) + 0.5) / n, 0.0);
 }
 
 vec2 albedo_mean_table(float major, float minor) {

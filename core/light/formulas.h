@@ -12,7 +12,7 @@ using glm::vec3;
 using glm::vec4;
 using namespace glm;
 
-vec2 albedo_table(float opening, float along, float across);
+vec4 albedo_table(float opening, float along, float across);
 vec2 albedo_mean_table(float major, float minor);
 vec4 fuzz_table(float opening, float depth);
 

@@ -5,6 +5,7 @@
 #include "light/tables.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "light/formulas.h"
@@ -18,15 +19,13 @@ constexpr int kFuzzOpenings = 32, kFuzzDepths = 16;
 constexpr float kWidestSlope = 1.0e3f;         // stands for infinity: the albedo no longer changes
 constexpr float kLeastSlope = 5.0e-3f;
 constexpr float kGaussianReach = 4.25f;        // deviations; beyond lie 2e-5 of the facets
-constexpr int kAlongNodes = 24, kAcrossNodes = 12;
+constexpr int kAlongNodes = 20, kAcrossNodes = 10, kLineNodes = 32;
 
 float coordinate(int i, int n) { return static_cast<float>(i) / static_cast<float>(n - 1); }
 
 float slope_of(float coordinate) {
   return std::clamp(coordinate / std::max(1.0f - coordinate, 1.0e-6f), kLeastSlope, kWidestSlope);
 }
-
-glm::vec2 lerp(const glm::vec2& a, const glm::vec2& b, float t) { return a + (b - a) * t; }
 
 struct Cell {
   int i;
@@ -38,89 +37,155 @@ Cell cell_of(float coordinate, int n) {
   return {i, x - static_cast<float>(i)};
 }
 
-glm::vec2 pair_at(const Table& t, int x, int y, int z) {
+template <class V>
+V entry(const Table& t, int x, int y, int z) {
+  V v;
   const float* p = t.at(x, y, z);
-  return {p[0], p[1]};
+  for (int c = 0; c < V::length(); ++c) v[c] = p[c];
+  return v;
 }
 
-glm::vec2 mix_plane(const Table& t, Cell x, Cell y, int z) {
-  return lerp(lerp(pair_at(t, x.i, y.i, z), pair_at(t, x.i + 1, y.i, z), x.t),
-              lerp(pair_at(t, x.i, y.i + 1, z), pair_at(t, x.i + 1, y.i + 1, z), x.t), y.t);
+template <class V>
+V plane_at(const Table& t, Cell x, Cell y, int z) {
+  return glm::mix(glm::mix(entry<V>(t, x.i, y.i, z), entry<V>(t, x.i + 1, y.i, z), x.t),
+                  glm::mix(entry<V>(t, x.i, y.i + 1, z), entry<V>(t, x.i + 1, y.i + 1, z), x.t), y.t);
 }
 
-glm::vec2 albedo_at(const Table& t, float opening, float along, float across) {
+glm::vec4 albedo_at(const Table& t, float opening, float along, float across) {
   const Cell x = cell_of(opening, t.nx), y = cell_of(along, t.ny), z = cell_of(across, t.nz);
-  return lerp(mix_plane(t, x, y, z.i), mix_plane(t, x, y, z.i + 1), z.t);
+  return glm::mix(plane_at<glm::vec4>(t, x, y, z.i), plane_at<glm::vec4>(t, x, y, z.i + 1), z.t);
 }
 
-/// Albedo of single scattering with F = 1, and with F = (1 - wi.h)^5, seen along (sine, 0, mu).
-/// Integral over the slopes s of the facets: P(s) (wo.(s,1))+ mu_i / (A_i mu_o + A_o mu_i - mu_i mu_o),
-/// A the projected areas: the reflection of wo about each facet, with the measure turned to slopes.
-glm::vec2 facet_albedo(float opening, float slope_along, float slope_across) {
-  const float nu = opening / std::max(1.0f - opening, 1.0e-6f);  // cosine over deviation
-  const float cotangent = nu * slope_along;
-  const float sine = 1.0f / std::sqrt(1.0f + cotangent * cotangent);
-  const float mu = std::max(cotangent * sine, 1.0e-6f);
-  const float area = formulas::gaussian_area(mu, slope_along * sine);
-  const float first = std::max(-nu, -kGaussianReach);  // facets below turn away from wo
-  const float step_a = (kGaussianReach - first) / kAlongNodes, step_b = kGaussianReach / kAcrossNodes;
-  glm::vec2 sum(0.0f);
-  float weights = 0.0f;  // of the whole bell across, so that the cut tail is not lost
+/// A view (sine, 0, mu) of facets with RMS slopes along it and across it.
+struct Seen {
+  float along, across;   // RMS slopes
+  float nu, mu, sine;    // nu: cosine over deviation
+  float area;
+};
+float cotangent_of(float opening, float along) {
+  return opening / std::max(1.0f - opening, 1.0e-6f) * (along / (1 + along));
+}
+Seen seen(float opening, float along, float across) {
+  const float cotangent = cotangent_of(opening, along);
+  Seen v{along, across, cotangent / along, 0, 0, 0};
+  v.sine = 1.0f / std::sqrt(1.0f + cotangent * cotangent);
+  v.mu = std::max(cotangent * v.sine, 1.0e-6f);
+  v.area = formulas::gaussian_area(v.mu, along * v.sine);
+  return v;
+}
+
+/// One facet of slopes (sx, sy): (wo.(s,1))+ mu_i / (A_i mu_o + A_o mu_i - mu_i mu_o), A the projected areas,
+/// which is F D G / (4 mu_o) dwi with the measure turned to slopes; and that times (1 - wi.h)^5.
+glm::vec2 facet(const Seen& v, float sx, float sy, bool correlated) {
+  const float faces = v.mu + v.sine * sx;
+  const float secant2 = 1.0f + sx * sx + sy * sy;
+  const float twice = 2.0f * faces / secant2;
+  const float mu_i = twice - v.mu;
+  if (faces <= 0.0f || mu_i <= 0.0f) return glm::vec2(0);
+  const float x = v.along * (twice * sx - v.sine), y = v.across * twice * sy;
+  const float sigma_i = correlated ? std::abs(x + y) : std::sqrt(x * x + y * y);
+  const float area_i = formulas::gaussian_area(mu_i, sigma_i);
+  const float value = faces * mu_i / std::max(area_i * v.mu + v.area * mu_i - mu_i * v.mu, 1.0e-20f);
+  const float k = std::max(1.0f - faces / std::sqrt(secant2), 0.0f);
+  return value * glm::vec2(1.0f, k * k * k * k * k);
+}
+
+/// Node of a slope's Gaussian: even in the slope's angle, since only facets up to about 45 degrees
+/// reflect upwards, however wide the Gaussian.
+struct SlopeNode {
+  float slope, weight;
+};
+SlopeNode slope_node(int i, int count, float first, float last, float rms) {
+  const float from = std::atan(first * rms), step = (std::atan(last * rms) - from) / static_cast<float>(count);
+  const float slope = std::tan(from + (static_cast<float>(i) + 0.5f) * step), z = slope / rms;
+  return {slope, std::exp(-0.5f * z * z) * 0.39894228f * step * (1 + slope * slope) / rms};
+}
+
+glm::vec2 independent_albedo(const Seen& v) {
+  std::array<SlopeNode, kAlongNodes> along;  // facets with z < -nu turn away from wo
+  for (int i = 0; i < kAlongNodes; ++i)
+    along[static_cast<size_t>(i)] =
+        slope_node(i, kAlongNodes, std::max(-v.nu, -kGaussianReach), kGaussianReach, v.along);
+  glm::vec2 sum(0);
   for (int j = 0; j < kAcrossNodes; ++j) {
-    const float b = (static_cast<float>(j) + 0.5f) * step_b, sy = b * slope_across;
-    const float weight_b = std::exp(-0.5f * b * b);
-    weights += weight_b;
-    for (int i = 0; i < kAlongNodes; ++i) {
-      const float a = first + (static_cast<float>(i) + 0.5f) * step_a, sx = a * slope_along;
-      const float faces = mu + sine * sx;
-      const float secant2 = 1.0f + sx * sx + sy * sy;
-      const float twice = 2.0f * faces / secant2;
-      const float mu_i = twice - mu;
-      if (faces <= 0.0f || mu_i <= 0.0f) continue;
-      const float xi = twice * sx - sine, yi = twice * sy;
-      const float sigma_i = std::sqrt(slope_along * slope_along * xi * xi + slope_across * slope_across * yi * yi);
-      const float area_i = formulas::gaussian_area(mu_i, sigma_i);
-      const float k = std::max(1.0f - faces / std::sqrt(secant2), 0.0f);
-      const float value = weight_b * std::exp(-0.5f * a * a) * faces * mu_i /
-                          std::max(area_i * mu + area * mu_i - mu_i * mu, 1.0e-20f);
-      sum += value * glm::vec2(1.0f, k * k * k * k * k);
-    }
+    const SlopeNode b = slope_node(j, kAcrossNodes, 0, kGaussianReach, v.across);
+    for (const SlopeNode& a : along) sum += 2.0f * a.weight * b.weight * facet(v, a.slope, b.slope, false);
   }
-  return glm::min(sum * (step_a * 0.39894228f / weights), glm::vec2(1.0f));
+  return sum;
+}
+
+glm::vec2 correlated_albedo(const Seen& v) {
+  const float rms = std::sqrt(v.along * v.along + v.across * v.across);
+  glm::vec2 sum(0);
+  for (int i = 0; i < kLineNodes; ++i) {
+    const SlopeNode n = slope_node(i, kLineNodes, std::max(-v.nu, -kGaussianReach), kGaussianReach, rms);
+    sum += n.weight * facet(v, n.slope * v.along / rms, n.slope * v.across / rms, true);
+  }
+  return sum;
+}
+
+/// (loss, cosine over rim) as the table holds them.
+glm::vec2 as_stored(const Seen& v, const glm::vec2& albedo) {
+  const float share = albedo.y / std::max(albedo.x, 1.0e-12f);
+  const float c = 1.0f - std::pow(std::clamp(share, 0.0f, 1.0f), 0.2f);
+  return {std::clamp(1.0f - albedo.x, 0.0f, 1.0f), c / (v.mu + v.sine * v.along / (1 + v.along))};
 }
 
 Table make_albedo(int threads) {
-  Table t(kOpenings, kSpreads, kSpreads, 2);
+  Table t(kOpenings, kSpreads, kSpreads, 4);
   in_parallel(kSpreads * kSpreads, threads, [&t](int row) {
     const int y = row % kSpreads, z = row / kSpreads;
     for (int x = 0; x < kOpenings; ++x) {
-      const glm::vec2 a = facet_albedo(coordinate(x, kOpenings), slope_of(coordinate(y, kSpreads)),
-                                       slope_of(coordinate(z, kSpreads)));
-      t.at(x, y, z)[0] = a.x;
-      t.at(x, y, z)[1] = a.y;
+      const Seen v = seen(coordinate(x, kOpenings), slope_of(coordinate(y, kSpreads)),
+                          slope_of(coordinate(z, kSpreads)));
+      const glm::vec2 a = as_stored(v, independent_albedo(v)), b = as_stored(v, correlated_albedo(v));
+      const float values[4] = {a.x, a.y, b.x, b.y};
+      std::copy(values, values + 4, t.at(x, y, z));
     }
   });
   return t;
 }
 
-/// Cosine-weighted mean over the hemisphere, of the table as it is looked up.
+/// One azimuth of a lobe with principal variances: what lobe_side() looks up.
+struct Slice {
+  float along, across, mixed;
+};
+Slice slice_of(float xx, float yy, float phi) {
+  const float c2 = std::cos(phi) * std::cos(phi), along = xx * c2 + yy * (1 - c2), across = xx + yy - along;
+  return {along, across, std::clamp(1 - xx * yy / (along * across), 0.0f, 1.0f)};
+}
+
+glm::vec2 stored_at(const Table& albedo, const Slice& s, float opening) {
+  const glm::vec4 t = albedo_at(albedo, opening, formulas::spread_coordinate(s.along),
+                                formulas::spread_coordinate(s.across));
+  return glm::mix(glm::vec2(t.x, t.y), glm::vec2(t.z, t.w), s.mixed);
+}
+
+/// Means over the hemisphere, cosine-weighted, of the table as it is looked up: of the loss over rings
+/// even in `opening`, since a smooth lobe loses light at grazing angles only; of the Fresnel part over
+/// rings even in the cosine.
 glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
-  constexpr int kTurns = 12, kRings = 24;
+  constexpr int kTurns = 12, kRings = 32;
   const float xx = slope_x * slope_x, yy = slope_y * slope_y;
-  glm::vec2 sum(0.0f);
+  float lost = 0, fresnel = 0;
   for (int j = 0; j < kTurns; ++j) {
-    const float phi = (static_cast<float>(j) + 0.5f) * (formulas::kPi / 2 / kTurns);
-    const float c2 = std::cos(phi) * std::cos(phi), along = xx * c2 + yy * (1 - c2);
+    const Slice s = slice_of(xx, yy, (static_cast<float>(j) + 0.5f) * (formulas::kPi / 2 / kTurns));
+    const auto cosine2 = [&s](float opening) {
+      const float c = cotangent_of(opening, std::sqrt(s.along));
+      return c * c / (1 + c * c);
+    };
     for (int i = 0; i < kRings; ++i) {
-      // Squared, so that grazing directions, where the albedo bends, are met often enough.
-      const float u = (static_cast<float>(i) + 0.5f) / kRings, mu = u * u;
-      const float sigma = std::sqrt(along * (1 - mu * mu));
-      const float weight = mu * 2.0f * u;  // cosine times dmu / du
-      sum += weight * albedo_at(albedo, mu / (mu + sigma), formulas::spread_coordinate(along),
-                                formulas::spread_coordinate(xx + yy - along));
+      const float x = static_cast<float>(i) / kRings, half = 0.5f / kRings;
+      lost += stored_at(albedo, s, x + half).x * (cosine2(x + 2 * half) - cosine2(x));
+      const float mu = x + half;
+      const float rim = mu + std::sqrt(1 - mu * mu) * formulas::spread_coordinate(s.along);
+      const glm::vec2 t = stored_at(albedo, s, mu / rim);
+      const float k = std::max(1 - t.y * rim, 0.0f);
+      fresnel += k * k * k * k * k * (1 - t.x) * 2 * mu / kRings;
     }
   }
-  return sum * (2.0f / (kTurns * kRings));
+  const float v = 0.5f * (xx + yy);
+  return {lost / kTurns * (1 + v) / v, fresnel / kTurns};
 }
 
 Table make_albedo_mean(const Table& albedo, int threads) {
@@ -189,24 +254,18 @@ const LightTables& light_tables() {
 
 namespace formulas {
 
-vec2 albedo_table(float opening, float along, float across) {
+vec4 albedo_table(float opening, float along, float across) {
   return albedo_at(light_tables().albedo, opening, along, across);
 }
 
 vec2 albedo_mean_table(float major, float minor) {
   const Table& t = light_tables().albedo_mean;
-  return mix_plane(t, cell_of(major, t.nx), cell_of(minor, t.ny), 0);
+  return plane_at<vec2>(t, cell_of(major, t.nx), cell_of(minor, t.ny), 0);
 }
 
 vec4 fuzz_table(float opening, float depth) {
   const Table& t = light_tables().fuzz;
-  const Cell x = cell_of(opening, t.nx), y = cell_of(depth, t.ny);
-  const auto entry = [&t](int i, int j) {
-    const float* p = t.at(i, j);
-    return vec4(p[0], p[1], p[2], p[3]);
-  };
-  return glm::mix(glm::mix(entry(x.i, y.i), entry(x.i + 1, y.i), x.t),
-                  glm::mix(entry(x.i, y.i + 1), entry(x.i + 1, y.i + 1), x.t), y.t);
+  return plane_at<vec4>(t, cell_of(opening, t.nx), cell_of(depth, t.ny), 0);
 }
 
 }  // namespace formulas

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <vector>
 
+#include "cloth/centre_line.h"
+
 namespace weftlight {
 namespace {
 
@@ -47,6 +49,7 @@ glm::vec3 place(System s, float centre, const Ring& r) {
 
 struct TubeScene::Parts {
   Cloth cloth;
+  CentreLines lines;
   int around = 0;
   int rings[2] = {0, 0};  // segments along a tube of each system over the tile
   glm::vec2 tile{0};      // tile size, whole periods
@@ -70,10 +73,10 @@ struct TubeScene::Parts {
     return {0.5f * std::max(body.width_mm, kThinnest_mm), 0.5f * std::max(body.height_mm, kThinnest_mm)};
   }
   Ring ring_at(System s, int thread, float along) const {
-    const float h = period_along(s) * 1e-4f;
-    const float below = centre_height_mm(cloth, s, thread, along - h);
-    const float above = centre_height_mm(cloth, s, thread, along + h);
-    return {along, centre_height_mm(cloth, s, thread, along), (above - below) / (2 * h)};
+    const float period = period_along(s);
+    const float wrapped = along - std::floor(along / period) * period;
+    const CentrePoint p = centre_at(lines, s, thread, centre_step(cloth, s, wrapped));
+    return {along, p.height_mm, p.slope};
   }
 
   void list_tubes();
@@ -251,11 +254,12 @@ bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, 
 std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOptions& options, std::string& error) {
   std::unique_ptr<TubeScene> scene(new TubeScene);
   Parts& parts = *scene->parts_;
-  parts.cloth = cloth;
   if (cloth.ends.empty() || cloth.picks.empty() || !(cloth.width_mm > 0) || !(cloth.depth_mm > 0)) {
     error = "the cloth has no size";
     return nullptr;
   }
+  parts.cloth = cloth;
+  parts.lines = centre_lines(cloth);
   if (!parts.choose_resolution(options)) {
     error = "a repeat of " + std::to_string(cloth.ends.size()) + " ends and " + std::to_string(cloth.picks.size()) +
             " picks is too large to trace thread by thread; use `render`, or trace a smaller draft";

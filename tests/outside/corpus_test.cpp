@@ -104,12 +104,12 @@ void expect_facts(const Facts& expected, const WifFile& file) {
 void expect_other_forms(const std::string& name, const Design& design) {
   const WifRead made = read_wif(write_new_wif(design));
   ASSERT_TRUE(made.file) << name;
-  EXPECT_EQ(made.file->design, design) << name;
+  EXPECT_TRUE(made.file->design == design) << name;
   const BitMatrix cells = drawdown(design.draft);
   for (const PlainDrive drive : {PlainDrive::kAsIs, PlainDrive::kLiftplan, PlainDrive::kTreadling}) {
     const WifRead plain = read_wif(write_plain_wif(design, drive));
     ASSERT_TRUE(plain.file) << name;
-    EXPECT_EQ(drawdown(plain.file->design.draft), cells) << name;
+    EXPECT_TRUE(drawdown(plain.file->design.draft) == cells) << name;
   }
 }
 
@@ -128,8 +128,10 @@ void expect_small_edit(const std::string& name, const WifFile& file) {
   const std::string bytes = write_wif(file, now);
   const WifRead again = read_wif(bytes);
   ASSERT_TRUE(again.file) << name;
-  EXPECT_EQ(again.file->design, now) << name;
-  if (file.design.draft.threading.first(0) >= 0) EXPECT_EQ(differing_lines(file.bytes, bytes), 1u) << name;
+  EXPECT_TRUE(again.file->design == now) << name;
+  if (file.design.draft.threading.first(0) >= 0) {
+    EXPECT_EQ(differing_lines(file.bytes, bytes), 1u) << name;
+  }
 }
 
 /// An error that says what is wrong and what to do.
@@ -158,7 +160,7 @@ TEST(corpus, every_file_matches_or_is_refused) {
     }
     ASSERT_TRUE(is_consistent(read.file->design)) << facts.file;
     expect_facts(facts, *read.file);
-    EXPECT_EQ(write_wif(*read.file, read.file->design), file.bytes) << facts.file;
+    EXPECT_TRUE(write_wif(*read.file, read.file->design) == file.bytes) << facts.file;
     expect_other_forms(facts.file, read.file->design);
     expect_small_edit(facts.file, *read.file);
   }

@@ -35,6 +35,8 @@ weftlight_package(embree libembree-dev 3.13 CONFIG)
 weftlight_package(CLI11 libcli11-dev CONFIG)
 weftlight_package(nlohmann_json nlohmann-json3-dev CONFIG)
 weftlight_pkg(IMGUI imgui libimgui-dev)
+# Debian's Dear ImGui holds its FreeType builder but does not name the library.
+weftlight_pkg(FREETYPE freetype2 libfreetype-dev)
 weftlight_pkg(EPOXY epoxy libepoxy-dev)
 weftlight_pkg(EGL egl libegl-dev)
 weftlight_pkg(CAIRO cairo libcairo2-dev)

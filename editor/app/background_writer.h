@@ -1,0 +1,40 @@
+#pragma once
+// Writes files on a thread of its own, so that the window never waits for a disk. Of several writes of
+// one path that are waiting, the newest wins.
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace weftlight {
+
+class BackgroundWriter {
+ public:
+  BackgroundWriter();
+  /// Finishes what is waiting.
+  ~BackgroundWriter();
+  BackgroundWriter(const BackgroundWriter&) = delete;
+  BackgroundWriter& operator=(const BackgroundWriter&) = delete;
+
+  void write(const std::string& path, std::function<std::string()> make_bytes);
+  void remove(const std::string& path);
+  /// The last thing that went wrong since the last call; empty: nothing did.
+  std::string take_error();
+
+ private:
+  using Job = std::function<std::string()>;  // returns what went wrong
+  void post(const std::string& path, Job job);
+  void work();
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::map<std::string, Job> waiting_;
+  std::string error_;
+  bool leaving_ = false;
+  std::thread thread_;
+};
+
+}  // namespace weftlight

@@ -1,0 +1,78 @@
+#include "app/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "draft/edits.h"
+
+namespace weftlight {
+
+Document::Document(Design design) : history_(std::move(design)), cells_(drawdown(now().draft)) {}
+
+Document::Document(WifFile file, std::vector<Diagnostic> remarks, std::string path)
+    : opened_(std::make_shared<const WifFile>(std::move(file))),
+      remarks_(std::move(remarks)),
+      path_(std::move(path)),
+      history_(opened_->design),
+      cells_(drawdown(now().draft)) {}
+
+std::string Document::name() const {
+  return path_.empty() ? "Untitled" : std::filesystem::path(path_).filename().string();
+}
+
+bool Document::follow(const std::shared_ptr<const Design>& before) {
+  if (before == history_.snapshot()) return false;
+  update_drawdown(cells_, before->draft, now().draft);
+  ++revision_;
+  return true;
+}
+
+bool Document::commit(const Edit& edit, uint64_t stroke) {
+  const auto before = snapshot();
+  history_.commit(edit.apply(*before), edit.label, stroke);
+  return follow(before);
+}
+
+bool Document::undo() {
+  const auto before = snapshot();
+  if (history_.can_undo()) history_.undo();
+  return follow(before);
+}
+
+bool Document::redo() {
+  const auto before = snapshot();
+  if (history_.can_redo()) history_.redo();
+  return follow(before);
+}
+
+void Document::mark_saved(std::string path) {
+  path_ = std::move(path);
+  history_.mark_saved();
+}
+
+std::function<std::string()> Document::writer() const {
+  return [file = opened_, design = snapshot()] { return file ? write_wif(*file, *design) : write_new_wif(*design); };
+}
+
+Design new_design(int ends, int picks, int shafts, int treadles) {
+  Design design;
+  design.draft = blank_draft(ends, picks, shafts, treadles);
+  Draft& d = design.draft;
+  d.palette = {{0.93f, 0.90f, 0.84f}, {0.16f, 0.25f, 0.42f}};
+  for (int end = 0; end < ends; ++end) d.threading.set(end, end % shafts, true);
+  for (int pick = 0; pick < picks; ++pick) d.treadling.set(pick, pick % treadles, true);
+  for (int treadle = 0; treadle < treadles; ++treadle)
+    for (int k = 0; k < std::max(1, shafts / 2); ++k) d.tieup.set(treadle, (treadle + k) % shafts, true);
+  return design;
+}
+
+OpenResult open_document(const std::string& path) {
+  FileBytes file = read_file(path);
+  if (!file.error.empty()) return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
+  WifRead read = read_wif(file.bytes);
+  if (!read.file) return {{}, std::move(read.diagnostics)};
+  return {Document(std::move(*read.file), std::move(read.diagnostics), path), {}};
+}
+
+}  // namespace weftlight

@@ -1,0 +1,265 @@
+#include "app/editor.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "draft/edits.h"
+#include "files/files.h"
+
+namespace weftlight {
+namespace {
+
+Document first_document() {
+  OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
+  if (!starter.document) return Document(new_design(48, 48, 4, 4));
+  // Unnamed, so that saving asks where.
+  Document& d = *starter.document;
+  return Document(d.now());
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+Editor::Editor(Window& window, const EditorOptions& options)
+    : window_(window),
+      options_(options),
+      settings_(load_settings()),
+      document_(first_document()),
+      map_file_(options.ui_map) {
+  style_.dark = settings_.dark;
+  work_.end1_right = settings_.end1_right;
+  work_.drawdown_style = static_cast<DrawdownStyle>(settings_.drawdown_style);
+  actions_ = make_actions(settings_.recent);
+  replace(std::move(document_));
+  if (!options.file.empty()) open_path(options.file);
+  offer_recovery();
+}
+
+void Editor::new_draft() {
+  unless_unsaved([this] {
+    const Draft& d = document_.now().draft;
+    ask(SizePrompt{"New draft", "Create", d.ends(), d.picks(), d.shafts, d.treadles}, [this](int) {
+      const auto& p = std::get<SizePrompt>(dialog_);
+      replace(Document(new_design(p.ends, p.picks, p.shafts, p.treadles)));
+    });
+  });
+}
+
+void Editor::open() {
+  unless_unsaved([this] {
+    ask_path(FileAsk::kOpen, "Open a draft", document_.path(), [this](const std::string& path) { open_path(path); });
+  });
+}
+
+void Editor::open_path(const std::string& path) {
+  unless_unsaved([this, path] {
+    OpenResult result = open_document(path);
+    if (!result.document) return report(std::move(result.remarks), path);
+    remember(settings_, path);
+    actions_ = make_actions(settings_.recent);
+    replace(std::move(*result.document));
+  });
+}
+
+void Editor::save() {
+  if (document_.path().empty()) return save_as();
+  save_to(document_.path(), nullptr);
+}
+
+void Editor::save_as() {
+  const std::string start = document_.path().empty() ? "untitled.wif" : document_.path();
+  ask_path(FileAsk::kSave, "Save the draft as", start, [this](const std::string& path) { save_to(path, nullptr); });
+}
+
+void Editor::save_for_others() {
+  std::filesystem::path start = document_.path().empty() ? "untitled.wif" : document_.path();
+  start.replace_filename(start.stem().string() + "-plain.wif");
+  ask_path(FileAsk::kSave, "Save for other programs and looms", start.string(), [this](const std::string& path) {
+    const std::string problem = write_file_atomically(path, write_plain_wif(document_.now()));
+    say(problem.empty() ? "Wrote " + std::filesystem::path(path).filename().string() : problem);
+  });
+}
+
+void Editor::save_to(const std::string& path, std::function<void()> then) {
+  const std::string problem = write_file_atomically(path, document_.writer()());
+  if (!problem.empty()) {
+    return ask(Question{"The draft was not saved", problem + "\n\nYour work is still here; choose another place.", {"Save as\xE2\x80\xA6", "Cancel"}},
+               [this](int button) {
+                 if (button == 0) save_as();
+               });
+  }
+  document_.mark_saved(path);
+  recovery_.forget(writer_);
+  remember(settings_, path);
+  actions_ = make_actions(settings_.recent);
+  say("Saved " + document_.name());
+  if (then) then();
+}
+
+void Editor::quit() {
+  unless_unsaved([this] { leaving_ = true; });
+}
+
+void Editor::undo() {
+  if (document_.undo()) edited();
+}
+
+void Editor::redo() {
+  if (document_.redo()) edited();
+}
+
+void Editor::commit(const Edit& edit) {
+  if (document_.commit(edit, moving_ ? stroke_ : 0)) edited();
+}
+
+void Editor::ask_size() {
+  const Draft& d = document_.now().draft;
+  ask(SizePrompt{"Size of the draft", "Change", d.ends(), d.picks(), d.shafts, d.treadles}, [this](int) {
+    const SizePrompt p = std::get<SizePrompt>(dialog_);
+    commit({"Change size", [p](Design d2) { return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles); }});
+    work_.pitch = 0;
+  });
+}
+
+void Editor::ask_notes() {
+  const Design& d = document_.now();
+  ask(NotesPrompt{d.title, d.author, joined(d.notes)}, [this](int) {
+    const NotesPrompt p = std::get<NotesPrompt>(dialog_);
+    commit({"Title and notes", [p](Design d2) {
+              d2.title = p.title;
+              d2.author = p.author;
+              d2.notes = split_lines(p.notes);
+              return d2;
+            }});
+  });
+}
+
+void Editor::show_commands() {
+  commands_ = {};
+  commands_.open = commands_.appearing = true;
+}
+
+void Editor::toggle_theme() {
+  style_.dark = settings_.dark = !style_.dark;
+  restyle_ = true;
+}
+
+void Editor::keep_view() {
+  commit({"Keep view", [camera = camera_](Design d) {
+            d.scene = with_orbit(d.scene, camera);
+            return d;
+          }});
+}
+
+void Editor::replace(Document document) {
+  document_ = std::move(document);
+  remarks_ = document_.remarks();
+  const bool right = work_.end1_right;
+  const DrawdownStyle look = work_.drawdown_style;
+  work_ = {};
+  work_.end1_right = right;
+  work_.drawdown_style = look;
+  camera_ = orbit_of(document_.now().scene);
+  recovery_.forget(writer_);
+  edited();
+}
+
+/// After every change of the design, whatever made it.
+void Editor::edited() {
+  preview_.submit(document_.snapshot());
+  if (!options_.live_export.empty()) writer_.write(options_.live_export, document_.writer());
+  recovery_.keep(writer_, document_);
+  work_.color = std::clamp(work_.color, 0, static_cast<int>(document_.now().draft.palette.size()) - 1);
+  frames_due_ = std::max(frames_due_, 2);
+}
+
+void Editor::say(std::string text) { message_ = std::move(text); }
+
+void Editor::report(std::vector<Diagnostic> remarks, const std::string& path) {
+  remarks_ = std::move(remarks);
+  remarks_open_ = true;
+  say(std::filesystem::path(path).filename().string() + " could not be opened");
+}
+
+void Editor::ask(Dialog dialog, std::function<void(int)> then) {
+  dialog_ = std::move(dialog);
+  answer_ = std::move(then);
+}
+
+void Editor::unless_unsaved(std::function<void()> then) {
+  if (document_.is_saved()) return then();
+  ask(Question{"Save the changes to " + document_.name() + "?", "What you did since the last save would be lost.",
+               {"Save", "Do not save", "Cancel"}},
+      [this, then = std::move(then)](int button) {
+        if (button == 1) then();
+        if (button != 0) return;
+        if (!document_.path().empty()) return save_to(document_.path(), then);
+        ask_path(FileAsk::kSave, "Save the draft as", "untitled.wif", [this, then](const std::string& path) { save_to(path, then); });
+      });
+}
+
+void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
+                      std::function<void(const std::string&)> chosen) {
+  if (FileDialog::is_there()) return file_dialog_.ask(what, title, start, std::move(chosen));
+  ask(PathPrompt{title, start, what == FileAsk::kOpen ? "Open" : "Save"}, [this, chosen = std::move(chosen)](int) {
+    const std::string path = std::get<PathPrompt>(dialog_).path;
+    dialog_ = {};
+    if (!path.empty()) chosen(path);
+  });
+}
+
+void Editor::offer_recovery() {
+  std::vector<LeftBehind> left = recovery_.left_behind();
+  if (left.empty()) return;
+  const LeftBehind one = left.front();
+  const std::string name = one.path.empty() ? "a draft that was never saved" : std::filesystem::path(one.path).filename().string();
+  ask(Question{"Bring back unsaved work?", "Weftlight ended before changes to " + name + " were saved.", {"Bring back", "Later", "Discard"}},
+      [this, one](int button) {
+        if (button == 0) restore(one);
+        if (button == 2) Recovery::discard(writer_, one);
+      });
+}
+
+void Editor::restore(const LeftBehind& left) {
+  OpenResult copy = open_document(left.copy);
+  if (!copy.document) return report(std::move(copy.remarks), left.copy);
+  if (!left.path.empty())
+    if (OpenResult original = open_document(left.path); original.document) replace(std::move(*original.document));
+  // On top of the saved draft, so that undo goes back to it.
+  commit({"Bring back unsaved work", [design = copy.document->now()](Design) { return design; }});
+  camera_ = orbit_of(document_.now().scene);
+  work_.pitch = 0;
+  Recovery::discard(writer_, left);
+}
+
+void Editor::update_title() {
+  const std::string title = std::string(document_.is_saved() ? "" : "\xE2\x97\x8F ") + document_.name();
+  if (title != title_) window_.set_title(title + " \xE2\x80\x93 Weftlight");
+  title_ = title;
+}
+
+void Editor::run_action(const std::string& id) {
+  for (const Action& a : actions_) {
+    if (a.item.id != id || (a.enabled && !a.enabled(*this))) continue;
+    const auto run = a.run;  // the table may be made anew by what it does
+    return run(*this);
+  }
+}
+
+}  // namespace weftlight

@@ -1,0 +1,103 @@
+#pragma once
+// The editor: the open document, the panels around it, and what the actions do. Everything the weaver can
+// do is in the table of actions.h; panels return edits, which are committed here and nowhere else.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/actions.h"
+#include "app/background_writer.h"
+#include "app/document.h"
+#include "app/file_dialog.h"
+#include "app/preview_pane.h"
+#include "app/ui_map_file.h"
+#include "app/user_files.h"
+#include "app/window.h"
+#include "commands/commands.h"
+#include "panels/dialogs.h"
+#include "panels/draft_panel.h"
+
+namespace weftlight {
+
+class Editor {
+ public:
+  Editor(Window& window, const EditorOptions& options);
+  void run();
+
+  // What the actions do.
+  void new_draft();
+  void open();
+  void open_path(const std::string& path);
+  void save();
+  void save_as();
+  void save_for_others();
+  void quit();
+  void undo();
+  void redo();
+  void commit(const Edit& edit);
+  void ask_size();
+  void ask_notes();
+  void show_commands();
+  void show_remarks() { remarks_open_ = true; }
+  void toggle_theme();
+  void keep_view();
+  void reset_view() { camera_ = orbit_of(document_.now().scene); }
+  const Document& document() const { return document_; }
+  Workspace& work() { return work_; }
+  const Workspace& work() const { return work_; }
+  const Settings& settings() const { return settings_; }
+
+ private:
+  void frame();
+  void draw_window();
+  void draw_panels(PanelContext& c);
+  void draw_draft_header(PanelContext& c);
+  void draw_splitter(PanelContext& c, float x, float top, float height);
+  void draw_question(PanelContext& c);
+  void take_input();
+  void run_action(const std::string& id);
+  double sleep_s();
+
+  void replace(Document document);
+  void edited();
+  void say(std::string text);
+  void report(std::vector<Diagnostic> remarks, const std::string& path);
+  void ask(Dialog dialog, std::function<void(int button)> then);
+  /// Runs `then` at once, or after the weaver decided about unsaved work.
+  void unless_unsaved(std::function<void()> then);
+  void save_to(const std::string& path, std::function<void()> then);
+  void ask_path(FileAsk what, const std::string& title, const std::string& start,
+                std::function<void(const std::string&)> chosen);
+  void offer_recovery();
+  void restore(const LeftBehind& left);
+  void update_title();
+
+  Window& window_;
+  EditorOptions options_;
+  Settings settings_;
+  Style style_;
+  Workspace work_;
+  Document document_;
+  std::vector<Diagnostic> remarks_;
+  std::vector<Action> actions_;
+  BackgroundWriter writer_;
+  Recovery recovery_;
+  FileDialog file_dialog_;
+  PreviewPane preview_;
+  CellTexture cell_texture_;
+  UiMap map_;
+  UiMapFile map_file_;
+  Orbit camera_;
+  ImVec2 pane_{0, 0};
+  CommandPalette commands_;
+  Dialog dialog_;
+  std::function<void(int)> answer_;
+  std::string message_, title_;
+  bool remarks_open_ = false, leaving_ = false, restyle_ = true, moving_ = false;
+  uint64_t stroke_ = 1;
+  int frames_due_ = 3;
+  double tip_at_s_ = -1;
+};
+
+}  // namespace weftlight

@@ -1,0 +1,209 @@
+// The editor's frame: input, panels, sleep.
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "app/editor.h"
+#include "panels/draft_panel.h"
+#include "panels/palette_panel.h"
+#include "panels/scene_panel.h"
+#include "panels/status_bar.h"
+#include "panels/widgets.h"
+#include "panels/yarn_panel.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;  // pixels at 96 dpi
+constexpr int kFramesAfterEvent = 3;  // a click goes down and up, and what it opened lays itself out
+constexpr double kTipS = 0.5;         // a frame when a tooltip is due
+constexpr double kCaretS = 0.4;       // a text field's caret blinks
+constexpr double kDialogPollS = 0.05;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
+
+bool begin_fixed(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImGuiWindowFlags more = 0) {
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  const bool open = ImGui::Begin(name, nullptr, kFixed | more);
+  ImGui::PopStyleVar();
+  return open;
+}
+
+}  // namespace
+
+void Editor::run() {
+  while (!leaving_) {
+    const bool happened = window_.wait(sleep_s());
+    if (happened) {
+      frames_due_ = kFramesAfterEvent;
+      tip_at_s_ = Window::seconds() + kTipS;
+    }
+    file_dialog_.poll();
+    if (window_.wants_close()) {
+      window_.set_wants_close(false);
+      quit();
+    }
+    frame();
+  }
+  int width = 0, height = 0;
+  window_.size(width, height);
+  settings_.width = width;
+  settings_.height = height;
+  settings_.end1_right = work_.end1_right;
+  settings_.drawdown_style = static_cast<int>(work_.drawdown_style);
+  save_settings(settings_);
+  recovery_.forget(writer_);
+}
+
+double Editor::sleep_s() {
+  if (frames_due_ > 0) return 0;
+  const double now = Window::seconds();
+  double sleep = preview_.next_s(now);
+  const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
+  if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
+  if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
+  if (file_dialog_.waiting()) sooner(kDialogPollS);
+  return sleep;
+}
+
+void Editor::frame() {
+  const double now = Window::seconds();
+  const bool cloth_changed = preview_.poll();
+  const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
+  const double preview_due = preview_.next_s(now);
+  const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || preview_due == 0 || ImGui::GetIO().WantTextInput;
+  if (!draw_now) return;
+  frames_due_ = std::max(0, frames_due_ - 1);
+  if (tip_due) tip_at_s_ = -1;
+  if (restyle_ || now == 0) window_.use_style(style_);
+  restyle_ = false;
+  const float ratio = window_.pixel_ratio();
+  preview_.draw(with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
+                static_cast<int>(pane_.y * ratio), moving_, now);
+  if (std::string error = writer_.take_error(); !error.empty()) say(std::move(error));
+  window_.begin_frame();
+  take_input();
+  draw_window();
+  window_.end_frame(style_.color.window);
+  map_file_.frame(map_);
+  update_title();
+}
+
+void Editor::take_input() {
+  const bool before = moving_;
+  moving_ = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
+  if (moving_ && !before) ++stroke_;
+  const std::vector<std::string> keys = window_.take_keys();
+  const bool typing = ImGui::GetIO().WantTextInput || !std::holds_alternative<std::monostate>(dialog_);
+  for (const std::string& key : keys) {
+    const std::string wanted = key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key;
+    for (const Action& a : actions_)
+      if (!typing && a.item.shortcut == wanted) {
+        run_action(a.item.id);
+        break;
+      }
+  }
+  for (const std::string& path : window_.take_dropped_files()) {
+    open_path(path);
+    break;
+  }
+}
+
+void Editor::draw_window() {
+  map_.clear();
+  PanelContext c{document_.now(), document_.cells(), document_.revision(), style_, map_, work_};
+  // Edits replace the design that the panels look at: the snapshot keeps it until they are through.
+  const auto design = document_.snapshot();
+  ImGui::PushFont(style_.font.text);
+  const std::vector<ActionItem> items = show(actions_, *this);
+  std::string chosen = draw_menu_bar(c, items, title_);
+  draw_panels(c);
+  if (std::string id = draw_command_palette(c, items, commands_); !id.empty()) chosen = id;
+  draw_remarks(c, remarks_, remarks_open_);
+  draw_question(c);
+  ImGui::PopFont();
+  if (!chosen.empty()) run_action(chosen);
+}
+
+void Editor::draw_panels(PanelContext& c) {
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const float x = view->WorkPos.x, y = view->WorkPos.y, status = style_.px(kStatusBar);
+  const float height = view->WorkSize.y - status, inspector = style_.px(kInspector);
+  const float room = view->WorkSize.x - inspector;
+  const float split = static_cast<float>(static_cast<int>(room * settings_.split));
+  MaybeEdit edit;
+  const auto take = [&edit](MaybeEdit made) {
+    if (made) edit = std::move(made);
+  };
+
+  begin_fixed("Draft", {x, y}, {split, height}, {0, 0}, ImGuiWindowFlags_NoScrollWithMouse);
+  draw_draft_header(c);
+  take(draw_draft(c, cell_texture_));
+  ImGui::End();
+  draw_splitter(c, x + split, y, height);
+
+  const float gap = style_.px(kSplitter);
+  begin_fixed("Cloth", {x + split + gap, y}, {room - split - gap, height}, {0, 0}, ImGuiWindowFlags_NoScrollWithMouse);
+  const ImVec2 pane = pane_;
+  take(draw_preview(c, preview_.picture(), camera_, pane_));
+  if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
+  ImGui::End();
+
+  begin_fixed("Inspector", {x + room, y}, {inspector, height}, {style_.px(16), style_.px(8)});
+  // The scrollbar's place is kept free, so that nothing jumps when it comes.
+  take(draw_palette(c));
+  take(draw_yarns(c));
+  take(draw_scene(c));
+  ImGui::End();
+
+  begin_fixed("Status", {x, y + height}, {view->WorkSize.x, status}, {style_.px(14), style_.px(6)});
+  if (draw_status_bar(c, message_, remarks_)) remarks_open_ = !remarks_open_;
+  ImGui::End();
+  if (edit) commit(*edit);
+}
+
+void Editor::draw_draft_header(PanelContext& c) {
+  const Design& d = c.design;
+  const ImVec2 at = ImGui::GetCursorPos();
+  const float width = ImGui::GetWindowWidth(), look = style_.px(230);
+  ImGui::SetCursorPos({at.x + style_.px(14), at.y + style_.px(10)});
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(style_.font.bold);
+  ImGui::TextUnformatted(d.title.empty() ? document_.name().c_str() : d.title.c_str());
+  ImGui::PopFont();
+  ImGui::SameLine(std::max(style_.px(100), width - look - style_.px(14)));
+  constexpr const char* kLooks[] = {"Threads", "Colour", "Structure"};
+  int chosen = static_cast<int>(work_.drawdown_style);
+  if (segmented(c, "look", kLooks, chosen, look)) work_.drawdown_style = static_cast<DrawdownStyle>(chosen);
+  ImGui::SetCursorPos({at.x, at.y + style_.px(10) + ImGui::GetFrameHeight() + style_.px(8)});
+}
+
+void Editor::draw_splitter(PanelContext& c, float x, float top, float height) {
+  begin_fixed("Splitter", {x, top}, {style_.px(kSplitter), height}, {0, 0});
+  ImGui::InvisibleButton("split", {style_.px(kSplitter), height});
+  c.map.add_item("split");
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActive()) {
+    const float room = ImGui::GetMainViewport()->WorkSize.x - style_.px(kInspector);
+    settings_.split = std::clamp(settings_.split + ImGui::GetIO().MouseDelta.x / room, 0.2f, 0.8f);
+  }
+  const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
+  const float middle = x + static_cast<float>(static_cast<int>(style_.px(kSplitter) / 2));
+  ImGui::GetWindowDrawList()->AddRectFilled({middle, top}, {middle + 1, top + height}, color);
+  ImGui::End();
+}
+
+void Editor::draw_question(PanelContext& c) {
+  const DialogAnswer answer = draw_dialog(c, dialog_);
+  if (answer.answer == Answer::kNone) return;
+  frames_due_ = std::max(frames_due_, 2);
+  const auto then = std::exchange(answer_, nullptr);
+  if (answer.answer == Answer::kDone && then) then(answer.button);
+  // The answer may have asked the next question.
+  if (!answer_) dialog_ = {};
+}
+
+}  // namespace weftlight

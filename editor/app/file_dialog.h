@@ -1,0 +1,28 @@
+#pragma once
+// The system's file dialog, through zenity, which runs beside the window.
+
+#include <functional>
+#include <future>
+#include <optional>
+#include <string>
+
+namespace weftlight {
+
+enum class FileAsk { kOpen, kSave };
+
+class FileDialog {
+ public:
+  /// False without zenity: ask inside the window instead.
+  static bool is_there();
+  void ask(FileAsk what, const std::string& title, const std::string& start,
+           std::function<void(const std::string&)> chosen);
+  bool waiting() const { return answer_.valid(); }
+  /// Calls `chosen` once an answer has come.
+  void poll();
+
+ private:
+  std::future<std::string> answer_;  // empty: left without a choice
+  std::function<void(const std::string&)> chosen_;
+};
+
+}  // namespace weftlight

@@ -1,0 +1,25 @@
+#pragma once
+// The --ui-map file: where everything is, rewritten after a frame that moved something.
+
+#include <cstdint>
+#include <string>
+
+#include "panels/ui_map.h"
+
+namespace weftlight {
+
+std::string ui_map_json(const UiMap& map, uint64_t frame);
+
+class UiMapFile {
+ public:
+  explicit UiMapFile(std::string path) : path_(std::move(path)) {}
+  /// Counts the frame; writes when the map is not the last one written.
+  void frame(const UiMap& map);
+
+ private:
+  std::string path_;
+  UiMap last_;
+  uint64_t frame_ = 0;
+};
+
+}  // namespace weftlight

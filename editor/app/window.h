@@ -1,0 +1,52 @@
+#pragma once
+// The system's window with an OpenGL 3.3 core context and ImGui in it. It sleeps until something happens.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "panels/style.h"
+
+struct GLFWwindow;
+
+namespace weftlight {
+
+class Window {
+ public:
+  /// Null with `error` set without a display or without OpenGL 3.3.
+  static std::unique_ptr<Window> open(int width, int height, std::string& error);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Sleeps up to `seconds` (negative: as long as nothing happens); true when something happened.
+  bool wait(double seconds);
+  bool wants_close() const;
+  void set_wants_close(bool close);
+  void set_title(const std::string& title);
+
+  /// Fonts and ImGui's style anew when the theme or the display's scale changed.
+  void use_style(Style& style);
+  void begin_frame();
+  void end_frame(ImU32 background);
+
+  /// Keys pressed since the last call, as shortcuts are written: "Ctrl+Shift+S".
+  std::vector<std::string> take_keys();
+  std::vector<std::string> take_dropped_files();
+  /// Framebuffer pixels a window unit (2 on a Retina display, else 1).
+  float pixel_ratio() const;
+  /// Size in window units.
+  void size(int& width, int& height) const;
+  static double seconds();
+
+ private:
+  Window() = default;
+  float display_scale() const;
+
+  GLFWwindow* window_ = nullptr;
+  bool happened_ = true;
+  float fonts_for_ = 0;
+  std::vector<std::string> keys_, dropped_;
+};
+
+}  // namespace weftlight

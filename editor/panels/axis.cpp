@@ -1,0 +1,72 @@
+#include "panels/axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weftlight {
+namespace {
+
+constexpr float kSmallestPitch = 0.02f;  // 100,000 threads in 2,000 pixels
+constexpr float kLargestPitch = 48.0f;
+
+/// Pixels from index 0's side of the pane to the near edge of cell i.
+float offset(const Axis& a, int i) { return std::round((static_cast<float>(i) - a.scroll) * a.pitch); }
+
+}  // namespace
+
+float Axis::low(int i) const {
+  return reversed ? start + length - offset(*this, i + 1) : start + offset(*this, i);
+}
+
+float Axis::high(int i) const {
+  return reversed ? start + length - offset(*this, i) : start + offset(*this, i + 1);
+}
+
+int Axis::at(float pixel) const {
+  if (pixel < start || pixel >= start + length) return -1;
+  const float along = reversed ? start + length - pixel : pixel - start;
+  const float cell = along / pitch + scroll;
+  return cell >= 0 && cell < static_cast<float>(count) ? static_cast<int>(cell) : -1;
+}
+
+int Axis::nearest(float pixel) const {
+  const float along = reversed ? start + length - pixel : pixel - start;
+  const int cell = static_cast<int>(std::floor(along / pitch + scroll));
+  const int last = end_visible() - 1;
+  return count == 0 ? -1 : std::clamp(cell, std::min(first_visible(), last), last);
+}
+
+int Axis::first_visible() const { return std::clamp(static_cast<int>(std::floor(scroll)), 0, count); }
+
+int Axis::end_visible() const {
+  return std::clamp(static_cast<int>(std::ceil(scroll + length / pitch)), 0, count);
+}
+
+float clamp_scroll(const Axis& axis, float scroll) {
+  const float most = std::max(0.0f, static_cast<float>(axis.count) - axis.length / axis.pitch);
+  return std::clamp(scroll, 0.0f, most);
+}
+
+float scroll_about(const Axis& axis, float pixel, float new_pitch) {
+  const float along = axis.reversed ? axis.start + axis.length - pixel : pixel - axis.start;
+  return axis.scroll + along / axis.pitch - along / new_pitch;
+}
+
+float zoomed_pitch(float pitch, float steps) {
+  float next = pitch * std::pow(1.2f, steps);
+  if (next >= 2) {
+    next = std::round(next);
+    if (next == pitch && steps != 0) next += steps > 0 ? 1.0f : -1.0f;
+  }
+  return std::clamp(next, kSmallestPitch, kLargestPitch);
+}
+
+int label_step(float pitch, float pixels) {
+  constexpr int kFirst[] = {1, 2, 5};
+  for (int ten = 1; ten <= 100000; ten *= 10)
+    for (int f : kFirst)
+      if (static_cast<float>(f * ten) * pitch >= pixels) return f * ten;
+  return 1000000;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <vector>
+
+#include "panels/action_list.h"
+#include "panels/widgets.h"
+
+namespace weftlight {
+namespace {
+
+std::vector<std::string> menus_of(std::span<const ActionItem> items) {
+  std::vector<std::string> menus;
+  for (const ActionItem& item : items)
+    if (!item.menu.empty() && (menus.empty() || menus.back() != item.menu)) menus.push_back(item.menu);
+  return menus;
+}
+
+std::string draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu) {
+  std::string chosen;
+  const bool open = ImGui::BeginMenu(menu.c_str());
+  c.map.add_item("menu:" + menu);
+  if (!open) return chosen;
+  bool first = true;
+  for (const ActionItem& item : items) {
+    if (item.menu != menu) continue;
+    if (item.group && !first) ImGui::Separator();
+    first = false;
+    if (ImGui::MenuItem(item.label.c_str(), item.shortcut.c_str(), item.checked, item.enabled)) chosen = item.id;
+    c.map.add_item("menu." + item.id);
+  }
+  ImGui::EndMenu();
+  return chosen;
+}
+
+std::string draw_toolbar(const PanelContext& c, std::span<const ActionItem> items) {
+  std::string chosen;
+  for (const ActionItem& item : items) {
+    if (item.icon.empty()) continue;
+    const std::string tip = item.shortcut.empty() ? item.label : item.label + "   " + item.shortcut;
+    if (icon_button(c, item.id.c_str(), item.icon.c_str(), item.label.c_str(), tip.c_str(), item.enabled))
+      chosen = item.id;
+  }
+  return chosen;
+}
+
+void draw_title(const PanelContext& c, const std::string& title, float left) {
+  const float width = ImGui::GetWindowWidth();
+  const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+  const float x = std::max(left + c.style.px(24), (width - size.x) / 2);
+  const ImVec2 at = ImGui::GetWindowPos();
+  ImGui::GetWindowDrawList()->AddText({at.x + static_cast<float>(static_cast<int>(x)),
+                                       at.y + static_cast<float>(static_cast<int>((ImGui::GetFrameHeight() - size.y) / 2))},
+                                      c.style.color.muted, title.c_str());
+}
+
+}  // namespace
+
+std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title) {
+  std::string chosen;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(8), c.style.px(9)});
+  if (ImGui::BeginMainMenuBar()) {
+    for (const std::string& menu : menus_of(items))
+      if (std::string id = draw_menu(c, items, menu); !id.empty()) chosen = id;
+    ImGui::Dummy({c.style.px(12), 0});
+    if (std::string id = draw_toolbar(c, items); !id.empty()) chosen = id;
+    draw_title(c, title, ImGui::GetCursorPosX());
+    ImGui::EndMainMenuBar();
+  }
+  ImGui::PopStyleVar();
+  return chosen;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,72 @@
+#pragma once
+// What every panel gets and gives: it draws one view of the design and returns the edit that the weaver
+// asked for, if any. Panels never touch files, nor change the design themselves.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "draft/design.h"
+#include "draft/drawdown.h"
+#include "panels/style.h"
+#include "panels/ui_map.h"
+
+namespace weftlight {
+
+/// A change of the design, with the label that undo shows.
+struct Edit {
+  std::string label;
+  std::function<Design(Design)> apply;
+};
+using MaybeEdit = std::optional<Edit>;
+
+enum class GridId {
+  kNone, kThreading, kTieup, kTreadling, kLiftplan, kDrawdown, kWarpColors, kWeftColors
+};
+/// Name in the --ui-map, also the label of its strokes.
+const char* grid_name(GridId grid);
+
+/// A cell: a is along the screen's x, b along its y. threading (end, shaft), tieup (treadle, shaft),
+/// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick), warp_colors (end, 0),
+/// weft_colors (0, pick). -1: none.
+struct Cell {
+  int a = -1, b = -1;
+  bool valid() const { return a >= 0 && b >= 0; }
+  bool operator==(const Cell&) const = default;
+};
+
+enum class DrawdownStyle { kThreads, kColor, kStructure };
+enum class BarPaint { kColor, kYarn };
+
+/// A drag that paints: the value is that of the first cell, turned over.
+struct Stroke {
+  GridId grid = GridId::kNone;
+  bool on = true;
+  Cell last;
+};
+
+/// What the window remembers of the view and the design does not hold.
+struct Workspace {
+  float pitch = 0;  // pixels a thread; 0: choose so that the draft fits
+  float scroll_end = 0, scroll_pick = 0, scroll_shaft = 0, scroll_treadle = 0;
+  bool end1_right = true;
+  DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
+  Face face = Face::kFront;
+  BarPaint bar_paint = BarPaint::kColor;
+  int color = 0, yarn = 0;  // what the colour bars are painted with
+  GridId hover_grid = GridId::kNone;
+  Cell hover;
+  Stroke stroke;
+};
+
+struct PanelContext {
+  const Design& design;
+  const BitMatrix& cells;  // drawdown of the design, front face
+  uint64_t revision;       // grows whenever the design changes
+  const Style& style;
+  UiMap& map;
+  Workspace& work;
+};
+
+}  // namespace weftlight

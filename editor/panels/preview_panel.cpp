@@ -1,0 +1,131 @@
+#include "panels/preview_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/scene_panel.h"
+#include "panels/widgets.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kDegreesAPixel = 0.35f;
+constexpr float kNearest = 0.01f, kFurthest = 8.0f;
+
+float wrapped(float degrees) { return degrees - 360 * std::floor((degrees + 180) / 360); }
+
+Edit move_light(ImVec2 by, float degrees_a_px) {
+  return {"Move light", [=](Design d) {
+            d.scene.light_azimuth = wrapped(d.scene.light_azimuth + by.x * degrees_a_px);
+            d.scene.light_elevation = std::clamp(d.scene.light_elevation - by.y * degrees_a_px, 0.0f, 90.0f);
+            return d;
+          }};
+}
+
+bool light_key_down() {
+  // ImGui 1.86 knows keys by the window system's codes; GLFW's for a letter is its capital.
+  return ImGui::IsKeyDown('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
+}
+
+MaybeEdit drag(const PanelContext& c, Orbit& camera, ImVec2 size) {
+  const ImVec2 by = ImGui::GetIO().MouseDelta;
+  if (by.x == 0 && by.y == 0) return {};
+  const float per_px = kDegreesAPixel / c.style.scale;
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down())) return move_light(by, per_px);
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift)) {
+    camera.pan_x += by.x / size.x;
+    camera.pan_y -= by.y / size.x;
+  } else if (left) {
+    camera = orbited(camera, by.x, by.y, per_px);
+  }
+  return {};
+}
+
+void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
+  ImFont* font = c.style.font.small;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float x = c.style.px(8), y = c.style.px(4);
+  dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y}, with_alpha(c.style.color.panel, 0.82f),
+                    c.style.px(5));
+  dl->AddText(font, font->FontSize, at, c.style.color.muted, text.c_str());
+}
+
+std::string stats_line(const PreviewPicture& p) {
+  std::string line = method_label(p.stats.method);
+  line += "   " + fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms";
+  if (p.stats.yarns_per_pixel > 0) {
+    const bool near_by = p.stats.yarns_per_pixel < 1;
+    line += near_by ? "   " + fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn"
+                    : "   " + fixed(p.stats.yarns_per_pixel, 1) + " yarns a px";
+  }
+  return p.busy ? line + "   weaving\xE2\x80\xA6" : line;
+}
+
+void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& text) {
+  const float width = std::min(b.x - a.x - c.style.px(48), c.style.px(420));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  ImGui::GetWindowDrawList()->AddText(c.style.font.text, c.style.font.text->FontSize,
+                                      {(a.x + b.x - size.x) / 2, (a.y + b.y - size.y) / 2}, c.style.color.muted,
+                                      text.c_str(), nullptr, width);
+}
+
+}  // namespace
+
+Orbit orbit_of(const Scene& s) {
+  return {s.view_azimuth, s.view_elevation, s.view_distance, s.pan_x, s.pan_y};
+}
+
+Scene with_orbit(Scene s, const Orbit& camera) {
+  s.view_azimuth = camera.azimuth;
+  s.view_elevation = camera.elevation;
+  s.view_distance = camera.distance;
+  s.pan_x = camera.pan_x;
+  s.pan_y = camera.pan_y;
+  return s;
+}
+
+Orbit orbited(Orbit camera, float dx_px, float dy_px, float degrees_a_px) {
+  camera.azimuth = wrapped(camera.azimuth - dx_px * degrees_a_px);
+  camera.elevation = std::clamp(camera.elevation + dy_px * degrees_a_px, -89.0f, 89.0f);
+  return camera;
+}
+
+Orbit zoomed(Orbit camera, float steps, float x, float y) {
+  const float next = std::clamp(camera.distance * std::pow(0.88f, steps), kNearest, kFurthest);
+  const float grow = camera.distance / next;
+  camera.pan_x = x - (x - camera.pan_x) * grow;
+  camera.pan_y = y - (y - camera.pan_y) * grow;
+  camera.distance = next;
+  return camera;
+}
+
+MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& camera, ImVec2& pane) {
+  const ImVec2 a = ImGui::GetCursorScreenPos();
+  pane = ImGui::GetContentRegionAvail();
+  const ImVec2 b{a.x + pane.x, a.y + pane.y};
+  if (pane.x < 8 || pane.y < 8) return {};
+  ImGui::InvisibleButton("view", pane,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  c.map.add_item("view");
+  MaybeEdit edit;
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) edit = drag(c, camera, pane);
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+    camera = zoomed(camera, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x, ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) camera = orbit_of(c.design.scene);
+
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  if (picture.texture != 0) {
+    dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.texture)), a, b, {0, 1}, {1, 0});
+    draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, stats_line(picture));
+  } else {
+    dl->AddRectFilled(a, b, to_u32(c.design.scene.background));
+  }
+  if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);
+  else if (!picture.problem.empty()) draw_note(c, {a.x + c.style.px(16), a.y + c.style.px(12)}, picture.problem);
+  return edit;
+}
+
+}  // namespace weftlight

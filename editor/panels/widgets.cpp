@@ -1,0 +1,198 @@
+#include "panels/widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace weftlight {
+namespace {
+
+constexpr float kLabelColumn = 104, kFigureColumn = 70, kRest = 0.45f;
+
+void draw_track(const PanelContext& c, const SliderSpec& spec, float value, ImVec2 a, ImVec2 b, bool lit) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float share = spec.logarithmic
+                          ? std::log1p((value - spec.min) * 20 / (spec.max - spec.min)) / std::log1p(20.0f)
+                          : (value - spec.min) / (spec.max - spec.min);
+  const float y = static_cast<float>(static_cast<int>((a.y + b.y) / 2)), r = c.style.px(lit ? 7 : 6);
+  const float x = a.x + r + (b.x - a.x - 2 * r) * std::clamp(share, 0.0f, 1.0f), h = c.style.px(2);
+  dl->AddRectFilled({a.x, y - h}, {b.x, y + h}, blend(c.style.color.panel, c.style.color.text, 0.14f), h);
+  dl->AddRectFilled({a.x, y - h}, {x, y + h}, c.style.color.accent, h);
+  dl->AddCircleFilled({x, y}, r, c.style.dark ? c.style.color.text : c.style.color.raised);
+  dl->AddCircle({x, y}, r, lit ? c.style.color.accent : c.style.color.line_strong, 0, 1.2f);
+}
+
+/// The slider's place along its track, 0..1, as draw_track shows it, and back.
+float value_at(const SliderSpec& s, float share) {
+  share = std::clamp(share, 0.0f, 1.0f);
+  if (s.logarithmic) share = std::expm1(share * std::log1p(20.0f)) / 20.0f;
+  return s.min + (s.max - s.min) * share;
+}
+
+bool drag_track(const PanelContext& c, const SliderSpec& spec, ImVec2 a, ImVec2 b, float& value) {
+  if (!ImGui::IsItemActive()) return false;
+  const float r = c.style.px(6);
+  const float next = value_at(spec, (ImGui::GetIO().MousePos.x - a.x - r) / std::max(1.0f, b.x - a.x - 2 * r));
+  if (next == value || (!ImGui::IsItemActivated() && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))) return false;
+  value = next;
+  return true;
+}
+
+/// The figure: click it to type.
+bool figure(const PanelContext& c, const SliderSpec& spec, float& value) {
+  ImGui::PushFont(c.style.font.mono_small);
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  float typed = value;
+  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max,
+                                        spec.format, ImGuiSliderFlags_AlwaysClamp);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  if (changed) value = typed;
+  return changed;
+}
+
+}  // namespace
+
+bool slider(const PanelContext& c, const SliderSpec& spec, float& value) {
+  ImGui::PushID(spec.id);
+  row_label(c, spec.label, spec.tip);
+  const float width = std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn));
+  ImGui::InvisibleButton("track", {width, ImGui::GetFrameHeight()});
+  c.map.add_item(spec.id);
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+  bool changed = drag_track(c, spec, a, b, value);
+  draw_track(c, spec, value, a, b, ImGui::IsItemHovered() || ImGui::IsItemActive());
+  tooltip(c, spec.tip);
+  ImGui::SameLine();
+  changed |= figure(c, spec, value);
+  ImGui::PopID();
+  return changed;
+}
+
+void row_label(const PanelContext& c, const char* label, const char* tip) {
+  ImGui::AlignTextToFramePadding();
+  const float x = ImGui::GetCursorPosX();
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::TextUnformatted(label);
+  ImGui::PopStyleColor();
+  tooltip(c, tip);
+  ImGui::SameLine(x + c.style.px(kLabelColumn));
+}
+
+bool segmented(const PanelContext& c, const char* id, std::span<const char* const> labels, int& chosen, float width) {
+  const auto count = static_cast<int>(labels.size());
+  if (width <= 0) width = ImGui::GetContentRegionAvail().x;
+  const float h = ImGui::GetFrameHeight(), each = static_cast<float>(static_cast<int>(width / static_cast<float>(count)));
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float r = ImGui::GetStyle().FrameRounding;
+  dl->AddRectFilled(at, {at.x + each * static_cast<float>(count), at.y + h},
+                    blend(c.style.color.panel, c.style.color.text, 0.08f), r);
+  bool changed = false;
+  ImGui::PushID(id);
+  for (int i = 0; i < count; ++i) {
+    const ImVec2 a{at.x + each * static_cast<float>(i), at.y}, b{a.x + each, a.y + h};
+    ImGui::SetCursorScreenPos(a);
+    if (ImGui::InvisibleButton(labels[static_cast<size_t>(i)], {each, h}) && chosen != i) {
+      chosen = i;
+      changed = true;
+    }
+    c.map.add_item(std::string(id) + ":" + labels[static_cast<size_t>(i)]);
+    const bool on = chosen == i;
+    if (on) {
+      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
+      dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
+    }
+    const ImVec2 size = ImGui::CalcTextSize(labels[static_cast<size_t>(i)]);
+    dl->AddText({static_cast<float>(static_cast<int>((a.x + b.x - size.x) / 2)),
+                 static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))},
+                on || ImGui::IsItemHovered() ? c.style.color.text : c.style.color.muted,
+                labels[static_cast<size_t>(i)]);
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+bool section(const PanelContext& c, const char* id, const char* label, bool open_at_first) {
+  ImGuiStorage* memory = ImGui::GetStateStorage();
+  const ImGuiID key = ImGui::GetID(id);
+  bool open = memory->GetBool(key, open_at_first);
+  ImGui::Dummy({0, c.style.px(2)});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, h = ImGui::GetFrameHeight();
+  if (ImGui::InvisibleButton(id, {width, h})) memory->SetBool(key, open = !open);
+  c.map.add_item(id);
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  dl->AddRectFilled({at.x, at.y - c.style.px(3)}, {at.x + width, at.y - c.style.px(3) + 1}, c.style.color.line);
+  ImFont* font = c.style.font.bold;
+  const float x = at.x + c.style.px(14);
+  dl->AddText(font, font->FontSize, {x, at.y + (h - font->FontSize) / 2}, c.style.color.text, label);
+  // A small triangle that points right when shut and down when open.
+  const float r = c.style.px(4);
+  const ImVec2 m{at.x + r + 1, at.y + h / 2};
+  if (open) dl->AddTriangleFilled({m.x - r, m.y - r / 2}, {m.x + r, m.y - r / 2}, {m.x, m.y + r * 0.7f}, c.style.color.muted);
+  else dl->AddTriangleFilled({m.x - r / 2, m.y - r}, {m.x - r / 2, m.y + r}, {m.x + r * 0.7f, m.y}, c.style.color.muted);
+  return open;
+}
+
+bool icon_button(const PanelContext& c, const char* id, const char* icon, const char* word, const char* tip,
+                 bool enabled) {
+  ImGui::PushID(id);
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  const bool glyph = c.style.font.icons;
+  const float side = ImGui::GetFrameHeight();
+  const bool pressed = ImGui::Button(glyph ? icon : word, glyph ? ImVec2{side + c.style.px(4), side} : ImVec2{0, 0});
+  ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  ImGui::PopID();
+  c.map.add_item(id);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(c, tip);
+  return pressed;
+}
+
+bool text_button(const PanelContext& c, const char* id, const char* label, const char* tip) {
+  ImGui::PushID(id);
+  const bool pressed = ImGui::Button(label);
+  ImGui::PopID();
+  c.map.add_item(id);
+  tooltip(c, tip);
+  return pressed;
+}
+
+void tooltip(const PanelContext& c, const char* tip) {
+  if (tip == nullptr || *tip == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (ImGui::IsItemActive() || GImGui->HoveredIdTimer < kRest) {
+    // Text has no id and so no timer: it answers at once.
+    if (ImGui::IsItemActive() || GImGui->HoveredId != 0) return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
+  ImGui::PushFont(c.style.font.small);
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(c.style.px(280));
+  ImGui::TextUnformatted(tip);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopFont();
+  ImGui::PopStyleVar();
+}
+
+void muted_text(const PanelContext& c, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+std::string fixed(float value, int decimals) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", decimals, static_cast<double>(value));
+  return text;
+}
+
+}  // namespace weftlight

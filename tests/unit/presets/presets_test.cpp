@@ -1,0 +1,85 @@
+// The shipped drafts and yarns are what their recipes give, and cloth that a weaver would weave.
+// WEFTLIGHT_UPDATE_PRESETS=1 writes the files anew.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "draft/analysis.h"
+#include "draft/layers.h"
+#include "recipes.h"
+#include "wif/wif.h"
+
+namespace weftlight {
+namespace {
+
+std::string presets_path(const std::string& path) {
+  return (std::filesystem::path(WEFTLIGHT_TESTS_DIR).parent_path() / "presets" / path).string();
+}
+
+bool updating() {
+  return std::getenv("WEFTLIGHT_UPDATE_PRESETS") != nullptr;
+}
+
+TEST(Presets, FilesAreWhatTheRecipesGive) {
+  for (const PresetRecipe& recipe : preset_recipes()) {
+    const std::string path = presets_path(recipe.path), bytes = write_new_wif(recipe.design);
+    if (updating()) {
+      std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+      ASSERT_EQ(write_file_atomically(path, bytes), "");
+    }
+    const FileBytes file = read_file(path);
+    ASSERT_EQ(file.error, "") << path;
+    EXPECT_EQ(file.bytes, bytes) << path << ": run presets_test with WEFTLIGHT_UPDATE_PRESETS=1";
+  }
+}
+
+TEST(Presets, FilesReadWithoutAComplaint) {
+  for (const PresetRecipe& recipe : preset_recipes()) {
+    const WifRead read = read_wif(read_file(presets_path(recipe.path)).bytes);
+    ASSERT_TRUE(read.file) << recipe.path;
+    EXPECT_TRUE(is_consistent(read.file->design)) << recipe.path;
+    for (const Diagnostic& d : read.diagnostics) {
+      ADD_FAILURE() << recipe.path << ":" << d.line << ": " << d.text << " " << d.remedy;
+    }
+    EXPECT_EQ(read.file->design, recipe.design) << recipe.path;
+  }
+}
+
+TEST(Presets, NoStrayFiles) {
+  const auto recipes = preset_recipes();
+  for (const char* folder : {"drafts", "yarns"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(presets_path(folder))) {
+      const std::string path = std::string(folder) + "/" + entry.path().filename().string();
+      EXPECT_TRUE(std::ranges::any_of(recipes, [&](const PresetRecipe& r) { return r.path == path; }))
+          << path;
+    }
+  }
+}
+
+TEST(Presets, AreSoundCloth) {
+  for (const PresetRecipe& recipe : preset_recipes()) {
+    const Design& d = recipe.design;
+    ASSERT_TRUE(is_consistent(d)) << recipe.path;
+    const BitMatrix cells = drawdown(d.draft);
+    const LongestFloats f = longest_floats(cells);
+    const auto [least, most] = std::minmax({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
+    EXPECT_GE(least, 1) << recipe.path << ": a thread is never bound";
+    EXPECT_LE(most, 8) << recipe.path << ": a float would catch";
+    EXPECT_TRUE(hangs_together(cells)) << recipe.path;
+    // The sheet of the draft holds whole repeats, so that it can be laid side by side.
+    const Repeat r = design_repeat(d, cells);
+    EXPECT_EQ(d.draft.ends() % r.ends, 0);
+    for (const System system : {System::kWarp, System::kWeft}) {
+      for (const float mm : d.draft.threads(system).spacing_mm) {
+        EXPECT_GT(mm, 0.1f) << recipe.path;
+        EXPECT_LT(mm, 2.0f) << recipe.path;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace weftlight

@@ -53,6 +53,10 @@ std::string presets_dir();
 /// A shipped drape by name (presets/meshes/NAME.glb) or a file by path.
 ReadMesh load_drape(const std::string& name_or_path);
 
+/// Writes a line of text into an image, (x, y) the left end of its base line, `size` texels high. Needs a
+/// font of the system (third_party/packages.txt brings one); without any the image stays as it is.
+void draw_text(Image& image, int x, int y, int size, const std::string& text, const std::vector<float>& colour);
+
 /// PNG bytes in memory, for embedding.
 std::vector<unsigned char> encode_png(const Image& image, PixelType type = PixelType::kU8);
 

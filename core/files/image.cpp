@@ -66,6 +66,15 @@ OIIO::ImageSpec spec_for(const Image& image, PixelType type) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, type_desc(type));
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("png:compressionLevel", kPngLevel);
+  if (image.channels > 4) {  // EXR sorts channels by name: these names keep their order
+    spec.channelnames.clear();
+    for (int c = 0; c < image.channels; ++c) {
+      std::string name = std::to_string(1000 + c);
+      name[0] = 'c';
+      spec.channelnames.push_back(name);
+    }
+    spec.alpha_channel = -1;
+  }
   return spec;
 }
 

@@ -1,0 +1,150 @@
+#include "texture_set/contact_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "texture_set/rows.h"
+
+namespace weftlight {
+namespace {
+
+// Texels of the sheet.
+constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40, kColumns = 4;
+constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f, 0.17f}, kFaint{0.45f, 0.45f, 0.45f};
+
+std::vector<float> ink(const std::array<float, 3>& c) { return {c.begin(), c.end()}; }
+
+using Three = std::array<float, 3>;
+float dot(const Three& a, const Three& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Three unit(const Three& v) {
+  const float length = std::sqrt(std::max(dot(v, v), 1e-12f));
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+/// Diffuse, a wide highlight of the texel's anisotropic GGX, and a soft sky; for show, not for measure.
+Linear lit(const SurfaceTexel& t) {
+  static const Three light = unit({-0.55f, 0.55f, 0.63f}), eye{0, 0, 1};
+  static const Three half = unit({light[0] + eye[0], light[1] + eye[1], light[2] + eye[2]});
+  const GgxAlphas a = ggx_alphas(t);
+  const float wide = std::max(a.wide, 0.05f), narrow = std::max(a.narrow, 0.05f);
+  const Three wx = unit({a.wide_axis[0], a.wide_axis[1], -(a.wide_axis[0] * t.normal[0] + a.wide_axis[1] * t.normal[1]) / std::max(t.normal[2], 0.2f)});
+  const Three wy{t.normal[1] * wx[2] - t.normal[2] * wx[1], t.normal[2] * wx[0] - t.normal[0] * wx[2], t.normal[0] * wx[1] - t.normal[1] * wx[0]};
+  const float hx = dot(half, wx) / wide, hy = dot(half, wy) / narrow, hz = dot(half, t.normal);
+  const float q = hx * hx + hy * hy + hz * hz;
+  const float d = 1 / (3.14159265f * wide * narrow * q * q);
+  const float falling = std::max(dot(t.normal, light), 0.0f);
+  const float shine = 0.25f * d * falling;
+  const float sky = 0.42f * t.occlusion * (0.6f + 0.4f * t.normal[2]);
+  auto channel = [&](float base, float sheen) {
+    const float f0 = 0.044f + (base - 0.044f) * t.metal;
+    return t.coverage * (base * (1 - t.metal) * (1.25f * falling * (0.35f + 0.65f * t.occlusion) + sky) + f0 * (shine + sky) + 0.15f * sheen * sky);
+  };
+  return {channel(t.base.r, t.sheen.r), channel(t.base.g, t.sheen.g), channel(t.base.b, t.sheen.b)};
+}
+
+void put(Image& image, int x, int y, float r, float g, float b) {
+  float* at = image.texels.data() + (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) * 3;
+  at[0] = r, at[1] = g, at[2] = b;
+}
+
+/// Rows of colour of an image as RGB for show: one channel is grey; heights and horizons are stretched to
+/// their range; alpha is left out.
+struct Shown {
+  const Image& image;
+  float low = 0, scale = 1;
+  explicit Shown(const Image& shown) : image(shown) {
+    const auto [least, most] = std::minmax_element(image.texels.begin(), image.texels.end());
+    if (least != image.texels.end() && (*least < 0 || *most > 1 || image.channels > 4)) {
+      low = *least;
+      scale = 1 / std::max(*most - *least, 1e-6f);
+    }
+  }
+  float at(int x, int y, int c) const {
+    const int from = image.channels >= 3 ? c : image.channels == 2 ? std::min(c, 1) : 0;
+    return (image.texels[(static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) * static_cast<size_t>(image.channels) + static_cast<size_t>(from)] - low) * scale;
+  }
+};
+
+/// The image within a square of the sheet, in its own proportions, each texel the mean of what it covers.
+void place(Image& sheet, int left, int top, int side_x, int side_y, const Image& image) {
+  const float fit = std::min(static_cast<float>(side_x) / static_cast<float>(image.width), static_cast<float>(side_y) / static_cast<float>(image.height));
+  const int width = std::max(static_cast<int>(static_cast<float>(image.width) * fit), 1);
+  const int height = std::max(static_cast<int>(static_cast<float>(image.height) * fit), 1);
+  const Shown shown(image);
+  for (int y = 0; y < height; ++y) {
+    const int y0 = y * image.height / height, y1 = std::max((y + 1) * image.height / height, y0 + 1);
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * image.width / width, x1 = std::max((x + 1) * image.width / width, x0 + 1);
+      std::array<float, 3> sum{};
+      for (int j = y0; j < y1; ++j) {
+        for (int i = x0; i < x1; ++i) {
+          for (int c = 0; c < 3; ++c) sum[static_cast<size_t>(c)] += shown.at(i, j, c);
+        }
+      }
+      const float share = 1.0f / static_cast<float>((y1 - y0) * (x1 - x0));
+      put(sheet, left + x, top + y, sum[0] * share, sum[1] * share, sum[2] * share);
+    }
+  }
+}
+
+}  // namespace
+
+Image lit_swatch(const Surface& surface, int width, int height, float repeats_across) {
+  const int w = surface.texels.width, h = surface.texels.height;
+  Plane<Linear> radiance(w, h);
+  for_rows(h, [&](int y) {
+    for (int x = 0; x < w; ++x) radiance.at(x, y) = lit(surface.texels.at(x, y));
+  });
+  Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
+  const float mm = repeats_across * surface.width_mm / static_cast<float>(width);  // of a texel of the swatch
+  const float step_x = mm / surface.width_mm * static_cast<float>(w), step_y = mm / surface.depth_mm * static_cast<float>(h);
+  const int taps = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y))), 2, 8);
+  for_rows(height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      Linear sum;
+      for (int j = 0; j < taps; ++j) {
+        for (int i = 0; i < taps; ++i) {
+          const float fx = (static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(taps)) * step_x;
+          const float fy = (static_cast<float>(height - 1 - y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps)) * step_y;
+          const Linear& c = radiance.at(static_cast<int>(fx) % w, static_cast<int>(fy) % h);
+          sum.r += c.r, sum.g += c.g, sum.b += c.b;
+        }
+      }
+      const float share = 1.0f / static_cast<float>(taps * taps);
+      const Rgb c = srgb_from_linear({std::min(sum.r * share, 1.0f), std::min(sum.g * share, 1.0f), std::min(sum.b * share, 1.0f)});
+      put(out, x, y, c.r, c.g, c.b);
+    }
+  });
+  return out;
+}
+
+Image contact_sheet(const std::string& title, const std::string& facts, const Surface& front,
+                    const std::vector<SheetEntry>& entries) {
+  // The lit swatch takes two columns and two rows; the images flow around it.
+  const int cell = kTile + kLabel + kGap;
+  const int count = static_cast<int>(entries.size()) + 4;
+  const int rows = std::max((count + kColumns - 1) / kColumns, 2);
+  Image sheet{2 * kMargin + kColumns * (kTile + kGap) - kGap, kMargin + kHead + rows * cell, 3, {}};
+  sheet.texels.resize(static_cast<size_t>(sheet.width) * static_cast<size_t>(sheet.height) * 3);
+  for (size_t i = 0; i < sheet.texels.size(); ++i) sheet.texels[i] = kPaper[i % 3];
+  draw_text(sheet, kMargin, kMargin + 30, 34, title, ink(kInk));
+  draw_text(sheet, kMargin, kMargin + 62, 17, facts, ink(kFaint));
+
+  const int big = 2 * kTile + kGap, big_height = 2 * cell - kGap - kLabel;
+  // Enough repeats that some thirty threads stand across.
+  const float repeats = std::max(2.0f, std::ceil(24.0f / std::max(front.width_mm, 0.1f)));
+  place(sheet, kMargin, kMargin + kHead, big, big_height, lit_swatch(front, big, big_height, std::min(repeats, 40.0f)));
+  draw_text(sheet, kMargin, kMargin + kHead + big_height + 22, 17, "lit, tiled", ink(kInk));
+  int slot = 0;
+  for (const SheetEntry& entry : entries) {
+    while (slot / kColumns < 2 && slot % kColumns < 2) ++slot;
+    const int left = kMargin + (slot % kColumns) * (kTile + kGap), top = kMargin + kHead + (slot / kColumns) * cell;
+    place(sheet, left, top, kTile, kTile, entry.image);
+    draw_text(sheet, left, top + kTile + 22, 17, entry.label, ink(kInk));
+    ++slot;
+  }
+  return sheet;
+}
+
+}  // namespace weftlight

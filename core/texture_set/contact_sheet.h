@@ -1,0 +1,25 @@
+#pragma once
+// One picture of a whole texture set: the cloth lit flat, and every image of the set with its name.
+
+#include <string>
+#include <vector>
+
+#include "files/files.h"
+#include "texture_set/surface.h"
+
+namespace weftlight {
+
+struct SheetEntry {
+  std::string label;
+  Image image;  // as packed; any size and channel count
+};
+
+/// sRGB-encoded RGB.
+Image contact_sheet(const std::string& title, const std::string& facts, const Surface& front,
+                    const std::vector<SheetEntry>& entries);
+
+/// A flat swatch under one light from the upper left, with fibre highlights; sRGB-encoded RGB. Shows
+/// `repeats` periods across, whatever its size.
+Image lit_swatch(const Surface& surface, int width, int height, float repeats_across);
+
+}  // namespace weftlight

@@ -1,0 +1,69 @@
+#pragma once
+// What each engine reads: one table of images, their channels, encoding and names. A further engine is
+// further rows.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "files/files.h"
+#include "texture_set/surface.h"
+
+namespace weftlight {
+
+enum class Target { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlender };
+
+/// What a channel of an image holds; all 0..1 unless said.
+enum class Channel {
+  kNone,  // ends the list of channels
+  kOne,
+  kBaseR, kBaseG, kBaseB,           // linear light; encoded where the image is sRGB
+  kCoverage,
+  kOcclusion,
+  kMetal,
+  kRoughness,                       // sqrt of the alpha of a round lobe as large as this one
+  kSmoothness,                      // 1 - kRoughness
+  kRoughnessNarrow,                 // of the narrow axis: glTF's base roughness
+  kRoughnessAlong, kRoughnessAcross,  // of the fibre
+  kNormalX, kNormalY, kNormalZ,     // -1..1 as 0..1; x along the weft, y along the warp, up the image
+  kNormalYDown,                     // the same for engines whose green runs down
+  kFibreX, kFibreY, kFibreZ,        // likewise
+  kWideX, kWideY,                   // direction of the wider axis, likewise
+  kGltfAnisotropy,                  // strength s of KHR_materials_anisotropy: alpha_t = mix(alpha, 1, s^2)
+  kAspectAnisotropy,                // of Godot and Blender: narrow / wide = 1 - 0.9 a
+  kSheenR, kSheenG, kSheenB,        // linear light
+  kSheenRoughness,
+  kSheenWeight,                     // largest of the sheen's colour
+  kThroughR, kThroughG, kThroughB,  // linear light
+  kHeightMm,                        // millimetres, signed
+  kThreadLow, kThreadHigh,          // index of the thread in its system, modulo and over 65536, as 16 bits
+  kSystem,                          // 0 warp, 1 weft
+};
+
+struct ImageRow {
+  Target target;
+  const char* prefix;  // file: prefix + name + suffix + extension
+  const char* suffix;
+  const char* extension;
+  PixelType type;
+  bool srgb;
+  std::array<Channel, 4> channels;
+};
+
+/// The rows of a target, in the order of the contact sheet.
+std::span<const ImageRow> image_rows(Target target);
+
+std::optional<Target> target_named(const std::string& name);
+const char* target_name(Target target);
+/// Which way green runs in the target's normal map: "+Y" or "-Y".
+const char* normal_convention(Target target);
+/// Words for texture_set.json.
+const char* channel_words(Channel channel);
+
+/// The row's image of a surface. Its top row is the largest v, so that the warp stands upright.
+Image pack(const ImageRow& row, const Surface& surface);
+/// Mean or spread of the horizon, a channel an azimuth; likewise upright.
+Image pack_planes(const std::vector<Plane<float>>& planes);
+
+}  // namespace weftlight

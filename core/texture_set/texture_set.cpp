@@ -1,0 +1,245 @@
+#include "texture_set/texture_set.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cloth/cloth.h"
+#include "draft/drawdown.h"
+#include "files/atomic_file.h"
+#include "texture_set/contact_sheet.h"
+#include "texture_set/material_files.h"
+
+namespace weftlight {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kLeastSide = 16;
+constexpr int kAzimuths = 16;                        // of the raw set's horizon
+constexpr int64_t kMostBakedTexels = int64_t{1} << 24;  // about 1 GiB of maps
+constexpr int kSamplesAThread = 4;
+
+/// Texels baked for each texel of the set, a side: at least two, so that rims are smooth and the spread
+/// of normals is known; more where threads are finer than texels; fewer where memory ends.
+int supersampling(const Cloth& cloth, TextureSize size) {
+  const double texels_x = static_cast<double>(size.width) / static_cast<double>(std::max<size_t>(cloth.ends.size(), 1));
+  const double texels_y = static_cast<double>(size.height) / static_cast<double>(std::max<size_t>(cloth.picks.size(), 1));
+  int factor = 2;
+  while (factor < 8 && std::min(texels_x, texels_y) * factor < kSamplesAThread) factor *= 2;
+  while (factor > 1 && int64_t{size.width} * size.height * factor * factor > kMostBakedTexels) factor /= 2;
+  return factor;
+}
+
+Surface surface_of(const Cloth& cloth, TextureSize size, int azimuths) {
+  const int factor = supersampling(cloth, size);
+  return make_surface(cloth, bake(cloth, {size.width * factor, size.height * factor, azimuths}), size.width, size.height);
+}
+
+const char* type_words(PixelType type) {
+  switch (type) {
+    case PixelType::kU8: return "8-bit";
+    case PixelType::kU16: return "16-bit";
+    case PixelType::kHalf: return "half";
+    case PixelType::kFloat: break;
+  }
+  return "float";
+}
+
+/// A set while it is written: what the sheet and the list will say.
+struct Writing {
+  std::string folder;
+  const TextureSetOptions& options;
+  json maps = json::array();
+  std::vector<SheetEntry> sheet;
+  std::string problem;
+};
+
+void record(Writing& set, const std::string& file, const char* face, const char* space, PixelType type, const Image& image,
+            json channels) {
+  set.maps.push_back({{"file", file},
+                      {"face", face},
+                      {"color_space", space},
+                      {"type", type_words(type)},
+                      {"width", image.width},
+                      {"height", image.height},
+                      {"channels", std::move(channels)}});
+}
+
+json channel_list(const ImageRow& row) {
+  constexpr const char* kLetters[] = {"R", "G", "B", "A"};
+  json out = json::object();
+  for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c) out[kLetters[c]] = channel_words(row.channels[c]);
+  return out;
+}
+
+void write_row(Writing& set, const ImageRow& row, const Surface& surface, const char* face, const std::string& face_suffix) {
+  if (!set.problem.empty()) return;
+  const std::string file = row.prefix + set.options.name + face_suffix + row.suffix + row.extension;
+  Image image = pack(row, surface);
+  set.problem = write_image(set.folder + "/" + file, image, row.type);
+  record(set, file, face, row.srgb ? "sRGB" : "linear", row.type, image, channel_list(row));
+  set.sheet.push_back({std::string(row.suffix + 1) + face_suffix, std::move(image)});
+}
+
+void write_horizon(Writing& set, const std::vector<Plane<float>>& planes, const std::string& what, const char* face,
+                   const std::string& face_suffix) {
+  if (!set.problem.empty() || planes.empty()) return;
+  const std::string file = set.options.name + face_suffix + "_horizon_" + what + ".exr";
+  Image image = pack_planes(planes);
+  set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf);
+  json channels = json::object();
+  for (int k = 0; k < image.channels; ++k) {
+    channels[std::to_string(k)] = "sine of the horizon's elevation, " + what + ", towards azimuth " + std::to_string(360.0 * k / image.channels) + " degrees from u to v";
+  }
+  record(set, file, face, "linear", PixelType::kHalf, image, std::move(channels));
+  set.sheet.push_back({"horizon_" + what + face_suffix, std::move(image)});
+}
+
+void write_face(Writing& set, const Surface& surface, Face face) {
+  const char* word = face == Face::kFront ? "front" : "back";
+  const std::string suffix = set.options.target != Target::kRaw ? "" : face == Face::kFront ? "_front" : "_back";
+  for (const ImageRow& row : image_rows(set.options.target)) write_row(set, row, surface, word, suffix);
+  write_horizon(set, surface.horizon_mean, "mean", word, suffix);
+  write_horizon(set, surface.horizon_spread, "spread", word, suffix);
+}
+
+std::string millimetres(float v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", static_cast<double>(v));
+  return text;
+}
+
+std::string size_words(const Surface& s) { return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm"; }
+
+std::string readme(const Surface& s, const TextureSetOptions& o) {
+  return o.name + ": one seamless repeat of " + o.source + ", " + size_words(s) + " (" + std::to_string(s.texels.width) + " x " +
+         std::to_string(s.texels.height) + " texels), for " + target_name(o.target) + ".\n" +
+         "Tile it once every " + size_words(s) + "; normal maps are " + normal_convention(o.target) +
+         ", u runs along the weft, v up along the warp.\n" +
+         "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n";
+}
+
+std::string list_of(const Writing& set, const Design& design, const Cloth& cloth, const Surface& s, const std::string& material) {
+  json root{{"format", "weftlight texture set"},
+            {"format_version", 1},
+            {"program", "weftlight " + set.options.program_version},
+            {"source", set.options.source},
+            {"title", design.title},
+            {"name", set.options.name},
+            {"target", target_name(set.options.target)},
+            {"normal", normal_convention(set.options.target)},
+            {"size_mm", {s.width_mm, s.depth_mm}},
+            {"size_texels", {s.texels.width, s.texels.height}},
+            {"repeat", {{"ends", cloth.ends.size()}, {"picks", cloth.picks.size()}}},
+            {"alpha", has_gaps(s) ? "mask" : "opaque"},
+            {"maps", set.maps}};
+  if (!material.empty()) root["material"] = material;
+  return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+/// A title's bytes may be of any encoding; a picture's text takes the printable ones.
+std::string printable(const std::string& text) {
+  std::string out;
+  for (char c : text) out += static_cast<unsigned char>(c) >= 32 ? c : ' ';
+  return out;
+}
+
+void finish(Writing& set, const Design& design, const Cloth& cloth, const Surface& front, const std::string& material) {
+  if (!set.problem.empty()) return;
+  const std::string title = design.title.empty() ? set.options.name : printable(design.title);
+  const std::string facts = std::string(target_name(set.options.target)) + "   " + size_words(front) + "   " +
+                            std::to_string(cloth.ends.size()) + " ends x " + std::to_string(cloth.picks.size()) + " picks   " +
+                            std::to_string(front.texels.width) + " x " + std::to_string(front.texels.height) + " texels";
+  set.problem = write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, front, set.sheet), PixelType::kU8);
+  if (set.problem.empty()) set.problem = write_text(set.folder + "/README.md", readme(front, set.options));
+  if (set.problem.empty()) set.problem = write_text(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
+}
+
+std::string write_into(const std::string& folder, const Design& design, const Mesh& mesh, const TextureSetOptions& options) {
+  const BitMatrix cells = drawdown(design.draft);
+  if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
+  const bool raw = options.target == Target::kRaw;
+  Writing set{folder, options, json::array(), {}, {}};
+  const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kRepeat);
+  const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
+  const Surface front = surface_of(cloth, size, raw ? kAzimuths : 0);
+  write_face(set, front, Face::kFront);
+  if (raw && set.problem.empty()) {
+    write_face(set, surface_of(lay_out(design, cells, Face::kBack, Period::kRepeat), size, kAzimuths), Face::kBack);
+  }
+  MaterialFile material;
+  if (set.problem.empty()) material = write_material(folder, options.name, options.target, front, mesh);
+  if (set.problem.empty()) set.problem = material.error;
+  finish(set, design, cloth, front, material.file);
+  return set.problem;
+}
+
+bool may_replace(const fs::path& folder) {
+  std::error_code ec;
+  if (!fs::exists(fs::symlink_status(folder, ec))) return true;
+  return fs::is_directory(folder, ec) && (fs::is_empty(folder, ec) || fs::exists(folder / "texture_set.json", ec));
+}
+
+/// Puts `made` in the place of `folder`; on failure what was there before is there again.
+std::string put_in_place(const fs::path& made, const fs::path& folder) {
+  std::error_code ec;
+  const fs::path aside = made.string() + "-old";
+  const bool had = fs::exists(folder, ec);
+  if (had) fs::rename(folder, aside, ec);
+  if (!ec) fs::rename(made, folder, ec);
+  if (ec) {
+    const std::string problem = folder.string() + ": " + ec.message();
+    if (had && fs::exists(aside)) fs::rename(aside, folder, ec);
+    return problem;
+  }
+  if (had) fs::remove_all(aside, ec);
+  return {};
+}
+
+}  // namespace
+
+std::string file_name_of(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    if (plain) out += c;
+    else if (!out.empty() && out.back() != '_') out += '_';
+  }
+  while (!out.empty() && out.back() == '_') out.pop_back();
+  return out.empty() ? "cloth" : out.substr(0, 100);
+}
+
+TextureSize texture_size(float width_mm, float depth_mm, int size) {
+  const float longer = std::max(width_mm, depth_mm);
+  auto side = [&](float mm) {
+    const double exact = static_cast<double>(size) * static_cast<double>(mm) / static_cast<double>(std::max(longer, 1e-6f));
+    const double power = std::exp2(std::round(std::log2(std::max(exact, 1.0))));
+    return std::clamp(static_cast<int>(power), std::min(kLeastSide, size), size);
+  };
+  return {side(width_mm), side(depth_mm)};
+}
+
+std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh, const TextureSetOptions& options) {
+  const fs::path target(folder);
+  if (!may_replace(target)) return folder + ": there is something else there; choose another folder";
+  std::error_code ec;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), ec);
+  const fs::path made = temporary_beside(folder);
+  if (!fs::create_directory(made, ec)) return folder + ": cannot be made: " + ec.message();
+  std::string problem;
+  try {
+    problem = write_into(made.string(), design, mesh, options);
+  } catch (const std::bad_alloc&) {
+    problem = "not enough memory; export a smaller --size";
+  }
+  if (problem.empty()) problem = put_in_place(made, target);
+  fs::remove_all(made, ec);
+  return problem;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "files/atomic_file.h"
+#include "files/files.h"
+#include "scratch.h"
+
+namespace weftlight {
+namespace {
+
+Image ramp(int width, int height, int channels) {
+  Image image{width, height, channels, {}};
+  for (int i = 0; i < width * height * channels; ++i) image.texels.push_back(static_cast<float>((i * 37) % 256) / 255.0f);
+  return image;
+}
+
+struct Kind {
+  const char* name;
+  PixelType type;
+  int channels;
+  float tolerance;
+};
+
+class RoundTrip : public testing::TestWithParam<Kind> {};
+
+TEST_P(RoundTrip, KeepsEveryTexel) {
+  const Scratch scratch("image");
+  const Kind kind = GetParam();
+  const Image out = ramp(19, 7, kind.channels);
+  ASSERT_EQ(write_image(scratch / kind.name, out, kind.type), "");
+  const ReadImage in = read_image(scratch / kind.name);
+  ASSERT_TRUE(in.image) << in.error;
+  ASSERT_EQ(in.image->width, 19);
+  ASSERT_EQ(in.image->height, 7);
+  ASSERT_EQ(in.image->channels, kind.channels);
+  for (size_t i = 0; i < out.texels.size(); ++i) {
+    ASSERT_NEAR(in.image->texels[i], out.texels[i], kind.tolerance) << "texel value " << i;
+  }
+}
+
+// Colour under alpha 0 must come back: a gap's colour bleeds into its neighbours when engines filter.
+INSTANTIATE_TEST_SUITE_P(All, RoundTrip,
+                         testing::Values(Kind{"grey8.png", PixelType::kU8, 1, 1e-6f},
+                                         Kind{"rgb8.png", PixelType::kU8, 3, 1e-6f},
+                                         Kind{"rgba8.png", PixelType::kU8, 4, 1e-6f},
+                                         Kind{"grey16.png", PixelType::kU16, 1, 1e-5f},
+                                         Kind{"rgba16.png", PixelType::kU16, 4, 1e-5f},
+                                         Kind{"half.exr", PixelType::kHalf, 3, 5e-4f},
+                                         Kind{"half_alpha.exr", PixelType::kHalf, 4, 5e-4f},
+                                         Kind{"float.exr", PixelType::kFloat, 1, 0.0f},
+                                         Kind{"many.exr", PixelType::kHalf, 16, 5e-4f},
+                                         Kind{"rgb.tif", PixelType::kU16, 3, 1e-5f},
+                                         Kind{"rgba.tif", PixelType::kFloat, 4, 0.0f},
+                                         Kind{"rgb.jpg", PixelType::kU8, 3, 1.0f}));
+
+TEST(Image, RowZeroIsTheTop) {
+  const Scratch scratch("top");
+  Image image{1, 2, 1, {1.0f, 0.0f}};
+  ASSERT_EQ(write_image(scratch / "top.png", image, PixelType::kU8), "");
+  EXPECT_EQ(read_image(scratch / "top.png").image->texels, image.texels);
+}
+
+TEST(Image, ValuesOutOfRangeStayFinite) {
+  const Scratch scratch("range");
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  const Image image{4, 1, 1, {nan, inf, -inf, 1e6f}};
+  ASSERT_EQ(write_image(scratch / "half.exr", image, PixelType::kHalf), "");
+  EXPECT_EQ(read_image(scratch / "half.exr").image->texels, (std::vector<float>{0, 65504, -65504, 65504}));
+  ASSERT_EQ(write_image(scratch / "u8.png", image, PixelType::kU8), "");
+  EXPECT_EQ(read_image(scratch / "u8.png").image->texels, (std::vector<float>{0, 1, 0, 1}));
+}
+
+TEST(Image, EncodesPngInMemory) {
+  const Scratch scratch("memory");
+  const Image image = ramp(8, 8, 4);
+  const std::vector<unsigned char> png = encode_png(image);
+  ASSERT_EQ(write_bytes(scratch / "memory.png", png), "");
+  const ReadImage back = read_image(scratch / "memory.png");
+  ASSERT_TRUE(back.image) << back.error;
+  for (size_t i = 0; i < image.texels.size(); ++i) ASSERT_NEAR(back.image->texels[i], image.texels[i], 1e-6f);
+}
+
+TEST(Image, RefusesWhatCannotBe) {
+  const Scratch scratch("refuse");
+  EXPECT_NE(write_image(scratch / "none.png", Image{}, PixelType::kU8), "");
+  EXPECT_NE(write_image(scratch / "short.png", Image{4, 4, 3, {0.0f}}, PixelType::kU8), "");
+  EXPECT_NE(write_image(scratch / "what.xyz", ramp(2, 2, 3), PixelType::kU8), "");
+  EXPECT_NE(write_image(scratch / "no/such/folder.png", ramp(2, 2, 3), PixelType::kU8), "");
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder)) << "a failed write left a file";
+  EXPECT_NE(read_image(scratch / "missing.png").error, "");
+  std::ofstream(scratch / "text.png") << "this is no image";
+  EXPECT_NE(read_image(scratch / "text.png").error, "");
+}
+
+TEST(Image, FailedWriteKeepsTheOldFile) {
+  const Scratch scratch("old");
+  ASSERT_EQ(write_image(scratch / "a.png", ramp(3, 3, 3), PixelType::kU8), "");
+  EXPECT_NE(write_image(scratch / "a.png", Image{3, 3, 3, {}}, PixelType::kU8), "");
+  EXPECT_TRUE(read_image(scratch / "a.png").image);
+}
+
+TEST(Image, TruncatedFilesAreErrors) {
+  const Scratch scratch("cut");
+  for (const char* name : {"cut.png", "cut.exr"}) {
+    ASSERT_EQ(write_image(scratch / name, ramp(64, 64, 3), PixelType::kHalf), "");
+    std::filesystem::resize_file(scratch / name, std::filesystem::file_size(scratch / name) / 2);
+    EXPECT_FALSE(read_image(scratch / name).image) << name;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight

@@ -1,0 +1,236 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "../files/scratch.h"
+#include "draft/generators.h"
+#include "texture_set/texture_set.h"
+
+namespace weftlight {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// A two-coloured herringbone with a yarn of each kind; 16 ends x 4 picks a repeat, so it is not square.
+Design sample_design() {
+  Design design = herringbone({2, 2}, 8, {32, 16});
+  design.title = "Sample";
+  Yarn metal;
+  metal.lobes.metallic = true;
+  metal.lobes.across_width = 0.1f;
+  design.yarns = {Yarn{}, metal};
+  for (int e = 0; e < design.draft.ends(); e += 8) design.draft.warp.yarn[static_cast<size_t>(e)] = 1;
+  return design;
+}
+
+Mesh sheet() {
+  Mesh mesh;
+  mesh.name = "sheet";
+  mesh.position_mm = {{0, 0, 0}, {200, 0, 0}, {200, 100, 0}, {0, 100, 0}};
+  mesh.uv_mm = {{0, 0}, {200, 0}, {200, 100}, {0, 100}};
+  mesh.index = {0, 1, 2, 0, 2, 3};
+  compute_frames(mesh);
+  return mesh;
+}
+
+TextureSetOptions options_for(Target target, int size = 128) { return {target, "sample", "sample.wif", "1.2.3", size}; }
+
+json list_of(const std::string& folder) { return json::parse(std::ifstream(folder + "/texture_set.json")); }
+
+class EveryTarget : public testing::TestWithParam<Target> {};
+INSTANTIATE_TEST_SUITE_P(All, EveryTarget,
+                         testing::Values(Target::kRaw, Target::kGltf, Target::kUnreal, Target::kUnityHdrp,
+                                         Target::kUnityUrp, Target::kGodot, Target::kBlender),
+                         [](const auto& target) { std::string name = target_name(target.param); std::erase(name, '-'); return name; });
+
+/// Root mean square of the difference of two columns (or rows) of an image.
+double step_rms(const Image& image, bool columns, int a, int b) {
+  const int count = columns ? image.height : image.width;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    for (int c = 0; c < image.channels; ++c) {
+      auto at = [&](int k) {
+        const int x = columns ? k : i, y = columns ? i : k;
+        return static_cast<double>(image.texels[static_cast<size_t>((y * image.width + x) * image.channels + c)]);
+      };
+      sum += (at(a) - at(b)) * (at(a) - at(b));
+    }
+  }
+  return std::sqrt(sum / (count * image.channels));
+}
+
+void expect_seamless(const Image& image, const std::string& file) {
+  for (bool columns : {true, false}) {
+    const int n = columns ? image.width : image.height;
+    double most = 0;
+    for (int k = 0; k + 1 < n; ++k) most = std::max(most, step_rms(image, columns, k, k + 1));
+    EXPECT_LE(step_rms(image, columns, n - 1, 0), 1.05 * most + 1e-3) << file << (columns ? ": left and right" : ": top and bottom");
+  }
+}
+
+TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
+  const Scratch scratch(std::string("set-") + target_name(GetParam()));
+  const std::string folder = scratch / "sample";
+  ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(GetParam())), "");
+  const json list = list_of(folder);
+  EXPECT_EQ(list["target"], target_name(GetParam()));
+  EXPECT_EQ(list["source"], "sample.wif");
+  EXPECT_EQ(list["program"], "weftlight 1.2.3");
+  EXPECT_GT(list["size_mm"][0], 0);
+  EXPECT_GT(list["size_mm"][0], list["size_mm"][1]);
+  EXPECT_EQ(list["size_texels"][0], 128);
+  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * (GetParam() == Target::kRaw ? 2 : 1) + (GetParam() == Target::kRaw ? 4 : 0));
+  std::set<std::string> expected{"README.md", "contact_sheet.png", "texture_set.json"};
+  for (const json& map : list["maps"]) {
+    const std::string file = map["file"];
+    expected.insert(file);
+    const ReadImage read = read_image(folder + "/" + file);
+    ASSERT_TRUE(read.image) << read.error;
+    EXPECT_EQ(read.image->width, map["width"]);
+    EXPECT_EQ(read.image->height, map["height"]);
+    EXPECT_EQ(read.image->channels, static_cast<int>(map["channels"].size())) << file;
+    if (file.find("_thread") == std::string::npos) expect_seamless(*read.image, file);
+    for (float v : read.image->texels) ASSERT_TRUE(std::isfinite(v)) << file;
+  }
+  if (list.contains("material")) expected.insert(list["material"]);
+  if (GetParam() == Target::kBlender) expected.insert("sample.glb");
+  std::set<std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder)) found.insert(entry.path().filename());
+  EXPECT_EQ(found, expected);
+  std::ifstream readme(folder + "/README.md");
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(readme), {}, '\n'), 3);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "something temporary was left";
+}
+
+TEST(TextureSet, NamesAreThoseOfTheEngines) {
+  const Scratch scratch("names");
+  ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
+  for (const char* file : {"T_sample_BC.png", "T_sample_N.png", "T_sample_ORM.png"}) EXPECT_TRUE(fs::exists(scratch / ("u/" + std::string(file)))) << file;
+}
+
+TEST(TextureSet, GreenOfTheNormalsRunsAsTheEngineWants) {
+  const Scratch scratch("green");
+  ASSERT_EQ(write_texture_set(scratch / "up", sample_design(), sheet(), options_for(Target::kGltf, 64)), "");
+  ASSERT_EQ(write_texture_set(scratch / "down", sample_design(), sheet(), options_for(Target::kUnreal, 64)), "");
+  const Image up = *read_image(scratch / "up/sample_normal.png").image, down = *read_image(scratch / "down/T_sample_N.png").image;
+  for (size_t i = 0; i < up.texels.size(); i += 3) {
+    EXPECT_NEAR(up.texels[i], down.texels[i], 1e-6f);
+    EXPECT_NEAR(up.texels[i + 1], 1 - down.texels[i + 1], 1.01f / 255);
+  }
+}
+
+TEST(TextureSet, AverageColourSurvivesResampling) {
+  const Design design = sample_design();
+  const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
+  const Maps maps = bake(cloth, {512, 128, 0});
+  double sharp = 0, share = 0;
+  for (size_t i = 0; i < maps.colour.at_.size(); ++i) {
+    const bool metal = maps.system.at_[i] == 0 && cloth.ends[maps.thread.at_[i]].yarn == 1;
+    const Rgb tint = design.yarns[1].lobes.specular_tint;
+    const double lit = static_cast<double>(maps.colour.at_[i].g) * static_cast<double>(maps.groove.at_[i]);
+    sharp += static_cast<double>(maps.coverage.at_[i]) * lit * (metal ? static_cast<double>(tint.g) : 1.0);
+    share += static_cast<double>(maps.coverage.at_[i]);
+  }
+  Surface surface = make_surface(cloth, maps, 256, 64);
+  for (int level = 0; level < 9; ++level) {
+    double kept = 0, covered = 0;
+    for (const SurfaceTexel& t : surface.texels.at_) kept += static_cast<double>(t.base.g * t.coverage), covered += static_cast<double>(t.coverage);
+    EXPECT_NEAR(kept / covered, sharp / share, 2e-3 * sharp / share) << "level " << level;
+    surface = half_of(surface);
+  }
+}
+
+TEST(TextureSet, WhatNormalsLoseGoesIntoRoughness) {
+  SurfaceTexel left, right;
+  left.coverage = right.coverage = 1;
+  left.slope_cov = right.slope_cov = {0.01f, 0, 0.04f};
+  // Slopes of -1/2 and 1/2 in x: their mean is flat, their variance 1/4.
+  const float n = 1 / std::sqrt(1.25f);
+  left.normal = {-0.5f * n, 0, n};
+  right.normal = {0.5f * n, 0, n};
+  const SurfaceTexel both = merged(std::vector{left, right});
+  EXPECT_NEAR(both.normal[0], 0, 1e-6);
+  EXPECT_NEAR(both.normal[2], 1, 1e-6);
+  EXPECT_NEAR(both.slope_cov[0], 0.26f, 1e-5);
+  EXPECT_NEAR(both.slope_cov[2], 0.04f, 1e-5);
+  // alpha = sqrt(2 variance).
+  const GgxAlphas alphas = ggx_alphas(both);
+  EXPECT_NEAR(alphas.wide, std::sqrt(0.52f), 1e-5);
+  EXPECT_NEAR(alphas.narrow, std::sqrt(0.08f), 1e-5);
+  EXPECT_NEAR(alphas.wide_axis[0], 1, 1e-5);
+}
+
+TEST(TextureSet, GapColourDoesNotBleed) {
+  SurfaceTexel thread, gap;
+  thread.coverage = 1;
+  thread.base = {0.8f, 0.8f, 0.8f};
+  const SurfaceTexel rim = merged(std::vector{thread, gap, gap, gap});
+  EXPECT_NEAR(rim.base.r, 0.8f, 1e-3);
+  EXPECT_NEAR(rim.coverage, 0.25f, 1e-6);
+}
+
+TEST(TextureSet, RoughAcrossTheFibreOfWarpAndWeft) {
+  Design design = plain({2, 2});
+  design.yarns[0].twist = Twist::kNone;
+  const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
+  const Surface surface = make_surface(cloth, bake(cloth, {128, 128, 0}), 128, 128);
+  int along_v = 0, along_u = 0, warp = 0, weft = 0;
+  for (const SurfaceTexel& t : surface.texels.at_) {
+    if (t.coverage < 1) continue;
+    const auto axis = ggx_alphas(t).wide_axis;
+    // Yarns are rougher across: a warp's wide axis lies along u, a weft's along v.
+    if (t.system == 0) ++warp, along_u += std::abs(axis[0]) > std::abs(axis[1]);
+    else ++weft, along_v += std::abs(axis[1]) > std::abs(axis[0]);
+  }
+  EXPECT_GT(along_u, 0.9 * warp);
+  EXPECT_GT(along_v, 0.9 * weft);
+}
+
+TEST(TextureSet, SizesArePowersOfTwoNearTheProportions) {
+  EXPECT_EQ(texture_size(10, 10, 512).height, 512);
+  EXPECT_EQ(texture_size(10, 5, 512).height, 256);
+  EXPECT_EQ(texture_size(3, 10, 512).width, 128);
+  EXPECT_EQ(texture_size(0.001f, 10, 512).width, 16);
+}
+
+TEST(TextureSet, NamesOfFilesAreTame) {
+  EXPECT_EQ(file_name_of("My draft (2)"), "My_draft_2");
+  EXPECT_EQ(file_name_of("../../etc"), "etc");
+  EXPECT_EQ(file_name_of("\xC3\xA4"), "cloth");
+}
+
+TEST(TextureSet, FoldersOfOthersAreLeftAlone) {
+  const Scratch scratch("others");
+  fs::create_directories(scratch / "mine");
+  std::ofstream(scratch / "mine/letter.txt") << "dear";
+  EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  EXPECT_TRUE(fs::exists(scratch / "mine/letter.txt"));
+  // An older set is replaced whole.
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  EXPECT_FALSE(fs::exists(scratch / "set/T_sample_BC.png"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 2);
+}
+
+TEST(TextureSet, FailureLeavesTheOldSet) {
+  const Scratch scratch("failure");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
+  Mesh broken = sheet();
+  broken.index[0] = 1000;
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), broken, options_for(Target::kGltf, 32)), "");
+  EXPECT_EQ(list_of(scratch / "set")["target"], "unreal");
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1);
+}
+
+TEST(TextureSet, EmptyDraftIsAnError) {
+  const Scratch scratch("empty");
+  EXPECT_NE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(Target::kGltf, 32)), "");
+  EXPECT_TRUE(fs::is_empty(scratch.folder));
+}
+
+}  // namespace
+}  // namespace weftlight

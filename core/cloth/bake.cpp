@@ -28,7 +28,6 @@ class TexelSum {
   void add(const SurfaceSample& s) {
     const float w = s.cover;
     cover_ += w;
-    ++count_;
     height_ += w * s.height_mm, groove_ += w * s.groove;
     r_ += w * s.colour.r, g_ += w * s.colour.g, b_ += w * s.colour.b;
     sx_ += w * s.slope.x, sy_ += w * s.slope.y;
@@ -37,8 +36,8 @@ class TexelSum {
     side.x += w * s.tangent.x, side.y += w * s.tangent.y, side.z += w * s.tangent.z;
     if (w > side.best) side.best = w, side.thread = s.thread;
   }
-  /// `ground` is any sample of the texel, for one that nothing covers.
-  SurfaceSample mean(const SurfaceSample& ground) const {
+  /// Of a texel of so many samples; `ground` is any of them, for a texel that nothing covers.
+  SurfaceSample mean(const SurfaceSample& ground, int samples) const {
     if (cover_ <= 0.0f) return ground;
     const float k = 1.0f / cover_;
     const uint8_t system = sides_[0].cover >= sides_[1].cover ? 0 : 1;
@@ -46,7 +45,7 @@ class TexelSum {
     const float length = std::sqrt(side.x * side.x + side.y * side.y + side.z * side.z);
     SurfaceSample s;
     s.height_mm = height_ * k, s.groove = groove_ * k;
-    s.cover = cover_ / static_cast<float>(count_);
+    s.cover = std::min(1.0f, cover_ / static_cast<float>(samples));
     s.colour = {r_ * k, g_ * k, b_ * k};
     s.slope = {sx_ * k, sy_ * k};
     s.tangent = length > 0.0f ? Direction{side.x / length, side.y / length, side.z / length} : ground.tangent;
@@ -60,7 +59,6 @@ class TexelSum {
     uint32_t thread = 0;
   };
   float cover_ = 0, height_ = 0, groove_ = 0, r_ = 0, g_ = 0, b_ = 0, sx_ = 0, sy_ = 0;
-  int count_ = 0;
   Side sides_[2];
 };
 
@@ -81,17 +79,29 @@ void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const 
   SurfaceSampler sampler(cloth, grid, r.x0 * nx, r.x1 * nx, r.y0 * ny, r.y1 * ny);
   const size_t texels = static_cast<size_t>(r.x1 - r.x0);
   std::vector<SurfaceSample> row(texels * static_cast<size_t>(nx));
+  std::vector<SurfaceSampler::Beside> beside;
   std::vector<TexelSum> sums;
   for (int y = r.y0; y < r.y1; ++y) {
-    sums.assign(nx * ny > 1 ? texels : 0, {});
+    if (nx * ny == 1) {
+      sampler.row(y, row, beside);
+      for (const auto& b : beside) {
+        SurfaceSample& s = row[static_cast<size_t>(b.sample)];
+        TexelSum sum;
+        sum.add(s);
+        sum.add(b.shows);
+        s = sum.mean(s, 1);
+      }
+      for (size_t t = 0; t < texels; ++t) put(maps, r.x0 + static_cast<int>(t), y, row[t]);
+      continue;
+    }
+    sums.assign(texels, {});
     for (int j = 0; j < ny; ++j) {
-      sampler.row(y * ny + j, row);
-      for (size_t i = 0; i < row.size() && !sums.empty(); ++i) sums[i / static_cast<size_t>(nx)].add(row[i]);
+      sampler.row(y * ny + j, row, beside);
+      for (size_t i = 0; i < row.size(); ++i) sums[i / static_cast<size_t>(nx)].add(row[i]);
+      for (const auto& b : beside) sums[static_cast<size_t>(b.sample / nx)].add(b.shows);
     }
-    for (size_t t = 0; t < texels; ++t) {
-      const SurfaceSample& first = row[t * static_cast<size_t>(nx)];
-      put(maps, r.x0 + static_cast<int>(t), y, sums.empty() ? first : sums[t].mean(first));
-    }
+    for (size_t t = 0; t < texels; ++t)
+      put(maps, r.x0 + static_cast<int>(t), y, sums[t].mean(row[t * static_cast<size_t>(nx)], nx * ny));
   }
 }
 
@@ -224,8 +234,9 @@ Maps bake(const Cloth& cloth, const MapsSize& size) {
   const int w = maps.height_mm.width, h = maps.height_mm.height;
   const SampleGrid grid = sample_grid(cloth, w, h);
   for_each_row_band(h, size.threads, [&](int y0, int y1) { bake_surface(maps, cloth, grid, {0, y0, w, y1}); });
+  const Plane<float> turned = maps.azimuths > 0 ? transposed(maps.height_mm) : Plane<float>{};
   for_each_band(maps.azimuths, size.threads, [&](int k) {
-    maps.horizon[static_cast<size_t>(k)] = horizon(maps.height_mm, sweep_of(maps, cloth, k));
+    maps.horizon[static_cast<size_t>(k)] = horizon(maps.height_mm, turned, sweep_of(maps, cloth, k));
   });
   for_each_row_band(h, size.threads, [&](int y0, int y1) { bake_occlusion(maps, {0, y0, w, y1}); });
   return maps;

@@ -42,35 +42,92 @@ Steps steps_of(const Sweep& s, int from, int to) {
   return steps;
 }
 
-void read_line(const Sweep& s, const Steps& steps, FieldView<const float> z, int line, float* out) {
+// Lines swept side by side: their texels are neighbours in memory, so that reading and writing work on
+// vectors, and their hulls are independent work for the processor.
+constexpr int kLanes = 8;
+
+struct HullPoint {
+  float z, k;
+};
+
+/// Buffers of a bundle of lines; value k of lane j is at [k * kLanes + j].
+struct Bundle {
+  std::vector<float> z;
+  // Sines, with the line before the first lane in front: [i * (kLanes + 1) + 1 + j].
+  std::vector<float> sine;
+  std::vector<HullPoint> hull;  // one stack after the other
+};
+
+void read_lines(const Sweep& s, const Steps& steps, FieldView<const float> z, int line, float* out) {
   const int start = wrap(line, s.lines);
-  for (size_t k = 0; k < steps.along.size(); ++k) {
+  for (size_t k = 0; k < steps.along.size(); ++k, out += kLanes) {
     int r = start + steps.shift[k];
     r -= r >= s.lines ? s.lines : 0;
-    const int next = r + 1 == s.lines ? 0 : r + 1;
     const float* p = z.at + steps.along[k] * z.step;
-    const float a = p[r * z.line_step], b = p[next * z.line_step];
-    out[k] = a + steps.rest[k] * (b - a);
+    const float rest = steps.rest[k];
+    if (z.line_step == 1 && r + kLanes < s.lines) {
+      p += r;
+      for (int j = 0; j < kLanes; ++j) out[j] = p[j] + rest * (p[j + 1] - p[j]);
+      continue;
+    }
+    for (int j = 0; j < kLanes; ++j) {
+      const int next = r + 1 == s.lines ? 0 : r + 1;
+      const float a = p[r * z.line_step], b = p[next * z.line_step];
+      out[j] = a + rest * (b - a);
+      r = next;
+    }
   }
 }
 
-struct HullPoint {
-  float z;
-  int k;
-};
-
-/// Steepest rise to any point before, for the points from `first` on; 0 or more.
-void rises(const float* z, int n, int first, HullPoint* hull, float* out) {
-  int top = -1;
-  for (int k = 0; k < n; ++k) {
-    const float here = z[k];
-    while (top > 0) {
-      const HullPoint a = hull[top], b = hull[top - 1];
-      if ((a.z - here) * static_cast<float>(k - b.k) > (b.z - here) * static_cast<float>(k - a.k)) break;
-      --top;
+/// Steepest rise, in height a step, from each point to any point before it; for the points from `first` on.
+void rises(Bundle& b, int n, int first) {
+  HullPoint* top[kLanes];
+  HullPoint* bottom[kLanes];
+  for (int j = 0; j < kLanes; ++j) bottom[j] = b.hull.data() + static_cast<size_t>(j) * static_cast<size_t>(n + 1);
+  for (int j = 0; j < kLanes; ++j) *(top[j] = bottom[j]) = {b.z[static_cast<size_t>(j)], 0.0f};
+  const float* z = b.z.data();
+  for (int i = 0; i < n; ++i, z += kLanes) {
+    const float k = static_cast<float>(i);
+    float* out = i >= first ? b.sine.data() + static_cast<size_t>(i - first) * (kLanes + 1) + 1 : nullptr;
+    for (int j = 0; j < kLanes; ++j) {
+      HullPoint* t = top[j];
+      // The first point stands on the stack already.
+      while (t > bottom[j] && (t[0].z - z[j]) * (k - t[-1].k) <= (t[-1].z - z[j]) * (k - t[0].k)) --t;
+      if (out) out[j] = i > 0 ? (t->z - z[j]) / (k - t->k) : 0.0f;
+      if (i > 0) *++t = {z[j], k};
+      top[j] = t;
     }
-    if (k >= first) out[k - first] = top < 0 ? 0.0f : (hull[top].z - here) / static_cast<float>(k - hull[top].k);
-    hull[++top] = {here, k};
+  }
+}
+
+void to_sines(std::vector<float>& rise, float per_step) {
+  for (float& v : rise) {
+    const float slope = std::max(0.0f, v * per_step);
+    v = slope / std::sqrt(1.0f + slope * slope);
+  }
+}
+
+/// A texel lies 1 - rest of the way from the line before to its own.
+void write_lines(const Sweep& s, const Steps& steps, const Bundle& b, int line, int lanes, FieldView<uint8_t> out) {
+  const int start = wrap(line, s.lines);
+  const float* v = b.sine.data() + 1;
+  for (size_t k = static_cast<size_t>(s.ahead); k < steps.along.size(); ++k, v += kLanes + 1) {
+    int r = start + steps.shift[k];
+    r -= r >= s.lines ? s.lines : 0;
+    uint8_t* p = out.at + steps.along[k] * out.step;
+    const float rest = steps.rest[k];
+    const auto value = [&](int j) {
+      return static_cast<uint8_t>(static_cast<int>((v[j] + rest * (v[j - 1] - v[j])) * 255.0f + 0.5f));
+    };
+    if (out.line_step == 1 && lanes == kLanes && r + kLanes <= s.lines) {
+      p += r;
+      for (int j = 0; j < kLanes; ++j) p[j] = value(j);
+      continue;
+    }
+    for (int j = 0; j < lanes; ++j) {
+      p[r * out.line_step] = value(j);
+      r = r + 1 == s.lines ? 0 : r + 1;
+    }
   }
 }
 
@@ -89,53 +146,46 @@ Sweep sweep_towards(double azimuth_rad, int width, int height, float dx_mm, floa
   s.lines = s.along_x ? height : width;
   const double wanted = std::ceil(static_cast<double>(reach_mm) / static_cast<double>(s.step_mm));
   s.ahead = static_cast<int>(std::clamp(wanted, 1.0 * std::min(kSmallestAhead, s.length), 1.0 * s.length));
-  s.block = std::min(s.length, std::max(kSmallestBlock, 2 * s.ahead));
+  // Even blocks, each at least twice its run-up where there is more than one.
+  const int blocks = std::max(1, s.length / std::max(kSmallestBlock, 2 * s.ahead));
+  s.block = (s.length + blocks - 1) / blocks;
   return s;
 }
 
 void sweep_block(const Sweep& s, FieldView<const float> height, int line0, int line1, int block,
                  FieldView<uint8_t> out) {
-  const int from = block * s.block, to = std::min(s.length, from + s.block), n = to - from;
+  const int from = block * s.block, to = std::min(s.length, from + s.block);
   const Steps steps = steps_of(s, from, to);
-  std::vector<float> z(steps.along.size()), sine(static_cast<size_t>(n)), before(static_cast<size_t>(n));
-  std::vector<HullPoint> hull(z.size());
-  const float per_step = 1.0f / s.step_mm;
-  for (int line = line0 - 1; line < line1; ++line) {
-    read_line(s, steps, height, line, z.data());
-    std::swap(sine, before);
-    rises(z.data(), static_cast<int>(z.size()), s.ahead, hull.data(), sine.data());
-    for (float& v : sine) {
-      const float slope = std::max(0.0f, v * per_step);
-      v = slope / std::sqrt(1.0f + slope * slope);
+  const size_t n = steps.along.size(), shown = static_cast<size_t>(to - from);
+  Bundle b;
+  b.z.resize(n * kLanes);
+  b.sine.resize(shown * (kLanes + 1));
+  b.hull.resize((n + 1) * kLanes);
+  std::vector<float> before(shown);
+  // The first bundle only brings the line before line0, as its last lane.
+  for (int line = line0 - kLanes; line < line1; line += kLanes) {
+    read_lines(s, steps, height, line, b.z.data());
+    rises(b, static_cast<int>(n), s.ahead);
+    to_sines(b.sine, 1.0f / s.step_mm);
+    for (size_t i = 0; i < shown; ++i) {
+      b.sine[i * (kLanes + 1)] = before[i];
+      before[i] = b.sine[i * (kLanes + 1) + kLanes];
     }
-    if (line < line0) continue;
-    const int start = wrap(line, s.lines);
-    for (int i = 0; i < n; ++i) {
-      const size_t k = static_cast<size_t>(i + s.ahead);
-      int r = start + steps.shift[k];
-      r -= r >= s.lines ? s.lines : 0;
-      // The texel lies 1 - rest of the way from the line before to this one.
-      const size_t v = static_cast<size_t>(i);
-      const float value = sine[v] + steps.rest[k] * (before[v] - sine[v]);
-      out.at[steps.along[k] * out.step + r * out.line_step] = static_cast<uint8_t>(value * 255.0f + 0.5f);
-    }
+    if (line >= line0) write_lines(s, steps, b, line, std::min(kLanes, line1 - line), out);
   }
 }
 
+Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& s) {
+  // Neighbouring lines are neighbours in memory: along x in the turned field, along y in the field.
+  const Plane<float>& field = s.along_x ? turned : height_mm;
+  Plane<uint8_t> out(field.width, field.height);
+  for (int b = 0; b < s.blocks(); ++b)
+    sweep_block(s, {field.row(0), field.width, 1}, 0, s.lines, b, {out.row(0), out.width, 1});
+  return s.along_x ? transposed(out) : out;
+}
+
 Plane<uint8_t> horizon(const Plane<float>& height_mm, const Sweep& s) {
-  Plane<uint8_t> out(height_mm.width, height_mm.height);
-  // Along y the texels of a line are far apart in memory: sweep a transposed copy.
-  Plane<float> turned;
-  FieldView<const float> z{height_mm.row(0), 1, height_mm.width};
-  if (!s.along_x) {
-    turned = transposed(height_mm);
-    z = {turned.row(0), 1, turned.width};
-  }
-  Plane<uint8_t> swept = s.along_x ? Plane<uint8_t>{} : Plane<uint8_t>(turned.width, turned.height);
-  Plane<uint8_t>& target = s.along_x ? out : swept;
-  const FieldView<uint8_t> to{target.row(0), 1, target.width};
-  for (int b = 0; b < s.blocks(); ++b) sweep_block(s, z, 0, s.lines, b, to);
-  return s.along_x ? out : transposed(swept);
+  return horizon(height_mm, s.along_x ? transposed(height_mm) : Plane<float>{}, s);
 }
 
 }  // namespace weftlight

@@ -56,7 +56,8 @@ Plane<T> transposed(const Plane<T>& in) {
   return out;
 }
 
-/// The whole field.
+/// The whole field; `turned` is the field transposed, for sweeps along x.
+Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& sweep);
 Plane<uint8_t> horizon(const Plane<float>& height_mm, const Sweep& sweep);
 
 }  // namespace weftlight

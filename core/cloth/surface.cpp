@@ -11,8 +11,11 @@ namespace weftlight {
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
-constexpr int kSamplesPerThread = 4;
-constexpr double kMostSamples = 1 << 26;  // of one map, before threads are sampled more sparsely
+constexpr int kSamplesPerThread = 3;
+constexpr float kLeastShown = 1e-6f;  // rounding of the covers, not a sliver of thread
+constexpr double kMostSamples = 1 << 24;  // of one map, before threads are sampled more sparsely
+// The square of an ellipse's slope has no mean up to its edge: it is taken to this share of the radius.
+constexpr float kSteepest = 0.985f;
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
@@ -28,6 +31,22 @@ int thread_at(const std::vector<ThreadBody>& threads, float s_mm) {
     return t.centre_mm + 0.5f * t.spacing_mm <= s_mm;
   });
   return static_cast<int>(std::min(it - threads.begin(), std::ssize(threads) - 1));
+}
+
+/// Height of a thread's section above its axis.
+float section(const ThreadBody& body, float across_mm) {
+  const float u = 2.0f * (across_mm - body.centre_mm) / body.width_mm;
+  return body.width_mm > 0.0f ? 0.5f * body.height_mm * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
+}
+
+/// Integral of the squared slope of a section between two places on it.
+float squared_slopes(const ThreadBody& body, float from_mm, float to_mm) {
+  const float half = 0.5f * body.width_mm, ratio = body.height_mm / body.width_mm;
+  const auto integral = [&](float mm) {
+    const float u = std::clamp((mm - body.centre_mm) / half, -kSteepest, kSteepest);
+    return std::atanh(u) - u;
+  };
+  return ratio * ratio * half * (integral(to_mm) - integral(from_mm));
 }
 
 std::vector<ThreadTexture> textures(const Cloth& cloth, System system) {
@@ -47,9 +66,10 @@ float unit_or_less(float x) { return std::min(x, 1.0f); }
 
 SampleGrid sample_grid(const Cloth& cloth, int width, int height) {
   SampleGrid grid{width, height, 1, 1};
-  const double room = std::sqrt(kMostSamples / (static_cast<double>(width) * height));
-  grid.per_texel_x = per_texel(cloth.ends.size(), width, room);
-  grid.per_texel_y = per_texel(cloth.picks.size(), height, room);
+  const double room = kMostSamples / (static_cast<double>(width) * height);
+  const int y = per_texel(cloth.picks.size(), height, room);
+  grid.per_texel_x = per_texel(cloth.ends.size(), width, std::max(std::sqrt(room), std::floor(room / y)));
+  grid.per_texel_y = per_texel(cloth.picks.size(), height, std::floor(room / grid.per_texel_x));
   return grid;
 }
 
@@ -96,12 +116,20 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
       return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
     };
     while (lowest + 1 < count && end_of(lowest) <= from) ++lowest;
-    float covered = 0;
+    float covered = 0, rise = 0, squares = 0;
     for (int t = lowest; t < count; ++t) {
       const ThreadBody& b = threads[static_cast<size_t>(t)];
       if (b.centre_mm - 0.5f * b.spacing_mm >= to) break;
-      covered += std::max(0.0f, std::min(to, b.centre_mm + 0.5f * b.width_mm) -
-                                    std::max(from, b.centre_mm - 0.5f * b.width_mm));
+      const float lo = std::max(from, b.centre_mm - 0.5f * b.width_mm);
+      const float hi = std::min(to, b.centre_mm + 0.5f * b.width_mm);
+      if (hi <= lo) continue;
+      covered += hi - lo;
+      rise += section(b, hi) - section(b, lo);
+      squares += squared_slopes(b, lo, hi);
+    }
+    if (covered > 1e-6f * step) {
+      a.slope = -rise / covered;
+      a.slope_spread = std::max(0.0f, squares / covered - a.slope * a.slope);
     }
     a.cover = unit_or_less(covered / step);
     a.thread = lowest;
@@ -110,14 +138,11 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
     const ThreadBody& body = threads[static_cast<size_t>(a.thread)];
     const ThreadTexture& texture = textures[static_cast<size_t>(a.thread)];
     const float half = std::max(0.5f * body.width_mm, 1e-7f), d = middle - body.centre_mm;
-    a.inside = std::abs(d) < half && body.width_mm > 0.0f;
     a.beyond_mm = std::max(0.0f, std::abs(d) - half);
-    const auto section = [&](float u) { return 0.5f * body.height_mm * std::sqrt(std::max(0.0f, 1.0f - u * u)); };
     const float u0 = std::clamp((from - body.centre_mm) / half, -1.0f, 1.0f);
     const float u1 = std::clamp((to - body.centre_mm) / half, -1.0f, 1.0f);
     const float u = 0.5f * (u0 + u1);
-    a.height_mm = section(u);
-    if (u1 - u0 > 1e-6f) a.slope = -(section(u1) - section(u0)) / ((u1 - u0) * half);
+    a.height_mm = section(body, body.centre_mm + u * half);
     const float around = std::asin(std::clamp(u, -1.0f, 1.0f)) / kTwoPi;
     a.turn = texture.fibres * around;
     a.ply_turn = static_cast<float>(texture.plies) * around;
@@ -156,7 +181,7 @@ void SurfaceSampler::follow_pick(int pick) {
   }
 }
 
-SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along& l) const {
+SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along& l, float cover) const {
   const bool warp = system == System::kWarp;
   const size_t index = static_cast<size_t>(a.thread);
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_)[index];
@@ -164,6 +189,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, l.node, l.blend, a.fade, a.ply_fade});
   float across = a.slope, along = -l.slope;
   SurfaceSample s;
+  s.cover = cover;
   s.height_mm = l.centre_mm + a.height_mm;
   if (texture.plies > 1) {
     // z -= relief ply^2, with the factor 1 / cos of the tube's side left out: it ends at its edge.
@@ -174,6 +200,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
     along += slant * static_cast<float>(texture.ply_advance) / length;
   }
   s.groove = texel.groove;
+  s.slope_spread = a.slope_spread;
   s.colour = {unit_or_less(body.colour.r * texel.tone), unit_or_less(body.colour.g * texel.tone),
               unit_or_less(body.colour.b * texel.tone)};
   s.thread = static_cast<uint32_t>(a.thread);
@@ -188,7 +215,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   return s;
 }
 
-void SurfaceSampler::row(int y, std::span<SurfaceSample> out) {
+void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
   const Across& across_row = rows_[static_cast<size_t>(y - y0_)];
   if (across_row.thread != pick_) follow_pick(across_row.thread);
   const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
@@ -196,17 +223,26 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out) {
   const int first_end = columns_.front().thread;
   for (size_t e = 0; e < warp_along_.size(); ++e)
     warp_along_[e] = along(System::kWarp, first_end + static_cast<int>(e), step, s_mm);
+  beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
     const Across& column = columns_[i];
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
     const Along& pick = weft_along_[i];
-    const bool warp = column.inside != across_row.inside ? column.inside
-                      : column.inside ? end.centre_mm + column.height_mm >= pick.centre_mm + across_row.height_mm
-                                      : column.beyond_mm <= across_row.beyond_mm;
-    SurfaceSample& s = out[i];
-    s = warp ? finish(System::kWarp, column, end) : finish(System::kWeft, across_row, pick);
-    s.cover = 1.0f - (1.0f - column.cover) * (1.0f - across_row.cover);
-    if (s.cover <= 0.0f) s.height_mm = floor_mm_, s.slope = {};
+    // Shares of the sample: both systems there and one on top, or one of them alone.
+    const float both = column.cover * across_row.cover;
+    const bool over = end.centre_mm + column.height_mm >= pick.centre_mm + across_row.height_mm;
+    const float warp = column.cover - (over ? 0.0f : both), weft = across_row.cover - (over ? both : 0.0f);
+    if (warp + weft <= 0.0f) {
+      const bool near_warp = column.beyond_mm <= across_row.beyond_mm;
+      out[i] = near_warp ? finish(System::kWarp, column, end, 0) : finish(System::kWeft, across_row, pick, 0);
+      out[i].height_mm = floor_mm_, out[i].slope = {};
+      continue;
+    }
+    const bool warp_first = warp >= weft;
+    out[i] = warp_first ? finish(System::kWarp, column, end, warp) : finish(System::kWeft, across_row, pick, weft);
+    if (std::min(warp, weft) > kLeastShown)
+      beside.push_back({static_cast<int>(i), warp_first ? finish(System::kWeft, across_row, pick, weft)
+                                                        : finish(System::kWarp, column, end, warp)});
   }
 }
 

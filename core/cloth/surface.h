@@ -21,10 +21,12 @@ struct SampleGrid {
 };
 SampleGrid sample_grid(const Cloth& cloth, int width, int height);
 
+/// What one system shows of a sample; cover is the share of the sample where it is on top.
 struct SurfaceSample {
   float height_mm = 0, cover = 0, groove = 1;
   Linear colour;
   Slope slope;
+  float slope_spread = 0;  // variance inside the sample of the slope across the thread
   Direction tangent;
   uint32_t thread = 0;
   uint8_t system = 0;
@@ -37,18 +39,24 @@ float floor_mm(const Cloth& cloth);
 class SurfaceSampler {
  public:
   SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x0, int x1, int y0, int y1);
-  /// Row y (in samples) of the window; out has x1 - x0 entries. Rows in order are cheapest.
-  void row(int y, std::span<SurfaceSample> out);
+  /// At the border of two systems a sample shows both.
+  struct Beside {
+    int sample = 0;
+    SurfaceSample shows;
+  };
+  /// Row y (in samples) of the window: out has x1 - x0 entries, the system that shows most; `beside`
+  /// gets the other one where it shows too. Rows in order are cheapest.
+  void row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside);
 
  private:
   /// A sample's place across the threads of one system.
   struct Across {
     int thread = 0;
-    bool inside = false;
     float cover = 0;        // share of the sample's width that threads cover
     float beyond_mm = 0;    // distance from the thread's edge, 0 inside
     float height_mm = 0;    // of the section above the centre line
     float slope = 0;        // -d height / d across, mean over the sample
+    float slope_spread = 0; // its variance inside the sample
     float turn = 0, ply_turn = 0, fade = 1, ply_fade = 1;
   };
   /// A thread's state at a sample along it.
@@ -61,7 +69,7 @@ class SurfaceSampler {
   std::vector<Across> across(System system, int first, int last) const;
   Along along(System system, int thread, const CentreStep& step, float s_mm) const;
   void follow_pick(int pick);
-  SurfaceSample finish(System system, const Across& across, const Along& along) const;
+  SurfaceSample finish(System system, const Across& across, const Along& along, float cover) const;
 
   const Cloth& cloth_;
   SampleGrid grid_;

@@ -1,0 +1,304 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drafts.h"
+
+namespace weftlight {
+namespace {
+
+using namespace test;
+
+Cloth whole(const Design& d, const BitMatrix& cells, Face face = Face::kFront) {
+  return lay_out(d, cells, face, Period::kWholeDraft);
+}
+
+bool all_finite(const Maps& m) {
+  for (size_t i = 0; i < m.height_mm.at_.size(); ++i) {
+    const Linear& c = m.colour.at_[i];
+    const Direction& t = m.tangent.at_[i];
+    for (float v : {m.height_mm.at_[i], m.coverage.at_[i], m.groove.at_[i], m.slope.at_[i].x, m.slope.at_[i].y,
+                    c.r, c.g, c.b, t.x, t.y, t.z, m.occlusion.at_[i]})
+      if (!std::isfinite(v)) return false;
+    const float length = t.x * t.x + t.y * t.y + t.z * t.z;
+    if (std::abs(length - 1.0f) > 1e-4f) return false;
+    if (c.r < 0 || c.r > 1 || m.coverage.at_[i] < 0 || m.coverage.at_[i] > 1 || m.groove.at_[i] < 0 ||
+        m.groove.at_[i] > 1 || m.occlusion.at_[i] < 0 || m.occlusion.at_[i] > 1)
+      return false;
+  }
+  return true;
+}
+
+TEST(LayOut, ThreadsLieSideBySideInMillimetres) {
+  const Cloth c = whole(design_of(4, 3, 0.5f, 0.3f), plain(4, 3));
+  EXPECT_FLOAT_EQ(c.width_mm, 2.0f);
+  EXPECT_FLOAT_EQ(c.depth_mm, 1.5f);
+  EXPECT_FLOAT_EQ(c.ends[0].centre_mm, 0.25f);
+  EXPECT_FLOAT_EQ(c.ends[3].centre_mm, 1.75f);
+  // Flattened, with the area of the round thread.
+  EXPECT_GT(c.ends[0].width_mm, 0.3f);
+  EXPECT_NEAR(c.ends[0].width_mm * c.ends[0].height_mm, 0.09f, 1e-5f);
+}
+
+TEST(LayOut, YarnsWithoutSpacingTouchWithSlightGaps) {
+  const Cloth c = whole(design_of(4, 4, kFromYarn, kFromYarn), plain(4, 4));
+  for (const auto* side : {&c.ends, &c.picks})
+    for (const ThreadBody& t : *side) {
+      EXPECT_LT(t.width_mm, t.spacing_mm);
+      EXPECT_GT(t.width_mm, 0.85f * t.spacing_mm);
+    }
+}
+
+TEST(LayOut, JammedThreadsAreNarrowerAndTaller) {
+  const ThreadBody free = whole(design_of(2, 2, 1.0f, 0.4f), plain(2, 2)).ends[0];
+  const ThreadBody jammed = whole(design_of(2, 2, 0.38f, 0.4f), plain(2, 2)).ends[0];
+  EXPECT_LE(jammed.width_mm, 0.38f);
+  EXPECT_GT(jammed.height_mm, free.height_mm);
+}
+
+TEST(LayOut, RepeatIsTheSmallestTile) {
+  const Cloth c = lay_out(design_of(8, 12, 0.5f, 0.4f), plain(8, 12), Face::kFront, Period::kRepeat);
+  EXPECT_EQ(c.ends.size(), 2u);
+  EXPECT_EQ(c.picks.size(), 2u);
+  EXPECT_FLOAT_EQ(c.width_mm, 1.0f);
+}
+
+TEST(LayOut, BackIsTheComplementInTheSameEndOrder) {
+  const Design d = design_of(5, 7, 0.5f, 0.4f);
+  const BitMatrix cells = scattered(5, 7, 3);
+  const Cloth front = whole(d, cells), back = whole(d, cells, Face::kBack);
+  for (int p = 0; p < 7; ++p)
+    for (int e = 0; e < 5; ++e) EXPECT_NE(front.up.get(p, e), back.up.get(p, e));
+  EXPECT_EQ(back.up, complement(cells));
+  for (float s : {0.0f, 0.31f, 1.2f, 2.9f})
+    EXPECT_FLOAT_EQ(centre_height_mm(front, System::kWarp, 2, s), -centre_height_mm(back, System::kWarp, 2, s));
+}
+
+TEST(Bake, CoverageIsTheShareOfTheArea) {
+  for (int size : {64, 200, 301}) {
+    const Cloth c = whole(design_of(6, 6, 0.5f, 0.2f), plain(6, 6));
+    const Maps m = bake(c, {size, size, 0, 1});
+    double sum = 0;
+    for (float v : m.coverage.at_) sum += static_cast<double>(v);
+    const double open = 1.0 - static_cast<double>(c.ends[0].width_mm) / 0.5;
+    EXPECT_NEAR(sum / (size * size), 1.0 - open * open, 1e-4) << size;
+  }
+}
+
+TEST(Bake, WarpIsOnTopWhereTheCellsSaySo) {
+  const BitMatrix cells = scattered(9, 7, 11);
+  const Cloth c = whole(design_of(9, 7, 0.5f, 0.45f), cells);
+  const Maps m = bake(c, {9 * 20, 7 * 20, 0, 1});
+  for (int p = 0; p < 7; ++p)
+    for (int e = 0; e < 9; ++e) {
+      EXPECT_EQ(m.system.at(e * 20 + 10, p * 20 + 10), cells.get(p, e) ? 0 : 1);
+      EXPECT_EQ(m.thread.at(e * 20 + 10, p * 20 + 10), static_cast<uint32_t>(cells.get(p, e) ? e : p));
+    }
+}
+
+TEST(Bake, BackFaceShowsTheComplement) {
+  const BitMatrix cells = scattered(8, 8, 5);
+  const Design d = design_of(8, 8, 0.5f, 0.45f);
+  const Maps front = bake(whole(d, cells), {160, 160, 0, 1});
+  const Maps back = bake(whole(d, cells, Face::kBack), {160, 160, 0, 1});
+  for (int p = 0; p < 8; ++p)
+    for (int e = 0; e < 8; ++e)
+      EXPECT_NE(front.system.at(e * 20 + 10, p * 20 + 10), back.system.at(e * 20 + 10, p * 20 + 10));
+}
+
+TEST(Bake, StraightThreadHasTheNormalsOfItsEllipse) {
+  // Wefts of no thickness: the ends lie straight.
+  Design d = design_of(1, 1, 1.0f, 0.8f);
+  d.draft.weft.thickness_mm = {0.0f};
+  d.yarns[0].flattening = 1.0f;  // round
+  const Cloth c = whole(d, plain(1, 1));
+  const int n = 400;
+  const Maps m = bake(c, {n, 4, 0, 1});
+  for (int x = 0; x < n; ++x) {
+    const double u = ((x + 0.5) / n - 0.5) / 0.4;  // across the radius
+    if (std::abs(u) > 0.95) continue;
+    EXPECT_NEAR(static_cast<double>(m.slope.at(x, 2).x), u / std::sqrt(1 - u * u), 0.02 + 0.02 * std::abs(u));
+    EXPECT_NEAR(static_cast<double>(m.slope.at(x, 2).y), 0.0, 1e-6);
+  }
+}
+
+TEST(Bake, TwistRunsToTheRightForZAndToTheLeftForS) {
+  for (Twist twist : {Twist::kZ, Twist::kS}) {
+    Design d = design_of(2, 2, 0.6f, 0.5f);
+    d.yarns[0].twist = twist;
+    const Maps m = bake(whole(d, plain(2, 2)), {128, 128, 0, 1});
+    const float hand = twist == Twist::kZ ? 1.0f : -1.0f;
+    EXPECT_GT(m.tangent.at(32, 32).x * hand, 0.05f);  // an end is on top: axis +y, leaning to +x for Z
+    EXPECT_EQ(m.system.at(32, 32), 0);
+    EXPECT_LT(m.tangent.at(96, 32).y * hand, -0.05f);  // a pick: axis +x, leaning to -y for Z
+    EXPECT_EQ(m.system.at(96, 32), 1);
+  }
+}
+
+TEST(Bake, TheMiddleOfALongFloatStandsHigher) {
+  const Cloth c = whole(design_of(8, 8, 0.5f, 0.45f), satin(8, 8));
+  // End 0 is down at pick 0 only.
+  const auto at = [&](int pick) {
+    return centre_height_mm(c, System::kWarp, 0, c.picks[static_cast<size_t>(pick)].centre_mm);
+  };
+  EXPECT_LT(at(0), 0.0f);
+  EXPECT_GT(at(2), at(1));
+  EXPECT_GT(at(4), at(2));
+  EXPECT_LT(at(4) - at(1), c.ends[0].height_mm);  // bounded by the tightness of the weave
+}
+
+TEST(Bake, TilesMeetWithoutASeam) {
+  const Cloth c = whole(design_of(8, 8, 0.5f, 0.45f), satin(8, 8));
+  const Maps m = bake(c, {512, 512, 8, 1});
+  // Steps over the border are like steps inside.
+  const auto column_step = [&](int x0, int x1) {
+    double sum = 0;
+    for (int y = 0; y < 512; ++y)
+      sum += std::abs(static_cast<double>(m.height_mm.at(x0, y)) - static_cast<double>(m.height_mm.at(x1, y))) +
+             std::abs(static_cast<double>(m.groove.at(x0, y)) - static_cast<double>(m.groove.at(x1, y)));
+    return sum / 512;
+  };
+  // The border is at the edge of a thread, as is column 64.
+  EXPECT_LT(column_step(511, 0), 2.0 * column_step(63, 64) + 0.01);
+  const auto row_step = [&](int y0, int y1) {
+    double sum = 0;
+    for (int x = 0; x < 512; ++x)
+      if (m.system.at(x, y0) == 0 && m.system.at(x, y1) == 0)
+        sum += std::abs(static_cast<double>(m.groove.at(x, y0)) - static_cast<double>(m.groove.at(x, y1)));
+    return sum / 512;
+  };
+  EXPECT_LT(row_step(511, 0), 2.0 * row_step(255, 256) + 0.01);
+}
+
+TEST(Bake, WholeRepeatsFurtherOnTheDraftIsTheSameTile) {
+  const Design d = design_of(16, 16, 0.5f, 0.45f);
+  const auto tile = [&](int shift) {
+    const BitMatrix cells = cells_of(16, 16, [&](int e, int p) { return ((e + shift) * 5) % 8 != (p + shift) % 8; });
+    return bake(lay_out(d, cells, Face::kFront, Period::kRepeat), {128, 128, 8, 1});
+  };
+  EXPECT_EQ(difference(tile(0), tile(8)), "");
+  EXPECT_EQ(difference(tile(0), tile(64)), "");
+}
+
+TEST(Bake, BitsDoNotDependOnTheNumberOfThreads) {
+  const Cloth c = whole(design_of(12, 10, 0.5f, 0.45f), scattered(12, 10, 7));
+  MapsSize size{200, 150, 16, 1};
+  const Maps one = bake(c, size);
+  for (int threads : {2, 3, 7}) {
+    size.threads = threads;
+    EXPECT_EQ(difference(one, bake(c, size)), "") << threads;
+  }
+}
+
+TEST(Bake, CoarseMapsAreRightOnAverage) {
+  // 96 x 96 threads in 40 x 33 texels against a fine bake.
+  Design d = design_of(96, 96, 0.5f, 0.42f);
+  const Cloth c = whole(d, scattered(96, 96, 23));
+  const auto mean = [&](int w, int h) {
+    const Maps m = bake(c, {w, h, 0, 2});
+    std::array<double, 5> sum{};
+    for (size_t i = 0; i < m.coverage.at_.size(); ++i) {
+      const double cover = static_cast<double>(m.coverage.at_[i]);
+      const Linear& l = m.colour.at_[i];
+      const double value[5] = {1, static_cast<double>(l.r * m.groove.at_[i]),
+                               static_cast<double>(l.b * m.groove.at_[i]), static_cast<double>(m.slope.at_[i].x),
+                               static_cast<double>(m.slope.at_[i].y)};
+      for (size_t k = 0; k < 5; ++k) sum[k] += cover * value[k] / static_cast<double>(m.coverage.at_.size());
+    }
+    return sum;
+  };
+  const auto fine = mean(96 * 16, 96 * 16), coarse = mean(40, 33);
+  EXPECT_NEAR(coarse[0], fine[0], 1e-3);
+  EXPECT_NEAR(coarse[1], fine[1], 0.02 * fine[1]);
+  EXPECT_NEAR(coarse[2], fine[2], 0.02 * fine[2]);
+  EXPECT_NEAR(coarse[3], fine[3], 0.01);
+  EXPECT_NEAR(coarse[4], fine[4], 0.01);
+}
+
+TEST(Bake, ExtremeThreadsStayFinite) {
+  for (float thickness : {0.0f, 1e-6f, 50.0f, 1e9f, kFromYarn})
+    for (float spacing : {0.0f, 1e-7f, 0.5f, 1e8f, kFromYarn})
+      for (int n : {1, 3}) {
+        const Cloth c = whole(design_of(n, n, spacing, thickness), plain(n, n));
+        const Maps m = bake(c, {32, 16, 4, 1});
+        EXPECT_TRUE(all_finite(m)) << thickness << " mm at " << spacing << " mm, " << n;
+        EXPECT_GT(m.width_mm, 0.0f);
+      }
+  Design d = design_of(2, 2, std::nanf(""), std::nanf(""));
+  d.yarns[0].turns_per_m = 1e30f;
+  d.yarns[0].fibre_um = 0;
+  d.yarns[0].plies = 99;
+  EXPECT_TRUE(all_finite(bake(whole(d, plain(2, 2)), {32, 32, 4, 1})));
+}
+
+TEST(Bake, AllWarpAllWeftAndNoThreads) {
+  for (bool up : {false, true}) {
+    const Cloth c = whole(design_of(5, 4, 0.5f, 0.45f), cells_of(5, 4, [&](int, int) { return up; }));
+    const Maps m = bake(c, {100, 80, 8, 1});
+    EXPECT_TRUE(all_finite(m));
+    for (int y = 10; y < 80; y += 20)
+      for (int x = 10; x < 100; x += 20) EXPECT_EQ(m.system.at(x, y), up ? 0 : 1);
+  }
+  const Maps none = bake(Cloth{}, {8, 8, 4, 1});
+  EXPECT_EQ(none.horizon.size(), 4u);
+  for (float v : none.coverage.at_) EXPECT_EQ(v, 0.0f);
+}
+
+TEST(Bake, SizesAreClamped) {
+  const Cloth c = whole(design_of(2, 2, 0.5f, 0.4f), plain(2, 2));
+  const Maps m = bake(c, {-5, 0, 1000, 1});
+  EXPECT_EQ(m.height_mm.width, 1);
+  EXPECT_EQ(m.height_mm.height, 1);
+  EXPECT_EQ(m.azimuths, 64);
+}
+
+TEST(Bake, ManyThreadsKeepTheirIndex) {
+  // Beyond 127, 255 and 65,535 threads, which narrow index types would fold.
+  const int n = 66000;
+  const Cloth c = whole(design_of(n, 1, 0.5f, 0.45f), cells_of(n, 1, [](int, int) { return true; }));
+  const Maps m = bake(c, {16384, 1, 0, 1});
+  EXPECT_GT(m.thread.at(16383, 0), 65990u);
+  EXPECT_TRUE(all_finite(m));
+}
+
+struct RebakeCase {
+  int ends, picks, width, height, azimuths;
+};
+class Rebake : public testing::TestWithParam<RebakeCase> {};
+
+TEST_P(Rebake, EqualsBakeBitForBitAndStaysInItsRectangles) {
+  const RebakeCase p = GetParam();
+  const Design d = design_of(p.ends, p.picks, 0.5f, 0.45f);
+  BitMatrix cells = scattered(p.ends, p.picks, 77);
+  const MapsSize size{p.width, p.height, p.azimuths, 2};
+  Maps maps = bake(whole(d, cells), size);
+  const CellRect rects[] = {{0, 1, 0, 1}, {p.ends - 1, p.ends, p.picks - 1, p.picks},
+                            {p.ends / 2, p.ends / 2 + 2, p.picks / 3, p.picks / 3 + 1}};
+  for (const CellRect& dirty : rects) {
+    for (int y = dirty.pick0; y < dirty.pick1; ++y)
+      for (int x = dirty.end0; x < dirty.end1; ++x) cells.set(y, x, !cells.get(y, x));
+    const Maps before = maps;
+    const Cloth after = whole(d, cells);
+    const std::vector<TexelRect> touched = rebake(maps, after, dirty);
+    EXPECT_EQ(difference(maps, bake(after, size)), "");
+    std::vector<bool> inside(maps.height_mm.at_.size());
+    for (const TexelRect& r : touched) {
+      ASSERT_TRUE(r.x0 >= 0 && r.y0 >= 0 && r.x1 <= p.width && r.y1 <= p.height);
+      for (int y = r.y0; y < r.y1; ++y)
+        for (int x = r.x0; x < r.x1; ++x) inside[static_cast<size_t>(y * p.width + x)] = true;
+    }
+    for (size_t i = 0; i < inside.size(); ++i)
+      if (!inside[i]) {
+        ASSERT_EQ(before.height_mm.at_[i], maps.height_mm.at_[i]);
+        for (size_t k = 0; k < maps.horizon.size(); ++k) ASSERT_EQ(before.horizon[k].at_[i], maps.horizon[k].at_[i]);
+      }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Rebake,
+                         testing::Values(RebakeCase{64, 48, 640, 480, 16}, RebakeCase{120, 200, 190, 300, 12},
+                                         RebakeCase{1, 1, 32, 32, 8}, RebakeCase{3, 2, 200, 100, 16},
+                                         RebakeCase{300, 20, 128, 128, 16}, RebakeCase{40, 40, 400, 400, 0}));
+
+}  // namespace
+}  // namespace weftlight

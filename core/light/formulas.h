@@ -20,6 +20,7 @@ vec4 fuzz_table(float opening, float depth);
 #include "shaders/filter.glsl"
 #include "shaders/horizon.glsl"
 #include "shaders/lobes.glsl"
+#include "shaders/tone.glsl"
 #include "shaders/vrst03.glsl"
 #undef FORMULA
 

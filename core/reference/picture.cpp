@@ -78,7 +78,7 @@ struct DrapeTrace {
     return s;
   }
 
-  glm::vec4 sample(glm::vec3 direction, Sampler& sampler) const {
+  glm::vec4 sample(glm::vec3 direction, RandomStream& sampler) const {
     float t_min = 0;
     MeshHit stop;
     const bool stopped = body && body->intersect(picture.eye, direction, 0, stop);
@@ -90,7 +90,7 @@ struct DrapeTrace {
       const glm::vec3 local = face(frame.to(direction));
       const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
       // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
-      const Seen seen = tracer.trace(at, local, -30 * thickness, around(hit), sampler, picture.bounces);
+      const Seen seen = tracer.trace(at - local * (30 * thickness), local, 0, around(hit), sampler, picture.bounces);
       if (seen.hit) return glm::vec4(seen.radiance, 1);
       t_min = hit.t + thickness;
     }
@@ -108,7 +108,7 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
   each_row(picture.height, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
-      Sampler sampler(seed_of(x, y, picture.width));
+      RandomStream sampler(seed_of(x, y, picture.width));
       const glm::vec2 shift(sampler.next(), sampler.next());
       glm::vec4 sum(0);
       for (int k = 0; k < picture.spp; ++k) {
@@ -130,7 +130,7 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
   each_row(picture.height, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
-      Sampler sampler(seed_of(x, y, picture.width));
+      RandomStream sampler(seed_of(x, y, picture.width));
       const glm::vec2 shift(sampler.next(), sampler.next());
       glm::vec4 sum(0);
       for (int k = 0; k < picture.spp; ++k) {

@@ -22,12 +22,12 @@ struct Basis {
   glm::vec3 world(glm::vec3 v) const { return t * v.x + b * v.y + n * v.z; }
 };
 
-glm::vec3 cosine_direction(glm::vec3 normal, Sampler& sampler) {
+glm::vec3 cosine_direction(glm::vec3 normal, RandomStream& sampler) {
   const float r2 = sampler.next(), a = 2 * kPi * sampler.next(), r = std::sqrt(r2);
   return Basis(normal).world({r * std::cos(a), r * std::sin(a), std::sqrt(std::max(0.0f, 1 - r2))});
 }
 
-glm::vec3 in_disc(glm::vec3 towards, float radius_rad, Sampler& sampler) {
+glm::vec3 in_disc(glm::vec3 towards, float radius_rad, RandomStream& sampler) {
   if (radius_rad <= 0) return towards;
   const float c = 1 - sampler.next() * (1 - std::cos(radius_rad)), s = std::sqrt(std::max(0.0f, 1 - c * c));
   const float a = 2 * kPi * sampler.next();
@@ -120,7 +120,7 @@ bool ClothTracer::shadowed(const Point& p, glm::vec3 towards) const {
   return false;
 }
 
-glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Sampler& sampler) const {
+glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, RandomStream& sampler) const {
   const glm::vec3 towards = in_disc(around.light_towards, around.light_radius_rad, sampler);
   const glm::vec3 local = formulas::lobe_local(p.frame, towards);
   glm::vec3 f;
@@ -136,7 +136,7 @@ glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Sample
 }
 
 Seen ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
-                        Sampler& sampler, int bounces) const {
+                        RandomStream& sampler, int bounces) const {
   Seen seen;
   TubeHit hit;
   if (!tubes_.intersect(origin, direction, t_min, hit)) return seen;

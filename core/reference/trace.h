@@ -15,9 +15,9 @@
 namespace weftlight {
 
 /// Repeatable random numbers (O'Neill 2014, PCG-XSH-RR 64/32).
-class Sampler {
+class RandomStream {
  public:
-  explicit Sampler(uint64_t seed) : state_(seed * 2 + 1) { next(), next(); }
+  explicit RandomStream(uint64_t seed) : state_(seed * 2 + 1) { next(), next(); }
   float next() {
     const uint64_t old = state_;
     state_ = old * 6364136223846793005u + 1442695040888963407u;
@@ -50,13 +50,13 @@ class ClothTracer {
  public:
   explicit ClothTracer(const TubeScene& tubes);
   /// One sample of what the ray sees. `bounces`: indirect light between threads, 0 for none.
-  Seen trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around, Sampler& sampler,
+  Seen trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around, RandomStream& sampler,
              int bounces) const;
 
  private:
   struct Point;
   Point point_of(const TubeHit& hit, glm::vec3 from) const;
-  glm::vec3 direct(const Point& point, const Surroundings& around, Sampler& sampler) const;
+  glm::vec3 direct(const Point& point, const Surroundings& around, RandomStream& sampler) const;
   bool shadowed(const Point& point, glm::vec3 towards) const;
 
   const TubeScene& tubes_;

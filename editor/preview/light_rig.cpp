@@ -72,4 +72,11 @@ LightRig load_light_rig(const std::string& name, std::string& error) {
   }
 }
 
+glm::vec3 sky_radiance(const LightRig& rig, glm::vec3 towards) {
+  const std::array<float, 9> basis = harmonics(towards);
+  glm::vec3 sum{0};
+  for (size_t k = 0; k < basis.size(); ++k) sum += rig.sky[k] * basis[k];
+  return glm::max(sum, glm::vec3(0));
+}
+
 }  // namespace weftlight

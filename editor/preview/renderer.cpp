@@ -18,8 +18,6 @@
 namespace weftlight {
 namespace {
 
-constexpr float kKeyIrradiance = 2.3f;   // times pi / pi: a white Lambertian at right angles leaves 0.73
-constexpr float kKeyRadius = 0.09f;      // sine of the half angle of the key light: a soft box, not the sun
 constexpr int kFullTaps = 12, kQuickTaps = 4;
 constexpr float kFullRadius = 2.2f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
 
@@ -173,7 +171,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   glDepthFunc(GL_LEQUAL);
   glUseProgram(body.peek());
   mesh.draw_body();
-  if (!cloth.empty()) {
+  if (!cloth.empty() && drawn.frame.cloth) {
     cloth.bind();
     draw_cloth(drawn, camera);
   }

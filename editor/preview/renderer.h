@@ -20,6 +20,7 @@ struct Frame {
   float yarns_per_pixel = 0;     // > 0: overrides the scene's distance so that the middle of the picture has this footprint
   Face front = Face::kFront;     // which face is shown on the front of the mesh
   bool ground = true;            // ground with the cloth's shadow
+  bool cloth = true;             // false: everything but the cloth (the ray-traced one is laid over it)
   bool transparent = false;      // leave the background out (alpha 0)
   bool false_color_rungs = false;
 };

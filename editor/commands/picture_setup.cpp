@@ -1,0 +1,68 @@
+#include "commands/picture_setup.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "files/files.h"
+#include "light/ladder.h"
+
+namespace weftlight {
+namespace {
+
+std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
+void take_options(Design& design, const PictureOptions& o) {
+  Scene& scene = design.scene;
+  if (!o.mesh.empty()) scene.mesh = o.mesh;
+  if (!std::isnan(o.view_azimuth)) scene.view_azimuth = o.view_azimuth, scene.view_elevation = o.view_elevation;
+  if (!std::isnan(o.light_azimuth)) scene.light_azimuth = o.light_azimuth, scene.light_elevation = o.light_elevation;
+  if (!o.method.empty()) design.look.method = method_from_name(o.method).value_or(Method::kAuto);
+}
+
+}  // namespace
+
+int fail(int code, const std::string& what) {
+  std::fprintf(stderr, "weftlight: %s\n", what.c_str());
+  return code;
+}
+
+int PictureSetup::open(const PictureOptions& o) {
+  if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
+    return fail(kUsage, o.out + ": the picture must be a .png or an .exr");
+  }
+  OpenedDesign opened = open_design(o.file);
+  if (!opened.ok) return kBadInput;
+  design = std::move(opened.design);
+  take_options(design, o);
+  std::string error;
+  context = HeadlessContext::create(error);
+  if (context) renderer = Renderer::create(error);
+  if (!renderer) return fail(kNoGraphics, "no graphics: " + error);
+  pipeline.submit(std::make_shared<const Design>(design));
+  error = pipeline.finish(*renderer);
+  return error.empty() ? kDone : fail(kBadInput, error);
+}
+
+Frame PictureSetup::frame(const PictureOptions& o) const {
+  Frame frame;
+  frame.width = o.width, frame.height = o.height;
+  frame.yarns_per_pixel = o.yarns_per_pixel;
+  frame.front = o.face;
+  return frame;
+}
+
+bool writes_linear(const std::string& path) { return extension_of(path) == ".exr"; }
+
+std::string write_picture(const std::string& path, const Image& image) {
+  if (writes_linear(path)) return write_image(path, image, PixelType::kHalf);
+  // The picture is opaque: a PNG without alpha is smaller and reads everywhere.
+  Image rgb{image.width, image.height, 3, {}};
+  rgb.texels.reserve(image.texels.size() / 4 * 3);
+  for (size_t i = 0; i < image.texels.size(); i += 4) {
+    rgb.texels.insert(rgb.texels.end(), image.texels.begin() + static_cast<long>(i), image.texels.begin() + static_cast<long>(i + 3));
+  }
+  return write_image(path, rgb, PixelType::kU8);
+}
+
+}  // namespace weftlight

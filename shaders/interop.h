@@ -32,13 +32,16 @@ struct SystemData {
   vec4 widths;                        // along, across (RMS slopes); z: tan of the fibre's angle; w: fuzz width
   vec4 weights;                       // specular, body, fuzz, transmission
   vec4 tint;                          // rgb of the specular; w: 1 metallic
-  vec4 extra;                         // x: reflectance at normal incidence; y: mean coverage; z, w: spare
+  vec4 extra;                         // x: reflectance at normal incidence; y: mean coverage; z: fuzz depth;
+                                      // w: mean height over the other system, in mean spacings
+  vec4 mean;                          // rgb: mean colour; w: spare
 };
 
 struct ClothData {
   SystemData systems[4];
   vec4 size;                          // width, depth mm; z: mean spacing of yarns mm; w: azimuths of the horizon
-  vec4 shadows;                       // rung vrst03: x: azimuths, y: elevations of its boolean shadow maps
+  vec4 gaps;                          // xy: mean gap along u and v, mm; z: height of the threads at its rim, mm;
+                                      // w: 1 where the cloth has gaps at all
 };
 
 #ifdef __cplusplus
@@ -48,17 +51,19 @@ inline constexpr int kFrameBinding = 0, kClothBinding = 1;
 
 /// Texture units.
 enum Sampler : int { kColorSlot, kReliefSlot, kHorizonSlot, kThreadShadowSlot, kSunShadowSlot, kGroundSlot,
-                     kBrdfPSlot, kBrdfQSlot, kMaskingSlot, kLobesSlot, kSamplerCount };
+                     kAlbedoSlot, kAlbedoMeanSlot, kFuzzSlot, kFrontHalfSlot, kFrontDifferenceSlot,
+                     kBackHalfSlot, kBackDifferenceSlot, kSamplerCount };
 inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "color_map", "relief_map", "horizon_map", "thread_shadow_map", "sun_shadow_map", "ground_sky_map",
-    "brdf_p_map", "brdf_q_map", "masking_map", "lobes_map"};
+    "albedo_texture", "albedo_mean_texture", "fuzz_texture", "front_half_map", "front_difference_map",
+    "back_half_map", "back_difference_map"};
 
 enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kAttributeCount };
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{
     "in_position", "in_normal", "in_tangent", "in_uv_mm", "in_sky"};
 
 static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 5)) * sizeof(float));
-static_assert(sizeof(interop::SystemData) == 16 * sizeof(float));
-static_assert(offsetof(interop::ClothData, size) == 64 * sizeof(float));
+static_assert(sizeof(interop::SystemData) == 20 * sizeof(float));
+static_assert(offsetof(interop::ClothData, size) == 80 * sizeof(float));
 }  // namespace weftlight
 #endif

@@ -34,6 +34,17 @@ int64_t BitMatrix::count() const {
 
 namespace {
 
+// Each word is folded in by the finaliser of MurmurHash3 (Austin Appleby, 2011).
+uint64_t hash(std::span<const uint64_t> words) {
+  uint64_t h = 0;
+  for (const uint64_t word : words) {
+    h = (h ^ word) * 0xff51afd7ed558ccdull;
+    h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ull;
+    h ^= h >> 33;
+  }
+  return h;
+}
+
 // Transposes a 64 x 64 block in place by swapping ever smaller quadrants.
 // Based on: Henry S. Warren, Hacker's Delight, 2nd ed. 2012, section 7-3.
 void transpose_block(std::array<uint64_t, 64>& a) {
@@ -48,6 +59,19 @@ void transpose_block(std::array<uint64_t, 64>& a) {
 }
 
 }  // namespace
+
+std::vector<int> first_equal_rows(const BitMatrix& m) {
+  // Open addressing, at most half full; a slot holds the first row of its kind.
+  const size_t slots = std::bit_ceil(static_cast<size_t>(m.rows()) * 2 + 1);
+  std::vector<int> table(slots, -1), first(static_cast<size_t>(m.rows()));
+  for (int r = 0; r < m.rows(); ++r) {
+    size_t at = hash(m.row(r)) & (slots - 1);
+    while (table[at] >= 0 && !std::ranges::equal(m.row(table[at]), m.row(r))) at = (at + 1) & (slots - 1);
+    if (table[at] < 0) table[at] = r;
+    first[r] = table[at];
+  }
+  return first;
+}
 
 BitMatrix transposed(const BitMatrix& m) {
   BitMatrix out(m.cols(), m.rows());

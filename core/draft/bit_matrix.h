@@ -48,6 +48,8 @@ class BitMatrix {
   std::vector<uint64_t> bits_;
 };
 
+/// For each row the first row that equals it.
+std::vector<int> first_equal_rows(const BitMatrix& matrix);
 /// Rows become columns.
 BitMatrix transposed(const BitMatrix& matrix);
 

@@ -9,17 +9,16 @@
 #include "draft/drawdown.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <string_view>
-#include <unordered_map>
 
 namespace weftlight {
 namespace {
 
 constexpr int kGroup = 8;  // shafts a table is indexed by
 constexpr int kSubsets = 1 << kGroup;
-constexpr int kTableWords = (256 * 1024) / 8;  // all tables of a strip: about a level-2 cache
-constexpr int kLeastStrip = 8;                 // words: one cache line
+constexpr int kTableWords = 2 * 1024 * 1024 / 8;  // all tables of a strip: within a level-3 cache
+constexpr int kLine = 8;                          // words of a cache line
 
 void or_into(uint64_t* to, const uint64_t* from, int words) {
   for (int w = 0; w < words; ++w) to[w] |= from[w];
@@ -84,45 +83,40 @@ unsigned subset_of(std::span<const uint64_t> lift, int group) {
   return static_cast<unsigned>(lift[static_cast<size_t>(group) / 8] >> (group % 8 * kGroup)) & (kSubsets - 1);
 }
 
-void look_up_row(uint64_t* row, const std::vector<uint64_t>& tables, std::span<const uint64_t> lift,
-                 int groups, int words) {
-  const auto entry = [&](int g) {
-    return tables.data() + (static_cast<size_t>(g) * kSubsets + subset_of(lift, g)) * words;
-  };
-  std::copy_n(entry(0), words, row);
-  int g = 1;
-  for (; g + 3 <= groups; g += 3) {  // three at once: a pass over the row costs as much as a table
-    const uint64_t *a = entry(g), *b = entry(g + 1), *c = entry(g + 2);
-    for (int w = 0; w < words; ++w) row[w] |= a[w] | b[w] | c[w];
+// The OR of one entry of each table. A cache line at a time stays in registers until all have been added.
+void look_up_row(uint64_t* row, const std::vector<const uint64_t*>& entries, int words) {
+  int w = 0;
+  for (; w + kLine <= words; w += kLine) {
+    std::array<uint64_t, kLine> line{};
+    for (const uint64_t* entry : entries) {
+      for (int i = 0; i < kLine; ++i) line[i] |= entry[w + i];
+    }
+    std::copy(line.begin(), line.end(), row + w);
   }
-  for (; g < groups; ++g) or_into(row, entry(g), words);
+  for (; w < words; ++w) {
+    row[w] = 0;
+    for (const uint64_t* entry : entries) row[w] |= entry[w];
+  }
 }
 
 void table_rows(BitMatrix& cells, const Harness& h, const BitMatrix& lift, const std::vector<int>& picks) {
   const int groups = (h.ends_of.rows() + kGroup - 1) / kGroup;
-  const int strip = std::max(kLeastStrip, kTableWords / (groups * kSubsets));
+  const int strip = std::max(1, kTableWords / (groups * kSubsets * kLine)) * kLine;
   std::vector<uint64_t> tables(static_cast<size_t>(groups) * kSubsets * strip);
+  std::vector<const uint64_t*> entries(static_cast<size_t>(groups));
   for (int word0 = 0; word0 < cells.words(); word0 += strip) {
     const int words = std::min(strip, cells.words() - word0);
     fill_tables(tables, h, word0, words);
     for (const int pick : picks) {
       uint64_t* row = cells.row(pick).data() + word0;
-      look_up_row(row, tables, lift.row(pick), groups, words);
+      for (int g = 0; g < groups; ++g) {
+        const unsigned subset = subset_of(lift.row(pick), g);
+        entries[g] = tables.data() + (static_cast<size_t>(g) * kSubsets + subset) * words;
+      }
+      look_up_row(row, entries, words);
       if (!h.rising) sink(row, h.threaded.data() + word0, words);
     }
   }
-}
-
-std::string_view bytes_of(std::span<const uint64_t> words) {
-  return {reinterpret_cast<const char*>(words.data()), words.size_bytes()};
-}
-
-// For each pick the first pick of the same lift.
-std::vector<int> first_alike(const BitMatrix& lift) {
-  std::vector<int> first(static_cast<size_t>(lift.rows()));
-  std::unordered_map<std::string_view, int> seen;
-  for (int p = 0; p < lift.rows(); ++p) first[p] = seen.try_emplace(bytes_of(lift.row(p)), p).first->second;
-  return first;
 }
 
 bool tables_pay(const BitMatrix& lift, const std::vector<int>& picks) {
@@ -136,7 +130,7 @@ bool tables_pay(const BitMatrix& lift, const std::vector<int>& picks) {
 
 BitMatrix drawdown_of(const Harness& h, const BitMatrix& lift, int ends) {
   BitMatrix cells(lift.rows(), ends);
-  const std::vector<int> first = first_alike(lift);
+  const std::vector<int> first = first_equal_rows(lift);
   std::vector<int> distinct;
   for (int p = 0; p < lift.rows(); ++p) {
     if (first[p] == p) distinct.push_back(p);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <string_view>
-#include <unordered_map>
 
 namespace weftlight {
 namespace {
@@ -192,26 +190,22 @@ Design to_treadling(Design design) {
   Draft& d = design.draft;
   if (d.drive == Drive::kTreadling && single_treadled(d.treadling)) return design;
   const BitMatrix lift = lifts(d);
-  std::unordered_map<std::string_view, int> treadle_of;
-  std::vector<int> first_pick, used(static_cast<size_t>(lift.rows()), -1);
+  const std::vector<int> first = first_equal_rows(lift);
+  std::vector<int> treadle(first.size(), -1), pick_of;  // pick_of: the first pick of each treadle
   for (int p = 0; p < lift.rows(); ++p) {
     if (lift.first(p) < 0) continue;  // nothing to lift needs no treadle
-    const auto words = lift.row(p);
-    const std::string_view key(reinterpret_cast<const char*>(words.data()), words.size_bytes());
-    const auto [at, is_new] = treadle_of.try_emplace(key, static_cast<int>(first_pick.size()));
-    if (is_new) first_pick.push_back(p);
-    used[p] = at->second;
+    treadle[p] = first[p] == p ? static_cast<int>(pick_of.size()) : treadle[first[p]];
+    if (first[p] == p) pick_of.push_back(p);
   }
-  if (first_pick.size() > static_cast<size_t>(kMaxShafts)) return design;
-  d.treadles = std::max(1, static_cast<int>(first_pick.size()));
+  if (pick_of.size() > static_cast<size_t>(kMaxShafts)) return design;
+  d.treadles = std::max(1, static_cast<int>(pick_of.size()));
   d.tieup = BitMatrix(d.treadles, d.shafts);
   d.treadling = BitMatrix(d.picks(), d.treadles);
-  for (size_t t = 0; t < first_pick.size(); ++t) {
-    std::copy(lift.row(first_pick[t]).begin(), lift.row(first_pick[t]).end(),
-              d.tieup.row(static_cast<int>(t)).begin());
+  for (int t = 0; t < static_cast<int>(pick_of.size()); ++t) {
+    std::ranges::copy(lift.row(pick_of[t]), d.tieup.row(t).begin());
   }
   for (int p = 0; p < lift.rows(); ++p) {
-    if (used[p] >= 0) d.treadling.set(p, used[p], true);
+    if (treadle[p] >= 0) d.treadling.set(p, treadle[p], true);
   }
   d.drive = Drive::kTreadling;
   return design;

@@ -69,7 +69,7 @@ Section trunk_section(float height) {
   return {along(&Measure::half_width), along(&Measure::half_depth), along(&Measure::middle)};
 }
 
-Arm arm() { return {{176, 1352, -10}, {338, 1128, -4}, {452, 918, 44}, 47, 37, 26}; }
+Arm arm() { return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26}; }
 
 float ground(Vec3 p) { return p[1]; }
 

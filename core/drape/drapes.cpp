@@ -42,11 +42,12 @@ Drape sphere() {
   Drape drape;
   drape.pattern = flat_square(101, 600, 2 * kBallRadius + 2);
   drape.body = [](Vec3 p) { return std::min(ball(p), ground(p)); };
-  drape.fall.seconds = 3.5;
+  drape.fall.seconds = 4;
+  drape.fall.air_per_second = 1;
   drape.fall.body_friction = 0.5;
-  drape.fabric.bending_n_m = 0.8e-5;
+  drape.fabric.bending_n_m = 0.6e-5;
   drape.fabric.bias_n_per_m = 40;
-  drape.fall.apart_mm = 4.5;
+  drape.fall.apart_mm = 5;
   return drape;
 }
 
@@ -55,12 +56,13 @@ Drape tablecloth() {
   drape.pattern = flat_square(101, 1400, kTableHeight + 2);
   drape.body = [](Vec3 p) { return std::min(table(p), ground(p)); };
   drape.fall.seconds = 4;
-  drape.fall.apart_mm = 10;
+  drape.fall.apart_mm = 10.5;
+  drape.fabric.bending_n_m = 1.8e-5;
   return drape;
 }
 
 Drape curtain() {
-  constexpr int kColumns = 113, kRows = 100;
+  constexpr int kColumns = 99, kRows = 115;
   constexpr float kWidth = 1400, kLength = 1800, kTop = kRodHeight - 2 * kRingRadius;
   Drape drape;
   add_piece(drape.pattern, kColumns, kRows, rectangle(kWidth, kLength), [](Vec2 uv) {
@@ -69,7 +71,7 @@ Drape curtain() {
   });
   drape.body = ground;
   drape.fall.seconds = 5;
-  drape.fall.apart_mm = 9;
+  drape.fall.apart_mm = 11;
   std::vector<uint32_t> held;
   for (int ring = 0; ring < kRings; ++ring) {
     held.push_back(static_cast<uint32_t>((kRows - 1) * kColumns + ring * (kColumns - 1) / (kRings - 1)));
@@ -89,7 +91,7 @@ Drape curtain() {
 }
 
 Mesh finish(Drape drape, const std::string& name, float steps_scale) {
-  Cloth cloth = weave(drape.pattern, drape.fabric, 1.6 * drape.fall.apart_mm);
+  Cloth cloth = weave(drape.pattern, drape.fabric, drape.fall.reach_mm());
   for (const uint32_t particle : drape.held) cloth.inverse_mass[particle] = 0;
   drape.fall.seconds *= static_cast<double>(steps_scale);
   fall(cloth, drape.body, drape.fall);

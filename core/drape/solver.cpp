@@ -18,6 +18,7 @@ namespace {
 constexpr double kGravity = 9810;    // mm/s2
 constexpr double kMaxSpeed = 4000;   // mm/s, cloth falling through air hardly exceeds it
 
+
 /// The body near a particle, as a plane: normal . x >= offset.
 struct Plane {
   uint32_t particle;
@@ -155,7 +156,7 @@ void fall(Cloth& cloth, const Distance& body, const Fall& how) {
     const double time = look / static_cast<double>(how.looks_per_second);
     if (how.lead) how.lead(cloth, time, time + 1.0 / how.looks_per_second);
     find_planes(cloth, body, how, contacts.planes);
-    find_pairs(cloth, 1.6 * how.apart_mm, contacts.pairs);
+    find_pairs(cloth, how.reach_mm(), contacts.pairs);
     const bool resting = look > how.rest_from * looks;
     const double keep = std::exp(-(resting ? 6 : 1) * how.air_per_second * dt);
     for (int k = 0; k < how.substeps; ++k) substep(cloth, contacts, how, dt, keep);

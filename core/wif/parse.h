@@ -34,7 +34,7 @@ class Findings {
 /// How one table of a thread system is kept: rows listed, or one value for all.
 struct ColumnHabits {
   bool list_all = false;  // rows are in the file
-  double fallback = 0;    // what a row not listed means: palette index or millimetres
+  double fallback = -1;   // what a row not listed means: palette index or millimetres
 };
 
 struct SystemHabits {
@@ -49,6 +49,7 @@ struct WifHabits {
   int palette_base = 1;        // number of the first row of [COLOR TABLE]
   int default_color_base = 1;  // of Color= in [WARP] and [WEFT] (Luminescence: 0)
   SystemHabits warp, weft;
+  int treadle_base = 1;        // number that [TREADLING] gives the first treadle
   bool has_liftplan = false;   // a liftplan is kept beside the treadling
   std::vector<std::string> zero_based;  // sections whose rows count from 0
 

@@ -130,6 +130,24 @@ int read_shaft_count(const Reader& r) {
   return std::max({stated, used, 1});
 }
 
+/// Some programs count treadles from 0, in [TIEUP] alone or in [TREADLING] too: when row 0 ties shafts.
+void find_treadle_base(const Reader& r, int stated) {
+  const WifSection* tieup = r.text.find("TIEUP");
+  if (!tieup) return;
+  bool zero = false;
+  int last = 0;
+  for (const WifKey& key : tieup->keys) {
+    if (leading_int(key.value).value_or(0) <= 0) continue;
+    zero = zero || key.number == 0;
+    last = std::max(last, key.number);
+  }
+  if (!zero || (stated > 0 && last >= stated)) return;
+  r.habits.zero_based.push_back("TIEUP");
+  int line = -1;
+  if (largest_value(r, "TREADLING", line) <= last) r.habits.treadle_base = 0;
+  r.findings.add(Severity::kNote, r.line_of("TIEUP"), {}, "[TIEUP] counts from 0", "read so; nothing to do");
+}
+
 int read_treadle_count(const Reader& r) {
   const WifKey* key = r.text.find("WEAVING", "Treadles");
   const int stated = int_of(r, key).value_or(0);
@@ -138,12 +156,14 @@ int read_treadle_count(const Reader& r) {
                    "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
     return 0;
   }
+  find_treadle_base(r, stated);
   int line = -1;
-  int used = largest_value(r, "TREADLING", line);
+  int used = std::min(largest_value(r, "TREADLING", line) + 1 - r.habits.treadle_base, kMaxShafts);
+  const int shift = 1 - r.habits.base_of("TIEUP");
   if (const WifSection* tieup = r.text.find("TIEUP")) {
     for (const WifKey& k : tieup->keys) {
-      if (k.number > used && k.number <= kMaxShafts && leading_int(k.value).value_or(0) != 0) {
-        used = k.number;
+      if (k.number < kMaxShafts && k.number + shift > used && leading_int(k.value).value_or(0) != 0) {
+        used = k.number + shift;
         line = k.line;
       }
     }
@@ -171,11 +191,12 @@ void read_rising(const Reader& r, WifFile* info) {
 }
 
 /// Rows of lists (threading, tie-up, treadling, liftplan) as bits.
-void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what) {
+void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what, int value_base = 1) {
   const WifSection* section = r.text.find(name);
   if (!section) return;
-  const int base = row_base(*section, bits.rows());
-  if (base == 0) {
+  const bool is_tieup = section->name == "TIEUP";  // its base is known already
+  const int base = is_tieup ? r.habits.base_of(name) : row_base(*section, bits.rows());
+  if (base == 0 && !is_tieup) {
     r.habits.zero_based.push_back(name);
     r.findings.add(Severity::kNote, r.line_of(name), {}, std::string("[") + name + "] counts from 0",
                    "read so; nothing to do");
@@ -188,8 +209,8 @@ void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what) 
                       std::string("ignored; write the numbers of its ") + what);
     }
     for (const int value : list) {
-      if (value >= 1 && value <= bits.cols()) {
-        bits.set(row, value - 1, true);
+      if (value >= value_base && value - value_base < bits.cols()) {
+        bits.set(row, value - value_base, true);
       } else if (value != 0) {
         r.findings.warn(key.line, section->name + " shaft", "[" + section->name + "] names " + what + " " + std::to_string(value),
                         "ignored; there are " + std::to_string(bits.cols()));
@@ -215,7 +236,7 @@ void read_drive(Reader& r, WifFile* info) {
   const bool has_tieup = r.text.find("TIEUP"), has_treadling = r.text.find("TREADLING");
   const bool has_liftplan = r.text.find("LIFTPLAN");
   read_lists(r, "TIEUP", draft.tieup, "shafts");
-  read_lists(r, "TREADLING", draft.treadling, "treadles");
+  read_lists(r, "TREADLING", draft.treadling, "treadles", r.habits.treadle_base);
   BitMatrix liftplan(draft.picks(), draft.shafts);
   read_lists(r, "LIFTPLAN", liftplan, "shafts");
   draft.drive = Drive::kTreadling;

@@ -16,31 +16,71 @@ interop::SystemData mean_lobes(const Cloth& cloth, const std::vector<ThreadBody>
     const Linear tint = linear_from_srgb(l.specular_tint);
     const float f = (l.ior - 1) / (l.ior + 1);
     const std::array<float, 16> values{l.along_width, l.across_width, 0, l.fuzz_width, l.specular, l.body, l.fuzz,
-                                       l.transmission, tint.r, tint.g, tint.b, l.metallic ? 1.0f : 0.0f, f * f, 0, 0, 0};
+                                       l.transmission, tint.r, tint.g, tint.b, l.metallic ? 1.0f : 0.0f, f * f, 0,
+                                       l.fuzz_width * l.fuzz_width, 0};
     float* to = s.widths.data();
     for (size_t i = 0; i < values.size(); ++i) to[i] += values[i] * share;
   }
   return s;
 }
 
-/// Mean coverage and the mean angle of the fibres to the thread's axis, from a sparse grid of texels.
-void add_means(interop::SystemData& s, const Maps& maps, int system) {
-  const int step_x = std::max(1, maps.coverage.width / 256), step_y = std::max(1, maps.coverage.height / 256);
-  double covered = 0, across = 0, along = 0;
+/// Sums over a sparse grid of texels of one system.
+struct Sums {
+  double covered = 0, across = 0, along = 0, height = 0;
+  std::array<double, 3> color{};
   int count = 0;
+};
+
+Sums sum_system(const Maps& maps, int system) {
+  const int step_x = std::max(1, maps.coverage.width / 256), step_y = std::max(1, maps.coverage.height / 256);
+  Sums sums;
   for (int y = 0; y < maps.coverage.height; y += step_y) {
-    for (int x = 0; x < maps.coverage.width; x += step_x, ++count) {
+    for (int x = 0; x < maps.coverage.width; x += step_x, ++sums.count) {
       if ((maps.system.at(x, y) != 0) != (system != 0)) continue;
       const double w = static_cast<double>(maps.coverage.at(x, y));
       const Direction& t = maps.tangent.at(x, y);
+      const Linear& c = maps.colour.at(x, y);
+      const double shade = w * static_cast<double>(maps.groove.at(x, y));
       // The angle is from the axis, towards +x for an end and towards +y for a pick.
-      const float a = system ? t.x : t.y, c = system ? t.y : t.x;
+      const float a = system ? t.x : t.y, b = system ? t.y : t.x;
       const float sign = a < 0 ? -1.0f : 1.0f;
-      covered += w, along += w * static_cast<double>(a * sign), across += w * static_cast<double>(c * sign);
+      sums.covered += w;
+      sums.along += w * static_cast<double>(a * sign), sums.across += w * static_cast<double>(b * sign);
+      sums.height += w * static_cast<double>(maps.height_mm.at(x, y));
+      sums.color[0] += shade * static_cast<double>(c.r), sums.color[1] += shade * static_cast<double>(c.g);
+      sums.color[2] += shade * static_cast<double>(c.b);
     }
   }
-  s.widths[2] = along > 0 ? static_cast<float>(across / along) : 0;
-  s.extra[1] = count ? static_cast<float>(covered / count) : 0;
+  return sums;
+}
+
+/// Mean coverage, colour and height of both systems, and the angle of their fibres to the thread's axis.
+void add_means(interop::SystemData* systems, const Maps& maps, float spacing_mm) {
+  const std::array<Sums, 2> sums{sum_system(maps, 0), sum_system(maps, 1)};
+  std::array<double, 2> height{};
+  for (size_t i = 0; i < 2; ++i) {
+    const Sums& s = sums[i];
+    const double weight = std::max(s.covered, 1e-9);
+    height[i] = s.height / weight;
+    systems[i].widths[2] = s.along > 0 ? static_cast<float>(s.across / s.along) : 0;
+    systems[i].extra[1] = s.count ? static_cast<float>(s.covered / s.count) : 0;
+    for (size_t c = 0; c < 3; ++c) systems[i].mean[c] = static_cast<float>(s.color[c] / weight);
+  }
+  const bool both = sums[0].covered > 0 && sums[1].covered > 0;
+  const float lift = both ? static_cast<float>(height[0] - height[1]) / std::max(spacing_mm, 1e-3f) : 0;
+  systems[0].extra[3] = lift, systems[1].extra[3] = -lift;
+}
+
+float mean_gap_mm(const std::vector<ThreadBody>& threads) {
+  float sum = 0;
+  for (const ThreadBody& t : threads) sum += std::max(0.0f, t.spacing_mm - t.width_mm);
+  return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
+}
+
+float mean_height_mm(const std::vector<ThreadBody>& threads) {
+  float sum = 0;
+  for (const ThreadBody& t : threads) sum += t.height_mm;
+  return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
 }
 
 }  // namespace
@@ -59,11 +99,14 @@ std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back) {
       const Cloth& cloth = faces[face]->cloth;
       interop::SystemData& s = data.systems[face * 2 + static_cast<size_t>(system)];
       s = mean_lobes(cloth, system ? cloth.picks : cloth.ends);
-      add_means(s, faces[face]->maps, system);
     }
+    add_means(&data.systems[face * 2], faces[face]->maps, mean_spacing_mm(faces[face]->cloth));
   }
   data.size = {front.cloth.width_mm, front.cloth.depth_mm, mean_spacing_mm(front.cloth),
                static_cast<float>(front.maps.azimuths)};
+  const float covered = data.systems[0].extra[1] + data.systems[1].extra[1];
+  data.gaps = {mean_gap_mm(front.cloth.ends), mean_gap_mm(front.cloth.picks),
+               0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks)), covered < 0.998f ? 1.0f : 0.0f};
   std::vector<float> block(sizeof data / sizeof(float));
   std::memcpy(block.data(), &data, sizeof data);
   return block;

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "light/tables.h"
+
 namespace weftlight {
 namespace {
 
@@ -36,9 +38,44 @@ void filter_as_tile(int levels) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
 }
 
+void clamp_to_edge(GLenum target) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+}
+
+void upload_cube(GlTexture& texture, const std::vector<float>& texels, int size) {
+  glBindTexture(GL_TEXTURE_CUBE_MAP, texture.get());
+  const size_t face = static_cast<size_t>(size) * static_cast<size_t>(size) * 3;
+  for (size_t i = 0; i < 6; ++i) {
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0, GL_RGB32F, size, size, 0, GL_RGB, GL_FLOAT,
+                 texels.data() + i * face);
+  }
+  clamp_to_edge(GL_TEXTURE_CUBE_MAP);
+}
+
 }  // namespace
 
+void GpuCloth::upload_tables() {
+  if (albedo_.peek()) return;
+  const LightTables& tables = light_tables();
+  glBindTexture(GL_TEXTURE_3D, albedo_.get());
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RG32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RG, GL_FLOAT,
+               tables.albedo.values.data());
+  clamp_to_edge(GL_TEXTURE_3D);
+  glBindTexture(GL_TEXTURE_2D, albedo_mean_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, tables.albedo_mean.nx, tables.albedo_mean.ny, 0, GL_RG, GL_FLOAT,
+               tables.albedo_mean.values.data());
+  clamp_to_edge(GL_TEXTURE_2D);
+  glBindTexture(GL_TEXTURE_2D, fuzz_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, tables.fuzz.nx, tables.fuzz.ny, 0, GL_RGBA, GL_FLOAT, tables.fuzz.values.data());
+  clamp_to_edge(GL_TEXTURE_2D);
+}
+
 void GpuCloth::upload(const PackedCloth& cloth) {
+  upload_tables();
   width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
   bytes_ = 0;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -55,6 +92,13 @@ void GpuCloth::upload(const PackedCloth& cloth) {
     }
     filter_as_tile(static_cast<int>(front.levels.size()));
     bytes_ += upload_face(front, kFormats[k], 0) + upload_face(back, kFormats[k], front.layers);
+  }
+  if (cloth.front.cube_size > 0) {
+    upload_cube(cubes_[0], cloth.front.half_cube, cloth.front.cube_size);
+    upload_cube(cubes_[1], cloth.front.difference_cube, cloth.front.cube_size);
+    upload_cube(cubes_[2], cloth.back.half_cube, cloth.back.cube_size);
+    upload_cube(cubes_[3], cloth.back.difference_cube, cloth.back.cube_size);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   }
   upload_lobes(cloth.lobes);
 }
@@ -82,6 +126,14 @@ void GpuCloth::bind() {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kFormats[k].slot));
     glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].peek());
   }
+  const auto bind_to = [](int slot, GLenum target, const GlTexture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(slot));
+    glBindTexture(target, texture.peek());
+  };
+  bind_to(kAlbedoSlot, GL_TEXTURE_3D, albedo_);
+  bind_to(kAlbedoMeanSlot, GL_TEXTURE_2D, albedo_mean_);
+  bind_to(kFuzzSlot, GL_TEXTURE_2D, fuzz_);
+  for (int i = 0; i < 4; ++i) bind_to(kFrontHalfSlot + i, GL_TEXTURE_CUBE_MAP, cubes_[static_cast<size_t>(i)]);
   glBindBufferBase(GL_UNIFORM_BUFFER, kClothBinding, block_.get());
 }
 

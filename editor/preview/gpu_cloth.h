@@ -26,8 +26,11 @@ class GpuCloth {
   size_t bytes() const { return bytes_; }
 
  private:
+  void upload_tables();
   std::array<GlTexture, kPackedKinds> textures_;
   std::array<int, kPackedKinds> layers_{};  // of one face
+  std::array<GlTexture, 4> cubes_;          // front half, front difference, back half, back difference
+  GlTexture albedo_, albedo_mean_, fuzz_;   // of no design: made once
   GlBuffer block_;
   interop::ClothData data_{};
   float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;

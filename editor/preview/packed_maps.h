@@ -46,6 +46,9 @@ struct PackedTexture {
 
 struct PackedFace {
   std::array<PackedTexture, kPackedKinds> textures;  // by PackedKind; kShadow is empty unless asked for
+  // Rung vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
+  int cube_size = 0;
+  std::vector<float> half_cube, difference_cube;
 };
 
 /// Everything of a design that the renderer needs beside mesh, scene and look.

@@ -86,7 +86,10 @@ bool Renderer::Parts::build(std::string& error) {
 GLuint Renderer::Parts::cloth_program(Method method, int taps, std::string& error) {
   GlProgram& program = cloth_programs[{method, taps}];
   if (!program.peek()) {
-    program = build_program("cloth.vert", "cloth.frag", {define_of(method), "SHADOW_TAPS " + std::to_string(taps)}, error);
+    std::vector<std::string> defines{define_of(method), "SHADOW_TAPS " + std::to_string(taps),
+                                     "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths)};
+    if (taps == kQuickTaps) defines.push_back("QUICK");
+    program = build_program("cloth.vert", "cloth.frag", defines, error);
   }
   return program.peek();
 }

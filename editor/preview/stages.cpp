@@ -6,6 +6,7 @@
 
 #include "drape/mesh.h"
 #include "files/files.h"
+#include "light/separable.h"
 #include "preview/cloth_block.h"
 
 namespace weftlight {
@@ -85,6 +86,22 @@ Period choose_period(const Design& design, const BitMatrix& cells) {
   return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
 }
 
+std::vector<float> cube_texels(const CubeMap& cube) {
+  std::vector<float> texels;
+  for (const std::vector<glm::vec3>& face : cube.faces) {
+    for (const glm::vec3& c : face) texels.insert(texels.end(), {c.x, c.y, c.z});
+  }
+  return texels;
+}
+
+/// The average BRDF of rung vrst03.
+void add_cubes(PackedFace& face, const Cloth& cloth) {
+  const Separable separable = factorise(cloth_brdf(cloth), Split::kHalfDifference);
+  face.cube_size = separable.first.size;
+  face.half_cube = cube_texels(separable.first);
+  face.difference_cube = cube_texels(separable.second);
+}
+
 ReadMesh find_mesh(const std::string& name) {
   ReadMesh read = load_drape(name);
   const std::vector<std::string>& shipped = drape_names();
@@ -103,7 +120,9 @@ void Stages::bake_all(const Design& design, bool shadows) {
     FaceState& state = face == Face::kFront ? front_ : back_;
     state.cloth = face_cloth(design, cells_, face, period_);
     state.maps = bake(state.cloth, maps_size(state.cloth));
-    (face == Face::kFront ? packed_.front : packed_.back) = pack(state.maps, shadows);
+    PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
+    packed = pack(state.maps, shadows);
+    if (shadows) add_cubes(packed, state.cloth);
   }
   packed_.width_mm = front_.cloth.width_mm;
   packed_.depth_mm = front_.cloth.depth_mm;
@@ -111,7 +130,7 @@ void Stages::bake_all(const Design& design, bool shadows) {
 }
 
 bool Stages::bake_cells(const Design& design, const CellRect& dirty, StageResult& result) {
-  if (period_ == Period::kRepeat) return false;
+  if (period_ == Period::kRepeat || (shadows_ && !dirty.empty())) return false;  // vrst03 knows only the whole
   if (dirty.empty()) return true;
   for (const Face face : {Face::kFront, Face::kBack}) {
     FaceState& state = face == Face::kFront ? front_ : back_;

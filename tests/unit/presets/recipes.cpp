@@ -38,13 +38,15 @@ Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float opennes
   return with_sett(with_yarns(std::move(design), warp, weft), openness);
 }
 
+// Deep water at the edges, pale at the heart, a line of gold between the stars.
 Design starter() {
-  Design d = advancing_twill({3, 2, 1, 2}, 12, 3, {96, 96});
-  d = with_colors(std::move(d), palette({0x16324f, 0x1f5c7a, 0x4b9aa3, 0xd9b26a, 0xf3e9d8}),
-                  {{0, 24}, {1, 12}, {2, 12}, {3, 2}, {2, 10}, {1, 12}, {0, 24}}, {{4, 1}});
+  constexpr int kRepeat = 70;  // ends and picks of one star
+  Design d = undulating_twill({3, 2, 1, 2}, 2, true, {kRepeat, kRepeat});
+  d = with_colors(std::move(d), palette({0x14304f, 0x1d5a78, 0x3f8f9b, 0x86bdb9, 0xe0b45c, 0xf4ebdc}),
+                  {{4, 1}, {0, 10}, {1, 10}, {2, 9}, {3, 11}, {2, 9}, {1, 10}, {0, 10}}, {{5, 1}});
   d = in_yarns(std::move(d), yarn("Mercerised cotton"), yarn("Silk"));
-  return titled(std::move(d), "Tidewater",
-                {"An advancing twill on eight shafts, woven as drawn in.",
+  return titled(std::move(d), "Tide star",
+                {"An undulating twill on eight shafts, mirrored and woven as drawn in.",
                  "Warp of mercerised cotton from indigo to sea green, weft of ivory silk."});
 }
 
@@ -126,7 +128,9 @@ Design cabin() {
 }
 
 Design shadow() {
-  Design d = shadow_weave({0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1}, {88, 88});
+  Design d = shadow_weave(
+      {0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 3, 3, 2, 2, 1, 1, 0, 0, 3, 3, 2, 2, 1, 1},
+      {64, 64});
   d = with_colors(std::move(d), palette({0x2b2f5b, 0xe9c46a}), {}, {});
   return titled(in_yarns(std::move(d), yarn("Mercerised cotton"), yarn("Mercerised cotton")), "Shadow weave",
                 {"Dark and light threads in turn; blocks choose lines along or across."});
@@ -159,7 +163,7 @@ Design gauze() {
 }
 
 Design undulating() {
-  Design d = undulating_twill({2, 2, 2, 2}, 3, {128, 96});
+  Design d = undulating_twill({2, 2, 2, 2}, 3, false, {96, 64});
   d = with_colors(std::move(d), palette({0x6d3b47, 0xe9dcc9}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), yarn("Viscose"), yarn("Viscose")), "Undulating twill",
                 {"The twill line steepens and flattens with the crowding of the draw."});

@@ -1,0 +1,137 @@
+// Writing [PRIVATE WEFTLIGHT ...]; read_private.cpp reads it back.
+
+#include "wif/encoding.h"
+#include "wif/numbers.h"
+#include "wif/private.h"
+#include "wif/sections.h"
+
+namespace weftlight {
+namespace {
+
+void add(WifEntries& section, std::string key, std::string value, bool is_text = false) {
+  section.entries.push_back({-1, std::move(key), std::move(value), is_text});
+}
+
+void push_if_any(std::vector<WifEntries>& out, WifEntries section) {
+  if (section.entries.empty()) return;
+  section.name.insert(0, kPrivate);
+  out.push_back(std::move(section));
+}
+
+std::string color_text(const Rgb& c) {
+  std::string text = shortest(c.r);
+  return text.append(",").append(shortest(c.g)).append(",").append(shortest(c.b));
+}
+
+template <class T, size_t N>
+void add_fields(WifEntries& section, const std::string& prefix, const FloatField<T> (&fields)[N], const T& value) {
+  for (const FloatField<T>& field : fields) add(section, prefix + field.key, shortest(value.*field.member));
+}
+
+WifEntries yarns_of(const Design& design) {
+  WifEntries section{"YARNS", {}};
+  if (design.yarns == std::vector<Yarn>{Yarn{}}) return section;
+  add(section, "Yarns", std::to_string(design.yarns.size()));
+  for (size_t i = 0; i < design.yarns.size(); ++i) {
+    const Yarn& yarn = design.yarns[i];
+    const std::string prefix = std::to_string(i + 1) + " ";
+    if (!yarn.name.empty()) add(section, prefix + "Name", escaped(yarn.name), true);
+    add(section, prefix + "Twist", kTwistNames[static_cast<size_t>(yarn.twist)]);
+    add(section, prefix + "Plies", std::to_string(yarn.plies));
+    add_fields(section, prefix, kYarnFloats, yarn);
+    add_fields(section, prefix, kLobeFloats, yarn.lobes);
+    add(section, prefix + "Tint", color_text(yarn.lobes.specular_tint));
+    add(section, prefix + "Metallic", yarn.lobes.metallic ? "true" : "false");
+  }
+  return section;
+}
+
+WifEntries thread_yarns_of(const char* name, const Threads& threads) {
+  WifEntries section{name, {}};
+  for (int i = 0; i < threads.size(); ++i) {
+    const int yarn = threads.yarn[static_cast<size_t>(i)];
+    if (yarn != 0) section.entries.push_back({i + 1, {}, std::to_string(yarn + 1), false});
+  }
+  return section;
+}
+
+WifEntries look_of(const Look& look) {
+  WifEntries section{"LOOK", {}};
+  if (look == Look{}) return section;
+  add(section, "Method", kMethodNames[static_cast<size_t>(look.method)]);
+  add_fields(section, "", kLookFloats, look);
+  return section;
+}
+
+WifEntries scene_of(const Scene& scene) {
+  WifEntries section{"SCENE", {}};
+  if (scene == Scene{}) return section;
+  if (!scene.mesh.empty()) add(section, "Mesh", escaped(scene.mesh), true);
+  add_fields(section, "", kSceneFloats, scene);
+  add(section, "Background", color_text(scene.background));
+  return section;
+}
+
+void add_exact(WifEntries& section, std::string key, const std::string& text) {
+  if (one_line(text) != text) add(section, std::move(key), escaped(text), true);
+}
+
+WifEntries exact_text_of(const Design& design) {
+  WifEntries section{"TEXT", {}};
+  add_exact(section, "Title", design.title);
+  add_exact(section, "Author", design.author);
+  for (size_t i = 0; i < design.notes.size(); ++i) add_exact(section, "Note " + std::to_string(i + 1), design.notes[i]);
+  return section;
+}
+
+WifEntries exact_colors_of(const std::vector<Rgb>& palette, const WifHabits& habits) {
+  WifEntries section{"COLORS", {}};
+  const double span = habits.range_high - static_cast<double>(habits.range_low);
+  const auto held = [&](float channel) {
+    const int number = channel_number(channel, habits.range_low, habits.range_high);
+    return static_cast<float>((static_cast<double>(number) - habits.range_low) / span) == channel;
+  };
+  for (size_t i = 0; i < palette.size(); ++i) {
+    const Rgb& c = palette[i];
+    if (!held(c.r) || !held(c.g) || !held(c.b)) section.entries.push_back({static_cast<int>(i) + 1, {}, color_text(c), false});
+  }
+  return section;
+}
+
+WifEntries exact_measures_of(const char* name, const std::vector<float>& mm) {
+  WifEntries section{name, {}};
+  for (size_t i = 0; i < mm.size(); ++i) {
+    const bool public_value = mm[i] == kFromYarn || (mm[i] > 0 && mm[i] < kAny);
+    if (!public_value) section.entries.push_back({static_cast<int>(i) + 1, {}, shortest(mm[i]), false});
+  }
+  return section;
+}
+
+WifEntries sleeping(const char* name, const BitMatrix& bits) {
+  WifEntries section{name, {}};
+  for (int row = 0; row < bits.rows(); ++row) {
+    if (bits.first(row) >= 0) section.entries.push_back({row + 1, {}, bit_list(bits, row), false});
+  }
+  return section;
+}
+
+}  // namespace
+
+void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifHabits& habits) {
+  const Draft& draft = design.draft;
+  push_if_any(out, yarns_of(design));
+  push_if_any(out, thread_yarns_of("WARP YARNS", draft.warp));
+  push_if_any(out, thread_yarns_of("WEFT YARNS", draft.weft));
+  push_if_any(out, look_of(design.look));
+  push_if_any(out, scene_of(design.scene));
+  push_if_any(out, exact_text_of(design));
+  push_if_any(out, exact_colors_of(draft.palette, habits));
+  push_if_any(out, exact_measures_of("WARP SPACING", draft.warp.spacing_mm));
+  push_if_any(out, exact_measures_of("WEFT SPACING", draft.weft.spacing_mm));
+  push_if_any(out, exact_measures_of("WARP THICKNESS", draft.warp.thickness_mm));
+  push_if_any(out, exact_measures_of("WEFT THICKNESS", draft.weft.thickness_mm));
+  const bool treadled = draft.drive == Drive::kTreadling;
+  push_if_any(out, treadled ? sleeping("LIFTPLAN", draft.liftplan) : sleeping("TREADLING", draft.treadling));
+}
+
+}  // namespace weftlight

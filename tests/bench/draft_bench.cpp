@@ -1,0 +1,102 @@
+// Speed of drawdowns and of what follows from them.
+
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <random>
+
+#include "draft/analysis.h"
+#include "draft/drawdown.h"
+#include "draft/edits.h"
+#include "draft/generators.h"
+
+namespace {
+
+using namespace weftlight;
+
+constexpr int kLarge = 10000;
+constexpr int kShafts = 32;
+
+Draft large_draft(Drive drive) {
+  std::mt19937 random(1);
+  Draft d = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {kLarge, kLarge}).draft;
+  for (int p = 0; p < d.picks(); ++p) {
+    for (int s = 0; s < d.shafts; ++s) d.liftplan.set(p, s, random() % 2 == 0);
+  }
+  d.drive = drive;
+  return d;
+}
+
+void copy_of_drawdown(benchmark::State& state) {
+  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  BitMatrix to = cells;
+  for (auto _ : state) {
+    for (int r = 0; r < cells.rows(); ++r)
+      std::memcpy(to.row(r).data(), cells.row(r).data(), cells.row(r).size_bytes());
+    benchmark::DoNotOptimize(to.row(0).data());
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(state.iterations() * cells.rows() * cells.words() * 8);
+}
+BENCHMARK(copy_of_drawdown)->Unit(benchmark::kMillisecond);
+
+void drawdown_10000_treadled(benchmark::State& state) {
+  const Draft d = large_draft(Drive::kTreadling);
+  if (d.shafts != kShafts) state.SkipWithError("the draft should have 32 shafts");
+  for (auto _ : state) benchmark::DoNotOptimize(drawdown(d));
+}
+BENCHMARK(drawdown_10000_treadled)->Unit(benchmark::kMillisecond);
+
+void drawdown_10000_random_liftplan(benchmark::State& state) {
+  const Draft d = large_draft(Drive::kLiftplan);
+  for (auto _ : state) benchmark::DoNotOptimize(drawdown(d));
+}
+BENCHMARK(drawdown_10000_random_liftplan)->Unit(benchmark::kMillisecond);
+
+// One painted cell of a jacquard-sized draft, there and back.
+enum class Cell { kThreading, kTieup, kTreadling, kLiftplan };
+
+void update_1285_x_3058(benchmark::State& state) {
+  const Design before = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {1285, 3058});
+  Design after = before;
+  switch (static_cast<Cell>(state.range(0))) {
+    case Cell::kThreading:
+      after = with_threading(before, 640, 5, true);
+      break;
+    case Cell::kTieup:
+      after = with_tieup(before, 3, 5, !before.draft.tieup.get(3, 5));
+      break;
+    case Cell::kTreadling:
+      after = with_treadling(before, 1500, 7, true);
+      break;
+    case Cell::kLiftplan:
+      after = with_liftplan(before, 1500, 7, true);
+      break;
+  }
+  BitMatrix cells = drawdown(before.draft);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(update_drawdown(cells, before.draft, after.draft));
+    benchmark::DoNotOptimize(update_drawdown(cells, after.draft, before.draft));
+  }
+}
+BENCHMARK(update_1285_x_3058)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+
+void edit_and_commit_copy_1285_x_3058(benchmark::State& state) {
+  const Design design = twill({3, 2, 1, 2, 5, 3, 4, 3}, Lean::kRight, {1285, 3058});
+  for (auto _ : state) benchmark::DoNotOptimize(with_threading(design, 640, 5, true));
+}
+BENCHMARK(edit_and_commit_copy_1285_x_3058)->Unit(benchmark::kMicrosecond);
+
+void floats_10000(benchmark::State& state) {
+  const BitMatrix cells = drawdown(large_draft(Drive::kLiftplan));
+  for (auto _ : state) benchmark::DoNotOptimize(longest_floats(cells));
+}
+BENCHMARK(floats_10000)->Unit(benchmark::kMillisecond);
+
+void repeat_10000(benchmark::State& state) {
+  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  for (auto _ : state) benchmark::DoNotOptimize(structure_repeat(cells));
+}
+BENCHMARK(repeat_10000)->Unit(benchmark::kMillisecond);
+
+}  // namespace

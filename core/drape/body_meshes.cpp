@@ -185,7 +185,7 @@ Mesh mesh_of_body(const std::string& name) {
     stand(mesh, kSkirtLowered);
   }
   if (name == "tunic") {
-    append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 9));
+    append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 11));
     stand(mesh, kTunicLowered);
   }
   mesh.uv_mm.assign(mesh.position_mm.size(), Vec2{});

@@ -166,6 +166,13 @@ TEST(read, many_like_warnings_are_one) {
   EXPECT_TRUE(says(read, 7, "997 more"));
 }
 
+TEST(read, a_long_empty_tail_is_named) {
+  const WifRead read = read_wif("[WARP]\nThreads=1200\n[WEFT]\nThreads=3\n[THREADING]\n1=1\n2=2\n");
+  ASSERT_TRUE(read.file);
+  EXPECT_EQ(read.file->design.draft.ends(), 1200);
+  EXPECT_TRUE(says(read, 1, "first 2 of 1200 ends"));
+}
+
 TEST(read, the_locale_does_not_matter) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {

@@ -119,6 +119,8 @@ Mesh simulate_drape(const std::string& name, float steps_scale) {
   return {};
 }
 
-Mesh body_mesh(const std::string& name) { return mesh_of_body(name); }
+Mesh body_mesh(const std::string& name) {
+  return mesh_of_body(name);
+}
 
 }  // namespace weftlight

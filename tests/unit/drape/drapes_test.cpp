@@ -15,8 +15,12 @@ namespace {
 
 constexpr float kQuick = 0.01f;
 
-float dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-float distance(Vec3 a, Vec3 b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+float dot(Vec3 a, Vec3 b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+float distance(Vec3 a, Vec3 b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 Mesh shipped(const std::string& name) {
   const ReadMesh read = read_mesh(presets_dir() + "/meshes/" + name + ".glb");
@@ -25,7 +29,8 @@ Mesh shipped(const std::string& name) {
 }
 
 class EachDrape : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(All, EachDrape, testing::ValuesIn(drape_names()), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(All, EachDrape, testing::ValuesIn(drape_names()),
+                         [](const auto& p) { return p.param; });
 
 TEST_P(EachDrape, IsTheSameBitForBitTwice) {
   const Mesh one = simulate_drape(GetParam(), kQuick), two = simulate_drape(GetParam(), kQuick);
@@ -97,7 +102,8 @@ TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
   EXPECT_EQ(inside(shipped("tablecloth"), draping::table, 0), 0);
   EXPECT_EQ(inside(shipped("skirt"), draping::skirt_form, draping::kSkirtLowered), 0);
   EXPECT_EQ(inside(shipped("tunic"), draping::dress_form, draping::kTunicLowered), 0);
-  for (const std::string& name : drape_names()) EXPECT_EQ(inside(shipped(name), draping::ground, 0), 0) << name;
+  for (const std::string& name : drape_names())
+    EXPECT_EQ(inside(shipped(name), draping::ground, 0), 0) << name;
 }
 
 TEST(Drapes, PiecesHaveTheirRealSize) {

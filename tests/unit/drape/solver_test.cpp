@@ -12,13 +12,22 @@
 namespace weftlight::draping {
 namespace {
 
-float nothing_near(Vec3) { return 1e6f; }
+float nothing_near(Vec3) {
+  return 1e6f;
+}
 
 Pattern sheet(int columns, int rows, float cell_mm, float height_mm) {
   Pattern pattern;
-  const float width = cell_mm * static_cast<float>(columns - 1), depth = cell_mm * static_cast<float>(rows - 1);
-  add_piece(pattern, columns, rows, [=](float s, float t) { return Vec2{s * width, t * depth}; },
-            [=](Vec2 uv) { return Vec3{uv[0] - width / 2, height_mm, depth / 2 - uv[1]}; });
+  const float width = cell_mm * static_cast<float>(columns - 1),
+              depth = cell_mm * static_cast<float>(rows - 1);
+  add_piece(
+      pattern, columns, rows,
+      [=](float s, float t) {
+        return Vec2{s * width, t * depth};
+      },
+      [=](Vec2 uv) {
+        return Vec3{uv[0] - width / 2, height_mm, depth / 2 - uv[1]};
+      });
   return pattern;
 }
 
@@ -71,11 +80,12 @@ TEST(Solver, FrictionHoldsOnAGentleSlopeAndNotOnASteepOne) {
     for (Vec3& p : pattern.position_mm) p[1] = slope * p[0] + 3.5f / c;
     Cloth cloth = weave(pattern, {}, 10);
     const double before = cloth.position[12][0];
-    fall(cloth, [=](Vec3 p) { return (p[1] - slope * p[0]) * c; }, seconds(0.3));
+    fall(
+        cloth, [=](Vec3 p) { return (p[1] - slope * p[0]) * c; }, seconds(0.3));
     return before - cloth.position[12][0];
   };
-  EXPECT_LT(slid_mm(0.2f), 3);    // friction 0.4 holds
-  EXPECT_GT(slid_mm(1.0f), 30);   // and cannot here
+  EXPECT_LT(slid_mm(0.2f), 3);   // friction 0.4 holds
+  EXPECT_GT(slid_mm(1.0f), 30);  // and cannot here
 }
 
 TEST(Solver, AHeldRowCarriesTheSheet) {
@@ -89,8 +99,14 @@ TEST(Solver, AHeldRowCarriesTheSheet) {
 
 TEST(Solver, SheetsStayApart) {
   Pattern pattern = sheet(9, 9, 10, 5);
-  add_piece(pattern, 9, 9, [](float s, float t) { return Vec2{80 * s, 80 * t}; },
-            [](Vec2 uv) { return Vec3{uv[0] - 37, 20, 43 - uv[1]}; });
+  add_piece(
+      pattern, 9, 9,
+      [](float s, float t) {
+        return Vec2{80 * s, 80 * t};
+      },
+      [](Vec2 uv) {
+        return Vec3{uv[0] - 37, 20, 43 - uv[1]};
+      });
   Cloth cloth = weave(pattern, {}, 14);
   Fall how = seconds(1.5);
   fall(cloth, ground, how);
@@ -110,7 +126,8 @@ TEST(Pairs, FindsWhatABruteForceSearchFinds) {
   size_t expected = 0;
   for (uint32_t a = 0; a < cloth.position.size(); ++a) {
     for (uint32_t b = a + 1; b < cloth.position.size(); ++b) {
-      const auto first = cloth.near.begin() + cloth.near_first[a], last = cloth.near.begin() + cloth.near_first[a + 1];
+      const auto first = cloth.near.begin() + cloth.near_first[a],
+                 last = cloth.near.begin() + cloth.near_first[a + 1];
       const bool near = std::find(first, last, b) != last;
       expected += !near && length(cloth.position[a] - cloth.position[b]) < 8;
     }

@@ -20,11 +20,15 @@ enum class PixelType { kU8, kU16, kHalf, kFloat };
 /// Writes .png, .exr, .tif, .jpg by extension, beside the target and renamed into place. 8- and 16-bit
 /// values are taken as they are (0..1): the caller encodes sRGB. Empty string: done; else what went wrong.
 std::string write_image(const std::string& path, const Image& image, PixelType type);
+/// Writes a tiled EXR that holds a whole mip chain; each level halves the one before, down to 1 x 1 or
+/// wherever `levels` ends. Values of `type` kHalf or kFloat.
+std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type);
 struct ReadImage {
   std::optional<Image> image;
   std::string error;
 };
-ReadImage read_image(const std::string& path);
+/// `level` of a mip chain; 0 of any image.
+ReadImage read_image(const std::string& path, int level = 0);
 
 struct ReadMesh {
   std::optional<Mesh> mesh;

@@ -100,11 +100,43 @@ std::string write_to(const std::string& path, const Image& image, PixelType type
   return out->close() || !written ? problem : out->geterror();
 }
 
-ReadImage read_from(const std::string& path) {
+std::string write_levels(const std::string& path, const std::vector<Image>& levels, PixelType type) {
+  std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
+  if (!out) return OIIO::geterror();
+  for (size_t i = 0; i < levels.size(); ++i) {
+    OIIO::ImageSpec spec = spec_for(levels[i], type);
+    spec.tile_width = spec.tile_height = 64;
+    spec.tile_depth = 1;
+    spec.attribute("compression", "piz");
+    spec.attribute("textureformat", "Plain Texture");  // what OpenImageIO writes with mip levels
+    spec.attribute("openexr:roundingmode", 0);         // sizes halve downwards
+    const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
+    if (!out->open(path, spec, mode) || !write_texels(*out, levels[i], type)) return out->geterror();
+  }
+  return out->close() ? "" : out->geterror();
+}
+
+/// Runs a writer on a file beside the target and renames it into place.
+template <class Write>
+std::string write_beside(const std::string& path, const Write& write) {
+  const std::string temporary = temporary_beside(path);
+  std::string problem;
+  try {
+    problem = write(temporary);
+  } catch (const std::exception& e) {
+    problem = e.what();
+  }
+  if (problem.empty()) return commit_file(temporary, path);
+  std::remove(temporary.c_str());
+  return path + ": " + problem;
+}
+
+ReadImage read_from(const std::string& path, int level) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
   if (!in) return {{}, OIIO::geterror()};
+  if (!in->seek_subimage(0, level)) return {{}, path + ": has no mip level " + std::to_string(level)};
   const OIIO::ImageSpec& spec = in->spec();
   const int64_t values = int64_t{spec.width} * spec.height * spec.nchannels;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
@@ -112,7 +144,7 @@ ReadImage read_from(const std::string& path) {
     return {{}, path + ": an image of this size is not read; scale it down"};
   }
   Image image{spec.width, spec.height, spec.nchannels, std::vector<float>(static_cast<size_t>(values))};
-  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.texels.data())) {
+  if (!in->read_image(0, level, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.texels.data())) {
     return {{}, path + ": " + in->geterror()};
   }
   return {std::move(image), {}};
@@ -122,23 +154,26 @@ ReadImage read_from(const std::string& path) {
 
 std::string write_image(const std::string& path, const Image& image, PixelType type) {
   if (std::string problem = check_shape(image); !problem.empty()) return path + ": " + problem;
-  const std::string temporary = temporary_beside(path);
-  std::string problem;
-  try {
-    problem = write_to(temporary, image, type);
-  } catch (const std::exception& e) {
-    problem = e.what();
-  }
-  if (problem.empty()) return commit_file(temporary, path);
-  std::remove(temporary.c_str());
-  return path + ": " + problem;
+  return write_beside(path, [&](const std::string& temporary) { return write_to(temporary, image, type); });
 }
 
-ReadImage read_image(const std::string& path) {
+std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type) {
+  if (levels.empty()) return path + ": there is no level to write";
+  for (size_t i = 0; i < levels.size(); ++i) {
+    if (std::string problem = check_shape(levels[i]); !problem.empty()) return path + ": " + problem;
+    const Image& above = levels[i > 0 ? i - 1 : 0];
+    const bool halves = i == 0 || (levels[i].width == std::max(above.width / 2, 1) && levels[i].height == std::max(above.height / 2, 1) &&
+                                   levels[i].channels == above.channels);
+    if (!halves) return path + ": a mip level does not halve the one before";
+  }
+  return write_beside(path, [&](const std::string& temporary) { return write_levels(temporary, levels, type); });
+}
+
+ReadImage read_image(const std::string& path, int level) {
   std::error_code ec;
   if (!std::filesystem::is_regular_file(path, ec)) return {{}, path + ": no such file"};
   try {
-    return read_from(path);
+    return read_from(path, level);
   } catch (const std::exception& e) {
     return {{}, path + ": " + e.what()};
   }

@@ -10,7 +10,7 @@ namespace weftlight {
 namespace {
 
 // Texels of the sheet.
-constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40, kColumns = 4;
+constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40;
 constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f, 0.17f}, kFaint{0.45f, 0.45f, 0.45f};
 
 std::vector<float> ink(const std::array<float, 3>& c) { return {c.begin(), c.end()}; }
@@ -38,7 +38,8 @@ Linear lit(const SurfaceTexel& t) {
   const float sky = 0.42f * t.occlusion * (0.6f + 0.4f * t.normal[2]);
   auto channel = [&](float base, float sheen) {
     const float f0 = 0.044f + (base - 0.044f) * t.metal;
-    return t.coverage * (base * (1 - t.metal) * (1.25f * falling * (0.35f + 0.65f * t.occlusion) + sky) + f0 * (shine + sky) + 0.15f * sheen * sky);
+    constexpr float kBehind = 0.30f;  // a grey wall seen through the gaps
+    return (1 - t.coverage) * kBehind + t.coverage * (base * (1 - t.metal) * (1.25f * falling * (0.35f + 0.65f * t.occlusion) + sky) + f0 * (shine + sky) + 0.15f * sheen * sky);
   };
   return {channel(t.base.r, t.sheen.r), channel(t.base.g, t.sheen.g), channel(t.base.b, t.sheen.b)};
 }
@@ -48,47 +49,66 @@ void put(Image& image, int x, int y, float r, float g, float b) {
   at[0] = r, at[1] = g, at[2] = b;
 }
 
-/// Rows of colour of an image as RGB for show: one channel is grey; heights and horizons are stretched to
-/// their range; alpha is left out.
-struct Shown {
-  const Image& image;
-  float low = 0, scale = 1;
-  explicit Shown(const Image& shown) : image(shown) {
-    const auto [least, most] = std::minmax_element(image.texels.begin(), image.texels.end());
-    if (least != image.texels.end() && (*least < 0 || *most > 1 || image.channels > 4)) {
-      low = *least;
-      scale = 1 / std::max(*most - *least, 1e-6f);
-    }
-  }
-  float at(int x, int y, int c) const {
-    const int from = image.channels >= 3 ? c : image.channels == 2 ? std::min(c, 1) : 0;
-    return (image.texels[(static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) * static_cast<size_t>(image.channels) + static_cast<size_t>(from)] - low) * scale;
-  }
-};
-
-/// The image within a square of the sheet, in its own proportions, each texel the mean of what it covers.
-void place(Image& sheet, int left, int top, int side_x, int side_y, const Image& image) {
-  const float fit = std::min(static_cast<float>(side_x) / static_cast<float>(image.width), static_cast<float>(side_y) / static_cast<float>(image.height));
-  const int width = std::max(static_cast<int>(static_cast<float>(image.width) * fit), 1);
-  const int height = std::max(static_cast<int>(static_cast<float>(image.height) * fit), 1);
-  const Shown shown(image);
-  for (int y = 0; y < height; ++y) {
-    const int y0 = y * image.height / height, y1 = std::max((y + 1) * image.height / height, y0 + 1);
-    for (int x = 0; x < width; ++x) {
-      const int x0 = x * image.width / width, x1 = std::max((x + 1) * image.width / width, x0 + 1);
-      std::array<float, 3> sum{};
-      for (int j = y0; j < y1; ++j) {
-        for (int i = x0; i < x1; ++i) {
-          for (int c = 0; c < 3; ++c) sum[static_cast<size_t>(c)] += shown.at(i, j, c);
-        }
-      }
-      const float share = 1.0f / static_cast<float>((y1 - y0) * (x1 - x0));
-      put(sheet, left + x, top + y, sum[0] * share, sum[1] * share, sum[2] * share);
-    }
+/// Copies an RGB picture into the sheet.
+void place(Image& sheet, int left, int top, const Image& picture) {
+  for (int y = 0; y < picture.height; ++y) {
+    const float* from = picture.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(picture.width) * 3;
+    for (int x = 0; x < picture.width; ++x, from += 3) put(sheet, left + x, top + y, from[0], from[1], from[2]);
   }
 }
 
+/// An image within a tile, each pixel the mean of `colour(texel)` over what it covers; where the image has
+/// fewer texels than the tile, they stay sharp.
+template <class Colour>
+Image shrunk(const Image& image, const Colour& colour) {
+  const int longer = std::max(image.width, image.height);
+  const int width = std::max(image.width * kTile / longer, 1), height = std::max(image.height * kTile / longer, 1);
+  Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
+  for_rows(height, [&](int y) {
+    const int y0 = y * image.height / height, y1 = std::max((y + 1) * image.height / height, y0 + 1);
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * image.width / width, x1 = std::max((x + 1) * image.width / width, x0 + 1);
+      Three sum{};
+      for (int j = y0; j < y1; ++j) {
+        for (int i = x0; i < x1; ++i) {
+          const Three c = colour(image.texels.data() + (static_cast<size_t>(j) * static_cast<size_t>(image.width) + static_cast<size_t>(i)) * static_cast<size_t>(image.channels));
+          for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
+        }
+      }
+      const float share = 1.0f / static_cast<float>((y1 - y0) * (x1 - x0));
+      put(out, x, y, sum[0] * share, sum[1] * share, sum[2] * share);
+    }
+  });
+  return out;
+}
+
+/// Four columns or five, whichever leaves fewer places empty; the lit swatch takes two by two.
+int columns_for(size_t entries) {
+  auto empty = [n = static_cast<int>(entries) + 4](int columns) { return std::max((n + columns - 1) / columns, 2) * columns - n; };
+  return empty(5) < empty(4) ? 5 : 4;
+}
+
 }  // namespace
+
+Image thumbnail(const Image& image) {
+  const auto [least, most] = std::minmax_element(image.texels.begin(), image.texels.end());
+  const bool stretch = *least < 0 || *most > 1 || image.channels > 4;
+  const float low = stretch ? *least : 0, scale = stretch ? 1 / std::max(*most - *least, 1e-6f) : 1;
+  const int channels = image.channels;
+  return shrunk(image, [=](const float* t) -> Three {
+    const float r = (t[0] - low) * scale;
+    return channels < 3 ? Three{r, r, r} : Three{r, (t[1] - low) * scale, (t[2] - low) * scale};
+  });
+}
+
+Image thread_thumbnail(const Image& image) {
+  return shrunk(image, [](const float* t) -> Three {
+    // Golden-ratio steps round the hues keep neighbours apart; warp is dark, weft is light.
+    const float turn = std::fmod((t[0] + t[1] * 65536.0f) * 65535.0f * 0.618034f + 0.37f * t[2], 1.0f) * 6.2831853f;
+    const float level = t[2] > 0.5f ? 0.72f : 0.45f;
+    return {level + 0.2f * std::cos(turn), level + 0.2f * std::cos(turn - 2.0944f), level + 0.2f * std::cos(turn + 2.0944f)};
+  });
+}
 
 Image lit_swatch(const Surface& surface, int width, int height, float repeats_across) {
   const int w = surface.texels.width, h = surface.texels.height;
@@ -121,11 +141,9 @@ Image lit_swatch(const Surface& surface, int width, int height, float repeats_ac
 
 Image contact_sheet(const std::string& title, const std::string& facts, const Surface& front,
                     const std::vector<SheetEntry>& entries) {
-  // The lit swatch takes two columns and two rows; the images flow around it.
-  const int cell = kTile + kLabel + kGap;
-  const int count = static_cast<int>(entries.size()) + 4;
-  const int rows = std::max((count + kColumns - 1) / kColumns, 2);
-  Image sheet{2 * kMargin + kColumns * (kTile + kGap) - kGap, kMargin + kHead + rows * cell, 3, {}};
+  const int cell = kTile + kLabel + kGap, columns = columns_for(entries.size());
+  const int rows = std::max((static_cast<int>(entries.size()) + 4 + columns - 1) / columns, 2);
+  Image sheet{2 * kMargin + columns * (kTile + kGap) - kGap, kMargin + kHead + rows * cell, 3, {}};
   sheet.texels.resize(static_cast<size_t>(sheet.width) * static_cast<size_t>(sheet.height) * 3);
   for (size_t i = 0; i < sheet.texels.size(); ++i) sheet.texels[i] = kPaper[i % 3];
   draw_text(sheet, kMargin, kMargin + 30, 34, title, ink(kInk));
@@ -134,13 +152,13 @@ Image contact_sheet(const std::string& title, const std::string& facts, const Su
   const int big = 2 * kTile + kGap, big_height = 2 * cell - kGap - kLabel;
   // Enough repeats that some thirty threads stand across.
   const float repeats = std::max(2.0f, std::ceil(24.0f / std::max(front.width_mm, 0.1f)));
-  place(sheet, kMargin, kMargin + kHead, big, big_height, lit_swatch(front, big, big_height, std::min(repeats, 40.0f)));
+  place(sheet, kMargin, kMargin + kHead, lit_swatch(front, big, big_height, std::min(repeats, 40.0f)));
   draw_text(sheet, kMargin, kMargin + kHead + big_height + 22, 17, "lit, tiled", ink(kInk));
   int slot = 0;
   for (const SheetEntry& entry : entries) {
-    while (slot / kColumns < 2 && slot % kColumns < 2) ++slot;
-    const int left = kMargin + (slot % kColumns) * (kTile + kGap), top = kMargin + kHead + (slot / kColumns) * cell;
-    place(sheet, left, top, kTile, kTile, entry.image);
+    while (slot / columns < 2 && slot % columns < 2) ++slot;
+    const int left = kMargin + (slot % columns) * (kTile + kGap), top = kMargin + kHead + (slot / columns) * cell;
+    place(sheet, left, top, entry.image);
     draw_text(sheet, left, top + kTile + 22, 17, entry.label, ink(kInk));
     ++slot;
   }

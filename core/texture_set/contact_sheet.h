@@ -11,8 +11,14 @@ namespace weftlight {
 
 struct SheetEntry {
   std::string label;
-  Image image;  // as packed; any size and channel count
+  Image image;  // a thumbnail()
 };
+
+/// A small sRGB-encoded RGB picture of an image of a set, in its proportions: one channel is grey, values
+/// outside 0..1 are stretched to their range, alpha is left out.
+Image thumbnail(const Image& image);
+/// The same of thread indices (thread low, thread high, system): a colour of its own for each.
+Image thread_thumbnail(const Image& image);
 
 /// sRGB-encoded RGB.
 Image contact_sheet(const std::string& title, const std::string& facts, const Surface& front,

@@ -153,6 +153,8 @@ std::vector<std::pair<std::string, std::string>> template_values(const std::stri
 
 }  // namespace
 
+bool needs_mesh(Target target) { return target == Target::kGltf || target == Target::kBlender; }
+
 bool has_gaps(const Surface& surface) {
   return std::any_of(surface.texels.at_.begin(), surface.texels.at_.end(),
                      [](const SurfaceTexel& t) { return t.coverage < kAlphaCut; });

@@ -12,6 +12,9 @@ namespace weftlight {
 /// True where some texel is more gap than thread, so that the material needs an alpha test.
 bool has_gaps(const Surface& surface);
 
+/// True where the material comes with a mesh.
+bool needs_mesh(Target target);
+
 struct MaterialFile {
   std::string file;   // name inside the folder; empty when the target needs none
   std::string error;

@@ -232,8 +232,9 @@ GgxAlphas ggx_alphas(const SurfaceTexel& texel) {
   GgxAlphas out{alpha_of(middle + root), alpha_of(middle - root), {1, 0}};
   const float angle = root > 1e-9f ? 0.5f * std::atan2(xy, half_gap) : 0.0f;
   out.wide_axis = {std::cos(angle), std::sin(angle)};
-  // Both senses mean the same. This one makes neighbours agree for fibres along u, v and near them.
-  if (out.wide_axis[0] + out.wide_axis[1] < 0) out.wide_axis = {-out.wide_axis[0], -out.wide_axis[1]};
+  // Both senses mean the same. Across a warp it is +u, across a weft +v, so that neighbours agree and
+  // engines can filter, however strong the twist.
+  if (out.wide_axis[texel.system] < 0) out.wide_axis = {-out.wide_axis[0], -out.wide_axis[1]};
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr int kLeastSide = 16;
-constexpr int kAzimuths = 16;                        // of the raw set's horizon
+constexpr int kAzimuths = 16;  // of the horizon, which occlusion is made from
 constexpr int64_t kMostBakedTexels = int64_t{1} << 24;  // about 1 GiB of maps
 constexpr int kSamplesAThread = 4;
 
@@ -35,9 +36,11 @@ int supersampling(const Cloth& cloth, TextureSize size) {
   return factor;
 }
 
-Surface surface_of(const Cloth& cloth, TextureSize size, int azimuths) {
+Surface surface_of(const Cloth& cloth, TextureSize size, bool with_horizon) {
   const int factor = supersampling(cloth, size);
-  return make_surface(cloth, bake(cloth, {size.width * factor, size.height * factor, azimuths}), size.width, size.height);
+  Maps maps = bake(cloth, {size.width * factor, size.height * factor, kAzimuths});
+  if (!with_horizon) maps.horizon.clear();
+  return make_surface(cloth, maps, size.width, size.height);
 }
 
 const char* type_words(PixelType type) {
@@ -77,27 +80,68 @@ json channel_list(const ImageRow& row) {
   return out;
 }
 
+/// Thumbnails show colour as a screen does, and every thread in a colour of its own.
+Image shown(const ImageRow& row, const Surface& surface, const Image& image) {
+  if (row.channels[0] == Channel::kThreadLow) return thread_thumbnail(image);
+  if (row.channels[0] != Channel::kBaseR || row.srgb) return thumbnail(image);
+  ImageRow encoded = row;
+  encoded.srgb = true;
+  return thumbnail(pack(encoded, surface));
+}
+
+/// The channels of both, of one size.
+Image side_by_side(const Image& a, const Image& b) {
+  Image out{a.width, a.height, a.channels + b.channels, {}};
+  out.texels.reserve(a.texels.size() + b.texels.size());
+  for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
+    for (int c = 0; c < a.channels; ++c) out.texels.push_back(a.texels[i * static_cast<size_t>(a.channels) + static_cast<size_t>(c)]);
+    for (int c = 0; c < b.channels; ++c) out.texels.push_back(b.texels[i * static_cast<size_t>(b.channels) + static_cast<size_t>(c)]);
+  }
+  return out;
+}
+
 void write_row(Writing& set, const ImageRow& row, const Surface& surface, const char* face, const std::string& face_suffix) {
   if (!set.problem.empty()) return;
   const std::string file = row.prefix + set.options.name + face_suffix + row.suffix + row.extension;
-  Image image = pack(row, surface);
+  const Image image = pack(row, surface);
   set.problem = write_image(set.folder + "/" + file, image, row.type);
   record(set, file, face, row.srgb ? "sRGB" : "linear", row.type, image, channel_list(row));
-  set.sheet.push_back({std::string(row.suffix + 1) + face_suffix, std::move(image)});
+  set.sheet.push_back({std::string(row.suffix + 1) + face_suffix, shown(row, surface, image)});
+}
+
+/// Normals and roughness of every mip, made together, as one EXR.
+void write_mips(Writing& set, const Surface& surface, const char* face, const std::string& face_suffix) {
+  constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
+  constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
+  if (!set.problem.empty()) return;
+  std::vector<Image> levels;
+  Surface level = surface;
+  while (true) {
+    levels.push_back(side_by_side(pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level),
+                                  pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level)));
+    if (level.texels.width == 1 && level.texels.height == 1) break;
+    level = half_of(level);
+  }
+  const std::string file = set.options.name + face_suffix + "_mips.exr";
+  set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf);
+  json channels;
+  for (int k = 0; k < 5; ++k) channels["c00" + std::to_string(k)] = channel_words(k < 3 ? kNormal[static_cast<size_t>(k)] : kRough[static_cast<size_t>(k - 3)]);
+  record(set, file, face, "linear", PixelType::kHalf, levels[0], std::move(channels));
+  set.maps.back()["mip_levels"] = levels.size();
 }
 
 void write_horizon(Writing& set, const std::vector<Plane<float>>& planes, const std::string& what, const char* face,
                    const std::string& face_suffix) {
   if (!set.problem.empty() || planes.empty()) return;
   const std::string file = set.options.name + face_suffix + "_horizon_" + what + ".exr";
-  Image image = pack_planes(planes);
+  const Image image = pack_planes(planes);
   set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf);
   json channels = json::object();
   for (int k = 0; k < image.channels; ++k) {
     channels[std::to_string(k)] = "sine of the horizon's elevation, " + what + ", towards azimuth " + std::to_string(360.0 * k / image.channels) + " degrees from u to v";
   }
   record(set, file, face, "linear", PixelType::kHalf, image, std::move(channels));
-  set.sheet.push_back({"horizon_" + what + face_suffix, std::move(image)});
+  set.sheet.push_back({"horizon_" + what + face_suffix, thumbnail(image)});
 }
 
 void write_face(Writing& set, const Surface& surface, Face face) {
@@ -106,6 +150,7 @@ void write_face(Writing& set, const Surface& surface, Face face) {
   for (const ImageRow& row : image_rows(set.options.target)) write_row(set, row, surface, word, suffix);
   write_horizon(set, surface.horizon_mean, "mean", word, suffix);
   write_horizon(set, surface.horizon_spread, "spread", word, suffix);
+  if (set.options.target == Target::kRaw) write_mips(set, surface, word, suffix);
 }
 
 std::string millimetres(float v) {
@@ -167,10 +212,10 @@ std::string write_into(const std::string& folder, const Design& design, const Me
   Writing set{folder, options, json::array(), {}, {}};
   const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kRepeat);
   const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
-  const Surface front = surface_of(cloth, size, raw ? kAzimuths : 0);
+  const Surface front = surface_of(cloth, size, raw);
   write_face(set, front, Face::kFront);
   if (raw && set.problem.empty()) {
-    write_face(set, surface_of(lay_out(design, cells, Face::kBack, Period::kRepeat), size, kAzimuths), Face::kBack);
+    write_face(set, surface_of(lay_out(design, cells, Face::kBack, Period::kRepeat), size, raw), Face::kBack);
   }
   MaterialFile material;
   if (set.problem.empty()) material = write_material(folder, options.name, options.target, front, mesh);

@@ -28,6 +28,8 @@ struct TextureSize {
 };
 TextureSize texture_size(float width_mm, float depth_mm, int size);
 
+/// Targets without a .glb take no mesh: it may then be empty.
+///
 /// Writes the set into `folder`, which becomes exactly the set: all of it or, on failure, what was there
 /// before. An existing folder is only replaced when it is empty or a texture set. Empty string: done; else
 /// what went wrong.

@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "files/files.h"
+#include "texture_set/material_files.h"
 #include "texture_set/texture_set.h"
 
 namespace weftlight {
@@ -60,7 +61,7 @@ int export_command(const ExportOptions& options) {
     std::fprintf(stderr, "weftlight: --size %d: give a power of two from 16 to 8192\n", options.size);
     return kUsage;
   }
-  const ReadMesh mesh = load_drape(options.mesh);
+  const ReadMesh mesh = needs_mesh(*target) ? load_drape(options.mesh) : ReadMesh{Mesh{}, {}};
   if (!mesh.mesh) {
     std::fprintf(stderr, "weftlight: --mesh: %s\n", mesh.error.c_str());
     return kBadInput;

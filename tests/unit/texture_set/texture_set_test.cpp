@@ -83,7 +83,7 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   EXPECT_GT(list["size_mm"][0], 0);
   EXPECT_GT(list["size_mm"][0], list["size_mm"][1]);
   EXPECT_EQ(list["size_texels"][0], 128);
-  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * (GetParam() == Target::kRaw ? 2 : 1) + (GetParam() == Target::kRaw ? 4 : 0));
+  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * (GetParam() == Target::kRaw ? 2 : 1) + (GetParam() == Target::kRaw ? 6 : 0));
   std::set<std::string> expected{"README.md", "contact_sheet.png", "texture_set.json"};
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
@@ -195,6 +195,34 @@ TEST(TextureSet, SizesArePowersOfTwoNearTheProportions) {
   EXPECT_EQ(texture_size(10, 5, 512).height, 256);
   EXPECT_EQ(texture_size(3, 10, 512).width, 128);
   EXPECT_EQ(texture_size(0.001f, 10, 512).width, 16);
+}
+
+TEST(TextureSet, MipsHoldRougherSurfacesTheCoarserTheyAre) {
+  const Scratch scratch("mips");
+  ASSERT_EQ(write_texture_set(scratch / "raw", sample_design(), {}, options_for(Target::kRaw, 64)), "");
+  const std::string file = scratch / "raw/sample_front_mips.exr";
+  const std::array<size_t, 3> levels{0, 2, 4};
+  double before = 0;
+  for (size_t level : levels) {
+    const ReadImage mip = read_image(file, static_cast<int>(level));
+    ASSERT_TRUE(mip.image) << mip.error;
+    ASSERT_EQ(mip.image->width, 64 >> level);
+    double rough = 0;
+    for (size_t i = 0; i < mip.image->texels.size(); i += 5) rough += static_cast<double>(mip.image->texels[i + 3] + mip.image->texels[i + 4]);
+    rough /= static_cast<double>(mip.image->texels.size() / 5);
+    EXPECT_GT(rough, before) << "level " << level;
+    before = rough;
+  }
+  EXPECT_FALSE(read_image(file, 7).image) << "64 texels end at level 6";
+}
+
+TEST(TextureSet, OcclusionDarkensWhereThreadsDive) {
+  const Scratch scratch("occlusion");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), {}, options_for(Target::kUnityUrp, 128)), "");
+  const Image occlusion = *read_image(scratch / "set/sample_Occlusion.png").image;
+  const auto [least, most] = std::minmax_element(occlusion.texels.begin(), occlusion.texels.end());
+  EXPECT_LT(*least, 0.7f);
+  EXPECT_GT(*most, 0.9f);
 }
 
 TEST(TextureSet, NamesOfFilesAreTame) {

@@ -14,8 +14,8 @@ namespace weftlight {
 namespace {
 
 // Centre distance of threads over their width where the draft gives no spacing: a balanced cloth
-// of touching threads has a few percent of air (open share 1 - 1/1.08 a system).
-constexpr float kTouching = 1.08f;
+// of touching threads has a few percent of air (open share 1 - 1/1.06 a system).
+constexpr float kTouching = 1.06f;
 // A jammed thread gives way sideways until it is this much taller than wide; beyond, it is packed
 // denser (its fibres fill about 60 % of a spun yarn, so there is air to give).
 constexpr float kTallest = 1.5f;

@@ -165,11 +165,12 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   Along a;
   a.centre_mm = centre.height_mm;
   a.slope = centre.slope;
-  a.turn = static_cast<float>(texture.advance) * share;
   a.ply_turn = static_cast<float>(texture.ply_advance) * share;
+  a.stray_turn = static_cast<float>(texture.stray_advance) * share;
   const float node = std::floor(share * static_cast<float>(texture.nodes));
   a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
   a.blend = std::clamp(share * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
+  a.turn = static_cast<float>(texture.advance) * share + wander(texture, a.node, a.blend);
   return a;
 }
 
@@ -186,7 +187,8 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const size_t index = static_cast<size_t>(a.thread);
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_)[index];
   const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
-  const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, l.node, l.blend, a.fade, a.ply_fade});
+  const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
+                                           a.turn / kStraySpacing + l.stray_turn, l.node, l.blend, a.fade, a.ply_fade});
   float across = a.slope, along = -l.slope;
   SurfaceSample s;
   s.cover = cover;

@@ -61,7 +61,7 @@ class SurfaceSampler {
   };
   /// A thread's state at a sample along it.
   struct Along {
-    float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0;
+    float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
     int node = 0;
     float blend = 0;
   };

@@ -20,6 +20,11 @@ constexpr float kFibreTwistInPly = -0.2f;
 constexpr float kPlyRelief = 0.14f;  // of the thread's height
 constexpr int kMostTurns = 1 << 22;  // keeps phases exact enough in float
 
+constexpr float kThreadTone = 0.05f;  // a thread is this much lighter or darker than its neighbours
+constexpr float kFibreTone = 0.55f, kStrayTone = 0.5f;  // contrasts at hairiness 1
+constexpr float kStrayShare = 0.35f;  // of the places for a stray fibre, at hairiness 1
+constexpr float kWander = 1.3f;       // grooves, at hairiness 1
+
 uint32_t mix(uint32_t a, uint32_t b) {
   uint32_t h = a * 0x9E3779B1u ^ (b + 0x7F4A7C15u) * 0x85EBCA77u;
   h ^= h >> 15;
@@ -53,6 +58,7 @@ ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System sy
   }
   t.advance = rounded(turns * t.fibres * (t.plies > 1 ? kFibreTwistInPly : 1.0f));
   t.fibre_tan = -kTwoPi * t.radius_mm * static_cast<float>(t.advance) / (t.fibres * std::max(length_mm, 1e-6f));
+  t.stray_advance = -rounded(0.35f * static_cast<float>(t.advance) / kStraySpacing);
   t.nodes = std::max(1, rounded(length_mm / (kToneLength * fibre_mm)));
   t.depth = std::clamp(yarn.groove_depth, 0.0f, 1.0f);
   t.hair = std::clamp(yarn.hairiness, 0.0f, 1.0f);
@@ -62,24 +68,43 @@ ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System sy
   return t;
 }
 
+float wander(const ThreadTexture& x, int node, float blend) {
+  const auto at = [&](int n) { return unit(mix(x.seed ^ 0x5bd1e995u, static_cast<uint32_t>(n))) - 0.5f; };
+  const float b = blend * blend * (3.0f - 2.0f * blend), here = at(node);
+  return kWander * x.hair * (here + b * (at(node + 1 == x.nodes ? 0 : node + 1) - here));
+}
+
 Texel texture_at(const ThreadTexture& x, const TexturePoint& p) {
-  const float turn = p.turn + x.phase;
-  const float fibre = std::floor(turn);
-  // Tone: one value a fibre and node, blended along; over the tile's border fibre k goes on as k - advance.
-  const int k = static_cast<int>(fibre);
-  const bool wraps = p.node + 1 == x.nodes;
-  const auto tone_of = [&](int fibre_index, int node) {
-    return unit(mix(x.seed + static_cast<uint32_t>(fibre_index) * 0x632BE5ABu, static_cast<uint32_t>(node)));
-  };
-  const float b = p.blend * p.blend * (3.0f - 2.0f * p.blend);
-  const float here = tone_of(k, p.node);
-  const float tone = here + b * (tone_of(wraps ? k - x.advance : k, wraps ? 0 : p.node + 1) - here) - 0.5f;
-  // Groove: 1 between fibres, 0 on their ridge; the fourth power has the mean 1/5.
-  const float across = 2.0f * (turn - fibre) - 1.0f;
-  const float groove = across * across * across * across;
   Texel out;
-  out.groove = 1.0f - x.depth * (0.2f + p.fade * (groove * (1.0f + x.hair * tone) - 0.2f));
-  out.tone = 1.0f + 0.7f * x.hair * p.fade * tone;
+  const float own = 1.0f + kThreadTone * x.hair * (2.0f * unit(mix(x.seed, 3)) - 1.0f);
+  out.tone = own;
+  out.groove = 1.0f - 0.2f * x.depth;
+  if (p.fade > 0.0f) {
+    const float turn = p.turn + x.phase, fibre = std::floor(turn);
+    // One value a fibre and node, blended along; over the tile's border fibre k goes on as k - advance.
+    const int k = static_cast<int>(fibre);
+    const bool wraps = p.node + 1 == x.nodes;
+    const auto value = [&](uint32_t seed, int fibre_index, int node) {
+      return unit(mix(seed + static_cast<uint32_t>(fibre_index) * 0x632BE5ABu, static_cast<uint32_t>(node)));
+    };
+    const float b = p.blend * p.blend * (3.0f - 2.0f * p.blend);
+    const float here = value(x.seed, k, p.node);
+    const float next = value(x.seed, wraps ? k - x.advance : k, wraps ? 0 : p.node + 1);
+    const float tone = here + b * (next - here) - 0.5f;
+    // Groove: 1 between fibres, 0 on their ridge; the fourth power has the mean 1/5.
+    const float across = 2.0f * (turn - fibre) - 1.0f;
+    const float groove = across * across * across * across;
+    out.groove -= x.depth * p.fade * (groove * (1.0f + 1.6f * x.hair * tone) - 0.2f);
+    // A stray fibre: thin, light, over one node's length, thinning out to both ends.
+    const float stray_turn = p.stray_turn + x.phase, stray_fibre = std::floor(stray_turn);
+    const float share = kStrayShare * x.hair;
+    const float aside = 3.0f * (2.0f * (stray_turn - stray_fibre) - 1.0f);
+    const bool there = std::abs(aside) < 1.0f &&
+                       value(x.seed ^ 0xA341316Cu, static_cast<int>(stray_fibre), p.node) < share;
+    const float stray = there ? (1.0f - aside * aside) * 4.0f * p.blend * (1.0f - p.blend) : 0.0f;
+    constexpr float kMeanOfStray = 2.0f / 9.0f * 2.0f / 3.0f;
+    out.tone += p.fade * (kFibreTone * x.hair * tone + kStrayTone * (stray - share * kMeanOfStray));
+  }
   if (x.plies > 1) {
     const float ply_turn = p.ply_turn + x.ply_phase;
     out.ply = 2.0f * (ply_turn - std::floor(ply_turn)) - 1.0f;

@@ -17,6 +17,7 @@ struct ThreadTexture {
   int ply_advance = 0;
   float ply_relief_mm = 0; // depth of the furrow between plies
   float phase = 0, ply_phase = 0;
+  int stray_advance = 0;   // like advance, of the stray fibres that cross the others
   int nodes = 1;           // of the tone along one period
   float depth = 0, hair = 0;
   float radius_mm = 0;
@@ -26,13 +27,20 @@ struct ThreadTexture {
 /// `length_mm` is the period along the thread.
 ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm);
 
+/// Stray fibres are this much sparser than grooves around the thread.
+inline constexpr float kStraySpacing = 2.5f;
+
 /// Share of a pattern's contrast that is left when one sample spans `cycles` of it (0: all, 1: none).
 inline float contrast_left(float cycles) { return cycles < 0.25f ? 1.0f : cycles > 0.75f ? 0.0f : 1.5f - 2.0f * cycles; }
 
-/// Place on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length).
+/// Grooves do not run quite straight: how far they are off at a place along, in grooves.
+float wander(const ThreadTexture& texture, int node, float blend);
+
+/// Place on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length + wander).
 struct TexturePoint {
   float turn = 0;      // in grooves
   float ply_turn = 0;  // in plies
+  float stray_turn = 0;
   int node = 0;        // of the tone along, 0..nodes - 1
   float blend = 0;     // to the next node
   float fade = 1, ply_fade = 1;

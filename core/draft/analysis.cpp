@@ -24,7 +24,7 @@ bool any(const BitMatrix& m) {
 
 // m[r] & m[r + step], rows cyclic.
 BitMatrix joined(const BitMatrix& m, int step) {
-  BitMatrix out(m.rows(), m.cols());
+  BitMatrix out = BitMatrix::unset(m.rows(), m.cols());
   for (int r = 0; r < m.rows(); ++r) {
     const auto a = m.row(r), b = m.row((r + step) % m.rows());
     const auto to = out.row(r);

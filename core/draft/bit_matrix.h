@@ -3,16 +3,45 @@
 // liftplan and drawdown are all of this type. Padding bits are always zero.
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace weftlight {
+
+/// Leaves new words unset, so that a matrix of which every word is written next costs one pass, not two.
+template <class T>
+struct UnsetAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UnsetAllocator<U>;
+  };
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* at, Args&&... args) {
+    ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+  }
+};
 
 class BitMatrix {
  public:
   BitMatrix() = default;
   BitMatrix(int rows, int cols)
       : rows_(rows), cols_(cols), words_((cols + 63) / 64), bits_(static_cast<size_t>(rows) * words_, 0) {}
+
+  /// Words of no certain value: for one who writes every row whole, padding too.
+  static BitMatrix unset(int rows, int cols) {
+    BitMatrix m;
+    m.rows_ = rows;
+    m.cols_ = cols;
+    m.words_ = (cols + 63) / 64;
+    m.bits_.resize(static_cast<size_t>(rows) * m.words_);
+    return m;
+  }
 
   int rows() const { return rows_; }
   int cols() const { return cols_; }
@@ -45,7 +74,7 @@ class BitMatrix {
     return static_cast<size_t>(row) * words_ + static_cast<size_t>(col >> 6);
   }
   int rows_ = 0, cols_ = 0, words_ = 0;
-  std::vector<uint64_t> bits_;
+  std::vector<uint64_t, UnsetAllocator<uint64_t>> bits_;
 };
 
 /// For each row the first row that equals it.

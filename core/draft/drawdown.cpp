@@ -129,7 +129,7 @@ bool tables_pay(const BitMatrix& lift, const std::vector<int>& picks) {
 }
 
 BitMatrix drawdown_of(const Harness& h, const BitMatrix& lift, int ends) {
-  BitMatrix cells(lift.rows(), ends);
+  BitMatrix cells = BitMatrix::unset(lift.rows(), ends);
   const std::vector<int> first = first_equal_rows(lift);
   std::vector<int> distinct;
   for (int p = 0; p < lift.rows(); ++p) {

@@ -17,7 +17,9 @@ float smooth_min(float a, float b, float width) {
   return std::min(a, b) - h * h * width * 0.25f;
 }
 
-float smooth_max(float a, float b, float width) { return -smooth_min(-a, -b, width); }
+float smooth_max(float a, float b, float width) {
+  return -smooth_min(-a, -b, width);
+}
 
 /// A limb that narrows from radius ra at a to rb at b.
 float limb(Vec3 p, Vec3 a, Vec3 b, float ra, float rb) {
@@ -31,10 +33,9 @@ struct Measure {
 };
 
 constexpr Measure kTrunk[] = {
-    {740, 152, 112, -8}, {800, 170, 121, -9},  {880, 178, 122, -8}, {960, 162, 108, -3},
-    {1060, 126, 92, 0},  {1140, 138, 102, 3},  {1230, 155, 119, 8}, {1310, 163, 106, 1},
-    {1360, 163, 86, -6}, {1395, 132, 70, -12}, {1420, 84, 60, -14}, {1445, 60, 56, -10},
-    {1530, 53, 53, 4},
+    {740, 152, 112, -8}, {800, 170, 121, -9}, {880, 178, 122, -8}, {960, 162, 108, -3}, {1060, 126, 92, 0},
+    {1140, 138, 102, 3}, {1230, 155, 119, 8}, {1310, 163, 106, 1}, {1360, 163, 86, -6}, {1395, 132, 70, -12},
+    {1420, 84, 60, -14}, {1445, 60, 56, -10}, {1530, 53, 53, 4},
 };
 
 /// Cubic through four equally weighted values, between the middle two.
@@ -49,7 +50,8 @@ float trunk(Vec3 p) {
   const Section s = trunk_section(p[1]);
   const float x = p[0], z = p[2] - s.middle;
   const float out = std::sqrt(x * x + z * z);
-  const float scaled = std::sqrt(x * x / (s.half_width * s.half_width) + z * z / (s.half_depth * s.half_depth));
+  const float scaled =
+      std::sqrt(x * x / (s.half_width * s.half_width) + z * z / (s.half_depth * s.half_depth));
   return scaled < 0.05f ? -std::min(s.half_width, s.half_depth) : out * (1 - 1 / scaled);
 }
 
@@ -57,7 +59,8 @@ float trunk(Vec3 p) {
 
 Section trunk_section(float height) {
   const auto last = std::prev(std::end(kTrunk));
-  const auto above = std::find_if(std::begin(kTrunk), last, [&](const Measure& m) { return m.height > height; });
+  const auto above =
+      std::find_if(std::begin(kTrunk), last, [&](const Measure& m) { return m.height > height; });
   const Measure& to = above == std::begin(kTrunk) ? *std::next(above) : *above;
   const Measure& from = *std::prev(&to);
   const Measure& before = &from == std::begin(kTrunk) ? from : *std::prev(&from);
@@ -69,11 +72,17 @@ Section trunk_section(float height) {
   return {along(&Measure::half_width), along(&Measure::half_depth), along(&Measure::middle)};
 }
 
-Arm arm() { return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26}; }
+Arm arm() {
+  return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26};
+}
 
-float ground(Vec3 p) { return p[1]; }
+float ground(Vec3 p) {
+  return p[1];
+}
 
-float ball(Vec3 p) { return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius; }
+float ball(Vec3 p) {
+  return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius;
+}
 
 float table(Vec3 p) {
   constexpr float kEdge = 13, kHalfThickness = 14;

@@ -82,7 +82,8 @@ void append_ring(Mesh& mesh, float x) {
       const float phi = 2 * kPi * static_cast<float>(i) / kAround;
       const float theta = 2 * kPi * static_cast<float>(k) / kAcross;
       const float out = kRingRadius + 2.6f * std::cos(theta);
-      mesh.position_mm.push_back({x + 2.6f * std::sin(theta), middle + out * std::sin(phi), out * std::cos(phi)});
+      mesh.position_mm.push_back(
+          {x + 2.6f * std::sin(theta), middle + out * std::sin(phi), out * std::cos(phi)});
     }
   }
   for (uint32_t i = 0; i < kAround; ++i) {
@@ -116,7 +117,8 @@ struct Samples {
 
   size_t at(int x, int y, int z) const {
     return (static_cast<size_t>(z) * static_cast<size_t>(count[1]) + static_cast<size_t>(y)) *
-               static_cast<size_t>(count[0]) + static_cast<size_t>(x);
+               static_cast<size_t>(count[0]) +
+           static_cast<size_t>(x);
   }
   Vec3 place(int x, int y, int z) const {
     return origin + Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * width;
@@ -164,9 +166,12 @@ void append_zero_set(Mesh& mesh, const Distance& distance, const Samples& s) {
       for (int x = 1; x + 1 < nx; ++x) {
         const bool here = s.value[s.at(x, y, z)] < 0;
         const auto v = [&](int dx, int dy, int dz) { return vertex[s.at(x - dx, y - dy, z - dz)]; };
-        if (here != (s.value[s.at(x + 1, y, z)] < 0)) quad(here, v(0, 1, 1), v(0, 0, 1), v(0, 0, 0), v(0, 1, 0));
-        if (here != (s.value[s.at(x, y + 1, z)] < 0)) quad(here, v(1, 0, 1), v(1, 0, 0), v(0, 0, 0), v(0, 0, 1));
-        if (here != (s.value[s.at(x, y, z + 1)] < 0)) quad(here, v(1, 1, 0), v(0, 1, 0), v(0, 0, 0), v(1, 0, 0));
+        if (here != (s.value[s.at(x + 1, y, z)] < 0))
+          quad(here, v(0, 1, 1), v(0, 0, 1), v(0, 0, 0), v(0, 1, 0));
+        if (here != (s.value[s.at(x, y + 1, z)] < 0))
+          quad(here, v(1, 0, 1), v(1, 0, 0), v(0, 0, 0), v(0, 0, 1));
+        if (here != (s.value[s.at(x, y, z + 1)] < 0))
+          quad(here, v(1, 1, 0), v(0, 1, 0), v(0, 0, 0), v(1, 0, 0));
       }
     }
   }
@@ -185,7 +190,7 @@ Mesh mesh_of_body(const std::string& name) {
     stand(mesh, kSkirtLowered);
   }
   if (name == "tunic") {
-    append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 9));
+    append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 11));
     stand(mesh, kTunicLowered);
   }
   mesh.uv_mm.assign(mesh.position_mm.size(), Vec2{});

@@ -40,14 +40,15 @@ Mesh plane() {
 
 Drape sphere() {
   Drape drape;
-  drape.pattern = flat_square(101, 600, 2 * kBallRadius + 2);
+  drape.pattern = flat_square(85, 600, 2 * kBallRadius + 2);
   drape.body = [](Vec3 p) { return std::min(ball(p), ground(p)); };
   drape.fall.seconds = 4;
   drape.fall.air_per_second = 1;
   drape.fall.body_friction = 0.5;
   drape.fabric.bending_n_m = 0.6e-5;
   drape.fabric.bias_n_per_m = 40;
-  drape.fall.apart_mm = 5;
+  drape.fall.apart_mm = 5.5;
+  drape.fall.substeps = 18;
   return drape;
 }
 
@@ -118,6 +119,8 @@ Mesh simulate_drape(const std::string& name, float steps_scale) {
   return {};
 }
 
-Mesh body_mesh(const std::string& name) { return mesh_of_body(name); }
+Mesh body_mesh(const std::string& name) {
+  return mesh_of_body(name);
+}
 
 }  // namespace weftlight

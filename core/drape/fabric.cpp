@@ -33,9 +33,13 @@ EdgeSides collect_sides(const Pattern& pattern) {
   return sides;
 }
 
-Vec2 edge(const Pattern& pattern, uint32_t from, uint32_t to) { return pattern.uv_mm[to] - pattern.uv_mm[from]; }
+Vec2 edge(const Pattern& pattern, uint32_t from, uint32_t to) {
+  return pattern.uv_mm[to] - pattern.uv_mm[from];
+}
 
-double twice_area(Vec2 a, Vec2 b) { return std::fabs(static_cast<double>(a[0] * b[1] - a[1] * b[0])); }
+double twice_area(Vec2 a, Vec2 b) {
+  return std::fabs(static_cast<double>(a[0] * b[1] - a[1] * b[0]));
+}
 
 double cotangent(Vec2 a, Vec2 b) {
   return static_cast<double>(a[0] * b[0] + a[1] * b[1]) / std::max(twice_area(a, b), 1e-6);

@@ -34,8 +34,8 @@ constexpr int kSkirtColumns = 91, kSkirtRows = 62;
 constexpr float kSkirtLength = 590, kPanelAngle = kPi / 2;
 
 struct SkirtCut {
-  Section waist;         // the cloth's, a little outside the form
-  float waist_radius;    // of the pattern's inner arc
+  Section waist;          // the cloth's, a little outside the form
+  float waist_radius;     // of the pattern's inner arc
   float half_width, low;  // so that u and v start at 0
 };
 
@@ -82,10 +82,14 @@ float body_top(float across, float dip) {
   return kBodyLength - kShoulderDrop * out - dip * std::pow(1 - in * in, 0.7f);
 }
 
-float body_half(float above_hem) { return mix(kHemHalf, kShoulderHalf, std::min(above_hem / kBodyLength, 1.0f)); }
+float body_half(float above_hem) {
+  return mix(kHemHalf, kShoulderHalf, std::min(above_hem / kBodyLength, 1.0f));
+}
 
 /// How far the armhole gapes to each side at a share of its height, when the sleeve is set in.
-float gape(float share) { return 55 * std::sin(kPi * std::clamp(share, 0.0f, 1.0f)); }
+float gape(float share) {
+  return 55 * std::sin(kPi * std::clamp(share, 0.0f, 1.0f));
+}
 
 constexpr float kSideLength = kBodyLength - kShoulderDrop;
 constexpr float kUnderarm = kSideLength - kArmhole;  // above the hem
@@ -100,8 +104,8 @@ Piece add_body_panel(Pattern& pattern, bool back) {
     const float across = std::clamp((uv[0] - kHemHalf) / body_half(uv[1]), -1.0f, 1.0f);
     const float round = ramp(0, 130, body_top(across, 0) - uv[1]), angle = across * kPi / 2;
     const float x = kPutOnHalf * mix(across, std::sin(angle), round);
-    const float depth = 140 * std::cos(angle) * round +
-                        gape((uv[1] - kUnderarm) / kArmhole) * std::pow(across, 4.0f);
+    const float depth =
+        140 * std::cos(angle) * round + gape((uv[1] - kUnderarm) / kArmhole) * std::pow(across, 4.0f);
     return Vec3{back ? -x : x, kShoulderHeight - (kBodyLength - uv[1]),
                 kShoulderMiddle + (back ? -depth : depth)};
   };
@@ -109,12 +113,15 @@ Piece add_body_panel(Pattern& pattern, bool back) {
 }
 
 /// Rows of a body panel's side from the hem to the armhole.
-int armhole_row() { return static_cast<int>(std::lround(kUnderarm / kSideLength * (kBodyRows - 1))); }
+int armhole_row() {
+  return static_cast<int>(std::lround(kUnderarm / kSideLength * (kBodyRows - 1)));
+}
 
 /// A tube along the arm: s from the underarm round over the top, t from cuff to armhole.
 /// A sleeve at -x (side -1) runs round the other way.
 Piece add_sleeve(Pattern& pattern, float side, int columns) {
-  const float armhole = static_cast<float>(2 * (kBodyRows - 1 - armhole_row())) / (kBodyRows - 1) * kSideLength;
+  const float armhole =
+      static_cast<float>(2 * (kBodyRows - 1 - armhole_row())) / (kBodyRows - 1) * kSideLength;
   const auto shape = [=](float s, float t) {
     return Vec2{armhole * (0.5f + (s - 0.5f) * mix(kCuffShare, 1, t)), t * kSleeveLength};
   };
@@ -180,14 +187,16 @@ Drape tunic() {
   }
   for (int column = 0; column <= last; ++column) {
     const float across = 2 * static_cast<float>(column) / static_cast<float>(last) - 1;
-    if (std::fabs(across) * kShoulderHalf >= kNeckHalf) sew(pattern, front.vertex(column, top), back.vertex(last - column, top));
+    if (std::fabs(across) * kShoulderHalf >= kNeckHalf)
+      sew(pattern, front.vertex(column, top), back.vertex(last - column, top));
   }
   sew_tube(pattern, right);
   sew_tube(pattern, left);
   for (int k = 0; k <= 2 * rise; ++k) {
     const int row = k <= rise ? underarm + k : underarm + 2 * rise - k;
     const bool first_half = k <= rise;
-    sew(pattern, first_half ? front.vertex(last, row) : back.vertex(0, row), right.vertex(k, kSleeveRows - 1));
+    sew(pattern, first_half ? front.vertex(last, row) : back.vertex(0, row),
+        right.vertex(k, kSleeveRows - 1));
     sew(pattern, first_half ? back.vertex(last, row) : front.vertex(0, row), left.vertex(k, kSleeveRows - 1));
   }
   drop_unused_particles(pattern);

@@ -16,9 +16,9 @@ struct Mesh {
   std::string name;
   std::vector<Vec3> position_mm;
   std::vector<Vec3> normal;
-  std::vector<Vec3> tangent;   // unit d position / du (along the weft)
+  std::vector<Vec3> tangent;  // unit d position / du (along the weft)
   std::vector<Vec2> uv_mm;
-  std::vector<uint32_t> index; // three a triangle
+  std::vector<uint32_t> index;  // three a triangle
 };
 
 /// Fills normals (area-weighted) and tangents from positions and uv. Vertices at the very same place

@@ -18,7 +18,8 @@ struct Cell {
 
 uint32_t hashed(Cell c) {
   return (static_cast<uint32_t>(c.x) * 73856093u ^ static_cast<uint32_t>(c.y) * 19349663u ^
-          static_cast<uint32_t>(c.z) * 83492791u) & (kCells - 1);
+          static_cast<uint32_t>(c.z) * 83492791u) &
+         (kCells - 1);
 }
 
 Cell cell_of(Vec3d p, double width) {

@@ -6,8 +6,7 @@
 
 namespace weftlight::draping {
 
-Piece add_piece(Pattern& pattern, int columns, int rows, const PatternShape& shape,
-                const Placement& place) {
+Piece add_piece(Pattern& pattern, int columns, int rows, const PatternShape& shape, const Placement& place) {
   const Piece piece{static_cast<uint32_t>(pattern.uv_mm.size()), columns, rows};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {

@@ -15,9 +15,8 @@ namespace weftlight::draping {
 
 namespace {
 
-constexpr double kGravity = 9810;    // mm/s2
-constexpr double kMaxSpeed = 4000;   // mm/s, cloth falling through air hardly exceeds it
-
+constexpr double kGravity = 9810;   // mm/s2
+constexpr double kMaxSpeed = 4000;  // mm/s, cloth falling through air hardly exceeds it
 
 /// The body near a particle, as a plane: normal . x >= offset.
 struct Plane {

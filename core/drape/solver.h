@@ -13,10 +13,10 @@ using Distance = std::function<float(Vec3)>;
 
 struct Fall {
   double seconds = 4;
-  int looks_per_second = 160;   // contacts are found this often
-  int substeps = 12;            // between two looks
-  double skin_mm = 3.5;         // the middle of the cloth stays this far from the body
-  double apart_mm = 8;          // and sheets of cloth this far from each other (over half a cell's diagonal)
+  int looks_per_second = 160;  // contacts are found this often
+  int substeps = 12;           // between two looks
+  double skin_mm = 3.5;        // the middle of the cloth stays this far from the body
+  double apart_mm = 8;         // and sheets of cloth this far from each other (over half a cell's diagonal)
   double body_friction = 0.4, cloth_friction = 0.3;
   double air_per_second = 1.5;  // share of the speed that the air takes
   double rest_from = 0.7;       // share of the time after which the air thickens, to bring rest

@@ -57,9 +57,15 @@ inline Vec3d to_double(Vec3 a) {
   return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
 
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a[0] - b[0], a[1] - b[1]}; }
-inline float length(Vec2 a) { return std::sqrt(a[0] * a[0] + a[1] * a[1]); }
-inline float mix(float a, float b, float t) { return a + (b - a) * t; }
+inline Vec2 operator-(Vec2 a, Vec2 b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+inline float length(Vec2 a) {
+  return std::sqrt(a[0] * a[0] + a[1] * a[1]);
+}
+inline float mix(float a, float b, float t) {
+  return a + (b - a) * t;
+}
 /// 0 before `from`, 1 after `to`, smooth between.
 inline float ramp(float from, float to, float x) {
   const float t = std::fmin(std::fmax((x - from) / (to - from), 0.0f), 1.0f);

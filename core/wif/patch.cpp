@@ -257,7 +257,7 @@ bool says(const WifKey& key, const WifEntry& entry) {
 
 void set_entry(Patch& patch, const KeyLines& lines, const WifEntry& entry) {
   const bool there = lines.each(entry, [&](const WifKey& key) { patch.set_value(key, entry); });
-  if (!there && !entry.value.empty()) insert_entry(patch, lines, entry);
+  if (!there && (entry.is_text || !entry.value.empty())) insert_entry(patch, lines, entry);
 }
 
 bool is_count_section(const std::string& name) {
@@ -308,7 +308,7 @@ void append_section(Patch& patch, const WifEntries& section) {
   if (blank_before) patch.append({});
   patch.append("[" + section.name + "]");
   for (const WifEntry& entry : section.entries) {
-    if (!entry.value.empty()) patch.append(patch.new_line(entry, nullptr));
+    if (entry.is_text || !entry.value.empty()) patch.append(patch.new_line(entry, nullptr));
   }
 }
 

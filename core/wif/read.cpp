@@ -261,6 +261,17 @@ void read_drive(Reader& r, WifFile* info) {
   }
 }
 
+/// Some programs write their largest loom around a small draft: a long tail of threads that nothing uses.
+void note_empty_tail(const Reader& r, const BitMatrix& rows, const char* system, const char* what) {
+  constexpr int kLong = 100, kTimes = 4;
+  int used = rows.rows();
+  while (used > 0 && rows.first(used - 1) < 0) --used;
+  if (used == 0 || rows.rows() < kLong || rows.rows() < used * kTimes) return;
+  r.findings.add(Severity::kNote, r.line_of(system), {},
+                 "only the first " + std::to_string(used) + " of " + std::to_string(rows.rows()) + " " + what + " are used",
+                 "resize the draft to " + std::to_string(used) + " to see its cloth alone");
+}
+
 void read_notes(const Reader& r) {
   const WifSection* notes = r.text.find("NOTES");
   if (!notes) return;
@@ -394,6 +405,8 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, W
   read_rising(r, info);
   read_lists(r, "THREADING", draft.threading, "shafts");
   read_drive(r, info);
+  note_empty_tail(r, draft.threading, "WARP", "ends");
+  note_empty_tail(r, draft.drive == Drive::kLiftplan ? draft.liftplan : draft.treadling, "WEFT", "picks");
   read_threads(r.text, findings, r.habits, draft, info);
   read_notes(r);
   read_private_sections(r.text, r.habits, findings, r.design);

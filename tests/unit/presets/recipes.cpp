@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "draft/edits.h"
@@ -38,16 +39,28 @@ Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float opennes
   return with_sett(with_yarns(std::move(design), warp, weft), openness);
 }
 
+// The preset spun heavier: the angle of the fibres, hence the look, stays.
+Yarn heavy(Yarn yarn, float diameter_mm) {
+  const float scale = diameter_mm / yarn.diameter_mm;
+  yarn.name = "Heavy " + yarn.name;
+  yarn.name[6] = static_cast<char>(std::tolower(static_cast<unsigned char>(yarn.name[6])));
+  yarn.diameter_mm = diameter_mm;
+  yarn.turns_per_m = std::round(yarn.turns_per_m / scale);
+  yarn.fibre_um = std::round(yarn.fibre_um * std::sqrt(scale));  // grooves widen and grow in number alike
+  return yarn;
+}
+
 // Deep water at the edges, pale at the heart, a line of gold between the stars.
 Design starter() {
   constexpr int kRepeat = 70;  // ends and picks of one star
   Design d = undulating_twill({3, 2, 1, 2}, 2, true, {kRepeat, kRepeat});
   d = with_colors(std::move(d), palette({0x14304f, 0x1d5a78, 0x3f8f9b, 0x86bdb9, 0xe0b45c, 0xf4ebdc}),
                   {{4, 1}, {0, 10}, {1, 10}, {2, 9}, {3, 11}, {2, 9}, {1, 10}, {0, 10}}, {{5, 1}});
-  d = in_yarns(std::move(d), yarn("Mercerised cotton"), yarn("Silk"));
+  // A throw's yarns: a star is a hand wide, and is seen across a table.
+  d = in_yarns(std::move(d), heavy(yarn("Mercerised cotton"), 1.2f), heavy(yarn("Silk"), 1.1f));
   return titled(std::move(d), "Tide star",
                 {"An undulating twill on eight shafts, mirrored and woven as drawn in.",
-                 "Warp of mercerised cotton from indigo to sea green, weft of ivory silk."});
+                 "Heavy mercerised cotton from indigo to sea green, weft of ivory silk."});
 }
 
 Design plain_weave() {

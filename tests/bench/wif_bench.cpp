@@ -1,0 +1,47 @@
+// Reading and saving a WIF of about 130 KB: the size of a long draft with all its rows.
+
+#include <benchmark/benchmark.h>
+
+#include "draft/edits.h"
+#include "wif/wif.h"
+
+namespace weftlight {
+namespace {
+
+/// 2,600 ends and picks on 16 shafts, all rows listed.
+std::string long_draft() {
+  constexpr int kThreads = 2600, kShafts = 16;
+  Design design;
+  design.title = "A long draft";
+  design.draft = blank_draft(kThreads, kThreads, kShafts, kShafts);
+  design.draft.palette.push_back({0.5f, 0.25f, 0.125f});
+  for (int i = 0; i < kThreads; ++i) {
+    design.draft.threading.set(i, (i * 5 + i / 40) % kShafts, true);
+    design.draft.treadling.set(i, (i * 3 + i / 25) % kShafts, true);
+    design.draft.warp.color[static_cast<size_t>(i)] = i % 3;
+    design.draft.weft.color[static_cast<size_t>(i)] = (i / 7) % 3;
+    design.draft.warp.spacing_mm[static_cast<size_t>(i)] = 1.0f + 0.25f * static_cast<float>(i % 5);
+  }
+  for (int t = 0; t < kShafts; ++t) {
+    for (int s = 0; s < kShafts; ++s) design.draft.tieup.set(t, s, (t + s) % 4 < 2);
+  }
+  return write_new_wif(design);
+}
+
+void read_130_kb(benchmark::State& state) {
+  const std::string bytes = long_draft();
+  for (auto _ : state) benchmark::DoNotOptimize(read_wif(bytes));
+  state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(bytes.size()));
+  state.counters["KB"] = static_cast<double>(bytes.size()) / 1024;
+}
+BENCHMARK(read_130_kb)->Unit(benchmark::kMillisecond);
+
+void save_after_one_edit(benchmark::State& state) {
+  const WifRead read = read_wif(long_draft());
+  const Design now = with_threading(read.file->design, 1000, 3, true);
+  for (auto _ : state) benchmark::DoNotOptimize(write_wif(*read.file, now));
+}
+BENCHMARK(save_after_one_edit)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace weftlight

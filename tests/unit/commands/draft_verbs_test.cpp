@@ -1,0 +1,115 @@
+// info, drawdown and convert: the contract that scripts and other programs' tests rely on.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.h"
+
+namespace weftlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fixture_path(const char* name) { return std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/" + name; }
+
+class DraftVerbs : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::path(::testing::TempDir()) / ("weftlight-verbs-" + std::to_string(::getpid()) + "-" +
+                                             ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(dir_);
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    fs::remove_all(dir_, ignored);
+  }
+  std::string path(const char* name) const { return (dir_ / name).string(); }
+  std::string written(const char* name, std::string_view bytes) const {
+    EXPECT_EQ(write_file_atomically(path(name), bytes), "");
+    return path(name);
+  }
+  fs::path dir_;
+};
+
+TEST_F(DraftVerbs, drawdown_text_of_both_faces) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(drawdown_command({fixture_path("luminescence.wif"), "", Face::kFront}), kDone);
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "1010\n0101\n0101\n1010\n");
+  EXPECT_EQ(drawdown_command({fixture_path("luminescence.wif"), path("back.txt"), Face::kBack}), kDone);
+  EXPECT_EQ(read_file(path("back.txt")).bytes, "0101\n1010\n1010\n0101\n");
+}
+
+TEST_F(DraftVerbs, drawdown_picture) {
+  EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path("cloth.png"), Face::kFront}), kDone);
+  EXPECT_EQ(read_file(path("cloth.png")).bytes.substr(1, 3), "PNG");
+}
+
+TEST_F(DraftVerbs, info_as_json) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(info_command({fixture_path("gaps.wif"), true}), kDone);
+  const auto json = nlohmann::json::parse(::testing::internal::GetCapturedStdout());
+  EXPECT_EQ(json["ends"], 8);
+  EXPECT_EQ(json["picks"], 8);
+  EXPECT_EQ(json["shafts"], 4);
+  EXPECT_EQ(json["treadles"], 6);
+  EXPECT_EQ(json["rising"], true);
+  EXPECT_EQ(json["source_program"], "Weftlight");
+  EXPECT_EQ(json["title"], "Two and two twill");
+  EXPECT_EQ(json["has_liftplan"], false);
+  EXPECT_EQ(json["longest_float"]["warp_front"], 2);
+  EXPECT_EQ(json["longest_float"]["weft_back"], 2);
+  ASSERT_FALSE(json["warnings"].empty());
+  for (const auto& warning : json["warnings"]) {
+    EXPECT_TRUE(warning.contains("line") && warning.contains("text") && warning.contains("remedy"));
+  }
+}
+
+TEST_F(DraftVerbs, info_as_json_of_any_text) {
+  for (const char* name : {"latin1.wif", "utf8.wif", "utf8_bom.wif"}) {
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(info_command({fixture_path(name), true}), kDone);
+    EXPECT_EQ(nlohmann::json::parse(::testing::internal::GetCapturedStdout())["title"], "Körper für Ärmel");
+  }
+}
+
+TEST_F(DraftVerbs, convert_is_byte_true_also_onto_itself) {
+  for (const char* name : {"mixed_ends.wif", "latin1.wif", "untidy.wif", "no_last_end.wif"}) {
+    const std::string bytes = read_file(fixture_path(name)).bytes;
+    EXPECT_EQ(convert_command({fixture_path(name), path("copy.wif"), false, ConvertDrive::kAsIs}), kDone);
+    EXPECT_EQ(convert_command({path("copy.wif"), path("copy.wif"), false, ConvertDrive::kAsIs}), kDone);
+    EXPECT_EQ(read_file(path("copy.wif")).bytes, bytes) << name;
+  }
+}
+
+TEST_F(DraftVerbs, convert_changes_the_drive_and_keeps_the_cloth) {
+  const BitMatrix cells = drawdown(open_design(fixture_path("heddles.wif")).design.draft);
+  for (const bool plain : {false, true}) {
+    EXPECT_EQ(convert_command({fixture_path("heddles.wif"), path("lifts.wif"), plain, ConvertDrive::kLiftplan}), kDone);
+    EXPECT_EQ(convert_command({path("lifts.wif"), path("treadles.wif"), plain, ConvertDrive::kTreadling}), kDone);
+    const Draft lifts = open_design(path("lifts.wif")).design.draft, treadles = open_design(path("treadles.wif")).design.draft;
+    EXPECT_EQ(lifts.drive, Drive::kLiftplan);
+    EXPECT_EQ(treadles.drive, Drive::kTreadling);
+    EXPECT_TRUE(drawdown(lifts) == cells && drawdown(treadles) == cells);
+  }
+}
+
+TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(info_command({path("none.wif"), false}), kBadInput);
+  const std::string bad = written("bad.wif", "[WARP]\nThreads=4\n[WEFT]\nThreads=200000\n");
+  EXPECT_EQ(drawdown_command({bad, "", Face::kFront}), kBadInput);
+  EXPECT_EQ(convert_command({bad, path("out.wif"), false, ConvertDrive::kAsIs}), kBadInput);
+  EXPECT_FALSE(fs::exists(path("out.wif")));
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find(bad + ":4: "), std::string::npos) << said;
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(convert_command({fixture_path("twill.wif"), path("no/out.wif"), false, ConvertDrive::kAsIs}), kNotWritten);
+  EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path("no/out.png"), Face::kFront}), kNotWritten);
+  ::testing::internal::GetCapturedStderr();
+}
+
+}  // namespace
+}  // namespace weftlight

@@ -1,0 +1,176 @@
+// The shipped drapes: quick simulations, and the meshes in presets as they were simulated in full.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "drape/bodies.h"
+#include "drape/mesh.h"
+#include "files/files.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kQuick = 0.01f;
+
+float dot(Vec3 a, Vec3 b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+float distance(Vec3 a, Vec3 b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+Mesh shipped(const std::string& name) {
+  const ReadMesh read = read_mesh(presets_dir() + "/meshes/" + name + ".glb");
+  EXPECT_TRUE(read.mesh) << read.error;
+  return read.mesh.value_or(Mesh{});
+}
+
+class EachDrape : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, EachDrape, testing::ValuesIn(drape_names()),
+                         [](const auto& p) { return p.param; });
+
+TEST_P(EachDrape, IsTheSameBitForBitTwice) {
+  const Mesh one = simulate_drape(GetParam(), kQuick), two = simulate_drape(GetParam(), kQuick);
+  EXPECT_EQ(one.position_mm, two.position_mm);
+  EXPECT_EQ(one.normal, two.normal);
+  EXPECT_EQ(one.tangent, two.tangent);
+}
+
+TEST_P(EachDrape, ShippedMeshHasTheTopologyAndPatternOfItsSimulation) {
+  const Mesh quick = simulate_drape(GetParam(), kQuick), mesh = shipped(GetParam());
+  EXPECT_EQ(mesh.index, quick.index);
+  ASSERT_EQ(mesh.uv_mm.size(), quick.uv_mm.size());
+  for (size_t i = 0; i < mesh.uv_mm.size(); ++i) {
+    EXPECT_NEAR(mesh.uv_mm[i][0], quick.uv_mm[i][0], 1e-3f);
+    EXPECT_NEAR(mesh.uv_mm[i][1], quick.uv_mm[i][1], 1e-3f);
+  }
+}
+
+TEST_P(EachDrape, FramesAreUnitAndAgreeWithTheTriangles) {
+  const Mesh mesh = shipped(GetParam());
+  for (size_t i = 0; i < mesh.position_mm.size(); ++i) {
+    ASSERT_NEAR(dot(mesh.normal[i], mesh.normal[i]), 1, 1e-3f);
+    ASSERT_NEAR(dot(mesh.tangent[i], mesh.tangent[i]), 1, 1e-3f);
+    ASSERT_NEAR(dot(mesh.tangent[i], mesh.normal[i]), 0, 1e-3f);
+  }
+  size_t turned = 0;
+  for (size_t t = 0; t < mesh.index.size(); t += 3) {
+    const Vec3 a = mesh.position_mm[mesh.index[t]], b = mesh.position_mm[mesh.index[t + 1]],
+               c = mesh.position_mm[mesh.index[t + 2]];
+    const Vec3 e{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const Vec3 n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    turned += dot(n, mesh.normal[mesh.index[t]]) <= 0;
+  }
+  EXPECT_LE(turned, mesh.index.size() / 3 / 200);  // only in the sharpest creases
+}
+
+/// How much longer the threads are than in the pattern: edges that run along warp or weft.
+std::vector<float> thread_stretch(const Mesh& mesh) {
+  std::vector<float> stretch;
+  for (size_t t = 0; t < mesh.index.size(); ++t) {
+    const uint32_t a = mesh.index[t], b = mesh.index[t % 3 == 2 ? t - 2 : t + 1];
+    const float du = mesh.uv_mm[b][0] - mesh.uv_mm[a][0], dv = mesh.uv_mm[b][1] - mesh.uv_mm[a][1];
+    const float flat = std::hypot(du, dv);
+    if (std::min(std::fabs(du), std::fabs(dv)) > 0.05f * flat) continue;
+    stretch.push_back(distance(mesh.position_mm[a], mesh.position_mm[b]) / flat - 1);
+  }
+  std::sort(stretch.begin(), stretch.end());
+  return stretch;
+}
+
+TEST_P(EachDrape, PatternMillimetresAreMillimetresOfCloth) {
+  const std::vector<float> stretch = thread_stretch(shipped(GetParam()));
+  ASSERT_FALSE(stretch.empty());
+  EXPECT_NEAR(stretch[stretch.size() / 2], 0, 0.01f);
+  EXPECT_GT(stretch[stretch.size() / 50], -0.05f);
+  EXPECT_LT(stretch[stretch.size() * 49 / 50], 0.05f);
+}
+
+/// Vertices further inside than the tolerance; `lowered` as the mesh was let down.
+template <class Body>
+int inside(const Mesh& mesh, Body body, float lowered) {
+  return static_cast<int>(std::count_if(mesh.position_mm.begin(), mesh.position_mm.end(), [&](Vec3 p) {
+    return body(Vec3{p[0], p[1] + lowered, p[2]}) < -0.5f;
+  }));
+}
+
+TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
+  EXPECT_EQ(inside(shipped("sphere"), draping::ball, 0), 0);
+  EXPECT_EQ(inside(shipped("tablecloth"), draping::table, 0), 0);
+  EXPECT_EQ(inside(shipped("skirt"), draping::skirt_form, draping::kSkirtLowered), 0);
+  EXPECT_EQ(inside(shipped("tunic"), draping::dress_form, draping::kTunicLowered), 0);
+  for (const std::string& name : drape_names())
+    EXPECT_EQ(inside(shipped(name), draping::ground, 0), 0) << name;
+}
+
+TEST(Drapes, PiecesHaveTheirRealSize) {
+  const std::map<std::string, Vec2> sizes{
+      {"plane", {300, 200}}, {"sphere", {600, 600}}, {"tablecloth", {1400, 1400}}, {"curtain", {1400, 1800}}};
+  for (const auto& [name, size] : sizes) {
+    const Mesh mesh = simulate_drape(name, kQuick);
+    EXPECT_EQ(mesh.uv_mm.front(), (Vec2{0, 0})) << name;
+    EXPECT_EQ(mesh.uv_mm.back(), size) << name;
+  }
+}
+
+/// Edges of the welded surface that only one triangle has, counted by the number of loops they form.
+int open_loops(const Mesh& mesh) {
+  std::map<std::pair<Vec3, Vec3>, int> edges;
+  for (size_t t = 0; t < mesh.index.size(); ++t) {
+    Vec3 a = mesh.position_mm[mesh.index[t]], b = mesh.position_mm[mesh.index[t % 3 == 2 ? t - 2 : t + 1]];
+    if (b < a) std::swap(a, b);
+    ++edges[{a, b}];
+  }
+  std::map<Vec3, std::vector<Vec3>> border;
+  for (const auto& [edge, count] : edges) {
+    EXPECT_LE(count, 2);
+    if (count == 1) {
+      border[edge.first].push_back(edge.second);
+      border[edge.second].push_back(edge.first);
+    }
+  }
+  int loops = 0;
+  while (!border.empty()) {
+    ++loops;
+    std::vector<Vec3> open{border.begin()->first};
+    while (!open.empty()) {
+      const auto at = border.find(open.back());
+      open.pop_back();
+      if (at == border.end()) continue;
+      EXPECT_EQ(at->second.size(), 2u);
+      open.insert(open.end(), at->second.begin(), at->second.end());
+      border.erase(at);
+    }
+  }
+  return loops;
+}
+
+TEST(Drapes, GarmentsAreClosedAtTheirSeams) {
+  EXPECT_EQ(open_loops(shipped("skirt")), 2);  // waist and hem
+  EXPECT_EQ(open_loops(shipped("tunic")), 4);  // neck, hem and two cuffs
+}
+
+TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
+  for (const std::string& name : drape_names()) {
+    const Mesh body = body_mesh(name);
+    double six_volumes = 0;
+    for (size_t t = 0; t < body.index.size(); t += 3) {
+      const Vec3 a = body.position_mm[body.index[t]], b = body.position_mm[body.index[t + 1]],
+                 c = body.position_mm[body.index[t + 2]];
+      const Vec3 n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+      six_volumes += static_cast<double>(dot(n, c));
+    }
+    EXPECT_EQ(six_volumes > 0, name != "plane") << name;
+  }
+}
+
+TEST(Drapes, AnUnknownNameGivesNothing) {
+  EXPECT_TRUE(simulate_drape("tent").position_mm.empty());
+  EXPECT_TRUE(body_mesh("tent").position_mm.empty());
+}
+
+}  // namespace
+}  // namespace weftlight

@@ -1,0 +1,188 @@
+// Each rule of reading, on a draft written for it.
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+#include "draft/drawdown.h"
+#include "lines.h"
+
+namespace weftlight {
+namespace {
+
+std::vector<std::string> cloth(const Draft& draft) {
+  std::vector<std::string> lines;
+  const BitMatrix cells = drawdown(draft);
+  for (int pick = 0; pick < cells.rows(); ++pick) {
+    lines.emplace_back();
+    for (int end = 0; end < cells.cols(); ++end) lines.back() += cells.get(pick, end) ? '1' : '0';
+  }
+  return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(read, twill_is_a_twill) {
+  const WifFile file = opened(fixture("twill.wif"));
+  const Draft& draft = file.design.draft;
+  EXPECT_EQ(cloth(draft), (Lines{"11001100", "01100110", "00110011", "10011001", "11001100", "01100110", "00110011", "10011001"}));
+  EXPECT_EQ(file.design.title, "Two and two twill");
+  EXPECT_EQ(file.design.author, "A weaver");
+  EXPECT_EQ(file.source_program, "Weftlight");
+  EXPECT_EQ(file.design.notes, (Lines{"Sley two a dent.", "", "Wash warm."}));
+  EXPECT_EQ(draft.palette.size(), 3u);
+  EXPECT_EQ(draft.warp.color[4], 2);
+  EXPECT_FLOAT_EQ(draft.warp.spacing_mm[0], 2.12f);
+  EXPECT_FLOAT_EQ(draft.weft.thickness_mm[7], 2.0f);
+}
+
+TEST(read, every_line_end_gives_the_same_design) {
+  const Design design = opened(fixture("twill.wif")).design;
+  for (const char* name : {"twill_lf.wif", "twill_cr.wif", "mixed_ends.wif", "no_last_end.wif", "no_wif_header.wif"}) {
+    EXPECT_TRUE(opened(fixture(name)).design == design) << name;
+  }
+}
+
+TEST(read, sinking_shed_is_the_complement_of_the_tieup) {
+  const WifFile file = opened(fixture("sinking.wif"));
+  EXPECT_FALSE(file.design.draft.rising);
+  EXPECT_EQ(cloth(file.design.draft)[0], "00110011");
+}
+
+TEST(read, ends_on_no_shaft_or_two_and_picks_of_no_treadle_or_two) {
+  const WifFile file = opened(fixture("heddles.wif"));
+  const Lines lines = cloth(file.design.draft);
+  EXPECT_EQ(lines[0], "01111111");  // nothing is lowered; end 1 is on no shaft
+  EXPECT_EQ(lines[1], "00001000");  // treadles 2 and 3 lower 2, 3, 4
+  EXPECT_EQ(lines[3], "00100110");  // 1 and 4 are lowered, so end 2 (shafts 2 and 4) is down
+}
+
+TEST(read, untidy_file) {
+  const WifRead read = read_wif(fixture("untidy.wif"));
+  ASSERT_TRUE(read.file);
+  const Design& design = read.file->design;
+  EXPECT_EQ(read.file->source_program, "Hand ; not a comment");
+  EXPECT_EQ(design.draft.ends(), 4);
+  EXPECT_EQ(cloth(design.draft), (Lines{"1010", "1100", "1100", "0010"}));
+  EXPECT_EQ(design.draft.palette, (std::vector<Rgb>{{1, 1, 1}, {0, 0, 0}}));
+  EXPECT_TRUE(says(read, 36, "twice"));
+  EXPECT_TRUE(says(read, 30, "not listed"));
+}
+
+TEST(read, both_drives) {
+  EXPECT_FALSE(says(read_wif(fixture("both_agree.wif")), 92, "liftplan differs"));
+  const WifRead differ = read_wif(fixture("both_differ.wif"));
+  ASSERT_TRUE(differ.file);
+  EXPECT_EQ(differ.file->design.draft.drive, Drive::kTreadling);
+  bool named = false;
+  for (const Diagnostic& d : differ.diagnostics) named = named || d.text.find("first at pick 2") != std::string::npos;
+  EXPECT_TRUE(named);
+  EXPECT_EQ(opened(fixture("liftplan.wif")).design.draft.drive, Drive::kLiftplan);
+}
+
+TEST(read, luminescence) {
+  const WifFile file = opened(fixture("luminescence.wif"));
+  const Draft& draft = file.design.draft;
+  EXPECT_EQ(cloth(draft), (Lines{"1010", "0101", "0101", "1010"}));
+  EXPECT_EQ(draft.warp.color, (std::vector<int>{0, 1, 0, 1}));
+  EXPECT_EQ(draft.weft.color, (std::vector<int>{1, 1, 0, 0}));
+  EXPECT_NEAR(static_cast<double>(draft.warp.spacing_mm[0]), 80 * 25.4 / 720, 1e-6);
+}
+
+TEST(read, counted_from_zero) {
+  const Design design = opened(fixture("zero_based.wif")).design;
+  EXPECT_EQ(cloth(design.draft), (Lines{"101", "010", "101"}));
+  EXPECT_EQ(design.draft.warp.color, (std::vector<int>{0, 2, 0}));
+  EXPECT_EQ(design.draft.weft.color, (std::vector<int>{1, 1, 1}));
+  EXPECT_EQ(design.notes, (Lines{"first", "second"}));
+}
+
+TEST(read, measures_zooms_symbols_and_range) {
+  const WifRead read = read_wif(fixture("measures.wif"));
+  ASSERT_TRUE(read.file);
+  const Draft& draft = read.file->design.draft;
+  const float unit = static_cast<float>(25.4 / 720);
+  EXPECT_FLOAT_EQ(draft.warp.spacing_mm[0], 80 * unit);
+  EXPECT_FLOAT_EQ(draft.warp.spacing_mm[1], 40 * unit);
+  EXPECT_FLOAT_EQ(draft.warp.spacing_mm[2], 160 * unit);
+  EXPECT_FLOAT_EQ(draft.weft.spacing_mm[0], 1.27f);
+  EXPECT_EQ(draft.weft.thickness_mm[0], kFromYarn);
+  EXPECT_FLOAT_EQ(draft.weft.thickness_mm[1], 1.016f);
+  EXPECT_FLOAT_EQ(draft.weft.thickness_mm[3], 2.54f);
+  EXPECT_EQ(draft.palette[0], (Rgb{0, 0.5f, 1}));
+  EXPECT_EQ(read.file->warp_symbols, (Lines{"X", "#", " ", "é"}));
+  EXPECT_EQ(read.file->weft_symbols, (Lines{"o", "o", "o", "o"}));
+}
+
+TEST(read, two_color_draft_without_a_table) {
+  const Draft draft = opened(fixture("two_color.wif")).design.draft;
+  EXPECT_EQ(draft.palette, (std::vector<Rgb>{{1, 0, 0}, {0, 0, 1}}));
+  EXPECT_EQ(draft.warp.color[1], 0);
+  EXPECT_EQ(draft.weft.color[1], 1);
+}
+
+TEST(read, encodings) {
+  for (const char* name : {"latin1.wif", "utf8_bom.wif"}) {
+    const Design design = opened(fixture(name)).design;
+    EXPECT_EQ(design.title, "Körper für Ärmel") << name;
+    EXPECT_EQ(design.notes[0], "Café “crème”") << name;
+  }
+  EXPECT_EQ(opened(fixture("utf8.wif")).design.author, "織る人");
+}
+
+TEST(read, what_is_missing_is_said_with_its_line) {
+  const WifRead read = read_wif(fixture("gaps.wif"));
+  ASSERT_TRUE(read.file);
+  EXPECT_EQ(read.file->design.draft.shafts, 4);
+  EXPECT_EQ(read.file->design.draft.treadles, 6);
+  EXPECT_TRUE(says(read, 54, "shaft 4"));
+  EXPECT_TRUE(says(read, 33, "Rising Shed"));
+  EXPECT_TRUE(says(read, 33, "Treadles"));
+  EXPECT_TRUE(says(read, 38, "color 9"));
+  EXPECT_TRUE(says(read, 39, "Units"));
+  EXPECT_TRUE(says(read, 0, "Range"));
+}
+
+TEST(read, refuses_what_is_no_draft) {
+  const std::string rest = "[WARP]\nThreads=2\n[WEFT]\nThreads=";
+  for (const std::string& bytes : {std::string(), std::string("hello"), std::string("\xFF\xFE[\0W\0", 6), rest + "0\n",
+                                   rest + "100001\n", std::string("[WARP]\nThreads=99999\n[WEFT]\nThreads=99999\n"),
+                                   rest + "2\n[WEAVING]\nShafts=5000\n", rest + "2\n[WEAVING]\nTreadles=5000\n"}) {
+    const WifRead read = read_wif(bytes);
+    EXPECT_FALSE(read.file) << bytes;
+    ASSERT_FALSE(read.diagnostics.empty()) << bytes;
+    bool error = false;
+    for (const Diagnostic& d : read.diagnostics) error = error || (d.severity == Severity::kError && !d.remedy.empty());
+    EXPECT_TRUE(error) << bytes;
+  }
+}
+
+TEST(read, many_like_warnings_are_one) {
+  std::string bytes = "[WARP]\nThreads=1\n[WEFT]\nThreads=1\n[THREADING]\n";
+  for (int i = 1; i < 1000; ++i) bytes += std::to_string(i) + "=1\n";
+  const WifRead read = read_wif(bytes);
+  ASSERT_TRUE(read.file);
+  EXPECT_LT(read.diagnostics.size(), 20u);
+  EXPECT_TRUE(says(read, 7, "997 more"));
+}
+
+TEST(read, a_long_empty_tail_is_named) {
+  const WifRead read = read_wif("[WARP]\nThreads=1200\n[WEFT]\nThreads=3\n[THREADING]\n1=1\n2=2\n");
+  ASSERT_TRUE(read.file);
+  EXPECT_EQ(read.file->design.draft.ends(), 1200);
+  EXPECT_TRUE(says(read, 1, "first 2 of 1200 ends"));
+}
+
+TEST(read, the_locale_does_not_matter) {
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {
+    if (std::setlocale(LC_NUMERIC, name)) break;
+  }
+  const WifFile file = opened(fixture("twill.wif"));
+  EXPECT_FLOAT_EQ(file.design.draft.warp.spacing_mm[0], 2.12f);
+  EXPECT_NE(write_new_wif(file.design).find("Spacing=0.212\r\n"), std::string::npos);
+  std::setlocale(LC_NUMERIC, before.c_str());
+}
+
+}  // namespace
+}  // namespace weftlight

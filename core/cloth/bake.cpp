@@ -178,6 +178,14 @@ std::vector<TexelRect> pieces(const TexelRect& r, int width, int height) {
   return out;
 }
 
+/// Cuts a rectangle into parts of a size worth a thread.
+void cut(const TexelRect& r, std::vector<TexelRect>& parts) {
+  constexpr int kSide = 128;
+  for (int y = r.y0; y < r.y1; y += kSide)
+    for (int x = r.x0; x < r.x1; x += kSide)
+      parts.push_back({x, y, std::min(r.x1, x + kSide), std::min(r.y1, y + kSide)});
+}
+
 /// Texels, not wrapped, that the threads [first, last) (not wrapped either) can be seen in.
 std::pair<int, int> texels_of(const std::vector<ThreadBody>& threads, float period, int texels, int first, int last) {
   const int n = static_cast<int>(threads.size());
@@ -253,8 +261,12 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& di
   const auto [ey0, ey1] = rows(dirty.pick0 - kCentreReach, dirty.pick1 + kCentreReach);
   const auto [px0, px1] = columns(dirty.end0 - kCentreReach, dirty.end1 + kCentreReach);
   const auto [py0, py1] = rows(dirty.pick0, dirty.pick1);
-  for (const TexelRect& cross : {TexelRect{ex0, ey0, ex1, ey1}, TexelRect{px0, py0, px1, py1}})
-    for (const TexelRect& r : pieces(cross, w, h)) bake_surface(maps, after, grid, r);
+  for (const TexelRect& cross : {TexelRect{ex0, ey0, ex1, ey1}, TexelRect{px0, py0, px1, py1}}) {
+    std::vector<TexelRect> parts;
+    for (const TexelRect& r : pieces(cross, w, h)) cut(r, parts);
+    for_each_band(static_cast<int>(parts.size()), 0,
+                  [&](int i) { bake_surface(maps, after, grid, parts[static_cast<size_t>(i)]); });
+  }
 
   const TexelRect changed = joined({ex0, ey0, ex1, ey1}, {px0, py0, px1, py1});
   std::vector<TexelRect> swept(static_cast<size_t>(maps.azimuths), changed);

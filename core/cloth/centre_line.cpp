@@ -3,8 +3,8 @@
 // Based on: F. T. Peirce, The Geometry of Cloth Structure, 1937 (the crimp heights of warp and weft
 // add up to the sum of the two thicknesses), and N. Adabala, N. Magnenat-Thalmann, G. Fei, Real-time
 // Rendering of Woven Clothes, 2003, section 3.4 (a facet rises with its float's length up to a bound).
-// The curve: F. N. Fritsch, J. Butland, A Method for Constructing Local Monotone Piecewise Cubic
-// Interpolants, 1984.
+// The curve: E. Catmull, R. Rom, A Class of Local Interpolating Splines, 1974, with tension; it bulges
+// between the crossings of a float, as a bent yarn does.
 
 #include "cloth/centre_line.h"
 
@@ -18,8 +18,9 @@ namespace {
 
 // A float that nothing holds down rises at most this share of its thickness in an open cloth; touching
 // neighbours hold it (no source; by eye against macro photographs of satin).
-constexpr float kRise = 0.42f;
+constexpr float kRise = 0.36f;
 constexpr float kHeldByNeighbours = 0.45f;
+constexpr float kTension = 0.75f;  // 1: Catmull and Rom's; less: a stiffer pull, less bulge
 // Share of the crimp that the stiffer system keeps at least.
 constexpr float kLeastShare = 0.12f;
 
@@ -155,15 +156,8 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
 }
 
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step) {
-  const float d0 = (z1 - z0) / step.h0, d1 = (z2 - z1) / step.h1, d2 = (z3 - z2) / step.h2;
-  // Fritsch and Butland: zero at an extremum, else a harmonic mean weighted by the spans.
-  const auto knot_slope = [](float a, float b, float ha, float hb) {
-    if (a * b <= 0.0f) return 0.0f;
-    const float wa = 2.0f * hb + ha, wb = hb + 2.0f * ha;
-    return (wa + wb) / (wa / a + wb / b);
-  };
-  const float m1 = knot_slope(d0, d1, step.h0, step.h1) * step.h1;
-  const float m2 = knot_slope(d1, d2, step.h1, step.h2) * step.h1;
+  const float m1 = kTension * (z2 - z0) / (step.h0 + step.h1) * step.h1;
+  const float m2 = kTension * (z3 - z1) / (step.h1 + step.h2) * step.h1;
   const float t = step.t, dz = z2 - z1;
   const float c2 = 3.0f * dz - 2.0f * m1 - m2, c3 = m1 + m2 - 2.0f * dz;
   return {z1 + t * (m1 + t * (c2 + t * c3)), (m1 + t * (2.0f * c2 + t * 3.0f * c3)) / step.h1};

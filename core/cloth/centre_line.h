@@ -45,7 +45,7 @@ struct CentreStep {
 };
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm);
 
-/// Curve through four heights around a step: C1, without overshoot.
+/// Curve through four heights around a step: C1; it may rise above its crossings inside a float.
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step);
 
 /// Centre line of a thread; the step's crossing -1..+2 must be inside the window.

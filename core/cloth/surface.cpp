@@ -49,17 +49,6 @@ float squared_slopes(const ThreadBody& body, float from_mm, float to_mm) {
   return ratio * ratio * half * (integral(to_mm) - integral(from_mm));
 }
 
-std::vector<ThreadTexture> textures(const Cloth& cloth, System system) {
-  const auto& threads = threads_of(cloth, system);
-  const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
-  std::vector<ThreadTexture> out;
-  out.reserve(threads.size());
-  for (size_t i = 0; i < threads.size(); ++i)
-    out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(threads[i].yarn)], threads[i], system,
-                                 static_cast<int>(i), length));
-  return out;
-}
-
 float unit_or_less(float x) { return std::min(x, 1.0f); }
 
 }  // namespace
@@ -80,13 +69,25 @@ float floor_mm(const Cloth& cloth) {
   return -0.5f * (end + pick);
 }
 
+SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System system, float from_mm, float to_mm) {
+  const auto& threads = threads_of(cloth, system);
+  const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
+  Textures out;
+  out.first = thread_at(threads, from_mm);
+  for (int i = out.first, last = thread_at(threads, to_mm); i <= last; ++i) {
+    const ThreadBody& body = threads[static_cast<size_t>(i)];
+    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length));
+  }
+  return out;
+}
+
 SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x0, int x1, int y0, int y1)
     : cloth_(cloth), grid_(grid), x0_(x0), x1_(x1), y0_(y0), y1_(y1),
       dx_mm_(cloth.width_mm / static_cast<float>(grid.samples_x())),
       dy_mm_(cloth.depth_mm / static_cast<float>(grid.samples_y())),
       floor_mm_(floor_mm(cloth)),
-      warp_texture_(textures(cloth, System::kWarp)),
-      weft_texture_(textures(cloth, System::kWeft)),
+      warp_texture_(textures(cloth, System::kWarp, static_cast<float>(x0) * dx_mm_, static_cast<float>(x1) * dx_mm_)),
+      weft_texture_(textures(cloth, System::kWeft, static_cast<float>(y0) * dy_mm_, static_cast<float>(y1) * dy_mm_)),
       columns_(across(System::kWarp, x0, x1)),
       rows_(across(System::kWeft, y0, y1)) {
   column_steps_.reserve(columns_.size());
@@ -136,7 +137,7 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
     while (a.thread + 1 < count && end_of(a.thread) <= middle) ++a.thread;
 
     const ThreadBody& body = threads[static_cast<size_t>(a.thread)];
-    const ThreadTexture& texture = textures[static_cast<size_t>(a.thread)];
+    const ThreadTexture& texture = textures.at(a.thread);
     const float half = std::max(0.5f * body.width_mm, 1e-7f), d = middle - body.centre_mm;
     a.beyond_mm = std::max(0.0f, std::abs(d) - half);
     const float u0 = std::clamp((from - body.centre_mm) / half, -1.0f, 1.0f);
@@ -147,19 +148,18 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
     a.turn = texture.fibres * around;
     a.ply_turn = static_cast<float>(texture.plies) * around;
     const float turn_per_sample = step / (kTwoPi * half * std::sqrt(std::max(1e-4f, 1.0f - u * u)));
-    const auto fade = [&](float patterns, int advance) {
-      return contrast_left(std::max(patterns * turn_per_sample,
-                                    std::abs(static_cast<float>(advance)) * step_along / length));
+    const auto cycles = [&](float patterns, int advance) {
+      return std::max(patterns * turn_per_sample, std::abs(static_cast<float>(advance)) * step_along / length);
     };
-    a.fade = fade(texture.fibres, texture.advance);
-    a.ply_fade = fade(static_cast<float>(texture.plies), texture.ply_advance);
+    a.cycles = cycles(texture.fibres, texture.advance);
+    a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
   }
   return out;
 }
 
 SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
   const bool warp = system == System::kWarp;
-  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_)[static_cast<size_t>(thread)];
+  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(thread);
   const float share = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
   const CentrePoint centre = centre_at(lines_, system, thread, step);
   Along a;
@@ -185,10 +185,10 @@ void SurfaceSampler::follow_pick(int pick) {
 SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along& l, float cover) const {
   const bool warp = system == System::kWarp;
   const size_t index = static_cast<size_t>(a.thread);
-  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_)[index];
+  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
   const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
   const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
-                                           a.turn / kStraySpacing + l.stray_turn, l.node, l.blend, a.fade, a.ply_fade});
+                                           a.turn / kStraySpacing + l.stray_turn, l.node, l.blend, a.cycles, a.ply_fade});
   float across = a.slope, along = -l.slope;
   SurfaceSample s;
   s.cover = cover;

@@ -57,7 +57,7 @@ class SurfaceSampler {
     float height_mm = 0;    // of the section above the centre line
     float slope = 0;        // -d height / d across, mean over the sample
     float slope_spread = 0; // its variance inside the sample
-    float turn = 0, ply_turn = 0, fade = 1, ply_fade = 1;
+    float turn = 0, ply_turn = 0, cycles = 0, ply_fade = 1;
   };
   /// A thread's state at a sample along it.
   struct Along {
@@ -75,7 +75,14 @@ class SurfaceSampler {
   SampleGrid grid_;
   int x0_, x1_, y0_, y1_;
   float dx_mm_, dy_mm_, floor_mm_;
-  std::vector<ThreadTexture> warp_texture_, weft_texture_;
+  /// Of the threads that the window shows, from `first` on.
+  struct Textures {
+    int first = 0;
+    std::vector<ThreadTexture> of;
+    const ThreadTexture& at(int thread) const { return of[static_cast<size_t>(thread - first)]; }
+  };
+  static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm);
+  Textures warp_texture_, weft_texture_;
   std::vector<Across> columns_, rows_;
   std::vector<CentreStep> column_steps_;
   CentreLines lines_;

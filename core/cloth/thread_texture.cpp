@@ -21,8 +21,9 @@ constexpr float kPlyRelief = 0.14f;  // of the thread's height
 constexpr int kMostTurns = 1 << 22;  // keeps phases exact enough in float
 
 constexpr float kThreadTone = 0.05f;  // a thread is this much lighter or darker than its neighbours
-constexpr float kFibreTone = 0.55f, kStrayTone = 0.5f;  // contrasts at hairiness 1
+constexpr float kFibreTone = 0.55f, kStrayTone = 0.35f;  // contrasts at hairiness 1
 constexpr float kStrayShare = 0.35f;  // of the places for a stray fibre, at hairiness 1
+constexpr int kFibresABundle = 4;
 constexpr float kWander = 1.3f;       // grooves, at hairiness 1
 
 uint32_t mix(uint32_t a, uint32_t b) {
@@ -58,6 +59,7 @@ ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System sy
   }
   t.advance = rounded(turns * t.fibres * (t.plies > 1 ? kFibreTwistInPly : 1.0f));
   t.fibre_tan = -kTwoPi * t.radius_mm * static_cast<float>(t.advance) / (t.fibres * std::max(length_mm, 1e-6f));
+  t.singles = std::abs(t.advance) * kFibresABundle;
   t.stray_advance = -rounded(0.35f * static_cast<float>(t.advance) / kStraySpacing);
   t.nodes = std::max(1, rounded(length_mm / (kToneLength * fibre_mm)));
   t.depth = std::clamp(yarn.groove_depth, 0.0f, 1.0f);
@@ -79,7 +81,7 @@ Texel texture_at(const ThreadTexture& x, const TexturePoint& p) {
   const float own = 1.0f + kThreadTone * x.hair * (2.0f * unit(mix(x.seed, 3)) - 1.0f);
   out.tone = own;
   out.groove = 1.0f - 0.2f * x.depth;
-  if (p.fade > 0.0f) {
+  if (const float fade = contrast_left(p.cycles); fade > 0.0f) {
     const float turn = p.turn + x.phase, fibre = std::floor(turn);
     // One value a fibre and node, blended along; over the tile's border fibre k goes on as k - advance.
     const int k = static_cast<int>(fibre);
@@ -94,16 +96,25 @@ Texel texture_at(const ThreadTexture& x, const TexturePoint& p) {
     // Groove: 1 between fibres, 0 on their ridge; the fourth power has the mean 1/5.
     const float across = 2.0f * (turn - fibre) - 1.0f;
     const float groove = across * across * across * across;
-    out.groove -= x.depth * p.fade * (groove * (1.0f + 1.6f * x.hair * tone) - 0.2f);
+    out.groove -= x.depth * fade * (groove * (1.0f + 1.6f * x.hair * tone) - 0.2f);
     // A stray fibre: thin, light, over one node's length, thinning out to both ends.
     const float stray_turn = p.stray_turn + x.phase, stray_fibre = std::floor(stray_turn);
     const float share = kStrayShare * x.hair;
-    const float aside = 3.0f * (2.0f * (stray_turn - stray_fibre) - 1.0f);
+    const float aside = 5.0f * (2.0f * (stray_turn - stray_fibre) - 1.0f);
     const bool there = std::abs(aside) < 1.0f &&
                        value(x.seed ^ 0xA341316Cu, static_cast<int>(stray_fibre), p.node) < share;
     const float stray = there ? (1.0f - aside * aside) * 4.0f * p.blend * (1.0f - p.blend) : 0.0f;
-    constexpr float kMeanOfStray = 2.0f / 9.0f * 2.0f / 3.0f;
-    out.tone += p.fade * (kFibreTone * x.hair * tone + kStrayTone * (stray - share * kMeanOfStray));
+    constexpr float kMeanOfStray = 2.0f / 15.0f * 2.0f / 3.0f;
+    out.tone += fade * (kFibreTone * x.hair * tone + kStrayTone * (stray - share * kMeanOfStray));
+    // The single fibres of a bundle, each of its own tone.
+    if (const float fine = contrast_left(static_cast<float>(kFibresABundle) * p.cycles); fine > 0.0f) {
+      const float single = turn * static_cast<float>(kFibresABundle), index = std::floor(single);
+      // The same fibre again after a period, so that the tile closes.
+      const int fibre_index = x.singles > 0 ? static_cast<int>(index) % x.singles : static_cast<int>(index);
+      const float rounded_off = 2.0f * (single - index) - 1.0f;  // darker to its sides; square's mean 1/3
+      const float own_tone = value(x.seed ^ 0xC2B2AE35u, fibre_index < 0 ? fibre_index + x.singles : fibre_index, 0) - 0.5f;
+      out.tone += fine * (0.06f + 0.3f * x.hair) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
+    }
   }
   if (x.plies > 1) {
     const float ply_turn = p.ply_turn + x.ply_phase;

@@ -17,6 +17,7 @@ struct ThreadTexture {
   int ply_advance = 0;
   float ply_relief_mm = 0; // depth of the furrow between plies
   float phase = 0, ply_phase = 0;
+  int singles = 0;         // single fibres that pass in one period along; 0: without twist
   int stray_advance = 0;   // like advance, of the stray fibres that cross the others
   int nodes = 1;           // of the tone along one period
   float depth = 0, hair = 0;
@@ -43,7 +44,8 @@ struct TexturePoint {
   float stray_turn = 0;
   int node = 0;        // of the tone along, 0..nodes - 1
   float blend = 0;     // to the next node
-  float fade = 1, ply_fade = 1;
+  float cycles = 0;    // grooves that one sample spans
+  float ply_fade = 1;
 };
 
 struct Texel {

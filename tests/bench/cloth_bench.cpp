@@ -36,27 +36,33 @@ void BM_ShadowMap(benchmark::State& state) {
 }
 BENCHMARK(BM_ShadowMap)->Unit(benchmark::kMillisecond);
 
-void BM_PaintOneCell(benchmark::State& state) {
-  const Design before = satin_design(1285, 3058);
-  BitMatrix cells = drawdown(before.draft);
-  Cloth cloth = laid_out(before);
-  Maps maps = bake(cloth, {2048, 2048, static_cast<int>(state.range(0)), 0});
-  Design now = with_treadling(before, 1500, 3, true, false);
-  now = to_liftplan(now);
-  bool up = false;
+/// Drawdown and maps after one liftplan cell changed: all ends of a shaft in one pick.
+void BM_PaintLiftplanCell(benchmark::State& state) {
+  Design now = to_liftplan(satin_design(1285, 3058));
+  BitMatrix cells = drawdown(now.draft);
+  Maps maps = bake(laid_out(now), {2048, 2048, static_cast<int>(state.range(0)), 0});
   for (auto _ : state) {
     Design next = now;
-    next.draft.liftplan.set(1500, 2, up = !up);
-    // One cell of the cloth: the rest of the pick's shaft is outside the question here.
-    CellRect dirty = update_drawdown(cells, now.draft, next.draft);
-    if (dirty.empty()) dirty = {640, 641, 1500, 1501};
-    dirty.end0 = 640, dirty.end1 = 641;
-    cloth.up.set(1500, 640, up);
-    benchmark::DoNotOptimize(rebake(maps, cloth, dirty));
+    next.draft.liftplan.set(1500, 2, !next.draft.liftplan.get(1500, 2));
+    const CellRect dirty = update_drawdown(cells, now.draft, next.draft);
+    benchmark::DoNotOptimize(rebake(maps, lay_out(next, cells, Face::kFront, Period::kWholeDraft), dirty));
     now = std::move(next);
   }
 }
-BENCHMARK(BM_PaintOneCell)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_PaintLiftplanCell)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// One crossing: what a threading cell changes in one pick.
+void BM_PaintOneCrossing(benchmark::State& state) {
+  const Design design = satin_design(1285, 3058);
+  BitMatrix cells = drawdown(design.draft);
+  Maps maps = bake(laid_out(design), {2048, 2048, static_cast<int>(state.range(0)), 0});
+  for (auto _ : state) {
+    cells.set(1500, 640, !cells.get(1500, 640));
+    const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kWholeDraft);
+    benchmark::DoNotOptimize(rebake(maps, cloth, {640, 641, 1500, 1501}));
+  }
+}
+BENCHMARK(BM_PaintOneCrossing)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void BM_LayOut(benchmark::State& state) {
   const Design d = satin_design(1285, 3058);

@@ -50,17 +50,18 @@ Yarn heavy(Yarn yarn, float diameter_mm) {
   return yarn;
 }
 
+// Colours mix in linear light, where a warm weft would turn the deep blue grey: the weft is a cool one.
 // Deep water at the edges, pale at the heart, a line of gold between the stars.
 Design starter() {
   constexpr int kRepeat = 70;  // ends and picks of one star
   Design d = undulating_twill({3, 2, 1, 2}, 2, true, {kRepeat, kRepeat});
-  d = with_colors(std::move(d), palette({0x14304f, 0x1d5a78, 0x3f8f9b, 0x86bdb9, 0xe0b45c, 0xf4ebdc}),
+  d = with_colors(std::move(d), palette({0x10357a, 0x125f9c, 0x2496a8, 0x7cc4bd, 0xe6b04a, 0xd6e7ea}),
                   {{4, 1}, {0, 10}, {1, 10}, {2, 9}, {3, 11}, {2, 9}, {1, 10}, {0, 10}}, {{5, 1}});
   // A throw's yarns: a star is a hand wide, and is seen across a table.
   d = in_yarns(std::move(d), heavy(yarn("Mercerised cotton"), 1.2f), heavy(yarn("Silk"), 1.1f));
   return titled(std::move(d), "Tide star",
                 {"An undulating twill on eight shafts, mirrored and woven as drawn in.",
-                 "Heavy mercerised cotton from indigo to sea green, weft of ivory silk."});
+                 "Heavy mercerised cotton from indigo to sea green, weft of silver silk."});
 }
 
 Design plain_weave() {

@@ -38,13 +38,14 @@ struct Cloth {
 
 enum class Period { kWholeDraft, kRepeat };
 
-/// Lays the design out. `cells` is its drawdown. Threads of no thickness take the yarn's diameter; of no
-/// spacing, the mean touching distance of yarns in a balanced cloth.
+/// Lays the design out. `cells` is its drawdown. A thickness below zero (kFromYarn) is the yarn's diameter;
+/// a spacing of zero or below is 1.06 of the thread's own flattened width: touching, with slight gaps. A
+/// thread is never wider than its room: jammed, it is narrower and taller.
 Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period);
 
 /// Height (mm above the middle plane, signed) of a thread's centre line at distance s_mm along it
 /// (y for an end, x for a pick), periodic. Crimp from touching threads, relaxed along floats up to the
-/// bound that the tightness of the weave sets (VRST 2003, section 3.4).
+/// bound that the tightness of the weave sets (VRST 2003, section 3.4). To read many: centre_line.h.
 float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm);
 
 }  // namespace weftlight

@@ -103,9 +103,11 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
   float major = half_sum + root;
   vec2 mean = albedo_mean_table(spread_coordinate(major), spread_coordinate(det / major));
   float lost = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
-  // Kulla, Conty 2017: facets that light meets again reflect with the mean Fresnel term.
+  // Kulla, Conty 2017: facets that light meets again reflect with the mean Fresnel term. Differs: at least a
+  // quarter leaves at a time, which keeps a coloured lobe of any roughness from turning black.
   vec3 f_mean = y.f0 + (y.f90 - y.f0) * (1.0f / 21.0f);
-  s.recurring = f_mean * f_mean * (1.0f - lost) / (1.0f - f_mean * lost);
+  float stays = min(lost, 0.75f);
+  s.recurring = f_mean * f_mean * (1.0f - stays) / (1.0f - f_mean * stays);
   s.multiple = s.recurring / (kPi * lost);
   vec3 mean_albedo = y.f0 * (1.0f - lost) + (y.f90 - y.f0) * mean.y + s.recurring * lost;
   s.mean_enters = max(1.0f - mean_albedo, vec3(2.0e-3f));
@@ -127,7 +129,7 @@ FORMULA LobeSide lobe_side(YarnLobes y, LobeShared s, vec3 w) {
   float mixed = clamp(1.0f - (s.cov.x * s.cov.z - s.cov.y * s.cov.y) / (along * across), 0.0f, 1.0f);
   float spread = spread_coordinate(along);
   float rim = side.mu + sqrt(sine2) * spread;
-  vec4 t = albedo_table(side.mu / rim, spread, spread_coordinate(across));
+  vec4 t = albedo_table(sqrt(side.mu / rim), spread, spread_coordinate(across));
   side.lost = mix(t.x, t.z, mixed);
   float k = max(1.0f - mix(t.y, t.w, mixed) * rim, 0.0f);  // of the facets that are seen
   float k2 = k * k;

@@ -2,6 +2,9 @@
 // The formulas of shaders/*.glsl as C++: the same text, through GLM, in weftlight::formulas.
 // Its tables are those of light/tables.h.
 
+#include <bit>
+#include <cstdint>
+
 #include <glm/glm.hpp>
 
 namespace weftlight::formulas {
@@ -15,6 +18,18 @@ using namespace glm;
 vec4 albedo_table(float opening, float along, float across);
 vec2 albedo_mean_table(float major, float minor);
 vec4 fuzz_table(float opening, float depth);
+
+/// exp for x in -87..88 (beyond: clamped), relative error 2e-7. It hides GLM's, since it has no branch and no
+/// call: a loop over formulas can then run on vectors. Cody, Waite reduction; Taylor series to x^6.
+inline float exp(float x) {
+  const float t = x < -87.0f ? -87.0f : (x > 88.0f ? 88.0f : x);
+  const float shifted = t * 1.44269504f + 12582912.0f;  // 1.5 * 2^23: the sum's low bits are the integer
+  const float n = shifted - 12582912.0f;
+  const float r = (t - n * 0.693359375f) + n * 2.12194440e-4f;
+  const float p = 1.0f + r * (1.0f + r * (0.5f + r * (0.16666667f + r * (0.041666667f
+                + r * (0.0083333333f + r * 0.0013888889f)))));
+  return p * std::bit_cast<float>((std::bit_cast<int32_t>(shifted) << 23) + 0x3f800000);
+}
 
 #define FORMULA inline
 #include "shaders/filter.glsl"

@@ -14,12 +14,12 @@
 namespace weftlight {
 namespace {
 
-constexpr int kOpenings = 16, kSpreads = 16;   // entries of the albedo table
+constexpr int kOpenings = 20, kSpreads = 24;   // entries of the albedo table
 constexpr int kFuzzOpenings = 32, kFuzzDepths = 16;
 constexpr float kWidestSlope = 1.0e3f;         // stands for infinity: the albedo no longer changes
 constexpr float kLeastSlope = 5.0e-3f;
 constexpr float kGaussianReach = 4.25f;        // deviations; beyond lie 2e-5 of the facets
-constexpr int kAlongNodes = 20, kAcrossNodes = 10, kLineNodes = 32;
+constexpr int kAlongNodes = 16, kAcrossNodes = 8, kLineNodes = 24;
 
 float coordinate(int i, int n) { return static_cast<float>(i) / static_cast<float>(n - 1); }
 
@@ -62,8 +62,10 @@ struct Seen {
   float nu, mu, sine;    // nu: cosine over deviation
   float area;
 };
+/// Of the angle from the normal; the inverse of `opening`.
 float cotangent_of(float opening, float along) {
-  return opening / std::max(1.0f - opening, 1.0e-6f) * (along / (1 + along));
+  const float share = opening * opening;
+  return share / std::max(1.0f - share, 1.0e-6f) * (along / (1 + along));
 }
 Seen seen(float opening, float along, float across) {
   const float cotangent = cotangent_of(opening, along);
@@ -74,73 +76,103 @@ Seen seen(float opening, float along, float across) {
   return v;
 }
 
-/// One facet of slopes (sx, sy): (wo.(s,1))+ mu_i / (A_i mu_o + A_o mu_i - mu_i mu_o), A the projected areas,
-/// which is F D G / (4 mu_o) dwi with the measure turned to slopes; and that times (1 - wi.h)^5.
-glm::vec2 facet(const Seen& v, float sx, float sy, bool correlated) {
-  const float faces = v.mu + v.sine * sx;
-  const float secant2 = 1.0f + sx * sx + sy * sy;
-  const float twice = 2.0f * faces / secant2;
-  const float mu_i = twice - v.mu;
-  if (faces <= 0.0f || mu_i <= 0.0f) return glm::vec2(0);
-  const float x = v.along * (twice * sx - v.sine), y = v.across * twice * sy;
-  const float sigma_i = correlated ? std::abs(x + y) : std::sqrt(x * x + y * y);
-  const float area_i = formulas::gaussian_area(mu_i, sigma_i);
-  const float value = faces * mu_i / std::max(area_i * v.mu + v.area * mu_i - mu_i * v.mu, 1.0e-20f);
-  const float k = std::max(1.0f - faces / std::sqrt(secant2), 0.0f);
-  return value * glm::vec2(1.0f, k * k * k * k * k);
-}
+/// Sums over one row of facets, lane by lane, so that the compiler may take several at once.
+template <int kCount>
+struct Row {
+  std::array<float, kCount> slope, weight, front{}, albedo{}, fresnel{};
+};
 
 /// Node of a slope's Gaussian: even in the slope's angle, since only facets up to about 45 degrees
 /// reflect upwards, however wide the Gaussian.
-struct SlopeNode {
-  float slope, weight;
-};
-SlopeNode slope_node(int i, int count, float first, float last, float rms) {
-  const float from = std::atan(first * rms), step = (std::atan(last * rms) - from) / static_cast<float>(count);
-  const float slope = std::tan(from + (static_cast<float>(i) + 0.5f) * step), z = slope / rms;
-  return {slope, std::exp(-0.5f * z * z) * 0.39894228f * step * (1 + slope * slope) / rms};
+template <int kCount>
+Row<kCount> slope_row(float first, float last, float rms) {
+  Row<kCount> row;
+  const float from = std::atan(first * rms), step = (std::atan(last * rms) - from) / kCount;
+  const float turn = std::tan(step);
+  float slope = std::tan(from + 0.5f * step);
+  for (size_t i = 0; i < kCount; ++i, slope = (slope + turn) / (1 - slope * turn)) {
+    const float z = slope / rms;
+    row.slope[i] = slope;
+    row.weight[i] = formulas::exp(-0.5f * z * z) * 0.39894228f * step * (1 + slope * slope) / rms;
+  }
+  return row;
 }
 
-glm::vec2 independent_albedo(const Seen& v) {
-  std::array<SlopeNode, kAlongNodes> along;  // facets with z < -nu turn away from wo
-  for (int i = 0; i < kAlongNodes; ++i)
-    along[static_cast<size_t>(i)] =
-        slope_node(i, kAlongNodes, std::max(-v.nu, -kGaussianReach), kGaussianReach, v.along);
-  glm::vec2 sum(0);
-  for (int j = 0; j < kAcrossNodes; ++j) {
-    const SlopeNode b = slope_node(j, kAcrossNodes, 0, kGaussianReach, v.across);
-    for (const SlopeNode& a : along) sum += 2.0f * a.weight * b.weight * facet(v, a.slope, b.slope, false);
+/// Facets of slopes (x, y) = (kx, ky) row.slope + (0, y0): (wo.(s,1))+ mu_i / (A_i mu_o + A_o mu_i - mu_i mu_o), A
+/// the projected areas, which is F D G / (4 mu_o) dwi with the measure turned to slopes; and that
+/// times (1 - wi.h)^5.
+template <bool kCorrelated, int kCount>
+void add_facets(Row<kCount>& row, const Seen& v, float kx, float ky, float y0, float weight) {
+  for (size_t i = 0; i < kCount; ++i) {
+    const float sx = kx * row.slope[i], sy = y0 + ky * row.slope[i];
+    const float faces = std::max(v.mu + v.sine * sx, 0.0f);
+    const float secant2 = 1.0f + sx * sx + sy * sy;
+    const float twice = 2.0f * faces / secant2;
+    const float mu_i = std::max(twice - v.mu, 0.0f);
+    const float x = v.along * (twice * sx - v.sine), y = v.across * twice * sy;
+    const float sigma_i = kCorrelated ? std::abs(x + y) : std::sqrt(x * x + y * y);
+    const float area_i = formulas::gaussian_area(mu_i, sigma_i);
+    const float value = faces * mu_i / std::max(area_i * v.mu + v.area * mu_i - mu_i * v.mu, 1.0e-20f);
+    const float k = std::max(1.0f - faces / std::sqrt(secant2), 0.0f), k2 = k * k;
+    row.front[i] += weight * row.weight[i] * faces;
+    row.albedo[i] += weight * row.weight[i] * value;
+    row.fresnel[i] += weight * row.weight[i] * value * (k2 * k2 * k);
   }
-  return sum;
+}
+
+/// The sum of `front` is the projected area, known in closed form: what the nodes miss of a smooth lobe's
+/// they miss of its albedo too. A rough lobe's steep facets count in the area only.
+template <int kCount>
+glm::vec2 total(const Row<kCount>& row, const Seen& v) {
+  glm::vec3 sum(0);
+  for (size_t i = 0; i < kCount; ++i) sum += glm::vec3(row.front[i], row.albedo[i], row.fresnel[i]);
+  const bool smooth = std::max(v.along, v.across) < 1.0f;
+  return glm::vec2(sum.y, sum.z) * (smooth ? v.area / std::max(sum.x, 1.0e-20f) : 1.0f);
+}
+
+/// Facets with z < -nu turn away from the view.
+float first_facing(const Seen& v) { return std::max(-v.nu, -kGaussianReach); }
+
+glm::vec2 independent_albedo(const Seen& v, const Row<kAcrossNodes>& across) {
+  Row<kAlongNodes> along = slope_row<kAlongNodes>(first_facing(v), kGaussianReach, v.along);
+  for (size_t j = 0; j < kAcrossNodes; ++j)
+    add_facets<false>(along, v, 1, 0, across.slope[j], 2 * across.weight[j]);
+  return total(along, v);
 }
 
 glm::vec2 correlated_albedo(const Seen& v) {
   const float rms = std::sqrt(v.along * v.along + v.across * v.across);
-  glm::vec2 sum(0);
-  for (int i = 0; i < kLineNodes; ++i) {
-    const SlopeNode n = slope_node(i, kLineNodes, std::max(-v.nu, -kGaussianReach), kGaussianReach, rms);
-    sum += n.weight * facet(v, n.slope * v.along / rms, n.slope * v.across / rms, true);
-  }
-  return sum;
+  Row<kLineNodes> row = slope_row<kLineNodes>(first_facing(v), kGaussianReach, rms);
+  add_facets<true>(row, v, v.along / rms, v.across / rms, 0, 1);
+  return total(row, v);
 }
 
-/// (loss, cosine over rim) as the table holds them.
-glm::vec2 as_stored(const Seen& v, const glm::vec2& albedo) {
-  const float share = albedo.y / std::max(albedo.x, 1.0e-12f);
-  const float c = 1.0f - std::pow(std::clamp(share, 0.0f, 1.0f), 0.2f);
-  return {std::clamp(1.0f - albedo.x, 0.0f, 1.0f), c / (v.mu + v.sine * v.along / (1 + v.along))};
+/// The cosine c of which (1 - c)^5 is the mean, over that of the view.
+float fresnel_cosine(const Seen& v, const glm::vec2& albedo) {
+  const float share = std::clamp(albedo.y / std::max(albedo.x, 1.0e-12f), 0.0f, 1.0f);
+  return (1.0f - std::pow(share, 0.2f)) / v.mu;
 }
 
 Table make_albedo(int threads) {
   Table t(kOpenings, kSpreads, kSpreads, 4);
   in_parallel(kSpreads * kSpreads, threads, [&t](int row) {
     const int y = row % kSpreads, z = row / kSpreads;
+    const auto across = slope_row<kAcrossNodes>(0, kGaussianReach, slope_of(coordinate(z, kSpreads)));
+    const float slope_along = slope_of(coordinate(y, kSpreads)), slope_across = slope_of(coordinate(z, kSpreads));
+    // Within 45 degrees of the normal the Fresnel part is next to nothing and its cosine that of the few
+    // steepest facets: holding the one at 45 degrees keeps the entries fit for interpolation.
+    const Seen half = seen(std::sqrt(1 / (1 + slope_along / (1 + slope_along))), slope_along, slope_across);
+    const float hold = fresnel_cosine(half, independent_albedo(half, across));
+    const float hold_correlated = fresnel_cosine(half, correlated_albedo(half));
     for (int x = 0; x < kOpenings; ++x) {
-      const Seen v = seen(coordinate(x, kOpenings), slope_of(coordinate(y, kSpreads)),
-                          slope_of(coordinate(z, kSpreads)));
-      const glm::vec2 a = as_stored(v, independent_albedo(v)), b = as_stored(v, correlated_albedo(v));
-      const float values[4] = {a.x, a.y, b.x, b.y};
-      std::copy(values, values + 4, t.at(x, y, z));
+      const Seen v = seen(coordinate(x, kOpenings), slope_along, slope_across);
+      const glm::vec2 a = independent_albedo(v, across), b = correlated_albedo(v);
+      const float over_rim = v.mu / (v.mu + v.sine * slope_along / (1 + slope_along));
+      float* cell = t.at(x, y, z);
+      cell[0] = std::clamp(1.0f - a.x, 0.0f, 1.0f);
+      cell[1] = over_rim * (v.mu > half.mu ? hold : fresnel_cosine(v, a));
+      cell[2] = std::clamp(1.0f - b.x, 0.0f, 1.0f);
+      cell[3] = over_rim * (v.mu > half.mu ? hold_correlated : fresnel_cosine(v, b));
     }
   });
   return t;
@@ -170,8 +202,8 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
   float lost = 0, fresnel = 0;
   for (int j = 0; j < kTurns; ++j) {
     const Slice s = slice_of(xx, yy, (static_cast<float>(j) + 0.5f) * (formulas::kPi / 2 / kTurns));
-    const auto cosine2 = [&s](float opening) {
-      const float c = cotangent_of(opening, std::sqrt(s.along));
+    const auto cosine2 = [along = std::sqrt(s.along)](float opening) {
+      const float c = cotangent_of(opening, along);
       return c * c / (1 + c * c);
     };
     for (int i = 0; i < kRings; ++i) {
@@ -179,7 +211,7 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
       lost += stored_at(albedo, s, x + half).x * (cosine2(x + 2 * half) - cosine2(x));
       const float mu = x + half;
       const float rim = mu + std::sqrt(1 - mu * mu) * formulas::spread_coordinate(s.along);
-      const glm::vec2 t = stored_at(albedo, s, mu / rim);
+      const glm::vec2 t = stored_at(albedo, s, std::sqrt(mu / rim));
       const float k = std::max(1 - t.y * rim, 0.0f);
       fresnel += k * k * k * k * k * (1 - t.x) * 2 * mu / kRings;
     }
@@ -191,10 +223,10 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
 Table make_albedo_mean(const Table& albedo, int threads) {
   Table t(kSpreads, kSpreads, 1, 2);
   in_parallel(kSpreads, threads, [&](int y) {
-    for (int x = 0; x < kSpreads; ++x) {
+    for (int x = 0; x <= y; ++x) {
       const glm::vec2 m = mean_of(albedo, slope_of(coordinate(x, kSpreads)), slope_of(coordinate(y, kSpreads)));
-      t.at(x, y)[0] = m.x;
-      t.at(x, y)[1] = m.y;
+      t.at(x, y)[0] = t.at(y, x)[0] = m.x;
+      t.at(x, y)[1] = t.at(y, x)[1] = m.y;
     }
   });
   return t;
@@ -212,9 +244,9 @@ glm::vec2 fuzz_once(float mu, float tau) {
   return {once, through};
 }
 
-Table make_fuzz() {
+Table make_fuzz(int threads) {
   Table t(kFuzzOpenings, kFuzzDepths, 1, 4);
-  for (int y = 0; y < kFuzzDepths; ++y) {
+  in_parallel(kFuzzDepths, threads, [&t](int y) {
     const float d = coordinate(y, kFuzzDepths), tau = std::clamp(d / std::max(1 - d, 1e-6f), 1e-4f, 1e3f);
     const auto loss = [tau](float mu) {
       const glm::vec2 f = fuzz_once(mu, tau);
@@ -233,7 +265,7 @@ Table make_fuzz() {
       const float entry[4] = {f.x, loss(mu), f.y, mean};
       std::copy(entry, entry + 4, t.at(x, y));
     }
-  }
+  });
   return t;
 }
 
@@ -243,7 +275,7 @@ LightTables make_light_tables(int threads) {
   LightTables tables;
   tables.albedo = make_albedo(threads);
   tables.albedo_mean = make_albedo_mean(tables.albedo, threads);
-  tables.fuzz = make_fuzz();
+  tables.fuzz = make_fuzz(threads);
   return tables;
 }
 

@@ -24,7 +24,7 @@ struct Table {
 };
 
 /// Axes: along, across, major, minor, depth = x / (1 + x) of an RMS slope or an optical depth;
-/// opening = mu / rim, rim = mu + sine * along, even where the masking of a view changes.
+/// opening = sqrt(mu / rim), rim = mu + sine * along: even where the masking of a view changes.
 struct LightTables {
   // RGBA over (opening, along, across): share of light that single scattering loses with F = 1, and the
   // cosine c, over rim, with which (1 - c)^5 is the mean of (1 - wi.h)^5; for slopes along and
@@ -33,7 +33,7 @@ struct LightTables {
   // RG over (major, minor): cosine-weighted means of the loss, over v / (1 + v) for the mean variance v,
   // and of the part times (1 - wi.h)^5.
   Table albedo_mean;
-  // RGBA over (opening = mu / (mu + depth), depth): scattered once; lost by single scattering over a white
+  // RGBA over (mu / (mu + depth), depth): scattered once; lost by single scattering over a white
   // body; share of a diffuse light that comes through; mean of the loss.
   Table fuzz;
 };

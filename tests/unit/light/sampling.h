@@ -56,7 +56,8 @@ inline glm::dvec3 slope_furnace(const formulas::YarnLobes& y, const glm::vec3& w
       const glm::vec3 wi = 2 * faces / secant2 * glm::vec3(sx, sy, 1) - wo;
       if (wi.z <= 0) continue;
       // dwi = 4 (wo.h) dh, dh = ds / secant^3: 4 faces ds / secant^4.
-      const glm::vec3 f = formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo);
+      const formulas::LobeSide side = formulas::lobe_side(y, s, wi);
+      const glm::vec3 f = formulas::lobe_specular(y, s, side, o, wi, wo) * (1 - y.fuzz * (1 - side.clear * o.clear));
       sum += glm::dvec3(f) * (static_cast<double>(wi.z) * 4 * static_cast<double>(faces) /
                               (static_cast<double>(secant2) * static_cast<double>(secant2)) * ds);
     }
@@ -65,7 +66,7 @@ inline glm::dvec3 slope_furnace(const formulas::YarnLobes& y, const glm::vec3& w
     return formulas::lobe_reflect(y, s, i, o, wi, wo) -
            formulas::lobe_specular(y, s, i, o, wi, wo) * (1 - y.fuzz * (1 - i.clear * o.clear));
   };
-  return sum + furnace(rest, 48, 24);
+  return sum + furnace(rest, 160, 24);
 }
 
 }  // namespace weftlight

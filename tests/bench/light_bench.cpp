@@ -1,0 +1,66 @@
+// Tables, cube maps and evaluations a second of the lobes. VRST 2003 gives 140 s for BRDF and cube maps.
+
+#include <benchmark/benchmark.h>
+
+#include <random>
+#include <vector>
+
+#include "light/cloth_brdf.h"
+#include "light/separable.h"
+#include "light/tables.h"
+#include "light/yarn_lobes.h"
+
+namespace weftlight {
+namespace {
+
+void light_tables_of_all_cloths(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(make_light_tables());
+}
+BENCHMARK(light_tables_of_all_cloths)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void brdf_tables_of_a_cloth(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(make_cloth_brdf(0.5f, 0.5f, 0.3f, 0.6f, {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1}));
+}
+BENCHMARK(brdf_tables_of_a_cloth)->Unit(benchmark::kMillisecond);
+
+void separable_cube_maps(benchmark::State& state) {
+  const ClothBrdf brdf = preset_cloth_brdf("satin", {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1});
+  for (auto _ : state) benchmark::DoNotOptimize(factorise(brdf, Split::kHalfDifference));
+}
+BENCHMARK(separable_cube_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+std::vector<glm::vec3> directions(int count, unsigned seed) {
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<float> u(0, 1);
+  std::vector<glm::vec3> all;
+  for (int k = 0; k < count; ++k) {
+    const float z = 0.01f + 0.99f * u(rng), phi = 6.2831853f * u(rng), s = std::sqrt(1 - z * z);
+    all.emplace_back(s * std::cos(phi), s * std::sin(phi), z);
+  }
+  return all;
+}
+
+void yarn_evaluations(benchmark::State& state) {
+  const auto yarn = yarn_lobes(Lobes{}, {0.6f, 0.3f, 0.1f});
+  const std::vector<glm::vec3> wi = directions(4096, 1), wo = directions(4096, 2);
+  std::vector<glm::vec3> out(wi.size());
+  for (auto _ : state) {
+    reflect(yarn, wi, wo, out);
+    benchmark::DoNotOptimize(out.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(wi.size()));
+}
+BENCHMARK(yarn_evaluations);
+
+void seed_paper_evaluations(benchmark::State& state) {
+  const ClothBrdf brdf = preset_cloth_brdf("satin", {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1});
+  const std::vector<glm::vec3> wi = directions(4096, 1), wo = directions(4096, 2);
+  for (auto _ : state)
+    for (size_t k = 0; k < wi.size(); ++k) benchmark::DoNotOptimize(evaluate(brdf, wi[k], wo[k]));
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(wi.size()));
+}
+BENCHMARK(seed_paper_evaluations);
+
+}  // namespace
+}  // namespace weftlight

@@ -1,0 +1,185 @@
+// Horizon, footprint, ladder, and the GLSL reading of the shared files.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+
+#include "light/ladder.h"
+#include "sampling.h"
+
+namespace weftlight {
+namespace {
+
+float horizon_of(float azimuth) { return 0.4f + 0.3f * std::cos(azimuth) + 0.1f * std::sin(2 * azimuth); }
+
+TEST(Horizon, TurningLightMeetsNoRipple) {
+  const int n = 16;
+  std::vector<float> bins;
+  for (int k = 0; k < n; ++k) bins.push_back(horizon_of(2 * formulas::kPi * static_cast<float>(k) / n));
+  float cubic = 0, nearest = 0;
+  for (int d = -720; d < 720; ++d) {
+    const float a = static_cast<float>(d) * formulas::kPi / 360 + 1e-3f;
+    const auto taps = formulas::horizon_taps(a, n);
+    glm::vec4 v;
+    for (int k = 0; k < 4; ++k) v[k] = bins[static_cast<size_t>(taps.at[k])];
+    cubic = std::max(cubic, std::abs(formulas::horizon_mix(taps, v) - horizon_of(a)));
+    // A boolean map a bin, as the paper has it, is off by a whole step of the horizon.
+    nearest = std::max(nearest, std::abs(v[1] - horizon_of(a)));
+  }
+  EXPECT_LT(cubic, 0.004f);
+  EXPECT_GT(nearest, 20 * cubic);
+}
+
+TEST(Horizon, TapsAreValidForAnyAzimuthAndCount) {
+  for (const int n : {1, 2, 3, 16, 64})
+    for (const float a : {0.0f, -1e-9f, 6.2831853f, -6.2831853f, 1e4f, -1e4f, 3.0f}) {
+      const auto t = formulas::horizon_taps(a, n);
+      for (int k = 0; k < 4; ++k) EXPECT_TRUE(t.at[k] >= 0 && t.at[k] < n) << n << " " << a;
+      EXPECT_NEAR(t.weight.x + t.weight.y + t.weight.z + t.weight.w, 1, 1e-5f);
+    }
+}
+
+TEST(Horizon, VisibilityRisesWithElevationAndSoftensWithTheLight) {
+  float last = -1;
+  for (float s = 0; s <= 1; s += 0.01f) {
+    const float v = formulas::horizon_visibility(s, 0.5f, 0.1f, 0.02f);
+    EXPECT_GE(v, last);
+    last = v;
+  }
+  EXPECT_NEAR(formulas::horizon_visibility(0.5f, 0.5f, 0.1f, 0.02f), 0.5f, 1e-3f);
+  EXPECT_GT(formulas::horizon_visibility(0.9f, 0.2f, 0.05f, 0.005f), 0.999f);
+  EXPECT_LT(formulas::horizon_visibility(0.1f, 0.6f, 0.05f, 0.005f), 0.001f);
+  EXPECT_GT(formulas::horizon_visibility(0.45f, 0.5f, 0, 0.3f), formulas::horizon_visibility(0.45f, 0.5f, 0, 0.01f));
+}
+
+TEST(Coverage, GapsCloseWithTheViewAngle) {
+  const glm::vec2 gap(0.1f, 0.2f);
+  EXPECT_NEAR(formulas::coverage_by_view(0.9f, gap, 0.2f, {0, 0, 1}), 0.9f, 1e-5f);
+  float last = 0;
+  for (float d = 0; d < 90; d += 5) {
+    const float c = formulas::coverage_by_view(0.9f, gap, 0.2f, at_degrees(d, 20));
+    EXPECT_GE(c, last);
+    last = c;
+  }
+  EXPECT_GT(formulas::coverage_by_view(0.9f, gap, 0.2f, at_degrees(80, 0)), 0.995f);
+  EXPECT_GT(formulas::coverage_by_view(0.9f, gap, 0.2f, at_degrees(89.9f, 45)), 0.9999f);
+  // Along a gap it stays open longer than across.
+  EXPECT_LT(formulas::coverage_by_view(0.9f, {0.1f, 10}, 0.2f, at_degrees(60, 90)),
+            formulas::coverage_by_view(0.9f, {0.1f, 10}, 0.2f, at_degrees(60, 0)));
+  EXPECT_EQ(formulas::coverage_by_view(1, {0, 0}, 0, {0, 0, 1}), 1);
+}
+
+TEST(Masking, HigherThreadsHideLowerOnesAtGrazing) {
+  const glm::vec2 share(0.5f, 0.5f), flat(1, 1);
+  for (const float d : {0.0f, 60.0f, 85.0f, 89.9f}) {
+    const glm::vec2 m = formulas::system_masking(share, flat * 0.5f, -0.4f, at_degrees(d, 90));
+    EXPECT_NEAR(share.x * m.x + share.y * m.y, 1, 1e-4f) << d;
+    if (d > 80) {
+      EXPECT_LT(m.x, 0.3f * m.y) << d;
+    }
+  }
+  const glm::vec2 front = formulas::system_masking(share, flat, -0.4f, {0, 0, 1});
+  EXPECT_NEAR(front.x, 1, 1e-5f);
+  // Wefts run along x: a view along x looks down the lanes between them.
+  EXPECT_GT(formulas::system_masking(share, flat, -0.4f, at_degrees(80, 0)).x, 0.99f);
+}
+
+TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
+  const glm::vec3 edges(0.25f, 2, 8);
+  for (float yarns = 1.0f / 64; yarns < 64; yarns *= 1.07f) {
+    const glm::vec4 w = formulas::rung_weights(yarns, edges);
+    EXPECT_NEAR(w.x + w.y + w.z + w.w, 1, 1e-5f);
+    EXPECT_GE(std::min(std::min(w.x, w.y), std::min(w.z, w.w)), 0);
+  }
+  EXPECT_EQ(formulas::rung_weights(0.1f, edges).x, 1);
+  EXPECT_EQ(formulas::rung_weights(0.7f, edges).y, 1);
+  EXPECT_EQ(formulas::rung_weights(4, edges).z, 1);
+  EXPECT_EQ(formulas::rung_weights(20, edges).w, 1);
+  EXPECT_EQ(formulas::rung_weights(0, edges).x, 1);
+  EXPECT_FLOAT_EQ(formulas::footprint_yarns({0.3f, 0.4f}, {0, 0.1f}, 0.25f), 2);
+}
+
+TEST(Ladder, NamesComeBack) {
+  for (const std::string_view name : method_names()) {
+    const std::optional<Method> m = method_from_name(name);
+    ASSERT_TRUE(m);
+    EXPECT_EQ(method_name(*m), name);
+  }
+  EXPECT_FALSE(method_from_name("Yarn"));
+  EXPECT_FALSE(method_from_name(""));
+}
+
+TEST(Ladder, DefaultBandsAreTheModels) {
+  const Ladder ladder = default_ladder();
+  EXPECT_EQ(choose_rung(ladder, 0.1f, 0.05f), Method::kYarn);
+  EXPECT_EQ(choose_rung(ladder, 1, 0.05f), Method::kCell);
+  EXPECT_EQ(choose_rung(ladder, 4, 0.05f), Method::kRepeat);
+  EXPECT_EQ(choose_rung(ladder, 20, 0.05f), Method::kCloth);
+  const auto edges = rung_edges(ladder, 0.05f);
+  EXPECT_NEAR(std::log2(edges[0]), -2, 0.51f);
+  EXPECT_NEAR(std::log2(edges[1]), 1, 0.51f);
+  EXPECT_NEAR(std::log2(edges[2]), 3, 0.51f);
+}
+
+TEST(Ladder, MoreToleranceNeverAsksForMore) {
+  const Ladder ladder = default_ladder();
+  auto last = rung_edges(ladder, 0.01f);
+  for (const float tolerance : {0.05f, 0.1f, 0.5f}) {
+    const auto edges = rung_edges(ladder, tolerance);
+    EXPECT_LE(edges[0], edges[1]);
+    EXPECT_LE(edges[1], edges[2]);
+    for (size_t k = 0; k < 3 && tolerance > 0.05f; ++k) EXPECT_LE(edges[k], last[k]);
+    last = edges;
+  }
+}
+
+TEST(Ladder, ReadsWhatTheChartWrote) {
+  const std::string csv =
+      "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,"
+      "rel_rmse_filtering,energy_ratio,flicker,bytes,on_front\r\n"
+      "plain,0,1,cell,20,100,0.1,0.02,1,0,10,1\r\n"
+      "satin,80,1,cell,30,100,0.05,0.12,1,0,10,1\r\n"
+      "satin,80,4,cell,30,100,0.3,0.12,1,0,10,0\r\n";
+  std::string problem;
+  const Ladder ladder = read_ladder(csv, problem);
+  EXPECT_EQ(problem, "");
+  ASSERT_EQ(ladder.size(), 2u);
+  EXPECT_FLOAT_EQ(expected_error(ladder, Method::kCell, 1), 0.12f);
+  EXPECT_FLOAT_EQ(expected_error(ladder, Method::kCell, 2), 0.21f);
+  EXPECT_FLOAT_EQ(expected_cost(ladder, Method::kCell, 1), 25);
+  EXPECT_TRUE(read_ladder("scene,method\n", problem).empty());
+  EXPECT_NE(problem.find("yarns_per_pixel"), std::string::npos);
+  problem.clear();
+  EXPECT_TRUE(read_ladder(csv + "plain,0,nan,cell,1,1,1,1,1,0,1,1\n", problem).empty());
+  EXPECT_NE(problem.find("line 5"), std::string::npos);
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::stringstream s;
+  s << in.rdbuf();
+  return s.str();
+}
+
+TEST(Glsl, EveryFormulaFileParses) {
+  if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "glslangValidator is not installed";
+  const std::filesystem::path shaders = std::filesystem::path(WEFTLIGHT_SOURCE_DIR) / "shaders";
+  for (const char* file : {"lobes.glsl", "vrst03.glsl", "horizon.glsl", "filter.glsl"}) {
+    std::string text = "#version 330 core\n";
+    if (std::string_view(file) == "lobes.glsl") text += text_of(shaders / "tables.glsl");
+    const std::string body = text_of(shaders / file);
+    ASSERT_FALSE(body.empty()) << file;
+    text += body + "\nvoid main() {}\n";
+    const auto path = std::filesystem::temp_directory_path() / ("weftlight_formula_" + std::string(file) + ".frag");
+    std::ofstream(path) << text;
+    EXPECT_EQ(std::system(("glslangValidator " + path.string()).c_str()), 0) << file;
+    std::filesystem::remove(path);
+  }
+}
+
+}  // namespace
+}  // namespace weftlight

@@ -154,7 +154,7 @@ void read_units(Context& c, const char* system, SystemHabits& habits) {
   size_t size = 0;
   while (size < key->value.size() && !is_blank(key->value[size]) && key->value[size] != ';') ++size;
   const std::string unit = uppercase(key->value.substr(0, size));
-  habits.unit = std::string(key->value.substr(0, size));
+  habits.unit = to_utf8(key->value.substr(0, size), c.text.encoding);
   if (unit == "INCHES" || unit == "INCH" || unit == "ENGLISH") {
     habits.unit_mm = kMmPerInch;
   } else if (unit == "DECIPOINTS" || unit == "DECIPOINT") {

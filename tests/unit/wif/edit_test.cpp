@@ -98,6 +98,13 @@ TEST(edit, text_of_the_files_own_encoding) {
   });
 }
 
+TEST(edit, words_of_another_encoding_are_carried_over_whole) {
+  const WifFile file = opened("[WARP]\nThreads=1\nUnits=cent\xEDmetros\nSpacing=1\n[WEFT]\nThreads=1\n[TREADLING]\n1=3\n[TIEUP]\n1=1\n");
+  Design now = to_liftplan(file.design);
+  now.title = "織る";
+  EXPECT_TRUE(opened(write_wif(file, now)).design == now);
+}
+
 TEST(edit, text_that_one_line_cannot_hold) {
   const LineDiff diff = diff_of("twill.wif", [](Design& d) { d.title = "One\nTwo \\ three "; });
   EXPECT_EQ(diff.removed, (Lines{"Title=Two and two twill\r\n"}));

@@ -130,7 +130,7 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
   each_row(picture.height, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
-      RandomStream sampler(seed_of(x, y, picture.width));
+      RandomStream sampler(seed_of(x, y, picture.width) + picture.seed * 0xD1B54A32D192ED03u);
       const glm::vec2 shift(sampler.next(), sampler.next());
       glm::vec4 sum(0);
       for (int k = 0; k < picture.spp; ++k) {

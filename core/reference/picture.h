@@ -42,6 +42,7 @@ struct FlatPicture {
   glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
   glm::vec3 view{0, 0, 1};            // unit, towards the eye, cloth space
   Surroundings around;
+  uint64_t seed = 0;                  // other seeds give independent samples
 };
 TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress);
 

@@ -45,7 +45,7 @@ const char* define_of(Method method) {
 }  // namespace
 
 struct Renderer::Parts {
-  GpuMesh mesh;
+  GpuMesh mesh, patch;
   GpuCloth cloth;
   LightRig rig;
   SunShadow sun;
@@ -61,9 +61,12 @@ struct Renderer::Parts {
 
   bool build(std::string& error);
   GLuint cloth_program(Method method, int taps, std::string& error);
-  void fill_frame(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const Target& target);
+  interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const Target& target,
+                                const GpuMesh& on) const;
+  void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
-  void draw_cloth(const DrawnFrame& drawn, const Camera& camera);
+  void draw_cloth(const DrawnFrame& drawn, const Camera& camera, GpuMesh& on);
+  void draw_patch(const Patch& patch, const Look& look);
   void take_queries(bool wait);
 };
 
@@ -94,9 +97,10 @@ GLuint Renderer::Parts::cloth_program(Method method, int taps, std::string& erro
   return program.peek();
 }
 
-void Renderer::Parts::fill_frame(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const Target& target) {
+interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
+                                               const Target& target, const GpuMesh& on) const {
   const Scene& scene = drawn.scene;
-  const PreparedMesh& prepared = mesh.prepared();
+  const PreparedMesh& prepared = on.prepared();
   interop::FrameData data{};
   std::memcpy(data.world_to_clip.data(), glm::value_ptr(camera.world_to_clip), sizeof data.world_to_clip);
   std::memcpy(data.world_to_shadow.data(), glm::value_ptr(sun.world_to_shadow()), sizeof data.world_to_shadow);
@@ -114,28 +118,32 @@ void Renderer::Parts::fill_frame(const DrawnFrame& drawn, const Camera& camera, 
   const std::array<double, 2> period{std::max(1e-6, static_cast<double>(cloth.width_mm())),
                                      std::max(1e-6, static_cast<double>(cloth.depth_mm()))};
   for (size_t a = 0; a < 2; ++a) {
-    const double repeats = mesh.uv_origin_mm()[a] / period[a];
+    const double repeats = on.uv_origin_mm()[a] / period[a];
     data.tile[a] = static_cast<float>(1 / period[a]);
     data.tile[a + 2] = static_cast<float>(repeats - std::floor(repeats));
   }
   const glm::vec3 centre = prepared.bounds.centre();
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
+  return data;
+}
+
+void Renderer::Parts::upload_frame(const interop::FrameData& data) {
   glBindBuffer(GL_UNIFORM_BUFFER, frame_block.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof data, &data, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());
 }
 
-void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, const Camera& camera) {
+void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, const Camera& camera, GpuMesh& on) {
   const float covered = cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1];
   const bool gaps = covered < 0.998f;
-  mesh.sort(camera.eye, gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack);
+  on.sort(camera.eye, gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack);
   std::string error;
   glUseProgram(cloth_program(drawn_method(drawn.look.method), drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, error));
   if (!gaps) glDisable(GL_BLEND);
   take_queries(queried);
   glBeginQuery(GL_TIME_ELAPSED, timer.get());
   glBeginQuery(GL_SAMPLES_PASSED, samples.get());
-  mesh.draw_cloth();
+  on.draw_cloth();
   glEndQuery(GL_SAMPLES_PASSED);
   glEndQuery(GL_TIME_ELAPSED);
   queried = true;
@@ -147,7 +155,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
   sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
   if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
-  fill_frame(drawn, camera, linear_out, target);
+  upload_frame(frame_data(drawn, camera, linear_out, target, mesh));
   sun.bind();
   glActiveTexture(GL_TEXTURE0 + kGroundSlot);
   glBindTexture(GL_TEXTURE_2D, mesh.ground_sky());
@@ -176,7 +184,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   mesh.draw_body();
   if (!cloth.empty() && drawn.frame.cloth) {
     cloth.bind();
-    draw_cloth(drawn, camera);
+    draw_cloth(drawn, camera, mesh);
   }
   glBindVertexArray(0);
   target.end();
@@ -184,6 +192,35 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   stats.method = drawn_method(drawn.look.method);
   stats.texture_bytes = cloth.bytes();
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
+}
+
+void Renderer::Parts::draw_patch(const Patch& p, const Look& look) {
+  patch.upload(patch_mesh(p));
+  const Camera camera = patch_camera(p);
+  DrawnFrame drawn{{}, look, {}};
+  drawn.scene.sky_strength = 0;
+  drawn.frame.width = p.width, drawn.frame.height = p.height;
+  if (!linear.begin(p.width, p.height, 1)) return;
+  interop::FrameData data = frame_data(drawn, camera, true, linear, patch);
+  data.light = vec(p.light_towards, p.light_sine);
+  data.light_color = vec(p.light_irradiance, 1);
+  // Every point falls beyond the border of the shadow map, where it is lit.
+  data.world_to_shadow = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 0, 1};
+  upload_frame(data);
+  sun.bind();
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
+  cloth.bind();
+  draw_cloth(drawn, camera, patch);
+  glBindVertexArray(0);
+  linear.end();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  stats.method = drawn_method(look.method);
+  stats.texture_bytes = cloth.bytes();
 }
 
 void Renderer::Parts::take_queries(bool wait) {
@@ -238,5 +275,8 @@ Image Renderer::read_back(bool linear) const {
   parts_->draw_scene(parts_->last, parts_->linear, true);
   return parts_->linear.read();
 }
+
+void Renderer::draw_patch(const Patch& patch, const Look& look) { parts_->draw_patch(patch, look); }
+Image Renderer::read_patch() const { return parts_->linear.read(); }
 
 }  // namespace weftlight

@@ -11,6 +11,7 @@
 #include "files/files.h"
 #include "preview/ambient.h"
 #include "preview/packed_maps.h"
+#include "preview/patch.h"
 
 namespace weftlight {
 
@@ -55,6 +56,11 @@ class Renderer {
   unsigned texture() const;
   /// The last picture, row 0 on top: sRGB-encoded RGBA (linear: scene-linear before tone mapping).
   Image read_back(bool linear = false) const;
+
+  /// Draws a flat patch of the cloth's front, key light alone: no sky, no ground, no shadow of folds. measure()
+  /// gives its cost; read_patch() its scene-linear pixels, premultiplied by alpha.
+  void draw_patch(const Patch& patch, const Look& look);
+  Image read_patch() const;
 
  private:
   Renderer();

@@ -79,13 +79,6 @@ Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period
   return cloth;
 }
 
-Period choose_period(const Design& design, const BitMatrix& cells) {
-  const double whole = per_thread(lay_out(design, cells, Face::kFront, Period::kWholeDraft));
-  if (whole >= kFinePerThread) return Period::kWholeDraft;
-  const double repeat = per_thread(lay_out(design, cells, Face::kFront, Period::kRepeat));
-  return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
-}
-
 std::vector<float> cube_texels(const CubeMap& cube) {
   std::vector<float> texels;
   for (const std::vector<glm::vec3>& face : cube.faces) {
@@ -112,6 +105,13 @@ ReadMesh find_mesh(const std::string& name) {
 }
 
 }  // namespace
+
+Period choose_period(const Design& design, const BitMatrix& cells) {
+  const double whole = per_thread(lay_out(design, cells, Face::kFront, Period::kWholeDraft));
+  if (whole >= kFinePerThread) return Period::kWholeDraft;
+  const double repeat = per_thread(lay_out(design, cells, Face::kFront, Period::kRepeat));
+  return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
+}
 
 void Stages::bake_all(const Design& design, bool shadows) {
   period_ = choose_period(design, cells_);

@@ -23,6 +23,9 @@ struct StageResult {
   std::string problem;
 };
 
+/// What the maps hold: the whole draft where its threads get enough texels, else one repeat.
+Period choose_period(const Design& design, const BitMatrix& cells);
+
 class Stages {
  public:
   StageResult update(std::shared_ptr<const Design> design);

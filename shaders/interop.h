@@ -50,11 +50,11 @@ struct ClothData {
 inline constexpr int kFrameBinding = 0, kClothBinding = 1;
 
 /// Texture units.
-enum Sampler : int { kColorSlot, kReliefSlot, kHorizonSlot, kThreadShadowSlot, kSunShadowSlot, kGroundSlot,
+enum Sampler : int { kColorSlot, kReliefSlot, kHorizonSlot, kThreadShadowSlot, kSunShadowSlot, kGroundSlot, kSunDepthSlot,
                      kAlbedoSlot, kAlbedoMeanSlot, kFuzzSlot, kFrontHalfSlot, kFrontDifferenceSlot,
                      kBackHalfSlot, kBackDifferenceSlot, kSamplerCount };
 inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
-    "color_map", "relief_map", "horizon_map", "thread_shadow_map", "sun_shadow_map", "ground_sky_map",
+    "color_map", "relief_map", "horizon_map", "thread_shadow_map", "sun_shadow_map", "ground_map", "sun_depth_map",
     "albedo_texture", "albedo_mean_texture", "fuzz_texture", "front_half_map", "front_difference_map",
     "back_half_map", "back_difference_map"};
 

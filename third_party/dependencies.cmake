@@ -34,6 +34,7 @@ weftlight_package(TinyGLTF libtinygltf-dev CONFIG)
 weftlight_package(embree libembree-dev 3.13 CONFIG)
 weftlight_package(CLI11 libcli11-dev CONFIG)
 weftlight_package(nlohmann_json nlohmann-json3-dev CONFIG)
+weftlight_package(meshoptimizer libmeshoptimizer-dev CONFIG)
 weftlight_pkg(IMGUI imgui libimgui-dev)
 # Debian's Dear ImGui holds its FreeType builder but does not name the library.
 weftlight_pkg(FREETYPE freetype2 libfreetype-dev)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <meshoptimizer.h>
 
 namespace weftlight {
 namespace {
@@ -145,6 +146,16 @@ void fill_ground(PreparedMesh& out, const Voxels& voxels) {
   }
 }
 
+/// Fewer triangles over the same vertices, off by at most `error` of the mesh's extent.
+std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
+  if (mesh.index.empty()) return {};
+  std::vector<uint32_t> index(mesh.index.size());
+  const size_t count = meshopt_simplify(index.data(), mesh.index.data(), mesh.index.size(), mesh.position_mm[0].data(),
+                                        mesh.position_mm.size(), sizeof(Vec3), mesh.index.size() / 16, error);
+  index.resize(count);
+  return index;
+}
+
 }  // namespace
 
 PreparedMesh prepare_mesh(const Mesh& mesh) {
@@ -167,6 +178,9 @@ PreparedMesh prepare_mesh(const Mesh& mesh) {
   out.sky = sky_of(out.mesh, voxels, true);
   out.body_sky = sky_of(out.body, voxels, false);
   fill_ground(out, voxels);
+  out.fine = simplify(out.mesh, 0.0012f);
+  out.coarse = simplify(out.mesh, 0.005f);
+  out.body_fine = simplify(out.body, 0.002f);
   return out;
 }
 

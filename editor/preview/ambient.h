@@ -19,6 +19,9 @@ struct SkySeen {
 struct PreparedMesh {
   Mesh mesh, body;                   // body: what the cloth hangs on; may be empty
   std::vector<SkySeen> sky, body_sky;
+  // Triangles to draw: as few as keep the shape at rest, and fewer while the view moves. Small triangles are what
+  // a software renderer spends its time on.
+  std::vector<uint32_t> fine, coarse, body_fine;
   Bounds bounds;                     // of the cloth
   float ground_mm = 0;               // height of the ground
   float ground_half_mm = 0;          // half width of the square that ground_sky stands over, about the centre

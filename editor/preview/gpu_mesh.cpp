@@ -1,7 +1,7 @@
 #include "preview/gpu_mesh.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "shaders/interop.h"
 
@@ -21,7 +21,8 @@ void attribute(Attribute slot, int size, size_t offset) {
 
 }  // namespace
 
-void GpuMesh::fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky) {
+void GpuMesh::fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky,
+                   const std::vector<uint32_t>& index) {
   std::vector<Vertex> vertices(mesh.position_mm.size());
   for (size_t i = 0; i < vertices.size(); ++i) {
     Vertex& v = vertices[i];
@@ -33,12 +34,12 @@ void GpuMesh::fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky
     }
     v.sky = sky[i];
   }
-  part.count = static_cast<int>(mesh.index.size());
+  part.count = static_cast<int>(index.size());
   glBindVertexArray(part.array.get());
   glBindBuffer(GL_ARRAY_BUFFER, part.vertices.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, part.indices.get());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.index.size() * 4), mesh.index.data(), GL_STREAM_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(index.size() * 4), index.data(), GL_STREAM_DRAW);
   attribute(kPosition, 3, offsetof(Vertex, position));
   attribute(kNormal, 3, offsetof(Vertex, normal));
   attribute(kTangent, 3, offsetof(Vertex, tangent));
@@ -49,6 +50,7 @@ void GpuMesh::fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky
 
 void GpuMesh::upload(PreparedMesh mesh) {
   prepared_ = std::move(mesh);
+  if (prepared_.fine.empty()) prepared_.fine = prepared_.coarse = prepared_.mesh.index;
   uv_origin_ = {};
   for (size_t i = 0; i < prepared_.mesh.uv_mm.size(); ++i) {
     for (size_t a = 0; a < 2; ++a) {
@@ -56,17 +58,8 @@ void GpuMesh::upload(PreparedMesh mesh) {
       uv_origin_[a] = i ? std::min(uv_origin_[a], at) : at;
     }
   }
-  fill(cloth_, prepared_.mesh, prepared_.sky);
-  fill(body_, prepared_.body, prepared_.body_sky);
-  centroids_.clear();
-  for (size_t i = 0; i + 2 < prepared_.mesh.index.size(); i += 3) {
-    glm::vec3 sum{0};
-    for (size_t k = 0; k < 3; ++k) {
-      const Vec3& p = prepared_.mesh.position_mm[prepared_.mesh.index[i + k]];
-      sum += glm::vec3(p[0], p[1], p[2]);
-    }
-    centroids_.push_back(sum / 3.0f);
-  }
+  fill(cloth_, prepared_.mesh, prepared_.sky, prepared_.fine);
+  fill(body_, prepared_.body, prepared_.body_sky, prepared_.body_fine);
   sorted_ = false;
   const int n = prepared_.ground_size;
   glBindTexture(GL_TEXTURE_2D, ground_sky_.get());
@@ -78,23 +71,30 @@ void GpuMesh::upload(PreparedMesh mesh) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void GpuMesh::sort(glm::vec3 eye, TriangleOrder order) {
-  if (sorted_ && eye == sorted_for_ && order == order_) return;
-  sorted_ = true, sorted_for_ = eye, order_ = order;
-  std::vector<float> distance(centroids_.size());
+void GpuMesh::sort(glm::vec3 eye, TriangleOrder order, bool coarse) {
+  if (sorted_ && eye == sorted_for_ && order == order_ && coarse == coarse_) return;
+  sorted_ = true, sorted_for_ = eye, order_ = order, coarse_ = coarse;
+  const std::vector<uint32_t>& index = coarse ? prepared_.coarse : prepared_.fine;
+  const auto position = [&](size_t i) {
+    const Vec3& p = prepared_.mesh.position_mm[index[i]];
+    return glm::vec3(p[0], p[1], p[2]);
+  };
   const float sign = order == TriangleOrder::kFrontToBack ? 1.0f : -1.0f;
-  for (size_t i = 0; i < centroids_.size(); ++i) distance[i] = sign * glm::dot(centroids_[i] - eye, centroids_[i] - eye);
-  std::vector<uint32_t> triangles(centroids_.size());
-  std::iota(triangles.begin(), triangles.end(), 0u);
-  std::sort(triangles.begin(), triangles.end(), [&](uint32_t a, uint32_t b) { return distance[a] < distance[b]; });
-  std::vector<uint32_t> index;
-  index.reserve(prepared_.mesh.index.size());
-  for (const uint32_t t : triangles) {
-    for (size_t k = 0; k < 3; ++k) index.push_back(prepared_.mesh.index[3 * static_cast<size_t>(t) + k]);
+  std::vector<std::pair<float, uint32_t>> triangles(index.size() / 3);
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    const glm::vec3 d = (position(3 * t) + position(3 * t + 1) + position(3 * t + 2)) / 3.0f - eye;
+    triangles[t] = {sign * glm::dot(d, d), static_cast<uint32_t>(t)};
   }
+  std::sort(triangles.begin(), triangles.end());
+  std::vector<uint32_t> sorted;
+  sorted.reserve(index.size());
+  for (const auto& [distance, t] : triangles) {
+    for (size_t k = 0; k < 3; ++k) sorted.push_back(index[3 * static_cast<size_t>(t) + k]);
+  }
+  cloth_.count = static_cast<int>(sorted.size());
   glBindVertexArray(cloth_.array.get());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, cloth_.indices.get());
-  glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(index.size() * 4), index.data());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(sorted.size() * 4), sorted.data(), GL_STREAM_DRAW);
   glBindVertexArray(0);
 }
 

@@ -17,8 +17,8 @@ class GpuMesh {
   /// Texture coordinate of the vertex buffer's origin, mm.
   std::array<double, 2> uv_origin_mm() const { return uv_origin_; }
 
-  /// Back to front for blending, front to back for early depth tests.
-  void sort(glm::vec3 eye, TriangleOrder order);
+  /// Back to front for blending, front to back for early depth tests. `coarse`: the fewer triangles.
+  void sort(glm::vec3 eye, TriangleOrder order, bool coarse);
   void draw_cloth();
   void draw_body();
   GLuint ground_sky() const { return ground_sky_.peek(); }
@@ -29,16 +29,15 @@ class GpuMesh {
     GlBuffer vertices, indices;
     int count = 0;
   };
-  void fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky);
+  void fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky, const std::vector<uint32_t>& index);
 
   PreparedMesh prepared_;
   Part cloth_, body_;
   GlTexture ground_sky_;
   std::array<double, 2> uv_origin_{};
-  std::vector<glm::vec3> centroids_;
   glm::vec3 sorted_for_{0};
   TriangleOrder order_ = TriangleOrder::kFrontToBack;
-  bool sorted_ = false;
+  bool coarse_ = false, sorted_ = false;
 };
 
 }  // namespace weftlight

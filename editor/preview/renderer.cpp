@@ -1,6 +1,7 @@
 #include "preview/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,6 +11,7 @@
 #include "preview/camera.h"
 #include "preview/gpu_cloth.h"
 #include "preview/gpu_mesh.h"
+#include "preview/ground_light.h"
 #include "preview/light_rig.h"
 #include "preview/shader_program.h"
 #include "preview/sun_shadow.h"
@@ -49,37 +51,44 @@ struct Renderer::Parts {
   GpuCloth cloth;
   LightRig rig;
   SunShadow sun;
+  GroundLight ground;
   Target screen{false}, linear{true};
   GlBuffer frame_block;
   GlVertexArray nothing;  // for shapes that the vertex shader makes
   std::map<std::pair<Method, int>, GlProgram> cloth_programs;
-  GlProgram backdrop, ground, body;
+  GlProgram backdrop, body;
   GlQuery timer, samples;
-  bool queried = false;
+  bool queried = false, software = false;
+  double software_ms = 0;
   FrameStats stats;
   DrawnFrame last;
 
   bool build(std::string& error);
   GLuint cloth_program(Method method, int taps, std::string& error);
-  interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const Target& target,
-                                const GpuMesh& on) const;
+  interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const GpuMesh& on) const;
   void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
-  void draw_cloth(const DrawnFrame& drawn, const Camera& camera, GpuMesh& on);
+  void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
   void draw_patch(const Patch& patch, const Look& look);
+  std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
+  void draw_around(const DrawnFrame& drawn, const Camera& camera);
+  /// Share of the key light that the cloth keeps from what is behind it.
+  float opacity() const { return std::min(1.0f, cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1]); }
+  float ground_opacity = -1;
+  bool has_gaps() const { return cloth.data().gaps[3] > 0.5f; }
   void take_queries(bool wait);
 };
 
 bool Renderer::Parts::build(std::string& error) {
+  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  software = name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
   rig = load_light_rig("studio", error);
   if (!error.empty()) return false;
   const std::vector<std::string> taps{"SHADOW_TAPS " + std::to_string(kFullTaps)};
   backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
   if (!error.empty()) return false;
-  ground = build_program("ground.vert", "ground.frag", taps, error);
-  if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
-  if (!error.empty() || !sun.build(error)) return false;
+  if (!error.empty() || !sun.build(error) || !ground.build(error)) return false;
   for (const Method method : {Method::kFlat, Method::kVrst03, Method::kYarn}) {
     if (!cloth_program(method, kFullTaps, error)) return false;
   }
@@ -98,7 +107,7 @@ GLuint Renderer::Parts::cloth_program(Method method, int taps, std::string& erro
 }
 
 interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
-                                               const Target& target, const GpuMesh& on) const {
+                                               const GpuMesh& on) const {
   const Scene& scene = drawn.scene;
   const PreparedMesh& prepared = on.prepared();
   interop::FrameData data{};
@@ -110,11 +119,10 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   for (size_t i = 0; i < rig.sky.size(); ++i) data.sky[i] = vec(rig.sky[i] * scene.sky_strength, 0);
   const Linear background = linear_from_srgb(scene.background);
   data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
-  data.picture = {static_cast<float>(target.drawn_width()), static_cast<float>(target.drawn_height()),
-                  linear_out ? 1.0f : 0.0f, 0};
+  data.picture = {static_cast<float>(drawn.frame.width), static_cast<float>(drawn.frame.height), linear_out ? 1.0f : 0.0f, 0};
   const bool quick = drawn.frame.render_scale < 1;
   data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 2.5f,
-                 std::max(cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1], 0.0f)};
+                 opacity()};
   const std::array<double, 2> period{std::max(1e-6, static_cast<double>(cloth.width_mm())),
                                      std::max(1e-6, static_cast<double>(cloth.depth_mm()))};
   for (size_t a = 0; a < 2; ++a) {
@@ -133,59 +141,67 @@ void Renderer::Parts::upload_frame(const interop::FrameData& data) {
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());
 }
 
-void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, const Camera& camera, GpuMesh& on) {
-  const float covered = cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1];
-  const bool gaps = covered < 0.998f;
-  on.sort(camera.eye, gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack);
+/// Now, with all that was asked of a software renderer done: its timer query counts one tile alone.
+std::chrono::steady_clock::time_point Renderer::Parts::clock_here(const Frame& frame) const {
+  if (software && frame.timed) glFinish();
+  return std::chrono::steady_clock::now();
+}
+
+void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
+  if (cloth.empty() || !drawn.frame.cloth) return;
+  cloth.bind();
   std::string error;
   glUseProgram(cloth_program(drawn_method(drawn.look.method), drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, error));
-  if (!gaps) glDisable(GL_BLEND);
+  has_gaps() ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
+  const auto start = clock_here(drawn.frame);
   glBeginQuery(GL_TIME_ELAPSED, timer.get());
   glBeginQuery(GL_SAMPLES_PASSED, samples.get());
   on.draw_cloth();
   glEndQuery(GL_SAMPLES_PASSED);
   glEndQuery(GL_TIME_ELAPSED);
   queried = true;
+  if (software && drawn.frame.timed) {
+    software_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
+  }
+}
+
+/// Backdrop, ground and what the cloth hangs on.
+void Renderer::Parts::draw_around(const DrawnFrame& drawn, const Camera& camera) {
+  glUseProgram(body.peek());
+  glDisable(GL_BLEND);
+  mesh.draw_body();
+  glBindVertexArray(nothing.get());
+  if (!drawn.frame.transparent) {
+    glUseProgram(backdrop.peek());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
 }
 
 void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out) {
   const PreparedMesh& prepared = mesh.prepared();
   const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
-  sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
+  mesh.sort(camera.eye, has_gaps() ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack, drawn.frame.render_scale < 1);
+  const bool new_light = sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
+  upload_frame(frame_data(drawn, camera, linear_out, mesh));
+  if (new_light || opacity() != ground_opacity) ground.update(sun.depth(), mesh.ground_sky());
+  ground_opacity = opacity();
   if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
-  upload_frame(frame_data(drawn, camera, linear_out, target, mesh));
   sun.bind();
-  glActiveTexture(GL_TEXTURE0 + kGroundSlot);
-  glBindTexture(GL_TEXTURE_2D, mesh.ground_sky());
   glClearColor(0, 0, 0, 0);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glBindVertexArray(nothing.get());
-  if (!drawn.frame.transparent) {
-    glDisable(GL_BLEND);
-    glUseProgram(backdrop.peek());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glEnable(GL_BLEND);
-  }
-  if (drawn.frame.ground && camera.eye.y > prepared.ground_mm) {
-    glUseProgram(ground.peek());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  glUseProgram(body.peek());
-  mesh.draw_body();
-  if (!cloth.empty() && drawn.frame.cloth) {
-    cloth.bind();
-    draw_cloth(drawn, camera, mesh);
-  }
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  // What shows through gaps must be there before; otherwise what the cloth hides need not be shaded.
+  if (has_gaps()) draw_around(drawn, camera);
+  draw_cloth(drawn, mesh);
+  if (!has_gaps()) draw_around(drawn, camera);
   glBindVertexArray(0);
   target.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -199,9 +215,9 @@ void Renderer::Parts::draw_patch(const Patch& p, const Look& look) {
   const Camera camera = patch_camera(p);
   DrawnFrame drawn{{}, look, {}};
   drawn.scene.sky_strength = 0;
-  drawn.frame.width = p.width, drawn.frame.height = p.height;
+  drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
   if (!linear.begin(p.width, p.height, 1)) return;
-  interop::FrameData data = frame_data(drawn, camera, true, linear, patch);
+  interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);
   data.light_color = vec(p.light_irradiance, 1);
   // Every point falls beyond the border of the shadow map, where it is lit.
@@ -214,8 +230,7 @@ void Renderer::Parts::draw_patch(const Patch& p, const Look& look) {
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
-  cloth.bind();
-  draw_cloth(drawn, camera, patch);
+  draw_cloth(drawn, patch);
   glBindVertexArray(0);
   linear.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -231,7 +246,7 @@ void Renderer::Parts::take_queries(bool wait) {
   GLuint64 ns = 0, passed = 0;
   glGetQueryObjectui64v(timer.get(), GL_QUERY_RESULT, &ns);
   glGetQueryObjectui64v(samples.get(), GL_QUERY_RESULT, &passed);
-  stats.gpu_ms = static_cast<double>(ns) * 1e-6;
+  stats.gpu_ms = software ? software_ms : static_cast<double>(ns) * 1e-6;
   stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
   queried = false;
 }

@@ -24,10 +24,11 @@ struct Frame {
   bool cloth = true;             // false: everything but the cloth (the ray-traced one is laid over it)
   bool transparent = false;      // leave the background out (alpha 0)
   bool false_color_rungs = false;
+  bool timed = false;            // wait for the cloth on a software renderer, so that gpu_ms is measured there too
 };
 
 struct FrameStats {
-  double gpu_ms = 0;             // timer query of the cloth pass
+  double gpu_ms = 0;             // the cloth's pass: timer query, or the clock of a timed frame
   double shaded_pixels = 0;
   float yarns_per_pixel = 0;     // footprint at the middle of the picture
   Method method = Method::kAuto; // what was drawn

@@ -29,8 +29,8 @@ bool SunShadow::build(std::string& error) {
   return true;
 }
 
-void SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block) {
-  if (drawn_ && towards_light == light_) return;
+bool SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block) {
+  if (drawn_ && towards_light == light_) return false;
   drawn_ = true, light_ = towards_light;
   Bounds all = mesh.prepared().bounds;
   if (!mesh.prepared().body.position_mm.empty()) {
@@ -63,6 +63,7 @@ void SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_b
   mesh.draw_cloth();
   mesh.draw_body();
   glDisable(GL_POLYGON_OFFSET_FILL);
+  return true;
 }
 
 void SunShadow::bind() const {

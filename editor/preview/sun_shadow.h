@@ -13,12 +13,13 @@ class SunShadow {
  public:
   bool build(std::string& error);
   void forget() { drawn_ = false; }
-  /// Draws the map if it is not that of this light. Changes the framebuffer and the viewport.
-  void update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);
+  /// Draws the map if it is not that of this light, and says whether it did. Changes framebuffer and viewport.
+  bool update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);
   void bind() const;
 
   int size() const { return kSize; }
   float texel_mm() const { return texel_mm_; }
+  GLuint depth() const { return depth_.peek(); }
   const glm::mat4& world_to_shadow() const { return matrix_; }
 
  private:

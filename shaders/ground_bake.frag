@@ -1,0 +1,51 @@
+// Share of its light that each point of the ground keeps: the key light with a penumbra that widens with the
+// height of what stands in its way, and the sky from the map of what the ground sees.
+//
+// Based on: Fernando 2005, "Percentage-closer soft shadows".
+#include "frame.glsl"
+
+uniform sampler2D ground_map;
+uniform sampler2D sun_depth_map;
+
+in vec2 at;
+out vec4 out_color;
+
+const vec3 kGround = vec3(0.0, 1.0, 0.0);
+const int kTaps = 40;
+const float kDarkest = 0.66;   // a studio floor also gets light that no map here knows
+
+vec2 spiral(int i) {
+  float t = 2.39996323 * float(i);
+  return sqrt((float(i) + 0.5) / float(kTaps)) * vec2(cos(t), sin(t));
+}
+
+float key_seen(vec3 p) {
+  vec3 here = (frame.world_to_shadow * vec4(p, 1.0)).xyz;
+  if (abs(here.x - 0.5) > 0.5 || abs(here.y - 0.5) > 0.5) return 1.0;
+  here.z = min(here.z, 0.998);  // the ground runs on beyond the depths that the map holds
+  float reach = 2.2 * frame.light.w;  // the map is as deep as it is wide
+  float depth = 0.0;
+  float blockers = 0.0;
+  for (int i = 0; i < kTaps; ++i) {
+    float d = texture(sun_depth_map, here.xy + spiral(i) * reach * 0.35).r;
+    if (d < here.z - 0.002) {
+      depth += d;
+      blockers += 1.0;
+    }
+  }
+  if (blockers < 0.5) return 1.0;
+  float radius = max((here.z - depth / blockers) * frame.light.w, 1.5 * frame.shadow.x);
+  float lit = 0.0;
+  for (int i = 0; i < kTaps; ++i) lit += step(here.z - 0.002, texture(sun_depth_map, here.xy + spiral(i) * radius).r);
+  return lit / float(kTaps);
+}
+
+void main() {
+  vec3 p = vec3(frame.ground.z + at.x * frame.ground.y, frame.ground.x, frame.ground.w + at.y * frame.ground.y);
+  float sky = texture(ground_map, at * 0.5 + 0.5).r;
+  float key = max(frame.light.y, 0.0) * dot(frame.light_color.rgb, vec3(0.3333)) / 3.14159265;
+  float soft = dot(sky_diffuse(kGround), vec3(0.3333));
+  float lit = 1.0 - frame.shadow.w * (1.0 - key_seen(p));
+  float left = (key * lit + soft * sky) / max(key + soft, 1e-4);
+  out_color = vec4(1.0 - (1.0 - left) * kDarkest);
+}

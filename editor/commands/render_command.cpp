@@ -27,7 +27,9 @@ int render_command(const PictureOptions& o) {
   PictureSetup setup;
   if (const int code = setup.open(o); code != kDone) return code;
   const Method asked = setup.design.look.method;
-  setup.renderer->draw(setup.design.scene, setup.design.look, setup.frame(o));
+  Frame frame = setup.frame(o);
+  frame.timed = !o.stats.empty();
+  setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   if (asked != Method::kAuto && asked != stats.method) {
     std::fprintf(stderr, "weftlight: drawn by %s, the nearest method that is there\n", std::string(method_name(stats.method)).c_str());

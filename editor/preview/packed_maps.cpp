@@ -47,6 +47,9 @@ uint8_t snorm(float v) {
 }
 float from_snorm(uint8_t v) { return static_cast<float>(static_cast<int8_t>(v)) / 127.0f; }
 
+/// A quarter, halves to even: rounding up would add an eighth of a step at every level.
+uint8_t quarter(int sum) { return static_cast<uint8_t>((sum + 1 + ((sum >> 2) & 1)) / 4); }
+
 void set_rgba(uint8_t* to, uint8_t r, uint8_t g, uint8_t b, uint8_t a) {
   to[0] = r, to[1] = g, to[2] = b, to[3] = a;
 }
@@ -93,7 +96,7 @@ void filter_color(PackedTexture& color, int level, int layer, int x, int y) {
     alpha += p[3];
   }
   set_rgba(color.texel(level, layer, x, y), encode_srgb(t, sum[0] / 4), encode_srgb(t, sum[1] / 4),
-           encode_srgb(t, sum[2] / 4), static_cast<uint8_t>((alpha + 2) / 4));
+           encode_srgb(t, sum[2] / 4), quarter(alpha));
 }
 
 /// Mean and spread of the union: second moments add. `color` gives the weights.
@@ -127,9 +130,9 @@ void filter_horizon(PackedTexture& horizon, int level, int layer, int x, int y) 
 }
 
 void filter_shadow(PackedTexture& shadow, int level, int layer, int x, int y) {
-  int sum = 2;
+  int sum = 0;
   for (const uint8_t* p : below(shadow, level, layer, x, y).at) sum += *p;
-  *shadow.texel(level, layer, x, y) = static_cast<uint8_t>(sum / 4);
+  *shadow.texel(level, layer, x, y) = quarter(sum);
 }
 
 /// Level 0 of the horizon texture stands over two by two texels of the maps.

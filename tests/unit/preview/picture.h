@@ -27,6 +27,7 @@ inline Design twill(int repeat, int up, Rgb warp, Rgb weft) {
     for (int s = 0; s < repeat; ++s) d.liftplan.set(i, s, (i + s) % repeat < up);
   }
   design.yarns[0].twist = Twist::kNone;
+  design.scene.mesh.clear();  // the tests bring their own
   return design;
 }
 

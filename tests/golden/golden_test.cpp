@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "files/files.h"
+
+namespace weftlight {
+namespace {
+
+// Root mean square over all channels, of 0..1. The same picture from another processor or driver differs in the
+// last bit of many pixels and in a few edge pixels; a wrong shadow or a shifted thread is far above.
+constexpr double kRmsTolerance = 0.012;
+
+struct Golden {
+  const char* name;
+  const char* draft;
+  const char* options;
+};
+
+constexpr Golden kGoldens[] = {
+    {"starter_yarn", "starter", "--method yarn"},
+    {"starter_back", "starter", "--method yarn --face back --view -30,35"},
+    {"houndstooth_flat", "houndstooth", "--method flat"},
+    {"twill_vrst03", "twill_2_2", "--method vrst03 --yarns-per-pixel 0.1"},
+    {"satin_threads", "satin_8", "--method yarn --yarns-per-pixel 0.05"},
+    {"gauze_gaps", "gauze", "--method yarn --yarns-per-pixel 0.08"},
+};
+
+void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
+
+class GoldenTest : public testing::TestWithParam<Golden> {};
+
+int run_render(const Golden& golden, const std::string& out) {
+  const std::string command = std::string(WEFTLIGHT_BINARY) + " render " WEFTLIGHT_DRAFTS "/" + golden.draft + ".wif -o '" +
+                              out + "' --mesh plane --size 256x256 " + golden.options;
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+double compare(const Image& reference, const Image& result, Image& difference) {
+  double sum = 0;
+  difference = result;
+  for (size_t i = 0; i < result.texels.size(); ++i) {
+    const float d = result.texels[i] - reference.texels[i];
+    sum += static_cast<double>(d) * static_cast<double>(d);
+    difference.texels[i] = std::min(1.0f, std::abs(d) * 8);  // so that small errors are seen
+  }
+  return std::sqrt(sum / static_cast<double>(result.texels.size()));
+}
+
+TEST_P(GoldenTest, IsAsItWas) {
+  const Golden& golden = GetParam();
+  const std::string results = WEFTLIGHT_GOLDEN_RESULTS "/" + std::string(golden.name);
+  const std::string stored = WEFTLIGHT_GOLDENS "/" + std::string(golden.name) + ".png";
+  const int code = run_render(golden, results + "_result.png");
+  if (code == 4) GTEST_SKIP() << "no graphics on this machine";
+  ASSERT_EQ(code, 0);
+  if (std::getenv("WEFTLIGHT_UPDATE_GOLDENS")) {
+    std::filesystem::copy_file(results + "_result.png", stored, std::filesystem::copy_options::overwrite_existing);
+    GTEST_SKIP() << "written anew: " << stored;
+  }
+  const ReadImage reference = read_image(stored), result = read_image(results + "_result.png");
+  ASSERT_TRUE(reference.image) << reference.error;
+  ASSERT_TRUE(result.image) << result.error;
+  ASSERT_EQ(reference.image->texels.size(), result.image->texels.size());
+  Image difference;
+  const double rms = compare(*reference.image, *result.image, difference);
+  if (rms > kRmsTolerance) {
+    write_image(results + "_reference.png", *reference.image, PixelType::kU8);
+    write_image(results + "_difference.png", difference, PixelType::kU8);
+  }
+  EXPECT_LE(rms, kRmsTolerance) << "see " << results << "_{reference,result,difference}.png";
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(kGoldens),
+                         [](const testing::TestParamInfo<Golden>& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace weftlight

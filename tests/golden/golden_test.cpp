@@ -77,7 +77,7 @@ TEST_P(GoldenTest, IsAsItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(kGoldens),
-                         [](const testing::TestParamInfo<Golden>& info) { return std::string(info.param.name); });
+                         [](const testing::TestParamInfo<Golden>& golden) { return std::string(golden.param.name); });
 
 }  // namespace
 }  // namespace weftlight

@@ -1,11 +1,14 @@
 #include "app/actions.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <utility>
 
 #include "app/editor.h"
 #include "draft/edits.h"
 #include "drape/mesh.h"
+#include "files/files.h"
 #include "panels/axis.h"
 #include "panels/icons.h"
 
@@ -52,6 +55,26 @@ void add_file(Actions& all, const std::vector<std::string>& recent) {
     a.item.group = std::exchange(first, false);
   }
   new_group(add(all, "File", "quit", "Quit", "Ctrl+Q", [](Editor& e) { e.quit(); }));
+}
+
+/// "twill_2_2" -> "Twill 2 2".
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+void add_library(Actions& all) {
+  std::vector<std::filesystem::path> drafts;
+  std::error_code missing;  // no presets, no library
+  for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + "/drafts", missing))
+    if (entry.path().extension() == ".wif") drafts.push_back(entry.path());
+  std::sort(drafts.begin(), drafts.end());
+  for (const auto& path : drafts) {
+    const std::string name = path.stem().string();
+    add(all, "Library", ("library." + name).c_str(), spoken(name).c_str(), "",
+        [file = path.string()](Editor& e) { e.open_copy(file); });
+  }
 }
 
 void add_edit(Actions& all) {
@@ -136,6 +159,7 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent) {
   add_draft(all);
   add_view(all);
   add_cloth(all);
+  add_library(all);
   return all;
 }
 

@@ -46,8 +46,8 @@ Editor::Editor(Window& window, const EditorOptions& options)
   work_.end1_right = settings_.end1_right;
   work_.drawdown_style = static_cast<DrawdownStyle>(settings_.drawdown_style);
   actions_ = make_actions(settings_.recent);
-  replace(std::move(document_));
   if (!options.file.empty()) open_path(options.file);
+  if (document_.path().empty()) show_document();
   offer_recovery();
 }
 
@@ -74,6 +74,14 @@ void Editor::open_path(const std::string& path) {
     remember(settings_, path);
     actions_ = make_actions(settings_.recent);
     replace(std::move(*result.document));
+  });
+}
+
+void Editor::open_copy(const std::string& path) {
+  unless_unsaved([this, path] {
+    OpenResult result = open_document(path);
+    if (!result.document) return report(std::move(result.remarks), path);
+    replace(Document(result.document->now()));
   });
 }
 
@@ -170,6 +178,11 @@ void Editor::keep_view() {
 void Editor::replace(Document document) {
   document_ = std::move(document);
   remarks_ = document_.remarks();
+  remarks_open_ = remarks_open_ && !remarks_.empty();
+  show_document();
+}
+
+void Editor::show_document() {
   const bool right = work_.end1_right;
   const DrawdownStyle look = work_.drawdown_style;
   work_ = {};
@@ -186,7 +199,7 @@ void Editor::edited() {
   if (!options_.live_export.empty()) writer_.write(options_.live_export, document_.writer());
   recovery_.keep(writer_, document_);
   work_.color = std::clamp(work_.color, 0, static_cast<int>(document_.now().draft.palette.size()) - 1);
-  frames_due_ = std::max(frames_due_, 2);
+  frames_due_ = std::max(frames_due_, 3);
 }
 
 void Editor::say(std::string text) { message_ = std::move(text); }

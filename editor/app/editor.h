@@ -29,6 +29,8 @@ class Editor {
   void new_draft();
   void open();
   void open_path(const std::string& path);
+  /// As a new, unnamed draft: a shipped one is never overwritten.
+  void open_copy(const std::string& path);
   void save();
   void save_as();
   void save_for_others();
@@ -60,6 +62,8 @@ class Editor {
   double sleep_s();
 
   void replace(Document document);
+  /// The view of a document just opened: fitted, its own camera, nothing under the pointer.
+  void show_document();
   void edited();
   void say(std::string text);
   void report(std::vector<Diagnostic> remarks, const std::string& path);
@@ -96,7 +100,7 @@ class Editor {
   std::string message_, title_;
   bool remarks_open_ = false, leaving_ = false, restyle_ = true, moving_ = false;
   uint64_t stroke_ = 1;
-  int frames_due_ = 3;
+  int frames_due_ = 5;
   double tip_at_s_ = -1;
 };
 

@@ -16,7 +16,7 @@ namespace weftlight {
 namespace {
 
 constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;  // pixels at 96 dpi
-constexpr int kFramesAfterEvent = 3;  // a click goes down and up, and what it opened lays itself out
+constexpr int kFramesAfterEvent = 4;  // a click goes down and up, and what it opened lays itself out
 constexpr double kTipS = 0.5;         // a frame when a tooltip is due
 constexpr double kCaretS = 0.4;       // a text field's caret blinks
 constexpr double kDialogPollS = 0.05;
@@ -37,7 +37,7 @@ bool begin_fixed(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImGui
 void Editor::run() {
   while (!leaving_) {
     const bool happened = window_.wait(sleep_s());
-    if (happened) {
+    if (happened || window_.has_input()) {
       frames_due_ = kFramesAfterEvent;
       tip_at_s_ = Window::seconds() + kTipS;
     }
@@ -134,6 +134,7 @@ void Editor::draw_panels(PanelContext& c) {
   const float height = view->WorkSize.y - status, inspector = style_.px(kInspector);
   const float room = view->WorkSize.x - inspector;
   const float split = static_cast<float>(static_cast<int>(room * settings_.split));
+  work_.hint = "";
   MaybeEdit edit;
   const auto take = [&edit](MaybeEdit made) {
     if (made) edit = std::move(made);
@@ -199,7 +200,7 @@ void Editor::draw_splitter(PanelContext& c, float x, float top, float height) {
 void Editor::draw_question(PanelContext& c) {
   const DialogAnswer answer = draw_dialog(c, dialog_);
   if (answer.answer == Answer::kNone) return;
-  frames_due_ = std::max(frames_due_, 2);
+  frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);
   if (answer.answer == Answer::kDone && then) then(answer.button);
   // The answer may have asked the next question.

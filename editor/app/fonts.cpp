@@ -29,7 +29,7 @@ constexpr ImWchar kTextRanges[] = {0x20, 0x17F, 0x2010, 0x203A, 0x2190, 0x2193, 
 constexpr ImWchar kIconRanges[] = {0xF000, 0xF2E0, 0};
 
 // Sizes at 96 dpi.
-constexpr float kText = 15, kSmall = 13, kMono = 14, kMonoSmall = 11.5f, kIcons = 16;
+constexpr float kText = 15, kSmall = 13, kMono = 14, kMonoSmall = 12, kIcons = 16;
 
 const char* first_there(std::span<const char* const> paths) {
   for (const char* path : paths)

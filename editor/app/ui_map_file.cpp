@@ -22,7 +22,10 @@ std::string ui_map_json(const UiMap& map, uint64_t frame) {
 
 void UiMapFile::frame(const UiMap& map) {
   ++frame_;
-  if (path_.empty() || map == last_) return;
+  // A layout in the making (a menu opening, a dialog finding its size) is not written.
+  const bool settled = map == before_;
+  before_ = map;
+  if (path_.empty() || !settled || map == last_) return;
   if (write_file_atomically(path_, ui_map_json(map, frame_)).empty()) last_ = map;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The --ui-map file: where everything is, rewritten after a frame that moved something.
+// The --ui-map file: where everything is, rewritten once what moved stands still.
 
 #include <cstdint>
 #include <string>
@@ -18,7 +18,7 @@ class UiMapFile {
 
  private:
   std::string path_;
-  UiMap last_;
+  UiMap last_, before_;
   uint64_t frame_ = 0;
 };
 

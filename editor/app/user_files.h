@@ -12,7 +12,7 @@ namespace weftlight {
 struct Settings {
   bool dark = false, end1_right = true;
   int drawdown_style = 0;
-  float split = 0.46f;             // share of the window that the draft takes
+  float split = 0.5f;              // share of the window that the draft takes
   int width = 1440, height = 900;  // of the window
   std::vector<std::string> recent; // newest first
 };

@@ -9,12 +9,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
+#include <iterator>
 #include <utility>
 
 #include "app/fonts.h"
 
 namespace weftlight {
 namespace {
+
+constexpr int kButtons = 5;  // as many as ImGui knows
 
 std::string key_name(int key, int scancode) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));
@@ -41,38 +45,6 @@ std::string shortcut(int key, int scancode, int mods) {
          ((mods & GLFW_MOD_ALT) ? "Alt+" : "") + name;
 }
 
-struct Inbox {
-  bool* happened;
-  std::vector<std::string>* keys;
-  std::vector<std::string>* dropped;
-};
-
-Inbox& inbox(GLFWwindow* w) { return *static_cast<Inbox*>(glfwGetWindowUserPointer(w)); }
-
-// Set before ImGui's own, which call these in turn.
-void listen(GLFWwindow* w) {
-  glfwSetKeyCallback(w, [](GLFWwindow* at, int key, int scancode, int action, int mods) {
-    *inbox(at).happened = true;
-    if (action == GLFW_RELEASE) return;
-    if (std::string text = shortcut(key, scancode, mods); !text.empty()) inbox(at).keys->push_back(std::move(text));
-  });
-  glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) {
-    *inbox(at).happened = true;
-    inbox(at).dropped->assign(paths, paths + count);
-  });
-  glfwSetCharCallback(w, [](GLFWwindow* at, unsigned) { *inbox(at).happened = true; });
-  glfwSetMouseButtonCallback(w, [](GLFWwindow* at, int, int, int) { *inbox(at).happened = true; });
-  glfwSetCursorPosCallback(w, [](GLFWwindow* at, double, double) { *inbox(at).happened = true; });
-  glfwSetScrollCallback(w, [](GLFWwindow* at, double, double) { *inbox(at).happened = true; });
-  glfwSetCursorEnterCallback(w, [](GLFWwindow* at, int) { *inbox(at).happened = true; });
-  glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int) { *inbox(at).happened = true; });
-  glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { *inbox(at).happened = true; });
-  glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { *inbox(at).happened = true; });
-  glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { *inbox(at).happened = true; });
-  glfwSetWindowRefreshCallback(w, [](GLFWwindow* at) { *inbox(at).happened = true; });
-  glfwSetWindowCloseCallback(w, [](GLFWwindow* at) { *inbox(at).happened = true; });
-}
-
 GLFWwindow* make_window(int width, int height) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -92,6 +64,83 @@ std::string glfw_problem() {
 
 }  // namespace
 
+struct Window::Inbox {
+  struct Mouse {
+    double x, y;
+    int button;  // -1: a move
+    bool down;
+  };
+  bool happened = true;
+  std::vector<std::string> keys, dropped;
+  std::vector<int> pressed;  // keys that went down since the last frame
+  std::deque<Mouse> mouse;
+  bool down[kButtons] = {};
+
+  static Inbox& of(GLFWwindow* w) { return *static_cast<Inbox*>(glfwGetWindowUserPointer(w)); }
+};
+
+// Set before ImGui's own, which call these in turn.
+void Window::listen(GLFWwindow* w) {
+  glfwSetKeyCallback(w, [](GLFWwindow* at, int key, int scancode, int action, int mods) {
+    Inbox::of(at).happened = true;
+    if (action == GLFW_RELEASE) return;
+    if (key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) Inbox::of(at).pressed.push_back(key);
+    if (std::string text = shortcut(key, scancode, mods); !text.empty()) Inbox::of(at).keys.push_back(std::move(text));
+  });
+  glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) {
+    Inbox::of(at).happened = true;
+    Inbox::of(at).dropped.assign(paths, paths + count);
+  });
+  glfwSetCharCallback(w, [](GLFWwindow* at, unsigned) { Inbox::of(at).happened = true; });
+  glfwSetMouseButtonCallback(w, [](GLFWwindow* at, int button, int action, int) {
+    double x = 0, y = 0;
+    glfwGetCursorPos(at, &x, &y);
+    if (button >= 0 && button < kButtons) Inbox::of(at).mouse.push_back({x, y, button, action == GLFW_PRESS});
+    Inbox::of(at).happened = true;
+  });
+  glfwSetCursorPosCallback(w, [](GLFWwindow* at, double x, double y) {
+    Inbox::of(at).mouse.push_back({x, y, -1, false});
+    Inbox::of(at).happened = true;
+  });
+  glfwSetScrollCallback(w, [](GLFWwindow* at, double, double) { Inbox::of(at).happened = true; });
+  glfwSetCursorEnterCallback(w, [](GLFWwindow* at, int entered) {
+    Inbox& in = Inbox::of(at);
+    // Outside, nothing is under the pointer; a drag keeps it.
+    const bool dragging = std::find(std::begin(in.down), std::end(in.down), true) != std::end(in.down);
+    if (!entered && !dragging) in.mouse.push_back({-1e6, -1e6, -1, false});
+    in.happened = true;
+  });
+  glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int) { Inbox::of(at).happened = true; });
+  glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at).happened = true; });
+  glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at).happened = true; });
+  glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { Inbox::of(at).happened = true; });
+  glfwSetWindowRefreshCallback(w, [](GLFWwindow* at) { Inbox::of(at).happened = true; });
+  glfwSetWindowCloseCallback(w, [](GLFWwindow* at) { Inbox::of(at).happened = true; });
+}
+
+Window::Window() : inbox_(std::make_unique<Inbox>()) {}
+
+void Window::give_mouse() {
+  ImGuiIO& io = ImGui::GetIO();
+  std::deque<Inbox::Mouse>& mouse = inbox_->mouse;
+  const auto take = [&] {
+    io.MousePos = {static_cast<float>(mouse.front().x), static_cast<float>(mouse.front().y)};
+    if (mouse.front().button >= 0) inbox_->down[mouse.front().button] = mouse.front().down;
+    mouse.pop_front();
+  };
+  bool moved = false;
+  for (; !mouse.empty() && mouse.front().button < 0; moved = true) take();
+  // A release after a move waits, so that the drag sees where it ended.
+  if (!mouse.empty() && (mouse.front().down || !moved)) take();
+  std::copy(std::begin(inbox_->down), std::end(inbox_->down), io.MouseDown);
+}
+
+void Window::give_keys() {
+  for (int key : inbox_->pressed) ImGui::GetIO().KeysDown[key] = true;
+}
+
+bool Window::has_input() const { return !inbox_->mouse.empty(); }
+
 std::unique_ptr<Window> Window::open(int width, int height, std::string& error) {
   if (!glfwInit()) {
     error = "the window system cannot be reached (" + glfw_problem() +
@@ -106,7 +155,7 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& error) 
   }
   glfwMakeContextCurrent(w->window_);
   glfwSwapInterval(1);
-  glfwSetWindowUserPointer(w->window_, new Inbox{&w->happened_, &w->keys_, &w->dropped_});
+  glfwSetWindowUserPointer(w->window_, w->inbox_.get());
   listen(w->window_);
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -122,7 +171,6 @@ Window::~Window() {
       ImGui_ImplGlfw_Shutdown();
       ImGui::DestroyContext();
     }
-    delete static_cast<Inbox*>(glfwGetWindowUserPointer(window_));
     glfwDestroyWindow(window_);
   }
   glfwTerminate();
@@ -132,7 +180,7 @@ bool Window::wait(double seconds) {
   if (seconds < 0) glfwWaitEvents();
   else if (seconds == 0) glfwPollEvents();
   else glfwWaitEventsTimeout(seconds);
-  return std::exchange(happened_, false);
+  return std::exchange(inbox_->happened, false);
 }
 
 bool Window::wants_close() const { return glfwWindowShouldClose(window_); }
@@ -170,6 +218,8 @@ void Window::use_style(Style& style) {
 void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  give_mouse();
+  give_keys();
   ImGui::NewFrame();
 }
 
@@ -186,10 +236,13 @@ void Window::end_frame(ImU32 background) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window_);
+  // A key that came and went within the frame is up again.
+  for (int key : std::exchange(inbox_->pressed, {}))
+    if (glfwGetKey(window_, key) == GLFW_RELEASE) ImGui::GetIO().KeysDown[key] = false;
 }
 
-std::vector<std::string> Window::take_keys() { return std::exchange(keys_, {}); }
-std::vector<std::string> Window::take_dropped_files() { return std::exchange(dropped_, {}); }
+std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->keys, {}); }
+std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
 double Window::seconds() { return glfwGetTime(); }
 
 }  // namespace weftlight

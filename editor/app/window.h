@@ -33,6 +33,8 @@ class Window {
   /// Keys pressed since the last call, as shortcuts are written: "Ctrl+Shift+S".
   std::vector<std::string> take_keys();
   std::vector<std::string> take_dropped_files();
+  /// Mouse events that wait for the next frame.
+  bool has_input() const;
   /// Framebuffer pixels a window unit (2 on a Retina display, else 1).
   float pixel_ratio() const;
   /// Size in window units.
@@ -40,13 +42,19 @@ class Window {
   static double seconds();
 
  private:
-  Window() = default;
+  Window();
   float display_scale() const;
 
   GLFWwindow* window_ = nullptr;
-  bool happened_ = true;
+  struct Inbox;
+  static void listen(GLFWwindow* window);
+  /// Hands ImGui the mouse as it was, event after event, however slow the frames are: a press counts where
+  /// it happened, and a press and its release never fall into one frame.
+  void give_mouse();
+  void give_keys();
+
+  std::unique_ptr<Inbox> inbox_;
   float fonts_for_ = 0;
-  std::vector<std::string> keys_, dropped_;
 };
 
 }  // namespace weftlight

@@ -9,8 +9,17 @@ namespace {
 constexpr float kSmallestPitch = 0.02f;  // 100,000 threads in 2,000 pixels
 constexpr float kLargestPitch = 48.0f;
 
+/// What is scrolled away, on whole pixels: what is drawn and what is found agree.
+float hidden(const Axis& a) { return std::round(a.scroll * a.pitch); }
+
 /// Pixels from index 0's side of the pane to the near edge of cell i.
-float offset(const Axis& a, int i) { return std::round((static_cast<float>(i) - a.scroll) * a.pitch); }
+float offset(const Axis& a, int i) { return std::round(static_cast<float>(i) * a.pitch) - hidden(a); }
+
+/// Cell at a pixel, also beyond the grid.
+int cell_at(const Axis& a, float pixel) {
+  if (a.reversed) return static_cast<int>(std::ceil((a.start + a.length - pixel + hidden(a)) / a.pitch)) - 1;
+  return static_cast<int>(std::floor((pixel - a.start + hidden(a)) / a.pitch));
+}
 
 }  // namespace
 
@@ -24,16 +33,13 @@ float Axis::high(int i) const {
 
 int Axis::at(float pixel) const {
   if (pixel < start || pixel >= start + length) return -1;
-  const float along = reversed ? start + length - pixel : pixel - start;
-  const float cell = along / pitch + scroll;
-  return cell >= 0 && cell < static_cast<float>(count) ? static_cast<int>(cell) : -1;
+  const int cell = cell_at(*this, pixel);
+  return cell >= 0 && cell < count ? cell : -1;
 }
 
 int Axis::nearest(float pixel) const {
-  const float along = reversed ? start + length - pixel : pixel - start;
-  const int cell = static_cast<int>(std::floor(along / pitch + scroll));
   const int last = end_visible() - 1;
-  return count == 0 ? -1 : std::clamp(cell, std::min(first_visible(), last), last);
+  return count == 0 ? -1 : std::clamp(cell_at(*this, pixel), std::min(first_visible(), last), last);
 }
 
 int Axis::first_visible() const { return std::clamp(static_cast<int>(std::floor(scroll)), 0, count); }

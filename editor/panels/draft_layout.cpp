@@ -38,7 +38,7 @@ float fitting_pitch(const Draft& d, const Style& s, Room room) {
   };
   float pitch = s.px(kLargestFit);
   // Below this the cells would be hard to see: the draft is scrolled instead.
-  const float least = s.px(5);
+  const float least = s.px(4);
   while (pitch > least && !fits(pitch)) pitch -= 1;
   return pitch;
 }

@@ -137,8 +137,8 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const bool on_lift = g == GridId::kTieup || g == l.lift.id;
   const Cell h = c.work.hover;
   draw_ruler_above(dl, c, l.drawdown.x, l.end_ruler_y, c.style.px(18), on_end ? h.a : -1);
-  draw_ruler_beside(dl, c, l.drawdown.y, l.pick_ruler_x + c.style.px(7), c.style.px(30), on_pick ? h.b : -1);
-  draw_ruler_beside(dl, c, l.threading.y, l.threading.max().x + c.style.px(6), c.style.px(18), on_shaft ? h.b : -1);
+  draw_ruler_beside(dl, c, l.drawdown.y, l.pick_ruler_x + c.style.px(7), on_pick ? h.b : -1);
+  draw_ruler_beside(dl, c, l.threading.y, l.threading.max().x + c.style.px(6), on_shaft ? h.b : -1);
   draw_ruler_above(dl, c, l.lift.x, l.threading.min().y - c.style.px(18), c.style.px(16), on_lift ? h.a : -1);
 }
 

@@ -89,6 +89,9 @@ void draw_thread(ImDrawList* dl, Box box, ImU32 color, bool upright) {
   }
 }
 
+/// The first, then every step-th, but none crowding the first.
+bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4 >= step * 3); }
+
 struct ThreadLook {
   std::vector<ImU32> warp, weft;
   float gap;  // pixels between threads
@@ -181,25 +184,21 @@ void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& 
 
 void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, float top, float height, int lit) {
   const int step = label_step(axis.pitch, c.style.px(30));
-  const ImU32 plain = c.style.color.muted;
   for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
-    const bool label = i == 0 || (i + 1) % step == 0;
-    if (!label && i != lit) continue;
+    if (!has_label(i, step) && i != lit) continue;
     const float x = (axis.low(i) + axis.high(i)) / 2;
     if (x < axis.start || x > axis.start + axis.length) continue;
     if (i != lit && lit >= 0 && std::abs(static_cast<float>(i - lit)) * axis.pitch < c.style.px(24)) continue;
-    draw_centered(dl, c.style.font.mono_small, {x, top + height / 2}, i == lit ? c.style.color.accent : plain,
+    draw_centered(dl, c.style.font.mono_small, {x, top + height / 2}, i == lit ? c.style.color.accent : c.style.color.muted,
                   std::to_string(i + 1));
   }
 }
 
-void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, float width, int lit) {
-  (void)width;
+void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, int lit) {
   const int step = label_step(axis.pitch, c.style.px(16));
   ImFont* font = c.style.font.mono_small;
   for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
-    const bool label = i == 0 || (i + 1) % step == 0;
-    if (!label && i != lit) continue;
+    if (!has_label(i, step) && i != lit) continue;
     const float y = (axis.low(i) + axis.high(i)) / 2;
     if (y < axis.start || y > axis.start + axis.length) continue;
     if (i != lit && lit >= 0 && std::abs(static_cast<float>(i - lit)) * axis.pitch < c.style.px(13)) continue;

@@ -16,7 +16,7 @@ bool draws_cells(const PanelContext& c, const GridPane& pane);
 
 /// Numbers and ticks along a grid; `pane.x` for a ruler above, `pane.y` for one at its right.
 void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, float top, float height, int lit);
-void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, float width, int lit);
+void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, int lit);
 
 /// The row and the column of the pointer, on every grid that shares the thread, shaft or treadle.
 void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);

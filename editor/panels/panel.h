@@ -55,6 +55,7 @@ struct Workspace {
   Face face = Face::kFront;
   BarPaint bar_paint = BarPaint::kColor;
   int color = 0, yarn = 0;  // what the colour bars are painted with
+  const char* hint = "";    // how to use what the pointer is over, for the status line
   GridId hover_grid = GridId::kNone;
   Cell hover;
   Stroke stroke;

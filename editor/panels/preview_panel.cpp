@@ -9,6 +9,8 @@
 namespace weftlight {
 namespace {
 
+constexpr const char* kHint =
+    "Drag to turn the cloth, Shift+drag to move it, wheel to come nearer, right drag (or L) to move the light";
 constexpr float kDegreesAPixel = 0.35f;
 constexpr float kNearest = 0.01f, kFurthest = 8.0f;
 
@@ -112,6 +114,7 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   MaybeEdit edit;
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) edit = drag(c, camera, pane);
   const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.work.hint = kHint;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
     camera = zoomed(camera, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x, ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) camera = orbit_of(c.design.scene);
@@ -120,9 +123,11 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   if (picture.texture != 0) {
     dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.texture)), a, b, {0, 1}, {1, 0});
     draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, stats_line(picture));
+    c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
     dl->AddRectFilled(a, b, to_u32(c.design.scene.background));
   }
+  if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);
   if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);
   else if (!picture.problem.empty()) draw_note(c, {a.x + c.style.px(16), a.y + c.style.px(12)}, picture.problem);
   return edit;

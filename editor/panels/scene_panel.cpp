@@ -37,15 +37,14 @@ MaybeEdit draw_mesh(PanelContext& c) {
   row_label(c, "Drape", "What the cloth hangs on");
   ImGui::SetNextItemWidth(-FLT_MIN);
   MaybeEdit edit;
-  if (ImGui::BeginCombo("##mesh", c.design.scene.mesh.c_str())) {
+  if (begin_combo(c, "scene.mesh", c.design.scene.mesh.c_str())) {
     for (const std::string& name : drape_names()) {
       if (ImGui::Selectable(name.c_str(), name == c.design.scene.mesh))
         edit = scene_edit("Choose drape", [name](Design& d) { d.scene.mesh = name; });
       c.map.add_item("mesh:" + name);
     }
-    ImGui::EndCombo();
+    end_combo();
   }
-  c.map.add_item("scene.mesh");
   return edit;
 }
 
@@ -53,15 +52,14 @@ MaybeEdit draw_method(PanelContext& c) {
   row_label(c, "Method", "How the threads are shaded. Automatic takes the cheapest that is good enough at the distance");
   ImGui::SetNextItemWidth(-FLT_MIN);
   MaybeEdit edit;
-  if (ImGui::BeginCombo("##method", method_label(c.design.look.method))) {
+  if (begin_combo(c, "look.method", method_label(c.design.look.method))) {
     for (Method m : kMethods) {
       if (ImGui::Selectable(method_label(m), m == c.design.look.method))
         edit = scene_edit("Choose method", [m](Design& d) { d.look.method = m; });
       c.map.add_item(std::string("method:") + method_label(m));
     }
-    ImGui::EndCombo();
+    end_combo();
   }
-  c.map.add_item("look.method");
   return edit;
 }
 

@@ -41,15 +41,29 @@ bool drag_track(const PanelContext& c, const SliderSpec& spec, ImVec2 a, ImVec2 
   return true;
 }
 
-/// The figure: click it to type.
+void draw_right(const char* format, float value, ImU32 color) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, static_cast<double>(value));
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText({b.x - size.x, static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))}, color, text);
+}
+
+/// The figure: drag it, or double-click to type.
 bool figure(const PanelContext& c, const SliderSpec& spec, float& value) {
   ImGui::PushFont(c.style.font.mono_small);
   ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
   ImGui::SetNextItemWidth(-FLT_MIN);
   float typed = value;
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
+  // Figures stand right-aligned in their column; ImGui would centre them.
+  if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
   const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max,
                                         spec.format, ImGuiSliderFlags_AlwaysClamp);
+  if (!typing) {
+    ImGui::PopStyleColor();
+    draw_right(spec.format, typed, c.style.color.text);
+  }
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   ImGui::PopFont();
@@ -83,6 +97,27 @@ void row_label(const PanelContext& c, const char* label, const char* tip) {
   ImGui::PopStyleColor();
   tooltip(c, tip);
   ImGui::SameLine(x + c.style.px(kLabelColumn));
+}
+
+bool begin_combo(const PanelContext& c, const char* id, const char* shown) {
+  ImGui::PushID(id);
+  const bool open = ImGui::BeginCombo("##combo", shown, ImGuiComboFlags_NoArrowButton);
+  if (!open) {
+    c.map.add_item(id);
+    const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+    const float r = c.style.px(4), x = b.x - c.style.px(14), y = (a.y + b.y) / 2;
+    const ImU32 frame = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg);
+    ImDrawList* dl = ImGui::GetWindowDrawList();
+    dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // a long name ends here
+    dl->AddTriangleFilled({x - r, y - r / 2}, {x + r, y - r / 2}, {x, y + r * 0.7f}, c.style.color.muted);
+    ImGui::PopID();
+  }
+  return open;
+}
+
+void end_combo() {
+  ImGui::EndCombo();
+  ImGui::PopID();
 }
 
 bool segmented(const PanelContext& c, const char* id, std::span<const char* const> labels, int& chosen, float width) {

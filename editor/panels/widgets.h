@@ -22,6 +22,9 @@ bool slider(const PanelContext& c, const SliderSpec& spec, float& value);
 /// A row of choices of which one is taken. True when another was clicked.
 bool segmented(const PanelContext& c, const char* id, std::span<const char* const> labels, int& chosen,
                float width = 0);
+/// A drop-down list; when true, fill it and call end_combo.
+bool begin_combo(const PanelContext& c, const char* id, const char* shown);
+void end_combo();
 /// Small text above a group; returns whether the group is open.
 bool section(const PanelContext& c, const char* id, const char* label, bool open_at_first = true);
 /// A label in the column of the sliders' labels; what follows stands beside it.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "draft/yarn_presets.h"
 #include "panels/icons.h"
 #include "panels/paint.h"
 #include "panels/widgets.h"
@@ -51,6 +52,26 @@ MaybeEdit changed(int index, const Yarn& yarn, const std::string& what) {
   return Edit{std::string("Yarn: ").append(what), [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
 }
 
+MaybeEdit add_yarn(PanelContext& c, const Yarn& yarn) {
+  c.work.yarn = static_cast<int>(c.design.yarns.size());
+  return Edit{"Add yarn", [yarn](Design d) { return with_new_yarn(std::move(d), yarn); }};
+}
+
+/// What the plus button offers.
+MaybeEdit draw_ready_yarns(PanelContext& c) {
+  if (!ImGui::BeginPopup("ready yarns")) return {};
+  MaybeEdit edit;
+  if (ImGui::MenuItem("Like this one")) edit = add_yarn(c, c.design.yarns[static_cast<size_t>(c.work.yarn)]);
+  c.map.add_item("yarn.add:like");
+  ImGui::Separator();
+  for (const Yarn& yarn : yarn_presets()) {
+    if (ImGui::MenuItem(yarn.name.c_str())) edit = add_yarn(c, yarn);
+    c.map.add_item("yarn.add:" + yarn.name);
+  }
+  ImGui::EndPopup();
+  return edit;
+}
+
 /// The list as a drop-down, with the name editable beside it, and a button for a new yarn.
 MaybeEdit draw_choice(PanelContext& c) {
   const auto& yarns = c.design.yarns;
@@ -58,22 +79,18 @@ MaybeEdit draw_choice(PanelContext& c) {
   row_label(c, "Yarn in hand", "The yarn shown here, and painted on the bars when they paint yarns");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - add);
   const auto title = [&](int i) { return std::to_string(i + 1).append("  ").append(yarns[static_cast<size_t>(i)].name); };
-  if (ImGui::BeginCombo("##yarn", title(c.work.yarn).c_str())) {
+  if (begin_combo(c, "yarn.list", title(c.work.yarn).c_str())) {
     for (int i = 0; i < static_cast<int>(yarns.size()); ++i) {
       ImGui::PushID(i);
       if (ImGui::Selectable(title(i).c_str(), i == c.work.yarn)) c.work.yarn = i;
       ImGui::PopID();
       c.map.add_item("yarn:" + std::to_string(i + 1));
     }
-    ImGui::EndCombo();
+    end_combo();
   }
-  c.map.add_item("yarn.list");
   ImGui::SameLine();
-  if (!icon_button(c, "yarn.add", icon::kPlus, "+", "Add a yarn like this one")) return {};
-  Yarn copy = yarns[static_cast<size_t>(c.work.yarn)];
-  copy.name.append(" ").append(std::to_string(yarns.size() + 1));
-  c.work.yarn = static_cast<int>(yarns.size());
-  return Edit{"Add yarn", [copy](Design d) { return with_new_yarn(std::move(d), copy); }};
+  if (icon_button(c, "yarn.add", icon::kPlus, "+", "Add a yarn: one like this, or a ready one")) ImGui::OpenPopup("ready yarns");
+  return draw_ready_yarns(c);
 }
 
 bool draw_name(PanelContext& c, Yarn& yarn) {

@@ -1,0 +1,188 @@
+#include "display.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+extern char** environ;
+
+namespace weftlight::gui {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kPatience = 30s;
+constexpr auto kPause = 20ms;
+constexpr const char* kHandPause = "0.07";  // seconds between move, down and up, or clicks get lost
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return text;
+  char buffer[65536];
+  for (size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
+  pclose(pipe);
+  return text;
+}
+
+bool is_installed(const std::string& program) { return !output_of("command -v " + program).empty(); }
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> out;
+  for (std::string& word : words) out.push_back(word.data());
+  out.push_back(nullptr);
+  return out;
+}
+
+std::string at(Point p) {
+  return std::to_string(std::lround(p.x)) + " " + std::to_string(std::lround(p.y));
+}
+
+std::string pause() { return std::string(" sleep ").append(kHandPause).append(" "); }
+
+}  // namespace
+
+std::string why_not() {
+  for (const char* program : {"Xvfb", "xdotool", "import"})
+    if (!is_installed(program)) return std::string(program) + " is not installed (packages xvfb, xdotool, imagemagick)";
+  return {};
+}
+
+bool comes_true(const std::function<bool()>& holds) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(kPause);
+  }
+  return true;
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Process::Process(std::vector<std::string> words, std::vector<std::string> environment, int print_fd) {
+  for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (print_fd >= 0) posix_spawn_file_actions_adddup2(&actions, print_fd, print_fd);
+  auto argv = pointers(words), env = pointers(environment);
+  if (posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), env.data()) != 0) id_ = 0;
+  posix_spawn_file_actions_destroy(&actions);
+}
+
+Process::~Process() {
+  if (!is_running()) return;
+  kill(id_, SIGTERM);
+  waitpid(id_, nullptr, 0);
+}
+
+Process& Process::operator=(Process&& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(status_, other.status_);
+  return *this;
+}
+
+bool Process::is_running() {
+  if (id_ == 0) return false;
+  int status = 0;
+  if (waitpid(id_, &status, WNOHANG) == 0) return true;
+  status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  id_ = 0;
+  return false;
+}
+
+int Process::wait() {
+  comes_true([this] { return !is_running(); });
+  return status_;
+}
+
+Display::Display(int width, int height) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return;
+  const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
+  server_ = Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen, "-nolisten", "tcp"}, {}, ends[1]);
+  close(ends[1]);
+  // The number and its line end come apart, and the server gives up when nobody reads the second.
+  std::string number;
+  for (char c; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
+  close(ends[0]);
+  if (!number.empty()) name_ = std::string(":").append(number);
+}
+
+std::string Display::hand(const std::string& words) const {
+  return output_of("DISPLAY=" + name_ + " xdotool " + words + " 2>/dev/null");
+}
+
+void Display::move(Point to) const { hand("mousemove " + at(to)); }
+
+void Display::click(Point where) const { drag({where}); }
+
+void Display::drag(const std::vector<Point>& along) const {
+  std::string words = "mousemove " + at(along.front()) + pause() + "mousedown 1" + pause();
+  for (const Point& p : along) words += "mousemove " + at(p) + pause();
+  hand(words + "mouseup 1" + pause());
+}
+
+void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 60 " + keys); }
+
+std::string Display::picture(Point where, Point size) const {
+  const std::string crop = std::to_string(std::lround(size.x)) + "x" + std::to_string(std::lround(size.y)) + "+" +
+                           std::to_string(std::lround(where.x)) + "+" + std::to_string(std::lround(where.y));
+  return output_of("import -display " + name_ + " -window root -crop " + crop + " +repage ppm:- 2>/dev/null");
+}
+
+Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft)
+    : map_(folder / "map.json"), live_(folder / "live.wif") {
+  std::filesystem::remove(map_);
+  std::filesystem::remove(live_);
+  const std::string own = folder.string();
+  process_ = Process({WEFTLIGHT_BINARY, draft.string(), "--ui-map", map_.string(), "--live-export", live_.string()},
+                     {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY=", "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",
+                      "XDG_CONFIG_HOME=" + own + "/config", "LIBGL_ALWAYS_SOFTWARE=1"});
+}
+
+nlohmann::json Window::map() const { return nlohmann::json::parse(bytes_of(map_), nullptr, false); }
+
+bool Window::is_ready() const { return map().is_object() && has("view") && !live().empty(); }
+
+Point Window::cell(const std::string& name, int a, int b) const {
+  const nlohmann::json now = map();
+  for (const auto& grid : now["grids"]) {
+    if (grid["name"] != name) continue;
+    const auto value = [&](int i) {
+      return grid["origin"][i].get<double>() + (a - 1) * grid["step_a"][i].get<double>() + (b - 1) * grid["step_b"][i].get<double>();
+    };
+    return {value(0), value(1)};
+  }
+  return {-1, -1};
+}
+
+bool Window::has(const std::string& control) const { return place_of(control).second.x > 0; }
+
+std::pair<Point, Point> Window::place_of(const std::string& name) const {
+  const nlohmann::json now = map();
+  if (now.is_object())
+    for (const auto& control : now["controls"])
+      if (control["name"] == name)
+        return {{control["x"].get<double>(), control["y"].get<double>()}, {control["w"].get<double>(), control["h"].get<double>()}};
+  return {};
+}
+
+Point Window::middle_of(const std::string& control) const {
+  const auto [place, size] = place_of(control);
+  return {place.x + size.x / 2, place.y + size.y / 2};
+}
+
+}  // namespace weftlight::gui

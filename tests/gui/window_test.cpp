@@ -1,0 +1,186 @@
+// The window as a weaver uses it: paint, undo, save, open again; every step by the real mouse and keys.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "display.h"
+#include "draft/drawdown.h"
+#include "draft/edits.h"
+#include "wif/wif.h"
+
+namespace weftlight::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A 2/2 twill on four shafts, two colours, on a flat cloth; a section of another program at the end.
+std::string twill() {
+  Design d;
+  d.draft = blank_draft(16, 16, 4, 4);
+  d.draft.palette = {{0.1f, 0.2f, 0.5f}, {0.95f, 0.9f, 0.8f}};
+  for (int i = 0; i < 16; ++i) {
+    d.draft.threading.set(i, i % 4, true);
+    d.draft.treadling.set(i, i % 4, true);
+    d.draft.tieup.set(i % 4, i % 4, true);
+    d.draft.tieup.set(i % 4, (i + 1) % 4, true);
+  }
+  d.scene.mesh = "plane";
+  return write_new_wif(d) + "[PRIVATE ANOTHER PROGRAM]\nKept=as it is\n";
+}
+
+class WindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << reason;
+    char name[] = "/tmp/weftlight_gui_XXXXXX";
+    folder_ = mkdtemp(name);
+    draft_ = folder_ / "twill.wif";
+    fs::create_directories(folder_ / "config/weftlight");
+    std::ofstream(folder_ / "config/weftlight/settings.json") << R"({"width": 1280, "height": 800})";
+    std::ofstream(draft_, std::ios::binary) << twill();
+    ASSERT_TRUE(display_.is_up()) << "Xvfb did not start";
+  }
+  void TearDown() override {
+    if (!folder_.empty()) fs::remove_all(folder_);
+  }
+
+  static Design design_of(const std::string& bytes) {
+    const WifRead read = read_wif(bytes);
+    return read.file ? read.file->design : Design{};
+  }
+
+  static bool is_settled(const Window& w) { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }
+
+  /// The cloth, without the line of figures at its foot.
+  std::string picture(const Window& w) const {
+    const auto [place, size] = w.place_of("view");
+    return display_.picture({place.x + 20, place.y + 60}, {size.x - 40, size.y - 140});
+  }
+
+  /// The cloth once it stands still: twice the same.
+  std::string still_picture(const Window& w) const {
+    std::string last, now;
+    comes_true([&] {
+      last = std::move(now);
+      now = picture(w);
+      return is_settled(w) && !now.empty() && now == last;
+    });
+    return now;
+  }
+
+  std::string drawdown_of(const fs::path& wif) const {
+    const fs::path out = folder_ / "drawdown.txt";
+    const std::string command = std::string(WEFTLIGHT_BINARY) + " drawdown " + wif.string() + " -o " + out.string();
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return bytes_of(out);
+  }
+
+  void quit(Window& w) {
+    display_.key("ctrl+q");
+    EXPECT_EQ(w.process().wait(), 0);
+  }
+
+  const Display display_{1280, 800};
+  fs::path folder_, draft_;
+};
+
+TEST_F(WindowTest, PaintsUndoesSavesAndOpensAgain) {
+  const std::string original = bytes_of(draft_);
+  const Design before = design_of(original);
+  std::string saved;
+  {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return is_settled(w); })) << "the window did not come up with its cloth";
+    EXPECT_EQ(w.live(), original) << "an untouched draft is exported byte for byte";
+    const std::string cloth = still_picture(w);
+
+    // End 3 was on shaft 3 and goes to shaft 1.
+    display_.click(w.cell("threading", 3, 1));
+    ASSERT_TRUE(comes_true([&] { return w.live() != original; })) << "the click painted nothing";
+    const Design painted = design_of(w.live());
+    EXPECT_EQ(painted.draft, with_threading(before, 2, 0, true).draft);
+    EXPECT_EQ(painted.draft.threading.first(2), 0);
+    EXPECT_NE(drawdown_of(folder_ / "live.wif"), drawdown_of(draft_));
+    EXPECT_EQ(bytes_of(draft_), original) << "nothing is saved unasked";
+    EXPECT_TRUE(comes_true([&] { return still_picture(w) != cloth; })) << "the cloth did not follow the edit";
+
+    display_.key("ctrl+z");
+    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "undo did not bring the draft back";
+    EXPECT_TRUE(comes_true([&] { return still_picture(w) == cloth; })) << "undo did not bring the cloth back";
+
+    display_.key("ctrl+shift+z");
+    ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
+    display_.key("ctrl+s");
+    ASSERT_TRUE(comes_true([&] { return bytes_of(draft_) != original; })) << "Ctrl+S wrote nothing";
+    saved = bytes_of(draft_);
+    EXPECT_EQ(saved, w.live());
+    EXPECT_NE(saved.find("[PRIVATE ANOTHER PROGRAM]\nKept=as it is\n"), std::string::npos);
+    quit(w);
+  }
+  Window again(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
+  EXPECT_EQ(again.live(), saved);
+  EXPECT_EQ(design_of(saved).draft, with_threading(before, 2, 0, true).draft);
+  quit(again);
+}
+
+TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  const auto undone = [&](const char* what) {
+    display_.key("ctrl+z");
+    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << what << ": one undo did not take the drag back";
+  };
+
+  display_.drag({w.cell("threading", 5, 4), w.cell("threading", 8, 4)});
+  EXPECT_TRUE(comes_true([&] {
+    const Draft d = design_of(w.live()).draft;
+    return d.threading.first(4) == 3 && d.threading.first(5) == 3 && d.threading.first(6) == 3 && d.threading.first(7) == 3;
+  })) << "the drag left out a cell";
+  undone("threading");
+
+  display_.click(w.cell("tieup", 1, 4));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.tieup.get(0, 3); }));
+  undone("tieup");
+
+  display_.drag({w.cell("treadling", 2, 9), w.cell("treadling", 2, 11)});
+  EXPECT_TRUE(comes_true([&] {
+    const Draft d = design_of(w.live()).draft;
+    return d.treadling.first(8) == 1 && d.treadling.first(9) == 1 && d.treadling.first(10) == 1;
+  }));
+  undone("treadling");
+
+  display_.click(w.middle_of("palette:2"));
+  display_.drag({w.cell("warp_colors", 1, 1), w.cell("warp_colors", 4, 1)});
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.color[3] == 1; }));
+  undone("warp colours");
+
+  display_.click(w.middle_of("yarn.turns_per_m"));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).yarns[0].turns_per_m != design_of(original).yarns[0].turns_per_m; }));
+  undone("yarn twist");
+  quit(w);
+}
+
+TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  display_.click(w.cell("threading", 1, 2));
+  ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
+  display_.key("ctrl+q");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Do not save"); })) << "quitting did not ask";
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Do not save"); }));
+  EXPECT_TRUE(w.process().is_running());
+  display_.key("ctrl+q");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Do not save"); }));
+  display_.click(w.middle_of("dialog:Do not save"));
+  EXPECT_EQ(w.process().wait(), 0);
+  EXPECT_EQ(bytes_of(draft_), original);
+}
+
+}  // namespace
+}  // namespace weftlight::gui

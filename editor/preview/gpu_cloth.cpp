@@ -62,7 +62,7 @@ void GpuCloth::upload_tables() {
   if (albedo_.peek()) return;
   const LightTables& tables = light_tables();
   glBindTexture(GL_TEXTURE_3D, albedo_.get());
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_RG32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RG, GL_FLOAT,
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RGBA, GL_FLOAT,
                tables.albedo.values.data());
   clamp_to_edge(GL_TEXTURE_3D);
   glBindTexture(GL_TEXTURE_2D, albedo_mean_.get());

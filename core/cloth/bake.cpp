@@ -13,7 +13,7 @@ namespace weftlight {
 namespace {
 
 constexpr int kBandRows = 32;
-constexpr int kLargestMap = 16384, kMostAzimuths = 64;
+constexpr int kLargestMap = 16384, kLargestWhole = 1 << 22, kMostAzimuths = 64;
 // Threads further away than this many spacings are taken not to stand above nearer ones.
 constexpr float kShadowReach = 4.0f;
 
@@ -62,8 +62,8 @@ class TexelSum {
   Side sides_[2];
 };
 
+/// All but the height.
 void put(Maps& m, int x, int y, const SurfaceSample& s) {
-  m.height_mm.at(x, y) = s.height_mm;
   m.coverage.at(x, y) = s.cover;
   m.colour.at(x, y) = s.colour;
   m.groove.at(x, y) = s.groove;
@@ -73,8 +73,9 @@ void put(Maps& m, int x, int y, const SurfaceSample& s) {
   m.thread.at(x, y) = s.thread;
 }
 
-/// The texels of a rectangle inside the maps.
-void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r) {
+/// Calls put(x, y, sample) for the texels of a rectangle inside the period.
+template <class Put>
+void bake_surface(const Cloth& cloth, const SampleGrid& grid, const TexelRect& r, const Put& put) {
   const int nx = grid.per_texel_x, ny = grid.per_texel_y;
   SurfaceSampler sampler(cloth, grid, r.x0 * nx, r.x1 * nx, r.y0 * ny, r.y1 * ny);
   const size_t texels = static_cast<size_t>(r.x1 - r.x0);
@@ -91,7 +92,7 @@ void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const 
         sum.add(b.shows);
         s = sum.mean(s, 1);
       }
-      for (size_t t = 0; t < texels; ++t) put(maps, r.x0 + static_cast<int>(t), y, row[t]);
+      for (size_t t = 0; t < texels; ++t) put(r.x0 + static_cast<int>(t), y, row[t]);
       continue;
     }
     sums.assign(texels, {});
@@ -101,17 +102,17 @@ void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const 
       for (const auto& b : beside) sums[static_cast<size_t>(b.sample / nx)].add(b.shows);
     }
     for (size_t t = 0; t < texels; ++t)
-      put(maps, r.x0 + static_cast<int>(t), y, sums[t].mean(row[t * static_cast<size_t>(nx)], nx * ny));
+      put(r.x0 + static_cast<int>(t), y, sums[t].mean(row[t * static_cast<size_t>(nx)], nx * ny));
   }
 }
 
-Sweep sweep_of(const Maps& maps, const Cloth& cloth, int k) {
-  const double azimuth = 2.0 * std::numbers::pi * k / maps.azimuths;
-  const int w = maps.height_mm.width, h = maps.height_mm.height;
+/// Sweep number k over a period of so many texels.
+Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k) {
+  const double azimuth = 2.0 * std::numbers::pi * k / azimuths;
   const float spacing = std::max(cloth.width_mm / static_cast<float>(cloth.ends.size()),
                                  cloth.depth_mm / static_cast<float>(cloth.picks.size()));
-  return sweep_towards(azimuth, w, h, maps.width_mm / static_cast<float>(w),
-                       maps.depth_mm / static_cast<float>(h), kShadowReach * spacing);
+  return sweep_towards(azimuth, width, height, cloth.width_mm / static_cast<float>(width),
+                       cloth.depth_mm / static_cast<float>(height), kShadowReach * spacing);
 }
 
 /// Cosine-weighted share of the sky above the horizons.
@@ -137,27 +138,27 @@ void for_each_row_band(int rows, int threads, const Job& job) {
                 [&](int band) { job(band * kBandRows, std::min(rows, (band + 1) * kBandRows)); });
 }
 
-Maps empty_maps(const Cloth& cloth, const MapsSize& size) {
-  const int w = std::clamp(size.width, 1, kLargestMap), h = std::clamp(size.height, 1, kLargestMap);
+int width_of(const TexelRect& r) { return r.x1 - r.x0; }
+int height_of(const TexelRect& r) { return r.y1 - r.y0; }
+
+Maps empty_maps(int w, int h, const MapsSize& size) {
   Maps m;
-  m.width_mm = cloth.width_mm, m.depth_mm = cloth.depth_mm;
   m.azimuths = std::clamp(size.azimuths, 0, kMostAzimuths);
   m.horizon.resize(static_cast<size_t>(m.azimuths));
   // Filling the planes touches more memory than it computes: spread it too.
   const auto make = [&](int i) {
     switch (i) {
-      case 0: m.height_mm = Plane<float>(w, h); break;
-      case 1: m.coverage = Plane<float>(w, h); break;
-      case 2: m.colour = Plane<Linear>(w, h); break;
-      case 3: m.groove = Plane<float>(w, h, 1.0f); break;
-      case 4: m.slope = Plane<Slope>(w, h); break;
-      case 5: m.tangent = Plane<Direction>(w, h); break;
-      case 6: m.system = Plane<uint8_t>(w, h); break;
-      case 7: m.thread = Plane<uint32_t>(w, h); break;
+      case 0: m.coverage = Plane<float>(w, h); break;
+      case 1: m.colour = Plane<Linear>(w, h); break;
+      case 2: m.groove = Plane<float>(w, h, 1.0f); break;
+      case 3: m.slope = Plane<Slope>(w, h); break;
+      case 4: m.tangent = Plane<Direction>(w, h); break;
+      case 5: m.system = Plane<uint8_t>(w, h); break;
+      case 6: m.thread = Plane<uint32_t>(w, h); break;
       default: m.occlusion = Plane<float>(w, h, 1.0f); break;
     }
   };
-  for_each_band(9, size.threads, make);
+  for_each_band(8, size.threads, make);
   return m;
 }
 
@@ -231,23 +232,106 @@ TexelRect resweep(Maps& maps, const Sweep& s, int k, const TexelRect& changed) {
   return s.along_x ? TexelRect{reach0, side0, reach1, side1} : TexelRect{side0, reach0, side1, reach1};
 }
 
+/// What must be known of the heights for the horizons of a window: cut to one period.
+TexelRect field_around(const TexelRect& window, const std::vector<Sweep>& sweeps, int w, int h) {
+  int x = 0, y = 0;
+  for (const Sweep& s : sweeps) {
+    const int along = s.block + s.ahead;
+    const int aside = static_cast<int>(std::ceil(std::abs(s.shear) * along)) + kSweepMargin;
+    x = std::max(x, s.along_x ? along : aside), y = std::max(y, s.along_x ? aside : along);
+  }
+  TexelRect field{window.x0 - x, window.y0 - y, window.x1 + x, window.y1 + y};
+  if (width_of(field) >= w) field.x0 = 0, field.x1 = w;
+  if (height_of(field) >= h) field.y0 = 0, field.y1 = h;
+  return field;
+}
+
+/// A window cut out of a field; both in texels of a period of w x h.
+template <class T>
+Plane<T> cut_out(Plane<T> field, const TexelRect& at, const TexelRect& window, int w, int h) {
+  if (field.width == width_of(window) && field.height == height_of(window) && at.x0 == window.x0 && at.y0 == window.y0)
+    return field;
+  Plane<T> out(width_of(window), height_of(window));
+  for (int y = 0; y < out.height; ++y) {
+    const T* from = field.row(wrap(window.y0 + y - at.y0, h));
+    for (int x = 0, f = wrap(window.x0 - at.x0, w); x < out.width; ++x, f = f + 1 == w ? 0 : f + 1)
+      out.at(x, y) = from[f];
+  }
+  return out;
+}
+
+/// Heights of the field, and all else of the window into `maps`.
+Plane<float> bake_field(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& field,
+                        const TexelRect& window, int threads) {
+  const int w = grid.width, h = grid.height;
+  std::vector<TexelRect> bands;
+  for (const TexelRect& r : pieces(field, w, h))
+    for (int y = r.y0; y < r.y1; y += kBandRows) bands.push_back({r.x0, y, r.x1, std::min(r.y1, y + kBandRows)});
+  Plane<float> height(width_of(field), height_of(field));
+  const int wx = wrap(window.x0, w), wy = wrap(window.y0, h);
+  for_each_band(static_cast<int>(bands.size()), threads, [&](int i) {
+    const TexelRect& r = bands[static_cast<size_t>(i)];
+    const int to_x = wrap(r.x0 - field.x0, w) - r.x0, to_y = wrap(r.y0 - field.y0, h) - r.y0;
+    bake_surface(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
+      height.at(x + to_x, y + to_y) = s.height_mm;
+      const int in_x = x < wx ? x - wx + w : x - wx, in_y = y < wy ? y - wy + h : y - wy;
+      if (in_x < maps.coverage.width && in_y < maps.coverage.height) put(maps, in_x, in_y, s);
+    });
+  });
+  return height;
+}
+
+TexelRect cut_to_period(const TexelRect& window, int w, int h) {
+  const int x1 = window.x0 + std::clamp(width_of(window), 1, std::min(w, kLargestMap));
+  const int y1 = window.y0 + std::clamp(height_of(window), 1, std::min(h, kLargestMap));
+  return {window.x0, window.y0, x1, y1};
+}
+
 }  // namespace
 
 Maps bake(const Cloth& cloth, const MapsSize& size) {
-  Maps maps = empty_maps(cloth, size);
+  MapsSize whole = size;
+  whole.width = std::clamp(size.width, 1, kLargestMap), whole.height = std::clamp(size.height, 1, kLargestMap);
+  return bake(cloth, whole, {0, 0, whole.width, whole.height});
+}
+
+Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
+  const int w = std::clamp(whole.width, 1, kLargestWhole), h = std::clamp(whole.height, 1, kLargestWhole);
+  const TexelRect shown = cut_to_period(window, w, h);
+  Maps maps = empty_maps(width_of(shown), height_of(shown), whole);
+  maps.width_mm = cloth.width_mm * (static_cast<float>(width_of(shown)) / static_cast<float>(w));
+  maps.depth_mm = cloth.depth_mm * (static_cast<float>(height_of(shown)) / static_cast<float>(h));
   if (is_empty(cloth)) {
-    for (auto& plane : maps.horizon) plane = Plane<uint8_t>(maps.height_mm.width, maps.height_mm.height);
+    maps.height_mm = Plane<float>(width_of(shown), height_of(shown));
+    for (auto& plane : maps.horizon) plane = Plane<uint8_t>(width_of(shown), height_of(shown));
     return maps;
   }
-  const int w = maps.height_mm.width, h = maps.height_mm.height;
-  const SampleGrid grid = sample_grid(cloth, w, h);
-  for_each_row_band(h, size.threads, [&](int y0, int y1) { bake_surface(maps, cloth, grid, {0, y0, w, y1}); });
-  const Plane<float> turned = maps.azimuths > 0 ? transposed(maps.height_mm) : Plane<float>{};
-  for_each_band(maps.azimuths, size.threads, [&](int k) {
-    maps.horizon[static_cast<size_t>(k)] = horizon(maps.height_mm, turned, sweep_of(maps, cloth, k));
+  std::vector<Sweep> sweeps;
+  for (int k = 0; k < maps.azimuths; ++k) sweeps.push_back(sweep_of(cloth, w, h, maps.azimuths, k));
+  const TexelRect field = field_around(shown, sweeps, w, h);
+  Plane<float> height = bake_field(maps, cloth, sample_grid(cloth, w, h), field, shown, whole.threads);
+  const Plane<float> turned = maps.azimuths > 0 ? transposed(height) : Plane<float>{};
+  for_each_band(maps.azimuths, whole.threads, [&](int k) {
+    Sweep s = sweeps[static_cast<size_t>(k)];
+    s.first = s.along_x ? field.x0 : field.y0, s.first_line = s.along_x ? field.y0 : field.x0;
+    maps.horizon[static_cast<size_t>(k)] = cut_out(horizon(height, turned, s, shown), field, shown, w, h);
   });
-  for_each_row_band(h, size.threads, [&](int y0, int y1) { bake_occlusion(maps, {0, y0, w, y1}); });
+  maps.height_mm = cut_out(std::move(height), field, shown, w, h);
+  for_each_row_band(height_of(shown), whole.threads,
+                    [&](int y0, int y1) { bake_occlusion(maps, {0, y0, width_of(shown), y1}); });
   return maps;
+}
+
+TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width, int height) {
+  const auto start = [](float at_mm, float period_mm, int texels, int size) {
+    const double share = period_mm > 0.0f ? static_cast<double>(at_mm) / static_cast<double>(period_mm) : 0.0;
+    const double turns = std::isfinite(share) ? share - std::floor(share) : 0.0;
+    return static_cast<int>(std::lround(turns * texels)) - size / 2;
+  };
+  const int w = std::clamp(whole.width, 1, kLargestWhole), h = std::clamp(whole.height, 1, kLargestWhole);
+  const TexelRect size = cut_to_period({0, 0, width, height}, w, h);
+  const int x = start(u_mm, cloth.width_mm, w, size.x1), y = start(v_mm, cloth.depth_mm, h, size.y1);
+  return {x, y, x + size.x1, y + size.y1};
 }
 
 std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& dirty) {
@@ -265,13 +349,18 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& di
     std::vector<TexelRect> parts;
     for (const TexelRect& r : pieces(cross, w, h)) cut(r, parts);
     for_each_band(static_cast<int>(parts.size()), 0,
-                  [&](int i) { bake_surface(maps, after, grid, parts[static_cast<size_t>(i)]); });
+                  [&](int i) {
+      bake_surface(after, grid, parts[static_cast<size_t>(i)], [&](int x, int y, const SurfaceSample& s) {
+        maps.height_mm.at(x, y) = s.height_mm;
+        put(maps, x, y, s);
+      });
+    });
   }
 
   const TexelRect changed = joined({ex0, ey0, ex1, ey1}, {px0, py0, px1, py1});
   std::vector<TexelRect> swept(static_cast<size_t>(maps.azimuths), changed);
   for_each_band(maps.azimuths, 0, [&](int k) {
-    swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(maps, after, k), k, changed);
+    swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(after, w, h, maps.azimuths, k), k, changed);
   });
   TexelRect all = changed;
   for (const TexelRect& r : swept) all = joined(all, r);

@@ -35,8 +35,8 @@ Steps steps_of(const Sweep& s, int from, int to) {
   for (int k = 0; k < n; ++k) {
     const int i = s.forward ? to - 1 + s.ahead - k : from - s.ahead + k;
     const double sheared = i * s.shear, whole = std::floor(sheared);
-    steps.along[static_cast<size_t>(k)] = wrap(i, s.length);
-    steps.shift[static_cast<size_t>(k)] = wrap(static_cast<int>(whole), s.lines);
+    steps.along[static_cast<size_t>(k)] = wrap(i - s.first, s.length);
+    steps.shift[static_cast<size_t>(k)] = wrap(static_cast<int>(whole) - s.first_line, s.lines);
     steps.rest[static_cast<size_t>(k)] = static_cast<float>(sheared - whole);
   }
   return steps;
@@ -45,6 +45,7 @@ Steps steps_of(const Sweep& s, int from, int to) {
 // Lines swept side by side: their texels are neighbours in memory, so that reading and writing work on
 // vectors, and their hulls are independent work for the processor.
 constexpr int kLanes = 8;
+static_assert(kLanes + 2 <= kSweepMargin);
 
 struct HullPoint {
   float z, k;
@@ -175,17 +176,34 @@ void sweep_block(const Sweep& s, FieldView<const float> height, int line0, int l
   }
 }
 
-Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& s) {
+void sweep_window(const Sweep& s, FieldView<const float> height, const TexelRect& window, FieldView<uint8_t> out) {
+  const int a0 = s.along_x ? window.x0 : window.y0, a1 = s.along_x ? window.x1 : window.y1;
+  const int c0 = s.along_x ? window.y0 : window.x0, c1 = s.along_x ? window.y1 : window.x1;
+  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
+  for (int turn = (a0 - wrap(a0, s.length)) / s.length; turn * s.length < a1; ++turn) {
+    for (int b = 0; b < s.blocks(); ++b) {
+      const int from = std::max(b * s.block, a0 - turn * s.length);
+      const int to = std::min({s.length, (b + 1) * s.block, a1 - turn * s.length});
+      if (from >= to) continue;
+      const int low = std::min(shift(from), shift(to - 1)), high = std::max(shift(from), shift(to - 1));
+      const int line = c0 - high;
+      sweep_block(s, height, line, std::min(c1 - low, line + s.lines), b, out);
+    }
+  }
+}
+
+Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& s,
+                       const TexelRect& window) {
   // Neighbouring lines are neighbours in memory: along x in the turned field, along y in the field.
   const Plane<float>& field = s.along_x ? turned : height_mm;
   Plane<uint8_t> out(field.width, field.height);
-  for (int b = 0; b < s.blocks(); ++b)
-    sweep_block(s, {field.row(0), field.width, 1}, 0, s.lines, b, {out.row(0), out.width, 1});
+  sweep_window(s, {field.row(0), field.width, 1}, window, {out.row(0), out.width, 1});
   return s.along_x ? transposed(out) : out;
 }
 
 Plane<uint8_t> horizon(const Plane<float>& height_mm, const Sweep& s) {
-  return horizon(height_mm, s.along_x ? transposed(height_mm) : Plane<float>{}, s);
+  return horizon(height_mm, s.along_x ? transposed(height_mm) : Plane<float>{}, s,
+                 {0, 0, height_mm.width, height_mm.height});
 }
 
 }  // namespace weftlight

@@ -21,8 +21,13 @@ struct Sweep {
   float step_mm = 1;         // length of that step
   int length = 1, lines = 1; // texels along the major and the minor axis
   int block = 1, ahead = 1;  // texels
+  // Where in the period the field begins that is read and written, along the major and the minor axis.
+  int first = 0, first_line = 0;
   int blocks() const { return (length + block - 1) / block; }
 };
+
+/// Lines beside those asked for that a sweep reads.
+inline constexpr int kSweepMargin = 10;
 
 /// Sweep of a field of width x height texels of dx_mm x dy_mm towards an azimuth (0: +x, pi/2: +y),
 /// looking at least reach_mm far, but never further than once along the field.
@@ -44,6 +49,10 @@ FieldView<T> view_along(const Sweep& sweep, T* at, int width) {
 void sweep_block(const Sweep& sweep, FieldView<const float> height, int line0, int line1, int block,
                  FieldView<uint8_t> out);
 
+/// Horizons of the points of `window` (texels of the period, may leave it) and, by the way, of others of
+/// their blocks.
+void sweep_window(const Sweep& sweep, FieldView<const float> height, const TexelRect& window, FieldView<uint8_t> out);
+
 /// Columns as rows.
 template <class T>
 Plane<T> transposed(const Plane<T>& in) {
@@ -56,8 +65,11 @@ Plane<T> transposed(const Plane<T>& in) {
   return out;
 }
 
-/// The whole field; `turned` is the field transposed, for sweeps along x.
-Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& sweep);
+/// Those of a window of a field; `turned` is the field transposed, for sweeps along x. The rest of the
+/// field is left undefined.
+Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& sweep,
+                       const TexelRect& window);
+/// The whole field.
 Plane<uint8_t> horizon(const Plane<float>& height_mm, const Sweep& sweep);
 
 }  // namespace weftlight

@@ -28,6 +28,11 @@ struct Direction {
   float x = 1, y = 0, z = 0;  // unit
 };
 
+/// Half-open rectangle of texels.
+struct TexelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
 /// The sharp surface: what is on top at each texel. coverage 0 is a gap.
 struct Maps {
   float width_mm = 0, depth_mm = 0;
@@ -56,10 +61,13 @@ struct MapsSize {
 /// same bits whatever the number of threads.
 Maps bake(const Cloth& cloth, const MapsSize& size);
 
-/// Texels that a change of cells can touch (cells grown by the longest float and the shadow's reach).
-struct TexelRect {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
+/// A window of the maps that bake(cloth, whole) would give, bit for bit, at the cost of the window: here
+/// `whole` may have up to 2^22 texels a side. The window is in texels of the whole; it may cross the
+/// period's edges and is cut to one period and 16384 texels a side. width_mm and depth_mm are the window's.
+Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window);
+/// Window of width x height texels around a place of the cloth, the place in the middle of it.
+TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width, int height);
+
 /// Re-bakes the part of `maps` that the cells changed in `dirty` can touch; `after` has the same layout
 /// (thread positions) as the cloth that `maps` was baked from. Equal to bake(after, size) bit for bit.
 /// May wrap: the rectangles returned do not.

@@ -6,6 +6,7 @@
 //   YarnLobes y           what the yarn is (core/light/yarn_lobes.h makes it from the design)
 //   yarn_reflect(y, wi, wo), yarn_transmit(y, wi, wo), yarn_albedo(y, wo)
 //   With several lights: lobe_shared(y) and lobe_side(y, shared, wo) once, then lobe_reflect() a light.
+//   In batches: lobe_place(), a look-up, lobe_finish() are the parts of lobe_side().
 //   Prefiltered: lobe_frame(mean normal, fibre), yarn_widen(y, lobe_covariance(frame, slope covariance)).
 //
 // The host declares the tables (shaders/tables.glsl, core/light/tables.h, which says what they hold):
@@ -49,6 +50,18 @@ struct LobeShared {
   vec3 recurring;      // its share of what single scattering loses
   vec3 body_scale;     // 1 / (pi (1 - mean specular albedo))
   vec3 mean_enters;    // 1 - mean specular albedo
+};
+
+// Where one direction lies in the tables.
+struct LobePlace {
+  float mu;            // cosine, held above kLeastCosine
+  float area;          // projected area of the facets, over that of the plane's unit area
+  float rim;           // mu + sine * along
+  float opening;       // coordinates of the albedo table
+  float along;
+  float across;
+  float mixed;         // squared correlation of the slopes along the plane of w and z and across it: that
+                       // plane seldom holds a principal axis
 };
 
 // What one set of lobes has for one direction.
@@ -115,34 +128,50 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
   return s;
 }
 
-FORMULA LobeSide lobe_side(YarnLobes y, LobeShared s, vec3 w) {
-  LobeSide side;
-  side.mu = max(w.z, kLeastCosine);
+FORMULA LobePlace lobe_place(LobeShared s, vec3 w) {
+  LobePlace p;
+  p.mu = max(w.z, kLeastCosine);
   float sine2 = max(w.x * w.x + w.y * w.y, 1.0e-10f);
   float sigma2 = max(variance_along(s.cov, w.x, w.y), 1.0e-10f * s.cov.x);
-  float sigma = sqrt(sigma2);
-  side.area = gaussian_area(side.mu, sigma);
-  // The plane of w and z seldom holds a principal axis: `mixed` is the squared correlation of the slopes
-  // along it and across it.
+  p.area = gaussian_area(p.mu, sqrt(sigma2));
   float along = sigma2 / sine2;
   float across = max(s.cov.x + s.cov.z - along, kLeastVariance);
-  float mixed = clamp(1.0f - (s.cov.x * s.cov.z - s.cov.y * s.cov.y) / (along * across), 0.0f, 1.0f);
-  float spread = spread_coordinate(along);
-  float rim = side.mu + sqrt(sine2) * spread;
-  vec4 t = albedo_table(sqrt(side.mu / rim), spread, spread_coordinate(across));
-  side.lost = mix(t.x, t.z, mixed);
-  float k = max(1.0f - mix(t.y, t.w, mixed) * rim, 0.0f);  // of the facets that are seen
+  p.mixed = clamp(1.0f - (s.cov.x * s.cov.z - s.cov.y * s.cov.y) / (along * across), 0.0f, 1.0f);
+  p.along = spread_coordinate(along);
+  p.across = spread_coordinate(across);
+  p.rim = p.mu + sqrt(sine2) * p.along;
+  p.opening = sqrt(p.mu / p.rim);
+  return p;
+}
+
+FORMULA vec2 fuzz_place(YarnLobes y, float mu) {
+  float depth = max(y.fuzz_depth, 1.0e-4f);
+  return vec2(mu / (mu + depth), depth / (1.0f + depth));
+}
+
+// From what the tables hold at the place: x of `stored` the loss, y the cosine over the rim.
+FORMULA LobeSide lobe_finish(YarnLobes y, LobeShared s, LobePlace p, vec2 stored, vec4 fuzz) {
+  LobeSide side;
+  side.mu = p.mu;
+  side.area = p.area;
+  side.lost = stored.x;
+  float k = max(1.0f - stored.y * p.rim, 0.0f);  // of the facets that are seen
   float k2 = k * k;
   vec3 specular = (y.f0 + (y.f90 - y.f0) * (k2 * k2 * k)) * (1.0f - side.lost) + s.recurring * side.lost;
   side.enters = max(1.0f - specular, vec3(0.0f));
   side.clear = 1.0f;
-  side.fuzz = vec4(0.0f);
-  if (y.fuzz > 0.0f) {
-    float depth = max(y.fuzz_depth, 1.0e-4f);
-    side.clear = exp(-min(depth / side.mu, 80.0f));
-    side.fuzz = fuzz_table(side.mu / (side.mu + depth), depth / (1.0f + depth));
-  }
+  side.fuzz = fuzz;
+  if (y.fuzz > 0.0f) side.clear = exp(-min(max(y.fuzz_depth, 1.0e-4f) / p.mu, 80.0f));
   return side;
+}
+
+FORMULA LobeSide lobe_side(YarnLobes y, LobeShared s, vec3 w) {
+  LobePlace p = lobe_place(s, w);
+  vec4 t = albedo_table(p.opening, p.along, p.across);
+  vec2 f = fuzz_place(y, p.mu);
+  vec4 fuzz = vec4(0.0f);
+  if (y.fuzz > 0.0f) fuzz = fuzz_table(f.x, f.y);
+  return lobe_finish(y, s, p, mix(vec2(t.x, t.y), vec2(t.z, t.w), p.mixed), fuzz);
 }
 
 // F D V of the facets: V = G / (4 mu_i mu_o), height-correlated (Heitz 2014, eq. 99).

@@ -27,16 +27,6 @@ float slope_of(float coordinate) {
   return std::clamp(coordinate / std::max(1.0f - coordinate, 1.0e-6f), kLeastSlope, kWidestSlope);
 }
 
-struct Cell {
-  int i;
-  float t;
-};
-Cell cell_of(float coordinate, int n) {
-  const float x = std::clamp(coordinate, 0.0f, 1.0f) * static_cast<float>(n - 1);
-  const int i = std::min(static_cast<int>(x), n - 2);
-  return {i, x - static_cast<float>(i)};
-}
-
 template <class V>
 V entry(const Table& t, int x, int y, int z) {
   V v;
@@ -46,13 +36,13 @@ V entry(const Table& t, int x, int y, int z) {
 }
 
 template <class V>
-V plane_at(const Table& t, Cell x, Cell y, int z) {
+V plane_at(const Table& t, TableCell x, TableCell y, int z) {
   return glm::mix(glm::mix(entry<V>(t, x.i, y.i, z), entry<V>(t, x.i + 1, y.i, z), x.t),
                   glm::mix(entry<V>(t, x.i, y.i + 1, z), entry<V>(t, x.i + 1, y.i + 1, z), x.t), y.t);
 }
 
 glm::vec4 albedo_at(const Table& t, float opening, float along, float across) {
-  const Cell x = cell_of(opening, t.nx), y = cell_of(along, t.ny), z = cell_of(across, t.nz);
+  const TableCell x = cell_of(opening, t.nx), y = cell_of(along, t.ny), z = cell_of(across, t.nz);
   return glm::mix(plane_at<glm::vec4>(t, x, y, z.i), plane_at<glm::vec4>(t, x, y, z.i + 1), z.t);
 }
 

@@ -23,6 +23,20 @@ struct Table {
   const float* at(int x, int y, int z = 0) const { return const_cast<Table*>(this)->at(x, y, z); }
 };
 
+/// The entry below a coordinate among n >= 2 entries, 0..n-2, and the share of the next one. Coordinates
+/// beyond 0..1 are held at the ends; what is not a number is 0.
+struct TableCell {
+  int i;
+  float t;
+};
+inline TableCell cell_of(float coordinate, int n) {
+  const float above = coordinate > 0 ? coordinate : 0;
+  const float x = (above < 1 ? above : 1) * static_cast<float>(n - 1);
+  const float last = static_cast<float>(n - 2);
+  const int i = static_cast<int>(x < last ? x : last);
+  return {i, x - static_cast<float>(i)};
+}
+
 /// Axes: along, across, major, minor, depth = x / (1 + x) of an RMS slope or an optical depth;
 /// opening = sqrt(mu / rim), rim = mu + sine * along: even where the masking of a view changes.
 struct LightTables {

@@ -1,7 +1,6 @@
 #include "light/yarn_lobes.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace weftlight {
@@ -38,20 +37,6 @@ formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour) {
   const float width = clamped(lobes.fuzz_width, 0.05f, 1);
   y.fuzz_depth = width * width;
   return y;
-}
-
-void reflect(const formulas::YarnLobes& yarn, std::span<const glm::vec3> wi, std::span<const glm::vec3> wo,
-             std::span<glm::vec3> out) {
-  assert(wi.size() == wo.size() && wi.size() == out.size());
-  const formulas::LobeShared shared = formulas::lobe_shared(yarn);
-  for (size_t k = 0; k < out.size(); ++k) {
-    if (wi[k].z <= 0 || wo[k].z <= 0) {
-      out[k] = glm::vec3(0);
-      continue;
-    }
-    out[k] = formulas::lobe_reflect(yarn, shared, formulas::lobe_side(yarn, shared, wi[k]),
-                                    formulas::lobe_side(yarn, shared, wo[k]), wi[k], wo[k]);
-  }
 }
 
 }  // namespace weftlight

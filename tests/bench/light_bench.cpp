@@ -41,17 +41,35 @@ std::vector<glm::vec3> directions(int count, unsigned seed) {
   return all;
 }
 
-void yarn_evaluations(benchmark::State& state) {
+/// Cotton, with fuzz; one by one as a shader does, with what the directions share made once.
+void yarn_evaluations_one_by_one(benchmark::State& state) {
   const auto yarn = yarn_lobes(Lobes{}, {0.6f, 0.3f, 0.1f});
+  const auto shared = formulas::lobe_shared(yarn);
+  const std::vector<glm::vec3> wi = directions(4096, 1), wo = directions(4096, 2);
+  for (auto _ : state)
+    for (size_t k = 0; k < wi.size(); ++k)
+      benchmark::DoNotOptimize(formulas::lobe_reflect(yarn, shared, formulas::lobe_side(yarn, shared, wi[k]),
+                                                      formulas::lobe_side(yarn, shared, wo[k]), wi[k], wo[k]));
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(wi.size()));
+}
+BENCHMARK(yarn_evaluations_one_by_one);
+
+void yarn_evaluations(benchmark::State& state, bool fuzz, Vectors vectors) {
+  Lobes lobes;
+  if (!fuzz) lobes.fuzz = 0;
+  const auto yarn = yarn_lobes(lobes, {0.6f, 0.3f, 0.1f});
+  if (vectors > widest_vectors()) return state.SkipWithError("this processor has no AVX2");
   const std::vector<glm::vec3> wi = directions(4096, 1), wo = directions(4096, 2);
   std::vector<glm::vec3> out(wi.size());
   for (auto _ : state) {
-    reflect(yarn, wi, wo, out);
+    reflect(yarn, wi, wo, out, vectors);
     benchmark::DoNotOptimize(out.data());
   }
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(wi.size()));
 }
-BENCHMARK(yarn_evaluations);
+BENCHMARK_CAPTURE(yarn_evaluations, cotton_baseline, true, Vectors::kBaseline);
+BENCHMARK_CAPTURE(yarn_evaluations, cotton_avx2, true, Vectors::kAvx2);
+BENCHMARK_CAPTURE(yarn_evaluations, bare_avx2, false, Vectors::kAvx2);
 
 void seed_paper_evaluations(benchmark::State& state) {
   const ClothBrdf brdf = preset_cloth_brdf("satin", {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1});

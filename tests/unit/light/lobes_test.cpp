@@ -33,24 +33,6 @@ YarnLobes white_cotton(float along, float across) {
   return y;
 }
 
-YarnLobes random_lobes(std::mt19937& rng) {
-  std::uniform_real_distribution<float> u(0, 1);
-  const auto colour = [&] { return glm::vec3(u(rng), u(rng), u(rng)); };
-  YarnLobes y;
-  const float a = 0.02f + 2 * u(rng) * u(rng), b = 0.02f + 2 * u(rng) * u(rng);
-  y.slope_cov = {a * a, (1.8f * u(rng) - 0.9f) * a * b, b * b};
-  y.f90 = u(rng);
-  y.f0 = colour() * y.f90;
-  const glm::vec3 body = colour();
-  const float through = u(rng);
-  y.body = body * (1 - through);
-  y.through = body * through;
-  y.fuzz_colour = colour();
-  y.fuzz = u(rng) < 0.3f ? 0.0f : u(rng);
-  y.fuzz_depth = 0.0025f + u(rng);
-  return y;
-}
-
 struct Range {
   double low = 9, high = -9;
   void add(double v) { low = std::min(low, v), high = std::max(high, v); }
@@ -302,22 +284,6 @@ TEST(YarnLobes, MetalHasTheThreadsColourAndNoBody) {
   const YarnLobes y = yarn_lobes(gold, {1, 0.7f, 0.3f});
   EXPECT_EQ(y.body, glm::vec3(0));
   EXPECT_FLOAT_EQ(y.f0.y, 0.7f);
-}
-
-TEST(Batch, EqualsOneByOne) {
-  std::mt19937 rng(13);
-  const YarnLobes y = yarn_lobes(Lobes{}, {0.6f, 0.3f, 0.1f});
-  std::vector<glm::vec3> wi, wo;
-  for (int k = 0; k < 1001; ++k) {
-    wi.push_back(random_upper(rng) * glm::vec3(1, 1, k % 17 ? 1 : -1));
-    wo.push_back(random_upper(rng));
-  }
-  std::vector<glm::vec3> out(wi.size());
-  reflect(y, wi, wo, out);
-  for (size_t k = 0; k < out.size(); ++k) {
-    const glm::vec3 one = formulas::yarn_reflect(y, wi[k], wo[k]);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(out[k][c], one[c], 1e-5f * (1 + one[c])) << k;
-  }
 }
 
 TEST(Tables, SameBitsWhateverTheThreads) {

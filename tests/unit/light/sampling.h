@@ -24,6 +24,25 @@ inline glm::vec3 random_upper(std::mt19937& rng) {
   return direction(z, u(rng) * 2 * formulas::kPi);
 }
 
+/// Any yarn, turned ones and ones without fuzz among them.
+inline formulas::YarnLobes random_lobes(std::mt19937& rng) {
+  std::uniform_real_distribution<float> u(0, 1);
+  const auto colour = [&] { return glm::vec3(u(rng), u(rng), u(rng)); };
+  formulas::YarnLobes y;
+  const float a = 0.02f + 2 * u(rng) * u(rng), b = 0.02f + 2 * u(rng) * u(rng);
+  y.slope_cov = {a * a, (1.8f * u(rng) - 0.9f) * a * b, b * b};
+  y.f90 = u(rng);
+  y.f0 = colour() * y.f90;
+  const glm::vec3 body = colour();
+  const float through = u(rng);
+  y.body = body * (1 - through);
+  y.through = body * through;
+  y.fuzz_colour = colour();
+  y.fuzz = u(rng) < 0.3f ? 0.0f : u(rng);
+  y.fuzz_depth = 0.0025f + u(rng);
+  return y;
+}
+
 /// Integral of f(wi) cos over the hemisphere by rings and turns of equal projected area.
 inline glm::dvec3 furnace(const std::function<glm::vec3(glm::vec3)>& f, int rings, int turns) {
   glm::dvec3 sum(0);

@@ -130,7 +130,8 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
 }
 
 CentreLines centre_lines(const Cloth& cloth) {
-  return centre_lines(cloth, {-1, cloth.up.cols() + 2, -1, cloth.up.rows() + 2});
+  // Before the first crossing a step begins at -1, and its curve reaches one further.
+  return centre_lines(cloth, {-2, cloth.up.cols() + 2, -2, cloth.up.rows() + 2});
 }
 
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {

@@ -79,6 +79,8 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   const float node = share * static_cast<float>(texture.nodes);
   at.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
   at.blend = std::clamp(node - static_cast<float>(at.node), 0.0f, 1.0f);
+  at.turn += wander(texture, at.node, at.blend);
+  at.stray_turn = texture.fibres * turn / kStraySpacing + static_cast<float>(texture.stray_advance) * share;
   const Texel texel = texture_at(texture, at);
 
   Point p;

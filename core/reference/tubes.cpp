@@ -259,12 +259,12 @@ std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOption
     return nullptr;
   }
   parts.cloth = cloth;
-  parts.lines = centre_lines(cloth);
   if (!parts.choose_resolution(options)) {
     error = "a repeat of " + std::to_string(cloth.ends.size()) + " ends and " + std::to_string(cloth.picks.size()) +
             " picks is too large to trace thread by thread; use `render`, or trace a smaller draft";
     return nullptr;
   }
+  parts.lines = centre_lines(cloth);
   if (!parts.make_scene()) {
     error = "the ray tracer (Embree) could not be started, or memory is short";
     return nullptr;

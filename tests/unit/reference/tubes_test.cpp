@@ -79,8 +79,9 @@ TEST(trace, a_lambertian_cylinder_lit_from_the_eye_averages_a_quarter_pi) {
   picture.step_x_mm = {4, 0}, picture.step_y_mm = {0, 2};
   picture.around.light_irradiance = glm::vec3(kPi);
   const TracedImage image = trace_flat(*tubes, picture, {});
-  // Radiance cos(theta) over the half of the plane that is covered.
-  EXPECT_NEAR(image.pixels[0].r, 0.5f * kPi / 4, 0.004f);
+  // Radiance cos(theta) over the half of the plane that is covered. A smooth yarn still shows its single
+  // fibres: their tone has the mean 1, but white cannot get whiter, which takes 1.5 %.
+  EXPECT_NEAR(image.pixels[0].r, 0.5f * kPi / 4, 0.008f);
 }
 
 TEST(trace, cylinders_shade_each_other) {
@@ -126,11 +127,17 @@ TEST(trace, white_cloth_in_a_white_furnace_is_white) {
   picture.step_x_mm = {4, 0}, picture.step_y_mm = {0, 4};
   picture.around.light_irradiance = glm::vec3(0);
   picture.around.sky = [](glm::vec3) { return glm::vec3(1); };
-  // Where threads are pressed into each other at crossings a path can be caught: 1 to 2 % stays there.
-  for (const glm::vec4& p : trace_flat(*tubes, picture, {}).pixels) EXPECT_NEAR(p.r, p.a, 0.02f);
-  cloth.yarns[0].lobes.specular = 1;   // energy-compensated: still white
-  const auto shiny = tubes_of(cloth);
-  for (const glm::vec4& p : trace_flat(*shiny, picture, {}).pixels) EXPECT_NEAR(p.r, p.a, 0.025f);
+  // Nothing is gained; what is lost stays where threads are pressed into each other, and in the tone of the
+  // single fibres, 1.5 % a bounce.
+  const auto expect_white = [&](const TubeScene& scene) {
+    for (const glm::vec4& p : trace_flat(scene, picture, {}).pixels) {
+      EXPECT_LT(p.r, p.a * 1.005f);
+      EXPECT_GT(p.r, p.a * 0.95f);
+    }
+  };
+  expect_white(*tubes);
+  cloth.yarns[0].lobes.specular = 1;  // energy-compensated: still white
+  expect_white(*tubes_of(cloth));
 }
 
 TEST(trace, pictures_repeat_bit_for_bit) {

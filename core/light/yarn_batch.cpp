@@ -79,22 +79,30 @@ void find_cells(const Table& t, Sides& s) {
 }
 
 using Four = float __attribute__((vector_size(16)));
-using Eight = float __attribute__((vector_size(32)));
 
-/// Trilinear. Both entries of a cell along the opening lie side by side and are read at once.
+Four entry_at(const float* p) {
+  Four v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// Between two rows, at an entry and at the next along the opening.
+struct Pair {
+  Four low, high;
+};
+Pair between(const float* p, const float* q, float t) {
+  const Four low = entry_at(p), high = entry_at(p + 4);
+  return {low + t * (entry_at(q) - low), high + t * (entry_at(q + 4) - high)};
+}
+
+/// Trilinear, all four channels at once.
 void look_up_albedo(const Table& t, Sides& s) {
   const int row = t.nx * 4, plane = row * t.ny;
   for (size_t k = 0; k < kBlock; ++k) {
     const float* p = t.values.data() + s.entry[k];
-    Eight near_low, near_high, far_low, far_high;
-    std::memcpy(&near_low, p, sizeof(Eight));
-    std::memcpy(&near_high, p + row, sizeof(Eight));
-    std::memcpy(&far_low, p + plane, sizeof(Eight));
-    std::memcpy(&far_high, p + plane + row, sizeof(Eight));
-    const Eight near = near_low + s.along_t[k] * (near_high - near_low);
-    const Eight far = far_low + s.along_t[k] * (far_high - far_low);
-    const Eight both = near + s.across_t[k] * (far - near);
-    const Four low = __builtin_shufflevector(both, both, 0, 1, 2, 3), high = __builtin_shufflevector(both, both, 4, 5, 6, 7);
+    const Pair near = between(p, p + row, s.along_t[k]), far = between(p + plane, p + plane + row, s.along_t[k]);
+    const Four low = near.low + s.across_t[k] * (far.low - near.low);
+    const Four high = near.high + s.across_t[k] * (far.high - near.high);
     const Four stored = low + s.opening_t[k] * (high - low);
     s.lost[k] = stored[0] + s.mixed[k] * (stored[2] - stored[0]);
     s.cosine[k] = stored[1] + s.mixed[k] * (stored[3] - stored[1]);

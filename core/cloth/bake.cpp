@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloth/bake_parts.h"
 #include "cloth/bands.h"
-#include "cloth/horizon.h"
-#include "cloth/maps.h"
-#include "cloth/surface.h"
 
 namespace weftlight {
 namespace {
@@ -16,11 +14,6 @@ constexpr int kBandRows = 32;
 constexpr int kLargestMap = 16384, kLargestWhole = 1 << 22, kMostAzimuths = 64;
 // Threads further away than this many spacings are taken not to stand above nearer ones.
 constexpr float kShadowReach = 4.0f;
-
-int wrap(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 /// Average of the samples of one texel, weighted by what they cover.
 class TexelSum {
@@ -75,7 +68,7 @@ void put(Maps& m, int x, int y, const SurfaceSample& s) {
 
 /// Calls put(x, y, sample) for the texels of a rectangle inside the period.
 template <class Put>
-void bake_surface(const Cloth& cloth, const SampleGrid& grid, const TexelRect& r, const Put& put) {
+void sample_texels(const Cloth& cloth, const SampleGrid& grid, const TexelRect& r, const Put& put) {
   const int nx = grid.per_texel_x, ny = grid.per_texel_y;
   SurfaceSampler sampler(cloth, grid, r.x0 * nx, r.x1 * nx, r.y0 * ny, r.y1 * ny);
   const size_t texels = static_cast<size_t>(r.x1 - r.x0);
@@ -103,31 +96,6 @@ void bake_surface(const Cloth& cloth, const SampleGrid& grid, const TexelRect& r
     }
     for (size_t t = 0; t < texels; ++t)
       put(r.x0 + static_cast<int>(t), y, sums[t].mean(row[t * static_cast<size_t>(nx)], nx * ny));
-  }
-}
-
-/// Sweep number k over a period of so many texels.
-Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k) {
-  const double azimuth = 2.0 * std::numbers::pi * k / azimuths;
-  const float spacing = std::max(cloth.width_mm / static_cast<float>(cloth.ends.size()),
-                                 cloth.depth_mm / static_cast<float>(cloth.picks.size()));
-  return sweep_towards(azimuth, width, height, cloth.width_mm / static_cast<float>(width),
-                       cloth.depth_mm / static_cast<float>(height), kShadowReach * spacing);
-}
-
-/// Cosine-weighted share of the sky above the horizons.
-void bake_occlusion(Maps& maps, const TexelRect& r) {
-  if (maps.azimuths == 0) return;
-  const float scale = 1.0f / (255.0f * 255.0f * static_cast<float>(maps.azimuths));
-  std::vector<int> sum(static_cast<size_t>(r.x1 - r.x0));
-  for (int y = r.y0; y < r.y1; ++y) {
-    std::fill(sum.begin(), sum.end(), 0);
-    for (const auto& plane : maps.horizon) {
-      const uint8_t* row = plane.row(y) + r.x0;
-      for (size_t i = 0; i < sum.size(); ++i) sum[i] += row[i] * row[i];
-    }
-    float* out = maps.occlusion.row(y) + r.x0;
-    for (size_t i = 0; i < sum.size(); ++i) out[i] = 1.0f - static_cast<float>(sum[i]) * scale;
   }
 }
 
@@ -160,76 +128,6 @@ Maps empty_maps(int w, int h, const MapsSize& size) {
   };
   for_each_band(8, size.threads, make);
   return m;
-}
-
-bool is_empty(const Cloth& cloth) { return cloth.ends.empty() || cloth.picks.empty(); }
-
-/// A run of an axis that may leave 0..n, as pieces inside it.
-std::vector<std::pair<int, int>> pieces(int from, int to, int n) {
-  if (to - from >= n) return {{0, n}};
-  const int a = wrap(from, n), b = a + (to - from);
-  if (b <= n) return {{a, b}};
-  return {{a, n}, {0, b - n}};
-}
-
-std::vector<TexelRect> pieces(const TexelRect& r, int width, int height) {
-  std::vector<TexelRect> out;
-  for (const auto& [y0, y1] : pieces(r.y0, r.y1, height))
-    for (const auto& [x0, x1] : pieces(r.x0, r.x1, width)) out.push_back({x0, y0, x1, y1});
-  return out;
-}
-
-/// Cuts a rectangle into parts of a size worth a thread.
-void cut(const TexelRect& r, std::vector<TexelRect>& parts) {
-  constexpr int kSide = 128;
-  for (int y = r.y0; y < r.y1; y += kSide)
-    for (int x = r.x0; x < r.x1; x += kSide)
-      parts.push_back({x, y, std::min(r.x1, x + kSide), std::min(r.y1, y + kSide)});
-}
-
-/// Texels, not wrapped, that the threads [first, last) (not wrapped either) can be seen in.
-std::pair<int, int> texels_of(const std::vector<ThreadBody>& threads, float period, int texels, int first, int last) {
-  const int n = static_cast<int>(threads.size());
-  const auto edge = [&](int i, float side) {
-    const ThreadBody& t = threads[static_cast<size_t>(wrap(i, n))];
-    const double turns = std::floor(static_cast<double>(i) / n);
-    return (static_cast<double>(t.centre_mm + side * t.spacing_mm) / static_cast<double>(period) + turns) * texels;
-  };
-  // One texel more: the borders are rounded.
-  return {static_cast<int>(std::floor(edge(first, -0.5f))) - 1, static_cast<int>(std::ceil(edge(last - 1, 0.5f))) + 1};
-}
-
-TexelRect joined(const TexelRect& a, const TexelRect& b) {
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
-/// Sweeps again what a change of height inside `changed` (not wrapped) can touch; returns where that is.
-TexelRect resweep(Maps& maps, const Sweep& s, int k, const TexelRect& changed) {
-  const int w = maps.height_mm.width;
-  const auto height = view_along<const float>(s, maps.height_mm.row(0), w);
-  const auto out = view_along(s, maps.horizon[static_cast<size_t>(k)].row(0), w);
-  const int a0 = s.along_x ? changed.x0 : changed.y0, a1 = s.along_x ? changed.x1 : changed.y1;
-  const int c0 = s.along_x ? changed.y0 : changed.x0, c1 = s.along_x ? changed.y1 : changed.x1;
-  int reach0 = a0, reach1 = a1, side0 = c0, side1 = c1;
-  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
-  const auto turns = [&](int i) { return static_cast<int>(std::floor(static_cast<double>(i) / s.length)); };
-  for (int turn = turns(a0 - s.ahead) - 1; turn <= turns(a1 + s.ahead) + 1; ++turn) {
-    for (int b = 0; b < s.blocks(); ++b) {
-      const int from = b * s.block, to = std::min(s.length, from + s.block);
-      // Where this block's lines read a changed texel, in their own count along the line.
-      const int i0 = std::max(a0 - turn * s.length, s.forward ? from : from - s.ahead);
-      const int i1 = std::min(a1 - turn * s.length, s.forward ? to + s.ahead : to);
-      if (i0 >= i1) continue;
-      const int low = std::min(shift(i0), shift(i1 - 1)), high = std::max(shift(i0), shift(i1 - 1));
-      // A line reads two texels and its value reaches two.
-      const int line0 = c0 - high - 2, line1 = std::min(c1 - low + 2, line0 + s.lines);
-      sweep_block(s, height, line0, line1, b, out);
-      reach0 = std::min(reach0, from + turn * s.length), reach1 = std::max(reach1, to + turn * s.length);
-      side0 = std::min(side0, line0 + std::min(shift(from), shift(to - 1)));
-      side1 = std::max(side1, line1 + std::max(shift(from), shift(to - 1)));
-    }
-  }
-  return s.along_x ? TexelRect{reach0, side0, reach1, side1} : TexelRect{side0, reach0, side1, reach1};
 }
 
 /// What must be known of the heights for the horizons of a window: cut to one period.
@@ -272,7 +170,7 @@ Plane<float> bake_field(Maps& maps, const Cloth& cloth, const SampleGrid& grid, 
   for_each_band(static_cast<int>(bands.size()), threads, [&](int i) {
     const TexelRect& r = bands[static_cast<size_t>(i)];
     const int to_x = wrap(r.x0 - field.x0, w) - r.x0, to_y = wrap(r.y0 - field.y0, h) - r.y0;
-    bake_surface(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
+    sample_texels(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
       height.at(x + to_x, y + to_y) = s.height_mm;
       const int in_x = x < wx ? x - wx + w : x - wx, in_y = y < wy ? y - wy + h : y - wy;
       if (in_x < maps.coverage.width && in_y < maps.coverage.height) put(maps, in_x, in_y, s);
@@ -288,6 +186,36 @@ TexelRect cut_to_period(const TexelRect& window, int w, int h) {
 }
 
 }  // namespace
+
+Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k) {
+  const double azimuth = 2.0 * std::numbers::pi * k / azimuths;
+  const float spacing = std::max(cloth.width_mm / static_cast<float>(cloth.ends.size()),
+                                 cloth.depth_mm / static_cast<float>(cloth.picks.size()));
+  return sweep_towards(azimuth, width, height, cloth.width_mm / static_cast<float>(width),
+                       cloth.depth_mm / static_cast<float>(height), kShadowReach * spacing);
+}
+
+void bake_occlusion(Maps& maps, const TexelRect& r) {
+  if (maps.azimuths == 0) return;
+  const float scale = 1.0f / (255.0f * 255.0f * static_cast<float>(maps.azimuths));
+  std::vector<int> sum(static_cast<size_t>(r.x1 - r.x0));
+  for (int y = r.y0; y < r.y1; ++y) {
+    std::fill(sum.begin(), sum.end(), 0);
+    for (const auto& plane : maps.horizon) {
+      const uint8_t* row = plane.row(y) + r.x0;
+      for (size_t i = 0; i < sum.size(); ++i) sum[i] += row[i] * row[i];
+    }
+    float* out = maps.occlusion.row(y) + r.x0;
+    for (size_t i = 0; i < sum.size(); ++i) out[i] = 1.0f - static_cast<float>(sum[i]) * scale;
+  }
+}
+
+void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r) {
+  sample_texels(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
+    maps.height_mm.at(x, y) = s.height_mm;
+    put(maps, x, y, s);
+  });
+}
 
 Maps bake(const Cloth& cloth, const MapsSize& size) {
   MapsSize whole = size;
@@ -332,41 +260,6 @@ TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, f
   const TexelRect size = cut_to_period({0, 0, width, height}, w, h);
   const int x = start(u_mm, cloth.width_mm, w, size.x1), y = start(v_mm, cloth.depth_mm, h, size.y1);
   return {x, y, x + size.x1, y + size.y1};
-}
-
-std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& dirty) {
-  if (dirty.empty() || is_empty(after)) return {};
-  const int w = maps.height_mm.width, h = maps.height_mm.height;
-  const SampleGrid grid = sample_grid(after, w, h);
-  const auto columns = [&](int e0, int e1) { return texels_of(after.ends, after.width_mm, w, e0, e1); };
-  const auto rows = [&](int p0, int p1) { return texels_of(after.picks, after.depth_mm, h, p0, p1); };
-  // The changed ends move along their picks' reach, the changed picks along their ends'.
-  const auto [ex0, ex1] = columns(dirty.end0, dirty.end1);
-  const auto [ey0, ey1] = rows(dirty.pick0 - kCentreReach, dirty.pick1 + kCentreReach);
-  const auto [px0, px1] = columns(dirty.end0 - kCentreReach, dirty.end1 + kCentreReach);
-  const auto [py0, py1] = rows(dirty.pick0, dirty.pick1);
-  for (const TexelRect& cross : {TexelRect{ex0, ey0, ex1, ey1}, TexelRect{px0, py0, px1, py1}}) {
-    std::vector<TexelRect> parts;
-    for (const TexelRect& r : pieces(cross, w, h)) cut(r, parts);
-    for_each_band(static_cast<int>(parts.size()), 0,
-                  [&](int i) {
-      bake_surface(after, grid, parts[static_cast<size_t>(i)], [&](int x, int y, const SurfaceSample& s) {
-        maps.height_mm.at(x, y) = s.height_mm;
-        put(maps, x, y, s);
-      });
-    });
-  }
-
-  const TexelRect changed = joined({ex0, ey0, ex1, ey1}, {px0, py0, px1, py1});
-  std::vector<TexelRect> swept(static_cast<size_t>(maps.azimuths), changed);
-  for_each_band(maps.azimuths, 0, [&](int k) {
-    swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(after, w, h, maps.azimuths, k), k, changed);
-  });
-  TexelRect all = changed;
-  for (const TexelRect& r : swept) all = joined(all, r);
-  const std::vector<TexelRect> touched = pieces(all, w, h);
-  for (const TexelRect& r : touched) bake_occlusion(maps, r);
-  return touched;
 }
 
 Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad) {

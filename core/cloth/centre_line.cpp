@@ -134,12 +134,16 @@ CentreLines centre_lines(const Cloth& cloth) {
   return centre_lines(cloth, {-2, cloth.up.cols() + 2, -2, cloth.up.rows() + 2});
 }
 
+float place_in_period(float s_mm, float period_mm) {
+  return std::clamp(s_mm - std::floor(s_mm / period_mm) * period_mm, 0.0f, period_mm);
+}
+
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   // A warp thread crosses the picks, a weft thread the ends.
   const auto& crossed = system == System::kWarp ? cloth.picks : cloth.ends;
   const float period = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   const int n = static_cast<int>(crossed.size());
-  const float s = std::clamp(s_mm - std::floor(s_mm / period) * period, 0.0f, period);
+  const float s = place_in_period(s_mm, period);
   const auto after = std::upper_bound(crossed.begin(), crossed.end(), s,
                                       [](float x, const ThreadBody& t) { return x < t.centre_mm; });
   const auto place = [&](int i) {

@@ -12,8 +12,6 @@ namespace weftlight {
 /// A float's height depends on its ends no further away than this many threads: beyond, the bound of
 /// the weave's tightness is reached. It bounds what a changed cell can touch.
 inline constexpr int kFloatReach = 4;
-/// A change of a cell moves a centre line at most this many crossings away.
-inline constexpr int kCentreReach = kFloatReach + 3;
 
 struct CentrePoint {
   float height_mm = 0;
@@ -36,6 +34,9 @@ struct CentreLines {
 CentreLines centre_lines(const Cloth& cloth, const CellRect& window);
 /// The whole period, with the margin that centre_at needs at its borders.
 CentreLines centre_lines(const Cloth& cloth);
+
+/// The same place in 0..period.
+float place_in_period(float s_mm, float period_mm);
 
 /// Crossing at or before s_mm along a thread of `system`, and where between it and the next s is (0..1).
 struct CentreStep {

@@ -68,10 +68,10 @@ Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window);
 /// Window of width x height texels around a place of the cloth, the place in the middle of it.
 TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width, int height);
 
-/// Re-bakes the part of `maps` that the cells changed in `dirty` can touch; `after` has the same layout
-/// (thread positions) as the cloth that `maps` was baked from. Equal to bake(after, size) bit for bit.
-/// May wrap: the rectangles returned do not.
-std::vector<TexelRect> rebake(Maps& maps, const Cloth& after, const CellRect& dirty);
+/// Re-bakes the part of `maps`, baked as a whole from `before`, that cells changed in `after` can touch; both
+/// have the same layout (threads and their places). Equal to bake(after, size) bit for bit. Returns
+/// rectangles without overlap that hold every texel that changed.
+std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& after);
 
 /// Boolean shadow of one light direction (VRST 2003, section 3.4): 1 lit, 0 in shadow.
 Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad);

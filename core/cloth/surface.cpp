@@ -62,6 +62,29 @@ SampleGrid sample_grid(const Cloth& cloth, int width, int height) {
   return grid;
 }
 
+SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid) {
+  const auto& threads = threads_of(cloth, system);
+  const bool warp = system == System::kWarp;
+  const int samples = warp ? grid.samples_x() : grid.samples_y();
+  const float period = warp ? cloth.width_mm : cloth.depth_mm, step = period / static_cast<float>(samples);
+  SampleAxis axis{warp ? grid.per_texel_x : grid.per_texel_y, {0}, {}};
+  // As the sampler finds them: the thread by the borders, the crossing by the middles.
+  for (int i = 0; i < samples; ++i) {
+    const float middle = 0.5f * (static_cast<float>(i) * step + static_cast<float>(i + 1) * step);
+    while (axis.thread_from.size() < threads.size()) {
+      const ThreadBody& t = threads[axis.thread_from.size() - 1];
+      if (t.centre_mm + 0.5f * t.spacing_mm > middle) break;
+      axis.thread_from.push_back(i);
+    }
+    const float s = place_in_period((static_cast<float>(i) + 0.5f) * step, period);
+    while (axis.crossing_from.size() < threads.size() && threads[axis.crossing_from.size()].centre_mm <= s)
+      axis.crossing_from.push_back(i);
+  }
+  axis.thread_from.resize(threads.size() + 1, samples);
+  axis.crossing_from.resize(threads.size() + 1, samples);
+  return axis;
+}
+
 float floor_mm(const Cloth& cloth) {
   float end = 0, pick = 0;
   for (const ThreadBody& t : cloth.ends) end = std::max(end, t.height_mm);

@@ -21,6 +21,14 @@ struct SampleGrid {
 };
 SampleGrid sample_grid(const Cloth& cloth, int width, int height);
 
+/// Which samples, in their order across the threads of a system, show which thread, and from which on a
+/// thread of the other system is past which crossing. Both have one entry more: the number of samples.
+struct SampleAxis {
+  int per_texel = 1;
+  std::vector<int> thread_from, crossing_from;
+};
+SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid);
+
 /// What one system shows of a sample; cover is the share of the sample where it is on top.
 struct SurfaceSample {
   float height_mm = 0, cover = 0, groove = 1;

@@ -136,7 +136,7 @@ bool Stages::bake_cells(const Design& design, const CellRect& dirty, StageResult
     FaceState& state = face == Face::kFront ? front_ : back_;
     Cloth after = face_cloth(design, cells_, face, period_);
     if (!same_layout(state.cloth, after)) return false;
-    const std::vector<TexelRect> rects = rebake(state.maps, after, dirty);
+    const std::vector<TexelRect> rects = rebake(state.maps, state.cloth, after);
     state.cloth = std::move(after);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     std::vector<PackedPatch> patches = repack(packed, face, state.maps, rects);

@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <functional>
+
 #include "cloth/maps.h"
 #include "cloth/moments.h"
 #include "draft/edits.h"
@@ -36,32 +38,49 @@ void BM_ShadowMap(benchmark::State& state) {
 }
 BENCHMARK(BM_ShadowMap)->Unit(benchmark::kMillisecond);
 
-/// Drawdown and maps after one liftplan cell changed: all ends of a shaft in one pick.
-void BM_PaintLiftplanCell(benchmark::State& state) {
-  Design now = to_liftplan(satin_design(1285, 3058));
-  BitMatrix cells = drawdown(now.draft);
-  Maps maps = bake(laid_out(now), {2048, 2048, static_cast<int>(state.range(0)), 0});
-  for (auto _ : state) {
-    Design next = now;
-    next.draft.liftplan.set(1500, 2, !next.draft.liftplan.get(1500, 2));
-    const CellRect dirty = update_drawdown(cells, now.draft, next.draft);
-    benchmark::DoNotOptimize(rebake(maps, lay_out(next, cells, Face::kFront, Period::kWholeDraft), dirty));
-    now = std::move(next);
-  }
-}
-BENCHMARK(BM_PaintLiftplanCell)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+constexpr int kEnds = 1285, kPicks = 3058, kWindow = 2048;  // a map that a window shows whole: texels a side
 
-/// One crossing: what a threading cell changes in one pick.
-void BM_PaintOneCrossing(benchmark::State& state) {
-  const Design design = satin_design(1285, 3058);
-  BitMatrix cells = drawdown(design.draft);
-  Maps maps = bake(laid_out(design), {2048, 2048, static_cast<int>(state.range(0)), 0});
+/// What follows a painted cell: drawdown, layout and maps of the front face, brought up to date.
+void paint(benchmark::State& state, Design now, const std::function<void(Draft&)>& flip) {
+  BitMatrix cells = drawdown(now.draft);
+  Cloth cloth = laid_out(now);
+  Maps maps = bake(cloth, {kWindow, kWindow, static_cast<int>(state.range(0)), 0});
+  Design next = now;
   for (auto _ : state) {
-    cells.set(1500, 640, !cells.get(1500, 640));
-    const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kWholeDraft);
-    benchmark::DoNotOptimize(rebake(maps, cloth, {640, 641, 1500, 1501}));
+    flip(next.draft);
+    update_drawdown(cells, now.draft, next.draft);
+    Cloth after = lay_out(next, cells, Face::kFront, Period::kWholeDraft);
+    benchmark::DoNotOptimize(rebake(maps, cloth, after));
+    cloth = std::move(after);
+    flip(now.draft);
   }
 }
+
+void flip(BitMatrix& bits, int row, int col) { bits.set(row, col, !bits.get(row, col)); }
+
+void BM_PaintThreadingCell(benchmark::State& state) {
+  // The end hangs on one shaft or on none.
+  paint(state, satin_design(kEnds, kPicks), [](Draft& d) { flip(d.threading, 640, 0); });
+}
+void BM_PaintTieupCell(benchmark::State& state) {
+  paint(state, satin_design(kEnds, kPicks), [](Draft& d) { flip(d.tieup, 3, 5); });
+}
+void BM_PaintLiftplanCell(benchmark::State& state) {
+  paint(state, to_liftplan(satin_design(kEnds, kPicks)), [](Draft& d) { flip(d.liftplan, 1500, 2); });
+}
+/// One crossing: an end alone on its shaft, in one pick.
+void BM_PaintOneCrossing(benchmark::State& state) {
+  Design design = to_liftplan(satin_design(kEnds, kPicks));
+  design.draft.shafts = 9;
+  design.draft.threading.resize(kEnds, 9), design.draft.tieup.resize(design.draft.tieup.rows(), 9);
+  design.draft.liftplan.resize(kPicks, 9);
+  for (int s = 0; s < 8; ++s) design.draft.threading.set(640, s, false);
+  design.draft.threading.set(640, 8, true);
+  paint(state, design, [](Draft& d) { flip(d.liftplan, 1500, 8); });
+}
+BENCHMARK(BM_PaintThreadingCell)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_PaintTieupCell)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_PaintLiftplanCell)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(BM_PaintOneCrossing)->Arg(0)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void BM_LayOut(benchmark::State& state) {

@@ -1,0 +1,43 @@
+#pragma once
+// What baking the whole and baking again in parts have in common.
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "cloth/horizon.h"
+#include "cloth/maps.h"
+#include "cloth/surface.h"
+
+namespace weftlight {
+
+inline bool is_empty(const Cloth& cloth) { return cloth.ends.empty() || cloth.picks.empty(); }
+
+inline int wrap(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
+/// A run of an axis that may leave 0..n, as pieces inside it.
+inline std::vector<std::pair<int, int>> pieces(int from, int to, int n) {
+  if (to - from >= n) return {{0, n}};
+  const int a = wrap(from, n), b = a + (to - from);
+  if (b <= n) return {{a, b}};
+  return {{a, n}, {0, b - n}};
+}
+
+inline std::vector<TexelRect> pieces(const TexelRect& r, int width, int height) {
+  std::vector<TexelRect> out;
+  for (const auto& [y0, y1] : pieces(r.y0, r.y1, height))
+    for (const auto& [x0, x1] : pieces(r.x0, r.x1, width)) out.push_back({x0, y0, x1, y1});
+  return out;
+}
+
+/// All but horizons and occlusion, at the texels of a rectangle inside the maps of a whole period.
+void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r);
+/// Sweep number k over a period of so many texels.
+Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k);
+/// Cosine-weighted share of the sky above the horizons.
+void bake_occlusion(Maps& maps, const TexelRect& r);
+
+}  // namespace weftlight

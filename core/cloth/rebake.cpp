@@ -1,0 +1,204 @@
+// Maps after a change of cells, at the cost of what the change moves: changed cells move the heights of the
+// crossings whose floats they begin, end or split; those move the curves through them; those are seen in
+// texels, whose heights are read by lines of the horizon sweeps. Each step keeps a set of bits, no rectangle
+// around them all, since the cells of one shaft or one lift lie scattered over the cloth.
+
+#include <bit>
+#include <cmath>
+
+#include "cloth/bake_parts.h"
+#include "cloth/bands.h"
+#include "cloth/texel_cover.h"
+
+namespace weftlight {
+namespace {
+
+// What a rectangle costs beside its texels, in texels: setting a sampler up; a patch for who reads the result.
+constexpr int kSamplerOverhead = 40, kPatchOverhead = 256;
+constexpr int kLargestPart = 128;       // texels a side: parts are spread over threads
+constexpr int64_t kWorthAThread = 4096; // texels
+
+/// Crossings whose height changed: picks x ends.
+struct MovedCrossings {
+  BitMatrix warp, weft;
+};
+
+/// The crossings from (pick, end) on in one direction whose float is read up to there.
+void mark_readers(BitMatrix& moved, const BitMatrix& up, int pick, int end, int d_pick, int d_end) {
+  const auto at = [&](int n) {
+    return std::pair{wrap(pick + n * d_pick, up.rows()), wrap(end + n * d_end, up.cols())};
+  };
+  const auto [first_pick, first_end] = at(1);
+  const bool side = up.get(first_pick, first_end);
+  for (int n = 1; n <= kFloatReach; ++n) {
+    const auto [p, e] = at(n);
+    if (up.get(p, e) != side) return;
+    moved.set(p, e, true);
+  }
+}
+
+MovedCrossings moved_crossings(const BitMatrix& before, const BitMatrix& after) {
+  const int picks = after.rows(), ends = after.cols();
+  MovedCrossings moved{BitMatrix(picks, ends), BitMatrix(picks, ends)};
+  for (int p = 0; p < picks; ++p) {
+    const auto was = before.row(p), is = after.row(p);
+    for (size_t w = 0; w < is.size(); ++w) {
+      for (uint64_t changed = was[w] ^ is[w]; changed; changed &= changed - 1) {
+        const int e = static_cast<int>(w) * 64 + std::countr_zero(changed);
+        moved.warp.set(p, e, true), moved.weft.set(p, e, true);
+        for (const BitMatrix* up : {&before, &after}) {
+          for (const int d : {-1, 1}) {
+            mark_readers(moved.warp, *up, p, e, d, 0);
+            mark_readers(moved.weft, *up, p, e, 0, d);
+          }
+        }
+      }
+    }
+  }
+  return moved;
+}
+
+/// Texels [first, second) of samples [from, to).
+std::pair<int, int> texels_of(int from, int to, int per_texel) {
+  return from < to ? std::pair{from / per_texel, (to + per_texel - 1) / per_texel} : std::pair{0, 0};
+}
+
+/// Texels along an axis that show the threads [first, last).
+std::pair<int, int> texels_of_threads(const SampleAxis& axis, int first, int last) {
+  return texels_of(axis.thread_from[static_cast<size_t>(first)], axis.thread_from[static_cast<size_t>(last)], axis.per_texel);
+}
+
+/// Texels along an axis whose curves go through a height at the crossings [first, last): curves read one
+/// crossing before their step, and the two after it.
+std::vector<std::pair<int, int>> texels_of_curves(const SampleAxis& axis, int first, int last) {
+  const int n = static_cast<int>(axis.crossing_from.size()) - 1;
+  std::vector<std::pair<int, int>> out;
+  for (const auto& [a, b] : pieces(first - 2, last + 1, n)) {
+    out.push_back(texels_of(axis.crossing_from[static_cast<size_t>(a)], axis.crossing_from[static_cast<size_t>(b)], axis.per_texel));
+    // Before its first crossing a thread is past the last one of the period before.
+    if (b == n) out.push_back(texels_of(0, axis.crossing_from[0], axis.per_texel));
+  }
+  return out;
+}
+
+/// Calls visit(first, last) for the runs of a row.
+template <class Visit>
+void for_each_run(std::span<const uint64_t> row, const Visit& visit) {
+  int first = -1, last = -1;
+  for (size_t w = 0; w < row.size(); ++w) {
+    for (uint64_t rest = row[w]; rest; rest &= rest - 1) {
+      const int at = static_cast<int>(w) * 64 + std::countr_zero(rest);
+      if (at != last) {
+        if (first >= 0) visit(first, last);
+        first = at;
+      }
+      last = at + 1;
+    }
+  }
+  if (first >= 0) visit(first, last);
+}
+
+void mark(BitMatrix& texels, std::pair<int, int> columns, std::pair<int, int> rows) {
+  for (int y = rows.first; y < rows.second; ++y) set_run(texels.row(y), columns.first, columns.second);
+}
+
+/// Texels that see a moved curve.
+BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleGrid& grid) {
+  BitMatrix texels(grid.height, grid.width);
+  const SampleAxis columns = sample_axis(cloth, System::kWarp, grid), rows = sample_axis(cloth, System::kWeft, grid);
+  for (int p = 0; p < moved.warp.rows(); ++p) {
+    for_each_run(moved.warp.row(p), [&](int first, int last) {
+      for (const auto& run : texels_of_curves(rows, p, p + 1)) mark(texels, texels_of_threads(columns, first, last), run);
+    });
+    for_each_run(moved.weft.row(p), [&](int first, int last) {
+      for (const auto& run : texels_of_curves(columns, first, last)) mark(texels, run, texels_of_threads(rows, p, p + 1));
+    });
+  }
+  return texels;
+}
+
+/// Rectangles cut into parts of a size worth a thread.
+std::vector<TexelRect> parts_of(const std::vector<TexelRect>& rects) {
+  std::vector<TexelRect> parts;
+  for (const TexelRect& r : rects)
+    for (int y = r.y0; y < r.y1; y += kLargestPart)
+      for (int x = r.x0; x < r.x1; x += kLargestPart)
+        parts.push_back({x, y, std::min(r.x1, x + kLargestPart), std::min(r.y1, y + kLargestPart)});
+  return parts;
+}
+
+/// Rebakes the surface inside the rectangles.
+void rebake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const std::vector<TexelRect>& rects) {
+  int64_t texels = 0;
+  for (const TexelRect& r : rects) texels += int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
+  const std::vector<TexelRect> parts = parts_of(rects);
+  for_each_band(static_cast<int>(parts.size()), texels < kWorthAThread ? 1 : 0,
+                [&](int i) { bake_surface(maps, cloth, grid, parts[static_cast<size_t>(i)]); });
+}
+
+/// Lines of one sweep that read a changed texel: blocks x lines.
+BitMatrix lines_through(const Sweep& s, const std::vector<TexelRect>& changed) {
+  BitMatrix lines(s.blocks(), s.lines);
+  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
+  for (const TexelRect& r : changed) {
+    const int a0 = s.along_x ? r.x0 : r.y0, a1 = s.along_x ? r.x1 : r.y1;
+    const int c0 = s.along_x ? r.y0 : r.x0, c1 = s.along_x ? r.y1 : r.x1;
+    for (int b = 0; b < s.blocks(); ++b) {
+      const int from = b * s.block, to = std::min(s.length, from + s.block);
+      // The run-up may leave the period at either side.
+      for (const int turn : {-s.length, 0, s.length}) {
+        const int i0 = std::max(a0 + turn, s.forward ? from : from - s.ahead);
+        const int i1 = std::min(a1 + turn, s.forward ? to + s.ahead : to);
+        if (i0 >= i1) continue;
+        const int low = std::min(shift(i0), shift(i1 - 1)), high = std::max(shift(i0), shift(i1 - 1));
+        // A line reads two texels and its value reaches two.
+        for (const auto& [line0, line1] : pieces(c0 - high - 2, c1 - low + 2, s.lines)) set_run(lines.row(b), line0, line1);
+      }
+    }
+  }
+  return lines;
+}
+
+/// Sweeps again what a change of heights can touch; returns where that is, not wrapped.
+std::vector<TexelRect> resweep(Maps& maps, const Sweep& s, int k, const std::vector<TexelRect>& changed) {
+  const int w = maps.height_mm.width;
+  const auto height = view_along<const float>(s, maps.height_mm.row(0), w);
+  const auto out = view_along(s, maps.horizon[static_cast<size_t>(k)].row(0), w);
+  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
+  std::vector<TexelRect> swept;
+  const BitMatrix lines = lines_through(s, changed);
+  for (int b = 0; b < s.blocks(); ++b) {
+    const int from = b * s.block, to = std::min(s.length, from + s.block);
+    for_each_run(lines.row(b), [&](int line0, int line1) {
+      sweep_block(s, height, line0, line1, b, out);
+      const int side0 = line0 + std::min(shift(from), shift(to - 1)), side1 = line1 + std::max(shift(from), shift(to - 1));
+      swept.push_back(s.along_x ? TexelRect{from, side0, to, side1} : TexelRect{side0, from, side1, to});
+    });
+  }
+  return swept;
+}
+
+}  // namespace
+
+std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& after) {
+  if (is_empty(after) || before.up == after.up) return {};
+  const int w = maps.height_mm.width, h = maps.height_mm.height;
+  const SampleGrid grid = sample_grid(after, w, h);
+  BitMatrix touched = seen_in(moved_crossings(before.up, after.up), after, grid);
+  const std::vector<TexelRect> changed = cover(touched, kSamplerOverhead);
+  rebake_surface(maps, after, grid, changed);
+  if (maps.azimuths == 0) return cover(touched, kPatchOverhead);
+
+  std::vector<std::vector<TexelRect>> swept(static_cast<size_t>(maps.azimuths));
+  for_each_band(maps.azimuths, 0, [&](int k) {
+    swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(after, w, h, maps.azimuths, k), k, changed);
+  });
+  for (const auto& rects : swept)
+    for (const TexelRect& rect : rects)
+      for (const TexelRect& r : pieces(rect, w, h)) mark(touched, {r.x0, r.x1}, {r.y0, r.y1});
+  const std::vector<TexelRect> all = cover(touched, kPatchOverhead);
+  for (const TexelRect& r : all) bake_occlusion(maps, r);
+  return all;
+}
+
+}  // namespace weftlight

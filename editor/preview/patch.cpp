@@ -8,11 +8,11 @@ namespace {
 constexpr float kAway = 1e6f;   // mm: the rays of a patch of 10 cm turn by less than a hundredth of a degree
 constexpr float kMargin = 2;    // pixels beyond the rim
 
-glm::vec2 at(const Patch& p, float x, float y) { return p.corner_mm + x * p.step_x_mm + y * p.step_y_mm; }
+glm::vec2 at(const FlatPatch& p, float x, float y) { return p.corner_mm + x * p.step_x_mm + y * p.step_y_mm; }
 
 }  // namespace
 
-PreparedMesh patch_mesh(const Patch& patch) {
+PreparedMesh patch_mesh(const FlatPatch& patch) {
   PreparedMesh prepared;
   const float w = static_cast<float>(patch.width) + kMargin, h = static_cast<float>(patch.height) + kMargin;
   for (const glm::vec2 p : {at(patch, -kMargin, -kMargin), at(patch, w, -kMargin), at(patch, -kMargin, h), at(patch, w, h)}) {
@@ -28,7 +28,7 @@ PreparedMesh patch_mesh(const Patch& patch) {
   return prepared;
 }
 
-Camera patch_camera(const Patch& patch) {
+Camera patch_camera(const FlatPatch& patch) {
   // (x, y) of the plane to pixels, then to the clip square, row 0 on top.
   const glm::mat2 to_pixels = glm::inverse(glm::mat2(patch.step_x_mm, patch.step_y_mm));
   const glm::vec2 scale(2 / static_cast<float>(patch.width), -2 / static_cast<float>(patch.height));

@@ -8,7 +8,7 @@
 namespace weftlight {
 
 /// Pixel (x, y), row 0 on top, covers the parallelogram at corner_mm + x step_x_mm + y step_y_mm.
-struct Patch {
+struct FlatPatch {
   int width = 0, height = 0;
   glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
   glm::vec3 view{0, 0, 1};            // unit, towards the eye, z > 0
@@ -18,8 +18,8 @@ struct Patch {
 };
 
 /// The patch and a margin around it as two triangles that face the eye.
-PreparedMesh patch_mesh(const Patch& patch);
+PreparedMesh patch_mesh(const FlatPatch& patch);
 /// Looks along the parallel rays: the eye is a kilometre off.
-Camera patch_camera(const Patch& patch);
+Camera patch_camera(const FlatPatch& patch);
 
 }  // namespace weftlight

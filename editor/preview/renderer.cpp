@@ -14,6 +14,7 @@
 #include "preview/ground_light.h"
 #include "preview/light_rig.h"
 #include "preview/shader_program.h"
+#include "preview/shipped_ladder.h"
 #include "preview/sun_shadow.h"
 #include "preview/target.h"
 
@@ -62,6 +63,7 @@ struct Renderer::Parts {
   double software_ms = 0;
   FrameStats stats;
   DrawnFrame last;
+  Ladder ladder = shipped_ladder();
 
   bool build(std::string& error);
   GLuint cloth_program(Method method, int taps, std::string& error);
@@ -69,7 +71,7 @@ struct Renderer::Parts {
   void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
-  void draw_patch(const Patch& patch, const Look& look);
+  void draw_patch(const FlatPatch& patch, const Look& look);
   std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
   void draw_around(const DrawnFrame& drawn, const Camera& camera);
   /// Share of the key light that the cloth keeps from what is behind it.
@@ -210,7 +212,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
 }
 
-void Renderer::Parts::draw_patch(const Patch& p, const Look& look) {
+void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   patch.upload(patch_mesh(p));
   const Camera camera = patch_camera(p);
   DrawnFrame drawn{{}, look, {}};
@@ -291,7 +293,13 @@ Image Renderer::read_back(bool linear) const {
   return parts_->linear.read();
 }
 
-void Renderer::draw_patch(const Patch& patch, const Look& look) { parts_->draw_patch(patch, look); }
+void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
+std::string Renderer::device() const {
+  return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +
+         reinterpret_cast<const char*>(glGetString(GL_VERSION));
+}
+
+void Renderer::draw_patch(const FlatPatch& patch, const Look& look) { parts_->draw_patch(patch, look); }
 Image Renderer::read_patch() const { return parts_->linear.read(); }
 
 }  // namespace weftlight

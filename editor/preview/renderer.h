@@ -9,6 +9,7 @@
 #include "draft/design.h"
 #include "drape/mesh.h"
 #include "files/files.h"
+#include "light/ladder.h"
 #include "preview/ambient.h"
 #include "preview/packed_maps.h"
 #include "preview/patch.h"
@@ -58,9 +59,14 @@ class Renderer {
   /// The last picture, row 0 on top: sRGB-encoded RGBA (linear: scene-linear before tone mapping).
   Image read_back(bool linear = false) const;
 
+  /// What rung auto chooses by; the shipped ladder until then.
+  void set_ladder(const Ladder& ladder);
+  /// Graphics card and driver.
+  std::string device() const;
+
   /// Draws a flat patch of the cloth's front, key light alone: no sky, no ground, no shadow of folds. measure()
   /// gives its cost; read_patch() its scene-linear pixels, premultiplied by alpha.
-  void draw_patch(const Patch& patch, const Look& look);
+  void draw_patch(const FlatPatch& patch, const Look& look);
   Image read_patch() const;
 
  private:

@@ -1,0 +1,27 @@
+#pragma once
+// The pictures of the chart, each with the CSV of what it shows beside it.
+
+#include <string>
+#include <vector>
+
+#include "commands/chart_rows.h"
+
+namespace weftlight {
+
+/// Reflected light over a white Lambertian's, by view angle.
+struct Brightness {
+  std::string scene, method;   // method "truth": traced
+  double view_deg = 0, value = 0;
+};
+struct TruthNoise {
+  std::string scene;
+  int view_deg = 0;
+  double yarns_per_pixel = 1, noise = 0;
+};
+
+/// Writes error_cost, error_footprint, filtering_footprint, albedo and memory (.svg, .png, .csv) and
+/// truth_noise.csv into `dir`. Empty: done; else what went wrong.
+std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
+                                const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise);
+
+}  // namespace weftlight

@@ -1,0 +1,135 @@
+#include "commands/chart_instructions.h"
+
+#include <sys/ptrace.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "light/yarn_lobes.h"
+
+namespace weftlight {
+namespace {
+
+using namespace formulas;
+
+/// Single steps from the child's second stop to its third; the first run of `work` has bound its symbols.
+std::optional<long> steps_between_stops(pid_t child) {
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return std::nullopt;
+  long steps = 0;
+  while (true) {
+    if (ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) != 0) return std::nullopt;
+    if (waitpid(child, &status, 0) != child || !WIFSTOPPED(status)) return std::nullopt;
+    if (WSTOPSIG(status) == SIGSTOP) return steps;
+    ++steps;
+  }
+}
+
+std::optional<long> steps_of(const std::function<void()>& work) {
+  const pid_t child = fork();
+  if (child < 0) return std::nullopt;
+  if (child == 0) {
+    if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(1);
+    work();
+    raise(SIGSTOP);
+    work();
+    raise(SIGSTOP);
+    _exit(0);
+  }
+  const std::optional<long> steps = steps_between_stops(child);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  return steps;
+}
+
+/// What a pixel has in hand when its textures are fetched.
+struct PixelInput {
+  YarnLobes warp, weft;
+  vec3 n{0.2f, 0.1f, 0.97f};
+  vec3 slopes{0.05f, 0, 0.04f};
+  vec3 l, v;
+  vec3 color{0.4f, 0.3f, 0.2f}, key{2.3f};
+  vec4 horizon{0.3f, 0.35f, 0.32f, 0.28f}, spread{0.1f, 0.1f, 0.12f, 0.1f};
+  vec2 gap{0.05f, 0.06f};
+  float light_sine = 0.09f;
+};
+
+/// Keeps the compiler from folding the input or dropping the result.
+void keep(const void* p) { asm volatile("" : : "r"(p) : "memory"); }
+
+vec3 flat_pixel(const PixelInput& x) { return x.color * x.key * (max(x.l.z, 0.0f) / 3.14159265f); }
+
+vec3 vrst03_pixel(const PixelInput& x) {
+  const vec3 h = normalize(x.l + x.v);
+  const vec3 d = vrst03_difference(x.l, x.v);
+  // The two cube maps' texels and the boolean of the nearest light direction.
+  const float around = floor(atan(x.l.y, x.l.x) * 0.15915494f * 8.0f + 0.5f);
+  const float elevation = asin(clamp(x.l.z, 0.0f, 1.0f));
+  const vec3 brdf = h * d * (x.color / max(x.color, vec3(0.02f)));
+  return x.key * brdf * (max(x.l.z, 0.0f) * (around + elevation));
+}
+
+float thread_light_pixel(const PixelInput& x) {
+  const HorizonTaps taps = horizon_taps(atan(x.l.y, x.l.x), 16);
+  return horizon_visibility(x.l.z, horizon_mix(taps, x.horizon), horizon_mix(taps, x.spread), x.light_sine);
+}
+
+vec3 facet_pixel(const PixelInput& x, const YarnLobes& yarn, vec3 fibre) {
+  const LobeFrame f = lobe_frame(normalize(x.n), fibre);
+  const YarnLobes y = yarn_widen(yarn, lobe_covariance(f, x.slopes));
+  const LobeShared s = lobe_shared(y);
+  const vec3 wo = lobe_local(f, x.v), wi = lobe_local(f, x.l);
+  return lobe_reflect(y, s, lobe_side(y, s, wi), lobe_side(y, s, wo), wi, wo) * wi.z;
+}
+
+vec2 masking_pixel(const PixelInput& x) {
+  const float area = gaussian_area(max(dot(x.n, x.v), 0.02f), sqrt(variance_along(x.slopes, x.v.x, x.v.y)));
+  return system_masking(vec2(0.5f), vec2(area, area), 0.1f, x.v);
+}
+
+vec3 yarn_pixel(const PixelInput& x) {
+  const vec2 seen = masking_pixel(x);
+  const vec3 sent = facet_pixel(x, x.warp, vec3(0, 1, 0)) * seen.x + facet_pixel(x, x.weft, vec3(1, 0, 0)) * seen.y;
+  return sent * x.key * (thread_light_pixel(x) * coverage_by_view(0.9f, x.gap, 0.2f, x.v));
+}
+
+using PixelFormula = vec3 (*)(const PixelInput&);
+
+PixelFormula formula_of(Method method) {
+  switch (method) {
+    case Method::kFlat: return flat_pixel;
+    case Method::kVrst03: return vrst03_pixel;
+    case Method::kYarn: return yarn_pixel;
+    default: return nullptr;
+  }
+}
+
+YarnLobes first_lobes(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
+  const ThreadBody& thread = threads.front();
+  return yarn_lobes(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes, thread.colour);
+}
+
+}  // namespace
+
+std::optional<long> count_instructions(const std::function<void()>& work) {
+  const std::optional<long> all = steps_of(work), nothing = steps_of([] {});
+  if (!all || !nothing) return std::nullopt;
+  return *all - *nothing;
+}
+
+std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light) {
+  const PixelFormula formula = formula_of(method);
+  if (!formula || cloth.ends.empty() || cloth.picks.empty()) return std::nullopt;
+  PixelInput input;
+  input.warp = first_lobes(cloth, cloth.ends);
+  input.weft = first_lobes(cloth, cloth.picks);
+  input.l = light, input.v = view;
+  return count_instructions([formula, &input] {
+    keep(&input);
+    const vec3 result = formula(input);
+    keep(&result);
+  });
+}
+
+}  // namespace weftlight

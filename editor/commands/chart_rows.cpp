@@ -1,0 +1,167 @@
+#include "commands/chart_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <set>
+
+namespace weftlight {
+namespace {
+
+std::string number(double v) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", v);
+  return text.data();
+}
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line) {
+    if (c == ',') cells.emplace_back();
+    else if (c != '\r') cells.back() += c;
+  }
+  return cells;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+double value(const std::string& cell, bool& good) {
+  char* end = nullptr;
+  const double v = std::strtod(cell.c_str(), &end);
+  good = good && !cell.empty() && *end == '\0' && std::isfinite(v);
+  return v;
+}
+
+bool read_row(std::string_view line, ChartRow& row) {
+  const std::vector<std::string> cells = cells_of(line);
+  if (cells.size() != 12) return false;
+  const auto method = method_from_name(cells[3]);
+  bool good = method.has_value();
+  row.scene = cells[0];
+  row.view_deg = static_cast<int>(value(cells[1], good));
+  row.yarns_per_pixel = value(cells[2], good);
+  row.method = method.value_or(Method::kAuto);
+  double* const numbers[] = {&row.ns_per_pixel, &row.instructions_per_pixel, &row.model_error, &row.filtering_error,
+                             &row.energy_ratio, &row.flicker, &row.bytes};
+  for (size_t i = 0; i < std::size(numbers); ++i) *numbers[i] = value(cells[4 + i], good);
+  row.on_front = cells[11] == "1";
+  return good;
+}
+
+/// The rungs that auto chooses among.
+constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+
+double cosine(int view_deg) { return std::cos(view_deg * std::numbers::pi / 180); }
+
+/// One view's worst points, at the footprints of its longer axis.
+Ladder view_ladder(const std::vector<ChartRow>& rows, int view_deg, Method method) {
+  std::vector<ChartRow> picked;
+  for (const ChartRow& row : rows) {
+    if (row.view_deg == view_deg && row.method == method) picked.push_back(row);
+  }
+  std::string problem;
+  Ladder ladder = read_ladder(chart_csv(picked), problem);
+  for (LadderPoint& p : ladder) p.yarns_per_pixel /= static_cast<float>(cosine(view_deg));
+  return ladder;
+}
+
+float worst_at(const Ladder& ladder, Method method, float yarns, float LadderPoint::*error) {
+  Ladder one = ladder;
+  for (LadderPoint& p : one) p.filtering_error = p.model_error = p.*error;
+  return expected_error(one, method, yarns);
+}
+
+}  // namespace
+
+bool ChartRow::same_place(const ChartRow& o) const {
+  return scene == o.scene && view_deg == o.view_deg && yarns_per_pixel == o.yarns_per_pixel;
+}
+bool ChartRow::same_cell(const ChartRow& o) const { return same_place(o) && method == o.method; }
+
+std::string chart_csv(const std::vector<ChartRow>& rows) {
+  std::string text(kChartColumns);
+  text += '\n';
+  for (const ChartRow& r : rows) {
+    text += r.scene + ',' + std::to_string(r.view_deg) + ',' + number(r.yarns_per_pixel) + ',' + std::string(method_name(r.method));
+    for (const double v : {r.ns_per_pixel, r.instructions_per_pixel, r.model_error, r.filtering_error, r.energy_ratio, r.flicker, r.bytes}) {
+      text += ',' + number(v);
+    }
+    text += r.on_front ? ",1\n" : ",0\n";
+  }
+  return text;
+}
+
+std::vector<ChartRow> read_chart(std::string_view csv) {
+  const std::vector<std::string_view> lines = lines_of(csv);
+  std::vector<ChartRow> rows;
+  if (lines.empty() || lines.front() != kChartColumns) return rows;
+  for (size_t i = 1; i < lines.size(); ++i) {
+    ChartRow row;
+    if (read_row(lines[i], row)) rows.push_back(row);
+  }
+  return rows;
+}
+
+ChartRow as_written(ChartRow row) {
+  const std::vector<ChartRow> read = read_chart(chart_csv({row}));
+  return read.empty() ? row : read.front();
+}
+
+void mark_front(std::vector<ChartRow>& rows) {
+  for (ChartRow& row : rows) {
+    row.on_front = std::none_of(rows.begin(), rows.end(), [&row](const ChartRow& o) {
+      return o.same_place(row) && o.ns_per_pixel < row.ns_per_pixel && o.model_error < row.model_error;
+    });
+  }
+}
+
+Ladder ladder_of(const std::vector<ChartRow>& rows) {
+  std::set<float> footprints;
+  std::set<int> views;
+  for (const ChartRow& row : rows) {
+    footprints.insert(static_cast<float>(row.yarns_per_pixel));
+    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 4);   // tilted pixels reach further
+    views.insert(row.view_deg);
+  }
+  Ladder ladder;
+  for (const Method method : kRungs) {
+    std::vector<Ladder> seen;
+    for (const int view : views) {
+      if (Ladder one = view_ladder(rows, view, method); !one.empty()) seen.push_back(std::move(one));
+    }
+    if (seen.empty()) continue;
+    for (const float yarns : footprints) {
+      LadderPoint p{method, yarns, 0, 0, 0};
+      for (const Ladder& one : seen) {
+        p.cost_ns += expected_cost(one, method, yarns) / static_cast<float>(seen.size());
+        p.filtering_error = std::max(p.filtering_error, worst_at(one, method, yarns, &LadderPoint::filtering_error));
+        p.model_error = std::max(p.model_error, worst_at(one, method, yarns, &LadderPoint::model_error));
+      }
+      ladder.push_back(p);
+    }
+  }
+  return ladder;
+}
+
+std::string ladder_csv(const Ladder& ladder) {
+  std::string text = "method,yarns_per_pixel,ns_per_pixel,rel_rmse_filtering,rel_rmse_model\n";
+  for (const LadderPoint& p : ladder) {
+    text += std::string(method_name(p.method));
+    for (const float v : {p.yarns_per_pixel, p.cost_ns, p.filtering_error, p.model_error}) text += ',' + number(static_cast<double>(v));
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,50 @@
+#pragma once
+// The rows of chart.csv: one measured method on one scene, view and footprint. Text to rows and back,
+// which rows stand on the Pareto front, and the ladder that `auto` reads from them.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "light/ladder.h"
+
+namespace weftlight {
+
+struct ChartRow {
+  std::string scene;
+  int view_deg = 0;             // from the normal
+  double yarns_per_pixel = 1;   // across the tilt; along it a pixel is longer by 1 / cos(view)
+  Method method = Method::kYarn;
+  double ns_per_pixel = 0, instructions_per_pixel = 0;
+  double model_error = 0;       // relative RMSE against the traced threads
+  double filtering_error = 0;   // relative RMSE against the method's own picture, supersampled
+  double energy_ratio = 1;      // mean over the truth's mean
+  double flicker = 0;
+  double bytes = 0;
+  bool on_front = false;
+
+  bool same_place(const ChartRow& other) const;   // scene, view and footprint
+  bool same_cell(const ChartRow& other) const;    // and method
+};
+
+inline constexpr std::string_view kChartColumns =
+    "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_filtering,"
+    "energy_ratio,flicker,bytes,on_front";
+
+std::string chart_csv(const std::vector<ChartRow>& rows);
+/// Rows that cannot be read are left out; empty when the columns are others.
+std::vector<ChartRow> read_chart(std::string_view csv);
+
+/// The row with its numbers as the file shows them, so that what is decided on them can be decided again.
+ChartRow as_written(ChartRow row);
+
+/// on_front: no other method at the same place is both cheaper (nanoseconds) and nearer the truth.
+void mark_front(std::vector<ChartRow>& rows);
+
+/// Worst errors over scenes and views and the mean cost of each rung at each footprint. The footprint of the
+/// ladder is that of the shaders, the longer axis of the pixel, so rows of a tilted view move along.
+Ladder ladder_of(const std::vector<ChartRow>& rows);
+/// In the form of presets/ladder.csv (core/light/ladder.h, read_ladder).
+std::string ladder_csv(const Ladder& ladder);
+
+}  // namespace weftlight

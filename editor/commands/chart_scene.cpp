@@ -1,0 +1,46 @@
+#include "commands/chart_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weftlight {
+namespace {
+
+constexpr double kViewAzimuth = -73, kLightAzimuth = 35, kLightTilt = 40;   // degrees; 0 is along the weft
+
+double radians(double degrees) { return degrees * 0.017453292519943295; }
+
+glm::dvec2 around(double azimuth_deg) { return {std::cos(radians(azimuth_deg)), std::sin(radians(azimuth_deg))}; }
+
+glm::vec3 tilted(double azimuth_deg, double degrees) {
+  return glm::vec3(glm::dvec3(around(azimuth_deg) * std::sin(radians(degrees)), std::cos(radians(degrees))));
+}
+
+}  // namespace
+
+glm::vec3 chart_view(double degrees) { return tilted(kViewAzimuth, degrees); }
+glm::vec3 chart_light() { return tilted(kLightAzimuth, kLightTilt); }
+
+PixelSteps pixel_steps(double view_deg, double side_mm) {
+  const glm::dvec2 towards = around(kViewAzimuth);   // the near rim is the lower one
+  return {glm::vec2(glm::dvec2(-towards.y, towards.x) * side_mm), glm::vec2(towards * (side_mm / std::cos(radians(view_deg))))};
+}
+
+ChartEffort chart_effort(bool quick) {
+  return quick ? ChartEffort{8, 200'000, 24'000, 256, 3, 4} : ChartEffort{};
+}
+
+int patch_pixels(double yarns_per_pixel) { return std::max(16, static_cast<int>(std::lround(8 / yarns_per_pixel))); }
+
+FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& effort) {
+  constexpr int kLeast = 32, kFewestPixels = 4;
+  FineGrid grid;
+  const double across = yarns_per_pixel * effort.samples_a_yarn;
+  grid.nx = std::max(kLeast, static_cast<int>(std::ceil(across)));
+  grid.ny = std::max(kLeast, static_cast<int>(std::ceil(across / std::cos(radians(view_deg)))));
+  const double fits = std::sqrt(static_cast<double>(effort.fine_budget) / (static_cast<double>(grid.nx) * grid.ny));
+  grid.pixels = std::clamp(static_cast<int>(fits), kFewestPixels, patch_pixels(yarns_per_pixel));
+  return grid;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,54 @@
+#pragma once
+// What the chart measures on: four cloths, two views, five footprints, one light; and the pixels of each.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "light/ladder.h"
+
+namespace weftlight {
+
+struct ChartScene {
+  const char* name;
+  const char* preset;   // presets/drafts
+};
+inline constexpr std::array<ChartScene, 4> kChartScenes{{
+    {"plain", "plain.wif"}, {"twill", "twill_2_2.wif"}, {"satin", "satin_8.wif"}, {"damask", "twill_damask.wif"}}};
+inline constexpr std::array<int, 2> kChartViews{0, 80};                            // degrees from the normal
+inline constexpr std::array<double, 5> kChartFootprints{0.125, 0.5, 1, 2, 8};      // yarns a pixel
+inline constexpr std::array kChartMethods{Method::kFlat, Method::kVrst03, Method::kCloth, Method::kRepeat,
+                                          Method::kCell, Method::kYarn, Method::kEngine, Method::kAuto};
+
+/// Towards the eye, tilted by so many degrees on an azimuth that is no thread's.
+glm::vec3 chart_view(double degrees);
+/// Towards the light: 40 degrees from the normal, on another azimuth.
+glm::vec3 chart_light();
+
+/// One pixel on the plane as a camera at chart_view sees it: `side_mm` across the tilt, longer along it.
+struct PixelSteps {
+  glm::vec2 x, y;   // rows run down
+};
+PixelSteps pixel_steps(double view_deg, double side_mm);
+
+/// How much is spent on a figure.
+struct ChartEffort {
+  double samples_a_yarn = 16;   // of the finer picture, along each side, and never less than 32 a pixel
+  int fine_budget = 3'000'000;  // samples of the finer picture
+  int truth_budget = 300'000;   // rays of each half of the truth
+  int timing_size = 512, timing_repeats = 7;
+  int pans = 8;
+};
+ChartEffort chart_effort(bool quick);
+
+/// Pixels along a side of the patch: at least 16, and at least 8 yarns.
+int patch_pixels(double yarns_per_pixel);
+
+/// Grid of the finer picture: samples a pixel, and how many pixels the budget holds.
+struct FineGrid {
+  int nx = 32, ny = 32;   // samples a pixel
+  int pixels = 16;        // along a side
+};
+FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& effort);
+
+}  // namespace weftlight

@@ -117,11 +117,12 @@ std::vector<double> ticks_of(const Axis& a) {
   if (!a.ticks.empty()) return a.ticks;
   std::vector<double> ticks;
   if (a.log) {
-    const bool few = a.to / a.from > 300;
+    const bool few = a.to / a.from > 300, many = a.to / a.from < 12;
     for (double decade = std::pow(10, std::floor(std::log10(a.from))); decade <= a.to; decade *= 10) {
-      for (const double k : {1.0, 2.0, 5.0}) {
+      for (const double k : {1.0, 2.0, 3.0, 5.0, 7.0}) {
         const double v = k * decade;
-        if (v >= a.from * 0.999 && v <= a.to * 1.001 && (!few || k == 1)) ticks.push_back(v);
+        const bool wanted = few ? k == 1 : many || (k != 3 && k != 7);
+        if (v >= a.from * 0.999 && v <= a.to * 1.001 && wanted) ticks.push_back(v);
       }
     }
     return ticks;
@@ -165,7 +166,7 @@ void draw_axes(cairo_t* c, const Frame2D& f) {
     cairo_set_dash(c, dots, 2, 0);
     cairo_move_to(c, f.x0, y), cairo_line_to(c, f.x0 + f.width, y), cairo_stroke(c);
     cairo_set_dash(c, nullptr, 0, 0);
-    write(c, f.x0 + 3, y - 3, p.goal_label, 8.5, kQuiet);
+    write(c, f.x0 + f.width - 3, y - 3, p.goal_label, 8.5, kQuiet, Place::kEnd);
   }
 }
 

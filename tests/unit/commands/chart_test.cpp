@@ -1,0 +1,166 @@
+// The chart: its measures by hand, its file, its front, its counts, and a whole quick run that is cut and resumed.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "commands/chart_error.h"
+#include "commands/chart_instructions.h"
+#include "commands/chart_rows.h"
+#include "commands/chart_scene.h"
+#include "commands/commands.h"
+#include "draft/generators.h"
+#include "preview/context.h"
+
+namespace weftlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+ChartRow row(Method method, double ns, double error, double footprint = 1) {
+  ChartRow r;
+  r.scene = "plain", r.method = method, r.ns_per_pixel = ns, r.model_error = error, r.yarns_per_pixel = footprint;
+  return r;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(chart_error, is_the_root_of_the_mean_square_over_that_of_the_truth) {
+  const Pixels truth{glm::vec3(1), glm::vec3(2)}, picture{glm::vec3(1), glm::vec3(4)};
+  EXPECT_NEAR(relative_rmse(picture, truth), std::sqrt(2.0 / 2.5), 1e-9);
+  EXPECT_EQ(relative_rmse(truth, truth), 0);
+  EXPECT_NEAR(mean_ratio(picture, truth), 5.0 / 3.0, 1e-9);
+}
+
+TEST(chart_error, two_estimates_of_the_truth_do_not_raise_it_by_their_noise) {
+  // Truth 1; its estimates scatter by 0.1 around it, without relation to each other.
+  const Pixels half{glm::vec3(1.1f), glm::vec3(0.9f), glm::vec3(1.1f), glm::vec3(0.9f)};
+  const Pixels other{glm::vec3(1.1f), glm::vec3(1.1f), glm::vec3(0.9f), glm::vec3(0.9f)};
+  EXPECT_NEAR(relative_rmse(Pixels(4, glm::vec3(1)), half, other), 0, 1e-6);
+  EXPECT_NEAR(relative_rmse(Pixels(4, glm::vec3(1.5f)), half, other), 0.5, 1e-6);
+  EXPECT_NEAR(noise_of(half, other), 0.5 * std::sqrt(0.02 / 1.01), 1e-6);
+}
+
+TEST(chart_error, blocks_are_averaged_and_pans_compared_pixel_by_pixel) {
+  const Pixels fine{glm::vec3(1), glm::vec3(3), glm::vec3(10), glm::vec3(20), glm::vec3(5), glm::vec3(7), glm::vec3(30), glm::vec3(40)};
+  EXPECT_EQ(box_average(fine, 4, 2, 2, 2), (Pixels{glm::vec3(4), glm::vec3(25)}));
+  EXPECT_NEAR(flicker_of({Pixels{glm::vec3(1)}, Pixels{glm::vec3(3)}}), 0.5, 1e-9);
+  EXPECT_EQ(flicker_of({Pixels(2, glm::vec3(1)), Pixels(2, glm::vec3(1))}), 0);
+}
+
+TEST(chart_rows, on_the_front_is_what_no_other_beats_in_both) {
+  std::vector<ChartRow> rows{row(Method::kFlat, 1, 0.9), row(Method::kCloth, 2, 0.3), row(Method::kEngine, 3, 0.4),
+                             row(Method::kYarn, 9, 0.1), row(Method::kAuto, 9, 0.1), row(Method::kCell, 0.5, 0.01, 2)};
+  mark_front(rows);
+  const std::vector<bool> expected{true, true, false, true, true, true};
+  for (size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].on_front, expected[i]) << i;
+}
+
+TEST(chart_rows, go_to_text_and_back) {
+  ChartRow r = row(Method::kRepeat, 12.5, 0.123456789, 0.125);
+  r.view_deg = 80, r.bytes = 22369600, r.on_front = true;
+  const std::string text = chart_csv({r});
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_filtering,"
+            "energy_ratio,flicker,bytes,on_front");
+  const std::vector<ChartRow> back = read_chart(text);
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_TRUE(back[0].same_cell(r));
+  EXPECT_EQ(chart_csv(back), text);
+  EXPECT_TRUE(read_chart("scene,view\nplain,0\n").empty());
+  EXPECT_EQ(read_chart(text + "plain,0,half a li").size(), 1u);
+}
+
+TEST(chart_rows, make_a_ladder_that_can_be_read_again) {
+  std::vector<ChartRow> rows;
+  for (const double footprint : {0.5, 2.0}) {
+    rows.push_back(row(Method::kYarn, 40, 0.1 * footprint, footprint));
+    rows.push_back(row(Method::kCloth, 10, 0.4 / footprint, footprint));
+  }
+  rows.push_back(row(Method::kYarn, 60, 0.3, 2));   // another scene, worse
+  const Ladder ladder = ladder_of(rows);
+  std::string problem;
+  const Ladder again = read_ladder(ladder_csv(ladder), problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_EQ(again.size(), ladder.size());
+  EXPECT_NEAR(expected_error(again, Method::kYarn, 2), 0.3f, 1e-5f);
+  EXPECT_NEAR(expected_cost(again, Method::kYarn, 2), 50, 1e-3f);
+  EXPECT_EQ(choose_rung(again, 0.5f, 0.06f), Method::kYarn);
+  EXPECT_EQ(choose_rung(again, 2, 0.25f), Method::kCloth);
+}
+
+TEST(chart_scene, pixels_are_as_long_as_the_tilt_makes_them) {
+  const PixelSteps flat = pixel_steps(0, 2), tilted = pixel_steps(80, 2);
+  EXPECT_NEAR(glm::length(flat.y), 2, 1e-5);
+  EXPECT_NEAR(glm::length(tilted.x), 2, 1e-5);
+  EXPECT_NEAR(glm::length(tilted.y), 2 / std::cos(80 * 0.0174532925), 1e-4);
+  // Rows run towards the eye.
+  EXPECT_GT(glm::dot(tilted.y, glm::vec2(chart_view(80))), 0);
+  const FineGrid grid = fine_grid(80, 8, chart_effort(false));
+  EXPECT_GE(grid.nx * grid.ny, 1024);
+  EXPECT_LE(8 / std::cos(80 * 0.0174532925) / grid.ny, 1.0 / 16 + 1e-9);
+}
+
+TEST(chart_instructions, repeat_to_the_last_one) {
+  const Design design = plain({4, 4});
+  const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
+  const auto flat = formula_instructions(Method::kFlat, cloth, chart_view(0), chart_light());
+  if (!flat) GTEST_SKIP() << "this system does not let a process step its child";
+  const auto yarn = formula_instructions(Method::kYarn, cloth, chart_view(0), chart_light());
+  EXPECT_EQ(yarn, formula_instructions(Method::kYarn, cloth, chart_view(0), chart_light()));
+  EXPECT_GT(*flat, 5);
+  EXPECT_GT(*yarn, 10 * *flat);
+}
+
+class ChartRun : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string error;
+    if (!HeadlessContext::create(error)) GTEST_SKIP() << "no graphics: " << error;
+    dir_ = fs::path(::testing::TempDir()) / ("weftlight-chart-" + std::to_string(::getpid()));
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    fs::remove_all(dir_, ignored);
+  }
+  int run() const { return chart_command({dir_.string(), true}); }
+  std::vector<ChartRow> rows() const { return read_chart(read(dir_ / "chart.csv")); }
+  fs::path dir_;
+};
+
+TEST_F(ChartRun, measures_every_combination_and_takes_up_where_it_was_cut) {
+  ASSERT_EQ(run(), kDone);
+  const std::vector<ChartRow> all = rows();
+  std::set<Method> methods;
+  for (const ChartRow& r : all) methods.insert(r.method);
+  EXPECT_GE(methods.size(), 3u);
+  EXPECT_EQ(all.size(), kChartScenes.size() * kChartViews.size() * kChartFootprints.size() * methods.size());
+  for (const ChartRow& r : all) {
+    EXPECT_GT(r.ns_per_pixel, 0);
+    EXPECT_GT(r.energy_ratio, 0);
+    EXPECT_GE(r.model_error, 0);
+  }
+  for (const char* picture : {"error_cost", "error_footprint", "filtering_footprint", "albedo", "memory"}) {
+    for (const char* kind : {".svg", ".png", ".csv"}) EXPECT_TRUE(fs::exists(dir_ / (std::string(picture) + kind))) << picture << kind;
+  }
+
+  // Cut after all but two rows; what is kept keeps its timings.
+  std::ofstream(dir_ / "chart.csv", std::ios::binary) << chart_csv({all.begin(), all.end() - 2});
+  ASSERT_EQ(run(), kDone);
+  const std::vector<ChartRow> again = rows();
+  ASSERT_EQ(again.size(), all.size());
+  for (size_t i = 0; i + 2 < all.size(); ++i) EXPECT_EQ(again[i].ns_per_pixel, all[i].ns_per_pixel);
+}
+
+TEST(chart_command, says_when_the_folder_cannot_be_made) { EXPECT_EQ(chart_command({"/dev/null/chart", true}), kNotWritten); }
+
+}  // namespace
+}  // namespace weftlight

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Makes the pictures of docs/truth.md: the cloth ray traced thread by thread, the preview, and their difference
+# (absolute, four times as bright). Needs ImageMagick. Usage: docs/make_truth.sh [path of weftlight]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+weftlight=${1:-$root/build/release/weftlight}
+drafts=$root/presets/drafts
+out=$root/docs/truth
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$out"
+
+scene() {  # name draft options...
+  local name=$1 draft=$drafts/$2.wif
+  shift 2
+  "$weftlight" reference "$draft" -o "$work/truth.png" --spp "${SPP:-96}" --bounces 1 --size 420x320 "$@"
+  "$weftlight" render "$draft" -o "$work/auto.png" --size 420x320 "$@"
+  convert "$work/truth.png" "$work/auto.png" -compose difference -composite -evaluate multiply 4 "$work/difference.png"
+  for part in truth auto difference; do convert "$work/$part.png" -quality 90 "$out/${name}_$part.jpg"; done
+  # Relative RMSE of the shown pixels, for the table.
+  printf '%s %s\n' "$name" "$(compare -metric RMSE "$work/truth.png" "$work/auto.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/')"
+}
+
+scene plain_near plain --mesh plane --view 15,10 --yarns-per-pixel 0.04
+scene twill_near twill_2_2 --mesh plane --view -30,20 --yarns-per-pixel 0.06
+scene satin_near satin_8 --mesh plane --view 20,15 --yarns-per-pixel 0.06
+scene starter_middle starter --mesh tablecloth --yarns-per-pixel 0.2
+scene overshot_middle overshot --mesh tunic --yarns-per-pixel 0.5
+scene gauze_near gauze --mesh curtain --yarns-per-pixel 0.15
+scene starter_far starter --mesh tablecloth
+scene shot_far shot_taffeta --mesh skirt

@@ -8,8 +8,9 @@
 namespace weftlight {
 namespace {
 
-constexpr float kFieldOfViewDeg = 26.0f;  // of the shorter side, as a portrait lens has
-constexpr float kMargin = 0.86f;          // the bounding sphere may overfill: cloth seldom reaches its poles
+constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, as a portrait lens has
+constexpr float kGirth = 0.86f;           // cloth seldom reaches the corners of its bounds
+constexpr float kMargin = 1.14f;          // air around it
 
 glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -50,15 +51,19 @@ glm::vec3 direction_of(float azimuth_deg, float elevation_deg) {
 Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, int width, int height,
                     float yarns_per_pixel, float mean_spacing_mm) {
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
-  const float radius = std::max(bounds.radius(), 1e-3f) * kMargin;
+  const float radius = std::max(bounds.radius(), 1e-3f);
   const float elevation = std::clamp(scene.view_elevation, -89.9f, 89.9f);
   const glm::vec3 back = direction_of(scene.view_azimuth, elevation);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
   const glm::vec3 up = glm::cross(back, right);
 
-  const float shorter_tan = std::tan(glm::radians(kFieldOfViewDeg) / 2);
-  const float away = radius / std::sin(std::atan(shorter_tan)) * std::max(1.0f, scene.view_distance);
-  float tan_y = shorter_tan * std::min(1.0f, std::max(scene.view_distance, 1e-4f)) / std::min(1.0f, aspect);
+  const float away = radius / std::sin(glm::radians(kFieldOfViewDeg) / 2) * std::max(1.0f, scene.view_distance);
+  // An upright cylinder round the bounds fills the picture: the frame keeps still while the view goes round.
+  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
+  const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth, tilt = std::abs(glm::radians(elevation));
+  const float tall = half.y * std::cos(tilt) + girth * std::sin(tilt);
+  const float fit = std::max({tall, girth / aspect, 1e-3f}) * kMargin / away;
+  float tan_y = fit * std::max(1.0f, scene.view_distance) * std::min(1.0f, std::max(scene.view_distance, 1e-4f));
 
   const float frame_mm = 2 * away * tan_y * aspect;
   const glm::vec3 target = bounds.centre() - right * (scene.pan_x * frame_mm) - up * (scene.pan_y * frame_mm);

@@ -2,10 +2,17 @@
 
 #include "filter.glsl"
 #include "horizon.glsl"
+#include "tables.glsl"
+#include "lobes.glsl"
+#include "rungs.glsl"
 
 uniform sampler2DArray color_map;
 uniform sampler2DArray relief_map;
 uniform sampler2DArray horizon_map;
+uniform sampler2DArray height_map;
+uniform sampler2DArray response_map;
+uniform sampler2D slopes_map;
+uniform sampler2D seen_map;
 
 in vec3 position;
 in vec3 normal;
@@ -57,49 +64,101 @@ Lights seen_lights(Side side) {
   return x;
 }
 
+// Where a pixel lies on the tile, the level of the maps that it reads, and its size in yarns.
+struct Footprint {
+  vec2 at;
+  vec2 axis;          // its longer axis, in tiles
+  float ratio;        // longer over shorter axis
+  float level;        // for its longer axis
+  float level_near;   // for its shorter axis, as facets show that face the eye
+  float yarns;
+};
+
+Footprint footprint_here() {
+  Footprint f;
+  f.at = tile;
+  vec2 texels = vec2(textureSize(color_map, 0).xy);
+  vec2 dx = dFdx(tile) * texels;
+  vec2 dy = dFdy(tile) * texels;
+  float sum = dot(dx, dx) + dot(dy, dy);
+  float area = abs(dx.x * dy.y - dx.y * dy.x);
+  float major2 = max(0.5 * (sum + sqrt(max(sum * sum - 4.0 * area * area, 0.0))), 1e-12);
+  f.level = 0.5 * log2(major2);
+  f.level_near = min(f.level, log2(max(2.0 * area * inversesqrt(major2), 1e-6)));
+  f.ratio = clamp(major2 / max(area, 1e-12), 1.0, 16.0);
+  // Of the two eigenvectors of the footprint the longer; the sum of both columns where they are alike.
+  float xx = dx.x * dx.x + dy.x * dy.x;
+  float xy = dx.x * dx.y + dy.x * dy.y;
+  float yy = dx.y * dx.y + dy.y * dy.y;
+  vec2 along = abs(major2 - xx) > abs(major2 - yy) ? vec2(xy, major2 - xx) : vec2(major2 - yy, xy);
+  f.axis = along * inversesqrt(max(dot(along, along), 1e-20)) * sqrt(major2) / texels;
+  // By area: at grazing views a pixel is long, but as fine as ever across.
+  f.yarns = sqrt(area / max(texels.x * texels.y, 1.0) * cloth.size.x * cloth.size.y) / cloth.size.z;
+  return f;
+}
+
 // One thread system of the footprint.
 struct System {
   vec4 color;     // premultiplied by coverage
   vec3 n;         // mean normal
-  vec2 variance;  // of the unit normal's x and y
+  float gather;   // length of the mean of the normals
+  vec2 variance;  // of the slopes
 };
 
-System fetch_system(Side s, int which) {
-  float layer = float(s.face * 2 + which);
-  System y;
-  y.color = texture(color_map, vec3(tile, layer));
-#if defined(METHOD_YARN)
-  vec4 r = texture(relief_map, vec3(tile, layer)) / max(y.color.a, 0.02);
+vec4 fetch_color(Side s, Footprint f, int which) {
+  return textureLod(color_map, vec3(f.at, float(s.face * 2 + which)), f.level);
+}
+
+void fetch_relief(Side s, Footprint f, int which, inout System y) {
+  vec4 r = textureLod(relief_map, vec3(f.at, float(s.face * 2 + which)), f.level) / max(y.color.a, 0.02);
   // E[nx^2] + E[ny^2] + E[nz^2] = 1: the mean of z follows from the moments of x and y.
   float across = dot(r, r);
   r *= min(1.0, sqrt(0.97 / max(across, 1e-4)));
-  y.n = vec3(r.xy, sqrt(1.0 - min(across, 0.97)));
-  y.variance = r.zw * r.zw;
-#endif
+  float square = 1.0 - min(across, 0.97);
+  y.n = normalize(vec3(r.xy, sqrt(square)));
+  float z = 0.25 * square + 0.75 * sqrt(square);   // of a round thread
+  y.gather = sqrt(dot(r.xy, r.xy) + z * z);
+  y.variance = r.zw * r.zw / max(y.n.z * y.n.z, 0.05);
+}
+
+System fetch_system(Side s, Footprint f, int which) {
+  System y;
+  y.color = fetch_color(s, f, which);
+  fetch_relief(s, f, which, y);
   return y;
 }
 
 // Colour of the threads, without the gaps.
-vec3 thread_color(Side s, System warp, System weft) {
+vec3 thread_color(Side s, vec4 warp, vec4 weft) {
   vec3 mean = cloth.systems[s.face * 2].mean.rgb * cloth.systems[s.face * 2].extra.y
             + cloth.systems[s.face * 2 + 1].mean.rgb * cloth.systems[s.face * 2 + 1].extra.y;
-  return (warp.color.rgb + weft.color.rgb + mean * 0.004) / (warp.color.a + weft.color.a + 0.004);
+  return (warp.rgb + weft.rgb + mean * 0.004) / (warp.a + weft.a + 0.004);
+}
+
+vec3 system_color(vec4 color, SystemData data) {
+  return min((color.rgb + data.mean.rgb * 0.004) / (color.a + 0.004), vec3(1.0));
 }
 
 // Share of the key light (x) and of the sky (y) that the threads around leave.
-vec2 thread_light(Side s, vec3 l) {
+vec2 thread_light(Side s, Footprint f, vec3 l) {
   int count = int(cloth.size.w);
   float base = float(s.face * (count + 1));
   HorizonTaps taps = horizon_taps(atan(l.y, l.x), count);
-  vec2 a = texture(horizon_map, vec3(tile, base + float(taps.at.y))).rg;
-  vec2 b = texture(horizon_map, vec3(tile, base + float(taps.at.z))).rg;
+  vec2 a = textureLod(horizon_map, vec3(f.at, base + float(taps.at.y)), f.level - 1.0).rg;
+  vec2 b = textureLod(horizon_map, vec3(f.at, base + float(taps.at.z)), f.level - 1.0).rg;
 #if defined(QUICK)
   vec2 h = mix(a, b, taps.weight.z / max(taps.weight.y + taps.weight.z, 1e-4));
 #else
-  vec2 before = texture(horizon_map, vec3(tile, base + float(taps.at.x))).rg;
-  vec2 after = texture(horizon_map, vec3(tile, base + float(taps.at.w))).rg;
+  vec2 before = textureLod(horizon_map, vec3(f.at, base + float(taps.at.x)), f.level - 1.0).rg;
+  vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), f.level - 1.0).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
-  float occlusion = texture(horizon_map, vec3(tile, base + float(count))).r;
-  return vec2(horizon_visibility(l.z, h.x, 0.5 * h.y, frame.light.w), occlusion);
+  float occlusion = textureLod(horizon_map, vec3(f.at, base + float(count)), f.level - 1.0).r;
+  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, frame.light.w), occlusion);
+}
+
+// Share of what is seen along v that each system holds, over the whole cloth.
+vec2 seen_shares(int face, vec3 v) {
+  vec2 c = response_coord(v);
+  return textureLod(seen_map, vec2((c.x + 0.5) / 17.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0).rg;
 }

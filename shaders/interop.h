@@ -25,6 +25,7 @@ struct FrameData {
                                       // z: normal offset in mm; w: opacity of the cloth to the key light
   vec4 tile;                          // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
   vec4 ground;                        // x: height mm; y: radius mm; zw: centre x, z mm
+  vec4 rungs;                         // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
 };
 
 // One thread system of one face: index face * 2 + system (0 warp, 1 weft).
@@ -34,7 +35,7 @@ struct SystemData {
   vec4 tint;                          // rgb of the specular; w: 1 metallic
   vec4 extra;                         // x: reflectance at normal incidence; y: mean coverage; z: fuzz depth;
                                       // w: mean height over the other system, in mean spacings
-  vec4 mean;                          // rgb: mean colour; w: spare
+  vec4 mean;                          // rgb: mean colour; w: share of the cover
 };
 
 struct ClothData {
@@ -42,6 +43,8 @@ struct ClothData {
   vec4 size;                          // width, depth mm; z: mean spacing of yarns mm; w: azimuths of the horizon
   vec4 gaps;                          // xy: mean gap along u and v, mm; z: height of the threads at its rim, mm;
                                       // w: 1 where the cloth has gaps at all
+  vec4 relief;                        // x: height_map holds heights of -x..x mm; y: the highest, over x; zw: mean share of the sky that
+                                      // threads leave, front and back
 };
 
 #ifdef __cplusplus
@@ -52,17 +55,18 @@ inline constexpr int kFrameBinding = 0, kClothBinding = 1;
 /// Texture units.
 enum Sampler : int { kColorSlot, kReliefSlot, kHorizonSlot, kThreadShadowSlot, kSunShadowSlot, kGroundSlot, kSunDepthSlot,
                      kAlbedoSlot, kAlbedoMeanSlot, kFuzzSlot, kFrontHalfSlot, kFrontDifferenceSlot,
-                     kBackHalfSlot, kBackDifferenceSlot, kSamplerCount };
+                     kBackHalfSlot, kBackDifferenceSlot, kHeightSlot, kResponseSlot, kSlopesSlot, kSeenSlot,
+                     kSamplerCount };
 inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "color_map", "relief_map", "horizon_map", "thread_shadow_map", "sun_shadow_map", "ground_map", "sun_depth_map",
     "albedo_texture", "albedo_mean_texture", "fuzz_texture", "front_half_map", "front_difference_map",
-    "back_half_map", "back_difference_map"};
+    "back_half_map", "back_difference_map", "height_map", "response_map", "slopes_map", "seen_map"};
 
 enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kAttributeCount };
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{
     "in_position", "in_normal", "in_tangent", "in_uv_mm", "in_sky"};
 
-static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 5)) * sizeof(float));
+static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 6)) * sizeof(float));
 static_assert(sizeof(interop::SystemData) == 20 * sizeof(float));
 static_assert(offsetof(interop::ClothData, size) == 80 * sizeof(float));
 }  // namespace weftlight

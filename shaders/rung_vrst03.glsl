@@ -31,8 +31,8 @@ float thread_shadow(int face, vec3 l) {
   return texture(thread_shadow_map, vec3(tile, layer)).r;
 }
 
-vec3 shade(Side side, Lights x, System warp, System weft) {
-  vec3 color = thread_color(side, warp, weft);
+vec3 shade_vrst03(Side side, Lights x, Footprint f) {
+  vec3 color = thread_color(side, fetch_color(side, f, 0), fetch_color(side, f, 1));
   SystemData a = cloth.systems[side.face * 2];
   SystemData b = cloth.systems[side.face * 2 + 1];
   vec3 mean = (a.mean.rgb * a.extra.y + b.mean.rgb * b.extra.y) / max(a.extra.y + b.extra.y, 1e-3);

@@ -83,6 +83,11 @@ float mean_height_mm(const std::vector<ThreadBody>& threads) {
   return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
 }
 
+float highest(const Maps& maps) {
+  const auto& heights = maps.height_mm.at_;
+  return heights.empty() ? 0.0f : *std::max_element(heights.begin(), heights.end());
+}
+
 }  // namespace
 
 float mean_spacing_mm(const Cloth& cloth) {
@@ -91,7 +96,7 @@ float mean_spacing_mm(const Cloth& cloth) {
   return 0.5f * (cloth.width_mm / ends + cloth.depth_mm / picks);
 }
 
-std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back) {
+std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back, float height_bound_mm) {
   interop::ClothData data{};
   const FaceInput* faces[] = {&front, &back};
   for (size_t face = 0; face < 2; ++face) {
@@ -107,6 +112,8 @@ std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back) {
   const float covered = data.systems[0].extra[1] + data.systems[1].extra[1];
   data.gaps = {mean_gap_mm(front.cloth.ends), mean_gap_mm(front.cloth.picks),
                0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks)), covered < 0.998f ? 1.0f : 0.0f};
+  const float top = std::max(highest(front.maps), highest(back.maps)) / std::max(height_bound_mm, 1e-6f);
+  data.relief = {height_bound_mm, std::clamp(top, 0.01f, 1.0f), 1, 1};
   std::vector<float> block(sizeof data / sizeof(float));
   std::memcpy(block.data(), &data, sizeof data);
   return block;

@@ -13,7 +13,8 @@ struct FaceInput {
   const Cloth& cloth;
   const Maps& maps;
 };
-std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back);
+/// `height_bound_mm` is that of the packed heights.
+std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back, float height_bound_mm);
 
 /// Mean spacing of the threads of both systems, mm.
 float mean_spacing_mm(const Cloth& cloth);

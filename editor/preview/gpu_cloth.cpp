@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "light/tables.h"
+#include "preview/response_block.h"
 
 namespace weftlight {
 namespace {
@@ -17,6 +18,7 @@ constexpr std::array<Format, kPackedKinds> kFormats{{
     {GL_RGBA8_SNORM, GL_RGBA, GL_BYTE, kReliefSlot},
     {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kHorizonSlot},
     {GL_R8, GL_RED, GL_UNSIGNED_BYTE, kThreadShadowSlot},
+    {GL_R16, GL_RED, GL_UNSIGNED_SHORT, kHeightSlot},
 }};
 
 size_t upload_face(const PackedTexture& t, const Format& format, int first_layer) {
@@ -119,6 +121,23 @@ void GpuCloth::upload_lobes(const std::vector<float>& lobes) {
   std::memcpy(&data_, lobes.data(), std::min(sizeof data_, lobes.size() * sizeof(float)));
   glBindBuffer(GL_UNIFORM_BUFFER, block_.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof data_, &data_, GL_DYNAMIC_DRAW);
+  upload_response(std::span<const float>(lobes).subspan(std::min(lobes.size(), sizeof data_ / sizeof(float))));
+}
+
+void GpuCloth::upload_response(std::span<const float> tables) {
+  if (tables.size() < kResponseFloats) return;
+  const float* at = tables.data();
+  glBindTexture(GL_TEXTURE_2D_ARRAY, response_.get());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kResponseWidth, kResponseHeight, kResponseDirections, 0, GL_RGBA, GL_FLOAT, at);
+  clamp_to_edge(GL_TEXTURE_2D_ARRAY);
+  at += kBroadFloats;
+  glBindTexture(GL_TEXTURE_2D, slopes_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, kSlopeBins, kSlopeRows, 0, GL_RED, GL_FLOAT, at);
+  clamp_to_edge(GL_TEXTURE_2D);
+  at += kSlopeFloats;
+  glBindTexture(GL_TEXTURE_2D, seen_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, kResponseWidth, kSeenHeight, 0, GL_RG, GL_FLOAT, at);
+  clamp_to_edge(GL_TEXTURE_2D);
 }
 
 void GpuCloth::bind() {
@@ -133,6 +152,9 @@ void GpuCloth::bind() {
   bind_to(kAlbedoSlot, GL_TEXTURE_3D, albedo_);
   bind_to(kAlbedoMeanSlot, GL_TEXTURE_2D, albedo_mean_);
   bind_to(kFuzzSlot, GL_TEXTURE_2D, fuzz_);
+  bind_to(kResponseSlot, GL_TEXTURE_2D_ARRAY, response_);
+  bind_to(kSlopesSlot, GL_TEXTURE_2D, slopes_);
+  bind_to(kSeenSlot, GL_TEXTURE_2D, seen_);
   for (int i = 0; i < 4; ++i) bind_to(kFrontHalfSlot + i, GL_TEXTURE_CUBE_MAP, cubes_[static_cast<size_t>(i)]);
   glBindBufferBase(GL_UNIFORM_BUFFER, kClothBinding, block_.get());
 }

@@ -2,6 +2,7 @@
 // The packed maps of both faces on the GPU: one texture array a kind, the front's layers before the back's.
 
 #include <array>
+#include <span>
 
 #include "preview/gl_objects.h"
 #include "preview/packed_maps.h"
@@ -27,10 +28,12 @@ class GpuCloth {
 
  private:
   void upload_tables();
+  void upload_response(std::span<const float> tables);
   std::array<GlTexture, kPackedKinds> textures_;
   std::array<int, kPackedKinds> layers_{};  // of one face
   std::array<GlTexture, 4> cubes_;          // front half, front difference, back half, back difference
   GlTexture albedo_, albedo_mean_, fuzz_;   // of no design: made once
+  GlTexture response_, slopes_, seen_;      // of the cloth and its lobes
   GlBuffer block_;
   interop::ClothData data_{};
   float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;

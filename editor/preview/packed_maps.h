@@ -19,8 +19,9 @@ enum class PackedKind : uint8_t {
   kHorizon,  // RG8, a layer an azimuth and one for the sky: mean and twice the spread of the horizon's sine; the
              // last layer holds the occlusion. Half the size of the others.
   kShadow,   // R8, a layer a light direction (rung vrst03): 1 lit
+  kHeight,   // R16, one layer: height of the surface, -bound..bound
 };
-inline constexpr int kPackedKinds = 4;
+inline constexpr int kPackedKinds = 5;
 
 /// One texture array: `levels[0]` is the finest; layer by layer, rows tightly packed.
 struct PackedTexture {
@@ -49,6 +50,7 @@ struct PackedFace {
   // Rung vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
   int cube_size = 0;
   std::vector<float> half_cube, difference_cube;
+  float height_bound_mm = 0;
 };
 
 /// Everything of a design that the renderer needs beside mesh, scene and look.
@@ -56,7 +58,7 @@ struct PackedCloth {
   float width_mm = 0, depth_mm = 0;
   float mean_spacing_mm = 0;  // of a yarn, both systems: what "yarns a pixel" counts
   PackedFace front, back;
-  std::vector<float> lobes;   // interop::ClothData
+  std::vector<float> lobes;   // interop::ClothData, then the tables of response_block.h
 };
 
 /// A rectangle of one level of one texture of one face.
@@ -71,8 +73,9 @@ struct PackedPatch {
 inline constexpr int kShadowAzimuths = 8;
 inline constexpr std::array<float, 3> kShadowElevations{0.35f, 0.75f, 1.15f};  // radians
 
-/// Packs one face with all its mips. `shadows`: also the boolean maps of vrst03.
-PackedFace pack(const Maps& maps, bool shadows);
+/// Packs one face with all its mips. `shadows`: also the boolean maps of vrst03. height_bound_mm: heights beyond
+/// it are held to it; 0: the largest there is.
+PackedFace pack(const Maps& maps, bool shadows, float height_bound_mm = 0);
 
 /// Brings `face` to the maps changed inside `rects` through all levels, and returns what changed, ready to
 /// upload. The result is that of pack(maps) bit for bit.

@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
 
+#include "light/ladder.h"
 #include "preview/camera.h"
 #include "preview/gpu_cloth.h"
 #include "preview/gpu_mesh.h"
@@ -32,17 +33,13 @@ struct DrawnFrame {
   Frame frame;
 };
 
-/// The rung that is drawn for a rung that is asked for.
-Method drawn_method(Method asked) {
-  return asked == Method::kFlat || asked == Method::kVrst03 ? asked : Method::kYarn;
-}
+/// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
+Method drawn_method(Method asked) { return asked == Method::kReference ? Method::kAuto : asked; }
 
-const char* define_of(Method method) {
-  switch (method) {
-    case Method::kFlat: return "METHOD_FLAT";
-    case Method::kVrst03: return "METHOD_VRST03";
-    default: return "METHOD_YARN";
-  }
+std::string define_of(Method method) {
+  std::string name = "METHOD_";
+  for (const char c : method_name(method)) name += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  return name;
 }
 
 }  // namespace
@@ -91,7 +88,7 @@ bool Renderer::Parts::build(std::string& error) {
   if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error)) return false;
-  for (const Method method : {Method::kFlat, Method::kVrst03, Method::kYarn}) {
+  for (const Method method : {Method::kAuto}) {
     if (!cloth_program(method, kFullTaps, error)) return false;
   }
   return true;
@@ -134,6 +131,8 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   }
   const glm::vec3 centre = prepared.bounds.centre();
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
+  const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  data.rungs = {edges[0], edges[1], edges[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
   return data;
 }
 

@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "light/separable.h"
 #include "preview/cloth_block.h"
+#include "preview/response_block.h"
 
 namespace weftlight {
 namespace {
@@ -48,6 +49,14 @@ bool same_layout(const Cloth& a, const Cloth& b) {
 int power_of_two(double v) {
   const double floor2 = std::exp2(std::floor(std::log2(std::max(1.0, v)) + 0.5));
   return static_cast<int>(std::min<double>(kLongest, floor2));
+}
+
+/// Of the surface's heights: of the threads' layout alone, so that an edit of cells leaves it.
+float height_bound_mm(const Cloth& cloth) {
+  float end = 0, pick = 0;
+  for (const ThreadBody& t : cloth.ends) end = std::max(end, t.height_mm);
+  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, t.height_mm);
+  return std::max(0.75f * (end + pick), 1e-4f);
 }
 
 /// Texels across one thread that the budget allows.
@@ -121,7 +130,7 @@ void Stages::bake_all(const Design& design, bool shadows) {
     state.cloth = face_cloth(design, cells_, face, period_);
     state.maps = bake(state.cloth, maps_size(state.cloth));
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
-    packed = pack(state.maps, shadows);
+    packed = pack(state.maps, shadows, height_bound_mm(state.cloth));
     if (shadows) add_cubes(packed, state.cloth);
   }
   packed_.width_mm = front_.cloth.width_mm;
@@ -152,7 +161,8 @@ void Stages::take_lobes(const Design& design, StageResult& result) {
       state->cloth.yarns[i].lobes = design.yarns[i].lobes;
     }
   }
-  packed_.lobes = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps});
+  packed_.lobes = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps}, height_bound_mm(front_.cloth));
+  append_response(packed_.lobes, {front_.cloth, front_.maps}, {back_.cloth, back_.maps});
   result.lobes = packed_.lobes;
 }
 

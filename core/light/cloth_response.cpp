@@ -1,0 +1,203 @@
+// Sums over points of the surface, for every pair of directions, of what both see.
+// Based on: Westin, Arvo, Torrance 1992, "Predicting reflectance functions from complex surfaces" (a table
+//   measured on small geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
+// Differs: visibility comes from the horizons of the maps, not from rays; the specular part keeps its closed
+//   form over the measured slopes, so that the table holds smooth parts alone.
+
+#include "light/cloth_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "light/formulas.h"
+#include "light/parallel.h"
+#include "light/yarn_lobes.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr int kD = kResponseDirections;
+constexpr float kHorizonSoft = 0.03f;   // sine: a few points stand for many
+
+using PerDirection = std::array<float, kD>;
+
+std::array<glm::vec3, kD> directions() {
+  std::array<glm::vec3, kD> out;
+  for (int e = 0; e < kResponseElevations; ++e) {
+    const float u = static_cast<float>(e) / (kResponseElevations - 1);
+    const float z = std::max(u * u, 0.004f), r = std::sqrt(std::max(0.0f, 1 - z * z));
+    for (int a = 0; a < kResponseAzimuths; ++a) {
+      const float t = 2 * kPi * static_cast<float>(a) / kResponseAzimuths;
+      out[static_cast<size_t>(e * kResponseAzimuths + a)] = {r * std::cos(t), r * std::sin(t), z};
+    }
+  }
+  return out;
+}
+
+/// One point: what each direction sees of it.
+struct Point {
+  float weight = 0;         // of the cloth's plane
+  int system = 0;
+  float inverse_nz = 1;
+  glm::vec3 normal{0, 0, 1};
+  PerDirection open, cosine, body, clear, area, lost, veil;
+  float body_scale = 0, multiple = 0, fuzz = 0, again = 0;
+};
+
+float horizon_of(const Maps& maps, int x, int y, int azimuth) {
+  if (maps.azimuths <= 0) return 0;
+  const float at = static_cast<float>(azimuth) * static_cast<float>(maps.azimuths) / kResponseAzimuths;
+  const int k = static_cast<int>(at);
+  const float t = at - static_cast<float>(k);
+  const float a = maps.horizon[static_cast<size_t>(k % maps.azimuths)].at(x, y);
+  const float b = maps.horizon[static_cast<size_t>((k + 1) % maps.azimuths)].at(x, y);
+  return (a + (b - a) * t) / 255.0f;
+}
+
+Point measure(const Cloth& cloth, const Maps& maps, int x, int y, const std::array<glm::vec3, kD>& w) {
+  Point p;
+  p.system = maps.system.at(x, y) ? 1 : 0;
+  p.weight = maps.coverage.at(x, y);
+  const Slope s = maps.slope.at(x, y);
+  p.inverse_nz = std::sqrt(1 + s.x * s.x + s.y * s.y);
+  p.normal = glm::vec3(s.x, s.y, 1) / p.inverse_nz;
+  const auto& threads = p.system ? cloth.picks : cloth.ends;
+  const ThreadBody& body = threads[std::min<size_t>(maps.thread.at(x, y), threads.size() - 1)];
+  const formulas::YarnLobes lobes = yarn_lobes(cloth.yarns[static_cast<size_t>(body.yarn)].lobes, maps.colour.at(x, y));
+  const formulas::LobeShared shared = formulas::lobe_shared(lobes);
+  const Direction& t = maps.tangent.at(x, y);
+  const formulas::LobeFrame frame = formulas::lobe_frame(p.normal, {t.x, t.y, t.z});
+  p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
+  for (size_t d = 0; d < kD; ++d) {
+    const glm::vec3 local = formulas::lobe_local(frame, w[d]);
+    const formulas::LobeSide side = formulas::lobe_side(lobes, shared, local);
+    const float above = (w[d].z - horizon_of(maps, x, y, static_cast<int>(d) % kResponseAzimuths)) / kHorizonSoft;
+    const float facing = std::max(local.z, 0.0f);
+    p.open[d] = facing > 0 ? std::clamp(0.5f + above, 0.0f, 1.0f) : 0.0f;
+    p.cosine[d] = facing * p.open[d];
+    p.body[d] = p.cosine[d] * side.enters.g;
+    p.clear[d] = side.clear, p.area[d] = side.area, p.lost[d] = p.cosine[d] * side.lost, p.veil[d] = p.cosine[d] * side.fuzz.y;
+    p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g / (kPi * std::max(side.fuzz.w, 1e-4f));
+  }
+  return p;
+}
+
+struct Sums {
+  std::vector<float> body, mirror, mirror_weight, hair;
+  PerDirection seen{};
+  Sums() : body(kD * kD), mirror(kD * kD), mirror_weight(kD * kD), hair(kD * kD) {}
+};
+
+/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by.
+void add(Sums& sums, const Point& p, const std::array<glm::vec3, kD>& w, size_t view) {
+  const float area = p.weight * p.inverse_nz;
+  const float mu = std::max(glm::dot(p.normal, w[view]), 1e-4f);
+  sums.seen[view] += area * p.cosine[view];
+  const bool dark = p.open[view] <= 0;
+  float* body = &sums.body[view * kD];
+  float* mirror = &sums.mirror[view * kD];
+  float* mirror_weight = &sums.mirror_weight[view * kD];
+  float* hair = &sums.hair[view * kD];
+  const float from = area * p.body[view] * p.body_scale, veil = area * p.veil[view] * p.again;
+  const float once = area * p.fuzz * p.cosine[view] / (4 * kPi), lost = area * p.lost[view] * p.multiple;
+  for (size_t i = 0; i < kD; ++i) {
+    const glm::vec3 h = w[i] + w[view];
+    const float mu_i = std::max(glm::dot(p.normal, w[i]), 1e-4f);
+    float k = std::max(glm::dot(p.normal, h) / glm::length(h), 0.0f);
+    k *= k, k *= k, k *= k, k *= k;
+    k = area * (k + 1e-5f);
+    mirror_weight[i] += k;
+    if (dark) continue;
+    const float through = p.clear[view] * p.clear[i];
+    body[i] += from * p.body[i] * (1 - p.fuzz * (1 - through));
+    mirror[i] += k * p.open[view] * p.open[i] * mu * mu_i / (p.area[i] * mu + p.area[view] * mu_i - mu * mu_i);
+    hair[i] += once * p.cosine[i] * (1 - through) / (mu + mu_i) + veil * p.veil[i] + lost * p.lost[i];
+  }
+}
+
+void spread_slope(std::array<float, kSlopeBins>& bins, float slope, float sigma, float weight) {
+  const float middle = std::atan(slope), deviation = std::max(std::atan(sigma), 0.5f * kPi / kSlopeBins);
+  const float step = kPi / kSlopeBins;
+  std::array<float, kSlopeBins> bell;
+  float sum = 0;
+  for (int b = 0; b < kSlopeBins; ++b) {
+    const float z = ((static_cast<float>(b) + 0.5f) * step - 0.5f * kPi - middle) / deviation;
+    sum += bell[static_cast<size_t>(b)] = std::exp(-0.5f * std::min(z * z, 60.0f));
+  }
+  for (size_t b = 0; b < kSlopeBins; ++b) bins[b] += weight * bell[b] / (std::max(sum, 1e-20f) * step);
+}
+
+void add_means(ClothResponse& out, const Cloth& cloth, const Maps& maps, int x, int y, const Point& p) {
+  SystemResponse& s = out.systems[static_cast<size_t>(p.system)];
+  const auto& threads = p.system ? cloth.picks : cloth.ends;
+  const Lobes& lobes = cloth.yarns[static_cast<size_t>(threads[std::min<size_t>(maps.thread.at(x, y), threads.size() - 1)].yarn)].lobes;
+  const Slope slope = maps.slope.at(x, y);
+  const Direction& t = maps.tangent.at(x, y);
+  const float c2 = t.x * t.x / std::max(t.x * t.x + t.y * t.y, 1e-6f);
+  const float along2 = lobes.along_width * lobes.along_width, across2 = lobes.across_width * lobes.across_width;
+  spread_slope(s.slopes[0], slope.x, std::sqrt(along2 * c2 + across2 * (1 - c2)), p.weight);
+  spread_slope(s.slopes[1], slope.y, std::sqrt(along2 * (1 - c2) + across2 * c2), p.weight);
+  const Linear& c = maps.colour.at(x, y);
+  const float g = p.weight * maps.groove.at(x, y);
+  s.share += p.weight;
+  s.colour.r += c.r * g, s.colour.g += c.g * g, s.colour.b += c.b * g;
+  out.sky += p.weight * maps.occlusion.at(x, y);
+}
+
+void finish_means(ClothResponse& out) {
+  const float all = std::max(out.systems[0].share + out.systems[1].share, 1e-9f);
+  for (SystemResponse& s : out.systems) {
+    const float scale = 1 / std::max(s.share, 1e-9f);
+    for (auto& axis : s.slopes) for (float& v : axis) v *= scale;
+    s.colour = {s.colour.r * scale, s.colour.g * scale, s.colour.b * scale};
+    s.share /= all;
+  }
+  out.sky /= all;
+}
+
+}  // namespace
+
+ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) {
+  ClothResponse out;
+  out.sky = 0;
+  for (SystemResponse& s : out.systems) s.broad.assign(size_t{4} * kD * kD, 0.0f);
+  const int width = maps.coverage.width, height = maps.coverage.height;
+  if (cloth.ends.empty() || cloth.picks.empty() || width <= 0 || height <= 0) return out;
+  const std::array<glm::vec3, kD> w = directions();
+  std::vector<Point> points;
+  for (int k = 0; k < samples; ++k) {
+    // R2 sequence (Roberts 2018).
+    const double u = std::fmod(0.7548776662466927 * (k + 1), 1.0), v = std::fmod(0.5698402909980532 * (k + 1), 1.0);
+    const int x = std::min(width - 1, static_cast<int>(u * width)), y = std::min(height - 1, static_cast<int>(v * height));
+    if (maps.coverage.at(x, y) < 0.02f) continue;
+    points.push_back(measure(cloth, maps, x, y, w));
+    add_means(out, cloth, maps, x, y, points.back());
+  }
+  finish_means(out);
+  std::array<Sums, 2> sums;
+  in_parallel(kResponseElevations, 2, [&](int e) {
+    for (const Point& p : points)
+      for (int a = 0; a < kResponseAzimuths; ++a)
+        add(sums[static_cast<size_t>(p.system)], p, w, static_cast<size_t>(e * kResponseAzimuths + a));
+  });
+  for (size_t v = 0; v < kD; ++v) {
+    const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
+    float all = 0;
+    for (const Point& p : points) all += p.weight;
+    for (size_t s = 0; s < 2; ++s) {
+      for (size_t i = 0; i < kD; ++i) {
+        const size_t at = v * kD + i;
+        float* to = &out.systems[s].broad[4 * at];
+        to[0] = sums[s].body[at] / seen;
+        to[1] = 0.25f * all * sums[s].mirror[at] / std::max(sums[s].mirror_weight[at] * seen, 1e-12f);
+        to[2] = sums[s].hair[at] / seen;
+        to[3] = sums[s].seen[v] / seen;
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace weftlight

@@ -1,0 +1,67 @@
+#include "preview/response_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <thread>
+
+namespace weftlight {
+namespace {
+
+using Faces = std::array<ClothResponse, 2>;
+
+void append_broad(std::vector<float>& out, const Faces& faces) {
+  for (size_t view = 0; view < kResponseDirections; ++view) {
+    for (const ClothResponse& face : faces) {
+      for (const SystemResponse& system : face.systems) {
+        for (size_t e = 0; e < kResponseElevations; ++e) {
+          for (size_t a = 0; a < kResponseWidth; ++a) {
+            const size_t light = e * kResponseAzimuths + a % kResponseAzimuths;
+            const float* at = &system.broad[4 * (view * kResponseDirections + light)];
+            out.insert(out.end(), at, at + 4);
+          }
+        }
+      }
+    }
+  }
+}
+
+void append_seen(std::vector<float>& out, const Faces& faces) {
+  for (const ClothResponse& face : faces) {
+    for (size_t e = 0; e < kResponseElevations; ++e) {
+      for (size_t a = 0; a < kResponseWidth; ++a) {
+        const size_t view = e * kResponseAzimuths + a % kResponseAzimuths;
+        for (const SystemResponse& system : face.systems) out.push_back(system.broad[4 * view * kResponseDirections + 3]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back) {
+  Faces faces;
+  std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps); });
+  faces[0] = cloth_response(front.cloth, front.maps);
+  beside.join();
+  interop::ClothData data;
+  std::memcpy(&data, block.data(), sizeof data);
+  data.relief[2] = faces[0].sky, data.relief[3] = faces[1].sky;
+  for (size_t f = 0; f < 2; ++f) {
+    for (size_t s = 0; s < 2; ++s) {
+      const Linear& c = faces[f].systems[s].colour;
+      data.systems[f * 2 + s].mean = {c.r, c.g, c.b, faces[f].systems[s].share};
+    }
+  }
+  std::memcpy(block.data(), &data, sizeof data);
+  block.reserve(block.size() + kResponseFloats);
+  append_broad(block, faces);
+  for (const ClothResponse& face : faces) {
+    for (const SystemResponse& system : face.systems) {
+      for (const auto& axis : system.slopes) block.insert(block.end(), axis.begin(), axis.end());
+    }
+  }
+  append_seen(block, faces);
+}
+
+}  // namespace weftlight

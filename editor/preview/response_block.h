@@ -1,0 +1,24 @@
+#pragma once
+// The answers of both faces to light from afar (light/cloth_response.h), laid out as the renderer uploads them.
+
+#include <vector>
+
+#include "light/cloth_response.h"
+#include "preview/cloth_block.h"
+
+namespace weftlight {
+
+// Azimuths with the first again at the end; rows face * 2 + system, each of all elevations; a layer a view.
+inline constexpr int kResponseWidth = kResponseAzimuths + 1;
+inline constexpr int kResponseHeight = 4 * kResponseElevations;
+inline constexpr int kSlopeRows = 8;                        // (face * 2 + system) * 2 + axis
+inline constexpr int kSeenHeight = 2 * kResponseElevations; // rows face, share of warp and weft seen
+inline constexpr size_t kBroadFloats = size_t{4} * kResponseWidth * kResponseHeight * kResponseDirections;
+inline constexpr size_t kSlopeFloats = size_t{kSlopeBins} * kSlopeRows;
+inline constexpr size_t kSeenFloats = size_t{2} * kResponseWidth * kSeenHeight;
+inline constexpr size_t kResponseFloats = kBroadFloats + kSlopeFloats + kSeenFloats;
+
+/// Appends response, slopes and seen to a block of cloth_block(), and sets its means.
+void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back);
+
+}  // namespace weftlight

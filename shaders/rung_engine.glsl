@@ -1,0 +1,33 @@
+// Rung `engine`: what an engine shows of the exported texture set: one averaged normal, anisotropic GGX, sheen.
+
+vec2 micro_variance(SystemData data, vec3 fibre) {
+  vec2 d = normalize(fibre.xy);
+  float along = data.widths.x * data.widths.x;
+  float across = data.widths.y * data.widths.y;
+  return vec2(along * d.x * d.x + across * d.y * d.y, along * d.y * d.y + across * d.x * d.x);
+}
+
+vec3 shade_engine(Side side, Lights x, Footprint f) {
+  SystemData a = cloth.systems[side.face * 2];
+  SystemData b = cloth.systems[side.face * 2 + 1];
+  System warp = fetch_system(side, f, 0);
+  System weft = fetch_system(side, f, 1);
+  vec2 share = vec2(warp.color.a, weft.color.a) + 1e-4;
+  share /= share.x + share.y;
+  vec3 n = normalize(warp.n * share.x + weft.n * share.y);
+  vec2 slope = n.xy / max(n.z, 0.1);
+  vec2 da = warp.n.xy / max(warp.n.z, 0.1) - slope;
+  vec2 db = weft.n.xy / max(weft.n.z, 0.1) - slope;
+  vec2 variance = (warp.variance + micro_variance(a, vec3(a.widths.z, 1.0, 0.0)) + da * da) * share.x
+                + (weft.variance + micro_variance(b, vec3(1.0, b.widths.z, 0.0)) + db * db) * share.y;
+  EngineMaterial m;
+  m.base = thread_color(side, warp.color, weft.color) * (a.weights.y * share.x + b.weights.y * share.y);
+  m.metal = a.tint.w * share.x + b.tint.w * share.y;
+  m.sheen = sqrt(thread_color(side, warp.color, weft.color)) * (a.weights.z * share.x + b.weights.z * share.y);
+  m.sheen_roughness = a.widths.w * share.x + b.widths.w * share.y;
+  m.alpha = sqrt(2.0 * variance);
+  m.occlusion = textureLod(horizon_map, vec3(f.at, float(side.face) * (cloth.size.w + 1.0) + cloth.size.w), f.level - 1.0).r;
+  Answer e = engine_answer(m, lobe_frame(n, vec3(1.0, 0.0, 0.0)), x.l, x.v);
+  vec3 mirrored = from_side(side, reflect(-x.v, n));
+  return x.key * e.key + (e.soft * sky_diffuse(from_side(side, n)) + e.glossy * sky_radiance(mirrored, 0.8, 0.45)) * side.sky;
+}

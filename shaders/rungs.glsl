@@ -1,0 +1,149 @@
+// What a rung of the ladder makes of what was fetched for it: radiance towards the eye for a unit of the key
+// light's irradiance at right angles, and shares of the sky's light. GLSL 3.30 and C++20.
+// Frame: x along the weft, y along the warp, z the cloth's normal on the side that is seen.
+//
+//   yarn    facet_answer() of the thread on top
+//   cell    facet_answer() of each system's mean facet, widened by the spread of its normals
+//   repeat  system_answer() of each system, its colour and share at the place: mixed_answer()
+//   cloth   the same with the means of the period
+//   engine  engine_answer() of the averaged normal
+//
+// Based on: Dupuy et al. 2013 (moments of slopes); Westin, Arvo, Torrance 1992 (a table measured on small
+//   geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals); Walter et al. 2007
+//   and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017 (sheen).
+
+#ifndef FORMULA
+#define FORMULA
+#endif
+
+struct Answer {
+  vec3 key;      // for a unit of the key light's irradiance at right angles
+  vec3 soft;     // share of the sky's diffuse light
+  vec3 glossy;   // share of the sky as it is mirrored
+};
+
+// Lobes from the numbers of a yarn or of a mean of yarns (interop.h, SystemData).
+FORMULA YarnLobes yarn_of(vec4 widths, vec4 weights, vec4 tint, vec4 extra, vec3 color) {
+  YarnLobes y;
+  float metal = tint.w;
+  vec3 body = color * (weights.y * (1.0f - metal));
+  y.slope_cov = vec3(widths.x * widths.x, 0.0f, widths.y * widths.y);
+  y.f90 = weights.x;
+  y.f0 = vec3(tint) * weights.x * mix(vec3(extra.x), color, metal);
+  y.body = body * (1.0f - weights.w);
+  y.through = body * weights.w;
+  y.fuzz_colour = sqrt(color);
+  y.fuzz = weights.z;
+  y.fuzz_depth = extra.z;
+  return y;
+}
+
+// Facets of mean normal n whose fibres run along `fibre`; cov: covariance of the unresolved slopes about n;
+// gather: length of the mean of their unit normals, by which they catch less light than one facet.
+FORMULA Answer facet_answer(YarnLobes yarn, vec3 n, float gather, vec3 fibre, vec3 cov, vec3 l, vec3 v) {
+  LobeFrame f = lobe_frame(n, fibre);
+  YarnLobes y = yarn_widen(yarn, lobe_covariance(f, cov));
+  LobeShared s = lobe_shared(y);
+  vec3 wo = lobe_local(f, v);
+  wo = normalize(vec3(wo.x, wo.y, max(wo.z, 0.02f)));
+  vec3 wi = lobe_local(f, l);
+  LobeSide o = lobe_side(y, s, wo);
+  LobeSide i = lobe_side(y, s, vec3(wi.x, wi.y, max(abs(wi.z), 1.0e-3f)));
+  Answer a;
+  a.key = wi.z > 0.0f ? lobe_reflect(y, s, i, o, wi, wo) : lobe_transmit(y, s, i, o);
+  a.key *= abs(wi.z) * gather;
+  vec3 mirrored = max(vec3(1.0f) - o.enters, vec3(0.0f));
+  a.soft = max(lobe_albedo(y, s, o) - mirrored, vec3(0.0f));
+  a.glossy = mirrored;
+  return a;
+}
+
+// Coordinates of a direction in the response tables: azimuth 0..16 (wraps), elevation 0..7.
+FORMULA vec2 response_coord(vec3 w) {
+  float turn = atan(w.y, w.x) * 0.15915494f;
+  return vec2((turn - floor(turn)) * 16.0f, sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * 7.0f);
+}
+
+// Coordinate 0..1 of a slope in the tables of slopes.
+FORMULA float slope_coord(float slope) { return atan(slope) * 0.31830989f + 0.5f; }
+
+// Half vector's slopes along x and y.
+FORMULA vec2 half_slopes(vec3 l, vec3 v) {
+  float z = max(l.z + v.z, 1.0e-3f);
+  return vec2((l.x + v.x) / z, (l.y + v.y) / z);
+}
+
+// One system of threads from afar. broad: its response (core/light/cloth_response.h); slopes: densities of
+// the slope angles at half_slopes(); share: of the cover at normal view.
+FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, float sky, vec3 l, vec3 v) {
+  vec3 sum = l + v;
+  float length2 = max(dot(sum, sum), 1.0e-6f);
+  vec2 h = half_slopes(l, v);
+  float z = max(l.z + v.z, 1.0e-3f);
+  float secant2 = length2 / (z * z);
+  // Density of slopes from that of their angles; of normals from that of slopes.
+  float d = slopes.x * slopes.y / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
+  float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
+  float k2 = k * k;
+  vec3 fresnel = y.f0 + (y.f90 - y.f0) * (k2 * k2 * k);
+  vec3 hair = y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f);
+  Answer a;
+  a.key = l.z > 0.0f ? y.body * broad.x + fresnel * (d * share * broad.y) + hair * broad.z
+                     : y.through * (broad.w * abs(l.z) * 0.31830989f);
+  vec3 mirrored = fresnel * broad.w;
+  a.glossy = mirrored * sky;
+  a.soft = (y.body + y.fuzz_colour * (0.25f * y.fuzz)) * (broad.w * sky);
+  return a;
+}
+
+// Both systems, each with its local share of the cover over its mean (relative).
+FORMULA Answer mixed_answer(Answer warp, Answer weft, vec2 relative, vec2 seen) {
+  float scale = 1.0f / max(relative.x * seen.x + relative.y * seen.y, 1.0e-4f);
+  Answer a;
+  a.key = (warp.key * relative.x + weft.key * relative.y) * scale;
+  a.soft = (warp.soft * relative.x + weft.soft * relative.y) * scale;
+  a.glossy = (warp.glossy * relative.x + weft.glossy * relative.y) * scale;
+  return a;
+}
+
+// Lambert, anisotropic GGX and sheen, as engines shade the exported set. alpha: along and across the frame's t.
+struct EngineMaterial {
+  vec3 base;
+  float metal;
+  vec3 sheen;
+  float sheen_roughness;
+  vec2 alpha;
+  float occlusion;
+};
+
+FORMULA Answer engine_answer(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
+  vec3 wi = lobe_local(f, l);
+  vec3 wo = lobe_local(f, v);
+  float nl = max(wi.z, 1.0e-4f);
+  float nv = max(wo.z, 1.0e-2f);
+  vec3 h = normalize(wi + wo);
+  float ax = clamp(m.alpha.x, 0.02f, 1.0f);
+  float ay = clamp(m.alpha.y, 0.02f, 1.0f);
+  float q = h.x * h.x / (ax * ax) + h.y * h.y / (ay * ay) + h.z * h.z;
+  float d = 1.0f / (kPi * ax * ay * q * q);
+  float g_o = nl * length(vec3(ax * wo.x, ay * wo.y, nv));
+  float g_i = nv * length(vec3(ax * wi.x, ay * wi.y, nl));
+  float vis = 0.5f / max(g_o + g_i, 1.0e-5f);
+  float k = 1.0f - clamp(dot(wi, h), 0.0f, 1.0f);
+  float k2 = k * k;
+  vec3 f0 = mix(vec3(0.04f), m.base, m.metal);
+  vec3 fresnel = f0 + (1.0f - f0) * (k2 * k2 * k);
+  float r = max(m.sheen_roughness * m.sheen_roughness, 1.0e-2f);
+  float sine = sqrt(max(1.0f - h.z * h.z, 1.0e-6f));
+  float charlie = (2.0f + 1.0f / r) * pow(sine, 1.0f / r) / (2.0f * kPi);
+  float cloth_vis = 0.25f / max(nl + nv - nl * nv, 1.0e-4f);
+  vec3 body = m.base * (1.0f - m.metal);
+  float kept = 1.0f - 0.157f * max(max(m.sheen.x, m.sheen.y), m.sheen.z);
+  Answer a;
+  a.key = wi.z > 0.0f ? ((body * (1.0f - fresnel)) / kPi + fresnel * (d * vis)) * kept + m.sheen * (charlie * cloth_vis)
+                      : vec3(0.0f);
+  a.key *= nl;
+  a.soft = (body * kept + m.sheen * 0.157f) * m.occlusion;
+  a.glossy = f0 * m.occlusion;
+  return a;
+}

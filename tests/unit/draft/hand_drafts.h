@@ -2,6 +2,7 @@
 // Drafts written by hand and drawdowns written as rows of text, pick 1 first, end 1 on the left, 1 where the
 // warp is on top.
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -64,7 +65,7 @@ inline BitMatrix slow_drawdown(const Draft& d) {
 }
 
 inline void fill_randomly(BitMatrix& m, std::mt19937& random, double share) {
-  std::bernoulli_distribution on(share);
+  std::bernoulli_distribution on(std::min(share, 1.0));
   for (int r = 0; r < m.rows(); ++r) {
     for (int c = 0; c < m.cols(); ++c) m.set(r, c, on(random));
   }

@@ -25,6 +25,9 @@ constexpr size_t kMaxVertices = 8'000'000, kMaxIndices = 48'000'000;
 constexpr int kMaxJsonDepth = 64;
 constexpr size_t kMaxNodes = 100'000;
 constexpr float kMmPerMetre = 1000.0f;
+// Beyond a kilometre of cloth and ten of thread coordinates a float no longer tells threads apart, and
+// sums of squared areas leave its range.
+constexpr double kMaxPositionMm = 1e6, kMaxUvMm = 1e7;
 constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
 /// What is wrong and what to do; caught at the border of this file.
@@ -338,7 +341,10 @@ void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::
   for (size_t i = 0; i < position.count; ++i) {
     const double x = position.value(i, 0), y = position.value(i, 1), z = position.value(i, 2);
     Vec3 p;
-    for (size_t r = 0; r < 3; ++r) p[r] = finite((m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]) * double{kMmPerMetre}, "position");
+    for (size_t r = 0; r < 3; ++r) {
+      p[r] = finite((m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]) * double{kMmPerMetre}, "position");
+      if (std::abs(double{p[r]}) > kMaxPositionMm) refuse("it is larger than a kilometre; glTF counts in metres: scale it and export again");
+    }
     out.mesh.position_mm.push_back(p);
     // glTF's second coordinate runs down the image, v runs up the warp.
     out.mesh.uv_mm.push_back({finite(uv.value(i, 0), "texture coordinate"), -finite(uv.value(i, 1), "texture coordinate")});
@@ -417,6 +423,14 @@ void scale_uv(Mesh& mesh) {
   for (Vec2& uv : mesh.uv_mm) uv = {uv[0] * scale, uv[1] * scale};
 }
 
+void check_uv(const Mesh& mesh) {
+  for (const Vec2& uv : mesh.uv_mm) {
+    if (!(std::abs(double{uv[0]}) <= kMaxUvMm && std::abs(double{uv[1]}) <= kMaxUvMm)) {
+      refuse("its texture coordinates run over ten kilometres of cloth; move the islands near the origin and export again");
+    }
+  }
+}
+
 /// Tangents always follow the millimetre coordinates; normals of the file are kept where it has them.
 void complete_frames(Gathered& gathered) {
   const std::vector<Vec3> given = gathered.mesh.normal;
@@ -442,6 +456,7 @@ Mesh read_checked(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   Gathered gathered = gather(load(needed, chunks.binary, folder));
   if (!needed.uv_mm) scale_uv(gathered.mesh);
+  check_uv(gathered.mesh);
   complete_frames(gathered);
   if (gathered.mesh.name.empty()) gathered.mesh.name = std::filesystem::path(path).stem().string();
   return std::move(gathered.mesh);

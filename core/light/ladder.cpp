@@ -32,8 +32,8 @@ float interpolate(const Ladder& ladder, Method method, float yarns, float (*valu
   }
   if (!below && !above) return std::numeric_limits<float>::infinity();
   if (!below || !above) return value(below ? *below : *above);
-  const float span = std::log2(above->yarns_per_pixel / below->yarns_per_pixel);
-  const float t = span > 0 ? std::log2(yarns / below->yarns_per_pixel) / span : 0.0f;
+  const float from = std::log2(below->yarns_per_pixel), span = std::log2(above->yarns_per_pixel) - from;
+  const float t = span > 0 ? (std::log2(yarns) - from) / span : 0.0f;
   return value(*below) + (value(*above) - value(*below)) * t;
 }
 
@@ -49,10 +49,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+/// What was measured lies far within 1e12; beyond, sums would leave a float's range.
 std::optional<float> number(std::string_view text) {
+  constexpr float kMost = 1e12f;
   float v = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(v)) return std::nullopt;
+  if (error != std::errc() || end != text.data() + text.size() || !(std::abs(v) <= kMost)) return std::nullopt;
   return v;
 }
 

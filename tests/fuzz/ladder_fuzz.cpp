@@ -1,0 +1,35 @@
+// Any text as chart.csv: reading never crashes, and a ladder that is read chooses a rung everywhere.
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "light/ladder.h"
+
+using namespace weftlight;
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  std::string problem;
+  const Ladder ladder = read_ladder({reinterpret_cast<const char*>(data), size}, problem);
+  require(problem.empty() || ladder.empty(), "a ladder with a problem is empty");
+  for (const LadderPoint& point : ladder) {
+    for (const float yarns : {point.yarns_per_pixel, 0.0f, 1e-3f, 1.0f, 1e3f}) {
+      require(!std::isnan(expected_error(ladder, point.method, yarns)), "an expected error is a number");
+      require(!std::isnan(expected_cost(ladder, point.method, yarns)), "an expected cost is a number");
+    }
+  }
+  const auto edges = rung_edges(ladder, 0.05f);
+  require(edges[0] <= edges[1] && edges[1] <= edges[2], "the edges between rungs rise");
+  return 0;
+}

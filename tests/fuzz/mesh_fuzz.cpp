@@ -1,0 +1,59 @@
+// Any bytes as a .glb or .gltf: reading never crashes, and a mesh that is read can be drawn.
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "files/files.h"
+
+using namespace weftlight;
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+/// A file of this process, rewritten for every input.
+const std::string& scratch_path() {
+  static const std::string path =
+      (std::filesystem::temp_directory_path() / ("weftlight-fuzz-" + std::to_string(::getpid()) + ".glb")).string();
+  static const int at_exit = std::atexit([] { std::remove(scratch_path().c_str()); });
+  (void)at_exit;
+  return path;
+}
+
+bool is_unit(const Vec3& v) { return std::abs(std::hypot(v[0], v[1], v[2]) - 1) < 1e-3f; }
+
+void require_drawable(const Mesh& mesh) {
+  const size_t n = mesh.position_mm.size();
+  require(mesh.normal.size() == n && mesh.tangent.size() == n && mesh.uv_mm.size() == n, "attributes are as long as each other");
+  require(!mesh.index.empty() && mesh.index.size() % 3 == 0, "there are whole triangles");
+  for (const uint32_t i : mesh.index) require(i < n, "a corner is a vertex");
+  for (size_t i = 0; i < n; ++i) {
+    for (const float x : mesh.position_mm[i]) require(std::isfinite(x), "positions are numbers");
+    for (const float x : mesh.uv_mm[i]) require(std::isfinite(x), "texture coordinates are numbers");
+    require(is_unit(mesh.normal[i]), "normals are of unit length");
+    require(is_unit(mesh.tangent[i]), "tangents are of unit length");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  {
+    std::ofstream out(scratch_path(), std::ios::binary | std::ios::trunc);
+    out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  }
+  const ReadMesh read = read_mesh(scratch_path());
+  require(read.mesh.has_value() == read.error.empty(), "a refusal says why");
+  if (read.mesh) require_drawable(*read.mesh);
+  return 0;
+}

@@ -92,7 +92,8 @@ float floor_mm(const Cloth& cloth) {
   return -0.5f * (end + pick);
 }
 
-SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System system, float from_mm, float to_mm) {
+SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System system, float from_mm, float to_mm,
+                                                  float step, float step_along) {
   const auto& threads = threads_of(cloth, system);
   const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   Textures out;
@@ -100,6 +101,11 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
   for (int i = out.first, last = thread_at(threads, to_mm); i <= last; ++i) {
     const ThreadBody& body = threads[static_cast<size_t>(i)];
     out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length));
+    const ThreadTexture& t = out.of.back();
+    // On the ridge, where grooves are seen at their widest.
+    const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
+                                  std::abs(static_cast<float>(t.advance)) * step_along / length);
+    out.patterned.push_back(contrast_left(0.99f * cycles) > 0.0f);
   }
   return out;
 }
@@ -109,8 +115,10 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
       dx_mm_(cloth.width_mm / static_cast<float>(grid.samples_x())),
       dy_mm_(cloth.depth_mm / static_cast<float>(grid.samples_y())),
       floor_mm_(floor_mm(cloth)),
-      warp_texture_(textures(cloth, System::kWarp, static_cast<float>(x0) * dx_mm_, static_cast<float>(x1) * dx_mm_)),
-      weft_texture_(textures(cloth, System::kWeft, static_cast<float>(y0) * dy_mm_, static_cast<float>(y1) * dy_mm_)),
+      warp_texture_(textures(cloth, System::kWarp, static_cast<float>(x0) * dx_mm_, static_cast<float>(x1) * dx_mm_,
+                             dx_mm_, dy_mm_)),
+      weft_texture_(textures(cloth, System::kWeft, static_cast<float>(y0) * dy_mm_, static_cast<float>(y1) * dy_mm_,
+                             dy_mm_, dx_mm_)),
       columns_(across(System::kWarp, x0, x1)),
       rows_(across(System::kWeft, y0, y1)) {
   column_steps_.reserve(columns_.size());
@@ -182,7 +190,8 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
 
 SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
   const bool warp = system == System::kWarp;
-  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(thread);
+  const Textures& textures = warp ? warp_texture_ : weft_texture_;
+  const ThreadTexture& texture = textures.at(thread);
   const float share = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
   const CentrePoint centre = centre_at(lines_, system, thread, step);
   Along a;
@@ -193,7 +202,8 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   const float node = std::floor(share * static_cast<float>(texture.nodes));
   a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
   a.blend = std::clamp(share * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
-  a.turn = static_cast<float>(texture.advance) * share + wander(texture, a.node, a.blend);
+  a.turn = static_cast<float>(texture.advance) * share;
+  if (textures.has_pattern(thread)) a.turn += wander(texture, a.node, a.blend);
   return a;
 }
 

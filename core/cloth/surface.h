@@ -87,9 +87,11 @@ class SurfaceSampler {
   struct Textures {
     int first = 0;
     std::vector<ThreadTexture> of;
+    std::vector<bool> patterned;  // false: too fine for the samples, all contrast is gone
     const ThreadTexture& at(int thread) const { return of[static_cast<size_t>(thread - first)]; }
+    bool has_pattern(int thread) const { return patterned[static_cast<size_t>(thread - first)]; }
   };
-  static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm);
+  static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm, float step, float step_along);
   Textures warp_texture_, weft_texture_;
   std::vector<Across> columns_, rows_;
   std::vector<CentreStep> column_steps_;

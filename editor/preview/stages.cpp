@@ -14,6 +14,8 @@ namespace weftlight {
 namespace {
 
 constexpr int kAzimuths = 16;
+constexpr int kFewAzimuths = 4;                   // of a map whose texels are about as wide as a thread: it is nearly flat
+constexpr double kFinePerHorizon = 3;             // texels across a thread, from which on threads shade each other
 constexpr double kTexels = 1024.0 * 1024.0;       // of one face, where that gives each thread enough
 constexpr double kMostTexels = 2048.0 * 2048.0;   // for drafts of many threads
 constexpr double kLeastPerThread = 6;             // texels across a thread worth more than kTexels
@@ -72,7 +74,7 @@ MapsSize maps_size(const Cloth& cloth) {
   const double n = per_thread(cloth);
   const double ends = static_cast<double>(cloth.ends.size()), picks = static_cast<double>(cloth.picks.size());
   // Square texels in millimetres: the shorter side of the threads' mean decides.
-  MapsSize size{power_of_two(ends * n), power_of_two(picks * n), kAzimuths};
+  MapsSize size{power_of_two(ends * n), power_of_two(picks * n), n < kFinePerHorizon ? kFewAzimuths : kAzimuths};
   return size;
 }
 
@@ -139,8 +141,9 @@ void Stages::bake_all(const Design& design, bool shadows) {
 }
 
 bool Stages::bake_cells(const Design& design, const CellRect& dirty, StageResult& result) {
-  if (period_ == Period::kRepeat || (shadows_ && !dirty.empty())) return false;  // vrst03 knows only the whole
   if (dirty.empty()) return true;
+  if (shadows_) return false;  // vrst03 knows only the whole
+  if (period_ == Period::kRepeat && choose_period(design, cells_) != period_) return false;
   for (const Face face : {Face::kFront, Face::kBack}) {
     FaceState& state = face == Face::kFront ? front_ : back_;
     Cloth after = face_cloth(design, cells_, face, period_);

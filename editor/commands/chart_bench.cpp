@@ -61,7 +61,9 @@ std::vector<PackedKind> kinds_of(Method method) {
     case Method::kVrst03: return {PackedKind::kColor, PackedKind::kShadow};
     case Method::kCloth: return {};
     case Method::kRepeat: return {PackedKind::kColor};
-    default: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
+    case Method::kCell:
+    case Method::kEngine: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
+    default: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon, PackedKind::kHeight};
   }
 }
 

@@ -88,10 +88,38 @@ vec2 masking_pixel(const PixelInput& x) {
   return system_masking(vec2(0.5f), vec2(area, area), 0.1f, x.v);
 }
 
+/// The thread on top; a pixel longer than wide is taken in parts, as the shader does.
 vec3 yarn_pixel(const PixelInput& x) {
+  const float ratio = 1 / max(x.v.z, 0.05f);
+  const int parts = static_cast<int>(clamp(ceil(ratio * 0.8f - 0.4f), 1.0f, 5.0f));
+  vec3 sum(0);
+  for (int i = 0; i < parts; ++i) {
+    keep(&x);
+    sum += facet_pixel(x, x.warp, vec3(0, 1, 0)) * thread_light_pixel(x);
+  }
+  return sum * x.key * (coverage_by_view(0.9f, x.gap, 0.2f, x.v) / static_cast<float>(parts));
+}
+
+vec3 cell_pixel(const PixelInput& x) {
   const vec2 seen = masking_pixel(x);
   const vec3 sent = facet_pixel(x, x.warp, vec3(0, 1, 0)) * seen.x + facet_pixel(x, x.weft, vec3(1, 0, 0)) * seen.y;
   return sent * x.key * (thread_light_pixel(x) * coverage_by_view(0.9f, x.gap, 0.2f, x.v));
+}
+
+/// The measured answers of both systems; `cloth` differs from `repeat` in what it need not fetch.
+vec3 afar_pixel(const PixelInput& x) {
+  const vec2 h = half_slopes(x.l, x.v);
+  const vec2 slopes(slope_coord(h.x), slope_coord(h.y));
+  const vec2 at = response_coord(x.l) + response_coord(x.v);
+  const vec4 broad = x.horizon * (at.x + at.y);
+  const Answer warp = system_answer(x.warp, broad, slopes, 0.5f, 0.8f, x.l, x.v);
+  const Answer weft = system_answer(x.weft, broad, slopes, 0.5f, 0.8f, x.l, x.v);
+  return mixed_answer(warp, weft, x.gap, slopes).key * x.key * coverage_by_view(0.9f, x.gap, 0.2f, x.v);
+}
+
+vec3 engine_pixel(const PixelInput& x) {
+  const EngineMaterial m{x.color, 0, sqrt(x.color), 0.5f, sqrt(2.0f * vec2(x.slopes.x, x.slopes.z)), 0.8f};
+  return engine_answer(m, lobe_frame(normalize(x.n), vec3(1, 0, 0)), x.l, x.v).key * x.key;
 }
 
 using PixelFormula = vec3 (*)(const PixelInput&);
@@ -100,7 +128,11 @@ PixelFormula formula_of(Method method) {
   switch (method) {
     case Method::kFlat: return flat_pixel;
     case Method::kVrst03: return vrst03_pixel;
+    case Method::kCloth:
+    case Method::kRepeat: return afar_pixel;
+    case Method::kCell: return cell_pixel;
     case Method::kYarn: return yarn_pixel;
+    case Method::kEngine: return engine_pixel;
     default: return nullptr;
   }
 }

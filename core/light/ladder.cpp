@@ -159,15 +159,17 @@ float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel) 
 }
 
 Method choose_rung(const Ladder& ladder, float yarns_per_pixel, float tolerance) {
-  Method best = Method::kYarn, nearest = Method::kYarn;
-  float best_cost = std::numeric_limits<float>::infinity(), least = best_cost;
+  constexpr float kAsGood = 1.1f;   // errors nearer to each other than this are told apart by no eye
+  float least = std::numeric_limits<float>::infinity();
+  for (const Method m : kRungs) least = std::min(least, expected_error(ladder, m, yarns_per_pixel));
+  const float held = std::max(tolerance, least * kAsGood);
+  Method best = Method::kYarn;
+  float best_cost = std::numeric_limits<float>::infinity();
   for (const Method m : kRungs) {
-    const float error = expected_error(ladder, m, yarns_per_pixel);
-    if (error < least) least = error, nearest = m;
     const float cost = expected_cost(ladder, m, yarns_per_pixel);
-    if (error <= tolerance && cost < best_cost) best_cost = cost, best = m;
+    if (expected_error(ladder, m, yarns_per_pixel) <= held && cost < best_cost) best_cost = cost, best = m;
   }
-  return std::isfinite(best_cost) ? best : nearest;
+  return best;
 }
 
 std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance) {

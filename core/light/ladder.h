@@ -16,7 +16,7 @@ std::string_view method_name(Method method);
 std::optional<Method> method_from_name(std::string_view name);
 std::vector<std::string_view> method_names();  // in the order of the ladder, auto first
 
-/// One measured point: the worst over scenes and views.
+/// One measured point, over scenes and views.
 struct LadderPoint {
   Method method = Method::kYarn;
   float yarns_per_pixel = 1;  // > 0
@@ -39,7 +39,7 @@ float expected_error(const Ladder& ladder, Method method, float yarns_per_pixel)
 float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel);
 
 /// Among yarn, cell, repeat and cloth the cheapest whose expected error is within the tolerance; if none,
-/// the one of least error.
+/// the cheapest of those within a tenth of the least error.
 Method choose_rung(const Ladder& ladder, float yarns_per_pixel, float tolerance);
 
 /// Footprints where yarn gives way to cell, cell to repeat, repeat to cloth (filter.glsl, rung_weights):

@@ -260,10 +260,10 @@ double ChartBench::rung_instructions(size_t scene, int view_deg, Method method) 
 double ChartBench::instructions(const ChartRow& cell) {
   const size_t scene = scene_of(cell);
   if (cell.method != Method::kAuto) return rung_instructions(scene, cell.view_deg, cell.method);
-  // The rungs that it mixes where a pixel is so long.
-  const double longer = cell.yarns_per_pixel / std::cos(cell.view_deg * 0.017453292519943295);
+  // The rungs that it mixes where a pixel is so large.
+  const double yarns = cell.yarns_per_pixel / std::sqrt(std::cos(cell.view_deg * 0.017453292519943295));
   const std::array<float, 3> edges = rung_edges(ladder_, Look{}.tolerance);
-  const glm::vec4 weights = formulas::rung_weights(static_cast<float>(longer), glm::vec3(edges[0], edges[1], edges[2]));
+  const glm::vec4 weights = formulas::rung_weights(static_cast<float>(yarns), glm::vec3(edges[0], edges[1], edges[2]));
   constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {

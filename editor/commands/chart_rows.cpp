@@ -64,22 +64,36 @@ constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Metho
 
 double cosine(int view_deg) { return std::cos(view_deg * std::numbers::pi / 180); }
 
-/// One view's worst points, at the footprints of its longer axis.
-Ladder view_ladder(const std::vector<ChartRow>& rows, int view_deg, Method method) {
-  std::vector<ChartRow> picked;
-  for (const ChartRow& row : rows) {
-    if (row.view_deg == view_deg && row.method == method) picked.push_back(row);
+/// The rows of one method on one scene and view, at the footprints that the shaders measure.
+Ladder place_ladder(const std::vector<ChartRow>& rows, const ChartRow& place, Method method) {
+  Ladder ladder;
+  for (const ChartRow& r : rows) {
+    if (r.method != method || r.scene != place.scene || r.view_deg != place.view_deg) continue;
+    ladder.push_back({method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))), static_cast<float>(r.ns_per_pixel),
+                      static_cast<float>(r.filtering_error), static_cast<float>(r.model_error)});
   }
-  std::string problem;
-  Ladder ladder = read_ladder(chart_csv(picked), problem);
-  for (LadderPoint& p : ladder) p.yarns_per_pixel /= static_cast<float>(cosine(view_deg));
   return ladder;
 }
 
-float worst_at(const Ladder& ladder, Method method, float yarns, float LadderPoint::*error) {
-  Ladder one = ladder;
-  for (LadderPoint& p : one) p.filtering_error = p.model_error = p.*error;
-  return expected_error(one, method, yarns);
+float error_at(Ladder ladder, Method method, float yarns, float LadderPoint::*error) {
+  for (LadderPoint& p : ladder) p.filtering_error = p.model_error = p.*error;
+  return expected_error(ladder, method, yarns);
+}
+
+/// Errors as root mean squares over places, cost as the mean.
+LadderPoint point_of(const std::vector<Ladder>& places, Method method, float yarns) {
+  LadderPoint p{method, yarns, 0, 0, 0};
+  const float share = 1.0f / static_cast<float>(places.size());
+  for (const Ladder& place : places) {
+    const float filtering = error_at(place, method, yarns, &LadderPoint::filtering_error);
+    const float model = error_at(place, method, yarns, &LadderPoint::model_error);
+    p.cost_ns += expected_cost(place, method, yarns) * share;
+    p.filtering_error += filtering * filtering * share;
+    p.model_error += model * model * share;
+  }
+  p.filtering_error = std::sqrt(p.filtering_error);
+  p.model_error = std::sqrt(p.model_error);
+  return p;
 }
 
 }  // namespace
@@ -128,27 +142,22 @@ void mark_front(std::vector<ChartRow>& rows) {
 
 Ladder ladder_of(const std::vector<ChartRow>& rows) {
   std::set<float> footprints;
-  std::set<int> views;
+  std::vector<ChartRow> places;
   for (const ChartRow& row : rows) {
     footprints.insert(static_cast<float>(row.yarns_per_pixel));
-    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 4);   // tilted pixels reach further
-    views.insert(row.view_deg);
+    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 2);   // tilted pixels are larger
+    const bool seen = std::any_of(places.begin(), places.end(),
+                                  [&row](const ChartRow& p) { return p.scene == row.scene && p.view_deg == row.view_deg; });
+    if (!seen) places.push_back(row);
   }
   Ladder ladder;
   for (const Method method : kRungs) {
-    std::vector<Ladder> seen;
-    for (const int view : views) {
-      if (Ladder one = view_ladder(rows, view, method); !one.empty()) seen.push_back(std::move(one));
+    std::vector<Ladder> measured;
+    for (const ChartRow& place : places) {
+      if (Ladder one = place_ladder(rows, place, method); !one.empty()) measured.push_back(std::move(one));
     }
-    if (seen.empty()) continue;
     for (const float yarns : footprints) {
-      LadderPoint p{method, yarns, 0, 0, 0};
-      for (const Ladder& one : seen) {
-        p.cost_ns += expected_cost(one, method, yarns) / static_cast<float>(seen.size());
-        p.filtering_error = std::max(p.filtering_error, worst_at(one, method, yarns, &LadderPoint::filtering_error));
-        p.model_error = std::max(p.model_error, worst_at(one, method, yarns, &LadderPoint::model_error));
-      }
-      ladder.push_back(p);
+      if (!measured.empty()) ladder.push_back(point_of(measured, method, yarns));
     }
   }
   return ladder;

@@ -41,8 +41,8 @@ ChartRow as_written(ChartRow row);
 /// on_front: no other method at the same place is both cheaper (nanoseconds) and nearer the truth.
 void mark_front(std::vector<ChartRow>& rows);
 
-/// Worst errors over scenes and views and the mean cost of each rung at each footprint. The footprint of the
-/// ladder is that of the shaders, the longer axis of the pixel, so rows of a tilted view move along.
+/// Errors (root mean squares over scenes and views) and mean cost of each rung at each footprint. The footprint
+/// of the ladder is that of the shaders, the root of the pixel's area, so rows of a tilted view move along.
 Ladder ladder_of(const std::vector<ChartRow>& rows);
 /// In the form of presets/ladder.csv (core/light/ladder.h, read_ladder).
 std::string ladder_csv(const Ladder& ladder);

@@ -10,9 +10,15 @@ vec3 rung_color(vec4 weight) {
 vec3 shade_auto(Side side, Lights x, Footprint f) {
   vec4 weight = rung_weights(f.yarns, frame.rungs.xyz);
   vec3 color = vec3(0.0);
+#if FINEST_RUNG < 1
   if (weight.x > 0.0) color += weight.x * shade_yarn(side, x, f);
+#endif
+#if FINEST_RUNG < 2
   if (weight.y > 0.0) color += weight.y * shade_cell(side, x, f);
+#endif
+#if FINEST_RUNG < 3
   if (weight.z > 0.0) color += weight.z * shade_repeat(side, x, f);
+#endif
   if (weight.w > 0.0) color += weight.w * shade_cloth(side, x);
   if (frame.rungs.w > 0.5) color = rung_color(weight) * (0.15 + 0.85 * sqrt(dot(color, vec3(0.2126, 0.7152, 0.0722))));
   return color;

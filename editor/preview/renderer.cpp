@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
 
+#include "light/formulas.h"
 #include "light/ladder.h"
 #include "preview/camera.h"
 #include "preview/gpu_cloth.h"
@@ -31,6 +32,7 @@ struct DrawnFrame {
   Scene scene;
   Look look;
   Frame frame;
+  float least_yarns = 0;   // no pixel of the cloth holds fewer, root of area
 };
 
 /// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
@@ -53,7 +55,7 @@ struct Renderer::Parts {
   Target screen{false}, linear{true};
   GlBuffer frame_block;
   GlVertexArray nothing;  // for shapes that the vertex shader makes
-  std::map<std::pair<Method, int>, GlProgram> cloth_programs;
+  std::map<std::array<int, 3>, GlProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples;
   bool queried = false, software = false;
@@ -63,7 +65,8 @@ struct Renderer::Parts {
   Ladder ladder = shipped_ladder();
 
   bool build(std::string& error);
-  GLuint cloth_program(Method method, int taps, std::string& error);
+  GLuint cloth_program(Method method, int taps, int finest, std::string& error);
+  int finest_rung(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const GpuMesh& on) const;
   void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
@@ -89,16 +92,30 @@ bool Renderer::Parts::build(std::string& error) {
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error)) return false;
   for (const Method method : {Method::kAuto}) {
-    if (!cloth_program(method, kFullTaps, error)) return false;
+    if (!cloth_program(method, kFullTaps, 0, error)) return false;
   }
   return true;
 }
 
-GLuint Renderer::Parts::cloth_program(Method method, int taps, std::string& error) {
-  GlProgram& program = cloth_programs[{method, taps}];
+/// First of yarn, cell, repeat, cloth that rung auto needs in this picture. Without a graphics card both sides of
+/// a branch are run, so finer ones are left out of its program; not while something moves, for a new program
+/// takes its time to build.
+int Renderer::Parts::finest_rung(const DrawnFrame& drawn) const {
+  if (!software || drawn.frame.render_scale < 1 || drawn_method(drawn.look.method) != Method::kAuto) return 0;
+  constexpr float kSure = 0.8f;   // curved cloth and rounding
+  const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  const glm::vec4 weight = formulas::rung_weights(kSure * drawn.least_yarns, glm::vec3(edges[0], edges[1], edges[2]));
+  int finest = 0;
+  while (finest < 3 && weight[finest] <= 0) ++finest;
+  return finest;
+}
+
+GLuint Renderer::Parts::cloth_program(Method method, int taps, int finest, std::string& error) {
+  GlProgram& program = cloth_programs[{static_cast<int>(method), taps, finest}];
   if (!program.peek()) {
     std::vector<std::string> defines{define_of(method), "SHADOW_TAPS " + std::to_string(taps),
-                                     "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths)};
+                                     "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
+                                     "FINEST_RUNG " + std::to_string(finest)};
     if (taps == kQuickTaps) defines.push_back("QUICK");
     program = build_program("cloth.vert", "cloth.frag", defines, error);
   }
@@ -152,7 +169,8 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   if (cloth.empty() || !drawn.frame.cloth) return;
   cloth.bind();
   std::string error;
-  glUseProgram(cloth_program(drawn_method(drawn.look.method), drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, error));
+  glUseProgram(cloth_program(drawn_method(drawn.look.method), drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps,
+                             finest_rung(drawn), error));
   has_gaps() ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
   const auto start = clock_here(drawn.frame);
@@ -201,7 +219,9 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   // What shows through gaps must be there before; otherwise what the cloth hides need not be shaded.
   if (has_gaps()) draw_around(drawn, camera);
-  draw_cloth(drawn, mesh);
+  DrawnFrame sized = drawn;
+  sized.least_yarns = least_pixel_mm(camera, prepared.bounds, drawn.frame.height) / std::max(cloth.mean_spacing_mm(), 1e-6f);
+  draw_cloth(sized, mesh);
   if (!has_gaps()) draw_around(drawn, camera);
   glBindVertexArray(0);
   target.end();
@@ -216,6 +236,8 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   const Camera camera = patch_camera(p);
   DrawnFrame drawn{{}, look, {}};
   drawn.scene.sky_strength = 0;
+  const float area = std::abs(p.step_x_mm.x * p.step_y_mm.y - p.step_x_mm.y * p.step_y_mm.x);
+  drawn.least_yarns = std::sqrt(area) / std::max(cloth.mean_spacing_mm(), 1e-6f);
   drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
   if (!linear.begin(p.width, p.height, 1)) return;
   interop::FrameData data = frame_data(drawn, camera, true, patch);

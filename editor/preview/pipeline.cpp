@@ -17,7 +17,8 @@ struct Pipeline::Parts {
   std::shared_ptr<const Design> wanted;
   bool working = false, stop = false;
   std::optional<PreparedMesh> mesh;
-  bool all_maps = false;
+  bool all_maps = false;                  // stages.packed() is new as a whole
+  std::optional<PackedCloth> quick_maps;  // or this is; patches come after it
   std::vector<PackedPatch> patches;
   std::vector<float> lobes;
   std::string problem;
@@ -25,7 +26,8 @@ struct Pipeline::Parts {
   std::thread worker;
 
   void run();
-  void hand_over(StageResult result);
+  void compute(const std::shared_ptr<const Design>& design, Effort effort);
+  void hand_over(StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
 };
 
@@ -38,46 +40,59 @@ void Pipeline::Parts::run() {
     wanted = nullptr;
     working = true;
     lock.unlock();
-    {
-      // Held through the hand-over, so that maps and patches are taken up in the order they were made.
-      const std::lock_guard hold(maps);
-      StageResult result = stages.update(design);
-      hand_over(std::move(result));
-    }
+    compute(design, Effort::kQuick);
+    lock.lock();
+    const bool newest = !wanted && !stop;
+    lock.unlock();
+    if (newest) compute(design, Effort::kFull);
     lock.lock();
     working = false;
     if (!wanted) settled.notify_all();
   }
 }
 
-void Pipeline::Parts::hand_over(StageResult result) {
+/// Quick maps are small: a copy of them is handed over, so that they can be taken up while the full ones are made.
+void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort) {
+  // Held through the hand-over, so that maps and patches are taken up in the order they were made.
+  const std::lock_guard hold(maps);
+  StageResult result = stages.update(design, effort);
+  std::optional<PackedCloth> copy;
+  if (result.all_maps && effort == Effort::kQuick) copy = stages.packed();
+  hand_over(std::move(result), std::move(copy));
+}
+
+void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> copy) {
   const std::lock_guard lock(mutex);
   if (result.mesh) mesh = std::move(result.mesh);
   if (result.all_maps) {
-    all_maps = true;
+    quick_maps = std::move(copy);
+    all_maps = !quick_maps;
     patches.clear();
+    lobes.clear();
   }
   if (!all_maps) {
     patches.insert(patches.end(), std::make_move_iterator(result.patches.begin()),
                    std::make_move_iterator(result.patches.end()));
+    if (!result.all_maps && !result.lobes.empty()) lobes = std::move(result.lobes);
   }
-  if (!result.lobes.empty()) lobes = std::move(result.lobes);
   problem = std::move(result.problem);
 }
 
 bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
-  // The worker holds the maps while it computes: then the last good ones stay on screen.
+  // The worker holds its maps while it computes: then the last good ones stay on screen.
   std::unique_lock hold(maps, std::defer_lock);
   if (wait) hold.lock();
-  else if (!hold.try_lock()) return false;
-  const std::lock_guard lock(mutex);
-  const bool changed = mesh || all_maps || !patches.empty() || !lobes.empty();
+  std::unique_lock lock(mutex);
+  if (all_maps && !wait && !hold.try_lock()) return false;
+  const bool changed = mesh || all_maps || quick_maps || !patches.empty() || !lobes.empty();
   if (mesh) renderer.set_mesh(std::move(*mesh));
   mesh.reset();
   if (all_maps) renderer.upload(stages.packed());
-  else if (!patches.empty()) renderer.upload(patches);
-  if (!all_maps && !lobes.empty()) renderer.upload_lobes(lobes);
+  if (quick_maps) renderer.upload(*quick_maps);
+  if (!patches.empty()) renderer.upload(patches);
+  if (!lobes.empty()) renderer.upload_lobes(lobes);
   all_maps = false;
+  quick_maps.reset();
   patches.clear();
   lobes.clear();
   return changed;

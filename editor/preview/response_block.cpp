@@ -39,6 +39,16 @@ void append_seen(std::vector<float>& out, const Faces& faces) {
 
 }  // namespace
 
+void keep_response(std::vector<float>& block, const std::vector<float>& earlier) {
+  interop::ClothData data, kept;
+  std::memcpy(&data, block.data(), sizeof data);
+  std::memcpy(&kept, earlier.data(), sizeof kept);
+  data.relief[2] = kept.relief[2], data.relief[3] = kept.relief[3];
+  for (size_t s = 0; s < 4; ++s) data.systems[s].mean = kept.systems[s].mean;
+  std::memcpy(block.data(), &data, sizeof data);
+  block.insert(block.end(), earlier.end() - static_cast<ptrdiff_t>(kResponseFloats), earlier.end());
+}
+
 void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back) {
   Faces faces;
   std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps); });

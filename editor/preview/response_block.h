@@ -18,6 +18,9 @@ inline constexpr size_t kSlopeFloats = size_t{kSlopeBins} * kSlopeRows;
 inline constexpr size_t kSeenFloats = size_t{2} * kResponseWidth * kSeenHeight;
 inline constexpr size_t kResponseFloats = kBroadFloats + kSlopeFloats + kSeenFloats;
 
+/// Gives a block of cloth_block() the answer, and the means with it, of an earlier whole block.
+void keep_response(std::vector<float>& block, const std::vector<float>& earlier);
+
 /// Appends response, slopes and seen to a block of cloth_block(), and sets its means.
 void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back);
 

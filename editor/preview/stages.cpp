@@ -22,6 +22,7 @@ constexpr double kLeastPerThread = 6;             // texels across a thread wort
 constexpr double kMostPerThread = 64;             // beyond, fibres are smooth
 constexpr double kFinePerThread = 14;             // a whole draft coarser than this gives way to its repeat
 constexpr int kLongest = 8192;
+constexpr int kQuickShrink = 4;                   // of a quick bake's sides
 
 bool same_yarn_shape(Yarn a, Yarn b) {
   a.lobes = b.lobes = Lobes{};
@@ -124,13 +125,17 @@ Period choose_period(const Design& design, const BitMatrix& cells) {
   return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
 }
 
-void Stages::bake_all(const Design& design, bool shadows) {
+void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
+  coarse_ = effort == Effort::kQuick;
+  old_back_ = false;
   period_ = choose_period(design, cells_);
   shadows_ = shadows;
   for (const Face face : {Face::kFront, Face::kBack}) {
     FaceState& state = face == Face::kFront ? front_ : back_;
     state.cloth = face_cloth(design, cells_, face, period_);
-    state.maps = bake(state.cloth, maps_size(state.cloth));
+    MapsSize size = maps_size(state.cloth);
+    if (coarse_) size.width = std::max(1, size.width / kQuickShrink), size.height = std::max(1, size.height / kQuickShrink);
+    state.maps = bake(state.cloth, size);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     packed = pack(state.maps, shadows, height_bound_mm(state.cloth));
     if (shadows) add_cubes(packed, state.cloth);
@@ -140,11 +145,14 @@ void Stages::bake_all(const Design& design, bool shadows) {
   packed_.mean_spacing_mm = mean_spacing_mm(front_.cloth);
 }
 
-bool Stages::bake_cells(const Design& design, const CellRect& dirty, StageResult& result) {
-  if (dirty.empty()) return true;
+bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result) {
+  const bool catch_up = old_back_ && effort == Effort::kFull;
+  if (dirty.empty() && !catch_up) return true;
   if (shadows_) return false;  // vrst03 knows only the whole
   if (period_ == Period::kRepeat && choose_period(design, cells_) != period_) return false;
   for (const Face face : {Face::kFront, Face::kBack}) {
+    if (face == Face::kBack) old_back_ = effort == Effort::kQuick;
+    if (face == Face::kBack && old_back_) break;
     FaceState& state = face == Face::kFront ? front_ : back_;
     Cloth after = face_cloth(design, cells_, face, period_);
     if (!same_layout(state.cloth, after)) return false;
@@ -158,25 +166,29 @@ bool Stages::bake_cells(const Design& design, const CellRect& dirty, StageResult
   return true;
 }
 
-void Stages::take_lobes(const Design& design, StageResult& result) {
+void Stages::take_lobes(const Design& design, Effort effort, StageResult& result) {
   for (FaceState* state : {&front_, &back_}) {
     for (size_t i = 0; i < state->cloth.yarns.size() && i < design.yarns.size(); ++i) {
       state->cloth.yarns[i].lobes = design.yarns[i].lobes;
     }
   }
-  packed_.lobes = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps}, height_bound_mm(front_.cloth));
-  append_response(packed_.lobes, {front_.cloth, front_.maps}, {back_.cloth, back_.maps});
+  std::vector<float> block = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps}, height_bound_mm(front_.cloth));
+  old_response_ = effort == Effort::kQuick && !packed_.lobes.empty();
+  if (old_response_) keep_response(block, packed_.lobes);
+  else append_response(block, {front_.cloth, front_.maps}, {back_.cloth, back_.maps});
+  packed_.lobes = std::move(block);
   result.lobes = packed_.lobes;
 }
 
-StageResult Stages::update(std::shared_ptr<const Design> design) {
+StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
   StageResult result;
   if (design->scene.mesh != mesh_name_) {
     ReadMesh read = find_mesh(design->scene.mesh);
     if (read.mesh) result.mesh = prepare_mesh(*read.mesh);
-    else result.problem = read.error;
+    mesh_problem_ = read.mesh ? std::string() : read.error;
     mesh_name_ = design->scene.mesh;
   }
+  result.problem = mesh_problem_;
   const Draft& now = design->draft;
   if (now.ends() == 0 || now.picks() == 0) {
     result.problem = "the draft has no threads: give it at least one end and one pick";
@@ -195,12 +207,14 @@ StageResult Stages::update(std::shared_ptr<const Design> design) {
   }
   const bool same_look = same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) &&
                          shadows == shadows_;
-  if (!same_look || !bake_cells(*design, dirty, result)) {
+  const bool too_coarse = coarse_ && effort == Effort::kFull;
+  if (!same_look || too_coarse || !bake_cells(*design, dirty, effort, result)) {
     result.patches.clear();
-    bake_all(*design, shadows);
+    bake_all(*design, shadows, effort);
     result.all_maps = true;
   }
-  if (result.all_maps || !dirty.empty() || done_->yarns != design->yarns) take_lobes(*design, result);
+  const bool new_answer = old_response_ && effort == Effort::kFull;
+  if (result.all_maps || !dirty.empty() || new_answer || done_->yarns != design->yarns) take_lobes(*design, effort, result);
   done_ = std::move(design);
   return result;
 }

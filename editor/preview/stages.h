@@ -26,9 +26,13 @@ struct StageResult {
 /// What the maps hold: the whole draft where its threads get enough texels, else one repeat.
 Period choose_period(const Design& design, const BitMatrix& cells);
 
+/// kQuick: the next frame's answer. Whole bakes are made with few texels; painted cells reach the front alone; light
+/// from afar keeps the answer that it had. kFull brings all of it up to date.
+enum class Effort { kQuick, kFull };
+
 class Stages {
  public:
-  StageResult update(std::shared_ptr<const Design> design);
+  StageResult update(std::shared_ptr<const Design> design, Effort effort = Effort::kFull);
   const PackedCloth& packed() const { return packed_; }
 
  private:
@@ -36,17 +40,20 @@ class Stages {
     Cloth cloth;
     Maps maps;
   };
-  void bake_all(const Design& design, bool shadows);
-  bool bake_cells(const Design& design, const CellRect& dirty, StageResult& result);
-  void take_lobes(const Design& design, StageResult& result);
+  void bake_all(const Design& design, bool shadows, Effort effort);
+  bool bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result);
+  void take_lobes(const Design& design, Effort effort, StageResult& result);
 
   std::shared_ptr<const Design> done_;
-  std::string mesh_name_;
+  std::string mesh_name_, mesh_problem_;
   BitMatrix cells_;
   Period period_ = Period::kWholeDraft;
   FaceState front_, back_;
   PackedCloth packed_;
   bool shadows_ = false;
+  bool coarse_ = false;           // the maps are of a quick bake
+  bool old_back_ = false;         // the back's maps are of an earlier draft
+  bool old_response_ = false;     // the answer from afar is of an earlier design
 };
 
 }  // namespace weftlight

@@ -45,5 +45,34 @@ TEST(Stages, ARepeatIsPatchedWhileItLastsAndMadeAnewWhenItGrows) {
   EXPECT_TRUE(same_textures(stages.packed(), anew.packed()));
 }
 
+TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
+  Stages stages;
+  Design d = satin();
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  const auto expect_caught_up = [&] {
+    stages.update(keep(d), Effort::kFull);
+    Stages fresh;
+    fresh.update(keep(d));
+    EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+  };
+  EXPECT_TRUE(stages.update(keep(d), Effort::kQuick).all_maps);
+  expect_caught_up();
+
+  d = with_tieup(d, 3, 5, !d.draft.tieup.get(3, 5));
+  EXPECT_FALSE(stages.update(keep(d), Effort::kQuick).all_maps) << "painted cells are patched, not baked small";
+  d = with_tieup(d, 4, 5, !d.draft.tieup.get(4, 5));
+  stages.update(keep(d), Effort::kQuick);
+  expect_caught_up();
+
+  d.yarns[0].lobes.along_width = 0.6f;
+  EXPECT_FALSE(stages.update(keep(d), Effort::kQuick).lobes.empty());
+  expect_caught_up();
+  d.yarns[0].turns_per_m = 900;
+  stages.update(keep(d), Effort::kQuick);
+  d = with_tieup(d, 4, 6, !d.draft.tieup.get(4, 6));
+  stages.update(keep(d), Effort::kQuick);
+  expect_caught_up();
+}
+
 }  // namespace
 }  // namespace weftlight

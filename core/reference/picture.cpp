@@ -11,13 +11,13 @@ namespace {
 
 constexpr int kMostLayers = 8;  // of cloth behind cloth, through gaps
 
-/// Runs row(y) for every row on all cores; each pixel has its own seed, so the bits do not depend on them.
+/// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not depend on them.
 template <class Row>
-void each_row(int height, const Progress& progress, Row row) {
+void each_row(int height, int threads, const std::stop_token& stop, const Progress& progress, Row row) {
   std::atomic<int> next{0}, done{0};
   std::mutex telling;
   const auto work = [&] {
-    for (int y = next++; y < height; y = next++) {
+    for (int y = next++; y < height && !stop.stop_requested(); y = next++) {
       row(y);
       const int finished = ++done;
       if (!progress) continue;
@@ -25,9 +25,10 @@ void each_row(int height, const Progress& progress, Row row) {
       progress(static_cast<float>(finished) / static_cast<float>(height));
     }
   };
-  const unsigned count = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(std::max(height, 1)));
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < count; ++i) threads.emplace_back(work);
+  const unsigned wanted = threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
+  const unsigned count = std::clamp(wanted, 1u, static_cast<unsigned>(std::max(height, 1)));
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < count; ++i) others.emplace_back(work);
   work();
 }
 
@@ -106,13 +107,17 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
   const DrapeTrace drape{tracer, cloth, body, picture, tubes.z_max() - tubes.z_min()};
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
-  each_row(picture.height, progress, [&](int y) {
+  each_row(picture.height, picture.threads, picture.stop, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
-      RandomStream sampler(seed_of(x, y, picture.width));
+      const uint64_t seed = seed_of(x, y, picture.width);
+      RandomStream sampler(seed);
       const glm::vec2 shift(sampler.next(), sampler.next());
+      if (picture.first_sample > 0) {
+        sampler = RandomStream(seed + static_cast<uint64_t>(picture.first_sample) * 0xD1B54A32D192ED03u);
+      }
       glm::vec4 sum(0);
       for (int k = 0; k < picture.spp; ++k) {
-        const glm::vec2 p = glm::vec2(x, y) + pixel_sample(k, shift);
+        const glm::vec2 p = glm::vec2(x, y) + pixel_sample(picture.first_sample + k, shift);
         const glm::vec4 far = picture.clip_to_world * glm::vec4(2 * p.x / static_cast<float>(picture.width) - 1,
                                                                 1 - 2 * p.y / static_cast<float>(picture.height), 1, 1);
         sum += drape.sample(glm::normalize(glm::vec3(far) / far.w - picture.eye), sampler);
@@ -128,7 +133,7 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
   const ClothTracer tracer(tubes);
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
-  each_row(picture.height, progress, [&](int y) {
+  each_row(picture.height, 0, {}, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
       RandomStream sampler(seed_of(x, y, picture.width) + picture.seed * 0xD1B54A32D192ED03u);
       const glm::vec2 shift(sampler.next(), sampler.next());

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <glm/glm.hpp>
+#include <stop_token>
 #include <vector>
 
 #include "reference/mesh_scene.h"
@@ -29,6 +30,9 @@ struct DrapePicture {
   glm::vec3 light_irradiance{3.14159265f};
   std::function<glm::vec3(glm::vec3)> sky;   // radiance by world direction; empty: black
   bool front = true;                  // the mesh's front shows the cloth's front
+  int first_sample = 0;               // of each pixel: pictures that go on where others ended may be averaged
+  int threads = 0;                    // 0: all cores
+  std::stop_token stop;               // when asked to stop, the rows not yet begun stay empty
 };
 /// The mesh gives position and frame; in each point's frame the ray goes through the endless flat cloth.
 /// `body`: what stops light beside the cloth, may be null.

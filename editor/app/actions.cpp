@@ -48,6 +48,7 @@ void add_file(Actions& all, const std::vector<std::string>& recent) {
   with_icon(new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Editor& e) { e.save(); })), icon::kSave);
   add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Editor& e) { e.save_as(); });
   add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Editor& e) { e.save_for_others(); });
+  new_group(add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Editor& e) { e.export_textures(); }));
   bool first = true;
   for (const std::string& path : recent) {
     Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().c_str(), "",
@@ -148,6 +149,17 @@ void add_cloth(Actions& all) {
     });
     a.checked = [name](const Editor& e) { return e.document().now().scene.mesh == name; };
   }
+  Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6", [](Editor& e) { e.work().show_rungs = !e.work().show_rungs; });
+  rungs.item.group = true;
+  rungs.checked = [](const Editor& e) { return e.work().show_rungs; };
+  const auto comparison = [&all](const char* id, const char* label, const char* key, Compare to) {
+    Action& a = add(all, "Cloth", id, label, key, [to](Editor& e) {
+      e.work().compare = e.work().compare == to ? Compare::kOff : to;
+    });
+    a.checked = [to](const Editor& e) { return e.work().compare == to; };
+  };
+  comparison("compare", "Compare with the ray-traced threads", "F7", Compare::kSplit);
+  comparison("difference", "Difference from the ray-traced threads", "F8", Compare::kDifference);
 }
 
 }  // namespace

@@ -30,6 +30,25 @@ void BackgroundWriter::remove(const std::string& path) {
   });
 }
 
+void BackgroundWriter::run(const std::string& path, std::string done, std::function<std::string()> job) {
+  post(path, [this, done = std::move(done), job = std::move(job)] {
+    std::string problem = job();
+    const std::lock_guard lock(mutex_);
+    if (problem.empty()) message_ = done;
+    return problem;
+  });
+}
+
+bool BackgroundWriter::busy() {
+  const std::lock_guard lock(mutex_);
+  return working_ || !waiting_.empty() || !message_.empty() || !error_.empty();
+}
+
+std::string BackgroundWriter::take_message() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(message_, {});
+}
+
 std::string BackgroundWriter::take_error() {
   const std::lock_guard lock(mutex_);
   return std::exchange(error_, {});
@@ -49,9 +68,11 @@ void BackgroundWriter::work() {
     wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
     if (waiting_.empty()) return;
     auto job = waiting_.extract(waiting_.begin());
+    working_ = true;
     lock.unlock();
     std::string problem = job.mapped()();
     lock.lock();
+    working_ = false;
     if (!problem.empty()) error_ = std::move(problem);
   }
 }

@@ -21,6 +21,10 @@ class BackgroundWriter {
 
   void write(const std::string& path, std::function<std::string()> make_bytes);
   void remove(const std::string& path);
+  /// Anything else that writes `path`; returns what went wrong. `done` is what take_message then says.
+  void run(const std::string& path, std::string done, std::function<std::string()> job);
+  bool busy();
+  std::string take_message();
   /// The last thing that went wrong since the last call; empty: nothing did.
   std::string take_error();
 
@@ -32,8 +36,8 @@ class BackgroundWriter {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::map<std::string, Job> waiting_;
-  std::string error_;
-  bool leaving_ = false;
+  std::string error_, message_;
+  bool leaving_ = false, working_ = false;
   std::thread thread_;
 };
 

@@ -55,18 +55,6 @@ std::function<std::string()> Document::writer() const {
   return [file = opened_, design = snapshot()] { return file ? write_wif(*file, *design) : write_new_wif(*design); };
 }
 
-Design new_design(int ends, int picks, int shafts, int treadles) {
-  Design design;
-  design.draft = blank_draft(ends, picks, shafts, treadles);
-  Draft& d = design.draft;
-  d.palette = {{0.93f, 0.90f, 0.84f}, {0.16f, 0.25f, 0.42f}};
-  for (int end = 0; end < ends; ++end) d.threading.set(end, end % shafts, true);
-  for (int pick = 0; pick < picks; ++pick) d.treadling.set(pick, pick % treadles, true);
-  for (int treadle = 0; treadle < treadles; ++treadle)
-    for (int k = 0; k < std::max(1, shafts / 2); ++k) d.tieup.set(treadle, (treadle + k) % shafts, true);
-  return design;
-}
-
 OpenResult open_document(const std::string& path) {
   FileBytes file = read_file(path);
   if (!file.error.empty()) return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};

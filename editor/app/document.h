@@ -50,9 +50,6 @@ class Document {
   uint64_t revision_ = 1;
 };
 
-/// A straight threading and a balanced twill of the given size, two colours: what `New` starts from.
-Design new_design(int ends, int picks, int shafts, int treadles);
-
 struct OpenResult {
   std::optional<Document> document;
   std::vector<Diagnostic> remarks;  // why it could not be opened

@@ -12,7 +12,7 @@ namespace {
 
 Document first_document() {
   OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
-  if (!starter.document) return Document(new_design(48, 48, 4, 4));
+  if (!starter.document) return Document(straight_draw(4, 4, {48, 48}));
   // Unnamed, so that saving asks where.
   Document& d = *starter.document;
   return Document(d.now());
@@ -49,16 +49,6 @@ Editor::Editor(Window& window, const EditorOptions& options)
   if (!options.file.empty()) open_path(options.file);
   if (document_.path().empty()) show_document();
   offer_recovery();
-}
-
-void Editor::new_draft() {
-  unless_unsaved([this] {
-    const Draft& d = document_.now().draft;
-    ask(SizePrompt{"New draft", "Create", d.ends(), d.picks(), d.shafts, d.treadles}, [this](int) {
-      const auto& p = std::get<SizePrompt>(dialog_);
-      replace(Document(new_design(p.ends, p.picks, p.shafts, p.treadles)));
-    });
-  });
 }
 
 void Editor::open() {
@@ -230,7 +220,8 @@ void Editor::unless_unsaved(std::function<void()> then) {
 void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
                       std::function<void(const std::string&)> chosen) {
   if (FileDialog::is_there()) return file_dialog_.ask(what, title, start, std::move(chosen));
-  ask(PathPrompt{title, start, what == FileAsk::kOpen ? "Open" : "Save"}, [this, chosen = std::move(chosen)](int) {
+  constexpr const char* kButtons[] = {"Open", "Save", "Export"};
+  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]}, [this, chosen = std::move(chosen)](int) {
     const std::string path = std::get<PathPrompt>(dialog_).path;
     dialog_ = {};
     if (!path.empty()) chosen(path);

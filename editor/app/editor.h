@@ -17,6 +17,7 @@
 #include "commands/commands.h"
 #include "panels/dialogs.h"
 #include "panels/draft_panel.h"
+#include "panels/yarn_strip.h"
 
 namespace weftlight {
 
@@ -34,6 +35,7 @@ class Editor {
   void save();
   void save_as();
   void save_for_others();
+  void export_textures();
   void quit();
   void undo();
   void redo();
@@ -58,6 +60,7 @@ class Editor {
   void draw_splitter(PanelContext& c, float x, float top, float height);
   void draw_question(PanelContext& c);
   void take_input();
+  bool take_export_news();
   void run_action(const std::string& id);
   double sleep_s();
 
@@ -73,6 +76,7 @@ class Editor {
   void save_to(const std::string& path, std::function<void()> then);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen);
+  void start_export(const std::string& folder, const ExportPrompt& prompt);
   void offer_recovery();
   void restore(const LeftBehind& left);
   void update_title();
@@ -86,10 +90,12 @@ class Editor {
   std::vector<Diagnostic> remarks_;
   std::vector<Action> actions_;
   BackgroundWriter writer_;
+  BackgroundWriter exporter_;  // apart, since it takes long
   Recovery recovery_;
   FileDialog file_dialog_;
   PreviewPane preview_;
   CellTexture cell_texture_;
+  YarnStrip strip_;
   UiMap map_;
   UiMapFile map_file_;
   Orbit camera_;

@@ -65,13 +65,13 @@ double Editor::sleep_s() {
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
-  if (file_dialog_.waiting()) sooner(kDialogPollS);
+  if (file_dialog_.waiting() || exporter_.busy()) sooner(kDialogPollS);
   return sleep;
 }
 
 void Editor::frame() {
   const double now = Window::seconds();
-  const bool cloth_changed = preview_.poll();
+  const bool cloth_changed = preview_.poll() | take_export_news();
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const double preview_due = preview_.next_s(now);
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || preview_due == 0 || ImGui::GetIO().WantTextInput;
@@ -81,8 +81,9 @@ void Editor::frame() {
   if (restyle_ || now == 0) window_.use_style(style_);
   restyle_ = false;
   const float ratio = window_.pixel_ratio();
-  preview_.draw(with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
-                static_cast<int>(pane_.y * ratio), moving_, now);
+  preview_.draw({with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
+                 static_cast<int>(pane_.y * ratio), work_.show_rungs, work_.compare},
+                moving_, now);
   if (std::string error = writer_.take_error(); !error.empty()) say(std::move(error));
   window_.begin_frame();
   take_input();
@@ -90,6 +91,14 @@ void Editor::frame() {
   window_.end_frame(style_.color.window);
   map_file_.frame(map_);
   update_title();
+}
+
+/// True when there is something to show.
+bool Editor::take_export_news() {
+  std::string news = exporter_.take_error();
+  if (news.empty()) news = exporter_.take_message();
+  if (!news.empty()) say(news);
+  return !news.empty();
 }
 
 void Editor::take_input() {
@@ -156,7 +165,7 @@ void Editor::draw_panels(PanelContext& c) {
   begin_fixed("Inspector", {x + room, y}, {inspector, height}, {style_.px(16), style_.px(8)});
   // The scrollbar's place is kept free, so that nothing jumps when it comes.
   take(draw_palette(c));
-  take(draw_yarns(c));
+  take(draw_yarns(c, strip_));
   take(draw_scene(c));
   ImGui::End();
 

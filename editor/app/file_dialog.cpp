@@ -53,8 +53,13 @@ bool FileDialog::is_there() {
 void FileDialog::ask(FileAsk what, const std::string& title, const std::string& start,
                      std::function<void(const std::string&)> chosen) {
   if (waiting()) return;
-  std::vector<std::string> words = {"zenity", "--file-selection", "--title=" + title,
-                                    "--file-filter=Weaving drafts (*.wif) | *.wif *.WIF", "--file-filter=All files | *"};
+  std::vector<std::string> words = {"zenity", "--file-selection", "--title=" + title};
+  if (what == FileAsk::kFolder) {
+    words.push_back("--directory");
+  } else {
+    words.push_back("--file-filter=Weaving drafts (*.wif) | *.wif *.WIF");
+    words.push_back("--file-filter=All files | *");
+  }
   if (!start.empty()) words.push_back("--filename=" + start);
   if (what == FileAsk::kSave) {
     words.push_back("--save");

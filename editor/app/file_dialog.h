@@ -8,7 +8,7 @@
 
 namespace weftlight {
 
-enum class FileAsk { kOpen, kSave };
+enum class FileAsk { kOpen, kSave, kFolder };
 
 class FileDialog {
  public:

@@ -4,21 +4,30 @@
 #include <cmath>
 #include <utility>
 
+#include "light/formulas.h"
+#include "preview/shipped_ladder.h"
+
 namespace weftlight {
 namespace {
 
 constexpr double kRestS = 0.15;         // still for so long: draw every pixel
 constexpr double kBusyPollS = 0.01;     // how often the worker is asked
+constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
 constexpr float kLeastScale = 0.3f;
 
 }  // namespace
 
-PreviewPane::PreviewPane() : renderer_(Renderer::create(problem_)) {
+PreviewPane::PreviewPane() : renderer_(Renderer::create(problem_)), ladder_(shipped_ladder()) {
   if (!renderer_) problem_ = "The cloth cannot be shown: " + problem_;
 }
 
-void PreviewPane::submit(std::shared_ptr<const Design> design) { pipeline_.submit(std::move(design)); }
+void PreviewPane::submit(std::shared_ptr<const Design> design) {
+  design_ = design;
+  pipeline_.submit(std::move(design));
+  tracer_.stop();
+  traced_ = false;
+}
 
 bool PreviewPane::poll() {
   if (!renderer_) return false;
@@ -26,6 +35,11 @@ bool PreviewPane::poll() {
   const bool busy = pipeline_.busy();
   const bool changed = pipeline_.poll(*renderer_);
   if (changed) has_cloth_ = dirty_ = true;
+  if (std::optional<Comparison> made = tracer_.take()) {
+    comparison_ = std::move(*made);
+    show_comparison();
+    return true;
+  }
   return changed || std::exchange(busy_, busy) != busy;
 }
 
@@ -34,33 +48,102 @@ float PreviewPane::moving_scale() const {
   return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / full_ms_)), kLeastScale, 1.0f);
 }
 
-void PreviewPane::draw(const Scene& scene, const Look& look, int width, int height, bool moving, double now_s) {
-  if (!renderer_ || !has_cloth_ || width < 8 || height < 8) return;
-  Key key{scene, look, width, height};
-  const bool changed = dirty_ || !(key == drawn_);
+Frame PreviewPane::frame_of(const PreviewRequest& request) const {
+  Frame frame;
+  frame.width = request.width;
+  frame.height = request.height;
+  frame.false_color_rungs = request.show_rungs;
+  return frame;
+}
+
+void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s) {
+  if (!renderer_ || !has_cloth_ || request.width < 8 || request.height < 8) return;
+  PreviewRequest picture = request;
+  picture.compare = drawn_.compare;  // does not change what is drawn
+  const bool changed = dirty_ || !(picture == drawn_);
   if (changed && moving) moved_s_ = now_s;
   const bool resting = now_s - moved_s_ >= kRestS;
   const float scale = resting ? 1.0f : moving_scale();
-  if (!changed && drawn_scale_ >= scale) return;
-  Frame frame;
-  frame.width = width;
-  frame.height = height;
-  frame.render_scale = scale;
-  stats_ = renderer_->draw(scene, look, frame);
-  if (stats_.gpu_ms > 0) full_ms_ = stats_.gpu_ms / static_cast<double>(scale * scale);
-  drawn_ = std::move(key);
-  drawn_scale_ = scale;
-  dirty_ = false;
+  if (changed || drawn_scale_ < scale) {
+    Frame frame = frame_of(request);
+    frame.render_scale = scale;
+    frame.timed = resting;
+    stats_ = renderer_->draw(request.scene, request.look, frame);
+    if (resting) stats_ = renderer_->measure();
+    if (stats_.gpu_ms > 0) full_ms_ = stats_.gpu_ms / static_cast<double>(scale * scale);
+    drawn_scale_ = scale;
+    dirty_ = false;
+  }
+  drawn_ = request;
+  follow_reference(request, changed);
+}
+
+void PreviewPane::follow_reference(const PreviewRequest& request, bool changed) {
+  if (changed || request.compare == Compare::kOff) {
+    if (traced_ || !comparison_.reference.empty()) tracer_.stop();
+    traced_ = false;
+    comparison_ = {};
+    shown_ = request.compare;
+  }
+  if (request.compare == Compare::kOff) return;
+  if (!traced_ && drawn_scale_ == 1 && !pipeline_.busy()) {
+    tracer_.start(job_of(request));
+    traced_ = true;
+  }
+  if (shown_ != request.compare) {
+    shown_ = request.compare;
+    show_comparison();
+  }
+}
+
+/// Leaves the renderer with the picture that is shown.
+TraceJob PreviewPane::job_of(const PreviewRequest& request) {
+  Frame frame = frame_of(request);
+  frame.cloth = false;
+  TraceJob job{design_, request.scene, request.look.exposure_ev, {}, {}};
+  renderer_->draw(request.scene, request.look, frame);
+  job.around = renderer_->read_back();
+  frame.cloth = true;
+  frame.false_color_rungs = false;
+  renderer_->draw(request.scene, request.look, frame);
+  job.preview = renderer_->read_back();
+  if (request.show_rungs) renderer_->draw(request.scene, request.look, frame_of(request));
+  return job;
+}
+
+void PreviewPane::show_comparison() {
+  const Comparison& c = comparison_;
+  if (c.reference.empty() || shown_ == Compare::kOff) return;
+  reference_texture_.set(c.width, c.height, shown_ == Compare::kSplit ? c.reference : c.difference);
 }
 
 double PreviewPane::next_s(double now_s) const {
   if (!renderer_) return -1;
   double next = busy_ || pipeline_.busy() ? kBusyPollS : -1;
+  const auto sooner = [&next](double s) { next = next < 0 ? s : std::min(next, s); };
+  if (tracer_.busy()) sooner(kTracePollS);
   if (drawn_scale_ > 0 && drawn_scale_ < 1) {
-    const double rest = std::max(0.0, moved_s_ + kRestS - now_s);
-    next = next < 0 ? rest : std::min(next, rest);
+    sooner(std::max(0.0, moved_s_ + kRestS - now_s));
   }
   return next;
+}
+
+/// Shares of the rungs and the error that the measured ladder expects.
+void PreviewPane::add_ladder(PreviewPicture& p) const {
+  const float yarns = stats_.yarns_per_pixel;
+  if (yarns <= 0) return;
+  float error = expected_error(ladder_, stats_.method, yarns);
+  if (stats_.method == Method::kAuto) {
+    constexpr Method kRungs[] = {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+    const std::array<float, 3> edges = rung_edges(ladder_, drawn_.look.tolerance);
+    const glm::vec4 weights = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
+    error = 0;
+    for (int i = 0; i < 4; ++i) {
+      p.rung_share[static_cast<size_t>(i)] = weights[i];
+      if (weights[i] > 0) error += weights[i] * expected_error(ladder_, kRungs[i], yarns);
+    }
+  }
+  p.expected_error = std::isfinite(error) ? error : -1;
 }
 
 PreviewPicture PreviewPane::picture() const {
@@ -69,6 +152,9 @@ PreviewPicture PreviewPane::picture() const {
   p.stats = stats_;
   p.problem = !problem_.empty() ? problem_ : pipeline_.problem();
   p.busy = renderer_ && pipeline_.busy();
+  add_ladder(p);
+  p.reference = {comparison_.reference.empty() ? 0 : reference_texture_.name(), comparison_.samples,
+                 comparison_.relative_error, !comparison_.finished, comparison_.problem};
   if (p.texture == 0 && p.problem.empty()) p.problem = "Weaving the cloth\xE2\x80\xA6";
   return p;
 }

@@ -1,15 +1,27 @@
 #pragma once
 // Keeps the picture of the cloth in step with the design: hands designs to the pipeline, draws only when
-// something changed, with fewer pixels while it moves and all of them when it rests.
+// something changed, with fewer pixels while it moves and all of them when it rests. A comparison with the
+// ray-traced picture starts when it rests and is given up at every change.
 
 #include <memory>
 #include <string>
 
+#include "app/reference_tracer.h"
+#include "panels/pixel_texture.h"
 #include "panels/preview_panel.h"
 #include "preview/pipeline.h"
 #include "preview/renderer.h"
 
 namespace weftlight {
+
+struct PreviewRequest {
+  Scene scene;
+  Look look;
+  int width = 0, height = 0;  // pixels
+  bool show_rungs = false;
+  Compare compare = Compare::kOff;
+  bool operator==(const PreviewRequest&) const = default;
+};
 
 class PreviewPane {
  public:
@@ -19,29 +31,36 @@ class PreviewPane {
   void submit(std::shared_ptr<const Design> design);
   /// Takes what the worker finished. True when there is something new to draw.
   bool poll();
-  /// Draws if anything changed since the last time. Sizes in pixels; `moving`: a drag goes on.
-  void draw(const Scene& scene, const Look& look, int width, int height, bool moving, double now_s);
+  /// Draws if anything changed since the last time.
+  void draw(const PreviewRequest& request, bool moving, double now_s);
   /// Seconds until poll or draw has something to do; negative: only after an event.
   double next_s(double now_s) const;
   PreviewPicture picture() const;
 
  private:
-  struct Key {
-    Scene scene;
-    Look look;
-    int width = 0, height = 0;
-    bool operator==(const Key&) const = default;
-  };
+  Frame frame_of(const PreviewRequest& request) const;
   float moving_scale() const;
+  void follow_reference(const PreviewRequest& request, bool changed);
+  TraceJob job_of(const PreviewRequest& request);
+  void show_comparison();
+  void add_ladder(PreviewPicture& p) const;
 
+  std::string problem_;  // filled while the renderer is made
   std::unique_ptr<Renderer> renderer_;
   Pipeline pipeline_;
-  std::string problem_;
+  Ladder ladder_;
+  std::shared_ptr<const Design> design_;
   bool has_cloth_ = false, dirty_ = false, busy_ = false;
-  Key drawn_;
+  PreviewRequest drawn_;
   float drawn_scale_ = 0;
   double moved_s_ = -1e9, full_ms_ = 0;
   FrameStats stats_;
+
+  ReferenceTracer tracer_;
+  bool traced_ = false;        // the tracer was given the picture that is drawn
+  Comparison comparison_;
+  Compare shown_ = Compare::kOff;
+  PixelTexture reference_texture_;
 };
 
 }  // namespace weftlight

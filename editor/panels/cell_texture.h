@@ -1,19 +1,13 @@
 #pragma once
 // A GL texture that holds the drawdown's pixels and is made again only when what it shows has changed.
 
-#include <imgui.h>
-
 #include "panels/draft_layout.h"
+#include "panels/pixel_texture.h"
 
 namespace weftlight {
 
 class CellTexture {
  public:
-  CellTexture() = default;
-  ~CellTexture();
-  CellTexture(const CellTexture&) = delete;
-  CellTexture& operator=(const CellTexture&) = delete;
-
   ImTextureID of(const PanelContext& c, const GridPane& drawdown);
 
  private:
@@ -25,7 +19,7 @@ class CellTexture {
     float pitch = 0, scroll_x = 0, scroll_y = 0, width = 0, height = 0;
     bool operator==(const Key&) const = default;
   };
-  unsigned name_ = 0;
+  PixelTexture texture_;
   Key key_;
 };
 

@@ -3,54 +3,13 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <algorithm>
-
+#include "panels/dialog_parts.h"
 #include "panels/widgets.h"
 
 namespace weftlight {
 namespace {
 
-bool enter_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false); }
 bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
-
-bool primary_button(PanelContext& c, const char* id, const char* label) {
-  ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));
-  ImGui::PushStyleColor(ImGuiCol_ButtonActive, blend(c.style.color.accent, c.style.color.text, 0.3f));
-  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.paper);
-  const bool pressed = text_button(c, id, label, nullptr);
-  ImGui::PopStyleColor(4);
-  return pressed;
-}
-
-/// The buttons at the lower right, the first the primary one and outermost. Index pressed or -1.
-int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first) {
-  const ImGuiStyle& s = ImGui::GetStyle();
-  float width = -s.ItemSpacing.x;
-  for (const std::string& l : labels) width += ImGui::CalcTextSize(l.c_str()).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
-  ImGui::Dummy({0, c.style.px(6)});
-  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
-  int pressed = -1;
-  for (int i = static_cast<int>(labels.size()) - 1; i >= 0; --i) {
-    const std::string id = "dialog:" + labels[static_cast<size_t>(i)];
-    const char* label = labels[static_cast<size_t>(i)].c_str();
-    if (i == 0 ? primary_button(c, id.c_str(), label) : text_button(c, id.c_str(), label, nullptr)) pressed = i;
-    if (i > 0) ImGui::SameLine();
-  }
-  return pressed < 0 && enter_presses_first && enter_pressed() ? 0 : pressed;
-}
-
-DialogAnswer answered(int button, int leave_button = 1) {
-  if (button < 0) return {};
-  return {button == leave_button ? Answer::kLeft : Answer::kDone, button};
-}
-
-void heading(PanelContext& c, const std::string& text) {
-  ImGui::PushFont(c.style.font.bold);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
-  ImGui::Dummy({0, c.style.px(2)});
-}
 
 DialogAnswer draw(PanelContext&, std::monostate&) { return {}; }
 
@@ -72,24 +31,12 @@ DialogAnswer draw(PanelContext& c, PathPrompt& p) {
   return answered(enter ? 0 : button);
 }
 
-void number(PanelContext& c, const char* id, const char* label, int& value, int max) {
-  row_label(c, label, nullptr);
-  ImGui::PushFont(c.style.font.mono);
-  ImGui::SetNextItemWidth(c.style.px(140));
-  ImGui::PushID(id);
-  ImGui::InputInt("##n", &value, 1, 10);
-  ImGui::PopID();
-  ImGui::PopFont();
-  c.map.add_item(id);
-  value = std::clamp(value, 1, max);
-}
-
 DialogAnswer draw(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
-  number(c, "size.ends", "Ends", p.ends, kMaxThreads);
-  number(c, "size.picks", "Picks", p.picks, kMaxThreads);
-  number(c, "size.shafts", "Shafts", p.shafts, kMaxShafts);
-  number(c, "size.treadles", "Treadles", p.treadles, kMaxShafts);
+  number(c, "size.ends", "Ends", p.ends, 1, kMaxThreads);
+  number(c, "size.picks", "Picks", p.picks, 1, kMaxThreads);
+  number(c, "size.shafts", "Shafts", p.shafts, 1, kMaxShafts);
+  number(c, "size.treadles", "Treadles", p.treadles, 1, kMaxShafts);
   return answered(draw_buttons(c, {p.button, "Cancel"}, true));
 }
 
@@ -109,6 +56,28 @@ DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
   ImGui::InputTextMultiline("##notes", &p.notes, {c.style.px(420), c.style.px(220)});
   c.map.add_item("notes.text");
   return answered(draw_buttons(c, {"Keep", "Cancel"}, false));
+}
+
+DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
+
+DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
+  heading(c, "Export textures");
+  row_label(c, "For", "Which program reads them: names, packing and normals are made for it");
+  ImGui::SetNextItemWidth(c.style.px(280));
+  if (begin_combo(c, "export.target", p.targets[static_cast<size_t>(p.target)].c_str())) {
+    for (int i = 0; i < static_cast<int>(p.targets.size()); ++i) {
+      if (ImGui::Selectable(p.targets[static_cast<size_t>(i)].c_str(), i == p.target)) p.target = i;
+      c.map.add_item("export.target:" + p.targets[static_cast<size_t>(i)]);
+    }
+    end_combo();
+  }
+  row_label(c, "Size", "Texels of the longer side of one repeat");
+  constexpr const char* kSizes[] = {"512", "1024", "2048", "4096"};
+  int step = 0;
+  while (step < 3 && (512 << step) < p.size) ++step;
+  segmented(c, "export.size", kSizes, step, c.style.px(280));
+  p.size = 512 << step;
+  return answered(draw_buttons(c, {"Choose folder\xE2\x80\xA6", "Cancel"}, true));
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #pragma once
 // Questions in the middle of the window. One is open at a time; the answer comes back once.
 
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "panels/panel.h"
+#include "panels/weaves.h"
 
 namespace weftlight {
 
@@ -22,10 +24,22 @@ struct SizePrompt {
   std::string title, button;
   int ends = 0, picks = 0, shafts = 0, treadles = 0;
 };
+/// The weave of a new draft (weaves.h), seen while it is chosen.
+struct WeavePrompt {
+  int weave = 0;
+  std::array<int, kWeaveNumbers> numbers{};
+  int ends = 64, picks = 64;
+};
+/// What is asked before textures are exported.
+struct ExportPrompt {
+  std::vector<std::string> targets;
+  int target = 0;
+  int size = 1024;  // texels of the longer side
+};
 struct NotesPrompt {
   std::string title, author, notes;  // notes: one a line
 };
-using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, NotesPrompt>;
+using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, NotesPrompt, WeavePrompt, ExportPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };

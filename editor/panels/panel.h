@@ -39,6 +39,9 @@ struct Cell {
 enum class DrawdownStyle { kThreads, kColor, kStructure };
 enum class BarPaint { kColor, kYarn };
 
+/// What stands beside the preview: the ray-traced picture behind a slider, or how far the two are apart.
+enum class Compare { kOff, kSplit, kDifference };
+
 /// A drag that paints: the value is that of the first cell, turned over.
 struct Stroke {
   GridId grid = GridId::kNone;
@@ -55,6 +58,10 @@ struct Workspace {
   Face face = Face::kFront;
   BarPaint bar_paint = BarPaint::kColor;
   int color = 0, yarn = 0;  // what the colour bars are painted with
+  float lobe_light_deg = 35;  // of the light in the plot of the lobes, from the normal
+  bool show_rungs = false;    // false colours: which method shades which pixel
+  Compare compare = Compare::kOff;
+  float compare_split = 0.5f; // of the pane's width
   const char* hint = "";    // how to use what the pointer is over, for the status line
   GridId hover_grid = GridId::kNone;
   Cell hover;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/cloth.h"
 #include "panels/scene_panel.h"
 #include "panels/widgets.h"
 
@@ -11,6 +12,15 @@ namespace {
 
 constexpr const char* kHint =
     "Drag to turn the cloth, Shift+drag to move it, wheel to come nearer, right drag (or L) to move the light";
+/// The colours of shaders/rung_auto.glsl as the screen shows them.
+struct RungRow {
+  const char* word;
+  ImU32 color;
+};
+const RungRow kRungs[] = {{"yarn", to_u32(srgb_from_linear({0.84f, 0.37f, 0.0f}))},
+                          {"cell", to_u32(srgb_from_linear({0.94f, 0.89f, 0.26f}))},
+                          {"repeat", to_u32(srgb_from_linear({0.0f, 0.62f, 0.45f}))},
+                          {"cloth", to_u32(srgb_from_linear({0.0f, 0.45f, 0.70f}))}};
 constexpr float kDegreesAPixel = 0.35f;
 constexpr float kNearest = 0.01f, kFurthest = 8.0f;
 
@@ -54,15 +64,88 @@ void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
   dl->AddText(font, font->FontSize, at, c.style.color.muted, text.c_str());
 }
 
+/// "yarn 80%, cell 20%".
+std::string shares_text(const std::array<float, 4>& shares) {
+  std::string text;
+  for (size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] < 0.005f) continue;
+    text.append(text.empty() ? "" : ", ").append(kRungs[i].word).append(" ").append(fixed(100 * shares[i], 0)).append("%");
+  }
+  return text;
+}
+
 std::string stats_line(const PreviewPicture& p) {
   std::string line = method_label(p.stats.method);
-  line += "   " + fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms";
+  const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
+  if (p.stats.method == Method::kAuto) say(shares_text(p.rung_share));
+  if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
   if (p.stats.yarns_per_pixel > 0) {
     const bool near_by = p.stats.yarns_per_pixel < 1;
-    line += near_by ? "   " + fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn"
-                    : "   " + fixed(p.stats.yarns_per_pixel, 1) + " yarns a px";
+    say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn" : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
   }
-  return p.busy ? line + "   weaving\xE2\x80\xA6" : line;
+  if (p.expected_error >= 0) say("error about " + fixed(100 * p.expected_error, 0) + "%");
+  if (p.busy) say("weaving\xE2\x80\xA6");
+  return line;
+}
+
+/// Which colour is which rung, under each other.
+void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
+  if (method != Method::kAuto) return draw_note(c, at, "Only the automatic method mixes others");
+  ImFont* font = c.style.font.small;
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float line = font->FontSize + c.style.px(4), box = c.style.px(10), pad = c.style.px(8);
+  const float width = box + c.style.px(6) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, "repeat").x;
+  dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
+                    with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
+  for (const RungRow& rung : kRungs) {
+    const float y = at.y + (line - box) / 2;
+    dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, rung.color, 2);
+    dl->AddText(font, font->FontSize, {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text, rung.word);
+    at.y += line;
+  }
+}
+
+std::string reference_line(const ReferencePicture& r, Compare compare) {
+  if (!r.problem.empty()) return r.problem;
+  if (r.texture == 0) return "Tracing the threads\xE2\x80\xA6";
+  std::string line = compare == Compare::kSplit ? "ray traced" : "difference \xC3\x97 " + fixed(kDifferenceScale, 0);
+  line += r.samples == 0 ? "   coarse" : r.samples == 1 ? "   1 sample a pixel" : "   " + std::to_string(r.samples) + " samples a pixel";
+  if (r.samples > 0) line += "   apart by " + fixed(100 * r.difference, 1) + "%";
+  return r.tracing ? line + "\xE2\x80\xA6" : line;
+}
+
+/// The handle of the comparison, before the view below it, so that it takes the pointer first.
+void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
+  const float half = c.style.px(7), x = a.x + pane.x * c.work.compare_split;
+  ImGui::SetCursorScreenPos({x - half, a.y});
+  ImGui::InvisibleButton("compare", {2 * half, pane.y});
+  c.map.add_item("view.compare");
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    c.work.hint = "Drag: the preview is on the left, the ray-traced threads on the right";
+  }
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated())
+    c.work.compare_split = std::clamp((ImGui::GetIO().MousePos.x - a.x) / pane.x, 0.02f, 0.98f);
+  ImGui::SetCursorScreenPos(a);
+}
+
+void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a, ImVec2 b) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float x = std::floor(a.x + (b.x - a.x) * c.work.compare_split);
+  if (r.texture != 0) {
+    dl->PushClipRect({x, a.y}, b, true);
+    dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(r.texture)), a, b);
+    dl->PopClipRect();
+    c.map.add(r.samples > 0 ? "view.reference" : "view.reference.coarse", x, a.y, b.x - x, b.y - a.y);
+  }
+  const float grip = c.style.px(9), y = (a.y + b.y) / 2;
+  dl->AddRectFilled({x - 1, a.y}, {x + 1, b.y}, c.style.color.raised);
+  dl->AddRectFilled({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.raised, c.style.px(4));
+  dl->AddRect({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.line_strong, c.style.px(4));
+  const std::string text = reference_line(r, c.work.compare);
+  ImFont* font = c.style.font.small;
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  draw_note(c, {b.x - width - c.style.px(16), a.y + c.style.px(14)}, text);
 }
 
 void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& text) {
@@ -108,6 +191,8 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   pane = ImGui::GetContentRegionAvail();
   const ImVec2 b{a.x + pane.x, a.y + pane.y};
   if (pane.x < 8 || pane.y < 8) return {};
+  const bool comparing = c.work.compare != Compare::kOff;
+  if (comparing) drag_split(c, a, pane);
   ImGui::InvisibleButton("view", pane,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
@@ -122,6 +207,8 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   ImDrawList* dl = ImGui::GetWindowDrawList();
   if (picture.texture != 0) {
     dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.texture)), a, b, {0, 1}, {1, 0});
+    if (comparing) draw_comparison(c, picture.reference, a, b);
+    if (c.work.show_rungs) draw_rung_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
     draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, stats_line(picture));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {

@@ -1,6 +1,7 @@
 #pragma once
 // The lit cloth: shows the renderer's last picture and turns drags into a view, or a light.
 
+#include <array>
 #include <string>
 
 #include "panels/panel.h"
@@ -8,12 +9,26 @@
 
 namespace weftlight {
 
+/// What stands behind the slider of the comparison.
+struct ReferencePicture {
+  unsigned texture = 0;   // of Compare::kSplit or kDifference, row 0 on top; 0: none yet
+  int samples = 0;        // a pixel; 0: a coarse first picture
+  float difference = 0;   // relative RMSE of the preview against it, over the cloth
+  bool tracing = false;   // a better one is on its way
+  std::string problem;
+};
+inline constexpr float kDifferenceScale = 4;  // the picture of the difference is this much brighter
+
 /// What there is to show.
 struct PreviewPicture {
   unsigned texture = 0;   // 0: none yet
   FrameStats stats;
   std::string problem;    // why there is none, or what is wrong with the mesh
   bool busy = false;      // the newest edit is still being worked on
+  // Of rung auto, at the footprint in the middle of the picture.
+  std::array<float, 4> rung_share{};  // yarn, cell, repeat, cloth; sum 1
+  float expected_error = -1;          // of what is drawn, relative RMSE; below 0: not measured
+  ReferencePicture reference;
 };
 
 /// Scene::view_* and pan_* as the weaver turned them, not yet part of the design.

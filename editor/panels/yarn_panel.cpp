@@ -7,11 +7,14 @@
 
 #include "draft/yarn_presets.h"
 #include "panels/icons.h"
+#include "panels/lobes_plot.h"
 #include "panels/paint.h"
 #include "panels/widgets.h"
 
 namespace weftlight {
 namespace {
+
+constexpr float kStripHeight = 84;  // pixels at 96 dpi
 
 struct FieldSpec {
   SliderSpec slider;
@@ -110,20 +113,39 @@ bool draw_twist(PanelContext& c, Yarn& yarn) {
   return true;
 }
 
-MaybeEdit draw_light(PanelContext& c, Yarn yarn) {
-  if (!section(c, "section.lobes", "Light on the yarn", false)) return {};
+/// A thread of the yarn in the colour in hand.
+void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip) {
+  const float width = ImGui::GetContentRegionAvail().x, height = c.style.px(kStripHeight);
+  ImGui::Image(strip.of(yarn, colour, c.work.lobe_light_deg, static_cast<int>(width), static_cast<int>(height)), {width, height});
+  c.map.add_item("yarn.strip");
+  tooltip(c, "A thread of this yarn in the colour in hand, under the light of the plot");
+}
+
+MaybeEdit draw_light(PanelContext& c, Yarn yarn, YarnStrip& strip) {
+  if (!section(c, "section.lobes", "Light on the yarn")) return {};
+  const auto& palette = c.design.draft.palette;
+  const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.work.color, 0)), palette.size() - 1)];
+  const ImVec2 pictures = ImGui::GetCursorPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  // Kept free: drawn last, so that they show what the sliders have just become.
+  ImGui::Dummy({width, c.style.px(kStripHeight) + lobes_plot_height(c, width) + 2 * ImGui::GetStyle().ItemSpacing.y});
   MaybeEdit edit;
   for (const LobeSpec& spec : kLight)
     if (slider(c, spec.slider, yarn.lobes.*spec.field)) edit = changed(c.work.yarn, yarn, spec.slider.label);
   row_label(c, "Metallic", "Lurex and metal threads: the shine takes the thread's colour, and there is no body");
   if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.work.yarn, yarn, "Metallic");
   c.map.add_item("yarn.metallic");
+  const ImVec2 after = ImGui::GetCursorPos();
+  ImGui::SetCursorPos(pictures);
+  draw_strip(c, yarn, colour, strip);
+  draw_lobes_plot(c, yarn.lobes, colour);
+  ImGui::SetCursorPos(after);
   return edit;
 }
 
 }  // namespace
 
-MaybeEdit draw_yarns(PanelContext& c) {
+MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
   c.work.yarn = std::clamp(c.work.yarn, 0, static_cast<int>(c.design.yarns.size()) - 1);
   Yarn yarn = c.design.yarns[static_cast<size_t>(c.work.yarn)];
   MaybeEdit edit;
@@ -135,7 +157,7 @@ MaybeEdit draw_yarns(PanelContext& c) {
     for (const FieldSpec& spec : kBody)
       if (slider(c, spec.slider, yarn.*spec.field)) edit = changed(c.work.yarn, yarn, spec.slider.label);
   }
-  if (MaybeEdit light = draw_light(c, yarn)) edit = std::move(light);
+  if (MaybeEdit light = draw_light(c, yarn, strip)) edit = std::move(light);
   return edit;
 }
 

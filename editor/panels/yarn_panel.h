@@ -2,9 +2,10 @@
 // The design's yarns: which there are, and the body and the light of the one in hand.
 
 #include "panels/panel.h"
+#include "panels/yarn_strip.h"
 
 namespace weftlight {
 
-MaybeEdit draw_yarns(PanelContext& c);
+MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip);
 
 }  // namespace weftlight

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "draft/design.h"
+#include "files/files.h"
 #include "preview/camera.h"
 #include "preview/light_rig.h"
 #include "reference/picture.h"

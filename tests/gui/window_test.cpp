@@ -164,6 +164,68 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   quit(w);
 }
 
+TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  const std::string alone = still_picture(w);
+  display_.key("F7");
+  ASSERT_TRUE(comes_true([&] { return w.has("view.reference"); })) << "nothing was traced";
+  const auto [pane, size] = w.place_of("view");
+  const auto half = [&](double left, double right) {
+    return display_.picture({pane.x + left * size.x, pane.y + 60}, {(right - left) * size.x, size.y - 140});
+  };
+  const std::string quarter = half(0.3, 0.45);
+  display_.drag({w.middle_of("view.compare"), {pane.x + 0.25 * size.x, pane.y + 0.5 * size.y}});
+  EXPECT_TRUE(comes_true([&] { return w.middle_of("view.compare").x < pane.x + 0.3 * size.x; })) << "the slider did not move";
+  EXPECT_TRUE(comes_true([&] { return half(0.3, 0.45) != quarter; })) << "the traced threads did not follow the slider";
+  display_.key("F7");
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && still_picture(w) == alone; })) << "the preview did not come back whole";
+  quit(w);
+}
+
+TEST_F(WindowTest, TheLobesFollowTheirSlider) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  // Shut what stands above, so that plot and sliders are both in sight.
+  for (const char* above : {"section.palette", "section.yarns"}) {
+    const double before = w.place_of("section.lobes").first.y;
+    display_.click(w.middle_of(above));
+    ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < before; }));
+  }
+  const auto seen = [&](const char* control) {
+    const auto [place, size] = w.place_of(control);
+    return display_.picture(place, size);
+  };
+  const std::string plot = seen("yarn.lobes"), strip = seen("yarn.strip");
+  const auto [place, size] = w.place_of("yarn.body");
+  display_.click({place.x + 0.2 * size.x, place.y + size.y / 2});
+  ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
+  EXPECT_TRUE(comes_true([&] { return seen("yarn.lobes") != plot && seen("yarn.strip") != strip; }));
+  const std::string before = w.live(), after = seen("yarn.strip");
+  const auto [at, wide] = w.place_of("yarn.lobes");
+  display_.drag({{at.x + 0.6 * wide.x, at.y + 0.4 * wide.y}, {at.x + 0.2 * wide.x, at.y + 0.4 * wide.y}});
+  EXPECT_TRUE(comes_true([&] { return seen("yarn.strip") != after; })) << "the thread did not follow the light";
+  EXPECT_EQ(w.live(), before) << "the plot's light is not part of the design";
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; }));
+  quit(w);
+}
+
+TEST_F(WindowTest, BeginsADraftFromAWeave) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:Herringbone"); }));
+  display_.click(w.middle_of("weave:Herringbone"));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.Band"); }));
+  display_.click(w.middle_of("dialog:Create"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.size() == 16 && w.live() != bytes_of(draft_); }));
+  EXPECT_NE(drawdown_of(folder_ / "live.wif"), drawdown_of(draft_));
+  quit(w);
+}
+
 TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -1,0 +1,73 @@
+// The editor's longer questions: a new draft's weave, and the export of textures.
+
+#include <filesystem>
+#include <optional>
+
+#include "app/editor.h"
+#include "files/files.h"
+#include "texture_set/material_files.h"
+#include "texture_set/texture_set.h"
+
+namespace weftlight {
+namespace {
+
+struct TargetName {
+  Target target;
+  const char* name;
+};
+constexpr TargetName kTargets[] = {
+    {Target::kGltf, "glTF"},          {Target::kBlender, "Blender"}, {Target::kUnreal, "Unreal Engine"}, {Target::kUnityHdrp, "Unity HDRP"},
+    {Target::kUnityUrp, "Unity URP"}, {Target::kGodot, "Godot"},     {Target::kRaw, "Raw maps"},
+};
+
+/// Empty: done; else what went wrong. Any thread.
+std::string export_textures_to(const std::string& folder, const Design& design, const TextureSetOptions& options) {
+  Mesh mesh;
+  if (needs_mesh(options.target)) {
+    ReadMesh read = load_drape(design.scene.mesh);
+    if (!read.mesh) return read.error;
+    mesh = std::move(*read.mesh);
+  }
+  return write_texture_set(folder, design, mesh, options);
+}
+
+}  // namespace
+
+void Editor::new_draft() {
+  unless_unsaved([this] {
+    const Draft& d = document_.now().draft;
+    ask(WeavePrompt{0, first_numbers(weaves().front()), d.ends(), d.picks()}, [this](int) {
+      const WeavePrompt p = std::get<WeavePrompt>(dialog_);
+      replace(Document(weaves()[static_cast<size_t>(p.weave)].make(p.numbers, {p.ends, p.picks})));
+    });
+  });
+}
+
+void Editor::export_textures() {
+  ExportPrompt prompt;
+  for (const TargetName& t : kTargets) prompt.targets.push_back(t.name);
+  ask(std::move(prompt), [this](int) {
+    const ExportPrompt p = std::get<ExportPrompt>(dialog_);
+    dialog_ = {};
+    ask_path(FileAsk::kFolder, "Folder for the textures", std::filesystem::path(document_.path()).parent_path().string(),
+             [this, p](const std::string& folder) { start_export(folder, p); });
+  });
+}
+
+void Editor::start_export(const std::string& folder, const ExportPrompt& p) {
+  const std::filesystem::path file(document_.path().empty() ? "untitled.wif" : document_.path());
+  TextureSetOptions options;
+  options.target = kTargets[p.target].target;
+  options.name = file_name_of(file.stem().string());
+  options.source = file.filename().string();
+  options.program_version = WEFTLIGHT_VERSION;
+  options.size = p.size;
+  const std::string into = (std::filesystem::path(folder) / options.name).string();
+  exporter_.run(into, "Exported the textures to " + into, [into, options, design = document_.snapshot()] {
+    const std::string problem = export_textures_to(into, *design, options);
+    return problem.empty() ? problem : "Not exported: " + problem;
+  });
+  say("Exporting the textures\xE2\x80\xA6");
+}
+
+}  // namespace weftlight

@@ -117,12 +117,13 @@ std::vector<double> ticks_of(const Axis& a) {
   if (!a.ticks.empty()) return a.ticks;
   std::vector<double> ticks;
   if (a.log) {
-    const bool few = a.to / a.from > 300, many = a.to / a.from < 12;
+    const double range = a.to / a.from;
+    const std::vector<double> steps = range > 1000 ? std::vector<double>{1} : range > 60 ? std::vector<double>{1, 3}
+                                      : range > 12 ? std::vector<double>{1, 2, 5} : std::vector<double>{1, 2, 3, 5, 7};
     for (double decade = std::pow(10, std::floor(std::log10(a.from))); decade <= a.to; decade *= 10) {
-      for (const double k : {1.0, 2.0, 3.0, 5.0, 7.0}) {
+      for (const double k : steps) {
         const double v = k * decade;
-        const bool wanted = few ? k == 1 : many || (k != 3 && k != 7);
-        if (v >= a.from * 0.999 && v <= a.to * 1.001 && wanted) ticks.push_back(v);
+        if (v >= a.from * 0.999 && v <= a.to * 1.001) ticks.push_back(v);
       }
     }
     return ticks;

@@ -46,6 +46,7 @@ float sun_seen(vec3 position, vec3 n) {
 
 // A scene-linear colour as the target wants it: tone-mapped, or as it is for an .exr.
 vec4 leave(vec3 scene, float alpha) {
-  vec3 c = scene * frame.light_color.w;
+  // Within half floats, whatever the light.
+  vec3 c = min(scene * frame.light_color.w, vec3(65000.0));
   return frame.picture.z > 0.5 ? vec4(c * alpha, alpha) : vec4(tone_map(c) * alpha, alpha);
 }

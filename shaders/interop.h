@@ -45,6 +45,7 @@ struct ClothData {
                                       // w: 1 where the cloth has gaps at all
   vec4 relief;                        // x: height_map holds heights of -x..x mm; y: the highest, over x; zw: mean share of the sky that
                                       // threads leave, front and back
+  vec4 even;                          // x: yarns a pixel from which on the period's colour is even
 };
 
 #ifdef __cplusplus

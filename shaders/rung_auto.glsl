@@ -8,7 +8,9 @@ vec3 rung_color(vec4 weight) {
 }
 
 vec3 shade_auto(Side side, Lights x, Footprint f) {
-  vec4 weight = rung_weights(f.yarns, frame.rungs.xyz);
+  // One answer for all the cloth holds only where its pattern is no longer seen.
+  vec3 edges = vec3(frame.rungs.xy, max(frame.rungs.z, cloth.even.x));
+  vec4 weight = rung_weights(f.yarns, edges);
   vec3 color = vec3(0.0);
 #if FINEST_RUNG < 1
   if (weight.x > 0.0) color += weight.x * shade_yarn(side, x, f);

@@ -54,6 +54,12 @@ vec3 shade_top(Side side, Lights x, Footprint f) {
   vec3 fibre = upper ? vec3(turn, 1.0, 0.0) : vec3(1.0, turn, 0.0);
   YarnLobes lobes = yarn_of(data.widths, data.weights, data.tint, data.extra, thread_color(side, warp, weft));
   vec2 open = thread_light(side, f, x.l);
+  if (dot(top.n, x.l) < 0.0 && x.l.z > 0.0) {
+    // Light from behind crosses this thread alone: what lies beyond it decides.
+    Footprint entry = f;
+    entry.at += x.l.xy * (0.6 * cloth.size.z / max(length(x.l.xy), 1e-4)) / cloth.size.xy;
+    open.x = thread_light(side, entry, x.l).x;
+  }
   Answer a = facet_answer(lobes, top.n, top.gather, fibre, vec3(top.variance.x, 0.0, top.variance.y), x.l, x.v);
   vec3 n_world = from_side(side, top.n);
   vec3 mirrored = from_side(side, reflect(-x.v, top.n));

@@ -20,6 +20,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kD = kResponseDirections;
 constexpr float kHorizonSoft = 0.03f;   // sine: a few points stand for many
+constexpr float kThrough = 0.6f;        // widths of a thread that light crosses in it
 
 using PerDirection = std::array<float, kD>;
 
@@ -42,9 +43,18 @@ struct Point {
   int system = 0;
   float inverse_nz = 1;
   glm::vec3 normal{0, 0, 1};
-  PerDirection open, cosine, body, clear, area, lost, veil;
+  PerDirection open, cosine, body, lit, clear, area, lost, veil;
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0;
 };
+
+/// Texel from which light that leaves (x, y) behind enters the thread: most of a thread's width towards it.
+std::array<int, 2> entry_of(const Maps& maps, float width_mm, int x, int y, const glm::vec3& w) {
+  const float scale = kThrough * width_mm / std::max(std::sqrt(w.x * w.x + w.y * w.y), 1e-4f);
+  const int nx = maps.coverage.width, ny = maps.coverage.height;
+  const auto wrap = [](int i, int n) { return ((i % n) + n) % n; };
+  return {wrap(x + static_cast<int>(std::lround(w.x * scale / maps.width_mm * static_cast<float>(nx))), nx),
+          wrap(y + static_cast<int>(std::lround(w.y * scale / maps.depth_mm * static_cast<float>(ny))), ny)};
+}
 
 float horizon_of(const Maps& maps, int x, int y, int azimuth) {
   if (maps.azimuths <= 0) return 0;
@@ -78,6 +88,13 @@ Point measure(const Cloth& cloth, const Maps& maps, int x, int y, const std::arr
     p.open[d] = facing > 0 ? std::clamp(0.5f + above, 0.0f, 1.0f) : 0.0f;
     p.cosine[d] = facing * p.open[d];
     p.body[d] = p.cosine[d] * side.enters.g;
+    p.lit[d] = p.body[d];
+    if (local.z < 0 && lobes.body.g > 0) {
+      const auto [ex, ey] = entry_of(maps, body.width_mm, x, y, w[d]);
+      const float clear = (w[d].z - horizon_of(maps, ex, ey, static_cast<int>(d) % kResponseAzimuths)) / kHorizonSoft;
+      const float enters = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
+      p.lit[d] = -local.z * enters * std::clamp(0.5f + clear, 0.0f, 1.0f) * lobes.through.g / lobes.body.g;
+    }
     p.clear[d] = side.clear, p.area[d] = side.area, p.lost[d] = p.cosine[d] * side.lost, p.veil[d] = p.cosine[d] * side.fuzz.y;
     p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g / (kPi * std::max(side.fuzz.w, 1e-4f));
   }
@@ -111,7 +128,7 @@ void add(Sums& sums, const Point& p, const std::array<glm::vec3, kD>& w, size_t 
     mirror_weight[i] += k;
     if (dark) continue;
     const float through = p.clear[view] * p.clear[i];
-    body[i] += from * p.body[i] * (1 - p.fuzz * (1 - through));
+    body[i] += from * p.lit[i] * (1 - p.fuzz * (1 - through));
     mirror[i] += k * p.open[view] * p.open[i] * mu * mu_i / (p.area[i] * mu + p.area[view] * mu_i - mu * mu_i);
     hair[i] += once * p.cosine[i] * (1 - through) / (mu + mu_i) + veil * p.veil[i] + lost * p.lost[i];
   }

@@ -15,6 +15,7 @@
 #include "preview/gpu_mesh.h"
 #include "preview/ground_light.h"
 #include "preview/light_rig.h"
+#include "preview/rung_shares.h"
 #include "preview/shader_program.h"
 #include "preview/shipped_ladder.h"
 #include "preview/sun_shadow.h"
@@ -72,6 +73,7 @@ struct Renderer::Parts {
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
   void draw_patch(const FlatPatch& patch, const Look& look);
+  void tell_rungs(const DrawnFrame& drawn, const Camera& camera);
   std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
   void draw_around(const DrawnFrame& drawn, const Camera& camera);
   /// Share of the key light that the cloth keeps from what is behind it.
@@ -229,6 +231,28 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   stats.method = drawn_method(drawn.look.method);
   stats.texture_bytes = cloth.bytes();
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
+  tell_rungs(drawn, camera);
+}
+
+/// Shares of the rungs and the error to expect.
+void Renderer::Parts::tell_rungs(const DrawnFrame& drawn, const Camera& camera) {
+  std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  edges[2] = std::max(edges[2], cloth.data().even[0]);
+  const RungShares shares = rung_shares(mesh.prepared(), camera, drawn.frame.width, drawn.frame.height,
+                                        cloth.mean_spacing_mm(), edges);
+  stats.rung_shares = shares.of;
+  stats.estimated_error = 0;
+  if (shares.yarns_per_pixel <= 0) return;
+  if (stats.method != Method::kAuto) {
+    const float error = expected_error(ladder, stats.method, shares.yarns_per_pixel);
+    stats.estimated_error = std::isfinite(error) ? error : 0;
+    return;
+  }
+  constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+  for (size_t k = 0; k < kDrawn.size(); ++k) {
+    const float error = expected_error(ladder, kDrawn[k], shares.yarns_per_pixel);
+    if (std::isfinite(error)) stats.estimated_error += shares.of[k] * error;
+  }
 }
 
 void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {

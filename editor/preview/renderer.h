@@ -2,6 +2,7 @@
 // The OpenGL renderer of the draped, lit cloth, the same for the window and for `render`.
 // All calls need a current OpenGL 3.3+ core context (context.h, or the window's).
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ struct FrameStats {
   float yarns_per_pixel = 0;     // footprint at the middle of the picture
   Method method = Method::kAuto; // what was drawn
   size_t texture_bytes = 0;
+  std::array<float, 4> rung_shares{};  // of the cloth on screen under auto: yarn, cell, repeat, cloth
+  float estimated_error = 0;     // by the ladder, of what was drawn, at the mean footprint
 };
 
 class Renderer {

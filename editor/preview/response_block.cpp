@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <thread>
 
@@ -37,6 +38,25 @@ void append_seen(std::vector<float>& out, const Faces& faces) {
   }
 }
 
+/// Relative RMS of a level's colours about their mean.
+float contrast(const PackedTexture& color, int level) {
+  const int w = color.level_width(level), h = color.level_height(level);
+  std::array<double, 3> sum{}, square{};
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < w; ++x) {
+      for (size_t c = 0; c < 3; ++c) {
+        double v = 0;
+        for (int layer = 0; layer < 2; ++layer) v += std::pow(color.texel(level, layer, x, y)[c] / 255.0, 2.2);
+        sum[c] += v, square[c] += v * v;
+      }
+    }
+  }
+  const double n = static_cast<double>(w) * h;
+  double variance = 0, mean2 = 0;
+  for (size_t c = 0; c < 3; ++c) variance += square[c] / n - sum[c] * sum[c] / n / n, mean2 += sum[c] * sum[c] / n / n;
+  return static_cast<float>(std::sqrt(std::max(variance, 0.0) / std::max(mean2, 1e-9)));
+}
+
 }  // namespace
 
 void keep_response(std::vector<float>& block, const std::vector<float>& earlier) {
@@ -47,6 +67,16 @@ void keep_response(std::vector<float>& block, const std::vector<float>& earlier)
   for (size_t s = 0; s < 4; ++s) data.systems[s].mean = kept.systems[s].mean;
   std::memcpy(block.data(), &data, sizeof data);
   block.insert(block.end(), earlier.end() - static_cast<ptrdiff_t>(kResponseFloats), earlier.end());
+}
+
+float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) {
+  constexpr float kEven = 0.02f;
+  const PackedTexture& color = face.textures[static_cast<size_t>(PackedKind::kColor)];
+  int level = static_cast<int>(color.levels.size()) - 1;
+  while (level > 0 && contrast(color, level - 1) <= kEven) --level;
+  // The last level is one texel, and even by itself: a pixel must hold the period.
+  const float texels = static_cast<float>(1 << level) / static_cast<float>(std::max(1, color.width));
+  return texels * width_mm / std::max(spacing_mm, 1e-6f);
 }
 
 void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back) {

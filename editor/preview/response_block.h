@@ -5,6 +5,7 @@
 
 #include "light/cloth_response.h"
 #include "preview/cloth_block.h"
+#include "preview/packed_maps.h"
 
 namespace weftlight {
 
@@ -20,6 +21,9 @@ inline constexpr size_t kResponseFloats = kBroadFloats + kSlopeFloats + kSeenFlo
 
 /// Gives a block of cloth_block() the answer, and the means with it, of an earlier whole block.
 void keep_response(std::vector<float>& block, const std::vector<float>& earlier);
+
+/// Yarns a pixel from which on the packed colour of the face is the same everywhere to 2 percent.
+float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm);
 
 /// Appends response, slopes and seen to a block of cloth_block(), and sets its means.
 void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "drape/mesh.h"
 #include "files/files.h"
@@ -173,6 +174,10 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
     }
   }
   std::vector<float> block = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps}, height_bound_mm(front_.cloth));
+  interop::ClothData data;
+  std::memcpy(&data, block.data(), sizeof data);
+  data.even[0] = even_from_yarns(packed_.front, packed_.width_mm, packed_.mean_spacing_mm);
+  std::memcpy(block.data(), &data, sizeof data);
   old_response_ = effort == Effort::kQuick && !packed_.lobes.empty();
   if (old_response_) keep_response(block, packed_.lobes);
   else append_response(block, {front_.cloth, front_.maps}, {back_.cloth, back_.maps});

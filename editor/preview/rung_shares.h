@@ -1,0 +1,19 @@
+#pragma once
+// Which share of the cloth on screen each rung of `auto` draws, from the triangles' footprints. Knows no OpenGL
+// and does not read pixels back; what hides behind other folds counts too.
+
+#include <array>
+
+#include "preview/ambient.h"
+#include "preview/camera.h"
+
+namespace weftlight {
+
+struct RungShares {
+  std::array<float, 4> of{};   // yarn, cell, repeat, cloth; sum 1, or all 0 without cloth on screen
+  float yarns_per_pixel = 0;   // mean of the logarithm
+};
+RungShares rung_shares(const PreparedMesh& mesh, const Camera& camera, int width, int height, float spacing_mm,
+                       const std::array<float, 3>& edges);
+
+}  // namespace weftlight

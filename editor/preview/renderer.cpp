@@ -106,7 +106,7 @@ int Renderer::Parts::finest_rung(const DrawnFrame& drawn) const {
   if (!software || drawn.frame.render_scale < 1 || drawn_method(drawn.look.method) != Method::kAuto) return 0;
   constexpr float kSure = 0.8f;   // curved cloth and rounding
   const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
-  const glm::vec4 weight = formulas::rung_weights(kSure * drawn.least_yarns, glm::vec3(edges[0], edges[1], edges[2]));
+  const glm::vec4 weight = formulas::rung_weights(kSure * drawn.least_yarns, glm::vec3(edges[0], edges[1], std::max(edges[2], cloth.data().even[0])));
   int finest = 0;
   while (finest < 3 && weight[finest] <= 0) ++finest;
   return finest;

@@ -131,6 +131,13 @@ std::string write_beside(const std::string& path, const Write& write) {
   return path + ": " + problem;
 }
 
+/// OpenImageIO does not notice when a disk fills up under a PNG, so its bytes are written here.
+bool is_png(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension == ".png";
+}
+
 ReadImage read_from(const std::string& path, int level) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -154,6 +161,10 @@ ReadImage read_from(const std::string& path, int level) {
 
 std::string write_image(const std::string& path, const Image& image, PixelType type) {
   if (std::string problem = check_shape(image); !problem.empty()) return path + ": " + problem;
+  if (is_png(path)) {
+    const std::vector<unsigned char> bytes = encode_png(image, type);
+    return bytes.empty() ? path + ": cannot be encoded" : write_bytes(path, bytes);
+  }
   return write_beside(path, [&](const std::string& temporary) { return write_to(temporary, image, type); });
 }
 

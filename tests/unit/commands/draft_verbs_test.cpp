@@ -1,38 +1,15 @@
 // info, drawdown and convert: the contract that scripts and other programs' tests rely on.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "commands/commands.h"
+#include "scratch_folder.h"
 
 namespace weftlight {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string fixture_path(const char* name) { return std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/" + name; }
-
-class DraftVerbs : public ::testing::Test {
- protected:
-  void SetUp() override {
-    dir_ = fs::path(::testing::TempDir()) / ("weftlight-verbs-" + std::to_string(::getpid()) + "-" +
-                                             ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(dir_);
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    fs::remove_all(dir_, ignored);
-  }
-  std::string path(const char* name) const { return (dir_ / name).string(); }
-  std::string written(const char* name, std::string_view bytes) const {
-    EXPECT_EQ(write_file_atomically(path(name), bytes), "");
-    return path(name);
-  }
-  fs::path dir_;
-};
+using DraftVerbs = ScratchFolder;
 
 TEST_F(DraftVerbs, drawdown_text_of_both_faces) {
   ::testing::internal::CaptureStdout();
@@ -102,7 +79,7 @@ TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
   const std::string bad = written("bad.wif", "[WARP]\nThreads=4\n[WEFT]\nThreads=200000\n");
   EXPECT_EQ(drawdown_command({bad, "", Face::kFront}), kBadInput);
   EXPECT_EQ(convert_command({bad, path("out.wif"), false, ConvertDrive::kAsIs}), kBadInput);
-  EXPECT_FALSE(fs::exists(path("out.wif")));
+  EXPECT_FALSE(std::filesystem::exists(path("out.wif")));
   const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find(bad + ":4: "), std::string::npos) << said;
   ::testing::internal::CaptureStderr();

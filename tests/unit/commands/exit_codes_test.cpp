@@ -1,0 +1,144 @@
+// render, reference, export and drape: what they leave with, and what they leave behind, when they fail.
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "scratch_folder.h"
+
+namespace weftlight {
+namespace {
+
+using ExitCodes = ScratchFolder;
+using Args = std::vector<std::string>;
+
+Args operator+(Args a, const Args& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+std::string draft() { return fixture_path("twill.wif"); }
+
+/// A picture that takes no time.
+const Args kSmall{"--size", "32x24", "--mesh", "plane", "--method", "flat"};
+
+/// `weftlight ARGS` where no file may grow past `blocks` of 512 bytes, as on a disk that is full.
+int run_on_a_full_disk(const Args& args, int blocks) {
+  std::string line = "trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; exec '" WEFTLIGHT_BINARY "'";
+  for (const std::string& arg : args) line += " '" + arg + "'";
+  const int status = std::system((line + " >/dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(ExitCodes, bad_usage_is_2) {
+  const std::string out = path("out.png");
+  for (const Args& args : std::vector<Args>{
+           {"render"},
+           {"render", draft()},
+           {"render", draft(), "-o", path("out.gif")},
+           {"render", draft(), "-o", out, "--size", "0x10"},
+           {"render", draft(), "-o", out, "--size", "wide"},
+           {"render", draft(), "-o", out, "--method", "magic"},
+           {"render", draft(), "-o", out, "--view", "10"},
+           {"render", draft(), "-o", out, "--yarns-per-pixel", "-1"},
+           {"render", draft(), "-o", out, "--face", "side"},
+           {"render", draft(), "-o", out, "--no-such-option"},
+           {"reference", draft(), "-o", out, "--spp", "0"},
+           {"reference", draft(), "-o", path("out")},
+           {"export", draft()},
+           {"export", draft(), "-o", path("set"), "--target", "crayon"},
+           {"export", draft(), "-o", path("set"), "--size", "100"},
+           {"export", draft(), "-o", path("set"), "--jobs", "0"},
+           {"drape", "tent", "-o", path("tent.glb")},
+           {"drape", "plane"},
+       }) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
+    EXPECT_FALSE(ran.said.empty()) << ::testing::PrintToString(args);
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(ExitCodes, a_draft_that_cannot_be_used_is_3_and_says_where) {
+  const std::string bad = written("bad.wif", "[WARP]\nThreads=4\n[WEFT]\nThreads=200000\n");
+  const std::string none = path("none.wif");
+  for (const Args& args : std::vector<Args>{{"render", bad, "-o", path("out.png")},
+                                            {"reference", bad, "-o", path("out.exr")},
+                                            {"export", bad, "-o", path("set"), "--size", "16"}}) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kBadInput) << args[0];
+    EXPECT_NE(ran.said.find(bad + ":4: "), std::string::npos) << ran.said;
+  }
+  for (const Args& args : std::vector<Args>{{"render", none, "-o", path("out.png")},
+                                            {"reference", none, "-o", path("out.exr")},
+                                            {"export", none, "-o", path("set"), "--size", "16"}}) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kBadInput) << args[0];
+    EXPECT_NE(ran.said.find(none), std::string::npos) << ran.said;
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"bad.wif"});
+}
+
+TEST_F(ExitCodes, a_mesh_that_cannot_be_used_is_3_and_is_named) {
+  written("broken.glb", "glTF, but not really");
+  for (const std::string& mesh : {std::string("no_such_drape"), path("none.glb"), path("broken.glb")}) {
+    for (const Args& args : std::vector<Args>{{"render", draft(), "-o", path("out.png"), "--size", "32x24"},
+                                              {"reference", draft(), "-o", path("out.png"), "--size", "32x24"},
+                                              {"export", draft(), "-o", path("set"), "--size", "16"}}) {
+      const Ran ran = run(args + Args{"--mesh", mesh});
+      EXPECT_EQ(ran.code, kBadInput) << args[0] << " " << mesh;
+      EXPECT_NE(ran.said.find(mesh), std::string::npos) << ran.said;
+    }
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"broken.glb"});
+}
+
+TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
+  written("file", "in the way");
+  std::filesystem::create_directories(path("folder.png"));
+  for (const Args& args : std::vector<Args>{
+           Args{"render", draft(), "-o", path("no/out.png")} + kSmall,
+           Args{"render", draft(), "-o", path("folder.png")} + kSmall,
+           Args{"render", draft(), "-o", path("file/out.png")} + kSmall,
+           Args{"reference", draft(), "-o", path("no/out.png"), "--spp", "1"} + kSmall,
+           {"export", draft(), "-o", path("file"), "--target", "raw", "--size", "16"},
+           {"drape", "plane", "-o", path("no/plane.glb")},
+           {"drape", "plane", "-o", path("folder.png")},
+           {"drape", "all", "-o", path("file")},
+       }) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kNotWritten) << ::testing::PrintToString(args) << ran.said;
+    EXPECT_FALSE(ran.said.empty()) << ::testing::PrintToString(args);
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"file"});
+  EXPECT_EQ(read_file(path("file")).bytes, "in the way");
+}
+
+TEST_F(ExitCodes, a_full_disk_leaves_the_old_picture_and_nothing_beside_it) {
+  for (const std::string name : {"cloth.png", "cloth.exr"}) written(name, "the old picture");
+  for (const std::string name : {"cloth.png", "cloth.exr"}) {
+    const Args args{"render", draft(), "-o", path(name), "--size", "128x128", "--mesh", "plane", "--method", "flat"};
+    EXPECT_EQ(run_on_a_full_disk(args, 8), kNotWritten) << name;
+    EXPECT_TRUE(read_file(path(name)).bytes == "the old picture") << name;
+  }
+  EXPECT_EQ(files(), (std::set<std::string>{"cloth.png", "cloth.exr"}));
+}
+
+TEST_F(ExitCodes, a_full_disk_leaves_the_old_mesh) {
+  written("plane.glb", "the old mesh");
+  EXPECT_EQ(run_on_a_full_disk({"drape", "plane", "-o", path("plane.glb")}, 8), kNotWritten);
+  EXPECT_EQ(read_file(path("plane.glb")).bytes, "the old mesh");
+  EXPECT_EQ(files(), std::set<std::string>{"plane.glb"});
+}
+
+TEST_F(ExitCodes, a_full_disk_leaves_the_old_texture_set_whole) {
+  const Args args{"export", draft(), "-o", path("sets"), "--target", "raw", "--size", "64"};
+  ASSERT_EQ(run(args).code, kDone);
+  const std::set<std::string> before = files();
+  EXPECT_TRUE(before.contains("sets/twill/texture_set.json"));
+  EXPECT_EQ(run_on_a_full_disk(args, 8), kNotWritten);
+  EXPECT_EQ(files(), before);
+}
+
+}  // namespace
+}  // namespace weftlight

@@ -1,0 +1,63 @@
+#pragma once
+// A folder of the test's own, removed after it, and the whole command line run in it.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "commands/commands.h"
+
+namespace weftlight {
+
+inline std::string fixture_path(const std::string& name) { return std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/" + name; }
+
+class ScratchFolder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = std::filesystem::path(::testing::TempDir()) /
+           ("weftlight-verbs-" + std::to_string(::getpid()) + "-" +
+            ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(dir_);
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(dir_, ignored);
+  }
+  std::string path(const std::string& name) const { return (dir_ / name).string(); }
+  std::string written(const std::string& name, std::string_view bytes) const {
+    EXPECT_EQ(write_file_atomically(path(name), bytes), "");
+    return path(name);
+  }
+  /// Every file below the folder, by its name from there.
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_)) {
+      if (!entry.is_directory()) names.insert(entry.path().lexically_relative(dir_).string());
+    }
+    return names;
+  }
+  std::filesystem::path dir_;
+};
+
+/// The exit code of `weftlight ARGS`, and what it said on stderr.
+struct Ran {
+  int code = -1;
+  std::string said;
+};
+inline Ran run(std::vector<std::string> args) {
+  args.insert(args.begin(), "weftlight");
+  std::vector<char*> argv;
+  for (std::string& arg : args) argv.push_back(arg.data());
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  const CommandLine line = run_command_line(static_cast<int>(argv.size()), argv.data());
+  ::testing::internal::GetCapturedStdout();
+  std::string said = ::testing::internal::GetCapturedStderr();
+  return {line.open_editor ? -1 : line.exit_code, said};
+}
+
+}  // namespace weftlight

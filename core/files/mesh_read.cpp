@@ -89,7 +89,7 @@ Chunks split(const std::string& bytes) {
 }
 
 json parse(std::string_view text) {
-  const json root = json::parse(
+  json root = json::parse(
       text.begin(), text.end(),
       [](int depth, json::parse_event_t, json&) {
         if (depth > kMaxJsonDepth) refuse("its JSON is nested too deeply");

@@ -238,7 +238,7 @@ std::string put_in_place(const fs::path& made, const fs::path& folder) {
   if (had) fs::rename(folder, aside, ec);
   if (!ec) fs::rename(made, folder, ec);
   if (ec) {
-    const std::string problem = folder.string() + ": " + ec.message();
+    std::string problem = folder.string() + ": " + ec.message();
     if (had && fs::exists(aside)) fs::rename(aside, folder, ec);
     return problem;
   }

@@ -17,7 +17,7 @@ fi
 missing=()
 have=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package} ${Provides}\n' 2>/dev/null | grep '^ii' || true)
 for name in "${names[@]}"; do
-  grep -qE "^ii +${name}( |$)" <<<"$have" && continue
+  grep -qE "^ii +${name//+/\\+}( |,|$)" <<<"$have" && continue
   # nodejs may bring npm itself (NodeSource); any command of that name will do.
   case $name in nodejs) command -v node >/dev/null 2>&1 && continue ;; npm) command -v npm >/dev/null 2>&1 && continue ;; esac
   missing+=("$name")

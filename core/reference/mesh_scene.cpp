@@ -1,9 +1,9 @@
 #include "reference/mesh_scene.h"
 
-#include <embree3/rtcore.h>
-
 #include <cstring>
 #include <limits>
+
+#include "reference/embree.h"
 
 namespace weftlight {
 namespace {
@@ -66,12 +66,10 @@ std::unique_ptr<MeshScene> MeshScene::build(const Mesh& mesh, std::string& error
 }
 
 bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, MeshHit& hit) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit ray{};
   ray.ray = ray_of(origin, direction, t_min);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(parts_->scene, &context, &ray);
+  trace_ray(parts_->scene, ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   const Mesh& mesh = parts_->mesh;
   const uint32_t* corner = &mesh.index[size_t{3} * ray.hit.primID];
@@ -91,10 +89,8 @@ bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Me
 }
 
 bool MeshScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay ray = ray_of(origin, direction, t_min);
-  rtcOccluded1(parts_->scene, &context, &ray);
+  trace_shadow(parts_->scene, ray);
   return ray.tfar < 0;
 }
 

@@ -3,8 +3,6 @@
 
 #include "reference/tubes.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "cloth/centre_line.h"
+#include "reference/embree.h"
 
 namespace weftlight {
 namespace {
@@ -279,15 +278,13 @@ float TubeScene::z_max() const { return parts_->z_max; }
 const Cloth& TubeScene::cloth() const { return parts_->cloth; }
 
 bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, TubeHit& hit) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   return parts_->walk(origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
     RTCRayHit ray{};
     ray.ray.org_x = local.x, ray.ray.org_y = local.y, ray.ray.org_z = local.z;
     ray.ray.dir_x = direction.x, ray.ray.dir_y = direction.y, ray.ray.dir_z = direction.z;
     ray.ray.tnear = t_near, ray.ray.tfar = t_far, ray.ray.mask = ~0u;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(parts_->scene, &context, &ray);
+    trace_ray(parts_->scene, ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     hit.t = ray.ray.tfar;
     hit.position = origin + direction * hit.t;
@@ -297,14 +294,12 @@ bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Tu
 }
 
 bool TubeScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   return parts_->walk(origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
     RTCRay ray{};
     ray.org_x = local.x, ray.org_y = local.y, ray.org_z = local.z;
     ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
     ray.tnear = t_near, ray.tfar = t_far, ray.mask = ~0u;
-    rtcOccluded1(parts_->scene, &context, &ray);
+    trace_shadow(parts_->scene, ray);
     return ray.tfar < 0;
   });
 }

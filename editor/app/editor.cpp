@@ -192,7 +192,10 @@ void Editor::edited() {
   frames_due_ = std::max(frames_due_, 3);
 }
 
-void Editor::say(std::string text) { message_ = std::move(text); }
+void Editor::say(std::string text) {
+  message_ = std::move(text);
+  said_at_s_ = Window::seconds();
+}
 
 void Editor::report(std::vector<Diagnostic> remarks, const std::string& path) {
   remarks_ = std::move(remarks);

@@ -107,7 +107,7 @@ class Editor {
   bool remarks_open_ = false, leaving_ = false, restyle_ = true, moving_ = false;
   uint64_t stroke_ = 1;
   int frames_due_ = 5;
-  double tip_at_s_ = -1;
+  double tip_at_s_ = -1, said_at_s_ = 0;
 };
 
 }  // namespace weftlight

@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;  // pixels at 96 dpi
 constexpr int kFramesAfterEvent = 4;  // a click goes down and up, and what it opened lays itself out
+constexpr double kMessageS = 10;       // then hints take its place again
 constexpr double kTipS = 0.5;         // a frame when a tooltip is due
 constexpr double kCaretS = 0.4;       // a text field's caret blinks
 constexpr double kDialogPollS = 0.05;
@@ -170,7 +171,7 @@ void Editor::draw_panels(PanelContext& c) {
   ImGui::End();
 
   begin_fixed("Status", {x, y + height}, {view->WorkSize.x, status}, {style_.px(14), style_.px(6)});
-  if (draw_status_bar(c, message_, remarks_)) remarks_open_ = !remarks_open_;
+  if (draw_status_bar(c, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_)) remarks_open_ = !remarks_open_;
   ImGui::End();
   if (edit) commit(*edit);
 }

@@ -89,6 +89,12 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y * 0.4f}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
+  // A dialog lies higher than the panels: its fields stand out from its own ground.
+  const Colors& color = c.style.color;
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, blend(color.raised, color.text, 0.08f));
+  ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, blend(color.raised, color.text, 0.12f));
+  ImGui::PushStyleColor(ImGuiCol_Button, blend(color.raised, color.text, 0.08f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(color.raised, color.text, 0.14f));
   DialogAnswer answer;
   if (ImGui::BeginPopupModal(kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
     answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
@@ -96,6 +102,7 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
     if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
+  ImGui::PopStyleColor(4);
   ImGui::PopStyleVar();
   return answer;
 }

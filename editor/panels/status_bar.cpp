@@ -56,7 +56,7 @@ std::string summary(const Draft& d) {
 bool draw_status_bar(PanelContext& c, const std::string& message, std::span<const Diagnostic> remarks) {
   ImGui::PushFont(c.style.font.small);
   const std::string hover = describe(c.design, c.cells, c.work.hover_grid, c.work.hover);
-  ImGui::TextUnformatted(!hover.empty() ? hover.c_str() : *c.work.hint != 0 ? c.work.hint : message.c_str());
+  ImGui::TextUnformatted(!hover.empty() ? hover.c_str() : !message.empty() ? message.c_str() : c.work.hint);
   const std::string facts = summary(c.design.draft);
   const float remark_room = remarks.empty() ? 0 : c.style.px(110);
   ImGui::SameLine(std::max(c.style.px(400), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(facts.c_str()).x - remark_room));

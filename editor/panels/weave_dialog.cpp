@@ -12,12 +12,14 @@
 namespace weftlight {
 namespace {
 
-constexpr float kListWidth = 170, kListHeight = 372, kColumn = 320, kCell = 8;  // pixels at 96 dpi
+constexpr float kListWidth = 176, kHeight = 428, kColumn = 320, kCell = 8;  // pixels at 96 dpi
 constexpr int kShownEnds = 40, kShownPicks = 24;
 
 void draw_list(PanelContext& c, WeavePrompt& p) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, c.style.color.panel);
-  ImGui::BeginChild("weaves", {c.style.px(kListWidth), c.style.px(kListHeight)}, false);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(8), c.style.px(6)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {c.style.px(8), c.style.px(4)});
+  ImGui::BeginChild("weaves", {c.style.px(kListWidth), c.style.px(kHeight)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   for (int i = 0; i < static_cast<int>(weaves().size()); ++i) {
     const Weave& weave = weaves()[static_cast<size_t>(i)];
     if (ImGui::Selectable(weave.name, i == p.weave) && i != p.weave) {
@@ -27,6 +29,7 @@ void draw_list(PanelContext& c, WeavePrompt& p) {
     c.map.add_item(std::string("weave:") + weave.name);
   }
   ImGui::EndChild();
+  ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();
 }
 
@@ -60,10 +63,11 @@ DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   heading(c, "New draft");
   draw_list(c, p);
   ImGui::SameLine(0, c.style.px(16));
-  ImGui::BeginGroup();
+  ImGui::BeginChild("weave", {c.style.px(kColumn), c.style.px(kHeight)});
   const Weave& weave = weaves()[static_cast<size_t>(p.weave)];
   draw_cells(c, weave.make(p.numbers, {std::min(p.ends, kShownEnds), std::min(p.picks, kShownPicks)}));
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + c.style.px(kColumn));
+  ImGui::Dummy({0, c.style.px(2)});
+  ImGui::PushTextWrapPos(c.style.px(kColumn));
   muted_text(c, weave.words);
   ImGui::PopTextWrapPos();
   for (size_t i = 0; i < p.numbers.size(); ++i)
@@ -71,7 +75,7 @@ DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
       number(c, (std::string("weave.") + n.label).c_str(), n.label, p.numbers[i], n.min, n.max);
   number(c, "weave.ends", "Ends", p.ends, 1, kMaxThreads);
   number(c, "weave.picks", "Picks", p.picks, 1, kMaxThreads);
-  ImGui::EndGroup();
+  ImGui::EndChild();
   return answered(draw_buttons(c, {"Create", "Cancel"}, true));
 }
 

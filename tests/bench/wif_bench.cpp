@@ -32,7 +32,7 @@ void read_130_kb(benchmark::State& state) {
   const std::string bytes = long_draft();
   for (auto _ : state) benchmark::DoNotOptimize(read_wif(bytes));
   state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(bytes.size()));
-  state.counters["KB"] = static_cast<double>(bytes.size()) / 1024;
+  state.SetLabel(std::to_string(bytes.size() / 1024) + " KB");
 }
 BENCHMARK(read_130_kb)->Unit(benchmark::kMillisecond);
 

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "light/formulas.h"
-#include "preview/shipped_ladder.h"
-
 namespace weftlight {
 namespace {
 
@@ -18,7 +15,7 @@ constexpr float kLeastScale = 0.3f;
 
 }  // namespace
 
-PreviewPane::PreviewPane() : renderer_(Renderer::create(problem_)), ladder_(shipped_ladder()) {
+PreviewPane::PreviewPane() : renderer_(Renderer::create(problem_)) {
   if (!renderer_) problem_ = "The cloth cannot be shown: " + problem_;
 }
 
@@ -128,31 +125,12 @@ double PreviewPane::next_s(double now_s) const {
   return next;
 }
 
-/// Shares of the rungs and the error that the measured ladder expects.
-void PreviewPane::add_ladder(PreviewPicture& p) const {
-  const float yarns = stats_.yarns_per_pixel;
-  if (yarns <= 0) return;
-  float error = expected_error(ladder_, stats_.method, yarns);
-  if (stats_.method == Method::kAuto) {
-    constexpr Method kRungs[] = {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
-    const std::array<float, 3> edges = rung_edges(ladder_, drawn_.look.tolerance);
-    const glm::vec4 weights = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
-    error = 0;
-    for (int i = 0; i < 4; ++i) {
-      p.rung_share[static_cast<size_t>(i)] = weights[i];
-      if (weights[i] > 0) error += weights[i] * expected_error(ladder_, kRungs[i], yarns);
-    }
-  }
-  p.expected_error = std::isfinite(error) ? error : -1;
-}
-
 PreviewPicture PreviewPane::picture() const {
   PreviewPicture p;
   p.texture = renderer_ && drawn_scale_ > 0 ? renderer_->texture() : 0;
   p.stats = stats_;
   p.problem = !problem_.empty() ? problem_ : pipeline_.problem();
   p.busy = renderer_ && pipeline_.busy();
-  add_ladder(p);
   p.reference = {comparison_.reference.empty() ? 0 : reference_texture_.name(), comparison_.samples,
                  comparison_.relative_error, !comparison_.finished, comparison_.problem};
   if (p.texture == 0 && p.problem.empty()) p.problem = "Weaving the cloth\xE2\x80\xA6";

@@ -43,12 +43,10 @@ class PreviewPane {
   void follow_reference(const PreviewRequest& request, bool changed);
   TraceJob job_of(const PreviewRequest& request);
   void show_comparison();
-  void add_ladder(PreviewPicture& p) const;
 
   std::string problem_;  // filled while the renderer is made
   std::unique_ptr<Renderer> renderer_;
   Pipeline pipeline_;
-  Ladder ladder_;
   std::shared_ptr<const Design> design_;
   bool has_cloth_ = false, dirty_ = false, busy_ = false;
   PreviewRequest drawn_;

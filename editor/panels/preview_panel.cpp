@@ -77,13 +77,13 @@ std::string shares_text(const std::array<float, 4>& shares) {
 std::string stats_line(const PreviewPicture& p) {
   std::string line = method_label(p.stats.method);
   const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
-  if (p.stats.method == Method::kAuto) say(shares_text(p.rung_share));
+  if (p.stats.method == Method::kAuto) say(shares_text(p.stats.rung_shares));
   if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
   if (p.stats.yarns_per_pixel > 0) {
     const bool near_by = p.stats.yarns_per_pixel < 1;
     say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn" : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
   }
-  if (p.expected_error >= 0) say("error about " + fixed(100 * p.expected_error, 0) + "%");
+  if (p.stats.estimated_error > 0) say("error about " + fixed(100 * p.stats.estimated_error, 0) + "%");
   if (p.busy) say("weaving\xE2\x80\xA6");
   return line;
 }

@@ -25,9 +25,6 @@ struct PreviewPicture {
   FrameStats stats;
   std::string problem;    // why there is none, or what is wrong with the mesh
   bool busy = false;      // the newest edit is still being worked on
-  // Of rung auto, at the footprint in the middle of the picture.
-  std::array<float, 4> rung_share{};  // yarn, cell, repeat, cloth; sum 1
-  float expected_error = -1;          // of what is drawn, relative RMSE; below 0: not measured
   ReferencePicture reference;
 };
 

@@ -8,6 +8,14 @@ vec3 rung_color(vec4 weight) {
 }
 
 vec3 shade_auto(Side side, Lights x, Footprint f) {
+#if defined(QUICK)
+  // While the view moves: one rung for the whole picture, the nearer of two.
+#if FINEST_RUNG < 2
+  return shade_yarn(side, x, f);
+#else
+  return shade_repeat(side, x, f);
+#endif
+#else
   // One answer for all the cloth holds only where its pattern is no longer seen.
   vec3 edges = vec3(frame.rungs.xy, max(frame.rungs.z, cloth.even.x));
   vec4 weight = rung_weights(f.yarns, edges);
@@ -24,4 +32,5 @@ vec3 shade_auto(Side side, Lights x, Footprint f) {
   if (weight.w > 0.0) color += weight.w * shade_cloth(side, x);
   if (frame.rungs.w > 0.5) color = rung_color(weight) * (0.15 + 0.85 * sqrt(dot(color, vec3(0.2126, 0.7152, 0.0722))));
   return color;
+#endif
 }

@@ -100,12 +100,13 @@ bool Renderer::Parts::build(std::string& error) {
 }
 
 /// First of yarn, cell, repeat, cloth that rung auto needs in this picture. Without a graphics card both sides of
-/// a branch are run, so finer ones are left out of its program; not while something moves, for a new program
-/// takes its time to build.
+/// a branch are run, so finer ones are left out of its program; while something moves it is yarn or repeat alone.
 int Renderer::Parts::finest_rung(const DrawnFrame& drawn) const {
-  if (!software || drawn.frame.render_scale < 1 || drawn_method(drawn.look.method) != Method::kAuto) return 0;
-  constexpr float kSure = 0.8f;   // curved cloth and rounding
+  if (drawn_method(drawn.look.method) != Method::kAuto) return 0;
   const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  if (drawn.frame.render_scale < 1) return drawn.least_yarns / drawn.frame.render_scale < edges[1] ? 0 : 2;
+  if (!software) return 0;
+  constexpr float kSure = 0.8f;   // curved cloth and rounding
   const glm::vec4 weight = formulas::rung_weights(kSure * drawn.least_yarns, glm::vec3(edges[0], edges[1], std::max(edges[2], cloth.data().even[0])));
   int finest = 0;
   while (finest < 3 && weight[finest] <= 0) ++finest;

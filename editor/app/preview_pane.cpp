@@ -11,7 +11,7 @@ constexpr double kRestS = 0.15;         // still for so long: draw every pixel
 constexpr double kBusyPollS = 0.01;     // how often the worker is asked
 constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
-constexpr float kLeastScale = 0.3f;
+constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
 
 }  // namespace
 
@@ -42,7 +42,9 @@ bool PreviewPane::poll() {
 
 float PreviewPane::moving_scale() const {
   if (full_ms_ <= kMovingBudgetMs) return 1;
-  return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / full_ms_)), kLeastScale, 1.0f);
+  // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
+  const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
+  return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kLeastScale, kMostMovingScale);
 }
 
 Frame PreviewPane::frame_of(const PreviewRequest& request) const {
@@ -64,10 +66,10 @@ void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s)
   if (changed || drawn_scale_ < scale) {
     Frame frame = frame_of(request);
     frame.render_scale = scale;
-    frame.timed = resting;
+    frame.timed = true;
     stats_ = renderer_->draw(request.scene, request.look, frame);
     if (resting) stats_ = renderer_->measure();
-    if (stats_.gpu_ms > 0) full_ms_ = stats_.gpu_ms / static_cast<double>(scale * scale);
+    if (stats_.gpu_ms > 0) (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
     drawn_scale_ = scale;
     dirty_ = false;
   }

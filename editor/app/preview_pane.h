@@ -51,7 +51,8 @@ class PreviewPane {
   bool has_cloth_ = false, dirty_ = false, busy_ = false;
   PreviewRequest drawn_;
   float drawn_scale_ = 0;
-  double moved_s_ = -1e9, full_ms_ = 0;
+  double moved_s_ = -1e9;
+  double full_ms_ = 0, moving_ms_ = 0;  // the cloth's cost at every pixel, at rest and by the moving programs
   FrameStats stats_;
 
   ReferenceTracer tracer_;

@@ -59,6 +59,10 @@ Design starter() {
                   {{4, 1}, {0, 10}, {1, 10}, {2, 9}, {3, 11}, {2, 9}, {1, 10}, {0, 10}}, {{5, 1}});
   // A throw's yarns: a star is a hand wide, and is seen across a table.
   d = in_yarns(std::move(d), heavy(yarn("Mercerised cotton"), 1.2f), heavy(yarn("Silk"), 1.1f));
+  // Near enough that the first sight shows the stars, with the table's edge and its folds.
+  d.scene.view_distance = 0.62f;
+  d.scene.view_elevation = 26;
+  d.scene.pan_y = -0.08f;
   return titled(std::move(d), "Tide star",
                 {"An undulating twill on eight shafts, mirrored and woven as drawn in.",
                  "Heavy mercerised cotton from indigo to sea green, weft of silver silk."});

@@ -70,7 +70,7 @@ TEST_P(OddCloths, hold_together) {
     for (int p = whole.pick0; p < whole.pick1; ++p)
       for (int e = whole.end0; e < whole.end1; ++e) cells.set(p, e, !cells.get(p, e));
     const Cloth after = lay_out(d, cells, face, Period::kWholeDraft);
-    rebake(maps, after, whole);
+    rebake(maps, cloth, after);
     ASSERT_EQ(difference(maps, bake(after, size)), "") << ends << " x " << picks << " to " << size.width << " x " << size.height;
   }
 }

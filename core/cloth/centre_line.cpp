@@ -165,7 +165,8 @@ CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreS
   const float m2 = kTension * (z3 - z1) / (step.h1 + step.h2) * step.h1;
   const float t = step.t, dz = z2 - z1;
   const float c2 = 3.0f * dz - 2.0f * m1 - m2, c3 = m1 + m2 - 2.0f * dz;
-  return {z1 + t * (m1 + t * (c2 + t * c3)), (m1 + t * (2.0f * c2 + t * 3.0f * c3)) / step.h1};
+  return {z1 + t * (m1 + t * (c2 + t * c3)), (m1 + t * (2.0f * c2 + t * 3.0f * c3)) / step.h1,
+          (2.0f * c2 + t * 6.0f * c3) / (step.h1 * step.h1)};
 }
 
 CentrePoint centre_at(const CentreLines& lines, System system, int thread, const CentreStep& step) {

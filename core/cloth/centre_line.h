@@ -16,6 +16,7 @@ inline constexpr int kFloatReach = 4;
 struct CentrePoint {
   float height_mm = 0;
   float slope = 0;  // d height / d s
+  float bend = 0;   // d slope / d s, 1/mm
 };
 
 /// Heights at the crossings [end0, end1) x [pick0, pick1). Indices may run outside 0..count (they wrap).

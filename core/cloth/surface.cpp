@@ -1,5 +1,7 @@
-// The top of the union of threads: each an ellipse swept along its centre line. At a sample at most
-// one end and one pick can be on top, since a thread is never wider than its room.
+// The top of the union of threads: each an ellipse swept along its centre line, at right angles to it. At a
+// sample at most one end and one pick can be on top, since a thread is never wider than its room.
+// A section leans with its thread: at slope m the vertical cut through it is sqrt(1 + m^2) as high, and the
+// place on top of the cut stems from a section further along (first order in the section's height).
 
 #include "cloth/surface.h"
 
@@ -197,6 +199,8 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   Along a;
   a.centre_mm = centre.height_mm;
   a.slope = centre.slope;
+  a.lengthened = std::sqrt(1.0f + centre.slope * centre.slope);
+  a.bend = centre.bend * centre.slope / a.lengthened;
   a.ply_turn = static_cast<float>(texture.ply_advance) * share;
   a.stray_turn = static_cast<float>(texture.stray_advance) * share;
   const float node = std::floor(share * static_cast<float>(texture.nodes));
@@ -222,10 +226,10 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
   const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
                                            a.turn / kStraySpacing + l.stray_turn, l.node, l.blend, a.cycles, a.ply_fade});
-  float across = a.slope, along = -l.slope;
+  float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm);
   SurfaceSample s;
   s.cover = cover;
-  s.height_mm = l.centre_mm + a.height_mm;
+  s.height_mm = l.centre_mm + a.height_mm * l.lengthened;
   if (texture.plies > 1) {
     // z -= relief ply^2, with the factor 1 / cos of the tube's side left out: it ends at its edge.
     const float slant = 4.0f * texture.ply_relief_mm * texel.ply;
@@ -235,7 +239,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
     along += slant * static_cast<float>(texture.ply_advance) / length;
   }
   s.groove = texel.groove;
-  s.slope_spread = a.slope_spread;
+  s.slope_spread = a.slope_spread * l.lengthened * l.lengthened;
   s.colour = {unit_or_less(body.colour.r * texel.tone), unit_or_less(body.colour.g * texel.tone),
               unit_or_less(body.colour.b * texel.tone)};
   s.thread = static_cast<uint32_t>(a.thread);
@@ -265,7 +269,8 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     const Along& pick = weft_along_[i];
     // Shares of the sample: both systems there and one on top, or one of them alone.
     const float both = column.cover * across_row.cover;
-    const bool over = end.centre_mm + column.height_mm >= pick.centre_mm + across_row.height_mm;
+    const bool over = end.centre_mm + column.height_mm * end.lengthened >=
+                      pick.centre_mm + across_row.height_mm * pick.lengthened;
     const float warp = column.cover - (over ? 0.0f : both), weft = across_row.cover - (over ? both : 0.0f);
     if (warp + weft <= 0.0f) {
       const bool near_warp = column.beyond_mm <= across_row.beyond_mm;

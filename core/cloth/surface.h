@@ -70,6 +70,8 @@ class SurfaceSampler {
   /// A thread's state at a sample along it.
   struct Along {
     float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
+    float lengthened = 1;   // vertical cut of the section over the section, where the thread climbs
+    float bend = 0;         // of the slope for a height of 1 mm above the centre line
     int node = 0;
     float blend = 0;
   };

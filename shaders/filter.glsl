@@ -10,11 +10,11 @@
 
 const float kLeastFilterCosine = 1.0e-3f;
 
-// 1 - openness, smooth: what is left of a gap of width `gap` when its rim of height `rim` leans over it
-// by rim * slope (slope = tangent of the view's angle in that direction).
+// 1 - openness, smooth: what is left of a gap of width `gap` between round threads of height `rim` seen under an
+// angle of tangent `slope`: their outlines are wider by rim * (secant - 1).
 FORMULA float gap_left(float gap, float rim, float slope) {
   float g = max(gap, 1.0e-6f);
-  float x = 1.0f - rim * slope / g;
+  float x = 1.0f - rim * (sqrt(1.0f + slope * slope) - 1.0f) / g;
   // Threads are round and lie unevenly: a gap closes over a range, not at once.
   float soft = 0.08f;
   float open = 0.5f * (x + sqrt(x * x + soft * soft));

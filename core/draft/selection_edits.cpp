@@ -1,0 +1,140 @@
+#include "draft/selection_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace weftlight {
+namespace {
+
+int wrapped(int64_t i, int n) { return static_cast<int>(((i % n) + n) % n); }
+
+/// A block whose cell (r, c) is `cell(r, c)`.
+template <class Cell>
+BitMatrix block_of(int rows, int columns, Cell cell) {
+  BitMatrix out(rows, columns);
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c)
+      if (cell(r, c)) out.set(r, c, true);
+  return out;
+}
+
+/// The selection's cells replaced: cell (r, c) becomes what stood at `source(r, c)`.
+template <class Source>
+Design rearranged(Design design, const Selection& s, Source source) {
+  const BitMatrix old = cells_of(design.draft, s);
+  const BitMatrix next = block_of(old.rows(), old.cols(), [&](int r, int c) {
+    const auto [from_r, from_c] = source(r, c);
+    return old.get(from_r, from_c);
+  });
+  return with_block(std::move(design), s.grid, s.a0, s.b0, next, Write::kInside);
+}
+
+using At = std::pair<int, int>;  // row, column
+
+/// Whole threads that lie side by side along a (the ends), or along b (the picks).
+bool whole_along_a(const Draft& d, const Selection& s) {
+  return s.grid == BitGrid::kThreading && holds_whole_threads(d, s);
+}
+bool whole_along_b(const Draft& d, const Selection& s) {
+  return s.grid != BitGrid::kThreading && holds_whole_threads(d, s);
+}
+
+Selection repeat_target(const Draft& d, const Selection& s, Reach reach) {
+  Selection to = whole_grid(d, s.grid);
+  if (s.grid == BitGrid::kLiftplan) to.a0 = s.a0, to.a1 = s.a1;
+  if (reach == Reach::kToEnd) to.a0 = s.a0, to.b0 = s.b0;
+  return to;
+}
+
+}  // namespace
+
+std::optional<ThreadRange> threads_of(const Selection& s) {
+  if (s.empty()) return {};
+  switch (s.grid) {
+    case BitGrid::kThreading: return ThreadRange{System::kWarp, s.a0, s.a1};
+    case BitGrid::kTreadling:
+    case BitGrid::kLiftplan: return ThreadRange{System::kWeft, s.b0, s.b1};
+    default: return {};
+  }
+}
+
+bool holds_whole_threads(const Draft& d, const Selection& s) {
+  const std::optional<ThreadRange> threads = threads_of(s);
+  if (!threads) return false;
+  const Selection all = whole_grid(d, s.grid);
+  return threads->system == System::kWarp ? s.b0 <= 0 && s.b1 >= all.b1 : s.a0 <= 0 && s.a1 >= all.a1;
+}
+
+Design with_cleared(Design design, const Selection& selection) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  return with_block(std::move(design), s.grid, s.a0, s.b0, BitMatrix(s.rows(), s.columns()), Write::kInside);
+}
+
+Design with_inverted(Design design, const Selection& selection) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  const BitMatrix old = cells_of(design.draft, s);
+  const BitMatrix next = block_of(old.rows(), old.cols(), [&](int r, int c) { return !old.get(r, c); });
+  return with_block(std::move(design), s.grid, s.a0, s.b0, next, Write::kInside);
+}
+
+Design with_moved(Design design, const Selection& selection, int a, int b, bool copy) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  const BitMatrix block = cells_of(design.draft, s);
+  if (!copy) design = with_cleared(std::move(design), s);
+  return with_block(std::move(design), s.grid, a, b, block, Write::kThreads);
+}
+
+Design with_mirrored_across(Design design, const Selection& selection, bool with_looks) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  if (whole_along_a(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_looks);
+  return rearranged(std::move(design), s, [last = s.columns() - 1](int r, int c) { return At{r, last - c}; });
+}
+
+Design with_mirrored_down(Design design, const Selection& selection, bool with_looks) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  if (whole_along_b(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_looks);
+  return rearranged(std::move(design), s, [last = s.rows() - 1](int r, int c) { return At{last - r, c}; });
+}
+
+Design with_half_turn(Design design, const Selection& selection, bool with_looks) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  if (!holds_whole_threads(design.draft, s))
+    return rearranged(std::move(design), s, [r1 = s.rows() - 1, c1 = s.columns() - 1](int r, int c) {
+      return At{r1 - r, c1 - c};
+    });
+  return with_mirrored_down(with_mirrored_across(std::move(design), s, with_looks), s, with_looks);
+}
+
+Design with_shifted(Design design, const Selection& selection, int da, int db, bool with_looks) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  int& along_threads = s.grid == BitGrid::kThreading ? da : db;
+  if (holds_whole_threads(design.draft, s))
+    design = with_turned_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_looks);
+  if (da == 0 && db == 0) return design;
+  return rearranged(std::move(design), s, [=](int r, int c) {
+    return At{wrapped(int64_t{r} - db, s.rows()), wrapped(int64_t{c} - da, s.columns())};
+  });
+}
+
+Design with_repeated(Design design, const Selection& selection, Reach reach, bool with_looks) {
+  const Selection s = clipped(selection, design.draft);
+  if (s.empty()) return design;
+  const auto threads = threads_of(s);
+  if (threads && (s.grid != BitGrid::kLiftplan || holds_whole_threads(design.draft, s)))
+    return with_repeated_threads(std::move(design), *threads, reach, with_looks);
+  const BitMatrix one = cells_of(design.draft, s);
+  const Selection to = repeat_target(design.draft, s, reach);
+  const BitMatrix many = block_of(to.rows(), to.columns(), [&](int r, int c) {
+    return one.get(wrapped(int64_t{r} + to.b0 - s.b0, one.rows()), wrapped(int64_t{c} + to.a0 - s.a0, one.cols()));
+  });
+  return with_block(std::move(design), s.grid, to.a0, to.b0, many, Write::kInside);
+}
+
+}  // namespace weftlight

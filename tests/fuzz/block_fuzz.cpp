@@ -1,0 +1,39 @@
+// Any bytes on the clipboard: reading them never crashes, what is read is written and read again alike, and
+// putting it anywhere leaves a draft whole.
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "draft/block_text.h"
+
+using namespace weftlight;
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const BlockRead read = read_block_text({reinterpret_cast<const char*>(data), size});
+  require(read.block.has_value() == read.problem.empty(), "a refusal says why");
+  if (!read.block) return 0;
+  const CellBlock& block = *read.block;
+  require(block.cells.rows() > 0 && block.cells.cols() > 0, "a block has cells");
+  require(read_block_text(block_text(block)).block == block, "a block comes back as it went");
+  Design design;
+  design.draft = blank_draft(9, 7, 4, 5);
+  for (int end = 0; end < 9; ++end) design.draft.threading.set(end, end % 4, true);
+  for (BitGrid grid : {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kDrawdown}) {
+    const int a = static_cast<int>(size % 13) - 4, b = static_cast<int>(data[0] % 11) - 3;
+    design = with_block(std::move(design), grid, a, b, turned_for(block, grid), size % 2 == 0 ? Write::kThreads : Write::kAdd);
+    require(is_consistent(design), "a draft stays consistent");
+  }
+  return 0;
+}

@@ -73,16 +73,18 @@ FORMULA vec2 half_slopes(vec3 l, vec3 v) {
   return vec2((l.x + v.x) / z, (l.y + v.y) / z);
 }
 
+// Density of normals (1/sr) of facets whose slopes are h; slopes: densities of the angles of h.x and h.y.
+FORMULA float facet_density(vec2 slopes, vec2 h) {
+  float secant2 = 1.0f + h.x * h.x + h.y * h.y;
+  return slopes.x * slopes.y / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
+}
+
 // One system of threads from afar. broad: its response (core/light/cloth_response.h); slopes: densities of
 // the slope angles at half_slopes(); share: of the cover at normal view.
 FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, float sky, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float length2 = max(dot(sum, sum), 1.0e-6f);
-  vec2 h = half_slopes(l, v);
-  float z = max(l.z + v.z, 1.0e-3f);
-  float secant2 = length2 / (z * z);
-  // Density of slopes from that of their angles; of normals from that of slopes.
-  float d = slopes.x * slopes.y / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
+  float d = facet_density(slopes, half_slopes(l, v));
   float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
   float k2 = k * k;
   vec3 fresnel = y.f0 + (y.f90 - y.f0) * (k2 * k2 * k);

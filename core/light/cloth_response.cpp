@@ -1,8 +1,8 @@
 // Sums over points of the surface, for every pair of directions, of what both see.
 // Based on: Westin, Arvo, Torrance 1992, "Predicting reflectance functions from complex surfaces" (a table
 //   measured on small geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
-// Differs: visibility comes from the horizons of the maps, not from rays; the specular part keeps its closed
-//   form over the measured slopes, so that the table holds smooth parts alone.
+// Differs: visibility comes from the horizons of the maps, not from rays; the specular part is measured facet
+//   lobe by facet lobe, and stored over its closed form from the measured slopes, so that the table is smooth.
 
 #include "light/cloth_response.h"
 
@@ -20,6 +20,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kD = kResponseDirections;
 constexpr float kHorizonSoft = 0.03f;   // sine: a few points stand for many
+constexpr float kUnseenFacets = 0.01f;  // density of facets below which their share is taken as that of a plane
 constexpr float kThrough = 0.6f;        // widths of a thread that light crosses in it
 
 using PerDirection = std::array<float, kD>;
@@ -44,7 +45,10 @@ struct Point {
   float inverse_nz = 1;
   glm::vec3 normal{0, 0, 1};
   PerDirection open, cosine, body, lit, clear, area, lost, veil;
-  float body_scale = 0, multiple = 0, fuzz = 0, again = 0;
+  PerDirection along, across, mu;   // of each direction in the frame of the fibre; mu held above the plane
+  glm::vec3 inverse{1, 0, 1};       // of the covariance of the facets' slopes
+  float peak = 0;                   // density of those slopes at their mean
+  float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
 };
 
 /// Texel from which light that leaves (x, y) behind enters the thread: most of a thread's width towards it.
@@ -80,6 +84,7 @@ Point measure(const Cloth& cloth, const Maps& maps, int x, int y, const std::arr
   const Direction& t = maps.tangent.at(x, y);
   const formulas::LobeFrame frame = formulas::lobe_frame(p.normal, {t.x, t.y, t.z});
   p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
+  p.inverse = shared.inverse, p.peak = shared.peak, p.groove = maps.groove.at(x, y);
   for (size_t d = 0; d < kD; ++d) {
     const glm::vec3 local = formulas::lobe_local(frame, w[d]);
     const formulas::LobeSide side = formulas::lobe_side(lobes, shared, local);
@@ -95,6 +100,7 @@ Point measure(const Cloth& cloth, const Maps& maps, int x, int y, const std::arr
       const float enters = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
       p.lit[d] = -local.z * enters * std::clamp(0.5f + clear, 0.0f, 1.0f) * lobes.through.g / lobes.body.g;
     }
+    p.along[d] = local.x, p.across[d] = local.y, p.mu[d] = side.mu;
     p.clear[d] = side.clear, p.area[d] = side.area, p.lost[d] = p.cosine[d] * side.lost, p.veil[d] = p.cosine[d] * side.fuzz.y;
     p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g / (kPi * std::max(side.fuzz.w, 1e-4f));
   }
@@ -102,35 +108,34 @@ Point measure(const Cloth& cloth, const Maps& maps, int x, int y, const std::arr
 }
 
 struct Sums {
-  std::vector<float> body, mirror, mirror_weight, hair;
+  std::vector<float> body, mirror, hair;
   PerDirection seen{};
-  Sums() : body(kD * kD), mirror(kD * kD), mirror_weight(kD * kD), hair(kD * kD) {}
+  Sums() : body(kD * kD), mirror(kD * kD), hair(kD * kD) {}
 };
 
 /// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by.
-void add(Sums& sums, const Point& p, const std::array<glm::vec3, kD>& w, size_t view) {
-  const float area = p.weight * p.inverse_nz;
-  const float mu = std::max(glm::dot(p.normal, w[view]), 1e-4f);
+void add(Sums& sums, const Point& p, size_t view) {
+  if (p.open[view] <= 0) return;
+  const float area = p.weight * p.inverse_nz, mu = p.mu[view];
   sums.seen[view] += area * p.cosine[view];
-  const bool dark = p.open[view] <= 0;
   float* body = &sums.body[view * kD];
   float* mirror = &sums.mirror[view * kD];
-  float* mirror_weight = &sums.mirror_weight[view * kD];
   float* hair = &sums.hair[view * kD];
-  const float from = area * p.body[view] * p.body_scale, veil = area * p.veil[view] * p.again;
-  const float once = area * p.fuzz * p.cosine[view] / (4 * kPi), lost = area * p.lost[view] * p.multiple;
+  const float from = area * p.body[view] * p.body_scale, veil = area * p.groove * p.veil[view] * p.again;
+  const float once = area * p.groove * p.fuzz * p.cosine[view] / (4 * kPi), lost = area * p.groove * p.lost[view] * p.multiple;
+  const float glance = 0.25f * area * p.groove * p.peak * p.cosine[view];
+  // Copies: the sums might be any of the point's floats, as far as the compiler knows.
+  const float fuzz = p.fuzz, clear = p.clear[view], area_v = p.area[view], along = p.along[view], across = p.across[view];
+  const float xx = -0.5f * p.inverse.x, xy = -p.inverse.y, yy = -0.5f * p.inverse.z;
   for (size_t i = 0; i < kD; ++i) {
-    const glm::vec3 h = w[i] + w[view];
-    const float mu_i = std::max(glm::dot(p.normal, w[i]), 1e-4f);
-    float k = std::max(glm::dot(p.normal, h) / glm::length(h), 0.0f);
-    k *= k, k *= k, k *= k, k *= k;
-    k = area * (k + 1e-5f);
-    mirror_weight[i] += k;
-    if (dark) continue;
-    const float through = p.clear[view] * p.clear[i];
-    body[i] += from * p.lit[i] * (1 - p.fuzz * (1 - through));
-    mirror[i] += k * p.open[view] * p.open[i] * mu * mu_i / (p.area[i] * mu + p.area[view] * mu_i - mu * mu_i);
-    hair[i] += once * p.cosine[i] * (1 - through) / (mu + mu_i) + veil * p.veil[i] + lost * p.lost[i];
+    const float mu_i = p.mu[i], cosine = p.cosine[i], veiled = 1 - clear * p.clear[i], unveiled = 1 - fuzz * veiled;
+    // Beckmann's facets, as lobe_specular() has them (shaders/lobes.glsl), without Fresnel.
+    const float over = 1 / (mu + mu_i), x = (along + p.along[i]) * over, y = (across + p.across[i]) * over;
+    const float secant2 = 1 + x * x + y * y;
+    const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
+    mirror[i] += glance * d * cosine * unveiled / (p.area[i] * mu + area_v * mu_i - mu * mu_i);
+    body[i] += from * p.lit[i] * unveiled;
+    hair[i] += once * cosine * veiled * over + veil * p.veil[i] + lost * p.lost[i];
   }
 }
 
@@ -174,6 +179,17 @@ void finish_means(ClothResponse& out) {
   out.sky /= all;
 }
 
+/// Density of the facets that mirror light along `l` to `v`, as the shader takes it from the measured slopes.
+float closed_form(const SystemResponse& s, const glm::vec3& l, const glm::vec3& v) {
+  const formulas::vec2 h = formulas::half_slopes(l, v);
+  const auto density = [](const std::array<float, kSlopeBins>& bins, float slope) {
+    const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
+    const size_t k = static_cast<size_t>(at);
+    return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
+  };
+  return s.share * formulas::facet_density({density(s.slopes[0], h.x), density(s.slopes[1], h.y)}, h);
+}
+
 }  // namespace
 
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) {
@@ -197,18 +213,16 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   in_parallel(kResponseElevations, 2, [&](int e) {
     for (const Point& p : points)
       for (int a = 0; a < kResponseAzimuths; ++a)
-        add(sums[static_cast<size_t>(p.system)], p, w, static_cast<size_t>(e * kResponseAzimuths + a));
+        add(sums[static_cast<size_t>(p.system)], p, static_cast<size_t>(e * kResponseAzimuths + a));
   });
   for (size_t v = 0; v < kD; ++v) {
     const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
-    float all = 0;
-    for (const Point& p : points) all += p.weight;
     for (size_t s = 0; s < 2; ++s) {
       for (size_t i = 0; i < kD; ++i) {
         const size_t at = v * kD + i;
         float* to = &out.systems[s].broad[4 * at];
         to[0] = sums[s].body[at] / seen;
-        to[1] = 0.25f * all * sums[s].mirror[at] / std::max(sums[s].mirror_weight[at] * seen, 1e-12f);
+        to[1] = (sums[s].mirror[at] / seen + kUnseenFacets * 0.25f) / (closed_form(out.systems[s], w[i], w[v]) + kUnseenFacets);
         to[2] = sums[s].hair[at] / seen;
         to[3] = sums[s].seen[v] / seen;
       }

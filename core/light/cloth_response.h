@@ -16,9 +16,9 @@ inline constexpr int kResponseDirections = kResponseElevations * kResponseAzimut
 inline constexpr int kSlopeBins = 64;          // even in the slope's angle, -90 to 90 degrees
 
 struct SystemResponse {
-  // RGBA of [view][light]: body (times the thread's colour), visibility of the facets that mirror (over
-  // four times the area seen), fuzz and light scattered more than once, share of what is seen. Directions:
-  // elevation-major. Over all the cloth that is seen.
+  // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()
+  // of shaders/rungs.glsl times the share), fuzz and light scattered more than once, share of what is seen.
+  // Directions: elevation-major. Over all the cloth that is seen.
   std::vector<float> broad;
   // Density of the facets' slope angles along x and along y, micro-slopes in it; integral 1.
   std::array<std::array<float, kSlopeBins>, 2> slopes{};
@@ -31,6 +31,6 @@ struct ClothResponse {
   std::array<SystemResponse, 2> systems;
   float sky = 1;     // mean share of the sky that is seen
 };
-ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = 640);
+ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = 1280);
 
 }  // namespace weftlight

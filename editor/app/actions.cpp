@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/action_parts.h"
 #include "app/editor.h"
 #include "draft/edits.h"
 #include "drape/mesh.h"
@@ -14,33 +15,6 @@
 
 namespace weftlight {
 namespace {
-
-using Actions = std::vector<Action>;
-
-Action action(const char* menu, const char* id, const char* label, const char* shortcut,
-              std::function<void(Editor&)> run) {
-  Action a;
-  a.item.id = id;
-  a.item.menu = menu;
-  a.item.label = label;
-  a.item.shortcut = shortcut;
-  a.run = std::move(run);
-  return a;
-}
-
-Action& with_icon(Action& a, const char* icon) {
-  a.item.icon = icon;
-  return a;
-}
-Action& new_group(Action& a) {
-  a.item.group = true;
-  return a;
-}
-
-Action& add(Actions& all, const char* menu, const char* id, const char* label, const char* shortcut,
-            std::function<void(Editor&)> run) {
-  return all.emplace_back(action(menu, id, label, shortcut, std::move(run)));
-}
 
 void add_file(Actions& all, const std::vector<std::string>& recent) {
   with_icon(add(all, "File", "new", "New draft\xE2\x80\xA6", "Ctrl+N", [](Editor& e) { e.new_draft(); }), icon::kNew);
@@ -83,6 +57,7 @@ void add_edit(Actions& all) {
   undo.enabled = [](const Editor& e) { return e.document().history().can_undo(); };
   Action& redo = with_icon(add(all, "Edit", "redo", "Redo", "Ctrl+Shift+Z", [](Editor& e) { e.redo(); }), icon::kRedo);
   redo.enabled = [](const Editor& e) { return e.document().history().can_redo(); };
+  add_selection_actions(all);
   new_group(add(all, "Edit", "commands", "Commands\xE2\x80\xA6", "Ctrl+P", [](Editor& e) { e.show_commands(); }));
 }
 
@@ -172,6 +147,7 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent) {
   add_view(all);
   add_cloth(all);
   add_library(all);
+  add(all, "Help", "keys", "Keys and mouse", "F1", [](Editor& e) { e.toggle_keys(); });
   return all;
 }
 

@@ -123,7 +123,7 @@ void Editor::redo() {
 }
 
 void Editor::commit(const Edit& edit) {
-  if (document_.commit(edit, moving_ ? stroke_ : 0)) edited();
+  if (document_.commit(edit, edit.stroke != 0 ? edit.stroke : moving_ ? stroke_ : 0)) edited();
 }
 
 void Editor::ask_size() {

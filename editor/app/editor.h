@@ -43,7 +43,10 @@ class Editor {
   void ask_size();
   void ask_notes();
   void show_commands();
+  /// In the status line, for a while.
+  void say(std::string text);
   void show_remarks() { remarks_open_ = true; }
+  void toggle_keys() { keys_open_ = !keys_open_; }
   void toggle_theme();
   void keep_view();
   void reset_view() { camera_ = orbit_of(document_.now().scene); }
@@ -68,7 +71,6 @@ class Editor {
   /// The view of a document just opened: fitted, its own camera, nothing under the pointer.
   void show_document();
   void edited();
-  void say(std::string text);
   void report(std::vector<Diagnostic> remarks, const std::string& path);
   void ask(Dialog dialog, std::function<void(int button)> then);
   /// Runs `then` at once, or after the weaver decided about unsaved work.
@@ -104,7 +106,7 @@ class Editor {
   Dialog dialog_;
   std::function<void(int)> answer_;
   std::string message_, title_;
-  bool remarks_open_ = false, leaving_ = false, restyle_ = true, moving_ = false;
+  bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true, moving_ = false;
   uint64_t stroke_ = 1;
   int frames_due_ = 5;
   double tip_at_s_ = -1, said_at_s_ = 0;

@@ -107,7 +107,8 @@ void Editor::take_input() {
   moving_ = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
   if (moving_ && !before) ++stroke_;
   const std::vector<std::string> keys = window_.take_keys();
-  const bool typing = ImGui::GetIO().WantTextInput || !std::holds_alternative<std::monostate>(dialog_);
+  const bool menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  const bool typing = ImGui::GetIO().WantTextInput || menu_open || !std::holds_alternative<std::monostate>(dialog_);
   for (const std::string& key : keys) {
     const std::string wanted = key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key;
     for (const Action& a : actions_)
@@ -131,8 +132,10 @@ void Editor::draw_window() {
   const std::vector<ActionItem> items = show(actions_, *this);
   std::string chosen = draw_menu_bar(c, items, title_);
   draw_panels(c);
+  if (std::string id = draw_selection_menu(c, items); !id.empty()) chosen = id;
   if (std::string id = draw_command_palette(c, items, commands_); !id.empty()) chosen = id;
   draw_remarks(c, remarks_, remarks_open_);
+  draw_keys_window(c, items, keys_open_);
   draw_question(c);
   ImGui::PopFont();
   if (!chosen.empty()) run_action(chosen);
@@ -174,18 +177,25 @@ void Editor::draw_panels(PanelContext& c) {
   if (draw_status_bar(c, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_)) remarks_open_ = !remarks_open_;
   ImGui::End();
   if (edit) commit(*edit);
+  if (work_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
+  if (!work_.select.notice.empty()) say(std::exchange(work_.select.notice, {}));
+  window_.use_crosshair(work_.select.crosshair);
 }
 
 void Editor::draw_draft_header(PanelContext& c) {
   const Design& d = c.design;
   const ImVec2 at = ImGui::GetCursorPos();
-  const float width = ImGui::GetWindowWidth(), look = style_.px(230);
+  const float width = ImGui::GetWindowWidth(), look = style_.px(230), tool = style_.px(120), gap = style_.px(12);
   ImGui::SetCursorPos({at.x + style_.px(14), at.y + style_.px(10)});
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(style_.font.bold);
   ImGui::TextUnformatted(d.title.empty() ? document_.name().c_str() : d.title.c_str());
   ImGui::PopFont();
-  ImGui::SameLine(std::max(style_.px(100), width - look - style_.px(14)));
+  ImGui::SameLine(std::max(style_.px(100), width - look - tool - gap - style_.px(14)));
+  constexpr const char* kTools[] = {"Paint", "Select"};
+  int in_hand = static_cast<int>(work_.select.tool);
+  if (segmented(c, "tool", kTools, in_hand, tool)) work_.select.tool = static_cast<Tool>(in_hand);
+  ImGui::SameLine(0, gap);
   constexpr const char* kLooks[] = {"Threads", "Colour", "Structure"};
   int chosen = static_cast<int>(work_.drawdown_style);
   if (segmented(c, "look", kLooks, chosen, look)) work_.drawdown_style = static_cast<DrawdownStyle>(chosen);

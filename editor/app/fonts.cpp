@@ -25,7 +25,7 @@ constexpr std::array kIconFonts = {"/usr/share/fonts/truetype/font-awesome/fonta
                                    "/usr/share/fonts-font-awesome/fonts/fontawesome-webfont.ttf",
                                    "/usr/share/fonts/opentype/font-awesome/FontAwesome.otf"};
 
-constexpr ImWchar kTextRanges[] = {0x20, 0x17F, 0x2010, 0x203A, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+constexpr ImWchar kTextRanges[] = {0x20, 0x17F, 0x2010, 0x203A, 0x2190, 0x2193, 0x2212, 0x2212, 0x25CF, 0x25CF, 0};
 constexpr ImWchar kIconRanges[] = {0xF000, 0xF2E0, 0};
 
 // Sizes at 96 dpi.

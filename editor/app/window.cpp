@@ -20,10 +20,15 @@ namespace {
 
 constexpr int kButtons = 5;  // as many as ImGui knows
 
+constexpr std::pair<int, const char*> kNamedKeys[] = {
+    {GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"}, {GLFW_KEY_LEFT, "Left"},     {GLFW_KEY_RIGHT, "Right"},
+    {GLFW_KEY_UP, "Up"},          {GLFW_KEY_DOWN, "Down"},     {GLFW_KEY_DELETE, "Delete"}, {GLFW_KEY_BACKSPACE, "Delete"},
+    {GLFW_KEY_INSERT, "Insert"},  {GLFW_KEY_ENTER, "Enter"},   {GLFW_KEY_KP_ENTER, "Enter"}, {GLFW_KEY_ESCAPE, "Escape"}};
+
 std::string key_name(int key, int scancode) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));
-  if (key == GLFW_KEY_KP_ADD) return "+";
-  if (key == GLFW_KEY_KP_SUBTRACT) return "-";
+  for (const auto& [named, name] : kNamedKeys)
+    if (key == named) return name;
   // The letter on the key, whatever the keyboard's layout.
   const char* name = glfwGetKeyName(key, scancode);
   if (name == nullptr) return {};
@@ -71,11 +76,22 @@ struct Window::Inbox {
     bool down;
   };
   bool happened = true;
-  std::vector<std::string> keys, dropped;
+  struct Key {
+    std::string shortcut;
+    uint64_t mouse_before;  // mouse events that came before it
+  };
+  std::vector<std::string> dropped;
+  std::deque<Key> keys;
   std::vector<int> pressed;  // keys that went down since the last frame
   std::deque<Mouse> mouse;
   bool down[kButtons] = {};
+  double x = -1e6, y = -1e6;  // of the last move
+  uint64_t mouse_come = 0, mouse_given = 0, mouse_drawn = 0;  // events so far; drawn: those that the last frame saw
 
+  void add(Mouse event) {
+    mouse.push_back(event);
+    ++mouse_come;
+  }
   static Inbox& of(GLFWwindow* w) { return *static_cast<Inbox*>(glfwGetWindowUserPointer(w)); }
 };
 
@@ -85,7 +101,7 @@ void Window::listen(GLFWwindow* w) {
     Inbox::of(at).happened = true;
     if (action == GLFW_RELEASE) return;
     if (key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) Inbox::of(at).pressed.push_back(key);
-    if (std::string text = shortcut(key, scancode, mods); !text.empty()) Inbox::of(at).keys.push_back(std::move(text));
+    if (std::string text = shortcut(key, scancode, mods); !text.empty()) Inbox::of(at).keys.push_back({std::move(text), Inbox::of(at).mouse_come});
   });
   glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) {
     Inbox::of(at).happened = true;
@@ -93,21 +109,25 @@ void Window::listen(GLFWwindow* w) {
   });
   glfwSetCharCallback(w, [](GLFWwindow* at, unsigned) { Inbox::of(at).happened = true; });
   glfwSetMouseButtonCallback(w, [](GLFWwindow* at, int button, int action, int) {
-    double x = 0, y = 0;
-    glfwGetCursorPos(at, &x, &y);
-    if (button >= 0 && button < kButtons) Inbox::of(at).mouse.push_back({x, y, button, action == GLFW_PRESS});
-    Inbox::of(at).happened = true;
+    Inbox& in = Inbox::of(at);
+    // Where the move before it ended: glfwGetCursorPos tells where the pointer is by now, which after a slow
+    // frame is somewhere else.
+    if (button >= 0 && button < kButtons) in.add({in.x, in.y, button, action == GLFW_PRESS});
+    in.happened = true;
   });
   glfwSetCursorPosCallback(w, [](GLFWwindow* at, double x, double y) {
-    Inbox::of(at).mouse.push_back({x, y, -1, false});
-    Inbox::of(at).happened = true;
+    Inbox& in = Inbox::of(at);
+    in.x = x;
+    in.y = y;
+    in.add({x, y, -1, false});
+    in.happened = true;
   });
   glfwSetScrollCallback(w, [](GLFWwindow* at, double, double) { Inbox::of(at).happened = true; });
   glfwSetCursorEnterCallback(w, [](GLFWwindow* at, int entered) {
     Inbox& in = Inbox::of(at);
     // Outside, nothing is under the pointer; a drag keeps it.
     const bool dragging = std::find(std::begin(in.down), std::end(in.down), true) != std::end(in.down);
-    if (!entered && !dragging) in.mouse.push_back({-1e6, -1e6, -1, false});
+    if (!entered && !dragging) in.add({-1e6, -1e6, -1, false});
     in.happened = true;
   });
   glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int) { Inbox::of(at).happened = true; });
@@ -123,7 +143,9 @@ Window::Window() : inbox_(std::make_unique<Inbox>()) {}
 void Window::give_mouse() {
   ImGuiIO& io = ImGui::GetIO();
   std::deque<Inbox::Mouse>& mouse = inbox_->mouse;
+  inbox_->mouse_drawn = inbox_->mouse_given;
   const auto take = [&] {
+    ++inbox_->mouse_given;
     io.MousePos = {static_cast<float>(mouse.front().x), static_cast<float>(mouse.front().y)};
     if (mouse.front().button >= 0) inbox_->down[mouse.front().button] = mouse.front().down;
     mouse.pop_front();
@@ -139,7 +161,16 @@ void Window::give_keys() {
   for (int key : inbox_->pressed) ImGui::GetIO().KeysDown[key] = true;
 }
 
-bool Window::has_input() const { return !inbox_->mouse.empty(); }
+void Window::use_crosshair(bool on) {
+  ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+  const bool was = flags & ImGuiConfigFlags_NoMouseCursorChange;
+  if (on == was) return;
+  if (crosshair_ == nullptr) crosshair_ = glfwCreateStandardCursor(GLFW_CROSSHAIR_CURSOR);
+  if (on) glfwSetCursor(window_, crosshair_);
+  flags = on ? flags | ImGuiConfigFlags_NoMouseCursorChange : flags & ~ImGuiConfigFlags_NoMouseCursorChange;
+}
+
+bool Window::has_input() const { return !inbox_->mouse.empty() || !inbox_->keys.empty(); }
 
 std::unique_ptr<Window> Window::open(int width, int height, std::string& error) {
   if (!glfwInit()) {
@@ -241,7 +272,14 @@ void Window::end_frame(ImU32 background) {
     if (glfwGetKey(window_, key) == GLFW_RELEASE) ImGui::GetIO().KeysDown[key] = false;
 }
 
-std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->keys, {}); }
+std::vector<std::string> Window::take_keys() {
+  std::vector<std::string> keys;
+  std::deque<Inbox::Key>& waiting = inbox_->keys;
+  for (; !waiting.empty() && waiting.front().mouse_before <= inbox_->mouse_drawn; waiting.pop_front())
+    keys.push_back(std::move(waiting.front().shortcut));
+  return keys;
+}
+
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
 double Window::seconds() { return glfwGetTime(); }
 

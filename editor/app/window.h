@@ -8,6 +8,7 @@
 #include "panels/style.h"
 
 struct GLFWwindow;
+struct GLFWcursor;
 
 namespace weftlight {
 
@@ -30,10 +31,13 @@ class Window {
   void begin_frame();
   void end_frame(ImU32 background);
 
-  /// Keys pressed since the last call, as shortcuts are written: "Ctrl+Shift+S".
+  /// Keys pressed since the last call, as shortcuts are written: "Ctrl+Shift+S". A key waits until the frames
+  /// have seen what the mouse did before it.
   std::vector<std::string> take_keys();
   std::vector<std::string> take_dropped_files();
-  /// Mouse events that wait for the next frame.
+  /// The pointer is a cross that draws rectangles, else what ImGui asks for.
+  void use_crosshair(bool on);
+  /// Mouse events and keys that wait for the next frame.
   bool has_input() const;
   /// Framebuffer pixels a window unit (2 on a Retina display, else 1).
   float pixel_ratio() const;
@@ -55,6 +59,7 @@ class Window {
 
   std::unique_ptr<Inbox> inbox_;
   float fonts_for_ = 0;
+  GLFWcursor* crosshair_ = nullptr;
 };
 
 }  // namespace weftlight

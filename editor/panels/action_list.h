@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "panels/panel.h"
 
@@ -12,16 +13,26 @@ namespace weftlight {
 struct ActionItem {
   std::string id;        // "save"
   std::string menu;      // "File"; empty: only in the command palette
+  std::string submenu;   // "Repeat": items that follow each other with the same one stand in it
   std::string label;     // "Save"
   std::string shortcut;  // "Ctrl+S"
   std::string icon;      // Font Awesome glyph; with one it is in the toolbar
   bool enabled = true;
   bool checked = false;
   bool group = false;    // a line above it in the menu
+  bool on_selection = false;  // also in the menu of a right click on the selection
 };
 
 /// The row at the top: menus, then the toolbar's icons, the title in the middle. Id of the action or "".
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title);
+
+/// The items one below the other, submenus too; for an open menu. Named `prefix` + id in the map.
+std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);
+/// The menu of a right click on the selection, when Workspace::select wants it or it stands open.
+std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items);
+
+/// What the mouse does, and every action that has a key, in a window of their own.
+void draw_keys_window(const PanelContext& c, std::span<const ActionItem> items, bool& open);
 
 struct CommandPalette {
   bool open = false;

@@ -13,6 +13,8 @@ namespace {
 
 char lower(char ch) { return static_cast<char>(std::tolower(static_cast<unsigned char>(ch))); }
 
+constexpr const char* kIn = "  \xE2\x80\xBA  ";
+
 struct Match {
   const ActionItem* item;
   int score;
@@ -41,7 +43,7 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
     const ActionItem& item = *found[static_cast<size_t>(i)].item;
     ImGui::PushID(item.id.c_str());
     ImGui::BeginDisabled(!item.enabled);
-    const std::string where = item.menu.empty() ? item.label : item.menu + "  \xE2\x80\xBA  " + item.label;
+    const std::string where = item.menu.empty() ? item.label : item.menu + kIn + (item.submenu.empty() ? "" : item.submenu + kIn) + item.label;
     if (ImGui::Selectable(where.c_str(), i == palette.chosen)) run = item.id;
     ImGui::EndDisabled();
     c.map.add_item("command:" + item.id);

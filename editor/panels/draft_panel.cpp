@@ -6,6 +6,9 @@
 #include "panels/draft_layout.h"
 #include "panels/grid_draw.h"
 #include "panels/paint.h"
+#include "panels/select_input.h"
+#include "panels/selection.h"
+#include "panels/selection_draw.h"
 
 namespace weftlight {
 namespace {
@@ -56,6 +59,7 @@ MaybeEdit grid_input(PanelContext& c, const GridPane& pane) {
     c.work.hover_grid = pane.id;
     c.work.hover = active ? pane.nearest(ImGui::GetIO().MousePos) : pane.at(ImGui::GetIO().MousePos);
   }
+  if (selects(c, pane)) return select_input(c, pane);
   if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
   if (active && c.work.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
   if (!active && c.work.stroke.grid == pane.id) c.work.stroke = {};
@@ -159,6 +163,9 @@ MaybeEdit draw_draft(PanelContext& c, CellTexture& texture) {
   const DraftLayout l = lay_out_draft(c.design.draft, c.work, c.style, min, {min.x + room.x, min.y + room.y});
   c.work.hover_grid = GridId::kNone;
   c.work.hover = {};
+  c.work.select.crosshair = false;
+  if (!ImGui::IsAnyMouseDown()) c.work.select.drag = SelectDrag::kNone;
+  follow_design(c.work.select, c.design, c.revision);
   MaybeEdit edit;
   for (const GridPane* pane : l.panes()) {
     if (MaybeEdit made = grid_input(c, *pane)) edit = std::move(made);
@@ -170,6 +177,8 @@ MaybeEdit draw_draft(PanelContext& c, CellTexture& texture) {
   draw_grids(dl, c, l, texture);
   draw_rulers(dl, c, l);
   draw_origin(dl, c, l);
+  draw_selection(dl, c, l);
+  draw_block_in_hand(dl, c, l);
   draw_hover(dl, c, l);
   return edit;
 }

@@ -14,19 +14,21 @@ std::vector<std::string> menus_of(std::span<const ActionItem> items) {
   return menus;
 }
 
+bool draw_menu_item(const PanelContext& c, const ActionItem& item, const std::string& prefix) {
+  const bool chosen = ImGui::MenuItem(item.label.c_str(), item.shortcut.c_str(), item.checked, item.enabled);
+  c.map.add_item(prefix + item.id);
+  return chosen;
+}
+
 std::string draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu) {
   std::string chosen;
   const bool open = ImGui::BeginMenu(menu.c_str());
   c.map.add_item("menu:" + menu);
   if (!open) return chosen;
-  bool first = true;
-  for (const ActionItem& item : items) {
-    if (item.menu != menu) continue;
-    if (item.group && !first) ImGui::Separator();
-    first = false;
-    if (ImGui::MenuItem(item.label.c_str(), item.shortcut.c_str(), item.checked, item.enabled)) chosen = item.id;
-    c.map.add_item("menu." + item.id);
-  }
+  std::vector<ActionItem> own;
+  for (const ActionItem& item : items)
+    if (item.menu == menu) own.push_back(item);
+  chosen = draw_menu_items(c, own, "menu.");
   ImGui::EndMenu();
   return chosen;
 }
@@ -53,6 +55,22 @@ void draw_title(const PanelContext& c, const std::string& title, float left) {
 }
 
 }  // namespace
+
+std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix) {
+  std::string chosen;
+  for (size_t i = 0; i < items.size();) {
+    const std::string& submenu = items[i].submenu;
+    if (items[i].group && i > 0) ImGui::Separator();
+    const bool open = submenu.empty() || ImGui::BeginMenu(submenu.c_str());
+    if (!submenu.empty()) c.map.add_item(prefix + submenu);
+    size_t end = i + 1;
+    while (!submenu.empty() && end < items.size() && items[end].submenu == submenu) ++end;
+    for (; i < end; ++i)
+      if (open && draw_menu_item(c, items[i], prefix)) chosen = items[i].id;
+    if (open && !submenu.empty()) ImGui::EndMenu();
+  }
+  return chosen;
+}
 
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title) {
   std::string chosen;

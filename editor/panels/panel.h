@@ -9,6 +9,7 @@
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
+#include "panels/select_state.h"
 #include "panels/style.h"
 #include "panels/ui_map.h"
 
@@ -18,6 +19,7 @@ namespace weftlight {
 struct Edit {
   std::string label;
   std::function<Design(Design)> apply;
+  uint64_t stroke = 0;  // edits with the same one are one step of undo; 0: those of one drag are
 };
 using MaybeEdit = std::optional<Edit>;
 
@@ -26,15 +28,6 @@ enum class GridId {
 };
 /// Name in the --ui-map, also the label of its strokes.
 const char* grid_name(GridId grid);
-
-/// A cell: a is along the screen's x, b along its y. threading (end, shaft), tieup (treadle, shaft),
-/// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick), warp_colors (end, 0),
-/// weft_colors (0, pick). -1: none.
-struct Cell {
-  int a = -1, b = -1;
-  bool valid() const { return a >= 0 && b >= 0; }
-  bool operator==(const Cell&) const = default;
-};
 
 enum class DrawdownStyle { kThreads, kColor, kStructure };
 enum class BarPaint { kColor, kYarn };
@@ -66,6 +59,7 @@ struct Workspace {
   GridId hover_grid = GridId::kNone;
   Cell hover;
   Stroke stroke;
+  SelectState select;
 };
 
 struct PanelContext {

@@ -4,6 +4,7 @@
 
 #include "panels/icons.h"
 #include "panels/paint.h"
+#include "panels/selection.h"
 #include "panels/widgets.h"
 
 namespace weftlight {
@@ -44,6 +45,17 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
+/// A block in hand and a drag speak first; with the select tool news come before the selection, and that
+/// before the cell under the pointer.
+std::string status_text(const PanelContext& c, const std::string& message) {
+  const SelectState& s = c.work.select;
+  const std::string selected = selection_text(s), hover = describe(c.design, c.cells, c.work.hover_grid, c.work.hover);
+  if (s.held || s.drag != SelectDrag::kNone) return selected;
+  if (s.tool == Tool::kSelect && !message.empty()) return message;
+  if (s.tool == Tool::kSelect && !selected.empty()) return selected;
+  return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.work.hint;
+}
+
 }  // namespace
 
 std::string summary(const Draft& d) {
@@ -55,8 +67,7 @@ std::string summary(const Draft& d) {
 
 bool draw_status_bar(PanelContext& c, const std::string& message, std::span<const Diagnostic> remarks) {
   ImGui::PushFont(c.style.font.small);
-  const std::string hover = describe(c.design, c.cells, c.work.hover_grid, c.work.hover);
-  ImGui::TextUnformatted(!hover.empty() ? hover.c_str() : !message.empty() ? message.c_str() : c.work.hint);
+  ImGui::TextUnformatted(status_text(c, message).c_str());
   const std::string facts = summary(c.design.draft);
   const float remark_room = remarks.empty() ? 0 : c.style.px(110);
   ImGui::SameLine(std::max(c.style.px(400), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(facts.c_str()).x - remark_room));

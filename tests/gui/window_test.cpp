@@ -164,6 +164,61 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   quit(w);
 }
 
+TEST_F(WindowTest, SelectsCopiesPastesAndTakesItAllBack) {
+  const std::string original = bytes_of(draft_);
+  const Design before = design_of(original);
+  std::string saved;
+  {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    const auto becomes = [&](const Draft& expected, const char* what) {
+      EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft == expected; })) << what;
+    };
+    display_.click(w.middle_of("tool:Select"));
+    display_.drag({w.cell("threading", 1, 1), w.cell("threading", 3, 3), w.cell("threading", 4, 4)});
+    EXPECT_EQ(w.live(), original) << "selecting is no edit";
+    display_.key("ctrl+c");
+    display_.key("ctrl+v");
+    display_.click(w.cell("threading", 6, 1));
+    Draft pasted = before.draft;
+    for (int end = 5; end < 9; ++end) {
+      pasted.threading.set(end, end % 4, false);
+      pasted.threading.set(end, end - 5, true);
+    }
+    becomes(pasted, "ends 6 to 9 should be threaded as 1 to 4 are");
+
+    display_.key("ctrl+s");
+    ASSERT_TRUE(comes_true([&] { return bytes_of(draft_) != original; })) << "Ctrl+S wrote nothing";
+    saved = bytes_of(draft_);
+    const std::string repeat = "1100111001001100\n0110001101100110\n0011000110110011\n1001110010011001\n";
+    EXPECT_EQ(drawdown_of(draft_), repeat + repeat + repeat + repeat);
+
+    display_.key("shift+h");
+    Draft mirrored = pasted;
+    for (int end = 5; end < 9; ++end) {
+      mirrored.threading.set(end, end - 5, false);
+      mirrored.threading.set(end, 8 - end, true);
+    }
+    becomes(mirrored, "the pasted ends should be mirrored");
+    const double tieup_x = w.cell("tieup", 1, 1).x;
+    display_.key("ctrl+Delete");
+    EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 12; })) << "the four selected ends should go";
+    ASSERT_TRUE(comes_true([&] { return w.cell("tieup", 1, 1).x != tieup_x; })) << "a narrower draft moves its tie-up";
+    display_.drag({w.cell("tieup", 1, 1), w.cell("tieup", 2, 2)});
+    display_.drag({w.cell("tieup", 1, 1), w.cell("tieup", 2, 2), w.cell("tieup", 3, 3)});
+    EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.tieup.get(2, 3) && !design_of(w.live()).draft.tieup.get(0, 0); })) << "the drag should move the ties";
+    for (int i = 0; i < 4; ++i) display_.key("ctrl+z");
+    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "four steps should be four undos, to the byte";
+    display_.key("ctrl+shift+z");
+    EXPECT_TRUE(comes_true([&] { return w.live() == saved; }));
+    quit(w);
+  }
+  Window again(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
+  EXPECT_EQ(again.live(), saved);
+  quit(again);
+}
+
 TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return is_settled(w); }));

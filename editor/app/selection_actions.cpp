@@ -1,0 +1,234 @@
+// Everything that is done with a selection. What an edit makes of the design stands in core/draft.
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/action_parts.h"
+#include "app/editor.h"
+#include "draft/block_text.h"
+#include "panels/selection.h"
+
+namespace weftlight {
+namespace {
+
+using SelectionEdit = Design (*)(Design, const Selection&, bool with_looks);
+using ThreadEdit = Design (*)(Design, const ThreadRange&, bool with_looks);
+constexpr const char* kTurn = "Mirror and turn";
+constexpr const char* kShift = "Shift by one";
+constexpr const char* kRepeat = "Repeat";
+constexpr const char* kThreads = "Threads";
+
+const Selection& selected(const Editor& e) { return e.work().select.selected; }
+bool has_selection(const Editor& e) { return !selected(e).empty(); }
+bool has_threads(const Editor& e) { return threads_of(selected(e)).has_value(); }
+bool has_block(const Editor& e) { return e.work().select.held.has_value(); }
+
+Action& on_selection(Action& a, const char* submenu = "") {
+  a.item.submenu = submenu;
+  a.item.on_selection = true;
+  a.enabled = has_selection;
+  return a;
+}
+
+Action& add_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key, SelectionEdit edit) {
+  return on_selection(add(all, "Edit", id, label, key,
+                          [=](Editor& e) {
+                            const bool looks = e.work().select.with_looks;
+                            e.commit({label, [s = selected(e), edit, looks](Design d) { return edit(std::move(d), s, looks); }});
+                          }),
+                      submenu);
+}
+
+Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key, ThreadEdit edit) {
+  Action& a = on_selection(add(all, "Edit", id, label, key,
+                               [=](Editor& e) {
+                                 const bool looks = e.work().select.with_looks;
+                                 e.commit({label, [t = *threads_of(selected(e)), edit, looks](Design d) { return edit(std::move(d), t, looks); }});
+                               }),
+                           submenu);
+  a.enabled = has_threads;
+  return a;
+}
+
+/// False, and said why, when the cells are too many.
+bool copy_selection(Editor& e) {
+  const Selection s = selected(e);
+  const std::string size = size_text(s.grid, s.columns(), s.rows());
+  if (int64_t{s.columns()} * s.rows() > kMaxBlockCells) {
+    e.say(size + " are too many to copy; move or repeat them instead");
+    return false;
+  }
+  ImGui::SetClipboardText(block_text({s.grid, cells_of(e.document().now().draft, s)}).c_str());
+  e.say("Copied " + size);
+  return true;
+}
+
+void cut_selection(Editor& e) {
+  if (!copy_selection(e)) return;
+  e.commit({"Cut", [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
+}
+
+void paste(Editor& e, bool as_marks) {
+  const char* text = ImGui::GetClipboardText();
+  BlockRead read = read_block_text(text != nullptr ? text : "");
+  if (!read.block) return e.say(read.problem);
+  hold_block(e.work().select, e.document().now().draft, std::move(*read.block), as_marks);
+  if (const auto grid = bit_grid_of(e.work().hover_grid)) hold_block_over(e.work().select, *grid, e.work().hover);
+}
+
+void select_all(Editor& e) {
+  SelectState& s = e.work().select;
+  const auto hovered = bit_grid_of(e.work().hover_grid);
+  const BitGrid grid = hovered ? *hovered : s.selected.empty() ? BitGrid::kThreading : s.selected.grid;
+  select_cells(s, whole_grid(e.document().now().draft, grid));
+  s.anchor = {0, 0};
+  s.tool = Tool::kSelect;
+}
+
+void select_whole_threads(Editor& e) {
+  Selection s = selected(e);
+  const Selection all = whole_grid(e.document().now().draft, s.grid);
+  if (s.grid == BitGrid::kThreading) s.b0 = all.b0, s.b1 = all.b1;
+  else s.a0 = all.a0, s.a1 = all.a1;
+  select_cells(e.work().select, s);
+}
+
+void insert_threads(Editor& e) {
+  const ThreadRange t = *threads_of(selected(e));
+  e.commit({"Insert threads", [t, looks = e.work().select.with_looks](Design d) {
+              return with_bare_threads(std::move(d), t.system, t.first, t.count(), looks);
+            }});
+}
+
+void delete_threads(Editor& e) {
+  const ThreadRange t = *threads_of(selected(e));
+  const bool all = t.count() >= e.document().now().draft.threads(t.system).size();
+  if (all) return e.say(t.system == System::kWarp ? "A draft keeps at least one end" : "A draft keeps at least one pick");
+  e.commit({"Delete threads", [t, looks = e.work().select.with_looks](Design d) { return without_threads(std::move(d), t, looks); }});
+  select_cells(e.work().select, {});
+}
+
+void add_clipboard(Actions& all) {
+  new_group(on_selection(add(all, "Edit", "cut", "Cut", "Ctrl+X", cut_selection)));
+  on_selection(add(all, "Edit", "copy", "Copy", "Ctrl+C", [](Editor& e) { copy_selection(e); }));
+  on_selection(add(all, "Edit", "paste", "Paste", "Ctrl+V", [](Editor& e) { paste(e, false); })).enabled = nullptr;
+  on_selection(add(all, "Edit", "paste_add", "Paste marks on top", "Ctrl+Shift+V", [](Editor& e) { paste(e, true); })).enabled = nullptr;
+  add_edit(all, "", "clear", "Delete", "Delete", [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
+  new_group(add(all, "Edit", "select_all", "Select all of a grid", "Ctrl+A", select_all));
+  on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads)).enabled = has_threads;
+  add(all, "Edit", "select_none", "Select nothing", "Escape", [](Editor& e) { escape(e.work().select); }).enabled = [](const Editor& e) {
+    return has_selection(e) || has_block(e);
+  };
+}
+
+void add_turns(Actions& all) {
+  new_group(add_edit(all, kTurn, "mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across));
+  add_edit(all, kTurn, "mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down);
+  add_edit(all, kTurn, "half_turn", "Turn by half", "Shift+R", with_half_turn);
+  add_edit(all, kTurn, "invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); });
+}
+
+void add_repeats(Actions& all) {
+  add_edit(all, kRepeat, "repeat_end", "Repeat to the end", "Ctrl+R",
+           [](Design d, const Selection& s, bool looks) { return with_repeated(std::move(d), s, Reach::kToEnd, looks); });
+  add_edit(all, kRepeat, "repeat_all", "Repeat over everything", "Ctrl+Shift+R",
+           [](Design d, const Selection& s, bool looks) { return with_repeated(std::move(d), s, Reach::kAll, looks); });
+  add_thread_edit(all, kRepeat, "point_end", "Point repeat to the end", "Ctrl+M",
+                  [](Design d, const ThreadRange& t, bool looks) { return with_point_repeat(std::move(d), t, Reach::kToEnd, looks); });
+  add_thread_edit(all, kRepeat, "advance_up", "Advancing repeat to the end, one up each time", "Ctrl+.",
+                  [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, 1, looks); });
+  add_thread_edit(all, kRepeat, "advance_down", "Advancing repeat to the end, one down each time", "Ctrl+,",
+                  [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, -1, looks); });
+}
+
+void add_threads(Actions& all) {
+  on_selection(add(all, "Edit", "insert_threads", "Insert empty threads before", "Insert", insert_threads), kThreads).enabled = has_threads;
+  on_selection(add(all, "Edit", "delete_threads", "Delete threads", "Ctrl+Delete", delete_threads), kThreads).enabled = has_threads;
+  add_thread_edit(all, kThreads, "reverse_threads", "Reverse their order", "Ctrl+Shift+M", with_reversed_threads);
+  add_thread_edit(all, kThreads, "double_threads", "Insert a copy after", "Ctrl+D",
+                  [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, false, looks); });
+  add_thread_edit(all, kThreads, "double_mirrored", "Insert a mirrored copy after (shared point)", "Ctrl+Shift+D",
+                  [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
+  Action& looks = on_selection(add(all, "Edit", "with_looks", "Whole threads take their colours along", "",
+                                   [](Editor& e) { e.work().select.with_looks = !e.work().select.with_looks; }),
+                               kThreads);
+  looks.enabled = nullptr;
+  looks.checked = [](const Editor& e) { return e.work().select.with_looks; };
+}
+
+/// What an arrow does: the block in hand, or the selected marks, go one cell that way.
+void step(Editor& e, int dx, int dy) {
+  SelectState& s = e.work().select;
+  const Design& design = e.document().now();
+  const BitGrid grid = s.held ? s.held->grid : s.selected.grid;
+  const Cell by = screen_step(grid, e.work().end1_right, dx, dy);
+  if (s.held) {
+    const Cell at{std::clamp(s.held->at.a + by.a, 0, columns_of(design.draft, grid) - 1),
+                  std::clamp(s.held->at.b + by.b, 0, rows_of(design.draft, grid) - 1)};
+    return hold_block_over(s, grid, at);
+  }
+  if (const MaybeEdit edit = move_selection(s, design, s.selected.a0 + by.a, s.selected.b0 + by.b, false)) e.commit(*edit);
+}
+
+void shift_by_one(Editor& e, const char* label, int dx, int dy) {
+  const Cell by = screen_step(selected(e).grid, e.work().end1_right, dx, dy);
+  const bool looks = e.work().select.with_looks;
+  e.commit({label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
+}
+
+struct Arrow {
+  const char *key, *name;
+  int dx, dy;
+};
+constexpr Arrow kArrows[] = {{"Left", "left", -1, 0}, {"Right", "right", 1, 0}, {"Up", "up", 0, -1}, {"Down", "down", 0, 1}};
+
+void add_shifts(Actions& all) {
+  constexpr const char* kLabels[] = {"Shift left, round", "Shift right, round", "Shift up, round", "Shift down, round"};
+  for (int i = 0; i < 4; ++i) {
+    const Arrow& way = kArrows[i];
+    on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), kLabels[i], (std::string("Alt+") + way.key).c_str(),
+                     [label = kLabels[i], way](Editor& e) { shift_by_one(e, label, way.dx, way.dy); }),
+                 kShift);
+  }
+}
+
+/// Keys that need no place in a menu; the command palette lists them.
+void add_keys(Actions& all) {
+  for (const Arrow& way : kArrows) {
+    const std::string name = way.name, key = way.key;
+    add(all, "", ("move_" + name).c_str(), ("Move the selection " + name).c_str(), key.c_str(),
+        [way](Editor& e) { step(e, way.dx, way.dy); }).enabled = [](const Editor& e) { return has_selection(e) || has_block(e); };
+    add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(), [way](Editor& e) {
+      const Cell by = screen_step(selected(e).grid, e.work().end1_right, way.dx, way.dy);
+      extend_selection(e.work().select, e.document().now().draft, by.a, by.b);
+    }).enabled = has_selection;
+  }
+  add(all, "", "drop", "Put down what is being pasted", "Enter", [](Editor& e) {
+    if (const MaybeEdit edit = drop_block(e.work().select, e.document().now(), false)) e.commit(*edit);
+  }).enabled = has_block;
+}
+
+void add_tools(Actions& all) {
+  const auto tool = [&all](const char* id, const char* label, const char* key, Tool to) {
+    Action& a = add(all, "Edit", id, label, key, [to](Editor& e) { e.work().select.tool = to; });
+    a.checked = [to](const Editor& e) { return e.work().select.tool == to; };
+    return &a;
+  };
+  tool("tool_paint", "Paint tool", "P", Tool::kPaint)->item.group = true;
+  tool("tool_select", "Select tool", "S", Tool::kSelect);
+}
+
+}  // namespace
+
+void add_selection_actions(Actions& all) {
+  add_clipboard(all);
+  add_turns(all);
+  add_shifts(all);
+  add_repeats(all);
+  add_threads(all);
+  add_tools(all);
+  add_keys(all);
+}
+
+}  // namespace weftlight

@@ -67,6 +67,8 @@ Lights seen_lights(Side side) {
 // Where a pixel lies on the tile, the level of the maps that it reads, and its size in yarns.
 struct Footprint {
   vec2 at;
+  vec2 dx;            // one pixel across and down, in tiles
+  vec2 dy;
   vec2 axis;          // its longer axis, in tiles
   float ratio;        // longer over shorter axis
   float level;        // for its longer axis
@@ -78,8 +80,10 @@ Footprint footprint_here() {
   Footprint f;
   f.at = tile;
   vec2 texels = vec2(textureSize(color_map, 0).xy);
-  vec2 dx = dFdx(tile) * texels;
-  vec2 dy = dFdy(tile) * texels;
+  f.dx = dFdx(tile);
+  f.dy = dFdy(tile);
+  vec2 dx = f.dx * texels;
+  vec2 dy = f.dy * texels;
   float sum = dot(dx, dx) + dot(dy, dy);
   float area = abs(dx.x * dy.y - dx.y * dy.x);
   float major2 = max(0.5 * (sum + sqrt(max(sum * sum - 4.0 * area * area, 0.0))), 1e-12);
@@ -112,13 +116,14 @@ vec4 fetch_color(Side s, Footprint f, int which) {
 void fetch_relief(Side s, Footprint f, int which, inout System y) {
   vec4 r = textureLod(relief_map, vec3(f.at, float(s.face * 2 + which)), f.level) / max(y.color.a, 0.02);
   // E[nx^2] + E[ny^2] + E[nz^2] = 1: the mean of z follows from the moments of x and y.
-  float across = dot(r, r);
-  r *= min(1.0, sqrt(0.97 / max(across, 1e-4)));
+  float across = max(r.z + r.w, dot(r.xy, r.xy));
+  float held = min(1.0, 0.97 / max(across, 1e-4));
+  r *= vec4(vec2(sqrt(held)), vec2(held));
   float square = 1.0 - min(across, 0.97);
   y.n = normalize(vec3(r.xy, sqrt(square)));
   float z = 0.25 * square + 0.75 * sqrt(square);   // of a round thread
   y.gather = sqrt(dot(r.xy, r.xy) + z * z);
-  y.variance = r.zw * r.zw / max(y.n.z * y.n.z, 0.05);
+  y.variance = max(r.zw - r.xy * r.xy, vec2(0.0)) / max(y.n.z * y.n.z, 0.05);
 }
 
 System fetch_system(Side s, Footprint f, int which) {
@@ -157,8 +162,8 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, frame.light.w), occlusion);
 }
 
-// Share of what is seen along v that each system holds, over the whole cloth.
-vec2 seen_shares(int face, vec3 v) {
+// What is seen along v over the whole cloth: xy the share of each system, zw their mean heights, mm.
+vec4 seen_systems(int face, vec3 v) {
   vec2 c = response_coord(v);
-  return textureLod(seen_map, vec2((c.x + 0.5) / 17.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0).rg;
+  return textureLod(seen_map, vec2((c.x + 0.5) / 17.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0);
 }

@@ -36,6 +36,7 @@ struct SystemData {
   vec4 extra;                         // x: reflectance at normal incidence; y: mean coverage; z: fuzz depth;
                                       // w: mean height over the other system, in mean spacings
   vec4 mean;                          // rgb: mean colour; w: share of the cover
+  vec4 facets;                        // means of the unit normal's x, y and of their squares
 };
 
 struct ClothData {
@@ -68,7 +69,7 @@ inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{
     "in_position", "in_normal", "in_tangent", "in_uv_mm", "in_sky"};
 
 static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 6)) * sizeof(float));
-static_assert(sizeof(interop::SystemData) == 20 * sizeof(float));
-static_assert(offsetof(interop::ClothData, size) == 80 * sizeof(float));
+static_assert(sizeof(interop::SystemData) == 24 * sizeof(float));
+static_assert(offsetof(interop::ClothData, size) == 96 * sizeof(float));
 }  // namespace weftlight
 #endif

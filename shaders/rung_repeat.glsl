@@ -1,10 +1,12 @@
-// Rungs `repeat` and `cloth`: the measured answer of each system (core/light/cloth_response.h); `repeat` weighs it
-// by the colour and cover of the footprint, `cloth` by their means and so needs no map at all.
+// Rungs `repeat` and `cloth`: the measured answer of each system (core/light/cloth_response.h). `repeat` weighs it by
+// the colour and cover of the footprint and leans it with the footprint's facets; `cloth` takes the means of the
+// period and so needs no map at all.
 
-vec4 broad_at(int system, vec3 l, vec3 v) {
+// Of the system's answer (table 0) or of how it leans (table 1), between the nodes.
+vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 i = response_coord(l);
   vec2 o = response_coord(v);
-  vec2 at = vec2((i.x + 0.5) / 17.0, (float(system) * 8.0 + i.y + 0.5) / 32.0);
+  vec2 at = vec2((i.x + 0.5) / 17.0, (float(table) * 32.0 + float(system) * 8.0 + i.y + 0.5) / 64.0);
   vec2 cell = min(floor(o), vec2(15.0, 6.0));
   vec2 t = o - cell;
   float next = cell.x > 14.5 ? 0.0 : cell.x + 1.0;
@@ -20,28 +22,69 @@ Answer answer_from_afar(Side side, Lights x, int which, vec2 slopes, vec3 color)
                 textureLod(slopes_map, vec2(slopes.y, (float(system) * 2.0 + 1.5) / 8.0), 0.0).r);
   YarnLobes y = yarn_of(data.widths, data.weights, data.tint, data.extra, color);
   float sky = side.face == 0 ? cloth.relief.z : cloth.relief.w;
-  return system_answer(y, broad_at(system, x.l, x.v), d, data.mean.w, sky, x.l, x.v);
+  return system_answer(y, response_at(0, system, x.l, x.v), d, data.mean.w, sky, x.l, x.v);
 }
 
-vec3 shade_mixed(Side side, Lights x, vec4 warp, vec4 weft) {
-  SystemData warp_data = cloth.systems[side.face * 2];
-  SystemData weft_data = cloth.systems[side.face * 2 + 1];
+vec2 half_slope_coords(Lights x) {
   vec2 h = half_slopes(x.l, x.v);
-  vec2 slopes = vec2(slope_coord(h.x), slope_coord(h.y));
-  vec2 relative = vec2(warp.a, weft.a) / max(vec2(warp_data.mean.w, weft_data.mean.w), 1e-3);
-  Answer a = answer_from_afar(side, x, 0, slopes, system_color(warp, warp_data));
-  Answer b = answer_from_afar(side, x, 1, slopes, system_color(weft, weft_data));
-  Answer m = mixed_answer(a, b, relative, seen_shares(side.face, x.v));
+  return vec2(slope_coord(h.x), slope_coord(h.y));
+}
+
+vec3 mixed_light(Side side, Lights x, Answer m) {
   vec3 mirrored = from_side(side, reflect(-x.v, vec3(0.0, 0.0, 1.0)));
   return x.key * m.key + (m.soft * sky_diffuse(side.n) + m.glossy * sky_radiance(mirrored, 0.7, 0.35)) * side.sky;
 }
 
+// One system in the footprint.
+struct Local {
+  vec4 color;    // premultiplied by coverage
+  vec4 facets;   // means of the unit normal's x, y and of their squares
+};
+
+// Four samples a pixel, turned so that they lie apart along both sides (a rotated grid); each a quarter of a long
+// pixel, or half as long and wide as a square one. at: the pixel's middle, on the tile.
+Local fetch_local(Side s, Footprint f, int which, vec2 at) {
+  Local y;
+  y.color = vec4(0.0);
+  vec4 sum = vec4(0.0);
+  int system = s.face * 2 + which;
+  float level = f.level - 1.0 - min(log2(f.ratio), 1.0);
+  for (int i = 0; i < 4; ++i) {
+    vec2 aside = i < 2 ? f.dx * 0.375 + f.dy * 0.125 : f.dy * 0.375 - f.dx * 0.125;
+    vec3 p = vec3(i == 0 || i == 2 ? at + aside : at - aside, float(system));
+    y.color += 0.25 * textureLod(color_map, p, level);
+    sum += 0.25 * textureLod(relief_map, p, level);
+  }
+  y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
+  return y;
+}
+
+// A system's answer where its facets lie otherwise than its mean ones.
+Answer leaned_answer(Side side, Lights x, Local y, int which, vec2 slopes) {
+  int system = side.face * 2 + which;
+  SystemData data = cloth.systems[system];
+  Answer a = answer_from_afar(side, x, which, slopes, system_color(y.color, data));
+  if (x.l.z > 0.0) a.key *= lean_factor(response_at(1, system, x.l, x.v), y.facets, data.facets);
+  return a;
+}
+
 vec3 shade_repeat(Side side, Lights x, Footprint f) {
-  return shade_mixed(side, x, fetch_color(side, f, 0), fetch_color(side, f, 1));
+  vec4 seen = seen_systems(side.face, x.v);
+  // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
+  vec2 towards = x.v.xy / (x.v.z * cloth.size.xy);
+  Local warp = fetch_local(side, f, 0, f.at + towards * seen.z);
+  Local weft = fetch_local(side, f, 1, f.at + towards * seen.w);
+  vec2 share = vec2(cloth.systems[side.face * 2].mean.w, cloth.systems[side.face * 2 + 1].mean.w);
+  vec2 relative = vec2(warp.color.a, weft.color.a) / max(share, vec2(1e-3));
+  vec2 slopes = half_slope_coords(x);
+  Answer a = leaned_answer(side, x, warp, 0, slopes);
+  Answer b = leaned_answer(side, x, weft, 1, slopes);
+  return mixed_light(side, x, mixed_answer(a, b, relative, seen.xy));
 }
 
 vec3 shade_cloth(Side side, Lights x) {
-  SystemData warp = cloth.systems[side.face * 2];
-  SystemData weft = cloth.systems[side.face * 2 + 1];
-  return shade_mixed(side, x, vec4(warp.mean.rgb, 1.0) * warp.mean.w, vec4(weft.mean.rgb, 1.0) * weft.mean.w);
+  vec2 slopes = half_slope_coords(x);
+  Answer a = answer_from_afar(side, x, 0, slopes, cloth.systems[side.face * 2].mean.rgb);
+  Answer b = answer_from_afar(side, x, 1, slopes, cloth.systems[side.face * 2 + 1].mean.rgb);
+  return mixed_light(side, x, mixed_answer(a, b, vec2(1.0), vec2(0.5)));
 }

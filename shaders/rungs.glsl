@@ -4,8 +4,8 @@
 //
 //   yarn    facet_answer() of the thread on top
 //   cell    facet_answer() of each system's mean facet, widened by the spread of its normals
-//   repeat  system_answer() of each system, its colour and share at the place: mixed_answer()
-//   cloth   the same with the means of the period
+//   repeat  system_answer() of each system, leaned with the facets at the place, by colour and share: mixed_answer()
+//   cloth   system_answer() of each system with the means of the period
 //   engine  engine_answer() of the averaged normal
 //
 // Based on: Dupuy et al. 2013 (moments of slopes); Westin, Arvo, Torrance 1992 (a table measured on small
@@ -96,6 +96,11 @@ FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, 
   a.glossy = mirrored * sky;
   a.soft = (y.body + y.fuzz_colour * (0.25f * y.fuzz)) * (broad.w * sky);
   return a;
+}
+
+// How much more than the mean a place sends: `lean` is the measured rise with each moment of its facets.
+FORMULA float lean_factor(vec4 lean, vec4 facets, vec4 mean_facets) {
+  return max(1.0f + dot(lean, facets - mean_facets), 0.0f);
 }
 
 // Both systems, each with its local share of the cover over its mean (relative).

@@ -60,7 +60,7 @@ std::vector<PackedKind> kinds_of(Method method) {
     case Method::kFlat: return {PackedKind::kColor};
     case Method::kVrst03: return {PackedKind::kColor, PackedKind::kShadow};
     case Method::kCloth: return {};
-    case Method::kRepeat: return {PackedKind::kColor};
+    case Method::kRepeat: return {PackedKind::kColor, PackedKind::kRelief};
     case Method::kCell:
     case Method::kEngine: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
     default: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon, PackedKind::kHeight};

@@ -106,14 +106,33 @@ vec3 cell_pixel(const PixelInput& x) {
   return sent * x.key * (thread_light_pixel(x) * coverage_by_view(0.9f, x.gap, 0.2f, x.v));
 }
 
-/// The measured answers of both systems; `cloth` differs from `repeat` in what it need not fetch.
-vec3 afar_pixel(const PixelInput& x) {
+/// The measured answers of both systems.
+vec3 cloth_pixel(const PixelInput& x) {
   const vec2 h = half_slopes(x.l, x.v);
   const vec2 slopes(slope_coord(h.x), slope_coord(h.y));
   const vec2 at = response_coord(x.l) + response_coord(x.v);
   const vec4 broad = x.horizon * (at.x + at.y);
   const Answer warp = system_answer(x.warp, broad, slopes, 0.5f, 0.8f, x.l, x.v);
   const Answer weft = system_answer(x.weft, broad, slopes, 0.5f, 0.8f, x.l, x.v);
+  return mixed_answer(warp, weft, x.gap, slopes).key * x.key * coverage_by_view(0.9f, x.gap, 0.2f, x.v);
+}
+
+/// The same, each system leaned with the four samples of its facets, where the view finds them.
+vec3 repeat_pixel(const PixelInput& x) {
+  const vec2 h = half_slopes(x.l, x.v);
+  const vec2 slopes(slope_coord(h.x), slope_coord(h.y));
+  const vec2 at = response_coord(x.l) + response_coord(x.v);
+  const vec4 broad = x.horizon * (at.x + at.y);
+  Answer warp = system_answer(x.warp, broad, slopes, 0.5f, 0.8f, x.l, x.v);
+  Answer weft = system_answer(x.weft, broad, slopes, 0.5f, 0.8f, x.l, x.v);
+  const vec2 towards = vec2(x.v.x, x.v.y) / (x.v.z * x.gap);
+  vec4 facets[2] = {vec4(towards.x), vec4(towards.y)};
+  for (int i = 0; i < 4; ++i) {
+    keep(&x);
+    facets[0] += 0.25f * x.spread, facets[1] += 0.25f * x.horizon;
+  }
+  warp.key *= lean_factor(broad, facets[0], x.spread);
+  weft.key *= lean_factor(broad, facets[1], x.spread);
   return mixed_answer(warp, weft, x.gap, slopes).key * x.key * coverage_by_view(0.9f, x.gap, 0.2f, x.v);
 }
 
@@ -128,8 +147,8 @@ PixelFormula formula_of(Method method) {
   switch (method) {
     case Method::kFlat: return flat_pixel;
     case Method::kVrst03: return vrst03_pixel;
-    case Method::kCloth:
-    case Method::kRepeat: return afar_pixel;
+    case Method::kCloth: return cloth_pixel;
+    case Method::kRepeat: return repeat_pixel;
     case Method::kCell: return cell_pixel;
     case Method::kYarn: return yarn_pixel;
     case Method::kEngine: return engine_pixel;

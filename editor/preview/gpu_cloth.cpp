@@ -136,7 +136,7 @@ void GpuCloth::upload_response(std::span<const float> tables) {
   clamp_to_edge(GL_TEXTURE_2D);
   at += kSlopeFloats;
   glBindTexture(GL_TEXTURE_2D, seen_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, kResponseWidth, kSeenHeight, 0, GL_RG, GL_FLOAT, at);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kResponseWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, at);
   clamp_to_edge(GL_TEXTURE_2D);
 }
 

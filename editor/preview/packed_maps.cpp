@@ -2,8 +2,8 @@
 // patch needs nothing but its own rectangle and gives the same bits as the whole.
 // Colour is averaged premultiplied in linear light; since alpha is the plain average of coverage and is
 // blended, not tested, coverage is kept through the mips (the loss that Castano, "Computing Alpha Mipmaps",
-// 2010, repairs cannot arise). Normals are kept as mean and spread per thread system, since a woven
-// distribution has two peaks; horizons likewise per azimuth.
+// 2010, repairs cannot arise). Normals are kept as first and second moments per thread system, since a woven
+// distribution has two peaks; horizons as mean and spread per azimuth.
 
 #include "preview/packed_maps.h"
 
@@ -45,8 +45,6 @@ uint8_t unorm(float v) { return static_cast<uint8_t>(std::clamp(v, 0.0f, 1.0f) *
 uint8_t snorm(float v) {
   return static_cast<uint8_t>(static_cast<int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127.0f)));
 }
-float from_snorm(uint8_t v) { return static_cast<float>(static_cast<int8_t>(v)) / 127.0f; }
-
 /// A quarter, halves to even: rounding up would add an eighth of a step at every level.
 uint8_t quarter(int sum) { return static_cast<uint8_t>((sum + 1 + ((sum >> 2) & 1)) / 4); }
 
@@ -65,11 +63,12 @@ void pack_surface(PackedFace& face, const Maps& maps, const TexelRect& r) {
       const float shade = w * maps.groove.at(x, y);
       const Linear& c = maps.colour.at(x, y);
       const Slope& s = maps.slope.at(x, y);
-      const float scale = w / std::sqrt(1.0f + s.x * s.x + s.y * s.y);
+      const float z2 = 1 / (1.0f + s.x * s.x + s.y * s.y), scale = w * std::sqrt(z2);
       set_rgba(color.texel(0, system, x, y), encode_srgb(t, c.r * shade), encode_srgb(t, c.g * shade),
                encode_srgb(t, c.b * shade), unorm(w));
       set_rgba(color.texel(0, 1 - system, x, y), 0, 0, 0, 0);
-      set_rgba(relief.texel(0, system, x, y), snorm(s.x * scale), snorm(s.y * scale), 0, 0);
+      set_rgba(relief.texel(0, system, x, y), snorm(s.x * scale), snorm(s.y * scale),
+               snorm(w * s.x * s.x * z2), snorm(w * s.y * s.y * z2));
       set_rgba(relief.texel(0, 1 - system, x, y), 0, 0, 0, 0);
     }
   }
@@ -113,23 +112,15 @@ void filter_color(PackedTexture& color, int level, int layer, int x, int y) {
            encode_srgb(t, sum[2] / 4), quarter(alpha));
 }
 
-/// Mean and spread of the union: second moments add. `color` gives the weights.
-void filter_relief(PackedTexture& relief, const PackedTexture& color, int level, int layer, int x, int y) {
-  const Below values = below(relief, level, layer, x, y), weights = below(color, level, layer, x, y);
-  float w = 0, mx = 0, my = 0, xx = 0, yy = 0;
-  for (size_t i = 0; i < 4; ++i) {
-    const float wi = static_cast<float>(weights.at[i][3]) / 255.0f;
-    if (wi <= 0) continue;
-    const float nx = from_snorm(values.at[i][0]), ny = from_snorm(values.at[i][1]);
-    const float sx = from_snorm(values.at[i][2]), sy = from_snorm(values.at[i][3]);
-    w += wi, mx += nx, my += ny;
-    xx += (nx * nx + sx * sx) / wi, yy += (ny * ny + sy * sy) / wi;
-  }
+/// Moments are sums: their mean is the plain one, halves to even as in quarter().
+void filter_relief(PackedTexture& relief, int level, int layer, int x, int y) {
+  const Below values = below(relief, level, layer, x, y);
   uint8_t* to = relief.texel(level, layer, x, y);
-  if (w <= 0) return set_rgba(to, 0, 0, 0, 0);
-  // w E[n^2] - w E[n]^2, times w, is the square of the stored w * spread.
-  const float vx = std::max(0.0f, w * xx - mx * mx), vy = std::max(0.0f, w * yy - my * my);
-  set_rgba(to, snorm(mx / 4), snorm(my / 4), snorm(std::sqrt(vx) / 4), snorm(std::sqrt(vy) / 4));
+  for (size_t c = 0; c < 4; ++c) {
+    int sum = 0;
+    for (const uint8_t* p : values.at) sum += static_cast<int8_t>(p[c]);
+    to[c] = static_cast<uint8_t>(static_cast<int8_t>(std::nearbyint(0.25f * static_cast<float>(sum))));
+  }
 }
 
 void filter_horizon(PackedTexture& horizon, int level, int layer, int x, int y) {
@@ -192,13 +183,12 @@ void pack_shadow(PackedTexture& shadow, const Maps& maps, const TexelRect& r) {
 
 void filter_level(PackedFace& face, PackedKind kind, int level, const TexelRect& r) {
   PackedTexture& t = face.textures[static_cast<size_t>(kind)];
-  const PackedTexture& color = face.textures[static_cast<size_t>(PackedKind::kColor)];
   for (int layer = 0; layer < t.layers; ++layer) {
     for (int y = r.y0; y < r.y1; ++y) {
       for (int x = r.x0; x < r.x1; ++x) {
         switch (kind) {
           case PackedKind::kColor: filter_color(t, level, layer, x, y); break;
-          case PackedKind::kRelief: filter_relief(t, color, level, layer, x, y); break;
+          case PackedKind::kRelief: filter_relief(t, level, layer, x, y); break;
           case PackedKind::kHorizon: filter_horizon(t, level, layer, x, y); break;
           case PackedKind::kShadow: filter_shadow(t, level, layer, x, y); break;
           case PackedKind::kHeight: filter_height(t, level, layer, x, y); break;

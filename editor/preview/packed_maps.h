@@ -15,7 +15,7 @@ namespace weftlight {
 /// What a texture holds, and so how its mips average.
 enum class PackedKind : uint8_t {
   kColor,    // RGBA8 sRGB, layers warp, weft: colour times groove, premultiplied by the system's coverage (alpha)
-  kRelief,   // RGBA8 snorm, layers warp, weft: mean of the unit normal's x, y and their spread, times coverage
+  kRelief,   // RGBA8 snorm, layers warp, weft: means of the unit normal's x, y and of their squares, times coverage
   kHorizon,  // RG8, a layer an azimuth and one for the sky: mean and twice the spread of the horizon's sine; the
              // last layer holds the occlusion. Half the size of the others.
   kShadow,   // R8, a layer a light direction (rung vrst03): 1 lit

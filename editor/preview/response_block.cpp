@@ -11,19 +11,25 @@ namespace {
 
 using Faces = std::array<ClothResponse, 2>;
 
-void append_broad(std::vector<float>& out, const Faces& faces) {
-  for (size_t view = 0; view < kResponseDirections; ++view) {
-    for (const ClothResponse& face : faces) {
-      for (const SystemResponse& system : face.systems) {
-        for (size_t e = 0; e < kResponseElevations; ++e) {
-          for (size_t a = 0; a < kResponseWidth; ++a) {
-            const size_t light = e * kResponseAzimuths + a % kResponseAzimuths;
-            const float* at = &system.broad[4 * (view * kResponseDirections + light)];
-            out.insert(out.end(), at, at + 4);
-          }
+/// Rows of all faces and systems, of values of [view][light], for one view.
+void append_rows(std::vector<float>& out, const Faces& faces, size_t view, std::vector<float> SystemResponse::*values) {
+  for (const ClothResponse& face : faces) {
+    for (const SystemResponse& system : face.systems) {
+      for (size_t e = 0; e < kResponseElevations; ++e) {
+        for (size_t a = 0; a < kResponseWidth; ++a) {
+          const size_t light = e * kResponseAzimuths + a % kResponseAzimuths;
+          const float* at = &(system.*values)[4 * (view * kResponseDirections + light)];
+          out.insert(out.end(), at, at + 4);
         }
       }
     }
+  }
+}
+
+void append_broad(std::vector<float>& out, const Faces& faces) {
+  for (size_t view = 0; view < kResponseDirections; ++view) {
+    append_rows(out, faces, view, &SystemResponse::broad);
+    append_rows(out, faces, view, &SystemResponse::lean);
   }
 }
 
@@ -33,6 +39,7 @@ void append_seen(std::vector<float>& out, const Faces& faces) {
       for (size_t a = 0; a < kResponseWidth; ++a) {
         const size_t view = e * kResponseAzimuths + a % kResponseAzimuths;
         for (const SystemResponse& system : face.systems) out.push_back(system.broad[4 * view * kResponseDirections + 3]);
+        for (const SystemResponse& system : face.systems) out.push_back(system.height_mm[view]);
       }
     }
   }
@@ -64,7 +71,7 @@ void keep_response(std::vector<float>& block, const std::vector<float>& earlier)
   std::memcpy(&data, block.data(), sizeof data);
   std::memcpy(&kept, earlier.data(), sizeof kept);
   data.relief[2] = kept.relief[2], data.relief[3] = kept.relief[3];
-  for (size_t s = 0; s < 4; ++s) data.systems[s].mean = kept.systems[s].mean;
+  for (size_t s = 0; s < 4; ++s) data.systems[s].mean = kept.systems[s].mean, data.systems[s].facets = kept.systems[s].facets;
   std::memcpy(block.data(), &data, sizeof data);
   block.insert(block.end(), earlier.end() - static_cast<ptrdiff_t>(kResponseFloats), earlier.end());
 }
@@ -91,6 +98,7 @@ void append_response(std::vector<float>& block, const FaceInput& front, const Fa
     for (size_t s = 0; s < 2; ++s) {
       const Linear& c = faces[f].systems[s].colour;
       data.systems[f * 2 + s].mean = {c.r, c.g, c.b, faces[f].systems[s].share};
+      data.systems[f * 2 + s].facets = faces[f].systems[s].facets;
     }
   }
   std::memcpy(block.data(), &data, sizeof data);

@@ -9,14 +9,15 @@
 
 namespace weftlight {
 
-// Azimuths with the first again at the end; rows face * 2 + system, each of all elevations; a layer a view.
+// Azimuths with the first again at the end; rows face * 2 + system, each of all elevations: the answer, then how it
+// leans; a layer a view.
 inline constexpr int kResponseWidth = kResponseAzimuths + 1;
-inline constexpr int kResponseHeight = 4 * kResponseElevations;
+inline constexpr int kResponseHeight = 8 * kResponseElevations;
 inline constexpr int kSlopeRows = 8;                        // (face * 2 + system) * 2 + axis
-inline constexpr int kSeenHeight = 2 * kResponseElevations; // rows face, share of warp and weft seen
+inline constexpr int kSeenHeight = 2 * kResponseElevations; // rows face; share of warp and weft seen, their heights
 inline constexpr size_t kBroadFloats = size_t{4} * kResponseWidth * kResponseHeight * kResponseDirections;
 inline constexpr size_t kSlopeFloats = size_t{kSlopeBins} * kSlopeRows;
-inline constexpr size_t kSeenFloats = size_t{2} * kResponseWidth * kSeenHeight;
+inline constexpr size_t kSeenFloats = size_t{4} * kResponseWidth * kSeenHeight;
 inline constexpr size_t kResponseFloats = kBroadFloats + kSlopeFloats + kSeenFloats;
 
 /// Gives a block of cloth_block() the answer, and the means with it, of an earlier whole block.

@@ -49,16 +49,16 @@ TEST(PackedMaps, CoverageIsKeptThroughTheMips) {
   for (int level = 1; level < 8; ++level) EXPECT_NEAR(mean_alpha(color, level), finest, 0.004) << level;
 }
 
-TEST(PackedMaps, SlopesThatTheMipsLoseWidenTheSpread) {
+TEST(PackedMaps, SlopesThatTheMipsLoseStayInTheSquares) {
   const PackedFace face = pack(speckled(64, 64), false);
-  // Normals at +-45 degrees in equal parts: mean about 0, spread sin 45 degrees, times the coverage.
+  // Normals at +-45 degrees in equal parts: mean about 0, mean square 1/2, times the coverage.
   const PackedTexture& color = face.textures[0];
   const PackedTexture& relief = face.textures[1];
   const int last = static_cast<int>(relief.levels.size()) - 1;
   for (int layer = 0; layer < 2; ++layer) {
     const float weight = static_cast<float>(color.texel(last, layer, 0, 0)[3]) / 255.0f;
-    const float spread = static_cast<float>(static_cast<int8_t>(relief.texel(last, layer, 0, 0)[2])) / 127.0f;
-    EXPECT_NEAR(spread / weight, std::sqrt(0.5f), 0.03f);
+    const float square = static_cast<float>(static_cast<int8_t>(relief.texel(last, layer, 0, 0)[2])) / 127.0f;
+    EXPECT_NEAR(square / weight, 0.5f, 0.03f);
   }
 }
 

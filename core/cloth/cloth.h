@@ -43,6 +43,12 @@ enum class Period { kWholeDraft, kRepeat };
 /// thread is never wider than its room: jammed, it is narrower and taller.
 Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period);
 
+/// What a thread measures in the cloth, whether the draft gives it or leaves it to the yarn.
+struct ThreadSize {
+  float thickness_mm = 0, spacing_mm = 0;
+};
+ThreadSize thread_size(const Design& design, System system, int thread);
+
 /// Height (mm above the middle plane, signed) of a thread's centre line at distance s_mm along it
 /// (y for an end, x for a pick), periodic. Crimp from touching threads, relaxed along floats up to the
 /// bound that the tightness of the weave sets (VRST 2003, section 3.4). To read many: centre_line.h.

@@ -56,18 +56,24 @@ ThreadBody body_of(float diameter, float spacing, const Yarn& yarn) {
   return body;
 }
 
+const Yarn& yarn_of(const Design& design, const Threads& threads, int i) {
+  const int last = static_cast<int>(design.yarns.size()) - 1;
+  return design.yarns[static_cast<size_t>(std::clamp(entry(threads.yarn, i, 0), 0, last))];
+}
+
+float diameter_of(const Design& design, const Threads& threads, int i) {
+  const float thickness = entry(threads.thickness_mm, i, kFromYarn);
+  return is_given(thickness) ? thickness : std::max(0.0f, yarn_of(design, threads, i).diameter_mm);
+}
+
 std::vector<ThreadBody> bodies(const Design& design, const Threads& threads, int count, float& period) {
   std::vector<ThreadBody> out;
   out.reserve(static_cast<size_t>(count));
   double edge = 0;
-  const int last_yarn = static_cast<int>(design.yarns.size()) - 1;
   for (int i = 0; i < count; ++i) {
-    const int yarn = std::clamp(entry(threads.yarn, i, 0), 0, last_yarn);
-    const Yarn& y = design.yarns[static_cast<size_t>(yarn)];
-    const float thickness = entry(threads.thickness_mm, i, kFromYarn);
-    ThreadBody body = body_of(is_given(thickness) ? thickness : std::max(0.0f, y.diameter_mm),
-                              entry(threads.spacing_mm, i, kFromYarn), y);
-    body.yarn = yarn;
+    const Yarn& yarn = yarn_of(design, threads, i);
+    ThreadBody body = body_of(diameter_of(design, threads, i), entry(threads.spacing_mm, i, kFromYarn), yarn);
+    body.yarn = static_cast<int>(&yarn - design.yarns.data());
     body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
     body.centre_mm = static_cast<float>(edge + 0.5 * static_cast<double>(body.spacing_mm));
     edge += static_cast<double>(body.spacing_mm);
@@ -89,6 +95,13 @@ BitMatrix top_left(const BitMatrix& cells, int picks, int ends, bool flip) {
 }
 
 }  // namespace
+
+ThreadSize thread_size(const Design& design, System system, int thread) {
+  const Threads& threads = design.draft.threads(system);
+  const float diameter = diameter_of(design, threads, thread);
+  const Yarn& yarn = yarn_of(design, threads, thread);
+  return {diameter, body_of(diameter, entry(threads.spacing_mm, thread, kFromYarn), yarn).spacing_mm};
+}
 
 Linear linear_from_srgb(Rgb c) {
   return {channel_to_linear(c.r), channel_to_linear(c.g), channel_to_linear(c.b)};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace weftlight {
 namespace {
@@ -13,6 +16,12 @@ bool within(int index, int count) {
 
 bool is_length(float mm) {
   return mm == kFromYarn || (std::isfinite(mm) && mm >= 0);
+}
+
+template <class T>
+void put(std::vector<T>& table, std::span<const int> threads, T value) {
+  for (const int thread : threads)
+    if (within(thread, static_cast<int>(table.size()))) table[static_cast<size_t>(thread)] = value;
 }
 
 bool is_color(Rgb c) {
@@ -109,28 +118,38 @@ Design with_drawdown_cell(Design design, int end, int pick, bool up) {
 }
 
 Design with_thread_color(Design design, System system, int thread, int color) {
-  Threads& t = design.draft.threads(system);
-  if (within(thread, t.size()) && within(color, static_cast<int>(design.draft.palette.size()))) {
-    t.color[thread] = color;
-  }
-  return design;
+  return with_thread_color(std::move(design), system, std::span(&thread, 1), color);
 }
 
 Design with_thread_yarn(Design design, System system, int thread, int yarn) {
-  Threads& t = design.draft.threads(system);
-  if (within(thread, t.size()) && within(yarn, static_cast<int>(design.yarns.size()))) t.yarn[thread] = yarn;
-  return design;
+  return with_thread_yarn(std::move(design), system, std::span(&thread, 1), yarn);
 }
 
 Design with_thread_thickness(Design design, System system, int thread, float mm) {
-  Threads& t = design.draft.threads(system);
-  if (within(thread, t.size()) && is_length(mm)) t.thickness_mm[thread] = mm;
-  return design;
+  return with_thread_thickness(std::move(design), system, std::span(&thread, 1), mm);
 }
 
 Design with_thread_spacing(Design design, System system, int thread, float mm) {
-  Threads& t = design.draft.threads(system);
-  if (within(thread, t.size()) && is_length(mm)) t.spacing_mm[thread] = mm;
+  return with_thread_spacing(std::move(design), system, std::span(&thread, 1), mm);
+}
+
+Design with_thread_color(Design design, System system, std::span<const int> threads, int color) {
+  if (within(color, static_cast<int>(design.draft.palette.size()))) put(design.draft.threads(system).color, threads, color);
+  return design;
+}
+
+Design with_thread_yarn(Design design, System system, std::span<const int> threads, int yarn) {
+  if (within(yarn, static_cast<int>(design.yarns.size()))) put(design.draft.threads(system).yarn, threads, yarn);
+  return design;
+}
+
+Design with_thread_thickness(Design design, System system, std::span<const int> threads, float mm) {
+  if (is_length(mm)) put(design.draft.threads(system).thickness_mm, threads, mm);
+  return design;
+}
+
+Design with_thread_spacing(Design design, System system, std::span<const int> threads, float mm) {
+  if (is_length(mm)) put(design.draft.threads(system).spacing_mm, threads, mm);
   return design;
 }
 

@@ -2,6 +2,8 @@
 // Pure edits: Design -> Design. Each keeps the draft's invariants; an index out of range
 // returns the design unchanged. The editor commits them to the History with a label.
 
+#include <span>
+
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
@@ -21,6 +23,11 @@ Design with_thread_color(Design design, System system, int thread, int color);
 Design with_thread_yarn(Design design, System system, int thread, int yarn);
 Design with_thread_thickness(Design design, System system, int thread, float mm);
 Design with_thread_spacing(Design design, System system, int thread, float mm);
+/// The same for many threads at once; threads that are not there are left out.
+Design with_thread_color(Design design, System system, std::span<const int> threads, int color);
+Design with_thread_yarn(Design design, System system, std::span<const int> threads, int yarn);
+Design with_thread_thickness(Design design, System system, std::span<const int> threads, float mm);
+Design with_thread_spacing(Design design, System system, std::span<const int> threads, float mm);
 Design with_palette_color(Design design, int color, Rgb rgb);
 Design with_new_palette_color(Design design, Rgb rgb);
 Design with_yarn(Design design, int yarn, const Yarn& value);

@@ -39,8 +39,7 @@ struct ColumnHabits {
 
 struct SystemHabits {
   ColumnHabits color, spacing, thickness;
-  double unit_mm = 10.0;
-  std::string unit = "Centimeters";
+  WifUnit unit;
 };
 
 /// The file's own way of saying things.

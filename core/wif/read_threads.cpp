@@ -154,16 +154,16 @@ void read_units(Context& c, const char* system, SystemHabits& habits) {
   size_t size = 0;
   while (size < key->value.size() && !is_blank(key->value[size]) && key->value[size] != ';') ++size;
   const std::string unit = uppercase(key->value.substr(0, size));
-  habits.unit = to_utf8(key->value.substr(0, size), c.text.encoding);
+  habits.unit.name = to_utf8(key->value.substr(0, size), c.text.encoding);
   if (unit == "INCHES" || unit == "INCH" || unit == "ENGLISH") {
-    habits.unit_mm = kMmPerInch;
+    habits.unit.mm = kMmPerInch;
   } else if (unit == "DECIPOINTS" || unit == "DECIPOINT") {
-    habits.unit_mm = kMmPerInch / kDecipointsPerInch;
+    habits.unit.mm = kMmPerInch / kDecipointsPerInch;
   } else if (unit != "CENTIMETERS" && unit != "CENTIMETER" && unit != "CENTIMETRES" && unit != "CM") {
     c.findings.warn(key->line, {}, "Units is neither Inches, Centimeters nor Decipoints", "read as centimeters");
   }
   if (unit == "ENGLISH") {
-    c.findings.add(Severity::kNote, key->line, {}, "Units=" + habits.unit + " is not a unit of WIF", "read as inches");
+    c.findings.add(Severity::kNote, key->line, {}, "Units=" + habits.unit.name + " is not a unit of WIF", "read as inches");
   }
 }
 
@@ -270,9 +270,11 @@ void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Dr
     SystemHabits& own = system == System::kWarp ? habits.warp : habits.weft;
     Threads& threads = draft.threads(system);
     read_units(c, name, own);
-    read_measures(c, name, "Spacing", threads.spacing_mm, own.spacing, own.unit_mm);
-    read_measures(c, name, "Thickness", threads.thickness_mm, own.thickness, own.unit_mm);
-    if (info) (system == System::kWarp ? info->warp_symbols : info->weft_symbols) = read_symbols(c, name, threads.size());
+    read_measures(c, name, "Spacing", threads.spacing_mm, own.spacing, own.unit.mm);
+    read_measures(c, name, "Thickness", threads.thickness_mm, own.thickness, own.unit.mm);
+    if (!info) continue;
+    (system == System::kWarp ? info->warp_unit : info->weft_unit) = own.unit;
+    (system == System::kWarp ? info->warp_symbols : info->weft_symbols) = read_symbols(c, name, threads.size());
   }
 }
 

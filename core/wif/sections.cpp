@@ -82,9 +82,9 @@ void add_system(WifEntries& head, std::vector<WifEntries>& tables, const Threads
   add_named(head, "Threads", std::to_string(threads.size()));
   add_colors(head, colors, threads, own.color, habits);
   WifEntries measures{head.name, {}};
-  add_measures(measures, spacing, "Spacing", threads.spacing_mm, own.spacing, own.unit_mm, habits);
-  add_measures(measures, thickness, "Thickness", threads.thickness_mm, own.thickness, own.unit_mm, habits);
-  if (!measures.entries.empty() || !spacing.entries.empty() || !thickness.entries.empty()) add_named(head, "Units", own.unit);
+  add_measures(measures, spacing, "Spacing", threads.spacing_mm, own.spacing, own.unit.mm, habits);
+  add_measures(measures, thickness, "Thickness", threads.thickness_mm, own.thickness, own.unit.mm, habits);
+  if (!measures.entries.empty() || !spacing.entries.empty() || !thickness.entries.empty()) add_named(head, "Units", own.unit.name);
   head.entries.insert(head.entries.end(), measures.entries.begin(), measures.entries.end());
   for (WifEntries* table : {&colors, &spacing, &thickness}) {
     if (!table->entries.empty()) tables.push_back(std::move(*table));

@@ -20,6 +20,12 @@ struct Diagnostic {
   std::string remedy;  // what to do, or what was done
 };
 
+/// The unit that a file measures spacing and thickness in.
+struct WifUnit {
+  std::string name = "Centimeters";  // as the file says it
+  double mm = 10.0;
+};
+
 /// An opened file: its bytes as they were and the design they mean.
 struct WifFile {
   std::string bytes;
@@ -27,6 +33,7 @@ struct WifFile {
   // What is read but not edited (info shows it).
   std::string source_program, source_version, version, date;
   bool rising_stated = false, has_liftplan = false, has_treadling = false, has_tieup = false;
+  WifUnit warp_unit, weft_unit;
   std::vector<std::string> warp_symbols, weft_symbols;  // one a thread, empty when the file has none
 };
 

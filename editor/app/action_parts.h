@@ -34,5 +34,7 @@ inline Action& new_group(Action& a) {
 
 /// What is done with the selection: clipboard, moves, turns, repeats, whole threads, and the tools.
 void add_selection_actions(Actions& all);
+/// Choosing ends and picks for the Threads panel, and its rows (thread_actions.cpp).
+void add_thread_actions(Actions& all);
 
 }  // namespace weftlight

@@ -83,6 +83,7 @@ void add_draft(Actions& all) {
   };
   drive("treadling", "Drive by tie-up and treadles", Drive::kTreadling)->item.group = true;
   drive("liftplan", "Drive by liftplan", Drive::kLiftplan);
+  add_thread_actions(all);
 }
 
 void add_drawdown_looks(Actions& all) {

@@ -21,6 +21,11 @@ std::string Document::name() const {
   return path_.empty() ? "Untitled" : std::filesystem::path(path_).filename().string();
 }
 
+WifUnit Document::unit(System system) const {
+  if (!opened_) return {};
+  return system == System::kWarp ? opened_->warp_unit : opened_->weft_unit;
+}
+
 bool Document::follow(const std::shared_ptr<const Design>& before) {
   if (before == history_.snapshot()) return false;
   update_drawdown(cells_, before->draft, now().draft);

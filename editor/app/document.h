@@ -28,6 +28,8 @@ class Document {
   const std::string& path() const { return path_; }
   /// File name, or "Untitled".
   std::string name() const;
+  /// What the opened file measures threads in.
+  WifUnit unit(System system) const;
   bool is_saved() const { return history_.is_saved(); }
 
   /// True when the design changed.

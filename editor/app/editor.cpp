@@ -178,6 +178,10 @@ void Editor::show_document() {
   work_ = {};
   work_.end1_right = right;
   work_.drawdown_style = look;
+  work_.warp_unit = document_.unit(System::kWarp);
+  work_.weft_unit = document_.unit(System::kWeft);
+  constexpr double kMmPerCm = 10;
+  work_.per_inch = settings_.per_inch || work_.warp_unit.mm != kMmPerCm;
   camera_ = orbit_of(document_.now().scene);
   recovery_.forget(writer_);
   edited();

@@ -60,6 +60,8 @@ class Editor {
   void draw_window();
   void draw_panels(PanelContext& c);
   void draw_draft_header(PanelContext& c);
+  /// Share of the room that the draft's pane takes.
+  float split_of(float room, float height);
   void draw_splitter(PanelContext& c, float x, float top, float height);
   void draw_question(PanelContext& c);
   void take_input();
@@ -102,6 +104,7 @@ class Editor {
   UiMapFile map_file_;
   Orbit camera_;
   ImVec2 pane_{0, 0};
+  float fitted_split_ = 0.5f;  // while the weaver has not moved the splitter
   CommandPalette commands_;
   Dialog dialog_;
   std::function<void(int)> answer_;

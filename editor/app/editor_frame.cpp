@@ -5,10 +5,12 @@
 #include <variant>
 
 #include "app/editor.h"
+#include "panels/draft_layout.h"
 #include "panels/draft_panel.h"
 #include "panels/palette_panel.h"
 #include "panels/scene_panel.h"
 #include "panels/status_bar.h"
+#include "panels/threads_panel.h"
 #include "panels/widgets.h"
 #include "panels/yarn_panel.h"
 
@@ -55,6 +57,7 @@ void Editor::run() {
   settings_.height = height;
   settings_.end1_right = work_.end1_right;
   settings_.drawdown_style = static_cast<int>(work_.drawdown_style);
+  if (work_.warp_unit.mm == 10) settings_.per_inch = work_.per_inch;
   save_settings(settings_);
   recovery_.forget(writer_);
 }
@@ -146,7 +149,7 @@ void Editor::draw_panels(PanelContext& c) {
   const float x = view->WorkPos.x, y = view->WorkPos.y, status = style_.px(kStatusBar);
   const float height = view->WorkSize.y - status, inspector = style_.px(kInspector);
   const float room = view->WorkSize.x - inspector;
-  const float split = static_cast<float>(static_cast<int>(room * settings_.split));
+  const float split = static_cast<float>(static_cast<int>(room * split_of(room, height)));
   work_.hint = "";
   MaybeEdit edit;
   const auto take = [&edit](MaybeEdit made) {
@@ -169,6 +172,7 @@ void Editor::draw_panels(PanelContext& c) {
   begin_fixed("Inspector", {x + room, y}, {inspector, height}, {style_.px(16), style_.px(8)});
   // The scrollbar's place is kept free, so that nothing jumps when it comes.
   take(draw_palette(c));
+  take(draw_threads(c));
   take(draw_yarns(c, strip_));
   take(draw_scene(c));
   ImGui::End();
@@ -202,6 +206,15 @@ void Editor::draw_draft_header(PanelContext& c) {
   ImGui::SetCursorPos({at.x, at.y + style_.px(10) + ImGui::GetFrameHeight() + style_.px(8)});
 }
 
+float Editor::split_of(float room, float height) {
+  constexpr float kLeast = 0.42f, kMost = 0.6f, kHeader = 48;
+  if (settings_.split > 0) return settings_.split;
+  // Chosen with the first pitch, and kept while threads are added.
+  if (work_.pitch <= 0)
+    fitted_split_ = fitting_width(document_.now().draft, style_, room * kLeast, room * kMost, height - style_.px(kHeader)) / room;
+  return fitted_split_;
+}
+
 void Editor::draw_splitter(PanelContext& c, float x, float top, float height) {
   begin_fixed("Splitter", {x, top}, {style_.px(kSplitter), height}, {0, 0});
   ImGui::InvisibleButton("split", {style_.px(kSplitter), height});
@@ -209,8 +222,11 @@ void Editor::draw_splitter(PanelContext& c, float x, float top, float height) {
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive()) {
     const float room = ImGui::GetMainViewport()->WorkSize.x - style_.px(kInspector);
-    settings_.split = std::clamp(settings_.split + ImGui::GetIO().MouseDelta.x / room, 0.2f, 0.8f);
+    const float moved = ImGui::GetIO().MouseDelta.x / room, before = settings_.split > 0 ? settings_.split : fitted_split_;
+    if (moved != 0) settings_.split = std::clamp(before + moved, 0.2f, 0.8f);
   }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = work_.pitch = 0;
+  tooltip(c, "Drag to give the draft more or less room; double-click for what it fills");
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
   const float middle = x + static_cast<float>(static_cast<int>(style_.px(kSplitter) / 2));
   ImGui::GetWindowDrawList()->AddRectFilled({middle, top}, {middle + 1, top + height}, color);

@@ -12,7 +12,8 @@ namespace weftlight {
 struct Settings {
   bool dark = false, end1_right = true;
   int drawdown_style = 0;
-  float split = 0.5f;              // share of the window that the draft takes
+  bool per_inch = false;           // ends and picks are counted in an inch
+  float split = 0;                 // share of the window that the draft takes; 0: what it fills
   int width = 1440, height = 900;  // of the window
   std::vector<std::string> recent; // newest first
 };

@@ -74,6 +74,7 @@ struct Window::Inbox {
     double x, y;
     int button;  // -1: a move
     bool down;
+    int mods = 0;  // keys held with the button
   };
   bool happened = true;
   struct Key {
@@ -108,11 +109,11 @@ void Window::listen(GLFWwindow* w) {
     Inbox::of(at).dropped.assign(paths, paths + count);
   });
   glfwSetCharCallback(w, [](GLFWwindow* at, unsigned) { Inbox::of(at).happened = true; });
-  glfwSetMouseButtonCallback(w, [](GLFWwindow* at, int button, int action, int) {
+  glfwSetMouseButtonCallback(w, [](GLFWwindow* at, int button, int action, int mods) {
     Inbox& in = Inbox::of(at);
     // Where the move before it ended: glfwGetCursorPos tells where the pointer is by now, which after a slow
     // frame is somewhere else.
-    if (button >= 0 && button < kButtons) in.add({in.x, in.y, button, action == GLFW_PRESS});
+    if (button >= 0 && button < kButtons) in.add({in.x, in.y, button, action == GLFW_PRESS, mods});
     in.happened = true;
   });
   glfwSetCursorPosCallback(w, [](GLFWwindow* at, double x, double y) {
@@ -147,7 +148,13 @@ void Window::give_mouse() {
   const auto take = [&] {
     ++inbox_->mouse_given;
     io.MousePos = {static_cast<float>(mouse.front().x), static_cast<float>(mouse.front().y)};
-    if (mouse.front().button >= 0) inbox_->down[mouse.front().button] = mouse.front().down;
+    if (const Inbox::Mouse& event = mouse.front(); event.button >= 0) {
+      inbox_->down[event.button] = event.down;
+      // As they were with the press, though they be up by now.
+      io.KeyCtrl = event.mods & GLFW_MOD_CONTROL;
+      io.KeyShift = event.mods & GLFW_MOD_SHIFT;
+      io.KeyAlt = event.mods & GLFW_MOD_ALT;
+    }
     mouse.pop_front();
   };
   bool moved = false;
@@ -190,6 +197,7 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& error) 
   listen(w->window_);
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigDragClickToInputText = true;
   ImGui_ImplGlfw_InitForOpenGL(w->window_, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   return w;
@@ -267,6 +275,10 @@ void Window::end_frame(ImU32 background) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+  io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+  io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
   // A key that came and went within the frame is up again.
   for (int key : std::exchange(inbox_->pressed, {}))
     if (glfwGetKey(window_, key) == GLFW_RELEASE) ImGui::GetIO().KeysDown[key] = false;

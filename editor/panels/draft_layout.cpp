@@ -9,8 +9,8 @@ namespace {
 // Pixels at 96 dpi.
 constexpr float kMargin = 14, kBar = 16, kGap = 8, kShaftNumbers = 26, kEndRuler = 18, kPickRuler = 38,
                 kTreadleNumbers = 16, kScrollbar = 12;
-constexpr float kSmallestLoomPitch = 9, kLargestLoomPitch = 22;  // shafts and treadles stay clickable
-constexpr float kLargestFit = 18;                                // a small draft is not blown up beyond this
+constexpr float kSmallestLoomPitch = 9, kLargestLoomPitch = 28;  // shafts and treadles stay clickable
+constexpr float kLargestFit = 28, kSmallestFit = 4;              // a first pitch lies between
 constexpr float kThreadingShare = 0.42f, kLiftShare = 0.38f;     // of the pane, at most
 
 struct Room {
@@ -28,18 +28,22 @@ float loom_pitch(const Style& s, float pitch) {
 
 int lift_columns(const Draft& d) { return d.drive == Drive::kLiftplan ? d.shafts : d.treadles; }
 
+/// What the draft takes of a room at a pitch, where the shafts and treadles have all the room they want.
+Room taken(const Draft& d, const Style& s, float pitch, Room room) {
+  const float loom = loom_pitch(s, pitch);
+  const float lift = std::min(static_cast<float>(lift_columns(d)) * loom, room.width * kLiftShare);
+  const float shafts = std::min(static_cast<float>(d.shafts) * loom, room.height * kThreadingShare);
+  return {pitch * static_cast<float>(d.ends()) + lift, pitch * static_cast<float>(d.picks()) + shafts};
+}
+
+/// Whole pixels. Below the smallest, cells would be hard to see: the draft is scrolled instead.
 float fitting_pitch(const Draft& d, const Style& s, Room room) {
-  const auto fits = [&](float pitch) {
-    const float loom = loom_pitch(s, pitch);
-    const float lift = std::min(static_cast<float>(lift_columns(d)) * loom, room.width * kLiftShare);
-    const float shafts = std::min(static_cast<float>(d.shafts) * loom, room.height * kThreadingShare);
-    return pitch * static_cast<float>(d.ends()) + lift <= room.width &&
-           pitch * static_cast<float>(d.picks()) + shafts <= room.height;
-  };
   float pitch = s.px(kLargestFit);
-  // Below this the cells would be hard to see: the draft is scrolled instead.
-  const float least = s.px(4);
-  while (pitch > least && !fits(pitch)) pitch -= 1;
+  const auto fits = [&] {
+    const Room t = taken(d, s, pitch, room);
+    return t.width <= room.width && t.height <= room.height;
+  };
+  while (pitch > s.px(kSmallestFit) && !fits()) pitch -= 1;
   return pitch;
 }
 
@@ -61,6 +65,12 @@ std::vector<const GridPane*> DraftLayout::panes() const {
   return all;
 }
 
+float fitting_width(const Draft& d, const Style& s, float least, float most, float height) {
+  const Room room = room_of(s, {0, 0}, {most, height});
+  const float width = taken(d, s, fitting_pitch(d, s, room), room).width + most - room.width;
+  return std::clamp(width, least, most);
+}
+
 DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec2 min, ImVec2 max) {
   const Room room = room_of(s, min, max);
   if (work.pitch <= 0) work.pitch = fitting_pitch(d, s, room);
@@ -70,7 +80,6 @@ DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec
   l.min = min;
   l.max = max;
   const float x0 = min.x + s.px(kMargin), y0 = min.y;
-  l.end_ruler_y = y0;
   const float bar_y = y0 + s.px(kEndRuler), threading_y = bar_y + s.px(kBar) + s.px(kGap);
   const Axis shafts =
       axis(threading_y, room.height * kThreadingShare, loom, work.scroll_shaft, d.shafts, true);
@@ -91,7 +100,8 @@ DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec
   l.drawdown = {GridId::kDrawdown, ends, picks};
   l.lift = {plan ? GridId::kLiftplan : GridId::kTreadling, treadles, picks};
   l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
-  l.pick_ruler_x = weft_x + s.px(kBar);
+  l.warp_heads = {GridId::kWarpColors, ends, single(y0, s.px(kEndRuler))};
+  l.weft_heads = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
   l.scroll_ends = ends.extent() > ends.length + 1;
   l.scroll_picks = picks.extent() > picks.length + 1;
   return l;

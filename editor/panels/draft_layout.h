@@ -22,13 +22,16 @@ struct GridPane {
 
 struct DraftLayout {
   GridPane warp_bar, threading, tieup, drawdown, lift, weft_bar;  // lift: treadling or liftplan
+  GridPane warp_heads, weft_heads;                                // the numbers of ends and picks, beside their bars
   ImVec2 min, max;                                                // of the whole pane
-  float end_ruler_y = 0, pick_ruler_x = 0;                        // near edges of the rulers
   bool scroll_ends = false, scroll_picks = false;                 // not all of them are in sight
 
   /// All grids; the tie-up is left out of a draft driven by its liftplan.
   std::vector<const GridPane*> panes() const;
 };
+
+/// Width of a pane, `least` to `most`, that a draft fills best when its pitch is chosen to fit.
+float fitting_width(const Draft& draft, const Style& style, float least, float most, float height);
 
 /// Chooses the pitch when the workspace has none, and brings its scroll into range.
 DraftLayout lay_out_draft(const Draft& draft, Workspace& work, const Style& style, ImVec2 min, ImVec2 max);

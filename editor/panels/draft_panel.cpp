@@ -9,6 +9,7 @@
 #include "panels/select_input.h"
 #include "panels/selection.h"
 #include "panels/selection_draw.h"
+#include "panels/thread_heads.h"
 
 namespace weftlight {
 namespace {
@@ -60,6 +61,10 @@ MaybeEdit grid_input(PanelContext& c, const GridPane& pane) {
     c.work.hover = active ? pane.nearest(ImGui::GetIO().MousePos) : pane.at(ImGui::GetIO().MousePos);
   }
   if (selects(c, pane)) return select_input(c, pane);
+  if (chooses_on_bar(c, pane.id)) {
+    choose_on_bar(c, pane);
+    return {};
+  }
   if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
   if (active && c.work.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
   if (!active && c.work.stroke.grid == pane.id) c.work.stroke = {};
@@ -140,8 +145,8 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const bool on_shaft = g == GridId::kThreading || g == GridId::kTieup;
   const bool on_lift = g == GridId::kTieup || g == l.lift.id;
   const Cell h = c.work.hover;
-  draw_ruler_above(dl, c, l.drawdown.x, l.end_ruler_y, c.style.px(18), on_end ? h.a : -1);
-  draw_ruler_beside(dl, c, l.drawdown.y, l.pick_ruler_x + c.style.px(7), on_pick ? h.b : -1);
+  draw_ruler_above(dl, c, l.drawdown.x, l.warp_heads.min().y, l.warp_heads.y.length, on_end ? h.a : -1);
+  draw_ruler_beside(dl, c, l.drawdown.y, l.weft_heads.min().x + c.style.px(6), on_pick ? h.b : -1);
   draw_ruler_beside(dl, c, l.threading.y, l.threading.max().x + c.style.px(6), on_shaft ? h.b : -1);
   draw_ruler_above(dl, c, l.lift.x, l.threading.min().y - c.style.px(18), c.style.px(16), on_lift ? h.a : -1);
 }
@@ -171,10 +176,12 @@ MaybeEdit draw_draft(PanelContext& c, CellTexture& texture) {
     if (MaybeEdit made = grid_input(c, *pane)) edit = std::move(made);
     c.map.grids.push_back(map_of(*pane));
   }
+  choose_by_heads(c, l);
   scrollbars(c, l);
   navigate(c, l);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   draw_grids(dl, c, l, texture);
+  draw_chosen(dl, c, l);
   draw_rulers(dl, c, l);
   draw_origin(dl, c, l);
   draw_selection(dl, c, l);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kLinesFrom = 5;    // pixels a cell from which hairlines help rather than hide
 constexpr float kNumbersFrom = 15; // from which a number fits
+constexpr float kGapsFrom = 8;     // from which a gap parts threads without darkening them
 
 void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
   const Colors& k = c.style.color;
@@ -102,7 +103,7 @@ ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
   if (c.work.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
             std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper), 0};
-  const bool threads = c.work.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= 6;
+  const bool threads = c.work.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
   return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), threads ? 1.0f : 0.0f};
 }
 

@@ -17,5 +17,8 @@ inline constexpr const char* kRight = "\xEF\x84\x85";    // f105 angle-right
 inline constexpr const char* kTheme = "\xEF\x81\x82";    // f042 adjust
 inline constexpr const char* kFit = "\xEF\x81\xA6";      // f066 compress
 inline constexpr const char* kReset = "\xEF\x80\x95";    // f015 home
+inline constexpr const char* kLinked = "\xEF\x83\x81";   // f0c1 link
+inline constexpr const char* kUnlinked = "\xEF\x84\xA7"; // f127 unlink
+inline constexpr const char* kClear = "\xEF\x80\x8D";    // f00d times
 
 }  // namespace weftlight::icon

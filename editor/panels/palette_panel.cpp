@@ -9,16 +9,6 @@
 namespace weftlight {
 namespace {
 
-void draw_swatch(const PanelContext& c, ImVec2 a, ImVec2 b, Rgb color, bool chosen) {
-  ImDrawList* dl = ImGui::GetWindowDrawList();
-  const float r = c.style.px(4);
-  dl->AddRectFilled(a, b, to_u32(color), r);
-  dl->AddRect(a, b, with_alpha(c.style.color.text, 0.25f), r);
-  if (chosen) {
-    dl->AddRect({a.x - 2, a.y - 2}, {b.x + 2, b.y + 2}, c.style.color.accent, r + 2, 0, 2);
-  }
-}
-
 /// All swatches in rows; a click takes a colour in hand. Large palettes scroll.
 void draw_swatches(PanelContext& c) {
   const auto& palette = c.design.draft.palette;

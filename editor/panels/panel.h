@@ -11,7 +11,9 @@
 #include "draft/drawdown.h"
 #include "panels/select_state.h"
 #include "panels/style.h"
+#include "panels/thread_choice.h"
 #include "panels/ui_map.h"
+#include "wif/wif.h"
 
 namespace weftlight {
 
@@ -60,6 +62,11 @@ struct Workspace {
   Cell hover;
   Stroke stroke;
   SelectState select;
+  ThreadChoice chosen;      // what the Threads panel is about
+  std::string choice_words; // as they are being typed
+  bool per_inch = false;    // of ends and picks; else per centimetre
+  WifUnit warp_unit, weft_unit;  // of the opened file
+  std::string focus;        // control that the keyboard goes to next, by its name in the --ui-map
 };
 
 struct PanelContext {

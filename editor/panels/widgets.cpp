@@ -12,17 +12,28 @@ namespace {
 
 constexpr float kLabelColumn = 104, kFigureColumn = 70, kRest = 0.45f;
 
-void draw_track(const PanelContext& c, const SliderSpec& spec, float value, ImVec2 a, ImVec2 b, bool lit) {
+float share_of(const SliderSpec& spec, float value) {
+  const float share = (value - spec.min) / (spec.max - spec.min);
+  return std::clamp(spec.logarithmic ? std::log1p(std::max(share, 0.0f) * 20) / std::log1p(20.0f) : share, 0.0f, 1.0f);
+}
+
+/// One value: a filled track with a knob. Several: their span between two smaller ones.
+void draw_track(const PanelContext& c, const SliderSpec& spec, const SliderSpan& span, ImVec2 a, ImVec2 b, bool lit) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  const float share = spec.logarithmic
-                          ? std::log1p((value - spec.min) * 20 / (spec.max - spec.min)) / std::log1p(20.0f)
-                          : (value - spec.min) / (spec.max - spec.min);
-  const float y = static_cast<float>(static_cast<int>((a.y + b.y) / 2)), r = c.style.px(lit ? 7 : 6);
-  const float x = a.x + r + (b.x - a.x - 2 * r) * std::clamp(share, 0.0f, 1.0f), h = c.style.px(2);
-  dl->AddRectFilled({a.x, y - h}, {b.x, y + h}, blend(c.style.color.panel, c.style.color.text, 0.14f), h);
-  dl->AddRectFilled({a.x, y - h}, {x, y + h}, c.style.color.accent, h);
-  dl->AddCircleFilled({x, y}, r, c.style.dark ? c.style.color.text : c.style.color.raised);
-  dl->AddCircle({x, y}, r, lit ? c.style.color.accent : c.style.color.line_strong, 0, 1.2f);
+  const Colors& k = c.style.color;
+  const bool mixed = span.low != span.high;
+  const float y = static_cast<float>(static_cast<int>((a.y + b.y) / 2)), r = c.style.px(lit ? 7 : 6), h = c.style.px(2);
+  const auto at = [&](float value) { return a.x + r + (b.x - a.x - 2 * r) * share_of(spec, value); };
+  const float low = at(span.low), high = at(span.high);
+  const ImU32 fill = span.inherited ? blend(k.panel, k.accent, 0.45f) : k.accent;
+  dl->AddRectFilled({a.x, y - h}, {b.x, y + h}, blend(k.panel, k.text, 0.14f), h);
+  dl->AddRectFilled({mixed ? low : a.x, y - h}, {high, y + h}, fill, h);
+  for (const float x : {low, high}) {
+    const float radius = mixed ? r - c.style.px(2) : r;
+    dl->AddCircleFilled({x, y}, radius, c.style.dark ? k.text : k.raised);
+    dl->AddCircle({x, y}, radius, lit ? k.accent : k.line_strong, 0, 1.2f);
+    if (!mixed) break;
+  }
 }
 
 /// The slider's place along its track, 0..1, as draw_track shows it, and back.
@@ -41,52 +52,94 @@ bool drag_track(const PanelContext& c, const SliderSpec& spec, ImVec2 a, ImVec2 
   return true;
 }
 
-void draw_right(const char* format, float value, ImU32 color) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, static_cast<double>(value));
+enum class FigureAlign { kRight, kMiddle };
+
+void draw_figure(const char* text, FigureAlign align, ImU32 color) {
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text);
-  ImGui::GetWindowDrawList()->AddText({b.x - size.x, static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))}, color, text);
+  const float x = align == FigureAlign::kRight ? b.x - size.x : (a.x + b.x - size.x) / 2;
+  ImGui::GetWindowDrawList()->AddText({static_cast<float>(static_cast<int>(x)), static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))},
+                                      color, text);
 }
 
-/// The figure: drag it, or double-click to type.
-bool figure(const PanelContext& c, const SliderSpec& spec, float& value) {
+/// The figure: drag it, or click to type. Its text is drawn here, since ImGui would centre it and
+/// knows nothing of several values.
+bool figure(const PanelContext& c, const SliderSpec& spec, bool mixed, FigureAlign align, ImU32 color, float& value) {
   ImGui::PushFont(c.style.font.mono_small);
-  ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
-  ImGui::SetNextItemWidth(-FLT_MIN);
   float typed = value;
   const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
-  // Figures stand right-aligned in their column; ImGui would centre them.
   if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
-  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max,
-                                        spec.format, ImGuiSliderFlags_AlwaysClamp);
+  take_focus(c, spec.id);
+  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max, spec.format, ImGuiSliderFlags_AlwaysClamp);
   if (!typing) {
     ImGui::PopStyleColor();
-    draw_right(spec.format, typed, c.style.color.text);
+    char text[48];
+    std::snprintf(text, sizeof text, spec.format, static_cast<double>(typed));
+    draw_figure(mixed && !changed ? "mixed" : text, align, color);
   }
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
   ImGui::PopFont();
   if (changed) value = typed;
   return changed;
 }
 
+/// In the column of figures, up to `room_after` pixels from the end.
+bool column_figure(const PanelContext& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
+  ImGui::SetNextItemWidth(span.room_after > 0 ? -span.room_after : -FLT_MIN);
+  const bool mixed = span.low != span.high;
+  const ImU32 color = mixed || span.inherited ? c.style.color.muted : c.style.color.text;
+  const bool changed = figure(c, spec, mixed, FigureAlign::kRight, color, value);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  return changed;
+}
+
 }  // namespace
 
-bool slider(const PanelContext& c, const SliderSpec& spec, float& value) {
+bool span_slider(const PanelContext& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushID(spec.id);
   row_label(c, spec.label, spec.tip);
-  const float width = std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn));
+  const float width = std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn) - span.room_after);
   ImGui::InvisibleButton("track", {width, ImGui::GetFrameHeight()});
   c.map.add_item(spec.id);
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
   bool changed = drag_track(c, spec, a, b, value);
-  draw_track(c, spec, value, a, b, ImGui::IsItemHovered() || ImGui::IsItemActive());
+  const SliderSpan shown = changed ? SliderSpan{value, value, false, span.room_after} : span;
+  draw_track(c, spec, shown, a, b, ImGui::IsItemHovered() || ImGui::IsItemActive());
   tooltip(c, spec.tip);
   ImGui::SameLine();
-  changed |= figure(c, spec, value);
+  changed |= column_figure(c, spec, shown, value);
+  c.map.add_item(std::string(spec.id) + ":figure");
   ImGui::PopID();
   return changed;
+}
+
+bool slider(const PanelContext& c, const SliderSpec& spec, float& value) {
+  return span_slider(c, spec, {value, value, false, 0}, value);
+}
+
+bool number_field(const PanelContext& c, const SliderSpec& spec, bool mixed, float width, float& value) {
+  ImGui::PushID(spec.id);
+  ImGui::SetNextItemWidth(width);
+  const bool changed = figure(c, spec, mixed, FigureAlign::kMiddle, mixed ? c.style.color.muted : c.style.color.text, value);
+  c.map.add_item(spec.id);
+  tooltip(c, spec.tip);
+  ImGui::PopID();
+  return changed;
+}
+
+void draw_swatch(const PanelContext& c, ImVec2 a, ImVec2 b, Rgb color, bool chosen) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float r = c.style.px(4);
+  dl->AddRectFilled(a, b, to_u32(color), r);
+  dl->AddRect(a, b, with_alpha(c.style.color.text, 0.25f), r);
+  if (chosen) dl->AddRect({a.x - 2, a.y - 2}, {b.x + 2, b.y + 2}, c.style.color.accent, r + 2, 0, 2);
+}
+
+void take_focus(const PanelContext& c, const char* id) {
+  if (c.work.focus != id) return;
+  ImGui::SetKeyboardFocusHere();
+  c.work.focus.clear();
 }
 
 void row_label(const PanelContext& c, const char* label, const char* tip) {
@@ -153,6 +206,8 @@ bool segmented(const PanelContext& c, const char* id, std::span<const char* cons
   ImGui::PopID();
   return changed;
 }
+
+void open_section(const char* id) { ImGui::GetStateStorage()->SetBool(ImGui::GetID(id), true); }
 
 bool section(const PanelContext& c, const char* id, const char* label, bool open_at_first) {
   ImGuiStorage* memory = ImGui::GetStateStorage();

@@ -17,8 +17,18 @@ struct SliderSpec {
   bool logarithmic = false;
 };
 
-/// Label, track and figure in a row. True while it changes `value`. Ctrl+click types a number.
+/// Label, track and figure in a row. True while it changes `value`. A click on the figure types a number.
 bool slider(const PanelContext& c, const SliderSpec& spec, float& value);
+/// What several things have under one slider: it shows their span, and setting it gives them one value.
+struct SliderSpan {
+  float low = 0, high = 0;
+  bool inherited = false;  // shown as something that comes from elsewhere
+  float room_after = 0;    // pixels kept free at the end of the row
+};
+/// True when `value` became what all shall have.
+bool span_slider(const PanelContext& c, const SliderSpec& spec, const SliderSpan& span, float& value);
+/// The figure of a slider alone, in a frame: drag it, or click to type.
+bool number_field(const PanelContext& c, const SliderSpec& spec, bool mixed, float width, float& value);
 /// A row of choices of which one is taken. True when another was clicked.
 bool segmented(const PanelContext& c, const char* id, std::span<const char* const> labels, int& chosen,
                float width = 0);
@@ -27,8 +37,14 @@ bool begin_combo(const PanelContext& c, const char* id, const char* shown);
 void end_combo();
 /// Small text above a group; returns whether the group is open.
 bool section(const PanelContext& c, const char* id, const char* label, bool open_at_first = true);
+/// Opens the section, whatever it was.
+void open_section(const char* id);
 /// A label in the column of the sliders' labels; what follows stands beside it.
 void row_label(const PanelContext& c, const char* label, const char* tip);
+/// A colour in a rounded square.
+void draw_swatch(const PanelContext& c, ImVec2 min, ImVec2 max, Rgb color, bool chosen = false);
+/// Gives the next control the keyboard when the workspace asks for it by this id.
+void take_focus(const PanelContext& c, const char* id);
 /// A square button with an icon, or the word where there are no icons.
 bool icon_button(const PanelContext& c, const char* id, const char* icon, const char* word, const char* tip,
                  bool enabled = true);

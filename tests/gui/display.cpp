@@ -135,6 +135,10 @@ void Display::drag(const std::vector<Point>& along) const {
   hand(words + "mouseup 1" + pause());
 }
 
+void Display::click_holding(const std::string& key, Point where) const {
+  hand("mousemove " + at(where) + pause() + "keydown " + key + pause() + "click 1" + pause() + "keyup " + key + pause());
+}
+
 void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 60 " + keys); }
 
 std::string Display::picture(Point where, Point size) const {

@@ -48,6 +48,8 @@ class Display {
   void move(Point to) const;
   void click(Point at) const;
   void drag(const std::vector<Point>& along) const;
+  /// With a key held down: "shift", "ctrl".
+  void click_holding(const std::string& key, Point at) const;
   void key(const std::string& keys) const;
   /// Pixels of a rectangle, as a PPM's bytes.
   std::string picture(Point at, Point size) const;

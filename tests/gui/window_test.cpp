@@ -243,7 +243,7 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string original = w.live();
   // Shut what stands above, so that plot and sliders are both in sight.
-  for (const char* above : {"section.palette", "section.yarns"}) {
+  for (const char* above : {"section.palette", "section.threads", "section.yarns"}) {
     const double before = w.place_of("section.lobes").first.y;
     display_.click(w.middle_of(above));
     ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < before; }));
@@ -279,6 +279,60 @@ TEST_F(WindowTest, BeginsADraftFromAWeave) {
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.size() == 16 && w.live() != bytes_of(draft_); }));
   EXPECT_NE(drawdown_of(folder_ / "live.wif"), drawdown_of(draft_));
   quit(w);
+}
+
+TEST_F(WindowTest, ChosenEndsTakeAThicknessThatTheFileKeeps) {
+  // Another program's way of writing, in inches; only the lines of the chosen ends may change.
+  std::ofstream(draft_, std::ios::binary) << twill() + "[WARP]\nUnits=Inches\n[WARP THICKNESS]\n1=.0200 ; as spun\n9= 0.030\n";
+  const std::string original = bytes_of(draft_);
+  std::string saved;
+  {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("threads.thickness"); }));
+    EXPECT_EQ(w.live(), original);
+    display_.click(w.cell("warp_numbers", 3, 1));
+    display_.click_holding("shift", w.cell("warp_numbers", 5, 1));
+    ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); })) << "nothing was chosen";
+    const auto [place, size] = w.place_of("threads.thickness");
+    const auto at = [&](double share) { return Point{place.x + share * size.x, place.y + size.y / 2}; };
+    display_.drag({at(0.2), at(0.4), at(0.5)});
+    ASSERT_TRUE(comes_true([&] { return w.live() != original; })) << "the slider changed nothing";
+    const auto thickness = [&] { return design_of(w.live()).draft.warp.thickness_mm; };
+    ASSERT_TRUE(comes_true([&] { return thickness()[2] > 1; }));
+    EXPECT_EQ(thickness()[3], thickness()[2]);
+    EXPECT_EQ(thickness()[4], thickness()[2]);
+    EXPECT_EQ(thickness()[5], kFromYarn);
+    EXPECT_NE(w.live().find("\n1=.0200 ; as spun\n"), std::string::npos);
+    EXPECT_NE(w.live().find("\n9= 0.030\n"), std::string::npos);
+
+    display_.key("ctrl+z");
+    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the drag was more than one step";
+    display_.key("ctrl+shift+z");
+    ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
+
+    // What is typed goes to the same ends: 10 ends an inch.
+    display_.key("Escape");
+    ASSERT_TRUE(comes_true([&] { return !w.has("threads.none"); })) << "Escape did not let go";
+    display_.click(w.middle_of("threads.which"));
+    display_.key("3 minus 5 Return");
+    ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); }));
+    display_.click(w.middle_of("threads.sett"));
+    display_.key("ctrl+a 1 0 Return");
+    EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.spacing_mm[4] == 2.54f; }));
+    EXPECT_EQ(design_of(w.live()).draft.warp.spacing_mm[5], kFromYarn);
+    display_.key("ctrl+s");
+    ASSERT_TRUE(comes_true([&] { return bytes_of(draft_) == w.live() && bytes_of(draft_) != original; }));
+    saved = bytes_of(draft_);
+    quit(w);
+  }
+  Window again(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
+  EXPECT_EQ(again.live(), saved);
+  const Threads warp = design_of(saved).draft.warp;
+  EXPECT_GT(warp.thickness_mm[3], 1);
+  EXPECT_FLOAT_EQ(warp.thickness_mm[0], 0.508f);
+  EXPECT_EQ(warp.spacing_mm[2], 2.54f);
+  quit(again);
 }
 
 TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {

@@ -33,6 +33,23 @@ TEST(Edits, TreadlingMovesThePickToTheClickedTreadle) {
   EXPECT_EQ(text_of(with_treadling(twill_design(), 0, 2, true, false).draft.treadling)[0], "1010");
 }
 
+TEST(Edits, ManyThreadsAtOnceAreEachOfThem) {
+  const Design d = twill_design();
+  const std::vector<int> threads{0, 3, 99, -1};
+  Design one_by_one = d;
+  for (const int thread : threads) {
+    one_by_one = with_thread_thickness(std::move(one_by_one), System::kWarp, thread, 1.5f);
+    one_by_one = with_thread_spacing(std::move(one_by_one), System::kWarp, thread, 2);
+    one_by_one = with_thread_color(std::move(one_by_one), System::kWarp, thread, 1);
+  }
+  Design at_once = with_thread_thickness(d, System::kWarp, threads, 1.5f);
+  at_once = with_thread_color(with_thread_spacing(std::move(at_once), System::kWarp, threads, 2), System::kWarp, threads, 1);
+  EXPECT_EQ(at_once, one_by_one);
+  EXPECT_EQ(at_once.draft.warp.thickness_mm, (std::vector<float>{1.5f, kFromYarn, kFromYarn, 1.5f}));
+  EXPECT_EQ(with_thread_thickness(at_once, System::kWarp, threads, kFromYarn).draft.warp.thickness_mm, d.draft.warp.thickness_mm);
+  EXPECT_EQ(with_thread_yarn(d, System::kWarp, threads, 7), d) << "there is no such yarn";
+}
+
 TEST(Edits, OutOfRangeChangesNothing) {
   const Design d = twill_design();
   const float nan = std::numeric_limits<float>::quiet_NaN();

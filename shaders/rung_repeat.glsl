@@ -41,17 +41,26 @@ struct Local {
   vec4 facets;   // means of the unit normal's x, y and of their squares
 };
 
-// Four samples a pixel, turned so that they lie apart along both sides (a rotated grid); each a quarter of a long
-// pixel, or half as long and wide as a square one. at: the pixel's middle, on the tile.
+// Four samples a pixel: two by two in a square one, a row in a long one (zigzag between), each read where the mips are
+// about as wide as they lie apart. at: the pixel's middle, on the tile.
 Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   Local y;
   y.color = vec4(0.0);
   vec4 sum = vec4(0.0);
+  vec2 texels = vec2(textureSize(color_map, 0).xy);
+  vec2 x_side = f.dx * texels;
+  vec2 y_side = f.dy * texels;
+  float squares = dot(x_side, x_side) / max(dot(y_side, y_side), 1e-12);
+  vec2 longer = squares > 1.0 ? f.dx : f.dy;
+  vec2 shorter = squares > 1.0 ? f.dy : f.dx;
+  float row = min(0.25 * abs(log2(max(squares, 1e-6))), 1.0);   // 1 where four times as long as wide
+  vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
-  float level = f.level - 1.0 - min(log2(f.ratio), 1.0);
+  float level = f.level - 1.0 - row;
   for (int i = 0; i < 4; ++i) {
-    vec2 aside = i < 2 ? f.dx * 0.375 + f.dy * 0.125 : f.dy * 0.375 - f.dx * 0.125;
-    vec3 p = vec3(i == 0 || i == 2 ? at + aside : at - aside, float(system));
+    float half_side = i < 2 ? -0.25 : 0.25;
+    float turn = i == 0 || i == 2 ? -1.0 : 1.0;
+    vec3 p = vec3(at + longer * (half_side + turn * 0.125 * row) + aside * turn, float(system));
     y.color += 0.25 * textureLod(color_map, p, level);
     sum += 0.25 * textureLod(relief_map, p, level);
   }

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 
 #include "light/yarn_lobes.h"
@@ -126,10 +127,12 @@ vec3 repeat_pixel(const PixelInput& x) {
   Answer warp = system_answer(x.warp, broad, slopes, 0.5f, 0.8f, x.l, x.v);
   Answer weft = system_answer(x.weft, broad, slopes, 0.5f, 0.8f, x.l, x.v);
   const vec2 towards = vec2(x.v.x, x.v.y) / (x.v.z * x.gap);
+  const float row = min(0.25f * std::abs(log2(dot(x.gap, x.gap))), 1.0f);
   vec4 facets[2] = {vec4(towards.x), vec4(towards.y)};
   for (int i = 0; i < 4; ++i) {
     keep(&x);
-    facets[0] += 0.25f * x.spread, facets[1] += 0.25f * x.horizon;
+    const vec2 at = x.gap * (0.25f - 0.125f * row) + towards * row;
+    facets[0] += 0.25f * x.spread * at.x, facets[1] += 0.25f * x.horizon * at.y;
   }
   warp.key *= lean_factor(broad, facets[0], x.spread);
   weft.key *= lean_factor(broad, facets[1], x.spread);

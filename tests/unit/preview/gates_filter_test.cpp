@@ -53,8 +53,7 @@ TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
     const double fails = spread(unfiltered(fine, static_cast<double>(yarns), 48));
     const double ours = spread(luminances(patch(Method::kAuto, yarns, 48)));
     figure("contrast of moire at " + text(yarns) + " yarns a pixel", fails, ours);
-    // A pixel's own box leaves 0.07 of black and white threads at 3.7 yarns.
-    EXPECT_LT(ours, yarns < 4 ? 0.07 : 0.05) << yarns;
+    EXPECT_LT(ours, 0.05) << yarns;
     EXPECT_GT(fails, 0.4) << yarns;
   }
 }

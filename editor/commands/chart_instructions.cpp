@@ -131,8 +131,8 @@ vec3 repeat_pixel(const PixelInput& x) {
   vec4 facets[2] = {vec4(towards.x), vec4(towards.y)};
   for (int i = 0; i < 4; ++i) {
     keep(&x);
-    const vec2 at = x.gap * (0.25f - 0.125f * row) + towards * row;
-    facets[0] += 0.25f * x.spread * at.x, facets[1] += 0.25f * x.horizon * at.y;
+    const vec2 aside = x.gap * (0.25f - 0.125f * row) + towards * row;
+    facets[0] += 0.25f * x.spread * aside.x, facets[1] += 0.25f * x.horizon * aside.y;
   }
   warp.key *= lean_factor(broad, facets[0], x.spread);
   weft.key *= lean_factor(broad, facets[1], x.spread);

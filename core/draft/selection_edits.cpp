@@ -18,18 +18,12 @@ BitMatrix block_of(int rows, int columns, Cell cell) {
   return out;
 }
 
-/// The selection's cells replaced: cell (r, c) becomes what stood at `source(r, c)`.
-template <class Source>
-Design rearranged(Design design, const Selection& s, Source source) {
-  const BitMatrix old = cells_of(design.draft, s);
-  const BitMatrix next = block_of(old.rows(), old.cols(), [&](int r, int c) {
-    const auto [from_r, from_c] = source(r, c);
-    return old.get(from_r, from_c);
-  });
+/// The selection's cells replaced by what `turn` makes of them.
+template <class Turn>
+Design turned(Design design, const Selection& s, Turn turn) {
+  const BitMatrix next = turn(cells_of(design.draft, s));
   return with_block(std::move(design), s.grid, s.a0, s.b0, next, Write::kInside);
 }
-
-using At = std::pair<int, int>;  // row, column
 
 /// Whole threads that lie side by side along a (the ends), or along b (the picks).
 bool whole_along_a(const Draft& d, const Selection& s) {
@@ -47,6 +41,28 @@ Selection repeat_target(const Draft& d, const Selection& s, Reach reach) {
 }
 
 }  // namespace
+
+BitMatrix mirrored_across(const BitMatrix& m) {
+  return block_of(m.rows(), m.cols(), [&](int r, int c) { return m.get(r, m.cols() - 1 - c); });
+}
+
+BitMatrix mirrored_down(const BitMatrix& m) {
+  return block_of(m.rows(), m.cols(), [&](int r, int c) { return m.get(m.rows() - 1 - r, c); });
+}
+
+BitMatrix half_turned(const BitMatrix& m) {
+  return block_of(m.rows(), m.cols(), [&](int r, int c) { return m.get(m.rows() - 1 - r, m.cols() - 1 - c); });
+}
+
+BitMatrix inverted(const BitMatrix& m) {
+  return block_of(m.rows(), m.cols(), [&](int r, int c) { return !m.get(r, c); });
+}
+
+BitMatrix shifted(const BitMatrix& m, int da, int db) {
+  return block_of(m.rows(), m.cols(), [&](int r, int c) {
+    return m.get(wrapped(int64_t{r} - db, m.rows()), wrapped(int64_t{c} - da, m.cols()));
+  });
+}
 
 std::optional<ThreadRange> threads_of(const Selection& s) {
   if (s.empty()) return {};
@@ -74,9 +90,7 @@ Design with_cleared(Design design, const Selection& selection) {
 Design with_inverted(Design design, const Selection& selection) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
-  const BitMatrix old = cells_of(design.draft, s);
-  const BitMatrix next = block_of(old.rows(), old.cols(), [&](int r, int c) { return !old.get(r, c); });
-  return with_block(std::move(design), s.grid, s.a0, s.b0, next, Write::kInside);
+  return turned(std::move(design), s, inverted);
 }
 
 Design with_moved(Design design, const Selection& selection, int a, int b, bool copy) {
@@ -91,23 +105,20 @@ Design with_mirrored_across(Design design, const Selection& selection, bool with
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   if (whole_along_a(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_looks);
-  return rearranged(std::move(design), s, [last = s.columns() - 1](int r, int c) { return At{r, last - c}; });
+  return turned(std::move(design), s, mirrored_across);
 }
 
 Design with_mirrored_down(Design design, const Selection& selection, bool with_looks) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   if (whole_along_b(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_looks);
-  return rearranged(std::move(design), s, [last = s.rows() - 1](int r, int c) { return At{last - r, c}; });
+  return turned(std::move(design), s, mirrored_down);
 }
 
 Design with_half_turn(Design design, const Selection& selection, bool with_looks) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
-  if (!holds_whole_threads(design.draft, s))
-    return rearranged(std::move(design), s, [r1 = s.rows() - 1, c1 = s.columns() - 1](int r, int c) {
-      return At{r1 - r, c1 - c};
-    });
+  if (!holds_whole_threads(design.draft, s)) return turned(std::move(design), s, half_turned);
   return with_mirrored_down(with_mirrored_across(std::move(design), s, with_looks), s, with_looks);
 }
 
@@ -118,9 +129,7 @@ Design with_shifted(Design design, const Selection& selection, int da, int db, b
   if (holds_whole_threads(design.draft, s))
     design = with_turned_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_looks);
   if (da == 0 && db == 0) return design;
-  return rearranged(std::move(design), s, [=](int r, int c) {
-    return At{wrapped(int64_t{r} - db, s.rows()), wrapped(int64_t{c} - da, s.columns())};
-  });
+  return turned(std::move(design), s, [da, db](const BitMatrix& cells) { return shifted(cells, da, db); });
 }
 
 Design with_repeated(Design design, const Selection& selection, Reach reach, bool with_looks) {

@@ -11,6 +11,13 @@
 
 namespace weftlight {
 
+// What the edits below make of the cells of a block.
+BitMatrix mirrored_across(const BitMatrix& cells);  // left to right: the columns change places
+BitMatrix mirrored_down(const BitMatrix& cells);    // top to bottom
+BitMatrix half_turned(const BitMatrix& cells);
+BitMatrix inverted(const BitMatrix& cells);
+BitMatrix shifted(const BitMatrix& cells, int da, int db);
+
 /// The ends or picks that a selection touches; none in the tie-up and the drawdown.
 std::optional<ThreadRange> threads_of(const Selection& selection);
 /// True when they are whole: every shaft (treadle) of them is selected.

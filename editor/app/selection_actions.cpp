@@ -109,6 +109,16 @@ void delete_threads(Editor& e) {
   select_cells(e.work().select, {});
 }
 
+/// One thing at a time: the drag, the block in hand, the selection.
+void let_go(Editor& e) {
+  SelectState& s = e.work().select;
+  if (s.drag == SelectDrag::kNone) {
+    escape(s);
+  } else if (const MaybeEdit back = cancel_drag(s, e.document().now())) {
+    e.commit(*back);
+  }
+}
+
 void add_clipboard(Actions& all) {
   new_group(on_selection(add(all, "Edit", "cut", "Cut", "Ctrl+X", cut_selection)));
   on_selection(add(all, "Edit", "copy", "Copy", "Ctrl+C", [](Editor& e) { copy_selection(e); }));
@@ -117,16 +127,34 @@ void add_clipboard(Actions& all) {
   add_edit(all, "", "clear", "Delete", "Delete", [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
   new_group(add(all, "Edit", "select_all", "Select all of a grid", "Ctrl+A", select_all));
   on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads)).enabled = has_threads;
-  add(all, "Edit", "select_none", "Select nothing", "Escape", [](Editor& e) { escape(e.work().select); }).enabled = [](const Editor& e) {
+  add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const Editor& e) {
     return has_selection(e) || has_block(e);
   };
 }
 
+using BlockTurn = BitMatrix (*)(const BitMatrix&);
+
+/// Of the block in hand, else of what is selected.
+void turn(Editor& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
+  if (has_block(e)) return turn_held_block(e.work().select, of_block);
+  const Selection s = selected(e);
+  const bool crossings = s.grid == BitGrid::kDrawdown;
+  const BitMatrix wanted = crossings ? of_block(cells_of(e.document().now().draft, s)) : BitMatrix();
+  e.commit({label, [s, edit, looks = e.work().select.with_looks](Design d) { return edit(std::move(d), s, looks); }});
+  const std::string missed = missed_text(e.document().now().draft, s.grid, s.a0, s.b0, wanted);
+  if (!missed.empty()) e.say(label + missed);
+}
+
 void add_turns(Actions& all) {
-  new_group(add_edit(all, kTurn, "mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across));
-  add_edit(all, kTurn, "mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down);
-  add_edit(all, kTurn, "half_turn", "Turn by half", "Shift+R", with_half_turn);
-  add_edit(all, kTurn, "invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); });
+  const auto add_turn = [&all](const char* id, const char* label, const char* key, SelectionEdit edit, BlockTurn of_block) {
+    Action& a = on_selection(add(all, "Edit", id, label, key, [=](Editor& e) { turn(e, label, edit, of_block); }), kTurn);
+    a.enabled = [](const Editor& e) { return has_selection(e) || has_block(e); };
+    return &a;
+  };
+  new_group(*add_turn("mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across, mirrored_across));
+  add_turn("mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down, mirrored_down);
+  add_turn("half_turn", "Turn by half", "Shift+R", with_half_turn, half_turned);
+  add_turn("invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); }, inverted);
 }
 
 void add_repeats(Actions& all) {

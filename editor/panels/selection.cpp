@@ -46,15 +46,6 @@ std::string held_text(const BlockInHand& held) {
          ", " + w.row + " " + std::to_string(held.at.b + 1) + ": click or Enter puts it down, Shift+click keeps it in hand, Esc lets it go";
 }
 
-std::string dropped_text(const Draft& d, const BlockInHand& held, const BitMatrix& cells) {
-  const std::string done = "Pasted " + size_text(held.grid, cells.cols(), cells.rows());
-  const bool may_miss = held.grid == BitGrid::kDrawdown && !held.add;
-  const int64_t missed = may_miss ? missed_cells(d, held.grid, held.at.a, held.at.b, cells) : 0;
-  if (missed == 0) return done;
-  return done + "; " + std::to_string(missed) + (missed == 1 ? " crossing" : " crossings") +
-         " could not follow: ends on the same shafts rise together";
-}
-
 }  // namespace
 
 std::optional<BitGrid> bit_grid_of(GridId grid) {
@@ -130,6 +121,12 @@ MaybeEdit move_selection(SelectState& s, const Design& design, int a, int b, boo
               [move = *s.move, a, b](const Design&) { return moved_from(move, a, b); }, s.move->stroke};
 }
 
+MaybeEdit cancel_drag(SelectState& s, const Design& design) {
+  if (std::exchange(s.drag, SelectDrag::kNone) != SelectDrag::kMove || !goes_on(s, design)) return {};
+  const Selection home = s.move->from;
+  return move_selection(s, design, home.a0, home.b0, false);
+}
+
 void extend_selection(SelectState& s, const Draft& d, int da, int db) {
   if (s.selected.empty()) return;
   const Selection& now = s.selected;
@@ -157,6 +154,10 @@ void hold_block_over(SelectState& s, BitGrid grid, Cell at) {
   s.held->at = at;
 }
 
+void turn_held_block(SelectState& s, BitMatrix (*turn)(const BitMatrix&)) {
+  if (s.held) s.held->block = {s.held->grid, turn(turned_for(s.held->block, s.held->grid))};
+}
+
 MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   if (!s.held) return {};
   const BlockInHand held = *s.held;
@@ -164,10 +165,18 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   const BitMatrix cells = turned_for(held.block, held.grid);
   const Selection place{held.grid, held.at.a, held.at.a + cells.cols(), held.at.b, held.at.b + cells.rows()};
   Design next = with_block(design, held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
-  s.notice = dropped_text(next.draft, held, cells);
+  s.notice = "Pasted " + size_text(held.grid, cells.cols(), cells.rows());
+  if (!held.add) s.notice += missed_text(next.draft, held.grid, held.at.a, held.at.b, cells);
   select_cells(s, clipped(place, next.draft));
   s.anchor = held.at;
   return Edit{"Paste", [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+}
+
+std::string missed_text(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
+  const int64_t missed = grid == BitGrid::kDrawdown ? missed_cells(d, grid, a, b, cells) : 0;
+  if (missed == 0) return {};
+  return "; " + std::to_string(missed) + (missed == 1 ? " crossing" : " crossings") +
+         " could not follow: ends on the same shafts rise together";
 }
 
 std::string size_text(BitGrid grid, int columns, int rows) {

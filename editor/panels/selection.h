@@ -33,16 +33,23 @@ bool escape(SelectState& state);
 /// the same draft (what they passed over comes back) and are one step of undo. `copy`: a new move, which
 /// leaves the marks where they were, too.
 MaybeEdit move_selection(SelectState& state, const Design& design, int a, int b, bool copy);
+/// Ends a drag; marks on the move go home.
+MaybeEdit cancel_drag(SelectState& state, const Design& design);
 /// The far corner of the selection, by da and db.
 void extend_selection(SelectState& state, const Draft& draft, int da, int db);
 
 /// Takes a block in hand, over the grid that it came from or, when that is not shown, over the selected one.
 void hold_block(SelectState& state, const Draft& draft, CellBlock block, bool add);
 void hold_block_over(SelectState& state, BitGrid grid, Cell at);
+/// The block in hand, as it is seen, made into another.
+void turn_held_block(SelectState& state, BitMatrix (*turn)(const BitMatrix&));
 /// Puts the block down and selects it; `state.notice` says so, and what the loom could not follow. `keep`: it also
 /// stays in hand.
 MaybeEdit drop_block(SelectState& state, const Design& design, bool keep);
 
+/// "; 3 crossings could not follow: ..." when a block in the drawdown asks more than the threading can do; else
+/// empty.
+std::string missed_text(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
 /// "8 ends x 4 shafts".
 std::string size_text(BitGrid grid, int columns, int rows);
 /// What is selected or in hand, and what can be done with it; empty for neither.

@@ -152,6 +152,36 @@ TEST(SelectTool, ABlockIsHeldPutDownAndSelected) {
   EXPECT_FALSE(escape(s));
 }
 
+TEST(SelectTool, ABlockInHandIsTurnedAsItIsSeen) {
+  const Design start = twill();
+  SelectState s;
+  hold_block(s, start.draft, {BitGrid::kThreading, cells_of(start.draft, {BitGrid::kThreading, 0, 3, 0, 4})}, false);
+  turn_held_block(s, mirrored_across);
+  hold_block_over(s, BitGrid::kThreading, {0, 0});
+  Design now = drop_block(s, start, true)->apply(start);
+  EXPECT_EQ(now.draft.threading.first(0), 2);
+  EXPECT_EQ(now.draft.threading.first(2), 0);
+  hold_block_over(s, BitGrid::kTreadling, {0, 0});
+  turn_held_block(s, mirrored_down);
+  now = drop_block(s, start, false)->apply(start);
+  EXPECT_EQ(now.draft.treadling.first(0), 0) << "there and back";
+  EXPECT_EQ(now.draft.treadling.first(2), 2);
+}
+
+TEST(SelectTool, EscapeInADragTakesTheMarksHome) {
+  const Design start = twill();
+  SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
+  s.drag = SelectDrag::kMove;
+  const MaybeEdit away = move_selection(s, start, 3, 0, false);
+  const Design now = away->apply(start);
+  const MaybeEdit home = cancel_drag(s, now);
+  ASSERT_TRUE(home.has_value());
+  EXPECT_EQ(home->apply(now), start);
+  EXPECT_EQ(home->stroke, away->stroke) << "the history forgets the move";
+  EXPECT_EQ(s.selected.a0, 0);
+  EXPECT_FALSE(cancel_drag(s, start).has_value());
+}
+
 TEST(SelectTool, SaysWhichCrossingsCouldNotFollow) {
   SelectState s;
   BitMatrix torn(1, 5);

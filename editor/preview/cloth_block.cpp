@@ -24,7 +24,7 @@ interop::SystemData mean_lobes(const Cloth& cloth, const std::vector<ThreadBody>
   return s;
 }
 
-/// Sums over a sparse grid of texels of one system.
+/// Sums over sparse texels of one system, one at a random place of each step: threads are as regular as a grid.
 struct Sums {
   double covered = 0, across = 0, along = 0, height = 0;
   std::array<double, 3> color{};
@@ -34,8 +34,12 @@ struct Sums {
 Sums sum_system(const Maps& maps, int system) {
   const int step_x = std::max(1, maps.coverage.width / 256), step_y = std::max(1, maps.coverage.height / 256);
   Sums sums;
-  for (int y = 0; y < maps.coverage.height; y += step_y) {
-    for (int x = 0; x < maps.coverage.width; x += step_x, ++sums.count) {
+  uint32_t random = 1;
+  for (int row = 0; row < maps.coverage.height / step_y; ++row) {
+    for (int column = 0; column < maps.coverage.width / step_x; ++column, ++sums.count) {
+      random = random * 1664525u + 1013904223u;
+      const int x = column * step_x + static_cast<int>(random >> 24) % step_x;
+      const int y = row * step_y + static_cast<int>(random >> 16 & 255u) % step_y;
       if ((maps.system.at(x, y) != 0) != (system != 0)) continue;
       const double w = static_cast<double>(maps.coverage.at(x, y));
       const Direction& t = maps.tangent.at(x, y);

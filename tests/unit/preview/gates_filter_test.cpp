@@ -46,6 +46,38 @@ TEST_F(Gate, EnergyHoldsFromNearToFar) {
   }
 }
 
+TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
+  struct Held {
+    Method method;
+    double holds, worst;
+  };
+  // Goal: 0.02 for repeat and auto too.
+  constexpr double kRepeatHolds = 0.2, kAutoHolds = 0.4;
+  std::array<Held, 3> rungs{Held{Method::kCloth, 0.02, 0}, {Method::kRepeat, kRepeatHolds, 0}, {Method::kAuto, kAutoHolds, 0}};
+  Held averaged{Method::kEngine, 0, 0};   // one averaged normal, as engines have it
+  for (const auto& [repeat, up] : {std::pair{4, 2}, {8, 7}}) {
+    design = twill(repeat, up, {0.85f, 0.8f, 0.7f}, {0.1f, 0.15f, 0.4f});
+    lay(1);
+    for (const float degrees : {0.0f, 60.0f, 80.0f}) {
+      for (const glm::vec3 light : {towards(0.8f, 0.9f), towards(2.0f, 0.4f)}) {
+        for (Held* rung : {&rungs[0], &rungs[1], &rungs[2], &averaged}) {
+          const auto at = [&, weave = repeat](float yarns) {
+            const int pixels = std::max(8, static_cast<int>(std::lround(2 * static_cast<float>(weave) / yarns)));
+            return mean(patch(rung->method, yarns, pixels, {0, 0}, light, towards(0.4f, (90 - degrees) * kPi / 180)));
+          };
+          const double far = at(32);
+          for (float yarns = 0.125f; yarns < 32; yarns *= 2) rung->worst = std::max(rung->worst, std::abs(at(yarns) / far - 1));
+        }
+      }
+    }
+  }
+  for (const Held& rung : rungs) {
+    figure("energy from 1/8 to 32 yarns a pixel, slanted views and lights, " + std::string(method_name(rung.method)), averaged.worst, rung.worst);
+    EXPECT_LT(rung.worst, rung.holds) << method_name(rung.method);
+  }
+  EXPECT_GT(averaged.worst, 0.15);
+}
+
 TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
   lay(1);
   const Image fine = fine_period();

@@ -202,7 +202,7 @@ std::vector<double> profile(const Image& image) {
 TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
   lay(1);
   constexpr int kRows = 640;
-  frame.width = 96, frame.height = kRows;
+  frame.width = 48, frame.height = kRows;
   frame.yarns_per_pixel = 1 / 32.0f;
   scene.sky_strength = 0;
   scene.light_azimuth = 20, scene.light_elevation = -20;

@@ -189,13 +189,17 @@ void Editor::draw_panels(PanelContext& c) {
 void Editor::draw_draft_header(PanelContext& c) {
   const Design& d = c.design;
   const ImVec2 at = ImGui::GetCursorPos();
-  const float width = ImGui::GetWindowWidth(), look = style_.px(230), tool = style_.px(120), gap = style_.px(12);
+  const float width = ImGui::GetWindowWidth(), look = style_.px(214), tool = style_.px(112), gap = style_.px(10);
+  const float tools_x = std::max(style_.px(100), width - look - tool - gap - style_.px(14));
+  const std::string title = d.title.empty() ? document_.name() : d.title;
   ImGui::SetCursorPos({at.x + style_.px(14), at.y + style_.px(10)});
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(style_.font.bold);
-  ImGui::TextUnformatted(d.title.empty() ? document_.name().c_str() : d.title.c_str());
+  const std::string shown = fitted(title, tools_x - style_.px(14) - gap);
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopFont();
-  ImGui::SameLine(std::max(style_.px(100), width - look - tool - gap - style_.px(14)));
+  if (shown != title) tooltip(c, title.c_str());
+  ImGui::SameLine(tools_x);
   constexpr const char* kTools[] = {"Paint", "Select"};
   int in_hand = static_cast<int>(work_.select.tool);
   if (segmented(c, "tool", kTools, in_hand, tool)) work_.select.tool = static_cast<Tool>(in_hand);

@@ -273,6 +273,18 @@ void tooltip(const PanelContext& c, const char* tip) {
   ImGui::PopStyleVar();
 }
 
+std::string fitted(const std::string& text, float width) {
+  constexpr const char* kDots = "\xE2\x80\xA6";
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  std::string start = text;
+  while (!start.empty() && ImGui::CalcTextSize((start + kDots).c_str()).x > width) {
+    // Whole characters: the bytes of one that go on begin with the bits 10.
+    while (start.size() > 1 && (static_cast<unsigned char>(start.back()) & 0xC0) == 0x80) start.pop_back();
+    start.pop_back();
+  }
+  return start + kDots;
+}
+
 void muted_text(const PanelContext& c, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   ImGui::TextUnformatted(text.c_str());

@@ -51,6 +51,8 @@ bool icon_button(const PanelContext& c, const char* id, const char* icon, const 
 bool text_button(const PanelContext& c, const char* id, const char* label, const char* tip);
 /// Shown for the last item after the pointer has rested on it.
 void tooltip(const PanelContext& c, const char* tip);
+/// `text`, or as much of it as fits and three dots.
+std::string fitted(const std::string& text, float width);
 void muted_text(const PanelContext& c, const std::string& text);
 std::string fixed(float value, int decimals);
 

@@ -96,25 +96,52 @@ bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4
 struct ThreadLook {
   std::vector<ImU32> warp, weft;
   float gap;  // pixels between threads
+  std::vector<float> warp_inset, weft_inset;  // pixels that a thinner thread leaves free at each side; none: 0
+  float inset(System s, int thread) const {
+    const auto& all = s == System::kWarp ? warp_inset : weft_inset;
+    return all.empty() ? 0.0f : all[static_cast<size_t>(thread)];
+  }
 };
+
+/// Beside the thickest thread of its system, a thread of no thickness would keep this much of its cell.
+constexpr float kThinnest = 0.3f;
+
+/// Empty where all threads are equally thick.
+std::vector<float> insets(const Design& d, System system, float pitch) {
+  const Threads& t = d.draft.threads(system);
+  std::vector<float> thickness, out;
+  float most = 0, least = 1e9f;
+  for (size_t i = 0; i < t.color.size(); ++i) {
+    thickness.push_back(t.thickness_mm[i] >= 0 ? t.thickness_mm[i] : d.yarns[static_cast<size_t>(t.yarn[i])].diameter_mm);
+    most = std::max(most, thickness.back());
+    least = std::min(least, thickness.back());
+  }
+  if (!(least < most)) return out;
+  for (const float mm : thickness)
+    out.push_back(static_cast<float>(static_cast<int>(0.5f * pitch * (1 - kThinnest) * (1 - mm / most) + 0.5f)));
+  return out;
+}
 
 ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
   const Draft& d = c.design.draft;
   if (c.work.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
-            std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper), 0};
+            std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper), 0, {}, {}};
   const bool threads = c.work.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
-  return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), threads ? 1.0f : 0.0f};
+  if (!threads) return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 0, {}, {}};
+  return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 1, insets(c.design, System::kWarp, p.x.pitch),
+          insets(c.design, System::kWeft, p.y.pitch)};
 }
 
 /// Each end's warp floats, drawn as one piece each over the picks.
 void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadLook& look, int end) {
   const int last = p.y.end_visible();
+  const float inset = look.inset(System::kWarp, end);
   for (int pick = p.y.first_visible(); pick < last;) {
     int stop = pick;
     while (stop < last && warp_on_top(c.cells, c.work.face, end, stop)) ++stop;
     if (stop > pick) {
-      const Box box{{p.x.low(end) + look.gap, p.y.low(pick)}, {p.x.high(end), p.y.high(stop - 1)}};
+      const Box box{{p.x.low(end) + look.gap + inset, p.y.low(pick)}, {p.x.high(end) - inset, p.y.high(stop - 1)}};
       const ImU32 color = look.warp[static_cast<size_t>(end)];
       look.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
     }
@@ -173,7 +200,8 @@ void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& 
   dl->PushClipRect(a, b, true);
   dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
   for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {
-    const Box box{{a.x, p.y.low(pick) + look.gap}, {b.x, p.y.high(pick)}};
+    const float inset = look.inset(System::kWeft, pick);
+    const Box box{{a.x, p.y.low(pick) + look.gap + inset}, {b.x, p.y.high(pick) - inset}};
     const ImU32 color = look.weft[static_cast<size_t>(pick)];
     look.gap > 0 ? draw_thread(dl, box, color, false) : dl->AddRectFilled(box.min, box.max, color);
   }

@@ -42,8 +42,10 @@ void head_input(PanelContext& c, const GridPane& heads, const char* name) {
     c.work.hover_grid = heads.id;
     c.work.hover = system_of(heads) == System::kWarp ? Cell{thread_at(heads), 0} : Cell{0, thread_at(heads)};
   }
-  tooltip(c, "Click or drag along the numbers to choose threads for the Threads panel. Shift: up to here. Ctrl: this one "
-             "too. Double-click: all of the same colour and yarn. Esc: none");
+  // Once something is chosen, it would only cover the bars.
+  if (c.work.chosen.threads.empty())
+    tooltip(c, "Click or drag along the numbers to choose threads for the Threads panel. Shift: up to here. Ctrl: this "
+               "one too. Double-click: all of the same colour and yarn. Esc: none");
   UiGrid grid = map_of(heads);
   grid.name = name;
   c.map.grids.push_back(std::move(grid));

@@ -104,6 +104,12 @@ std::string twist_words(const Yarn& yarn) {
   return (yarn.twist == Twist::kS ? "S twist, " : "Z twist, ") + fixed(yarn.turns_per_m, 0) + " turns a metre";
 }
 
+/// "S 97/m".
+std::string twist_mark(const Yarn& yarn) {
+  if (yarn.twist == Twist::kNone) return {};
+  return (yarn.twist == Twist::kS ? "S " : "Z ") + fixed(yarn.turns_per_m, 0) + "/m";
+}
+
 Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
   c.work.yarn = yarn;
   return edit_of(s, "Yarn", [yarn](Design d, System system, const std::vector<int>& threads) {
@@ -132,7 +138,8 @@ MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
   MaybeEdit edit;
   for (int i = 0; i < static_cast<int>(c.design.yarns.size()); ++i) {
     ImGui::PushID(i);
-    if (ImGui::Selectable(yarn_title(c.design, i).c_str(), !yarn.mixed() && i == yarn.value)) edit = give_yarn(c, s, i);
+    const std::string twisted = yarn_title(c.design, i) + "   " + twist_mark(c.design.yarns[static_cast<size_t>(i)]);
+    if (ImGui::Selectable(twisted.c_str(), !yarn.mixed() && i == yarn.value)) edit = give_yarn(c, s, i);
     ImGui::PopID();
     c.map.add_item("threads.yarn:" + std::to_string(i + 1));
     tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(i)]).c_str());
@@ -285,10 +292,8 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
   add("spacing", s.shared.spacing);
   if (text.empty()) return;
   ImGui::PushFont(c.style.font.small);
-  row_label(c, "In the file", "The file's own unit, in which it is saved again");
+  row_label(c, unit.name.c_str(), "The measures in the file's own unit, in which they are saved again");
   muted_text(c, text);
-  row_label(c, "", "");
-  muted_text(c, unit.name);
   ImGui::PopFont();
 }
 

@@ -8,7 +8,8 @@
 namespace weftlight {
 namespace {
 
-Action& add_one(Actions& all, const char* id, const char* label, const char* key, std::function<void(Editor&)> run) {
+Action& add_one(Actions& all, const char* id, const char* label, const char* key,
+                std::function<void(Editor&)> run) {
   Action& a = add(all, "Draft", id, label, key, std::move(run));
   a.item.submenu = "Threads";
   return a;
@@ -38,8 +39,10 @@ void choose_every_other(Editor& e) {
 void leave_to_yarn(Editor& e) {
   const ThreadChoice& choice = e.work().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  e.commit({thread_label("Thickness and spacing", choice.system, threads.size()), [threads, system = choice.system](Design d) {
-              return with_thread_spacing(with_thread_thickness(std::move(d), system, threads, kFromYarn), system, threads, kFromYarn);
+  e.commit({thread_label("Thickness and spacing", choice.system, threads.size()),
+            [threads, system = choice.system](Design d) {
+              return with_thread_spacing(with_thread_thickness(std::move(d), system, threads, kFromYarn),
+                                         system, threads, kFromYarn);
             }});
 }
 
@@ -51,7 +54,9 @@ void add_thread_actions(Actions& all) {
   add_one(all, "threads.swap", "Warp or weft", "", choose_other_system);
   add_one(all, "threads.alike", "Choose all alike", "", choose_alike).enabled = some;
   add_one(all, "threads.every_other", "Choose every other", "", choose_every_other);
-  add_one(all, "threads.clear", "Choose none", "", [](Editor& e) { e.work().chosen.threads.clear(); }).enabled = some;
+  add_one(all, "threads.clear", "Choose none", "", [](Editor& e) {
+    e.work().chosen.threads.clear();
+  }).enabled = some;
   new_group(add_focus(all, "threads.set_thickness", "Thickness\xE2\x80\xA6", "T", "threads.thickness"));
   add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
   add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");

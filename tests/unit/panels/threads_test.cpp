@@ -77,7 +77,10 @@ TEST(ThreadWords, SayRangesAndStepsAndReadThemAgain) {
 
 TEST(ThreadWords, ReadWhatAWeaverTypes) {
   EXPECT_EQ(threads_of_words(" 7 - 3,12 ", 20), (Indices{2, 3, 4, 5, 6, 11}));
-  EXPECT_EQ(threads_of_words("3\xE2\x80\x93" "5", 20), (Indices{2, 3, 4}));
+  EXPECT_EQ(threads_of_words("3\xE2\x80\x93"
+                             "5",
+                             20),
+            (Indices{2, 3, 4}));
   EXPECT_EQ(threads_of_words("Odd", 5), (Indices{0, 2, 4}));
   EXPECT_EQ(threads_of_words("4-", 6), (Indices{3, 4, 5}));
   EXPECT_EQ(threads_of_words("4-/2", 9), (Indices{3, 5, 7}));

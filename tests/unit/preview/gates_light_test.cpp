@@ -70,7 +70,7 @@ TEST_F(Gate, StrongLightOnNarrowLobesFitsHalfFloats) {
   design.yarns[0].lobes.along_width = design.yarns[0].lobes.across_width = 0;
   design.yarns[0].lobes.metallic = true;
   lay(1);
-  constexpr float kStrong = 1e6f;
+  constexpr float kStrong = 1e8f;
   FlatPatch p;
   p.width = p.height = 32;
   p.step_x_mm = {0.02f, 0}, p.step_y_mm = {0, 0.02f};
@@ -79,9 +79,10 @@ TEST_F(Gate, StrongLightOnNarrowLobesFitsHalfFloats) {
     look.method = method;
     renderer->draw_patch(p, look);
     float most = 0;
-    for (const float v : renderer->read_patch().texels) {
-      EXPECT_TRUE(std::isfinite(v));
-      most = std::max(most, v);
+    const Image image = renderer->read_patch();
+    for (size_t i = 0; i < image.texels.size(); ++i) {
+      EXPECT_TRUE(std::isfinite(image.texels[i]));
+      if (i % 4 != 3) most = std::max(most, image.texels[i]);
     }
     return most;
   };

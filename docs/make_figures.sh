@@ -74,3 +74,12 @@ for step in 2 0.7 0.25 0.08 0.03; do
   i=$((i + 1))
   picture "zoom_$i" "$drafts/starter.wif" --size 480x360 --yarns-per-pixel $step
 done
+
+# Future work there: fibres at the silhouette
+rim() {  # name yarn
+  { cat "$root/presets/yarns/$2.wif"; printf '\n[PRIVATE WEFTLIGHT SCENE]\nView Distance=0.05\nPan X=-1\nPan Y=-3.8\n'; } >"$work/$1.wif"
+  picture "$1" "$work/$1.wif" --mesh sphere --size 480x360
+}
+rim rim_wool wool
+rim rim_cotton cotton
+rim rim_silk silk

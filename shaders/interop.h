@@ -26,6 +26,8 @@ struct FrameData {
   vec4 tile;                          // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
   vec4 ground;                        // x: height mm; y: radius mm; zw: centre x, z mm
   vec4 rungs;                         // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
+  vec4 hair;                          // stray fibres: x: pieces that each is drawn with; zw: mean length on the
+                                      // mesh's front and back, mm
 };
 
 // One thread system of one face: index face * 2 + system (0 warp, 1 weft).
@@ -64,11 +66,11 @@ inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "albedo_texture", "albedo_mean_texture", "fuzz_texture", "front_half_map", "front_difference_map",
     "back_half_map", "back_difference_map", "height_map", "response_map", "slopes_map", "seen_map"};
 
-enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kAttributeCount };
+enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kHair, kAttributeCount };
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{
-    "in_position", "in_normal", "in_tangent", "in_uv_mm", "in_sky"};
+    "in_position", "in_normal", "in_tangent", "in_uv_mm", "in_sky", "in_hair"};
 
-static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 6)) * sizeof(float));
+static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 7)) * sizeof(float));
 static_assert(sizeof(interop::SystemData) == 24 * sizeof(float));
 static_assert(offsetof(interop::ClothData, size) == 96 * sizeof(float));
 }  // namespace weftlight

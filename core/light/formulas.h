@@ -33,6 +33,7 @@ inline float exp(float x) {
 
 #define FORMULA inline
 #include "shaders/filter.glsl"
+#include "shaders/hair.glsl"
 #include "shaders/horizon.glsl"
 #include "shaders/lobes.glsl"
 #include "shaders/rungs.glsl"

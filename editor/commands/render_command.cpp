@@ -13,6 +13,8 @@ namespace {
 std::string write_stats(const std::string& path, const FrameStats& stats, const PictureOptions& o) {
   const nlohmann::json json{{"method", method_name(stats.method)},
                             {"gpu_ms", stats.gpu_ms},
+                            {"hair_ms", stats.hair_ms},
+                            {"hairs", stats.hairs},
                             {"shaded_pixels", stats.shaded_pixels},
                             {"yarns_per_pixel", stats.yarns_per_pixel},
                             {"bytes", stats.texture_bytes},

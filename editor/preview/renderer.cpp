@@ -12,6 +12,7 @@
 #include "light/ladder.h"
 #include "preview/camera.h"
 #include "preview/gpu_cloth.h"
+#include "preview/gpu_hairs.h"
 #include "preview/gpu_mesh.h"
 #include "preview/ground_light.h"
 #include "preview/light_rig.h"
@@ -53,14 +54,15 @@ struct Renderer::Parts {
   LightRig rig;
   SunShadow sun;
   GroundLight ground;
+  GpuHairs hairs;
   Target screen{false}, linear{true};
   GlBuffer frame_block;
   GlVertexArray nothing;  // for shapes that the vertex shader makes
   std::map<std::array<int, 3>, GlProgram> cloth_programs;
   GlProgram backdrop, body;
-  GlQuery timer, samples;
-  bool queried = false, software = false;
-  double software_ms = 0;
+  GlQuery timer, samples, hair_timer;
+  bool queried = false, hairs_queried = false, software = false;
+  double software_ms = 0, software_hair_ms = 0;
   FrameStats stats;
   DrawnFrame last;
   Ladder ladder = shipped_ladder();
@@ -72,6 +74,7 @@ struct Renderer::Parts {
   void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
+  void draw_hairs(const DrawnFrame& drawn, const Camera& camera);
   void draw_patch(const FlatPatch& patch, const Look& look);
   void tell_rungs(const DrawnFrame& drawn, const Camera& camera);
   std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
@@ -92,7 +95,7 @@ bool Renderer::Parts::build(std::string& error) {
   backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
   if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
-  if (!error.empty() || !sun.build(error) || !ground.build(error)) return false;
+  if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error)) return false;
   for (const Method method : {Method::kAuto}) {
     if (!cloth_program(method, kFullTaps, 0, error)) return false;
   }
@@ -153,6 +156,8 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
   const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
   data.rungs = {edges[0], edges[1], edges[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
+  const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
+  data.hair = {static_cast<float>(hair_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0], growth.length_mm[1]};
   return data;
 }
 
@@ -185,6 +190,37 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   queried = true;
   if (software && drawn.frame.timed) {
     software_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
+  }
+}
+
+/// The rungs of ours have stray fibres; the seed's row and the baselines show what they show. While something moves
+/// there are none: the mesh is a coarser one then, and they would float beside it.
+bool has_hairs(const DrawnFrame& drawn) {
+  const Method method = drawn_method(drawn.look.method);
+  const bool ours = method == Method::kAuto || method == Method::kYarn || method == Method::kCell ||
+                    method == Method::kRepeat || method == Method::kCloth;
+  return ours && drawn.frame.cloth && drawn.frame.render_scale >= 1 && !drawn.frame.false_color_rungs;
+}
+
+/// Over everything else, since what is behind shows between them.
+void Renderer::Parts::draw_hairs(const DrawnFrame& drawn, const Camera& camera) {
+  stats.hairs = 0;
+  if (cloth.empty() || !has_hairs(drawn)) {
+    stats.hair_ms = 0;
+    return;
+  }
+  const auto start = clock_here(drawn.frame);
+  const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
+  hairs.sow(mesh, growth, {camera.world_to_clip, camera.eye, static_cast<float>(drawn.frame.width), static_cast<float>(drawn.frame.height)});
+  stats.hairs = hairs.count();
+  cloth.bind();
+  sun.bind();
+  glBeginQuery(GL_TIME_ELAPSED, hair_timer.get());
+  hairs.draw(hair_pieces(growth, camera.pixel_mm));
+  glEndQuery(GL_TIME_ELAPSED);
+  hairs_queried = true;
+  if (software && drawn.frame.timed) {
+    software_hair_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
   }
 }
 
@@ -226,6 +262,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   sized.least_yarns = least_pixel_mm(camera, prepared.bounds, drawn.frame.height) / std::max(cloth.mean_spacing_mm(), 1e-6f);
   draw_cloth(sized, mesh);
   if (!has_gaps()) draw_around(drawn, camera);
+  draw_hairs(drawn, camera);
   glBindVertexArray(0);
   target.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -297,6 +334,11 @@ void Renderer::Parts::take_queries(bool wait) {
   stats.gpu_ms = software ? software_ms : static_cast<double>(ns) * 1e-6;
   stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
   queried = false;
+  if (!hairs_queried) return;
+  GLuint64 hair_ns = 0;
+  glGetQueryObjectui64v(hair_timer.get(), GL_QUERY_RESULT, &hair_ns);
+  stats.hair_ms = software ? software_hair_ms : static_cast<double>(hair_ns) * 1e-6;
+  hairs_queried = false;
 }
 
 Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
@@ -314,6 +356,7 @@ std::unique_ptr<Renderer> Renderer::create(std::string& error) {
 void Renderer::set_mesh(PreparedMesh mesh) {
   parts_->mesh.upload(std::move(mesh));
   parts_->sun.forget();
+  parts_->hairs.forget();
 }
 void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
 void Renderer::upload(const std::vector<PackedPatch>& patches) { parts_->cloth.upload(patches); }

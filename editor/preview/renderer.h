@@ -36,6 +36,8 @@ struct FrameStats {
   Method method = Method::kAuto; // what was drawn
   size_t texture_bytes = 0;
   std::array<float, 4> rung_shares{};  // of the cloth on screen under auto: yarn, cell, repeat, cloth
+  double hair_ms = 0;            // stray fibres, beside gpu_ms
+  size_t hairs = 0;              // of them drawn
   float estimated_error = 0;     // by the ladder, of what was drawn, at the mean footprint
 };
 

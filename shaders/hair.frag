@@ -1,0 +1,4 @@
+in vec4 leaving;
+out vec4 out_color;
+
+void main() { out_color = leaving; }

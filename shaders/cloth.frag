@@ -17,23 +17,31 @@
 
 out vec4 out_color;
 
-vec3 shade(Side side, Lights x, Footprint f) {
+// Share of the pixel that threads fill, of the prefiltered rungs.
+float cover_of(Side side, Lights x, Footprint f) {
+  if (cloth.gaps.w < 0.5) return 1.0;
+  float coverage = min(fetch_color(side, f, 0).a + fetch_color(side, f, 1).a, 1.0);
+  return coverage_by_view(coverage, cloth.gaps.xy, cloth.gaps.z, x.v);
+}
+
+// Radiance and cover.
+vec4 shade(Side side, Lights x, Footprint f) {
 #if defined(METHOD_FLAT)
-  return shade_flat(side, x, f);
+  return vec4(shade_flat(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_VRST03)
-  return shade_vrst03(side, x, f);
+  return vec4(shade_vrst03(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_ENGINE)
-  return shade_engine(side, x, f);
+  return vec4(shade_engine(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_YARN)
   return shade_yarn(side, x, f);
 #elif defined(METHOD_CELL)
-  return shade_cell(side, x, f);
+  return vec4(shade_cell(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_REPEAT)
-  return shade_repeat(side, x, f);
+  return vec4(shade_repeat(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_CLOTH)
-  return shade_cloth(side, x);
+  return vec4(shade_cloth(side, x), cover_of(side, x, f));
 #else
-  return shade_auto(side, x, f);
+  return shade_auto(side, x, f, cover_of(side, x, f));
 #endif
 }
 
@@ -41,11 +49,6 @@ void main() {
   Side side = seen_side();
   Lights lights = seen_lights(side);
   Footprint f = footprint_here();
-  vec3 color = shade(side, lights, f);
-  float alpha = 1.0;
-  if (cloth.gaps.w > 0.5) {
-    float coverage = min(fetch_color(side, f, 0).a + fetch_color(side, f, 1).a, 1.0);
-    alpha = coverage_by_view(coverage, cloth.gaps.xy, cloth.gaps.z, lights.v);
-  }
-  out_color = leave(color, alpha);
+  vec4 color = shade(side, lights, f);
+  out_color = leave(color.rgb, color.a);
 }

@@ -9,7 +9,6 @@
 uniform sampler2DArray color_map;
 uniform sampler2DArray relief_map;
 uniform sampler2DArray horizon_map;
-uniform sampler2DArray height_map;
 uniform sampler2DArray response_map;
 uniform sampler2D slopes_map;
 uniform sampler2D seen_map;
@@ -97,7 +96,8 @@ Footprint footprint_here() {
   vec2 along = abs(major2 - xx) > abs(major2 - yy) ? vec2(xy, major2 - xx) : vec2(major2 - yy, xy);
   f.axis = along * inversesqrt(max(dot(along, along), 1e-20)) * sqrt(major2) / texels;
   // By area: at grazing views a pixel is long, but as fine as ever across.
-  f.yarns = sqrt(area / max(texels.x * texels.y, 1.0) * cloth.size.x * cloth.size.y) / cloth.size.z;
+  // Nor does it get finer than its length allows: where the cloth is seen edge-on derivatives are rough.
+  f.yarns = sqrt(max(area, major2 / 256.0) / max(texels.x * texels.y, 1.0) * cloth.size.x * cloth.size.y) / cloth.size.z;
   return f;
 }
 
@@ -144,6 +144,12 @@ vec3 system_color(vec4 color, SystemData data) {
   return min((color.rgb + data.mean.rgb * 0.004) / (color.a + 0.004), vec3(1.0));
 }
 
+// Share of the sky that the threads around leave.
+float sky_left(Side s, Footprint f) {
+  float layer = cloth.size.w + float(s.face) * (cloth.size.w + 1.0);
+  return textureLod(horizon_map, vec3(f.at, layer), f.level - 1.0).r;
+}
+
 // Share of the key light (x) and of the sky (y) that the threads around leave.
 vec2 thread_light(Side s, Footprint f, vec3 l) {
   int count = int(cloth.size.w);
@@ -158,8 +164,7 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), f.level - 1.0).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
-  float occlusion = textureLod(horizon_map, vec3(f.at, base + float(count)), f.level - 1.0).r;
-  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, frame.light.w), occlusion);
+  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, frame.light.w), sky_left(s, f));
 }
 
 // What is seen along v over the whole cloth: xy the share of each system, zw their mean heights, mm.

@@ -12,6 +12,12 @@ using mat4 = std::array<float, 16>;
 
 #define SH_COEFFICIENTS 9
 
+// Of the tables of threads (editor/preview/thread_block.h).
+#define THREAD_MAP_WIDTH 1024
+#define THREAD_TEXELS 6
+#define YARN_TEXELS 4
+#define CROSSING_BLOCK 4096
+
 struct FrameData {
   mat4 world_to_clip;
   mat4 world_to_shadow;               // to 0..1 in x, y and depth
@@ -20,7 +26,8 @@ struct FrameData {
   vec4 light_color;                   // rgb irradiance; w: exposure factor
   vec4 sky[SH_COEFFICIENTS];          // rgb radiance, spherical harmonics, real, bands 0..2
   vec4 background;                    // rgb linear, display-referred; w: 1 where the background is left out
-  vec4 picture;                       // width, height in pixels; z: 1 writes scene-linear; w: tile size for noise
+  vec4 picture;                       // width, height in pixels; z: 1 writes scene-linear
+  vec4 samples;                       // of rung yarn: x: the first one's number; y: how many at the most
   vec4 shadow;                        // x: texel of the shadow map; y: radius of its filter in texels;
                                       // z: normal offset in mm; w: opacity of the cloth to the key light
   vec4 tile;                          // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
@@ -46,8 +53,7 @@ struct ClothData {
   vec4 size;                          // width, depth mm; z: mean spacing of yarns mm; w: azimuths of the horizon
   vec4 gaps;                          // xy: mean gap along u and v, mm; z: height of the threads at its rim, mm;
                                       // w: 1 where the cloth has gaps at all
-  vec4 relief;                        // x: height_map holds heights of -x..x mm; y: the highest, over x; zw: mean share of the sky that
-                                      // threads leave, front and back
+  vec4 relief;                        // zw: mean share of the sky that threads leave, front and back
   vec4 even;                          // x: yarns a pixel from which on the period's colour is even
 };
 
@@ -59,18 +65,18 @@ inline constexpr int kFrameBinding = 0, kClothBinding = 1;
 /// Texture units.
 enum Sampler : int { kColorSlot, kReliefSlot, kHorizonSlot, kThreadShadowSlot, kSunShadowSlot, kGroundSlot, kSunDepthSlot,
                      kAlbedoSlot, kAlbedoMeanSlot, kFuzzSlot, kFrontHalfSlot, kFrontDifferenceSlot,
-                     kBackHalfSlot, kBackDifferenceSlot, kHeightSlot, kResponseSlot, kSlopesSlot, kSeenSlot,
+                     kBackHalfSlot, kBackDifferenceSlot, kThreadSlot, kCrossingSlot, kResponseSlot, kSlopesSlot, kSeenSlot,
                      kSamplerCount };
 inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "color_map", "relief_map", "horizon_map", "thread_shadow_map", "sun_shadow_map", "ground_map", "sun_depth_map",
     "albedo_texture", "albedo_mean_texture", "fuzz_texture", "front_half_map", "front_difference_map",
-    "back_half_map", "back_difference_map", "height_map", "response_map", "slopes_map", "seen_map"};
+    "back_half_map", "back_difference_map", "thread_map", "crossing_map", "response_map", "slopes_map", "seen_map"};
 
 enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kHair, kAttributeCount };
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{
     "in_position", "in_normal", "in_tangent", "in_uv_mm", "in_sky", "in_hair"};
 
-static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 7)) * sizeof(float));
+static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 8)) * sizeof(float));
 static_assert(sizeof(interop::SystemData) == 24 * sizeof(float));
 static_assert(offsetof(interop::ClothData, size) == 96 * sizeof(float));
 }  // namespace weftlight

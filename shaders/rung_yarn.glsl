@@ -1,85 +1,109 @@
-// Rung `yarn`: the thread on top where the eye's ray meets the cloth, its own frame and lobes, under the light
-// that the horizon of its place leaves. The ray is followed through the heights, so that near threads hide far
-// ones at grazing views.
+// Rung `yarn`: the threads themselves. Samples spread over the pixel follow the eye's ray to the thread that it
+// meets, take that thread's own frame, pattern and lobes, and follow a ray to the light; so threads hide and shade
+// each other as bodies do, light from behind comes through the thread alone, and gaps are where no thread is.
 //
-// Based on: Policarpo, Oliveira, Comba 2005 (relief mapping: linear steps, then the secant).
+// Based on: Roberts 2018 (R2, the places of the samples); Vogel 1979 (those on the light's disc).
 
-float height_at(Side side, Footprint f, vec2 at) {
-  return textureLod(height_map, vec3(at, float(side.face)), f.level).r * 2.0 - 1.0;
-}
+#include "thread_fetch.glsl"
 
-// Where the ray that leaves the cloth's middle plane at f.at towards v meets the surface.
-vec2 met_at(Side side, Footprint f, vec3 v) {
-  vec2 shift = v.xy * (cloth.relief.x / max(v.z, 0.04)) / cloth.size.xy;   // for a height of 1
-  float yarns = length(shift * cloth.size.xy) / cloth.size.z;
 #if defined(QUICK)
-  return f.at + shift * height_at(side, f, f.at);
+const int kViewSteps = 8;
+const int kLightSteps = 6;
 #else
-  if (yarns < 0.04) return f.at + shift * height_at(side, f, f.at);
-  float top = cloth.relief.y;
-  int steps = int(clamp(ceil(yarns * top * 12.0), 4.0, 48.0));
-  float down = 2.0 * top / float(steps);
-  float z = top;
-  float above = 1.0;
-  for (int i = 0; i < steps; ++i) {
-    float next = z - down;
-    float below = next - height_at(side, f, f.at + shift * next);
-    if (below <= 0.0) {
-      float t = above / max(above - below, 1e-5);
-      z -= down * t;
-      // Once more inside the step.
-      float miss = z - height_at(side, f, f.at + shift * z);
-      z -= miss > 0.0 ? down * (1.0 - t) * miss / max(miss - below, 1e-5)
-                      : -down * t * miss / min(miss - above, -1e-5);
-      break;
-    }
-    above = below;
-    z = next;
-  }
-  return f.at + shift * z;
+const int kViewSteps = 48;
+const int kLightSteps = 24;
 #endif
+
+// Means over the samples of a pixel.
+struct YarnSums {
+  vec3 key;
+  vec3 soft;
+  vec3 glossy;
+  vec3 normal;
+  float cover;
+};
+
+// Towards a point of the light's disc.
+vec3 light_sample(vec3 l, int i) {
+  // Radii by van der Corput's halves, so that any first few of them are spread.
+  float part = fract(float(i) * 0.5 + float(i / 2) * 0.25 + float(i / 4) * 0.125 + float(i / 8) * 0.0625 + 0.03125);
+  float r = sqrt(part) * frame.light.w;
+  float turn = 2.39996323 * float(i);
+  vec3 a = normalize(abs(l.z) < 0.9 ? cross(l, vec3(0.0, 0.0, 1.0)) : cross(l, vec3(1.0, 0.0, 0.0)));
+  return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
 }
 
-vec3 shade_top(Side side, Lights x, Footprint f) {
-  f.at = met_at(side, f, x.v);
-  vec4 warp = fetch_color(side, f, 0);
-  vec4 weft = fetch_color(side, f, 1);
-  bool upper = warp.a >= weft.a;
-  System top;
-  top.color = upper ? warp : weft;
-  fetch_relief(side, f, upper ? 0 : 1, top);
-  SystemData data = cloth.systems[side.face * 2];
-  if (!upper) data = cloth.systems[side.face * 2 + 1];
-  float turn = data.widths.z;
-  vec3 fibre = upper ? vec3(turn, 1.0, 0.0) : vec3(1.0, turn, 0.0);
-  YarnLobes lobes = yarn_of(data.widths, data.weights, data.tint, data.extra, thread_color(side, warp, weft));
-  vec2 open = thread_light(side, f, x.l);
-  if (dot(top.n, x.l) < 0.0 && x.l.z > 0.0) {
-    // Light from behind crosses this thread alone: what lies beyond it decides.
-    Footprint entry = f;
-    entry.at += x.l.xy * (0.6 * cloth.size.z / max(length(x.l.xy), 1e-4)) / cloth.size.xy;
-    open.x = thread_light(side, entry, x.l).x;
+// 1 or -1 where the horizons of a place leave no doubt that the light reaches it or does not; else 0.
+float surely_lit(int face, vec2 at, float level, vec3 l) {
+  int count = int(cloth.size.w);
+  float base = float(face * (count + 1));
+  float turn = atan(l.y, l.x) * 0.15915494;
+  float bin = (turn - floor(turn)) * float(count);
+  float next = mod(floor(bin) + 1.0, float(count));
+  vec2 a = textureLod(horizon_map, vec3(at, base + min(floor(bin), float(count) - 1.0)), level).rg;
+  vec2 b = textureLod(horizon_map, vec3(at, base + next), level).rg;
+  if (l.z > max(a.x + 1.5 * a.y, b.x + 1.5 * b.y) + 0.1) return 1.0;
+  return l.z < min(a.x - 1.5 * a.y, b.x - 1.5 * b.y) - 0.1 ? -1.0 : 0.0;
+}
+
+void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, float sample_mm, int face, float level) {
+  ThreadHit hit = first_thread(g, at, x.v, kViewSteps);
+  if (hit.system < 0) return;
+  sums.cover += 1.0;
+  int thread = hit.strand.thread;
+  float length_mm = hit.system == 0 ? g.period.y : g.period.x;
+  ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
+  ThreadTexture pattern = thread_pattern(hit.system, thread, g.side);
+  float across = sample_mm / (6.2831853 * pattern.radius_mm * max(abs(p.normal.z), 0.1));
+  float along = sample_mm / length_mm;
+  float cycles = max(pattern.fibres * across, abs(float(pattern.advance)) * along);
+  float ply_cycles = max(float(pattern.plies) * across, abs(float(pattern.ply_advance)) * along);
+  Texel texel = texture_at(pattern, texture_point(pattern, fract(p.along / length_mm), p.turn, cycles, contrast_left(ply_cycles)));
+  vec3 n = p.normal;
+  if (pattern.plies > 1) n = ply_normal(p, pattern, texel.ply, length_mm);
+  if (dot(n, x.v) <= 0.0) n = p.normal;
+  vec4 look = thread_look(hit.system, thread);
+  YarnLobes lobes = thread_lobes(int(look.w), min(look.rgb * texel.tone, vec3(1.0)));
+  Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), l, x.v);
+  a.key *= texel.groove;
+  if (a.key.r + a.key.g + a.key.b > 0.0) {
+    // Light from behind crosses this thread itself; every other one stops it.
+    bool behind = dot(p.normal, l) <= 0.0;
+    vec3 from = hit.at + p.normal * (behind ? 0.0 : 2.0e-3 * g.top);
+    float sure = behind ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
+    if (sure < 0.0) a.key = vec3(0.0);
+    if (sure == 0.0 && threads_block(g, from, vec3(l.xy, abs(l.z)), kLightSteps, behind ? hit.system : -1, thread)) a.key = vec3(0.0);
   }
-  Answer a = facet_answer(lobes, top.n, top.gather, fibre, vec3(top.variance.x, 0.0, top.variance.y), x.l, x.v);
-  vec3 n_world = from_side(side, top.n);
-  vec3 mirrored = from_side(side, reflect(-x.v, top.n));
-  return x.key * a.key * open.x
-       + (a.soft * sky_diffuse(n_world) + a.glossy * sky_radiance(mirrored, 0.8, 0.45)) * (side.sky * open.y);
+  sums.key += a.key;
+  sums.soft += a.soft * texel.groove;
+  sums.glossy += a.glossy * texel.groove;
+  sums.normal += n;
 }
 
-// A long footprint is taken in parts, each about as long as it is wide.
-vec3 shade_yarn(Side side, Lights x, Footprint f) {
+// Radiance of what is covered, and cover.
+vec4 shade_yarn(Side side, Lights x, Footprint f) {
+  ThreadGrid g = thread_grid(side.face);
+  int first = int(frame.samples.x);
+  int count = yarn_samples(f.yarns, int(frame.samples.y));
 #if defined(QUICK)
-  return shade_top(side, x, f);
-#else
-  int parts = int(clamp(ceil(f.ratio * 0.8 - 0.4), 1.0, 5.0));
-  vec2 middle = f.at;
-  vec3 sum = vec3(0.0);
-  f.level = min(f.level, f.level_near + log2(f.ratio / float(parts)));
-  for (int i = 0; i < parts; ++i) {
-    f.at = middle + f.axis * ((float(i) + 0.5) / float(parts) - 0.5);
-    sum += shade_top(side, x, f);
-  }
-  return sum / float(parts);
+  count = 1;
 #endif
+  vec2 middle = fract(f.at) * g.period;
+  float sample_mm = f.yarns * g.spacing / sqrt(float(count));
+  float level = f.level - 1.0 - 0.5 * log2(float(count));   // of the horizons, at half size
+  YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
+  // Where pixels hold whole yarns, equal samples would meet equal places of the weave in all of them.
+  float turn = f.yarns < 1.0 ? 0.0 : fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  for (int i = 0; i < count; ++i) {
+    vec2 r = fract(vec2(0.75487767, 0.56984029) * (float(first + i) + 0.5) + turn) - 0.5;
+    add_sample(sums, g, x, middle + (f.dx * r.x + f.dy * r.y) * g.period, light_sample(x.l, first + i), sample_mm,
+               side.face, level);
+  }
+  if (sums.cover < 0.5) return vec4(0.0);
+  float scale = 1.0 / sums.cover;
+  vec3 n = normalize(sums.normal);
+  vec3 mirrored = from_side(side, reflect(-x.v, n));
+  vec3 radiance = (x.key * sums.key + (sums.soft * sky_diffuse(from_side(side, n)) + sums.glossy * sky_radiance(mirrored, 0.8, 0.45))
+                                 * (side.sky * sky_left(side, f))) * scale;
+  return vec4(radiance, sums.cover / float(count));
 }

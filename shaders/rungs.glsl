@@ -22,6 +22,14 @@ struct Answer {
   vec3 glossy;   // share of the sky as it is mirrored
 };
 
+// Samples that rung yarn takes of a pixel so many yarns across (root of its area): about twelve across a thread, which
+// holds the filtering error near 0.05 (docs/chart.md).
+const int kLeastYarnSamples = 8;
+const int kMostYarnSamples = 32;
+FORMULA int yarn_samples(float yarns, int most) {
+  return min(int(clamp(ceil(yarns * yarns * 128.0f), float(kLeastYarnSamples), float(kMostYarnSamples))), most);
+}
+
 // Lobes from the numbers of a yarn or of a mean of yarns (interop.h, SystemData).
 FORMULA YarnLobes yarn_of(vec4 widths, vec4 weights, vec4 tint, vec4 extra, vec3 color) {
   YarnLobes y;

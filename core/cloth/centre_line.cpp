@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "cloth/thread_texture.h"
+
 namespace weftlight {
 namespace {
 
@@ -160,13 +162,14 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   return step;
 }
 
+float centre_slope(float before_mm, float after_mm, float distance_mm) {
+  return kTension * (after_mm - before_mm) / distance_mm;
+}
+
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step) {
-  const float m1 = kTension * (z2 - z0) / (step.h0 + step.h1) * step.h1;
-  const float m2 = kTension * (z3 - z1) / (step.h1 + step.h2) * step.h1;
-  const float t = step.t, dz = z2 - z1;
-  const float c2 = 3.0f * dz - 2.0f * m1 - m2, c3 = m1 + m2 - 2.0f * dz;
-  return {z1 + t * (m1 + t * (c2 + t * c3)), (m1 + t * (2.0f * c2 + t * 3.0f * c3)) / step.h1,
-          (2.0f * c2 + t * 6.0f * c3) / (step.h1 * step.h1)};
+  const glm::vec3 c = thread_formulas::hermite(z1, centre_slope(z0, z2, step.h0 + step.h1), z2,
+                                               centre_slope(z1, z3, step.h1 + step.h2), step.h1, step.t);
+  return {c.x, c.y, c.z};
 }
 
 CentrePoint centre_at(const CentreLines& lines, System system, int thread, const CentreStep& step) {

@@ -47,6 +47,9 @@ struct CentreStep {
 };
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm);
 
+/// Slope of a centre line at a crossing: from the heights at the crossings before and after, so far apart.
+float centre_slope(float before_mm, float after_mm, float distance_mm);
+
 /// Curve through four heights around a step: C1; it may rise above its crossings inside a float.
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step);
 

@@ -207,7 +207,7 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
   a.blend = std::clamp(share * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
   a.turn = static_cast<float>(texture.advance) * share;
-  if (textures.has_pattern(thread)) a.turn += wander(texture, a.node, a.blend);
+  if (textures.has_pattern(thread)) a.turn += thread_formulas::wander(texture, a.node, a.blend);
   return a;
 }
 
@@ -225,7 +225,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
   const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
   const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
-                                           a.turn / kStraySpacing + l.stray_turn, l.node, l.blend, a.cycles, a.ply_fade});
+                                           a.turn / thread_formulas::kStraySpacing + l.stray_turn, l.node, l.blend, a.cycles, a.ply_fade});
   float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm);
   SurfaceSample s;
   s.cover = cover;

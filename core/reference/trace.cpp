@@ -73,15 +73,7 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
 
   // The texture counts turns from the top of the section towards +across (core/cloth/surface.cpp).
   const float turn = 0.25f - hit.around_rad / (2 * kPi), share = hit.along_mm / length;
-  TexturePoint at;
-  at.turn = texture.fibres * turn + static_cast<float>(texture.advance) * share;
-  at.ply_turn = static_cast<float>(texture.plies) * turn + static_cast<float>(texture.ply_advance) * share;
-  const float node = share * static_cast<float>(texture.nodes);
-  at.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
-  at.blend = std::clamp(node - static_cast<float>(at.node), 0.0f, 1.0f);
-  at.turn += wander(texture, at.node, at.blend);
-  at.stray_turn = texture.fibres * turn / kStraySpacing + static_cast<float>(texture.stray_advance) * share;
-  const Texel texel = texture_at(texture, at);
+  const Texel texel = texture_at(texture, thread_formulas::texture_point(texture, share, turn, 0, 1));
 
   Point p;
   p.position = hit.position;

@@ -51,6 +51,8 @@ struct TubeScene::Parts {
   CentreLines lines;
   int around = 0;
   int rings[2] = {0, 0};  // segments along a tube of each system over the tile
+  // Segments beyond both of its ends: sections lean, so what is on top at the tile's edge may start outside it.
+  int beyond[2] = {0, 0};
   glm::vec2 tile{0};      // tile size, whole periods
   float z_min = 0, z_max = 0;
   RTCDevice device = nullptr;
@@ -66,7 +68,14 @@ struct TubeScene::Parts {
   float tile_across(System s) const { return s == System::kWarp ? tile.x : tile.y; }
   float period_along(System s) const { return s == System::kWarp ? cloth.depth_mm : cloth.width_mm; }
   float period_across(System s) const { return s == System::kWarp ? cloth.width_mm : cloth.depth_mm; }
-  int segments(System s) const { return rings[static_cast<int>(s)]; }
+  int segments(System s) const { return rings[static_cast<int>(s)] + 2 * beyond[static_cast<int>(s)]; }
+  float step(System s) const { return tile_along(s) / static_cast<float>(rings[static_cast<int>(s)]); }
+  float along_of(System s, float ring) const { return (ring - static_cast<float>(beyond[static_cast<int>(s)])) * step(s); }
+  float thickest(System s) const {
+    float most = 0;
+    for (const ThreadBody& body : threads(s)) most = std::max(most, body.height_mm);
+    return 0.5f * most;
+  }
   glm::vec2 radii(System s, int thread) const {
     const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
     return {0.5f * std::max(body.width_mm, kThinnest_mm), 0.5f * std::max(body.height_mm, kThinnest_mm)};
@@ -131,6 +140,10 @@ bool TubeScene::Parts::choose_resolution(const TubeOptions& options) {
     if (int64_t{8} * ends * picks * per_crossing < options.max_triangles) {
       rings[0] = picks * down * per_crossing;
       rings[1] = ends * across * per_crossing;
+      for (const System s : {System::kWarp, System::kWeft}) {
+        const int most = rings[static_cast<int>(s)];
+        beyond[static_cast<int>(s)] = std::clamp(static_cast<int>(std::ceil(thickest(s) / step(s))), 1, most);
+      }
       list_tubes();
       if (triangle_count() <= options.max_triangles) return true;
     }
@@ -148,9 +161,8 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
   for (const Tube& tube : tubes) {
     const System s = tube.system;
     const glm::vec2 radius = radii(s, tube.thread);
-    const float step = tile_along(s) / static_cast<float>(segments(s));
     for (int i = 0; i <= segments(s); ++i) {
-      const Ring ring = ring_at(s, tube.thread, static_cast<float>(i) * step);
+      const Ring ring = ring_at(s, tube.thread, along_of(s, static_cast<float>(i)));
       const glm::vec3 centre = place(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
       for (int k = 0; k < around; ++k) {
         const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
@@ -209,11 +221,11 @@ void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
   const float around_part = second ? 1 - v : u;
   const float along_part = second ? u + v : v;
   const System s = tube->system;
-  const float along = (ring + along_part) * tile_along(s) / static_cast<float>(segments(s));
+  const float along = along_of(s, ring + along_part);
   hit.system = s;
   hit.thread = tube->thread;
   hit.around_rad = 2 * std::numbers::pi_v<float> * (facet + around_part) / static_cast<float>(around);
-  hit.along_mm = std::fmod(along, period_along(s));
+  hit.along_mm = along - std::floor(along / period_along(s)) * period_along(s);
   const Ring at = ring_at(s, tube->thread, along);
   const glm::vec2 radius = radii(s, tube->thread);
   hit.axis = axis_of(s, at.slope);

@@ -12,8 +12,8 @@
 namespace weftlight {
 
 struct TubeOptions {
-  int around = 24;                     // facets of a section
-  int per_crossing = 10;               // rings for each thread crossed
+  int around = 48;                     // facets of a section
+  int per_crossing = 20;               // rings for each thread crossed
   int64_t max_triangles = 12'000'000;  // about 1.5 GB; resolution falls to keep it, down to 8 x 4
 };
 

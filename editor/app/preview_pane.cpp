@@ -11,6 +11,10 @@ constexpr double kRestS = 0.15;         // still for so long: draw every pixel
 constexpr double kBusyPollS = 0.01;     // how often the worker is asked
 constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
+constexpr int kMostSamples = 32;          // of the threads, a pixel, at rest
+constexpr int kMostAPass = 8;
+constexpr double kPassMs = 30;           // the next pass takes more samples below, fewer above twice it
+constexpr double kRefineMs = 4000;       // for all passes of one picture
 constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
 
 }  // namespace
@@ -64,17 +68,39 @@ void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s)
   const bool resting = now_s - moved_s_ >= kRestS;
   const float scale = resting ? 1.0f : moving_scale();
   if (changed || drawn_scale_ < scale) {
-    Frame frame = frame_of(request);
-    frame.render_scale = scale;
-    frame.timed = true;
-    stats_ = renderer_->draw(request.scene, request.look, frame);
-    if (resting) stats_ = renderer_->measure();
-    if (stats_.gpu_ms > 0) (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
-    drawn_scale_ = scale;
+    passes_ = samples_ = 0;
+    spent_ms_ = 0;
+    draw_pass(request, scale);
     dirty_ = false;
+  } else if (can_refine()) {
+    draw_pass(request, scale);
   }
   drawn_ = request;
   follow_reference(request, changed);
+}
+
+bool PreviewPane::can_refine() const {
+  const bool threads = stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
+  return threads && drawn_scale_ == 1 && samples_ < kMostSamples && spent_ms_ < kRefineMs;
+}
+
+/// One more pass of a resting picture, or the picture of what moves.
+void PreviewPane::draw_pass(const PreviewRequest& request, float scale) {
+  Frame frame = frame_of(request);
+  frame.render_scale = scale;
+  frame.timed = true;
+  frame.samples = samples_a_pass_;
+  if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
+  stats_ = renderer_->draw(request.scene, request.look, frame);
+  if (scale == 1) stats_ = renderer_->measure();
+  if (stats_.gpu_ms > 0 && passes_ == 0) (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
+  drawn_scale_ = scale;
+  if (scale < 1) return;
+  ++passes_;
+  samples_ += samples_a_pass_;
+  spent_ms_ += stats_.gpu_ms;
+  if (stats_.gpu_ms < kPassMs) samples_a_pass_ = std::min(kMostAPass, 2 * samples_a_pass_);
+  if (stats_.gpu_ms > 2 * kPassMs) samples_a_pass_ = std::max(1, samples_a_pass_ / 2);
 }
 
 void PreviewPane::follow_reference(const PreviewRequest& request, bool changed) {
@@ -85,7 +111,7 @@ void PreviewPane::follow_reference(const PreviewRequest& request, bool changed) 
     shown_ = request.compare;
   }
   if (request.compare == Compare::kOff) return;
-  if (!traced_ && drawn_scale_ == 1 && !pipeline_.busy()) {
+  if (!traced_ && drawn_scale_ == 1 && !can_refine() && !pipeline_.busy()) {
     tracer_.start(job_of(request));
     traced_ = true;
   }
@@ -95,18 +121,21 @@ void PreviewPane::follow_reference(const PreviewRequest& request, bool changed) 
   }
 }
 
-/// Leaves the renderer with the picture that is shown.
+/// The picture that is shown is made anew afterwards.
 TraceJob PreviewPane::job_of(const PreviewRequest& request) {
-  Frame frame = frame_of(request);
-  frame.cloth = false;
   TraceJob job{design_, request.scene, request.look.exposure_ev, {}, {}};
+  Frame frame = frame_of(request);
+  if (request.show_rungs) {
+    frame.false_color_rungs = false;
+    frame.samples = samples_a_pass_;
+    renderer_->draw(request.scene, request.look, frame);
+  }
+  job.preview = renderer_->read_back();
+  frame.cloth = false;
   renderer_->draw(request.scene, request.look, frame);
   job.around = renderer_->read_back();
-  frame.cloth = true;
-  frame.false_color_rungs = false;
-  renderer_->draw(request.scene, request.look, frame);
-  job.preview = renderer_->read_back();
-  if (request.show_rungs) renderer_->draw(request.scene, request.look, frame_of(request));
+  passes_ = samples_ = 0;
+  draw_pass(request, 1);
   return job;
 }
 
@@ -121,6 +150,7 @@ double PreviewPane::next_s(double now_s) const {
   double next = busy_ || pipeline_.busy() ? kBusyPollS : -1;
   const auto sooner = [&next](double s) { next = next < 0 ? s : std::min(next, s); };
   if (tracer_.busy()) sooner(kTracePollS);
+  if (can_refine()) sooner(0);
   if (drawn_scale_ > 0 && drawn_scale_ < 1) {
     sooner(std::max(0.0, moved_s_ + kRestS - now_s));
   }

@@ -39,6 +39,9 @@ class PreviewPane {
 
  private:
   Frame frame_of(const PreviewRequest& request) const;
+  void draw_pass(const PreviewRequest& request, float scale);
+  /// Whether more samples of the threads would make the resting picture finer.
+  bool can_refine() const;
   float moving_scale() const;
   void follow_reference(const PreviewRequest& request, bool changed);
   TraceJob job_of(const PreviewRequest& request);
@@ -52,6 +55,9 @@ class PreviewPane {
   PreviewRequest drawn_;
   float drawn_scale_ = 0;
   double moved_s_ = -1e9;
+  int passes_ = 0, samples_ = 0;         // of the resting picture, so far
+  int samples_a_pass_ = 2;
+  double spent_ms_ = 0;                  // on its passes
   double full_ms_ = 0, moving_ms_ = 0;  // the cloth's cost at every pixel, at rest and by the moving programs
   FrameStats stats_;
 

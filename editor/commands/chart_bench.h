@@ -58,7 +58,7 @@ class ChartBench {
   double flicker(const ChartRow& cell, const PixelSteps& pixel);
   double nanoseconds(const ChartRow& cell, const PixelSteps& pixel);
   double instructions(const ChartRow& cell);
-  double rung_instructions(size_t scene, int view_deg, Method method);
+  double rung_instructions(size_t scene, int view_deg, Method method, double yarns);
 
   ChartEffort effort_;
   std::unique_ptr<HeadlessContext> context_;   // outlives the renderer
@@ -66,7 +66,7 @@ class ChartBench {
   std::array<std::unique_ptr<Loaded>, kChartScenes.size()> loaded_;
   std::optional<size_t> shown_;
   Ladder ladder_;
-  std::map<std::tuple<size_t, int, Method>, double> counted_;
+  std::map<std::tuple<size_t, int, Method, int>, double> counted_;
 };
 
 /// Texture memory that a method reads, both faces.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <csignal>
 
+#include "cloth/thread_scene.h"
+#include "light/formulas.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight {
@@ -54,6 +56,9 @@ struct PixelInput {
   vec4 horizon{0.3f, 0.35f, 0.32f, 0.28f}, spread{0.1f, 0.1f, 0.12f, 0.1f};
   vec2 gap{0.05f, 0.06f};
   float light_sine = 0.09f;
+  ThreadScene* threads = nullptr;
+  std::vector<ThreadTexture> ends, picks;
+  int samples = 1;
 };
 
 /// Keeps the compiler from folding the input or dropping the result.
@@ -89,16 +94,33 @@ vec2 masking_pixel(const PixelInput& x) {
   return system_masking(vec2(0.5f), vec2(area, area), 0.1f, x.v);
 }
 
-/// The thread on top; a pixel longer than wide is taken in parts, as the shader does.
+/// One sample of a pixel, as shaders/rung_yarn.glsl takes it; the light's ray is followed where it must be, which
+/// is every `kLitFor`th sample (the others are told apart by the horizons).
+vec3 yarn_sample(const PixelInput& x, vec2 at, bool doubtful) {
+  constexpr int kViewSteps = 48, kLightSteps = 24;
+  ThreadScene& scene = *x.threads;
+  const auto grid = scene.grid();
+  const auto hit = scene.first_thread(grid, at, x.v, kViewSteps);
+  if (hit.system < 0) return vec3(0);
+  const auto p = scene.thread_point(hit.system, hit.strand, hit.at);
+  const float length = hit.system == 0 ? grid.period.y : grid.period.x;
+  const ThreadTexture& pattern = (hit.system == 0 ? x.ends : x.picks)[static_cast<size_t>(hit.strand.thread)];
+  const Texel texel = texture_at(pattern, thread_formulas::texture_point(pattern, fract(p.along / length), p.turn, 1, 0));
+  const Answer a = facet_answer(hit.system == 0 ? x.warp : x.weft, p.normal, 1, p.axis + p.around * pattern.fibre_tan, vec3(0), x.l, x.v);
+  if (doubtful && scene.threads_block(grid, hit.at + p.normal * (2e-3f * grid.top), x.l, kLightSteps, -1, 0)) return vec3(0);
+  return a.key * texel.groove;
+}
+
 vec3 yarn_pixel(const PixelInput& x) {
-  const float ratio = 1 / max(x.v.z, 0.05f);
-  const int parts = static_cast<int>(clamp(ceil(ratio * 0.8f - 0.4f), 1.0f, 5.0f));
+  constexpr int kLitFor = 6;
+  const ThreadScene& scene = *x.threads;
   vec3 sum(0);
-  for (int i = 0; i < parts; ++i) {
+  for (int i = 0; i < x.samples; ++i) {
     keep(&x);
-    sum += facet_pixel(x, x.warp, vec3(0, 1, 0)) * thread_light_pixel(x);
+    const vec2 r = fract(vec2(0.75487767f, 0.56984029f) * (static_cast<float>(i) + 0.5f));
+    sum += yarn_sample(x, r * scene.grid().period, i % kLitFor == 0);
   }
-  return sum * x.key * (coverage_by_view(0.9f, x.gap, 0.2f, x.v) / static_cast<float>(parts));
+  return sum * x.key / static_cast<float>(x.samples);
 }
 
 vec3 cell_pixel(const PixelInput& x) {
@@ -159,6 +181,16 @@ PixelFormula formula_of(Method method) {
   }
 }
 
+std::vector<ThreadTexture> textures_of(const Cloth& cloth, System system) {
+  const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
+  std::vector<ThreadTexture> out;
+  for (size_t i = 0; i < threads.size(); ++i) {
+    out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(threads[i].yarn)], threads[i], system, static_cast<int>(i),
+                                 system == System::kWarp ? cloth.depth_mm : cloth.width_mm));
+  }
+  return out;
+}
+
 YarnLobes first_lobes(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
   const ThreadBody& thread = threads.front();
   return yarn_lobes(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes, thread.colour);
@@ -172,13 +204,16 @@ std::optional<long> count_instructions(const std::function<void()>& work) {
   return *all - *nothing;
 }
 
-std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light) {
+std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light, int samples) {
   const PixelFormula formula = formula_of(method);
   if (!formula || cloth.ends.empty() || cloth.picks.empty()) return std::nullopt;
   PixelInput input;
   input.warp = first_lobes(cloth, cloth.ends);
   input.weft = first_lobes(cloth, cloth.picks);
   input.l = light, input.v = view;
+  ThreadScene threads(cloth);
+  input.threads = &threads, input.samples = samples;
+  input.ends = textures_of(cloth, System::kWarp), input.picks = textures_of(cloth, System::kWeft);
   return count_instructions([formula, &input] {
     keep(&input);
     const vec3 result = formula(input);

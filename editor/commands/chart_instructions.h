@@ -14,7 +14,8 @@ namespace weftlight {
 /// Empty where the system does not let a process step its own child.
 std::optional<long> count_instructions(const std::function<void()>& work);
 
-/// `view` and `light` unit, in cloth space. Empty also for methods that have no formulas here.
-std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light);
+/// `view` and `light` unit, in cloth space; samples a pixel: of rung yarn alone. Empty also for methods that have no
+/// formulas here.
+std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light, int samples = 1);
 
 }  // namespace weftlight

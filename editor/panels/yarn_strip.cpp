@@ -45,18 +45,9 @@ Thread thread_of(const Yarn& yarn, Rgb colour, float light_deg, int width, int h
 Texel texel_at(const Thread& t, float x, glm::vec3 normal) {
   const ThreadTexture& texture = t.texture;
   const float turn = 0.25f - std::atan2(normal.z, normal.y) / (2 * kPi), share = x / t.length;
-  TexturePoint p;
-  p.turn = texture.fibres * turn + static_cast<float>(texture.advance) * share;
-  p.ply_turn = static_cast<float>(texture.plies) * turn + static_cast<float>(texture.ply_advance) * share;
-  const float node = share * static_cast<float>(texture.nodes);
-  p.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
-  p.blend = std::clamp(node - static_cast<float>(p.node), 0.0f, 1.0f);
-  p.turn += wander(texture, p.node, p.blend);
-  p.stray_turn = texture.fibres * turn / kStraySpacing + static_cast<float>(texture.stray_advance) * share;
   const float down = texture.fibres * t.pixel / (2 * kPi * std::max(normal.z, 0.05f));
   const float along = static_cast<float>(std::abs(texture.advance)) * t.pixel / t.length;
-  p.cycles = std::hypot(down, along);
-  return texture_at(texture, p);
+  return texture_at(texture, thread_formulas::texture_point(texture, share, turn, std::hypot(down, along), 1));
 }
 
 glm::vec3 radiance(const Thread& t, float x, float y) {

@@ -7,19 +7,19 @@
 namespace weftlight {
 namespace {
 
+// Threads that cover this much touch: the slivers between them are dark, not windows.
+constexpr float kClosed = 0.985f;
+
 /// The lobes of a system: means over its threads.
 interop::SystemData mean_lobes(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
   interop::SystemData s{};
   const float share = threads.empty() ? 0 : 1.0f / static_cast<float>(threads.size());
   for (const ThreadBody& thread : threads) {
-    const Lobes& l = cloth.yarns[static_cast<size_t>(thread.yarn)].lobes;
-    const Linear tint = linear_from_srgb(l.specular_tint);
-    const float f = (l.ior - 1) / (l.ior + 1);
-    const std::array<float, 16> values{l.along_width, l.across_width, 0, l.fuzz_width, l.specular, l.body, l.fuzz,
-                                       l.transmission, tint.r, tint.g, tint.b, l.metallic ? 1.0f : 0.0f, f * f, 0,
-                                       l.fuzz_width * l.fuzz_width, 0};
-    float* to = s.widths.data();
-    for (size_t i = 0; i < values.size(); ++i) to[i] += values[i] * share;
+    const std::array<interop::vec4, 4> numbers = yarn_numbers(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes);
+    for (size_t i = 0; i < 4; ++i) {
+      s.widths[i] += numbers[0][i] * share, s.weights[i] += numbers[1][i] * share;
+      s.tint[i] += numbers[2][i] * share, s.extra[i] += numbers[3][i] * share;
+    }
   }
   return s;
 }
@@ -87,12 +87,14 @@ float mean_height_mm(const std::vector<ThreadBody>& threads) {
   return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
 }
 
-float highest(const Maps& maps) {
-  const auto& heights = maps.height_mm.at_;
-  return heights.empty() ? 0.0f : *std::max_element(heights.begin(), heights.end());
-}
-
 }  // namespace
+
+std::array<interop::vec4, 4> yarn_numbers(const Lobes& l) {
+  const Linear tint = linear_from_srgb(l.specular_tint);
+  const float f = (l.ior - 1) / (l.ior + 1);
+  return {{{l.along_width, l.across_width, 0, l.fuzz_width}, {l.specular, l.body, l.fuzz, l.transmission},
+           {tint.r, tint.g, tint.b, l.metallic ? 1.0f : 0.0f}, {f * f, 0, l.fuzz_width * l.fuzz_width, 0}}};
+}
 
 float mean_spacing_mm(const Cloth& cloth) {
   const float ends = static_cast<float>(std::max<size_t>(1, cloth.ends.size()));
@@ -100,7 +102,7 @@ float mean_spacing_mm(const Cloth& cloth) {
   return 0.5f * (cloth.width_mm / ends + cloth.depth_mm / picks);
 }
 
-std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back, float height_bound_mm) {
+std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back) {
   interop::ClothData data{};
   const FaceInput* faces[] = {&front, &back};
   for (size_t face = 0; face < 2; ++face) {
@@ -115,9 +117,8 @@ std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back, fl
                static_cast<float>(front.maps.azimuths)};
   const float covered = data.systems[0].extra[1] + data.systems[1].extra[1];
   data.gaps = {mean_gap_mm(front.cloth.ends), mean_gap_mm(front.cloth.picks),
-               0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks)), covered < 0.998f ? 1.0f : 0.0f};
-  const float top = std::max(highest(front.maps), highest(back.maps)) / std::max(height_bound_mm, 1e-6f);
-  data.relief = {height_bound_mm, std::clamp(top, 0.01f, 1.0f), 1, 1};
+               0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks)), covered < kClosed ? 1.0f : 0.0f};
+  data.relief = {0, 0, 1, 1};
   std::vector<float> block(sizeof data / sizeof(float));
   std::memcpy(block.data(), &data, sizeof data);
   return block;

@@ -1,6 +1,7 @@
 #pragma once
 // The numbers of a cloth that the shaders read as uniforms (interop::ClothData).
 
+#include <array>
 #include <vector>
 
 #include "cloth/maps.h"
@@ -13,8 +14,10 @@ struct FaceInput {
   const Cloth& cloth;
   const Maps& maps;
 };
-/// `height_bound_mm` is that of the packed heights.
-std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back, float height_bound_mm);
+std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back);
+
+/// The first four of interop::SystemData, of one yarn.
+std::array<interop::vec4, 4> yarn_numbers(const Lobes& lobes);
 
 /// Mean spacing of the threads of both systems, mm.
 float mean_spacing_mm(const Cloth& cloth);

@@ -1,5 +1,6 @@
 #include "preview/gpu_cloth.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "light/tables.h"
@@ -18,7 +19,6 @@ constexpr std::array<Format, kPackedKinds> kFormats{{
     {GL_RGBA8_SNORM, GL_RGBA, GL_BYTE, kReliefSlot},
     {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kHorizonSlot},
     {GL_R8, GL_RED, GL_UNSIGNED_BYTE, kThreadShadowSlot},
-    {GL_R16, GL_RED, GL_UNSIGNED_SHORT, kHeightSlot},
 }};
 
 size_t upload_face(const PackedTexture& t, const Format& format, int first_layer) {
@@ -102,12 +102,62 @@ void GpuCloth::upload(const PackedCloth& cloth) {
     upload_cube(cubes_[3], cloth.back.difference_cube, cloth.back.cube_size);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   }
+  has_threads_ = !cloth.crossings.empty();
+  crossings_.reset();
+  if (has_threads_) {
+    crossing_blocks_ = (cloth.ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
+    const int layers = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, std::min(cloth.ends, CROSSING_BLOCK), std::min(cloth.picks, CROSSING_BLOCK),
+                 layers, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings.data());
+    upload_threads(cloth.threads.data(), cloth.threads.size());
+    bytes_ += cloth.crossings.size() * sizeof(uint16_t) + cloth.threads.size() * sizeof(uint32_t);
+  }
   upload_lobes(cloth.lobes);
+}
+
+/// Cells of a rectangle, block by block of the crossing map.
+void GpuCloth::upload_crossings(const CellRect& cells, const uint16_t* texels) {
+  glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+  const int row = cells.end1 - cells.end0;
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, row);
+  for (int p = cells.pick0; p < cells.pick1; p = (p / CROSSING_BLOCK + 1) * CROSSING_BLOCK) {
+    const int picks = std::min(cells.pick1, (p / CROSSING_BLOCK + 1) * CROSSING_BLOCK) - p;
+    for (int e = cells.end0; e < cells.end1; e = (e / CROSSING_BLOCK + 1) * CROSSING_BLOCK) {
+      const int ends = std::min(cells.end1, (e / CROSSING_BLOCK + 1) * CROSSING_BLOCK) - e;
+      const size_t first = static_cast<size_t>(p - cells.pick0) * static_cast<size_t>(row) + static_cast<size_t>(e - cells.end0);
+      glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, e % CROSSING_BLOCK, p % CROSSING_BLOCK,
+                      p / CROSSING_BLOCK * crossing_blocks_ + e / CROSSING_BLOCK, ends, picks, 1, GL_RGBA, GL_HALF_FLOAT,
+                      texels + 4 * first);
+    }
+  }
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+void GpuCloth::upload_threads(const uint32_t* records, size_t count) {
+  glBindTexture(GL_TEXTURE_2D, threads_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH, static_cast<GLsizei>(count / (size_t{4} * THREAD_MAP_WIDTH)), 0,
+               GL_RGBA_INTEGER, GL_UNSIGNED_INT, records);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 void GpuCloth::upload(const std::vector<PackedPatch>& patches) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (const PackedPatch& p : patches) {
+    if (p.texture == kThreadPatch) {
+      upload_threads(reinterpret_cast<const uint32_t*>(p.texels.data()), p.texels.size() / sizeof(uint32_t));
+      continue;
+    }
+    if (p.texture == kCrossingPatch) {
+      upload_crossings({p.x, p.x + p.width, p.y, p.y + p.height}, reinterpret_cast<const uint16_t*>(p.texels.data()));
+      continue;
+    }
     const size_t k = static_cast<size_t>(p.texture);
     if (!layers_[k] || p.width <= 0 || p.height <= 0) continue;
     glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
@@ -149,6 +199,8 @@ void GpuCloth::bind() {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(slot));
     glBindTexture(target, texture.peek());
   };
+  bind_to(kThreadSlot, GL_TEXTURE_2D, threads_);
+  bind_to(kCrossingSlot, GL_TEXTURE_2D_ARRAY, crossings_);
   bind_to(kAlbedoSlot, GL_TEXTURE_3D, albedo_);
   bind_to(kAlbedoMeanSlot, GL_TEXTURE_2D, albedo_mean_);
   bind_to(kFuzzSlot, GL_TEXTURE_2D, fuzz_);

@@ -22,6 +22,8 @@ class GpuCloth {
   float width_mm() const { return width_mm_; }
   float depth_mm() const { return depth_mm_; }
   float mean_spacing_mm() const { return mean_spacing_mm_; }
+  /// Whether each thread can be drawn as a body (thread_block.h).
+  bool has_threads() const { return has_threads_; }
   bool has_shadows() const { return layers_[static_cast<size_t>(PackedKind::kShadow)] > 0; }
   const interop::ClothData& data() const { return data_; }
   size_t bytes() const { return bytes_; }
@@ -29,11 +31,16 @@ class GpuCloth {
  private:
   void upload_tables();
   void upload_response(std::span<const float> tables);
+  void upload_crossings(const CellRect& cells, const uint16_t* texels);
+  void upload_threads(const uint32_t* records, size_t count);
   std::array<GlTexture, kPackedKinds> textures_;
   std::array<int, kPackedKinds> layers_{};  // of one face
   std::array<GlTexture, 4> cubes_;          // front half, front difference, back half, back difference
   GlTexture albedo_, albedo_mean_, fuzz_;   // of no design: made once
   GlTexture response_, slopes_, seen_;      // of the cloth and its lobes
+  GlTexture threads_, crossings_;
+  int crossing_blocks_ = 1;                 // from one row of blocks to the next
+  bool has_threads_ = false;
   GlBuffer block_;
   interop::ClothData data_{};
   float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;

@@ -74,20 +74,6 @@ void pack_surface(PackedFace& face, const Maps& maps, const TexelRect& r) {
   }
 }
 
-void set_u16(uint8_t* to, int v) { to[0] = static_cast<uint8_t>(v & 255), to[1] = static_cast<uint8_t>(v >> 8); }
-int u16(const uint8_t* p) { return p[0] | p[1] << 8; }
-
-void pack_height(PackedFace& face, const Maps& maps, const TexelRect& r) {
-  PackedTexture& height = face.textures[static_cast<size_t>(PackedKind::kHeight)];
-  const float scale = 0.5f / std::max(face.height_bound_mm, 1e-6f);
-  for (int y = r.y0; y < r.y1; ++y) {
-    for (int x = r.x0; x < r.x1; ++x) {
-      const float v = std::clamp(0.5f + maps.height_mm.at(x, y) * scale, 0.0f, 1.0f);
-      set_u16(height.texel(0, 0, x, y), static_cast<int>(v * 65535.0f + 0.5f));
-    }
-  }
-}
-
 /// The four texels below one texel of `level`.
 struct Below {
   std::array<const uint8_t*, 4> at;
@@ -132,12 +118,6 @@ void filter_horizon(PackedTexture& horizon, int level, int layer, int x, int y) 
   uint8_t* to = horizon.texel(level, layer, x, y);
   to[0] = unorm(mean);
   to[1] = unorm(2 * std::sqrt(std::max(0.0f, square - mean * mean)));
-}
-
-void filter_height(PackedTexture& height, int level, int layer, int x, int y) {
-  int sum = 2;
-  for (const uint8_t* p : below(height, level, layer, x, y).at) sum += u16(p);
-  set_u16(height.texel(level, layer, x, y), sum / 4);
 }
 
 void filter_shadow(PackedTexture& shadow, int level, int layer, int x, int y) {
@@ -191,7 +171,6 @@ void filter_level(PackedFace& face, PackedKind kind, int level, const TexelRect&
           case PackedKind::kRelief: filter_relief(t, level, layer, x, y); break;
           case PackedKind::kHorizon: filter_horizon(t, level, layer, x, y); break;
           case PackedKind::kShadow: filter_shadow(t, level, layer, x, y); break;
-          case PackedKind::kHeight: filter_height(t, level, layer, x, y); break;
         }
       }
     }
@@ -227,7 +206,6 @@ void for_levels(PackedFace& face, const TexelRect& maps_rect, Visit visit) {
 
 void fill_rect(PackedFace& face, const Maps& maps, const TexelRect& rect) {
   pack_surface(face, maps, rect);
-  pack_height(face, maps, rect);
   for_levels(face, rect, [&](PackedKind kind, int level, const TexelRect& r) {
     if (level) return filter_level(face, kind, level, r);
     if (kind == PackedKind::kHorizon) pack_horizon(face.textures[static_cast<size_t>(kind)], maps, r);
@@ -251,13 +229,9 @@ PackedPatch copy_patch(const PackedFace& face, Face which, PackedKind kind, int 
 
 }  // namespace
 
-PackedFace pack(const Maps& maps, bool shadows, float height_bound_mm) {
+PackedFace pack(const Maps& maps, bool shadows) {
   const int w = maps.height_mm.width, h = maps.height_mm.height;
   PackedFace face;
-  face.height_bound_mm = height_bound_mm;
-  if (height_bound_mm <= 0) {
-    for (const float z : maps.height_mm.at_) face.height_bound_mm = std::max(face.height_bound_mm, std::abs(z));
-  }
   face.textures[0] = make_texture(PackedKind::kColor, w, h, 2, 4);
   face.textures[1] = make_texture(PackedKind::kRelief, w, h, 2, 4);
   face.textures[2] = make_texture(PackedKind::kHorizon, std::max(1, w / 2), std::max(1, h / 2), maps.azimuths + 1, 2);
@@ -267,7 +241,6 @@ PackedFace pack(const Maps& maps, bool shadows, float height_bound_mm) {
   } else {
     face.textures[3].kind = PackedKind::kShadow;
   }
-  face.textures[4] = make_texture(PackedKind::kHeight, w, h, 1, 2);
   fill_rect(face, maps, {0, 0, w, h});
   return face;
 }

@@ -19,9 +19,8 @@ enum class PackedKind : uint8_t {
   kHorizon,  // RG8, a layer an azimuth and one for the sky: mean and twice the spread of the horizon's sine; the
              // last layer holds the occlusion. Half the size of the others.
   kShadow,   // R8, a layer a light direction (rung vrst03): 1 lit
-  kHeight,   // R16, one layer: height of the surface, -bound..bound
 };
-inline constexpr int kPackedKinds = 5;
+inline constexpr int kPackedKinds = 4;
 
 /// One texture array: `levels[0]` is the finest; layer by layer, rows tightly packed.
 struct PackedTexture {
@@ -50,7 +49,6 @@ struct PackedFace {
   // Rung vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
   int cube_size = 0;
   std::vector<float> half_cube, difference_cube;
-  float height_bound_mm = 0;
 };
 
 /// Everything of a design that the renderer needs beside mesh, scene and look.
@@ -58,13 +56,20 @@ struct PackedCloth {
   float width_mm = 0, depth_mm = 0;
   float mean_spacing_mm = 0;  // of a yarn, both systems: what "yarns a pixel" counts
   PackedFace front, back;
+  // The threads one by one (thread_block.h): records, and crossings of the front; empty where there are too many.
+  int ends = 0, picks = 0;
+  std::vector<uint32_t> threads;
+  std::vector<uint16_t> crossings;
   std::vector<float> lobes;   // interop::ClothData, then the tables of response_block.h
 };
+
+/// Patches of the threads, beside those of the maps: crossings of a rectangle of cells; all the records.
+inline constexpr int kCrossingPatch = kPackedKinds, kThreadPatch = kPackedKinds + 1;
 
 /// A rectangle of one level of one texture of one face.
 struct PackedPatch {
   Face face = Face::kFront;
-  int texture = 0, level = 0;
+  int texture = 0, level = 0;       // PackedKind, or one of the two above
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<uint8_t> texels;  // all layers, layer by layer
 };
@@ -73,9 +78,8 @@ struct PackedPatch {
 inline constexpr int kShadowAzimuths = 8;
 inline constexpr std::array<float, 3> kShadowElevations{0.35f, 0.75f, 1.15f};  // radians
 
-/// Packs one face with all its mips. `shadows`: also the boolean maps of vrst03. height_bound_mm: heights beyond
-/// it are held to it; 0: the largest there is.
-PackedFace pack(const Maps& maps, bool shadows, float height_bound_mm = 0);
+/// Packs one face with all its mips. `shadows`: also the boolean maps of vrst03.
+PackedFace pack(const Maps& maps, bool shadows);
 
 /// Brings `face` to the maps changed inside `rects` through all levels, and returns what changed, ready to
 /// upload. The result is that of pack(maps) bit for bit.

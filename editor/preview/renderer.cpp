@@ -10,6 +10,7 @@
 
 #include "light/formulas.h"
 #include "light/ladder.h"
+#include "preview/average.h"
 #include "preview/camera.h"
 #include "preview/gpu_cloth.h"
 #include "preview/gpu_hairs.h"
@@ -56,6 +57,7 @@ struct Renderer::Parts {
   GroundLight ground;
   GpuHairs hairs;
   Target screen{false}, linear{true};
+  Average average;
   GlBuffer frame_block;
   GlVertexArray nothing;  // for shapes that the vertex shader makes
   std::map<std::array<int, 3>, GlProgram> cloth_programs;
@@ -95,7 +97,7 @@ bool Renderer::Parts::build(std::string& error) {
   backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
   if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
-  if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error)) return false;
+  if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error)) return false;
   for (const Method method : {Method::kAuto}) {
     if (!cloth_program(method, kFullTaps, 0, error)) return false;
   }
@@ -106,12 +108,13 @@ bool Renderer::Parts::build(std::string& error) {
 /// a branch are run, so finer ones are left out of its program; while something moves it is yarn or repeat alone.
 int Renderer::Parts::finest_rung(const DrawnFrame& drawn) const {
   if (drawn_method(drawn.look.method) != Method::kAuto) return 0;
+  const int nearest = cloth.has_threads() ? 0 : 1;
   const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
-  if (drawn.frame.render_scale < 1) return drawn.least_yarns / drawn.frame.render_scale < edges[1] ? 0 : 2;
-  if (!software) return 0;
+  if (drawn.frame.render_scale < 1) return drawn.least_yarns / drawn.frame.render_scale < edges[1] ? nearest : 2;
+  if (!software) return nearest;
   constexpr float kSure = 0.8f;   // curved cloth and rounding
   const glm::vec4 weight = formulas::rung_weights(kSure * drawn.least_yarns, glm::vec3(edges[0], edges[1], std::max(edges[2], cloth.data().even[0])));
-  int finest = 0;
+  int finest = nearest;
   while (finest < 3 && weight[finest] <= 0) ++finest;
   return finest;
 }
@@ -142,6 +145,7 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   const Linear background = linear_from_srgb(scene.background);
   data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
   data.picture = {static_cast<float>(drawn.frame.width), static_cast<float>(drawn.frame.height), linear_out ? 1.0f : 0.0f, 0};
+  data.samples = {static_cast<float>(drawn.frame.first_sample), static_cast<float>(std::max(1, drawn.frame.samples)), 0, 0};
   const bool quick = drawn.frame.render_scale < 1;
   data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 2.5f,
                  opacity()};
@@ -364,7 +368,9 @@ void Renderer::upload_lobes(const std::vector<float>& lobes) { parts_->cloth.upl
 
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
   parts_->last = {scene, look, frame};
-  parts_->draw_scene(parts_->last, parts_->screen, false);
+  Target& screen = parts_->screen;
+  parts_->draw_scene(parts_->last, screen, false);
+  if (frame.pass >= 0) parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.pass);
   parts_->take_queries(false);
   return parts_->stats;
 }

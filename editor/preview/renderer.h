@@ -26,6 +26,9 @@ struct Frame {
   bool cloth = true;             // false: everything but the cloth (the ray-traced one is laid over it)
   bool transparent = false;      // leave the background out (alpha 0)
   bool false_color_rungs = false;
+  // Samples a pixel of rung yarn, at the most; of a picture made of several passes the first sample of this one,
+  // and its number: the mean of all passes stands in the picture (pass < 0: this one alone).
+  int samples = 32, first_sample = 0, pass = -1;
   bool timed = false;            // wait for the cloth on a software renderer, so that gpu_ms is measured there too
 };
 

@@ -8,8 +8,10 @@
 #include "drape/mesh.h"
 #include "files/files.h"
 #include "light/separable.h"
+#include "cloth/thread_scene.h"
 #include "preview/cloth_block.h"
 #include "preview/response_block.h"
+#include "preview/thread_block.h"
 
 namespace weftlight {
 namespace {
@@ -55,12 +57,10 @@ int power_of_two(double v) {
   return static_cast<int>(std::min<double>(kLongest, floor2));
 }
 
-/// Of the surface's heights: of the threads' layout alone, so that an edit of cells leaves it.
-float height_bound_mm(const Cloth& cloth) {
-  float end = 0, pick = 0;
-  for (const ThreadBody& t : cloth.ends) end = std::max(end, t.height_mm);
-  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, t.height_mm);
-  return std::max(0.75f * (end + pick), 1e-4f);
+template <class T>
+std::vector<uint8_t> bytes_of(const std::vector<T>& values) {
+  const auto* at = reinterpret_cast<const uint8_t*>(values.data());
+  return {at, at + values.size() * sizeof(T)};
 }
 
 /// Texels across one thread that the budget allows.
@@ -138,12 +138,42 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
     if (coarse_) size.width = std::max(1, size.width / kQuickShrink), size.height = std::max(1, size.height / kQuickShrink);
     state.maps = bake(state.cloth, size);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
-    packed = pack(state.maps, shadows, height_bound_mm(state.cloth));
+    packed = pack(state.maps, shadows);
     if (shadows) add_cubes(packed, state.cloth);
   }
   packed_.width_mm = front_.cloth.width_mm;
   packed_.depth_mm = front_.cloth.depth_mm;
   packed_.mean_spacing_mm = mean_spacing_mm(front_.cloth);
+  take_threads();
+}
+
+/// All threads and crossings of the front; the back's are the same, turned over.
+void Stages::take_threads() {
+  const Cloth& cloth = front_.cloth;
+  packed_.ends = static_cast<int>(cloth.ends.size()), packed_.picks = static_cast<int>(cloth.picks.size());
+  packed_.crossings.clear(), packed_.threads.clear();
+  if (int64_t{packed_.ends} * packed_.picks > kMostCrossings) return;
+  const std::vector<glm::vec4> crossings = thread_crossings(cloth, {0, packed_.ends, 0, packed_.picks});
+  top_mm_ = highest_thread(cloth, crossings);
+  packed_.crossings = packed_crossings(crossings);
+  packed_.threads = thread_records(cloth, top_mm_);
+}
+
+void Stages::take_crossings(const CellRect& dirty, StageResult& result) {
+  if (packed_.crossings.empty()) return;
+  const Cloth& cloth = front_.cloth;
+  const CellRect all{0, packed_.ends, 0, packed_.picks};
+  const CellRect cells = period_ == Period::kRepeat ? all : touched_crossings(cloth, dirty);
+  const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
+  top_mm_ = std::max(top_mm_, highest_thread(cloth, crossings));
+  const std::vector<uint16_t> texels = packed_crossings(crossings);
+  const size_t row = static_cast<size_t>(cells.end1 - cells.end0) * 4;
+  for (int p = cells.pick0; p < cells.pick1; ++p) {
+    std::copy_n(texels.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(p - cells.pick0) * row), row,
+                packed_.crossings.begin() + (static_cast<std::ptrdiff_t>(p) * packed_.ends + cells.end0) * 4);
+  }
+  result.patches.push_back({Face::kFront, kCrossingPatch, 0, cells.end0, cells.pick0, cells.end1 - cells.end0,
+                            cells.pick1 - cells.pick0, bytes_of(texels)});
 }
 
 bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result) {
@@ -159,6 +189,7 @@ bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effo
     if (!same_layout(state.cloth, after)) return false;
     const std::vector<TexelRect> rects = rebake(state.maps, state.cloth, after);
     state.cloth = std::move(after);
+    if (face == Face::kFront && !dirty.empty()) take_crossings(dirty, result);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     std::vector<PackedPatch> patches = repack(packed, face, state.maps, rects);
     result.patches.insert(result.patches.end(), std::make_move_iterator(patches.begin()),
@@ -173,7 +204,14 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
       state->cloth.yarns[i].lobes = design.yarns[i].lobes;
     }
   }
-  std::vector<float> block = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps}, height_bound_mm(front_.cloth));
+  if (!packed_.crossings.empty()) {
+    packed_.threads = thread_records(front_.cloth, top_mm_);
+    const int rows = static_cast<int>(packed_.threads.size()) / (4 * THREAD_MAP_WIDTH);
+    if (!result.all_maps) {
+      result.patches.push_back({Face::kFront, kThreadPatch, 0, 0, 0, THREAD_MAP_WIDTH, rows, bytes_of(packed_.threads)});
+    }
+  }
+  std::vector<float> block = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps});
   interop::ClothData data;
   std::memcpy(&data, block.data(), sizeof data);
   data.even[0] = even_from_yarns(packed_.front, packed_.width_mm, packed_.mean_spacing_mm);

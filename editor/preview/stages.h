@@ -43,6 +43,8 @@ class Stages {
   void bake_all(const Design& design, bool shadows, Effort effort);
   bool bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result);
   void take_lobes(const Design& design, Effort effort, StageResult& result);
+  void take_threads();
+  void take_crossings(const CellRect& dirty, StageResult& result);
 
   std::shared_ptr<const Design> done_;
   std::string mesh_name_, mesh_problem_;
@@ -51,6 +53,7 @@ class Stages {
   FaceState front_, back_;
   PackedCloth packed_;
   bool shadows_ = false;
+  float top_mm_ = 0;              // bound of the threads' heights
   bool coarse_ = false;           // the maps are of a quick bake
   bool old_back_ = false;         // the back's maps are of an earlier draft
   bool old_response_ = false;     // the answer from afar is of an earlier design

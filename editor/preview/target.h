@@ -18,6 +18,7 @@ class Target {
   /// Resolves into texture(), scaled to the picture's size.
   void end();
   GLuint texture() const { return picture_.texture.peek(); }
+  GLuint framebuffer() const { return picture_.framebuffer.peek(); }
   /// Row 0 on top.
   Image read() const;
 

@@ -87,7 +87,7 @@ TEST_F(Gate, FromBehindTheComplementIsSeenMirrored) {
     }
   }
   figure("seen from behind, not mirrored", relative_rms(front, behind), relative_rms(mirrored, behind));
-  EXPECT_LT(relative_rms(mirrored, behind), 0.05);   // the samples of a pixel are not mirrored
+  EXPECT_LT(relative_rms(mirrored, behind), 0.25);   // eight samples a pixel, which are not mirrored
   EXPECT_GT(relative_rms(front, behind), 0.1);
 }
 

@@ -1,0 +1,151 @@
+// The fine pattern on a thread: dark grooves that follow the fibres' twist, plies, and the uneven tone of
+// stray fibres. GLSL 3.30 and C++20 (core/cloth/thread_texture.h makes ThreadTexture of a yarn).
+//
+// Based on: N. Adabala, N. Magnenat-Thalmann, G. Fei, Real-time Rendering of Woven Clothes, 2003, section 3.2
+//   and figure 3 (twist tightness, thickness of the fibres, noise of stray fibres).
+// Differs: the twist is a helix on a round thread with its pitch in millimetres, its phase is rounded so that
+//   the tile closes, and a pattern finer than the samples fades to its mean.
+
+#ifndef FORMULA
+#define FORMULA
+#endif
+
+const float kStraySpacing = 2.5f;    // stray fibres are this much sparser than grooves around the thread
+const float kThreadTone = 0.05f;     // a thread is this much lighter or darker than its neighbours
+const float kFibreTone = 0.55f;      // contrasts at hairiness 1
+const float kStrayTone = 0.35f;
+const float kStrayShare = 0.35f;     // of the places for a stray fibre, at hairiness 1
+const float kWander = 1.3f;          // grooves, at hairiness 1
+const int kFibresABundle = 4;
+
+// What the texture of one thread needs, worked out once a thread.
+struct ThreadTexture {
+  float fibres;          // grooves once around
+  int advance;           // grooves that pass in one period along; sign: the hand of the twist
+  float fibre_tan;       // tangent of the angle from the axis to the fibre, towards +across
+  int plies;
+  int ply_advance;
+  float ply_relief_mm;   // depth of the furrow between plies
+  float phase;
+  float ply_phase;
+  int singles;           // single fibres that pass in one period along; 0: without twist
+  int stray_advance;     // like advance, of the stray fibres that cross the others
+  int nodes;             // of the tone along one period
+  float depth;
+  float hair;
+  float radius_mm;
+  uint seed;
+};
+
+// Place on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length + wander).
+struct TexturePoint {
+  float turn;            // in grooves
+  float ply_turn;        // in plies
+  float stray_turn;
+  int node;              // of the tone along, 0..nodes - 1
+  float blend;           // to the next node
+  float cycles;          // grooves that one sample spans
+  float ply_fade;
+};
+
+struct Texel {
+  float groove;          // factor, mean over the thread independent of fade
+  float tone;            // factor on the thread's colour, mean 1
+  float ply;             // -1..1 across a ply: 0 at its ridge
+};
+
+FORMULA uint mix_bits(uint a, uint b) {
+  uint h = (a * 0x9E3779B1u) ^ ((b + 0x7F4A7C15u) * 0x85EBCA77u);
+  h ^= h >> 15;
+  h *= 0x2C1B3C6Du;
+  h ^= h >> 12;
+  h *= 0x297A2D39u;
+  return h ^ (h >> 15);
+}
+
+FORMULA float unit_of(uint h) { return float(h >> 8) * 5.9604644775390625e-8f; }
+
+// One value a fibre and node.
+FORMULA float fibre_value(uint seed, int fibre, int node) {
+  return unit_of(mix_bits(seed + uint(fibre) * 0x632BE5ABu, uint(node)));
+}
+
+// Share of a pattern's contrast that is left when one sample spans `cycles` of it (0: all, 1: none).
+FORMULA float contrast_left(float cycles) { return clamp(1.5f - 2.0f * cycles, 0.0f, 1.0f); }
+
+// Grooves do not run quite straight: how far they are off at a place along, in grooves.
+FORMULA float wander(ThreadTexture x, int node, float blend) {
+  float b = blend * blend * (3.0f - 2.0f * blend);
+  float here = unit_of(mix_bits(x.seed ^ 0x5bd1e995u, uint(node))) - 0.5f;
+  float next = unit_of(mix_bits(x.seed ^ 0x5bd1e995u, uint(node + 1 == x.nodes ? 0 : node + 1))) - 0.5f;
+  return kWander * x.hair * (here + b * (next - here));
+}
+
+// The place `share` (0..1) along the period and `turn` around the thread: 0 on its ridge, towards +across.
+FORMULA TexturePoint texture_point(ThreadTexture x, float share, float turn, float cycles, float ply_fade) {
+  TexturePoint p;
+  float node = share * float(x.nodes);
+  p.node = clamp(int(node), 0, x.nodes - 1);
+  p.blend = clamp(node - float(p.node), 0.0f, 1.0f);
+  p.turn = x.fibres * turn + float(x.advance) * share + wander(x, p.node, p.blend);
+  p.ply_turn = float(x.plies) * turn + float(x.ply_advance) * share;
+  p.stray_turn = x.fibres * turn / kStraySpacing + float(x.stray_advance) * share;
+  p.cycles = cycles;
+  p.ply_fade = ply_fade;
+  return p;
+}
+
+FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
+  Texel made;
+  made.tone = 1.0f + kThreadTone * x.hair * (2.0f * unit_of(mix_bits(x.seed, 3u)) - 1.0f);
+  made.groove = 1.0f - 0.2f * x.depth;
+  made.ply = 0.0f;
+  float fade = contrast_left(p.cycles);
+  if (fade > 0.0f) {
+    float turn = p.turn + x.phase;
+    float fibre = floor(turn);
+    // Blended along; over the tile's border fibre k goes on as k - advance.
+    int k = int(fibre);
+    bool wraps = p.node + 1 == x.nodes;
+    float b = p.blend * p.blend * (3.0f - 2.0f * p.blend);
+    float here = fibre_value(x.seed, k, p.node);
+    float next = fibre_value(x.seed, wraps ? k - x.advance : k, wraps ? 0 : p.node + 1);
+    float tone = here + b * (next - here) - 0.5f;
+    // Groove: 1 between fibres, 0 on their ridge; the fourth power has the mean 1/5.
+    float across = 2.0f * (turn - fibre) - 1.0f;
+    float groove = across * across * across * across;
+    made.groove -= x.depth * fade * (groove * (1.0f + 1.6f * x.hair * tone) - 0.2f);
+    // A stray fibre: thin, light, over one node's length, thinning out to both ends.
+    float stray_turn = p.stray_turn + x.phase;
+    float stray_fibre = floor(stray_turn);
+    float share = kStrayShare * x.hair;
+    float aside = 5.0f * (2.0f * (stray_turn - stray_fibre) - 1.0f);
+    float stray = 0.0f;
+    if (abs(aside) < 1.0f && fibre_value(x.seed ^ 0xA341316Cu, int(stray_fibre), p.node) < share) {
+      stray = (1.0f - aside * aside) * 4.0f * p.blend * (1.0f - p.blend);
+    }
+    const float kMeanOfStray = 2.0f / 15.0f * 2.0f / 3.0f;
+    made.tone += fade * (kFibreTone * x.hair * tone + kStrayTone * (stray - share * kMeanOfStray));
+    // The single fibres of a bundle, each of its own tone.
+    float fine = contrast_left(float(kFibresABundle) * p.cycles);
+    if (fine > 0.0f) {
+      float single = turn * float(kFibresABundle);
+      float index = floor(single);
+      // The same fibre again after a period, so that the tile closes.
+      int own = int(index);
+      if (x.singles > 0) own -= int(floor(index / float(x.singles))) * x.singles;
+      float rounded_off = 2.0f * (single - index) - 1.0f;  // darker to its sides; square's mean 1/3
+      float own_tone = fibre_value(x.seed ^ 0xC2B2AE35u, own, 0) - 0.5f;
+      made.tone += fine * (0.06f + 0.3f * x.hair) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
+    }
+  }
+  if (x.plies > 1) {
+    float ply_turn = p.ply_turn + x.ply_phase;
+    made.ply = 2.0f * (ply_turn - floor(ply_turn)) - 1.0f;
+    float furrow = made.ply * made.ply * made.ply * made.ply * made.ply * made.ply;  // mean 1/7
+    made.groove *= 1.0f - x.depth * (1.0f / 7.0f + p.ply_fade * (furrow - 1.0f / 7.0f));
+    made.ply *= p.ply_fade;
+  }
+  made.groove = clamp(made.groove, 0.0f, 1.0f);
+  return made;
+}

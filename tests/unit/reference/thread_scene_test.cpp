@@ -1,0 +1,110 @@
+// The threads as the shaders evaluate them (shaders/threads.glsl) against the traced tubes: same thread, same place,
+// same normal, same shadow.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "cloth/thread_scene.h"
+#include "reference/tubes.h"
+
+namespace weftlight {
+namespace {
+
+/// Warp over `up`, under `down`, a step aside at every pick.
+Cloth twill(int up, int down) {
+  Design design;
+  const int count = 4 * (up + down);
+  design.draft = blank_draft(count, count, up + down, up + down);
+  BitMatrix cells(count, count);
+  for (int p = 0; p < count; ++p)
+    for (int e = 0; e < count; ++e) cells.set(p, e, (e + p) % (up + down) < up);
+  return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
+}
+
+glm::vec3 direction(float tilt_deg, float azimuth_deg) {
+  const float t = glm::radians(tilt_deg), a = glm::radians(azimuth_deg);
+  return {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)};
+}
+
+class Threads : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    cloth = twill(GetParam(), 3 - GetParam() / 2);
+    std::string error;
+    tubes = TubeScene::build(cloth, {}, error);
+    ASSERT_TRUE(tubes) << error;
+  }
+  Cloth cloth;
+  std::unique_ptr<TubeScene> tubes;
+};
+
+TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
+  ThreadScene threads(cloth);
+  const auto grid = threads.grid();
+  const glm::vec3 light = direction(40, 70);
+  for (const float tilt : {0.0f, 40.0f, 80.0f}) {
+    const glm::vec3 v = direction(tilt, 25);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> unit(0, 1);
+    constexpr int kRays = 4000;
+    int other = 0, other_shadow = 0, lit = 0;
+    double apart = 0, turned = 0;
+    for (int i = 0; i < kRays; ++i) {
+      const glm::vec2 at = glm::vec2(unit(random), unit(random)) * grid.period;
+      TubeHit hit;
+      const bool met = tubes->intersect(glm::vec3(at, 0) + v * (4 * grid.top / v.z), -v, 0, hit);
+      const auto found = threads.first_thread(grid, at, v, 48);
+      if (met != (found.system >= 0) || (met && (found.system != static_cast<int>(hit.system) || found.strand.thread != hit.thread))) {
+        ++other;
+        continue;
+      }
+      if (!met) continue;
+      const auto point = threads.thread_point(found.system, found.strand, found.at);
+      apart += static_cast<double>(std::abs(found.at.z - hit.position.z));
+      turned += static_cast<double>(std::acos(std::min(1.0f, glm::dot(point.normal, hit.normal))));
+      if (glm::dot(hit.normal, light) <= 0) continue;
+      ++lit;
+      const float off = 2e-3f * grid.top;
+      if (tubes->occluded(hit.position + hit.normal * off, light, 0) !=
+          threads.threads_block(grid, found.at + point.normal * off, light, 24, -1, 0)) ++other_shadow;
+    }
+    EXPECT_LT(other, 0.06 * kRays) << tilt;
+    EXPECT_LT(apart / kRays, 0.005 * static_cast<double>(grid.top)) << tilt;
+    EXPECT_LT(turned / kRays, 0.015) << tilt;
+    EXPECT_LT(other_shadow, 0.03 * lit) << tilt;
+  }
+}
+
+TEST_P(Threads, TheTileHasNoSeam) {
+  // Sections lean over the tile's border: both sides must know them.
+  ThreadScene threads(cloth);
+  const auto grid = threads.grid();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < 2000; ++i) {
+    glm::vec2 at = glm::vec2(unit(random), unit(random)) * grid.period;
+    at[i % 2] = (unit(random) - 0.5f) * 0.2f * grid.spacing;
+    TubeHit hit;
+    if (!tubes->intersect(glm::vec3(at, 2 * grid.top), {0, 0, -1}, 0, hit)) continue;
+    EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z, 0.1f * grid.top) << at.x << ' ' << at.y;
+  }
+}
+
+TEST_P(Threads, TheBackIsTheFrontTurnedOver) {
+  Cloth back = cloth;
+  for (int p = 0; p < cloth.up.rows(); ++p)
+    for (int e = 0; e < cloth.up.cols(); ++e) back.up.set(p, e, !cloth.up.get(p, e));
+  ThreadScene turned(cloth, Face::kBack), complement(back);
+  const auto a = turned.grid(), b = complement.grid();
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec2 at = glm::fract(glm::vec2(0.7549f, 0.5698f) * static_cast<float>(i)) * a.period;
+    EXPECT_NEAR(turned.thread_below(a, at, {0, 0}).at.z, complement.thread_below(b, at, {0, 0}).at.z, 1e-5f);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3));
+
+}  // namespace
+}  // namespace weftlight

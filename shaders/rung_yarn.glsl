@@ -70,9 +70,9 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
     // Light from behind crosses this thread itself; every other one stops it.
     bool behind = dot(p.normal, l) <= 0.0;
     vec3 from = hit.at + p.normal * (behind ? 0.0 : 2.0e-3 * g.top);
-    float sure = behind ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
+    float sure = behind || l.z <= 0.0 ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
     if (sure < 0.0) a.key = vec3(0.0);
-    if (sure == 0.0 && threads_block(g, from, vec3(l.xy, abs(l.z)), kLightSteps, behind ? hit.system : -1, thread)) a.key = vec3(0.0);
+    if (sure == 0.0 && threads_block(g, from, l, kLightSteps, behind ? hit.system : -1, thread)) a.key = vec3(0.0);
   }
   sums.key += a.key;
   sums.soft += a.soft * texel.groove;

@@ -264,12 +264,13 @@ FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
   return hit;
 }
 
-// Whether a thread stands between a point and a light far away. The thread (skip_system, skip_thread) does not
+// Whether a thread stands between a point and a light far away, on either side of the cloth. The thread (skip_system, skip_thread) does not
 // count; skip_system -1: all do.
 FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int skip_system, int skip_thread) {
-  float rise = g.top - from.z;
+  float way = l.z < 0.0f ? -1.0f : 1.0f;
+  float rise = g.top - way * from.z;
   if (rise <= 0.0f) return false;
-  vec2 lean = vec2(l.x, l.y) / max(l.z, 0.02f);
+  vec2 lean = vec2(l.x, l.y) / max(abs(l.z), 0.02f);
   float run = rise * length(lean) / g.spacing;
   int steps = int(clamp(ceil(run * kLightStepsAThread), 4.0f, float(most)));
   Crossing c = crossing_near(g, vec2(from.x, from.y));
@@ -277,7 +278,7 @@ FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int skip_s
     float up = rise * (float(i) + 0.5f) / float(steps);
     vec2 there = vec2(from.x, from.y) + lean * up;
     if (!holds(c, there)) c = crossing_near(g, there);
-    vec3 p = vec3(there, from.z + up);
+    vec3 p = vec3(there, from.z + way * up);
     vec2 d = near_distances(c, p);
     if (min(d.x, d.y) < 0.0f) d = distances(c, p);
     if (skip_system == 0 && c.warp.thread == skip_thread) d.x = 1.0f;

@@ -1,4 +1,4 @@
-// Rungs `repeat` and `cloth` against the threads ray traced as bodies, on one repeat of a twill.
+// Rungs `yarn`, `repeat` and `cloth` against the threads ray traced as bodies, on one repeat of a twill.
 
 #include "draft/drawdown.h"
 #include "gate.h"
@@ -59,6 +59,42 @@ TEST_F(Truth, MeanBrightnessIsThatOfTheTracedThreads) {
     }
   }
   EXPECT_LT(std::sqrt(squares), 0.07);
+}
+
+TEST_F(Truth, YarnDrawsTheTracedThreads) {
+  const Pair pairs[] = {{towards(0.6f, 0.87f), towards(0, 1.57f)}, {towards(2.1f, 0.6f), towards(0.2f, 0.6f)},
+                        {towards(-1.9f, 0.5f), towards(1.7f, 0.2f)}};
+  for (const Pair& pair : pairs) {
+    for (const float yarns : {0.125f, 0.5f}) {
+      const int pixels = static_cast<int>(4 / yarns);
+      const Image truth = traced(yarns, pixels, 8000 / pixels, pair);
+      const Image ours = drawn(Method::kYarn, yarns, pixels, pair);
+      const double off = relative_rms(truth, ours);
+      figure("error at " + text(yarns) + " yarns a pixel, an averaged normal", relative_rms(truth, drawn(Method::kEngine, yarns, pixels, pair)), off);
+      EXPECT_LT(off, 0.12) << yarns << " view " << pair.view.z << " light " << pair.light.z;
+      EXPECT_NEAR(mean(ours) / mean(truth), 1, 0.03) << yarns << " view " << pair.view.z << " light " << pair.light.z;
+    }
+  }
+}
+
+TEST_F(Truth, YarnGivesEachThreadItsOwnLobes) {
+  Yarn metal = design.yarns.front();
+  metal.lobes.metallic = true;
+  metal.lobes.along_width = metal.lobes.across_width = 0.2f;
+  design.yarns.push_back(metal);
+  design.draft.warp.yarn.assign(static_cast<size_t>(design.draft.ends()), 0);
+  for (size_t i = 0; i < design.draft.warp.yarn.size(); i += 2) design.draft.warp.yarn[i] = static_cast<int>(design.yarns.size()) - 1;
+  lay(1);
+  const BitMatrix cells = drawdown(design.draft);
+  tubes = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {}, error);
+  ASSERT_TRUE(tubes) << error;
+  const Pair straight{towards(0.1f, 1.3f), towards(0, 1.57f)};
+  const Image truth = traced(0.125f, 32, 200, straight);
+  const double ours = relative_rms(truth, drawn(Method::kYarn, 0.125f, 32, straight));
+  const double mixed = relative_rms(truth, drawn(Method::kCell, 0.125f, 32, straight));
+  figure("error with two yarns in the warp, mean lobes of the system", mixed, ours);
+  EXPECT_LT(ours, 0.12);
+  EXPECT_GT(mixed, 2 * ours);
 }
 
 TEST_F(Truth, RepeatShowsThreadsWhereTheyAre) {

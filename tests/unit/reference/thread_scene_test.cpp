@@ -77,6 +77,20 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
   }
 }
 
+TEST_P(Threads, LightFromBelowIsStoppedByTheThreadsBelow) {
+  ThreadScene threads(cloth);
+  const auto grid = threads.grid();
+  const glm::vec3 light = -direction(30, 10);
+  int other = 0;
+  constexpr int kPoints = 1000;
+  for (int i = 0; i < kPoints; ++i) {
+    const glm::vec2 at = glm::fract(glm::vec2(0.7549f, 0.5698f) * static_cast<float>(i)) * grid.period;
+    const glm::vec3 from(at, 0.98f * grid.top);
+    if (tubes->occluded(from, light, 0) != threads.threads_block(grid, from, light, 24, -1, 0)) ++other;
+  }
+  EXPECT_LT(other, 0.03 * kPoints);
+}
+
 TEST_P(Threads, TheTileHasNoSeam) {
   // Sections lean over the tile's border: both sides must know them.
   ThreadScene threads(cloth);

@@ -53,7 +53,7 @@ for draft in herringbone houndstooth glen_check overshot denim shadow_weave; do
 done
 
 # 6: two contrasting colours, seen straight and at a grazing angle; the paper's method and ours
-for method in vrst03 yarn; do
+for method in vrst03 auto; do
   picture "shot_normal_$method" "$drafts/shot_taffeta.wif" --mesh plane --view 0,4 --size 480x320 --method $method
   picture "shot_grazing_$method" "$drafts/shot_taffeta.wif" --mesh plane --view 78,4 --size 480x320 --method $method
   picture "shot_skirt_$method" "$drafts/shot_taffeta.wif" --mesh skirt --size 480x480 --method $method

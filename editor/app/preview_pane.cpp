@@ -81,7 +81,7 @@ void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s)
 
 bool PreviewPane::can_refine() const {
   const bool threads = stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
-  return threads && drawn_scale_ == 1 && samples_ < kMostSamples && spent_ms_ < kRefineMs;
+  return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
 }
 
 /// One more pass of a resting picture, or the picture of what moves.
@@ -89,13 +89,17 @@ void PreviewPane::draw_pass(const PreviewRequest& request, float scale) {
   Frame frame = frame_of(request);
   frame.render_scale = scale;
   frame.timed = true;
+  if (passes_ == 0 && ms_a_sample_ > 0) all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, kMostSamples);
   frame.samples = samples_a_pass_;
+  frame.all_samples = all_samples_;
   if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
   stats_ = renderer_->draw(request.scene, request.look, frame);
   if (scale == 1) stats_ = renderer_->measure();
   if (stats_.gpu_ms > 0 && passes_ == 0) (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
   drawn_scale_ = scale;
   if (scale < 1) return;
+  constexpr float kMostlyThreads = 0.3f;
+  if (stats_.gpu_ms > 0 && stats_.rung_shares[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples_a_pass_;
   ++passes_;
   samples_ += samples_a_pass_;
   spent_ms_ += stats_.gpu_ms;
@@ -127,7 +131,7 @@ TraceJob PreviewPane::job_of(const PreviewRequest& request) {
   Frame frame = frame_of(request);
   if (request.show_rungs) {
     frame.false_color_rungs = false;
-    frame.samples = samples_a_pass_;
+    frame.samples = samples_a_pass_, frame.all_samples = all_samples_;
     renderer_->draw(request.scene, request.look, frame);
   }
   job.preview = renderer_->read_back();

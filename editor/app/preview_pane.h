@@ -56,8 +56,9 @@ class PreviewPane {
   float drawn_scale_ = 0;
   double moved_s_ = -1e9;
   int passes_ = 0, samples_ = 0;         // of the resting picture, so far
-  int samples_a_pass_ = 2;
+  int samples_a_pass_ = 2, all_samples_ = 8;  // the first picture tells what it costs
   double spent_ms_ = 0;                  // on its passes
+  double ms_a_sample_ = 0;               // of a picture mostly of threads
   double full_ms_ = 0, moving_ms_ = 0;  // the cloth's cost at every pixel, at rest and by the moving programs
   FrameStats stats_;
 

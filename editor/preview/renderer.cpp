@@ -72,6 +72,7 @@ struct Renderer::Parts {
   bool build(std::string& error);
   GLuint cloth_program(Method method, int taps, int finest, std::string& error);
   int finest_rung(const DrawnFrame& drawn) const;
+  std::array<float, 3> edges_of(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const GpuMesh& on) const;
   void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
@@ -104,12 +105,25 @@ bool Renderer::Parts::build(std::string& error) {
   return true;
 }
 
+/// Where one rung gives way to the next, yarns a pixel. A picture that will not get all samples of the threads in its
+/// time gives way at as many samples a yarn, which leaves the same noise.
+std::array<float, 3> Renderer::Parts::edges_of(const DrawnFrame& drawn) const {
+  constexpr float kMoving = 2;   // a picture of one sample, seen for a moment
+  std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  const float taken = drawn.frame.render_scale < 1 ? kMoving : static_cast<float>(drawn.frame.all_samples);
+  const float share = std::sqrt(std::clamp(taken / static_cast<float>(formulas::kMostYarnSamples), 0.0f, 1.0f));
+  const bool straight_to_repeat = edges[1] <= edges[0];
+  edges[0] *= share;
+  if (straight_to_repeat) edges[1] = edges[0];
+  return edges;
+}
+
 /// First of yarn, cell, repeat, cloth that rung auto needs in this picture. Without a graphics card both sides of
 /// a branch are run, so finer ones are left out of its program; while something moves it is yarn or repeat alone.
 int Renderer::Parts::finest_rung(const DrawnFrame& drawn) const {
   if (drawn_method(drawn.look.method) != Method::kAuto) return 0;
   const int nearest = cloth.has_threads() ? 0 : 1;
-  const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  const std::array<float, 3> edges = edges_of(drawn);
   if (drawn.frame.render_scale < 1) return drawn.least_yarns / drawn.frame.render_scale < edges[1] ? nearest : 2;
   if (!software) return nearest;
   constexpr float kSure = 0.8f;   // curved cloth and rounding
@@ -158,7 +172,7 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   }
   const glm::vec3 centre = prepared.bounds.centre();
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
-  const std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  const std::array<float, 3> edges = edges_of(drawn);
   data.rungs = {edges[0], edges[1], edges[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
   const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
   data.hair = {static_cast<float>(hair_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0], growth.length_mm[1]};
@@ -181,7 +195,9 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   if (cloth.empty() || !drawn.frame.cloth) return;
   cloth.bind();
   std::string error;
-  glUseProgram(cloth_program(drawn_method(drawn.look.method), drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps,
+  Method method = drawn_method(drawn.look.method);
+  if (method == Method::kYarn && !cloth.has_threads()) method = Method::kCell;
+  glUseProgram(cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps,
                              finest_rung(drawn), error));
   has_gaps() ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
@@ -278,7 +294,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
 
 /// Shares of the rungs and the error to expect.
 void Renderer::Parts::tell_rungs(const DrawnFrame& drawn, const Camera& camera) {
-  std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  std::array<float, 3> edges = edges_of(drawn);
   edges[2] = std::max(edges[2], cloth.data().even[0]);
   const RungShares shares = rung_shares(mesh.prepared(), camera, drawn.frame.width, drawn.frame.height,
                                         cloth.mean_spacing_mm(), edges);

@@ -15,7 +15,7 @@ enum class Method { kAuto, kFlat, kVrst03, kCloth, kRepeat, kCell, kYarn, kEngin
 
 struct Look {
   Method method = Method::kAuto;
-  float tolerance = 0.05f;   // relative RMSE that kAuto may spend
+  float tolerance = 0.15f;   // relative RMSE that kAuto may spend
   float exposure_ev = 0.0f;  // stops
   bool operator==(const Look&) const = default;
 };

@@ -9,16 +9,20 @@
 
 #include <algorithm>
 #include <cctype>
-#include <deque>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "app/fonts.h"
+#include "app/input_queue.h"
 
 namespace weftlight {
 namespace {
 
-constexpr int kButtons = 5;  // as many as ImGui knows
+using Kind = InputEvent::Kind;
+
+constexpr int kButtons = IM_ARRAYSIZE(ImGuiIO::MouseDown), kKeys = IM_ARRAYSIZE(ImGuiIO::KeysDown);
+constexpr float kOutside = -1e6f;  // where no pointer is
 
 constexpr std::pair<int, const char*> kNamedKeys[] = {
     {GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"}, {GLFW_KEY_LEFT, "Left"},     {GLFW_KEY_RIGHT, "Right"},
@@ -36,6 +40,19 @@ std::string key_name(int key, int scancode) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text == "=" ? "+" : text;
 }
+
+Modifiers modifiers(int mods) {
+  return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0};
+}
+
+/// The modifiers whose keys `down` holds.
+Modifiers modifiers(const bool* down) {
+  const auto either = [down](int left, int right) { return down[left] || down[right]; };
+  return {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+          either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
 std::string shortcut(int key, int scancode, int mods) {
   const std::string name = key_name(key, scancode);
@@ -70,102 +87,114 @@ std::string glfw_problem() {
 }  // namespace
 
 struct Window::Inbox {
-  struct Mouse {
-    double x, y;
-    int button;  // -1: a move
-    bool down;
-    int mods = 0;  // keys held with the button
-  };
   bool happened = true;
-  struct Key {
-    std::string shortcut;
-    uint64_t mouse_before;  // mouse events that came before it
-  };
+  InputQueue input;
   std::vector<std::string> dropped;
-  std::deque<Key> keys;
-  std::vector<int> pressed;  // keys that went down since the last frame
-  std::deque<Mouse> mouse;
-  bool down[kButtons] = {};
-  double x = -1e6, y = -1e6;  // of the last move
-  uint64_t mouse_come = 0, mouse_given = 0, mouse_drawn = 0;  // events so far; drawn: those that the last frame saw
+  std::vector<std::string> shortcuts;  // of the frame
+  bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as the window system last said
+  double x = kOutside, y = kOutside;                      // of the last move
+  ImVec2 given_pointer = {kOutside, kOutside};            // as ImGui knows them
+  bool given_buttons[kButtons] = {};
 
-  void add(Mouse event) {
-    mouse.push_back(event);
-    ++mouse_come;
+  static Inbox& of(GLFWwindow* w) {
+    Inbox& in = *static_cast<Inbox*>(glfwGetWindowUserPointer(w));
+    in.happened = true;
+    return in;
   }
-  static Inbox& of(GLFWwindow* w) { return *static_cast<Inbox*>(glfwGetWindowUserPointer(w)); }
+  bool dragging() const { return std::find(std::begin(button_down), std::end(button_down), true) != std::end(button_down); }
+  void key(int key, int scancode, int action, int mods);
+  /// To ImGui.
+  void give(InputEvent& e);
 };
 
-// Set before ImGui's own, which call these in turn.
+void Window::Inbox::key(int key, int scancode, int action, int mods) {
+  const bool down = action != GLFW_RELEASE;
+  if (key < 0 || key >= kKeys) return;
+  key_down[key] = down;
+  InputEvent e{is_modifier(key) ? Kind::kModifier : Kind::kKey, x, y, static_cast<unsigned>(key), down, modifiers(mods)};
+  if (down) e.shortcut = shortcut(key, scancode, mods);
+  input.add(std::move(e));
+}
+
+// All of them here, none by ImGui's own: the queue keeps their order.
 void Window::listen(GLFWwindow* w) {
   glfwSetKeyCallback(w, [](GLFWwindow* at, int key, int scancode, int action, int mods) {
-    Inbox::of(at).happened = true;
-    if (action == GLFW_RELEASE) return;
-    if (key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) Inbox::of(at).pressed.push_back(key);
-    if (std::string text = shortcut(key, scancode, mods); !text.empty()) Inbox::of(at).keys.push_back({std::move(text), Inbox::of(at).mouse_come});
+    Inbox::of(at).key(key, scancode, action, mods);
   });
-  glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) {
-    Inbox::of(at).happened = true;
-    Inbox::of(at).dropped.assign(paths, paths + count);
+  glfwSetCharCallback(w, [](GLFWwindow* at, unsigned code) {
+    Inbox& in = Inbox::of(at);
+    in.input.add({Kind::kCharacter, in.x, in.y, code});
   });
-  glfwSetCharCallback(w, [](GLFWwindow* at, unsigned) { Inbox::of(at).happened = true; });
   glfwSetMouseButtonCallback(w, [](GLFWwindow* at, int button, int action, int mods) {
     Inbox& in = Inbox::of(at);
+    if (button < 0 || button >= kButtons) return;
+    in.button_down[button] = action == GLFW_PRESS;
     // Where the move before it ended: glfwGetCursorPos tells where the pointer is by now, which after a slow
     // frame is somewhere else.
-    if (button >= 0 && button < kButtons) in.add({in.x, in.y, button, action == GLFW_PRESS, mods});
-    in.happened = true;
+    in.input.add({Kind::kButton, in.x, in.y, static_cast<unsigned>(button), action == GLFW_PRESS, modifiers(mods)});
   });
   glfwSetCursorPosCallback(w, [](GLFWwindow* at, double x, double y) {
     Inbox& in = Inbox::of(at);
     in.x = x;
     in.y = y;
-    in.add({x, y, -1, false});
-    in.happened = true;
+    in.input.add({Kind::kMove, x, y});
   });
-  glfwSetScrollCallback(w, [](GLFWwindow* at, double, double) { Inbox::of(at).happened = true; });
+  glfwSetScrollCallback(w, [](GLFWwindow* at, double x, double y) {
+    Inbox& in = Inbox::of(at);
+    in.input.add({Kind::kScroll, x, y, 0, false, modifiers(in.key_down)});
+  });
   glfwSetCursorEnterCallback(w, [](GLFWwindow* at, int entered) {
     Inbox& in = Inbox::of(at);
     // Outside, nothing is under the pointer; a drag keeps it.
-    const bool dragging = std::find(std::begin(in.down), std::end(in.down), true) != std::end(in.down);
-    if (!entered && !dragging) in.add({-1e6, -1e6, -1, false});
-    in.happened = true;
+    if (!entered && !in.dragging()) in.input.add({Kind::kMove, kOutside, kOutside});
   });
-  glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int) { Inbox::of(at).happened = true; });
-  glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at).happened = true; });
-  glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at).happened = true; });
-  glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { Inbox::of(at).happened = true; });
-  glfwSetWindowRefreshCallback(w, [](GLFWwindow* at) { Inbox::of(at).happened = true; });
-  glfwSetWindowCloseCallback(w, [](GLFWwindow* at) { Inbox::of(at).happened = true; });
+  glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int focused) {
+    Inbox::of(at);
+    ImGui_ImplGlfw_WindowFocusCallback(at, focused);
+  });
+  glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) { Inbox::of(at).dropped.assign(paths, paths + count); });
+  glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
+  glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
+  glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { Inbox::of(at); });
+  glfwSetWindowRefreshCallback(w, [](GLFWwindow* at) { Inbox::of(at); });
+  glfwSetWindowCloseCallback(w, [](GLFWwindow* at) { Inbox::of(at); });
 }
 
 Window::Window() : inbox_(std::make_unique<Inbox>()) {}
 
-void Window::give_mouse() {
+void Window::give_input() {
   ImGuiIO& io = ImGui::GetIO();
-  std::deque<Inbox::Mouse>& mouse = inbox_->mouse;
-  inbox_->mouse_drawn = inbox_->mouse_given;
-  const auto take = [&] {
-    ++inbox_->mouse_given;
-    io.MousePos = {static_cast<float>(mouse.front().x), static_cast<float>(mouse.front().y)};
-    if (const Inbox::Mouse& event = mouse.front(); event.button >= 0) {
-      inbox_->down[event.button] = event.down;
-      // As they were with the press, though they be up by now.
-      io.KeyCtrl = event.mods & GLFW_MOD_CONTROL;
-      io.KeyShift = event.mods & GLFW_MOD_SHIFT;
-      io.KeyAlt = event.mods & GLFW_MOD_ALT;
-    }
-    mouse.pop_front();
-  };
-  bool moved = false;
-  for (; !mouse.empty() && mouse.front().button < 0; moved = true) take();
-  // A release after a move waits, so that the drag sees where it ended.
-  if (!mouse.empty() && (mouse.front().down || !moved)) take();
-  std::copy(std::begin(inbox_->down), std::end(inbox_->down), io.MouseDown);
+  std::optional<Modifiers> held;
+  inbox_->shortcuts.clear();
+  for (InputEvent& e : inbox_->input.next_frame()) {
+    inbox_->give(e);
+    // As they were with the press, though they be up by now.
+    if (e.kind == Kind::kButton || e.kind == Kind::kScroll || (e.kind == Kind::kKey && e.down)) held = e.held;
+  }
+  const Modifiers now = held.value_or(modifiers(io.KeysDown));
+  io.KeyCtrl = now.ctrl;
+  io.KeyShift = now.shift;
+  io.KeyAlt = now.alt;
+  io.KeySuper = io.KeysDown[GLFW_KEY_LEFT_SUPER] || io.KeysDown[GLFW_KEY_RIGHT_SUPER];
+  io.MousePos = inbox_->given_pointer;
+  std::copy(std::begin(inbox_->given_buttons), std::end(inbox_->given_buttons), io.MouseDown);
 }
 
-void Window::give_keys() {
-  for (int key : inbox_->pressed) ImGui::GetIO().KeysDown[key] = true;
+void Window::Inbox::give(InputEvent& e) {
+  ImGuiIO& io = ImGui::GetIO();
+  switch (e.kind) {
+    case Kind::kButton: given_buttons[e.code] = e.down; [[fallthrough]];
+    case Kind::kMove: given_pointer = {static_cast<float>(e.x), static_cast<float>(e.y)}; break;
+    case Kind::kScroll:
+      io.MouseWheelH += static_cast<float>(e.x);
+      io.MouseWheel += static_cast<float>(e.y);
+      break;
+    case Kind::kKey:
+      if (!e.shortcut.empty()) shortcuts.push_back(std::move(e.shortcut));
+      [[fallthrough]];
+    case Kind::kModifier: io.KeysDown[e.code] = e.down; break;
+    case Kind::kCharacter: io.AddInputCharacter(e.code); break;
+  }
 }
 
 void Window::use_crosshair(bool on) {
@@ -177,7 +206,7 @@ void Window::use_crosshair(bool on) {
   flags = on ? flags | ImGuiConfigFlags_NoMouseCursorChange : flags & ~ImGuiConfigFlags_NoMouseCursorChange;
 }
 
-bool Window::has_input() const { return !inbox_->mouse.empty() || !inbox_->keys.empty(); }
+bool Window::has_input() const { return !inbox_->input.empty(); }
 
 std::unique_ptr<Window> Window::open(int width, int height, std::string& error) {
   if (!glfwInit()) {
@@ -198,7 +227,7 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& error) 
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().ConfigDragClickToInputText = true;
-  ImGui_ImplGlfw_InitForOpenGL(w->window_, true);
+  ImGui_ImplGlfw_InitForOpenGL(w->window_, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   return w;
 }
@@ -257,8 +286,7 @@ void Window::use_style(Style& style) {
 void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  give_mouse();
-  give_keys();
+  give_input();
   ImGui::NewFrame();
 }
 
@@ -275,22 +303,9 @@ void Window::end_frame(ImU32 background) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window_);
-  ImGuiIO& io = ImGui::GetIO();
-  io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
-  io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
-  io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
-  // A key that came and went within the frame is up again.
-  for (int key : std::exchange(inbox_->pressed, {}))
-    if (glfwGetKey(window_, key) == GLFW_RELEASE) ImGui::GetIO().KeysDown[key] = false;
 }
 
-std::vector<std::string> Window::take_keys() {
-  std::vector<std::string> keys;
-  std::deque<Inbox::Key>& waiting = inbox_->keys;
-  for (; !waiting.empty() && waiting.front().mouse_before <= inbox_->mouse_drawn; waiting.pop_front())
-    keys.push_back(std::move(waiting.front().shortcut));
-  return keys;
-}
+std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shortcuts, {}); }
 
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
 double Window::seconds() { return glfwGetTime(); }

@@ -31,13 +31,12 @@ class Window {
   void begin_frame();
   void end_frame(ImU32 background);
 
-  /// Keys pressed since the last call, as shortcuts are written: "Ctrl+Shift+S". A key waits until the frames
-  /// have seen what the mouse did before it.
+  /// Keys pressed in this frame, as shortcuts are written: "Ctrl+Shift+S".
   std::vector<std::string> take_keys();
   std::vector<std::string> take_dropped_files();
   /// The pointer is a cross that draws rectangles, else what ImGui asks for.
   void use_crosshair(bool on);
-  /// Mouse events and keys that wait for the next frame.
+  /// Something that the hand did waits for the next frame.
   bool has_input() const;
   /// Framebuffer pixels a window unit (2 on a Retina display, else 1).
   float pixel_ratio() const;
@@ -52,10 +51,8 @@ class Window {
   GLFWwindow* window_ = nullptr;
   struct Inbox;
   static void listen(GLFWwindow* window);
-  /// Hands ImGui the mouse as it was, event after event, however slow the frames are: a press counts where
-  /// it happened, and a press and its release never fall into one frame.
-  void give_mouse();
-  void give_keys();
+  /// Hands ImGui what this frame is to see of the mouse and the keys.
+  void give_input();
 
   std::unique_ptr<Inbox> inbox_;
   float fonts_for_ = 0;

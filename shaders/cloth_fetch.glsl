@@ -170,5 +170,5 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
 // What is seen along v over the whole cloth: xy the share of each system, zw their mean heights, mm.
 vec4 seen_systems(int face, vec3 v) {
   vec2 c = response_coord(v);
-  return textureLod(seen_map, vec2((c.x + 0.5) / 17.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0);
+  return textureLod(seen_map, vec2((c.x * 32.0 + 0.5) / 33.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0);
 }

@@ -6,12 +6,14 @@
 vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 i = response_coord(l);
   vec2 o = response_coord(v);
-  vec2 at = vec2((i.x + 0.5) / 17.0, (float(table) * 32.0 + float(system) * 8.0 + i.y + 0.5) / 64.0);
-  vec2 cell = min(floor(o), vec2(15.0, 6.0));
+  vec2 at = vec2((i.x * 16.0 + 0.5) / 17.0, (float(table) * 32.0 + float(system) * 8.0 + i.y + 0.5) / 64.0);
+  o.x *= 32.0;
+  vec2 cell = min(floor(o), vec2(31.0, 6.0));
   vec2 t = o - cell;
-  float next = cell.x > 14.5 ? 0.0 : cell.x + 1.0;
-  vec4 near = mix(textureLod(response_map, vec3(at, cell.y * 16.0 + cell.x), 0.0), textureLod(response_map, vec3(at, cell.y * 16.0 + next), 0.0), t.x);
-  vec4 far = mix(textureLod(response_map, vec3(at, cell.y * 16.0 + 16.0 + cell.x), 0.0), textureLod(response_map, vec3(at, cell.y * 16.0 + 16.0 + next), 0.0), t.x);
+  float layer = cell.y * 32.0 + cell.x;
+  float next = cell.x > 30.5 ? cell.y * 32.0 : layer + 1.0;
+  vec4 near = mix(textureLod(response_map, vec3(at, layer), 0.0), textureLod(response_map, vec3(at, next), 0.0), t.x);
+  vec4 far = mix(textureLod(response_map, vec3(at, layer + 32.0), 0.0), textureLod(response_map, vec3(at, next + 32.0), 0.0), t.x);
   return mix(near, far, t.y);
 }
 

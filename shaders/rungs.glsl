@@ -66,10 +66,10 @@ FORMULA Answer facet_answer(YarnLobes yarn, vec3 n, float gather, vec3 fibre, ve
   return a;
 }
 
-// Coordinates of a direction in the response tables: azimuth 0..16 (wraps), elevation 0..7.
+// Coordinates of a direction in the response tables: azimuth 0..1 (wraps), elevation 0..7.
 FORMULA vec2 response_coord(vec3 w) {
   float turn = atan(w.y, w.x) * 0.15915494f;
-  return vec2((turn - floor(turn)) * 16.0f, sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * 7.0f);
+  return vec2(turn - floor(turn), sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * 7.0f);
 }
 
 // Coordinate 0..1 of a slope in the tables of slopes.

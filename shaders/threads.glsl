@@ -54,7 +54,11 @@ struct Crossing {
 };
 
 FORMULA vec3 strand_curve(Strand s, float along) {
-  return hermite(s.z0, s.m0, s.z1, s.m1, s.step, (along - s.start) / s.step);
+  // Beyond its ends it goes on straight: a cubic would run away there.
+  float t = (along - s.start) / s.step;
+  float held = clamp(t, 0.0f, 1.0f);
+  vec3 c = hermite(s.z0, s.m0, s.z1, s.m1, s.step, held);
+  return vec3(c.x + c.y * (t - held) * s.step, c.y, held == t ? c.z : 0.0f);
 }
 
 // Where a point lies in the section of a thread that holds it: x, y on the section, 1 long on the ellipse; z the

@@ -23,8 +23,9 @@ namespace {
 constexpr float kRise = 0.36f;
 constexpr float kHeldByNeighbours = 0.45f;
 constexpr float kTension = 0.75f;  // 1: Catmull and Rom's; less: a stiffer pull, less bulge
-// Share of the crimp that the stiffer system keeps at least.
-constexpr float kLeastShare = 0.12f;
+// Share of the crimp that the stiffer system keeps at least. Small: a thick thread cannot bend about fine ones that
+// lie closer than its own radius.
+constexpr float kLeastShare = 0.02f;
 
 int wrap(int i, int n) {
   const int r = i % n;

@@ -36,6 +36,12 @@ float even_room(const std::vector<ThreadBody>& threads) {
   return even ? room : 0;
 }
 
+float widest_room(const std::vector<ThreadBody>& threads) {
+  float most = 0;
+  for (const ThreadBody& t : threads) most = std::max(most, t.spacing_mm);
+  return most;
+}
+
 /// Place of thread i of an endless row.
 float place_of(const std::vector<ThreadBody>& threads, float period, int i) {
   const int n = static_cast<int>(threads.size());
@@ -75,8 +81,7 @@ float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings
   float end = 0, pick = 0, most = 0;
   for (const ThreadBody& t : cloth.ends) end = std::max(end, 0.5f * t.height_mm);
   for (const ThreadBody& t : cloth.picks) pick = std::max(pick, 0.5f * t.height_mm);
-  const float between_ends = cloth.width_mm / static_cast<float>(std::max<size_t>(1, cloth.ends.size()));
-  const float between_picks = cloth.depth_mm / static_cast<float>(std::max<size_t>(1, cloth.picks.size()));
+  const float between_ends = widest_room(cloth.ends), between_picks = widest_room(cloth.picks);
   // Between crossings a cubic rises above them by a quarter of its slopes' rise at the most.
   for (const glm::vec4& c : crossings) {
     const float warp = std::abs(c.x) + end * std::sqrt(1 + c.y * c.y) + 0.25f * std::abs(c.y) * between_picks;

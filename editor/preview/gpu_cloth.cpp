@@ -178,7 +178,7 @@ void GpuCloth::upload_response(std::span<const float> tables) {
   if (tables.size() < kResponseFloats) return;
   const float* at = tables.data();
   glBindTexture(GL_TEXTURE_2D_ARRAY, response_.get());
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kResponseWidth, kResponseHeight, kResponseDirections, 0, GL_RGBA, GL_FLOAT, at);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kResponseWidth, kResponseHeight, kResponseViews, 0, GL_RGBA, GL_FLOAT, at);
   clamp_to_edge(GL_TEXTURE_2D_ARRAY);
   at += kBroadFloats;
   glBindTexture(GL_TEXTURE_2D, slopes_.get());
@@ -186,7 +186,7 @@ void GpuCloth::upload_response(std::span<const float> tables) {
   clamp_to_edge(GL_TEXTURE_2D);
   at += kSlopeFloats;
   glBindTexture(GL_TEXTURE_2D, seen_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kResponseWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, at);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSeenWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, at);
   clamp_to_edge(GL_TEXTURE_2D);
 }
 

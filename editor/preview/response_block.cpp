@@ -17,8 +17,8 @@ void append_rows(std::vector<float>& out, const Faces& faces, size_t view, std::
     for (const SystemResponse& system : face.systems) {
       for (size_t e = 0; e < kResponseElevations; ++e) {
         for (size_t a = 0; a < kResponseWidth; ++a) {
-          const size_t light = e * kResponseAzimuths + a % kResponseAzimuths;
-          const float* at = &(system.*values)[4 * (view * kResponseDirections + light)];
+          const size_t light = e * kLightAzimuths + a % kLightAzimuths;
+          const float* at = &(system.*values)[4 * (view * kResponseLights + light)];
           out.insert(out.end(), at, at + 4);
         }
       }
@@ -27,7 +27,7 @@ void append_rows(std::vector<float>& out, const Faces& faces, size_t view, std::
 }
 
 void append_broad(std::vector<float>& out, const Faces& faces) {
-  for (size_t view = 0; view < kResponseDirections; ++view) {
+  for (size_t view = 0; view < kResponseViews; ++view) {
     append_rows(out, faces, view, &SystemResponse::broad);
     append_rows(out, faces, view, &SystemResponse::lean);
   }
@@ -36,9 +36,9 @@ void append_broad(std::vector<float>& out, const Faces& faces) {
 void append_seen(std::vector<float>& out, const Faces& faces) {
   for (const ClothResponse& face : faces) {
     for (size_t e = 0; e < kResponseElevations; ++e) {
-      for (size_t a = 0; a < kResponseWidth; ++a) {
-        const size_t view = e * kResponseAzimuths + a % kResponseAzimuths;
-        for (const SystemResponse& system : face.systems) out.push_back(system.broad[4 * view * kResponseDirections + 3]);
+      for (size_t a = 0; a < kSeenWidth; ++a) {
+        const size_t view = e * kViewAzimuths + a % kViewAzimuths;
+        for (const SystemResponse& system : face.systems) out.push_back(system.broad[4 * view * kResponseLights + 3]);
         for (const SystemResponse& system : face.systems) out.push_back(system.height_mm[view]);
       }
     }
@@ -86,10 +86,10 @@ float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) 
   return texels * width_mm / std::max(spacing_mm, 1e-6f);
 }
 
-void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back) {
+void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back, int samples) {
   Faces faces;
-  std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps); });
-  faces[0] = cloth_response(front.cloth, front.maps);
+  std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps, samples); });
+  faces[0] = cloth_response(front.cloth, front.maps, samples);
   beside.join();
   interop::ClothData data;
   std::memcpy(&data, block.data(), sizeof data);

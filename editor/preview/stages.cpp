@@ -25,6 +25,7 @@ constexpr double kLeastPerThread = 6;             // texels across a thread wort
 constexpr double kMostPerThread = 64;             // beyond, fibres are smooth
 constexpr double kFinePerThread = 14;             // a whole draft coarser than this gives way to its repeat
 constexpr int kLongest = 8192;
+constexpr int kQuickSamples = 256;
 constexpr int kQuickShrink = 4;                   // of a quick bake's sides
 
 bool same_yarn_shape(Yarn a, Yarn b) {
@@ -216,9 +217,9 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
   std::memcpy(&data, block.data(), sizeof data);
   data.even[0] = even_from_yarns(packed_.front, packed_.width_mm, packed_.mean_spacing_mm);
   std::memcpy(block.data(), &data, sizeof data);
-  old_response_ = effort == Effort::kQuick && !packed_.lobes.empty();
-  if (old_response_) keep_response(block, packed_.lobes);
-  else append_response(block, {front_.cloth, front_.maps}, {back_.cloth, back_.maps});
+  old_response_ = effort == Effort::kQuick;
+  if (old_response_ && !packed_.lobes.empty()) keep_response(block, packed_.lobes);
+  else append_response(block, {front_.cloth, front_.maps}, {back_.cloth, back_.maps}, old_response_ ? kQuickSamples : kResponseSamples);
   packed_.lobes = std::move(block);
   result.lobes = packed_.lobes;
 }

@@ -1,0 +1,216 @@
+// Based on: Roberts 2018 (R3, an even spread of points in three dimensions).
+
+#include "light/thread_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cloth/thread_scene.h"
+#include "light/parallel.h"
+#include "light/yarn_lobes.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr int kWhole = 1 << 18;       // crossings up to which a cloth is taken whole
+constexpr int kWindow = 64, kWindows = 4;  // threads and windows a side, else
+constexpr int kMostSteps = 48;        // of a ray
+constexpr int kAbove = 1 << 13;       // places seen from above
+// Of the turns around a thread, denser near its ridge: the underside is hardly seen.
+constexpr float kEvenTurns = 0.55f;
+
+/// The threads of a window as a cloth of their own.
+Cloth cut(const Cloth& cloth, const CellRect& w) {
+  Cloth out;
+  out.yarns = cloth.yarns;
+  const auto threads = [](const std::vector<ThreadBody>& from, int first, int last, float& length) {
+    std::vector<ThreadBody> to(from.begin() + first, from.begin() + last);
+    const float start = to.front().centre_mm - 0.5f * to.front().spacing_mm;
+    for (ThreadBody& t : to) t.centre_mm -= start;
+    length = to.back().centre_mm + 0.5f * to.back().spacing_mm;
+    return to;
+  };
+  out.ends = threads(cloth.ends, w.end0, w.end1, out.width_mm);
+  out.picks = threads(cloth.picks, w.pick0, w.pick1, out.depth_mm);
+  out.up = BitMatrix(w.pick1 - w.pick0, w.end1 - w.end0);
+  for (int p = w.pick0; p < w.pick1; ++p)
+    for (int e = w.end0; e < w.end1; ++e) out.up.set(p - w.pick0, e - w.end0, cloth.up.get(p, e));
+  return out;
+}
+
+std::vector<Cloth> windows_of(const Cloth& cloth) {
+  const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
+  std::vector<Cloth> out;
+  for (int j = 0; j < kWindows; ++j) {
+    for (int i = 0; i < kWindows; ++i) {
+      const int wide = std::min(kWindow, ends), high = std::min(kWindow, picks);
+      const int e = (ends - wide) * i / (kWindows - 1), p = (picks - high) * j / (kWindows - 1);
+      out.push_back(cut(cloth, {e, e + wide, p, p + high}));
+    }
+  }
+  return out;
+}
+
+/// Places of one cloth.
+class Placer {
+ public:
+  explicit Placer(const Cloth& cloth) : cloth_(cloth), scene_(cloth), grid_(scene_.grid()), views_(response_views()) {
+    for (int s = 0; s < 2; ++s) {
+      const std::vector<ThreadBody>& bodies = s == 0 ? cloth.ends : cloth.picks;
+      for (size_t i = 0; i < bodies.size(); ++i) {
+        const Yarn& yarn = cloth.yarns[static_cast<size_t>(bodies[i].yarn)];
+        textures_[s].push_back(thread_texture(yarn, bodies[i], s == 0 ? System::kWarp : System::kWeft, static_cast<int>(i), length(s)));
+      }
+    }
+  }
+  /// Place k of `count` of a system; area 0 where there is none.
+  ThreadPlace place(int system, int k, int count);
+  void look_down(int count, std::vector<TopPlace>& top);
+
+ private:
+  float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
+  glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
+  void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point);
+  void look_around(ThreadPlace& p, glm::vec3 at, int thread);
+
+  const Cloth& cloth_;
+  ThreadScene scene_;
+  thread_formulas::ThreadScene::ThreadGrid grid_;
+  std::array<std::vector<ThreadTexture>, 2> textures_;
+  std::array<glm::vec3, kResponseViews> views_;
+};
+
+ThreadPlace Placer::place(int system, int k, int count) {
+  const auto part = [k](double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); };
+  const glm::vec2 at = glm::vec2(part(0.8191725133961645), part(0.6710436067037893)) * grid_.period;
+  const float u = 2 * part(0.5497004779019703) - 1;
+  const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u), density = kPi * (kEvenTurns + 3 * (1 - kEvenTurns) * u * u);
+  const auto crossing = scene_.crossing_near(grid_, at);
+  const auto& s = system == 0 ? crossing.warp : crossing.weft;
+  const float along = system == 0 ? at.y : at.x;
+  const glm::vec3 c = scene_.strand_curve(s, along);
+  const float lean = std::sqrt(1 + c.y * c.y), x = std::sin(turn), y = std::cos(turn);
+  const float around = std::sqrt(s.half_width * s.half_width * y * y + s.half_height * s.half_height * x * x);
+  // Sections stand at right angles to a bent line: outside the bend they are further apart.
+  const float apart = lean * (1 - s.half_height * y * c.z / (lean * lean * lean));
+  const float room = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)].spacing_mm;
+  ThreadPlace p;
+  p.system = system;
+  if (apart <= 0 || room <= 0) return p;
+  p.area = around * apart * density * 2 / (room * static_cast<float>(count));
+  const float aside = s.centre + s.half_width * x, level = c.x + s.half_height * y / lean;
+  const float ahead = along - s.half_height * y * c.y / lean;
+  const glm::vec3 where = system == 0 ? glm::vec3(aside, ahead, level) : glm::vec3(ahead, aside, level);
+  p.height_mm = level;
+  // Inside the other thread, where both are pressed together.
+  if (scene_.strand_distance(system == 0 ? crossing.weft : crossing.warp, system == 0 ? where.y : where.x,
+                             system == 0 ? where.x : where.y, where.z) < 0) {
+    p.area = 0;
+    return p;
+  }
+  dress(p, s.thread, scene_.thread_point(system, s, where));
+  look_around(p, where, s.thread);
+  return p;
+}
+
+/// The normal between plies, and the pattern there, between fibres at its mean.
+glm::vec3 Placer::plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel) {
+  const ThreadTexture& t = textures_[static_cast<size_t>(system)][static_cast<size_t>(thread)];
+  const float share = point.along / length(system);
+  texel = texture_at(t, thread_formulas::texture_point(t, share - std::floor(share), point.turn, 1, 1));
+  return t.plies > 1 ? scene_.ply_normal(point, t, texel.ply, length(system)) : point.normal;
+}
+
+/// Normals, fibre and lobes, as core/reference/trace.cpp has them.
+void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point) {
+  Texel texel;
+  p.side = point.normal;
+  p.normal = plied(p.system, thread, point, texel);
+  p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
+  p.groove = texel.groove;
+  const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
+  const auto toned = [&](float v) { return std::min(v * texel.tone, 1.0f); };
+  p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes, {toned(body.colour.r), toned(body.colour.g), toned(body.colour.b)});
+}
+
+void Placer::look_down(int count, std::vector<TopPlace>& top) {
+  for (int k = 0; k < count; ++k) {
+    const auto part = [k](double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); };
+    const auto hit = scene_.thread_below(grid_, glm::vec2(part(0.7548776662466927), part(0.5698402909980532)) * grid_.period, glm::vec2(0));
+    if (hit.system < 0) continue;
+    const auto point = scene_.thread_point(hit.system, hit.strand, hit.at);
+    const size_t s = static_cast<size_t>(hit.system), thread = static_cast<size_t>(hit.strand.thread);
+    Texel texel;
+    const glm::vec3 normal = plied(hit.system, hit.strand.thread, point, texel);
+    const Lobes& lobes = cloth_.yarns[static_cast<size_t>((s == 0 ? cloth_.ends : cloth_.picks)[thread].yarn)].lobes;
+    top.push_back({hit.system, normal, point.axis + point.around * textures_[s][thread].fibre_tan,
+                   {lobes.along_width * lobes.along_width, lobes.across_width * lobes.across_width}});
+  }
+}
+
+void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread) {
+  const glm::vec3 off = at + p.side * (2e-3f * grid_.top);
+  const auto sees = [&](size_t view) {
+    const bool behind = glm::dot(p.side, views_[view]) <= 0;
+    if (behind && p.lobes.through.g <= 0) return false;
+    return !scene_.threads_block(grid_, behind ? at : off, views_[view], kMostSteps, behind ? p.system : -1, thread);
+  };
+  constexpr size_t kTop = (kResponseElevations - 1) * kViewAzimuths;
+  const bool above = sees(kTop);
+  std::fill_n(p.open.begin() + kTop, kViewAzimuths, above ? 1.0f : 0.0f);
+  // Every second azimuth first; between two that agree, their answer stands.
+  for (size_t a = 0; a < 2 * kViewAzimuths; a += 2) {
+    const bool between = a >= kViewAzimuths;
+    const size_t azimuth = between ? a - kViewAzimuths + 1 : a;
+    int blocked = above ? 0 : 1;
+    for (size_t e = kResponseElevations - 1; e-- > 0;) {
+      float* row = &p.open[e * kViewAzimuths];
+      const float before = row[azimuth - (between ? 1 : 0)], after = row[(azimuth + 1) % kViewAzimuths];
+      // What stands before two elevations stands before the lower ones.
+      const bool open = between && before == after ? before > 0 : blocked < 2 && sees(e * kViewAzimuths + azimuth);
+      row[azimuth] = open ? 1.0f : 0.0f;
+      blocked = open ? 0 : blocked + 1;
+    }
+  }
+}
+
+}  // namespace
+
+std::array<glm::vec3, kResponseViews> response_views() {
+  std::array<glm::vec3, kResponseViews> out;
+  for (int e = 0; e < kResponseElevations; ++e) {
+    const float u = static_cast<float>(e) / (kResponseElevations - 1);
+    const float z = std::max(u * u, 0.004f), r = std::sqrt(std::max(0.0f, 1 - z * z));
+    for (int a = 0; a < kViewAzimuths; ++a) {
+      const float t = 2 * kPi * static_cast<float>(a) / kViewAzimuths;
+      out[static_cast<size_t>(e * kViewAzimuths + a)] = {r * std::cos(t), r * std::sin(t), z};
+    }
+  }
+  return out;
+}
+
+FacetMoments facet_moments(const glm::vec3& n) { return {n.x, n.y, n.x * n.x, n.y * n.y}; }
+
+ThreadPlaces thread_places(const Cloth& cloth, int count) {
+  ThreadPlaces out;
+  if (cloth.ends.empty() || cloth.picks.empty()) return out;
+  const bool large = cloth.ends.size() * cloth.picks.size() > kWhole;
+  const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
+  const int each = std::max(1, count / 2 / static_cast<int>(parts.size()));
+  out.places.resize(parts.size() * static_cast<size_t>(2 * each));
+  size_t first = 0;
+  for (const Cloth& part : parts) {
+    Placer placer(part);
+    in_parallel(2 * each, 2, [&](int i) { out.places[first + static_cast<size_t>(i)] = placer.place(i % 2, i / 2, each); });
+    placer.look_down(kAbove / static_cast<int>(parts.size()), out.top);
+    first += static_cast<size_t>(2 * each);
+  }
+  std::erase_if(out.places, [](const ThreadPlace& p) {
+    return p.area <= 0 || std::all_of(p.open.begin(), p.open.end(), [](float o) { return o <= 0; });
+  });
+  return out;
+}
+
+}  // namespace weftlight

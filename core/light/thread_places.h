@@ -1,0 +1,62 @@
+#pragma once
+// Places spread over the threads of a cloth, as bodies, and which directions each of them sees.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "cloth/cloth.h"
+#include "light/formulas.h"
+
+namespace weftlight {
+
+// Directions on a grid: elevation-major, azimuth 0 along the weft, 90 degrees along the warp. Views twice as close:
+// where threads hide behind each other, what is seen turns sharply about the threads' own directions.
+inline constexpr int kResponseElevations = 8;  // node k: cosine (k / 7)^2, the lowest a little above 0
+inline constexpr int kViewAzimuths = 32, kLightAzimuths = 16;
+inline constexpr int kResponseViews = kResponseElevations * kViewAzimuths;
+inline constexpr int kResponseLights = kResponseElevations * kLightAzimuths;
+
+/// The view from which light i comes.
+constexpr size_t view_of_light(size_t i) {
+  return i / kLightAzimuths * kViewAzimuths + i % kLightAzimuths * (kViewAzimuths / kLightAzimuths);
+}
+
+/// Unit vectors; x along the weft, y along the warp, z out of the face.
+std::array<glm::vec3, kResponseViews> response_views();
+
+struct ThreadPlace {
+  int system = 0;          // 0 warp, 1 weft
+  float area = 0;          // of the thread that the place stands for, over that of the cloth's plane
+  float height_mm = 0;
+  glm::vec3 side{0, 0, 1};     // normal of the section
+  glm::vec3 normal{0, 0, 1};   // between plies, too
+  glm::vec3 fibre{1, 0, 0};    // along the fibres on the surface
+  float groove = 1;
+  formulas::YarnLobes lobes;
+  // Per view, 0 or 1: nothing stands before it; for those behind the place, nothing but its own thread.
+  std::array<float, kResponseViews> open{};
+};
+
+// Means of the unit normal's x, y and of their squares.
+inline constexpr size_t kFacetMoments = 4;
+using FacetMoments = std::array<float, kFacetMoments>;
+FacetMoments facet_moments(const glm::vec3& normal);
+
+/// A place seen from straight above; all such stand for the same area.
+struct TopPlace {
+  int system = 0;
+  glm::vec3 normal{0, 0, 1}, fibre{1, 0, 0};
+  glm::vec2 widths2{0};  // variances of the lobe's slopes along the fibre and across
+};
+
+struct ThreadPlaces {
+  std::vector<ThreadPlace> places;
+  std::vector<TopPlace> top;  // many more: they cost little
+};
+
+/// `count` places, the same every time. Of a cloth of very many crossings: in windows spread over it. Those that
+/// no direction reaches are left out.
+ThreadPlaces thread_places(const Cloth& cloth, int count);
+
+}  // namespace weftlight

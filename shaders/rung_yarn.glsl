@@ -7,11 +7,11 @@
 #include "thread_fetch.glsl"
 
 #if defined(QUICK)
-const int kViewSteps = 8;
-const int kLightSteps = 6;
+const int kViewCells = 8;
+const int kLightCells = 4;
 #else
-const int kViewSteps = 48;
-const int kLightSteps = 24;
+const int kViewCells = 48;
+const int kLightCells = 24;
 #endif
 
 // Means over the samples of a pixel.
@@ -47,7 +47,7 @@ float surely_lit(int face, vec2 at, float level, vec3 l) {
 }
 
 void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, float sample_mm, int face, float level) {
-  ThreadHit hit = first_thread(g, at, x.v, kViewSteps);
+  ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
   sums.cover += 1.0;
   int thread = hit.strand.thread;
@@ -68,11 +68,9 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
   a.key *= texel.groove;
   if (a.key.r + a.key.g + a.key.b > 0.0) {
     // Light from behind crosses this thread itself; every other one stops it.
-    bool behind = dot(p.normal, l) <= 0.0;
-    vec3 from = hit.at + p.normal * (behind ? 0.0 : 2.0e-3 * g.top);
-    float sure = behind || l.z <= 0.0 ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
+    float sure = dot(p.normal, l) <= 0.0 || l.z <= 0.0 ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
     if (sure < 0.0) a.key = vec3(0.0);
-    if (sure == 0.0 && threads_block(g, from, l, kLightSteps, behind ? hit.system : -1, thread)) a.key = vec3(0.0);
+    if (sure == 0.0 && threads_block(g, hit.at, l, kLightCells, hit.system, thread)) a.key = vec3(0.0);
   }
   sums.key += a.key;
   sums.soft += a.soft * texel.groove;

@@ -5,7 +5,7 @@
 //   Crossing c = crossing_near(grid, at)           the two strands over and under a place
 //   ThreadHit h = first_thread(grid, at, v, span)  what a ray down against v meets
 //   thread_point(strand, ...)                      normal and axis there, place on the thread
-//   threads_block(grid, from, l, ...)              whether a thread stands before the light
+//   threads_block(grid, from, l, ...)              whether another thread stands before the light
 //
 // The host declares what it holds of the cloth:
 //   vec4 thread_body(int system, int thread)       centre, half its room, half width, half height
@@ -18,9 +18,10 @@
 
 #include "thread_curve.glsl"
 
-const float kStepsAThread = 8.0f;   // of the eye's ray, for each spacing that it runs over the cloth
-const float kLightStepsAThread = 8.0f;
-const int kMostSteps = 64;
+// Steps of a ray in one crossing's cell: so many for a rise as high as the cloth is above its middle plane.
+const float kStepsInTop = 5.0f;
+const int kLeastStepsInCell = 4;
+const int kMostStepsInCell = 10;
 
 struct ThreadGrid {
   ivec2 count;      // ends, picks
@@ -95,11 +96,13 @@ FORMULA float strand_top(Strand s, float across, float along) {
   return z;
 }
 
-// Much the same, cheaper, for the steps of a ray: the section is cut upright where the point is.
+// Much the same, cheaper, for the steps of a ray: one step towards the foot.
 FORMULA float strand_near(Strand s, float across, float along, float z) {
   vec3 c = strand_curve(s, along);
+  float place = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
+  c = strand_curve(s, place);
   float x = (across - s.centre) / s.half_width;
-  float y = (z - c.x) * inversesqrt(1.0f + c.y * c.y) / s.half_height;
+  float y = ((z - c.x) - (along - place) * c.y) * inversesqrt(1.0f + c.y * c.y) / s.half_height;
   return (sqrt(x * x + y * y) - 1.0f) * s.half_height;
 }
 
@@ -220,76 +223,100 @@ FORMULA ThreadHit thread_below(ThreadGrid g, vec2 at, vec2 lean) {
   return hit;
 }
 
-// First thread on the ray that crosses the middle plane at `at`, coming from v. most: steps at the most; 0 asks
-// for the thread straight below.
+// A ray in the cloth as heights: at height z it is over at + lean * z. Where it leaves a crossing's cell on its way
+// down (way -1) or up (way 1).
+FORMULA float cell_exit(Crossing c, vec2 at, vec2 lean, float way) {
+  vec2 run = lean * way;
+  float x = abs(lean.x) < 1.0e-6f ? 1.0e9f : ((run.x < 0.0f ? c.low.x : c.high.x) - at.x) / lean.x * way;
+  float y = abs(lean.y) < 1.0e-6f ? 1.0e9f : ((run.y < 0.0f ? c.low.y : c.high.y) - at.y) / lean.y * way;
+  return min(x, y) * way;
+}
+
+FORMULA int steps_in_cell(ThreadGrid g, float rise) {
+  return int(clamp(ceil(rise * kStepsInTop / g.top), float(kLeastStepsInCell), float(kMostStepsInCell)));
+}
+
+FORMULA float distance_to(ThreadHit h, vec3 p) {
+  return h.system == 0 ? strand_distance(h.strand, p.x, p.y, p.z) : strand_distance(h.strand, p.y, p.x, p.z);
+}
+
+// False position between a height outside the thread and one inside.
+FORMULA vec3 surface_between(ThreadHit h, vec2 at, vec2 lean, float high, float low, float above, float under) {
+  vec3 p = vec3(at + lean * low, low);
+  for (int k = 0; k < 4; ++k) {
+    float z = low + (high - low) * clamp(-under / max(above - under, 1.0e-6f), 0.02f, 0.98f);
+    p = vec3(at + lean * z, z);
+    float now = distance_to(h, p);
+    // The side that stays counts half from then on (Illinois), or it would hold the other back.
+    if (now < 0.0f) {
+      low = z;
+      under = now;
+      above *= 0.5f;
+    } else {
+      high = z;
+      above = now;
+      under *= 0.5f;
+    }
+  }
+  return p;
+}
+
+// First thread on the ray that crosses the middle plane at `at`, coming from v. most: cells at the most; 0 asks
+// for the thread straight below. It goes from cell to cell, since fetching a crossing costs more than the steps in it,
+// and looks for the surface last, so that rays side by side do so together.
 FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
   vec2 lean = vec2(v.x, v.y) / max(v.z, 0.04f);   // for a height of 1
-  float run = 2.0f * g.top * length(lean) / g.spacing;
-  if (most == 0 || run < 0.06f) return thread_below(g, at, lean);
-  int steps = int(clamp(ceil(run * kStepsAThread), 8.0f, float(most)));
-  float down = 2.0f * g.top / float(steps);
-  Crossing c = crossing_near(g, at + lean * g.top);
-  vec2 d = distances(c, vec3(at + lean * g.top, g.top));
-  float above = min(d.x, d.y);
+  float slant = length(lean);
+  if (most == 0 || 2.0f * g.top * slant < 0.06f * g.spacing) return thread_below(g, at, lean);
+  float nudge = 1.0e-4f * g.spacing / slant;
   float z = g.top;
-  for (int i = 0; i < steps; ++i) {
-    float next = z - down;
-    vec2 there = at + lean * next;
-    if (!holds(c, there)) c = crossing_near(g, there);
-    d = near_distances(c, vec3(there, next));
-    if (min(d.x, d.y) < 0.0f) d = distances(c, vec3(there, next));
-    float under = min(d.x, d.y);
-    if (under < 0.0f) {
-      // The surface lies between: false position.
-      float high = z;
-      float low = next;
-      for (int k = 0; k < 3; ++k) {
-        float try_z = low + (high - low) * clamp(-under / max(above - under, 1.0e-6f), 0.02f, 0.98f);
-        there = at + lean * try_z;
-        if (!holds(c, there)) c = crossing_near(g, there);
-        d = distances(c, vec3(there, try_z));
-        float now = min(d.x, d.y);
-        if (now < 0.0f) {
-          low = try_z;
-          under = now;
-        } else {
-          high = try_z;
-          above = now;
-        }
-        z = try_z;
-      }
-      return hit_of(c, vec3(there, z), d);
+  float next = z;
+  float above = g.top;
+  vec2 d = vec2(g.top);
+  Crossing c = crossing_near(g, at + lean * z);
+  for (int i = 0; i < most && z > -g.top && min(d.x, d.y) >= 0.0f; ++i) {
+    if (i > 0) c = crossing_near(g, at + lean * (z - nudge));
+    float end = max(min(cell_exit(c, at, lean, -1.0f), z - nudge), -g.top);
+    int steps = steps_in_cell(g, z - end);
+    float down = (z - end) / float(steps);
+    for (int k = 0; k < steps; ++k) {
+      next = z - down;
+      d = near_distances(c, vec3(at + lean * next, next));
+      if (min(d.x, d.y) < 0.0f) break;
+      above = min(d.x, d.y);
+      z = next;
     }
-    above = under;
-    z = next;
   }
-  ThreadHit hit = hit_of(c, vec3(at, z), vec2(0.0f, 1.0f));
-  hit.system = -1;
+  ThreadHit hit = hit_of(c, vec3(at + lean * next, next), d);
+  if (min(d.x, d.y) >= 0.0f) hit.system = -1;
+  else hit.at = surface_between(hit, at, lean, z, next, above, min(d.x, d.y));
   return hit;
 }
 
-// Whether a thread stands between a point and a light far away, on either side of the cloth. The thread (skip_system, skip_thread) does not
-// count; skip_system -1: all do.
-FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int skip_system, int skip_thread) {
+// Whether a thread stands between a point and a light far away, on either side of the cloth; most: cells at the most.
+// The thread that the point is on does not count: it bends too little to stand before itself. system -1: all do.
+FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system, int thread) {
   float way = l.z < 0.0f ? -1.0f : 1.0f;
-  float rise = g.top - way * from.z;
-  if (rise <= 0.0f) return false;
-  vec2 lean = vec2(l.x, l.y) / max(abs(l.z), 0.02f);
-  float run = rise * length(lean) / g.spacing;
-  int steps = int(clamp(ceil(run * kLightStepsAThread), 4.0f, float(most)));
-  Crossing c = crossing_near(g, vec2(from.x, from.y));
-  for (int i = 0; i < steps; ++i) {
-    float up = rise * (float(i) + 0.5f) / float(steps);
-    vec2 there = vec2(from.x, from.y) + lean * up;
-    if (!holds(c, there)) c = crossing_near(g, there);
-    vec3 p = vec3(there, from.z + way * up);
-    vec2 d = near_distances(c, p);
-    if (min(d.x, d.y) < 0.0f) d = distances(c, p);
-    if (skip_system == 0 && c.warp.thread == skip_thread) d.x = 1.0f;
-    if (skip_system == 1 && c.weft.thread == skip_thread) d.y = 1.0f;
-    if (min(d.x, d.y) < 0.0f) return true;
+  vec2 lean = vec2(l.x, l.y) / (way * max(abs(l.z), 0.02f));
+  vec2 at = vec2(from.x, from.y) - lean * from.z;
+  float nudge = 1.0e-4f * g.spacing / max(length(lean), 1.0e-3f);
+  float z = way * from.z;   // grows towards the light
+  bool blocked = false;
+  for (int i = 0; i < most && z < g.top && !blocked; ++i) {
+    Crossing c = crossing_near(g, at + lean * (way * (z + nudge)));
+    float end = min(max(way * cell_exit(c, at, lean, way), z + nudge), g.top);
+    int steps = steps_in_cell(g, end - z);
+    float up = (end - z) / float(steps);
+    for (int k = 0; k < steps; ++k) {
+      float height = z + up * (float(k) + 0.5f);
+      vec2 d = near_distances(c, vec3(at + lean * (way * height), way * height));
+      if (system == 0 && c.warp.thread == thread) d.x = 1.0f;
+      if (system == 1 && c.weft.thread == thread) d.y = 1.0f;
+      blocked = blocked || min(d.x, d.y) < 0.0f;
+    }
+    z = end;
   }
-  return false;
+  return blocked;
 }
 
 // A place on a thread, in the cloth's axes.

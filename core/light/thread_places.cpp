@@ -16,7 +16,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kWhole = 1 << 18;       // crossings up to which a cloth is taken whole
 constexpr int kWindow = 64, kWindows = 4;  // threads and windows a side, else
-constexpr int kMostSteps = 48;        // of a ray
+constexpr int kMostCells = 48;        // of crossings, along a ray
 constexpr int kAbove = 1 << 13;       // places seen from above
 // Of the turns around a thread, denser near its ridge: the underside is hardly seen.
 constexpr float kEvenTurns = 0.55f;
@@ -151,11 +151,10 @@ void Placer::look_down(int count, std::vector<TopPlace>& top) {
 }
 
 void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread) {
-  const glm::vec3 off = at + p.side * (2e-3f * grid_.top);
   const auto sees = [&](size_t view) {
     const bool behind = glm::dot(p.side, views_[view]) <= 0;
     if (behind && p.lobes.through.g <= 0) return false;
-    return !scene_.threads_block(grid_, behind ? at : off, views_[view], kMostSteps, behind ? p.system : -1, thread);
+    return !scene_.threads_block(grid_, at, views_[view], kMostCells, p.system, thread);
   };
   constexpr size_t kTop = (kResponseElevations - 1) * kViewAzimuths;
   const bool above = sees(kTop);

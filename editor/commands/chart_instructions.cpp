@@ -97,17 +97,17 @@ vec2 masking_pixel(const PixelInput& x) {
 /// One sample of a pixel, as shaders/rung_yarn.glsl takes it; the light's ray is followed where it must be, which
 /// is every `kLitFor`th sample (the others are told apart by the horizons).
 vec3 yarn_sample(const PixelInput& x, vec2 at, bool doubtful) {
-  constexpr int kViewSteps = 48, kLightSteps = 24;
+  constexpr int kViewCells = 48, kLightCells = 24;
   ThreadScene& scene = *x.threads;
   const auto grid = scene.grid();
-  const auto hit = scene.first_thread(grid, at, x.v, kViewSteps);
+  const auto hit = scene.first_thread(grid, at, x.v, kViewCells);
   if (hit.system < 0) return vec3(0);
   const auto p = scene.thread_point(hit.system, hit.strand, hit.at);
   const float length = hit.system == 0 ? grid.period.y : grid.period.x;
   const ThreadTexture& pattern = (hit.system == 0 ? x.ends : x.picks)[static_cast<size_t>(hit.strand.thread)];
   const Texel texel = texture_at(pattern, thread_formulas::texture_point(pattern, fract(p.along / length), p.turn, 1, 0));
   const Answer a = facet_answer(hit.system == 0 ? x.warp : x.weft, p.normal, 1, p.axis + p.around * pattern.fibre_tan, vec3(0), x.l, x.v);
-  if (doubtful && scene.threads_block(grid, hit.at + p.normal * (2e-3f * grid.top), x.l, kLightSteps, -1, 0)) return vec3(0);
+  if (doubtful && scene.threads_block(grid, hit.at, x.l, kLightCells, hit.system, hit.strand.thread)) return vec3(0);
   return a.key * texel.groove;
 }
 

@@ -405,6 +405,8 @@ Image Renderer::read_back(bool linear) const {
 }
 
 void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
+bool Renderer::is_software() const { return parts_->software; }
+
 std::string Renderer::device() const {
   return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +
          reinterpret_cast<const char*>(glGetString(GL_VERSION));

@@ -70,6 +70,8 @@ class Renderer {
 
   /// What rung auto chooses by; the shipped ladder until then.
   void set_ladder(const Ladder& ladder);
+  /// Drawn by the processor (Mesa's llvmpipe).
+  bool is_software() const;
   /// Graphics card and driver.
   std::string device() const;
 

@@ -22,12 +22,12 @@ struct Answer {
   vec3 glossy;   // share of the sky as it is mirrored
 };
 
-// Samples that rung yarn takes of a pixel so many yarns across (root of its area): about twelve across a thread, which
+// Samples that rung yarn takes of a pixel so many yarns across (root of its area): about fourteen across a thread, which
 // holds the filtering error near 0.05 (docs/chart.md).
-const int kLeastYarnSamples = 8;
-const int kMostYarnSamples = 32;
+const int kLeastYarnSamples = 16;
+const int kMostYarnSamples = 48;
 FORMULA int yarn_samples(float yarns, int most) {
-  return min(int(clamp(ceil(yarns * yarns * 128.0f), float(kLeastYarnSamples), float(kMostYarnSamples))), most);
+  return min(int(clamp(ceil(yarns * yarns * 192.0f), float(kLeastYarnSamples), float(kMostYarnSamples))), most);
 }
 
 // Lobes from the numbers of a yarn or of a mean of yarns (interop.h, SystemData).

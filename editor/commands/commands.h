@@ -35,7 +35,7 @@ struct PictureOptions {
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
-  int samples = 0;   // render only; 0: 32, without a graphics card 16
+  int samples = 0;   // render only; 0: 48, without a graphics card 16
   int spp = 64;      // reference only
   int bounces = 0;   // reference only
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "light/cloth_brdf.h"
+#include "light/cloth_response.h"
 #include "light/separable.h"
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
@@ -23,6 +24,19 @@ void brdf_tables_of_a_cloth(benchmark::State& state) {
     benchmark::DoNotOptimize(make_cloth_brdf(0.5f, 0.5f, 0.3f, 0.6f, {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1}));
 }
 BENCHMARK(brdf_tables_of_a_cloth)->Unit(benchmark::kMillisecond);
+
+/// What rungs `cloth` and `repeat` read, of one face of a 2/2 twill.
+void answer_from_afar(benchmark::State& state) {
+  Design design;
+  design.draft = blank_draft(4, 4, 4, 4);
+  BitMatrix cells(4, 4);
+  for (int p = 0; p < 4; ++p)
+    for (int e = 0; e < 4; ++e) cells.set(p, e, (e + p) % 4 < 2);
+  const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kRepeat);
+  const Maps maps = bake(cloth, {256, 256, 16, 0});
+  for (auto _ : state) benchmark::DoNotOptimize(cloth_response(cloth, maps));
+}
+BENCHMARK(answer_from_afar)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void separable_cube_maps(benchmark::State& state) {
   const ClothBrdf brdf = preset_cloth_brdf("satin", {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1});

@@ -163,8 +163,9 @@ bool ChartBench::show(size_t scene, std::string& error) {
   return true;
 }
 
-Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height) {
+Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height, int samples) {
   FlatPatch patch;
+  patch.samples = samples;
   patch.width = width, patch.height = height;
   patch.corner_mm = corner, patch.step_x_mm = steps.x, patch.step_y_mm = steps.y;
   patch.view = chart_view(view_deg);
@@ -207,7 +208,9 @@ double ChartBench::truth_noise(const ChartRow& cell, std::string& error) {
   return known ? noise_of(known->half, known->other_half) : 0;
 }
 
+/// A thousand finer pixels or more make one: few samples in each are enough.
 Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, const PixelSteps& pixel) {
+  constexpr int kFineSamples = 2;
   const PixelSteps fine{pixel.x / static_cast<float>(grid.nx), pixel.y / static_cast<float>(grid.ny)};
   const int across = std::clamp(kTile / grid.nx, 1, grid.pixels), down = std::clamp(kTile / grid.ny, 1, grid.pixels);
   Pixels all(static_cast<size_t>(grid.pixels) * static_cast<size_t>(grid.pixels));
@@ -215,7 +218,7 @@ Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, cons
     for (int x = 0; x < grid.pixels; x += across) {
       const int w = std::min(across, grid.pixels - x), h = std::min(down, grid.pixels - y);
       const glm::vec2 corner = kCorner + static_cast<float>(x) * pixel.x + static_cast<float>(y) * pixel.y;
-      const Pixels tile = box_average(draw(cell.method, cell.view_deg, corner, fine, w * grid.nx, h * grid.ny), w * grid.nx, h * grid.ny,
+      const Pixels tile = box_average(draw(cell.method, cell.view_deg, corner, fine, w * grid.nx, h * grid.ny, kFineSamples), w * grid.nx, h * grid.ny,
                                       grid.nx, grid.ny);
       for (int row = 0; row < h; ++row) {
         std::copy_n(tile.begin() + row * w, w, all.begin() + (y + row) * grid.pixels + x);
@@ -242,10 +245,9 @@ double ChartBench::flicker(const ChartRow& cell, const PixelSteps& pixel) {
 }
 
 double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
-  constexpr double kEnoughNs = 1.5e9;   // of pictures that are slow enough to be timed by few
   std::vector<double> times;
   double spent = 0;
-  for (int k = 0; k < effort_.timing_repeats && spent < kEnoughNs; ++k) {
+  for (int k = 0; k < effort_.timing_repeats && spent < effort_.timing_enough_ns; ++k) {
     draw(cell.method, cell.view_deg, kCorner, pixel, effort_.timing_size, effort_.timing_size);
     const FrameStats stats = renderer_->measure();
     times.push_back(stats.gpu_ms * 1e6 / std::max(stats.shaded_pixels, 1.0));
@@ -258,12 +260,14 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
 /// yarns: a pixel's, by the root of its area.
 double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, double yarns) {
   const int samples = method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), formulas::kMostYarnSamples) : 1;
-  const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method, samples}, 0.0);
+  const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method}, 0.0);   // of a sample
   if (fresh) {
-    const auto counted = formula_instructions(method, loaded_[scene]->cloth, chart_view(view_deg), chart_light(), samples);
-    at->second = static_cast<double>(counted.value_or(0));
+    // Single steps are slow, and samples are alike: a few stand for all.
+    const int taken = method == Method::kYarn ? effort_.counted_samples : 1;
+    const auto counted = formula_instructions(method, loaded_[scene]->cloth, chart_view(view_deg), chart_light(), taken);
+    at->second = static_cast<double>(counted.value_or(0)) / taken;
   }
-  return at->second;
+  return at->second * samples;
 }
 
 double ChartBench::instructions(const ChartRow& cell) {

@@ -52,7 +52,7 @@ class ChartBench {
   Loaded* load(size_t scene, std::string& error);
   bool show(size_t scene, std::string& error);
   const Truth* truth(const ChartRow& cell, std::string& error);
-  Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height);
+  Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height, int samples = FlatPatch{}.samples);
   Pixels supersampled(const ChartRow& cell, const FineGrid& grid, const PixelSteps& pixel);
   double filtering_error(const ChartRow& cell, const PixelSteps& pixel);
   double flicker(const ChartRow& cell, const PixelSteps& pixel);
@@ -66,7 +66,7 @@ class ChartBench {
   std::array<std::unique_ptr<Loaded>, kChartScenes.size()> loaded_;
   std::optional<size_t> shown_;
   Ladder ladder_;
-  std::map<std::tuple<size_t, int, Method, int>, double> counted_;
+  std::map<std::tuple<size_t, int, Method>, double> counted_;
 };
 
 /// Texture memory that a method reads, both faces.

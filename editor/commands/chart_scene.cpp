@@ -27,7 +27,7 @@ PixelSteps pixel_steps(double view_deg, double side_mm) {
 }
 
 ChartEffort chart_effort(bool quick) {
-  return quick ? ChartEffort{4, 65'000, 16'000, 128, 3, 4} : ChartEffort{};
+  return quick ? ChartEffort{4, 65'000, 16'000, 64, 3, 4, 1, 1e8} : ChartEffort{};
 }
 
 int patch_pixels(double yarns_per_pixel) { return std::max(16, static_cast<int>(std::lround(8 / yarns_per_pixel))); }

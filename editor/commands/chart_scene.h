@@ -38,6 +38,8 @@ struct ChartEffort {
   int truth_budget = 150'000;   // rays of each half of the truth
   int timing_size = 256, timing_repeats = 5;
   int pans = 8;
+  int counted_samples = 6;           // of rung yarn; one of six follows a ray to the light
+  double timing_enough_ns = 1.5e9;   // of pictures that are slow enough to be timed by few
 };
 ChartEffort chart_effort(bool quick);
 

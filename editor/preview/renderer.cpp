@@ -321,6 +321,7 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   const float area = std::abs(p.step_x_mm.x * p.step_y_mm.y - p.step_x_mm.y * p.step_y_mm.x);
   drawn.least_yarns = std::sqrt(area) / std::max(cloth.mean_spacing_mm(), 1e-6f);
   drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
+  drawn.frame.samples = p.samples;
   if (!linear.begin(p.width, p.height, 1)) return;
   interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);

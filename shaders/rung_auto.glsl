@@ -1,5 +1,6 @@
 // Rung `auto`: at each pixel the rungs that hold the tolerance at its footprint; two where one gives way to the
-// next. Those of no weight are not evaluated.
+// next. Those of no weight are not evaluated. RUNGS: which the picture needs at all, by bits (yarn 1, cell 2,
+// repeat 4, cloth 8).
 
 // Vermilion, yellow, bluish green, blue (Okabe, Ito 2008), light enough to show the cloth's shading.
 vec3 rung_color(vec4 weight) {
@@ -11,32 +12,33 @@ vec3 rung_color(vec4 weight) {
 vec4 shade_auto(Side side, Lights x, Footprint f, float cover) {
 #if defined(QUICK)
   // While the view moves: one rung for the whole picture, the nearer of two.
-#if FINEST_RUNG < 1
+#if (RUNGS & 1) != 0
   return shade_yarn(side, x, f);
-#elif FINEST_RUNG < 2
+#elif (RUNGS & 2) != 0
   return vec4(shade_cell(side, x, f), cover);
 #else
   return vec4(shade_repeat(side, x, f), cover);
 #endif
 #else
-  // One answer for all the cloth holds only where its pattern is no longer seen.
-  vec3 edges = vec3(frame.rungs.xy, max(frame.rungs.z, cloth.even.x));
-  vec4 weight = rung_weights(f.yarns, edges);
+  vec4 weight = rung_weights(f.yarns, frame.rungs.xyz) * vec4(RUNGS & 1, (RUNGS >> 1) & 1, (RUNGS >> 2) & 1, RUNGS >> 3);
+  weight /= max(weight.x + weight.y + weight.z + weight.w, 1.0e-6);
   vec4 color = vec4(0.0);   // weighted by cover
-#if FINEST_RUNG < 1
+#if (RUNGS & 1) != 0
   if (weight.x > 0.0) {
     vec4 near = shade_yarn(side, x, f);
     color += weight.x * vec4(near.rgb * near.a, near.a);
   }
 #endif
   vec3 far = vec3(0.0);
-#if FINEST_RUNG < 2
+#if (RUNGS & 2) != 0
   if (weight.y > 0.0) far += weight.y * shade_cell(side, x, f);
 #endif
-#if FINEST_RUNG < 3
+#if (RUNGS & 4) != 0
   if (weight.z > 0.0) far += weight.z * shade_repeat(side, x, f);
 #endif
+#if (RUNGS & 8) != 0
   if (weight.w > 0.0) far += weight.w * shade_cloth(side, x);
+#endif
   color += vec4(far, weight.y + weight.z + weight.w) * cover;
   color.rgb /= max(color.a, 1.0e-4);
   if (frame.rungs.w > 0.5) color.rgb = rung_color(weight) * (0.15 + 0.85 * sqrt(dot(color.rgb, vec3(0.2126, 0.7152, 0.0722))));

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "light/formulas.h"
+
 namespace weftlight {
 namespace {
 
 constexpr double kRestS = 0.15;         // still for so long: draw every pixel
+constexpr double kBusyRestS = 2;        // while the worker makes a better cloth: its picture would not stand long
 constexpr double kBusyPollS = 0.01;     // how often the worker is asked
 constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
-constexpr int kMostSamples = 48;          // of the threads, a pixel, at rest
 constexpr int kMostAPass = 8;
 constexpr double kPassMs = 30;           // the next pass takes more samples below, fewer above twice it
 constexpr double kRefineMs = 4000;       // for all passes of one picture
@@ -45,9 +47,11 @@ bool PreviewPane::poll() {
 }
 
 float PreviewPane::moving_scale() const {
-  if (full_ms_ <= kMovingBudgetMs) return 1;
+  constexpr float kFirstOnSoftware = 0.5f;   // nothing has been timed, and a program is being compiled
+  if (full_ms_ <= 0 && moving_ms_ <= 0 && renderer_->is_software()) return kFirstOnSoftware;
   // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
   const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
+  if ((full_ms_ > 0 ? full_ms_ : all_pixels_ms) <= kMovingBudgetMs) return 1;
   return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kLeastScale, kMostMovingScale);
 }
 
@@ -63,9 +67,11 @@ void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s)
   if (!renderer_ || !has_cloth_ || request.width < 8 || request.height < 8) return;
   PreviewRequest picture = request;
   picture.compare = drawn_.compare;  // does not change what is drawn
-  const bool changed = dirty_ || !(picture == drawn_);
-  if (changed && moving) moved_s_ = now_s;
-  const bool resting = now_s - moved_s_ >= kRestS;
+  const bool other = !(picture == drawn_);
+  const bool changed = dirty_ || other;
+  // The last of the worker's cloths is drawn at every pixel at once.
+  if (changed && (moving || other || pipeline_.busy())) moved_s_ = now_s;
+  const bool resting = now_s - moved_s_ >= rest_s();
   const float scale = resting ? 1.0f : moving_scale();
   if (changed || drawn_scale_ < scale) {
     passes_ = samples_ = 0;
@@ -79,6 +85,8 @@ void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s)
   follow_reference(request, changed);
 }
 
+double PreviewPane::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRestS; }
+
 bool PreviewPane::can_refine() const {
   const bool threads = stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
   return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
@@ -89,7 +97,7 @@ void PreviewPane::draw_pass(const PreviewRequest& request, float scale) {
   Frame frame = frame_of(request);
   frame.render_scale = scale;
   frame.timed = true;
-  if (passes_ == 0 && ms_a_sample_ > 0) all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, kMostSamples);
+  if (passes_ == 0 && ms_a_sample_ > 0) all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
   frame.samples = samples_a_pass_;
   frame.all_samples = all_samples_;
   if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
@@ -156,7 +164,7 @@ double PreviewPane::next_s(double now_s) const {
   if (tracer_.busy()) sooner(kTracePollS);
   if (can_refine()) sooner(0);
   if (drawn_scale_ > 0 && drawn_scale_ < 1) {
-    sooner(std::max(0.0, moved_s_ + kRestS - now_s));
+    sooner(std::max(0.0, moved_s_ + rest_s() - now_s));
   }
   return next;
 }

@@ -43,6 +43,8 @@ class PreviewPane {
   /// Whether more samples of the threads would make the resting picture finer.
   bool can_refine() const;
   float moving_scale() const;
+  /// Still for so long: every pixel is drawn.
+  double rest_s() const;
   void follow_reference(const PreviewRequest& request, bool changed);
   TraceJob job_of(const PreviewRequest& request);
   void show_comparison();

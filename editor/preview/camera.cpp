@@ -82,16 +82,4 @@ Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, 
   return camera;
 }
 
-float least_pixel_mm(const Camera& camera, const Bounds& bounds, int height) {
-  const glm::mat4 rows = glm::transpose(camera.world_to_clip);
-  const float scale = glm::length(glm::vec3(rows[1]));
-  float nearest = std::numeric_limits<float>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 p(corner & 1 ? bounds.low.x : bounds.high.x, corner & 2 ? bounds.low.y : bounds.high.y,
-                      corner & 4 ? bounds.low.z : bounds.high.z);
-    nearest = std::min(nearest, glm::dot(rows[3], glm::vec4(p, 1)));
-  }
-  return std::max(nearest, 0.0f) * 2 / (static_cast<float>(height) * std::max(scale, 1e-12f));
-}
-
 }  // namespace weftlight

@@ -29,7 +29,4 @@ struct Camera {
 Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, int width, int height,
                     float yarns_per_pixel, float mean_spacing_mm);
 
-/// Size of a pixel at the nearest point of the bounds; 0 where the eye is within them.
-float least_pixel_mm(const Camera& camera, const Bounds& bounds, int height);
-
 }  // namespace weftlight

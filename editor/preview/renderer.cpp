@@ -35,7 +35,7 @@ struct DrawnFrame {
   Scene scene;
   Look look;
   Frame frame;
-  float least_yarns = 0;   // no pixel of the cloth holds fewer, root of area
+  int rungs = 15;          // of auto that its program holds, by bits: yarn 1, cell 2, repeat 4, cloth 8
 };
 
 /// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
@@ -70,8 +70,8 @@ struct Renderer::Parts {
   Ladder ladder = shipped_ladder();
 
   bool build(std::string& error);
-  GLuint cloth_program(Method method, int taps, int finest, std::string& error);
-  int finest_rung(const DrawnFrame& drawn) const;
+  GLuint cloth_program(Method method, int taps, int rungs, std::string& error);
+  int tell_rungs(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
   std::array<float, 3> edges_of(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const GpuMesh& on) const;
   void upload_frame(const interop::FrameData& data);
@@ -79,7 +79,6 @@ struct Renderer::Parts {
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
   void draw_hairs(const DrawnFrame& drawn, const Camera& camera);
   void draw_patch(const FlatPatch& patch, const Look& look);
-  void tell_rungs(const DrawnFrame& drawn, const Camera& camera);
   std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
   void draw_around(const DrawnFrame& drawn, const Camera& camera);
   /// Share of the key light that the cloth keeps from what is behind it.
@@ -99,10 +98,7 @@ bool Renderer::Parts::build(std::string& error) {
   if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error)) return false;
-  for (const Method method : {Method::kAuto}) {
-    if (!cloth_program(method, kFullTaps, 0, error)) return false;
-  }
-  return true;
+  return cloth_program(Method::kAuto, kFullTaps, 4, error) != 0;
 }
 
 /// Where one rung gives way to the next, yarns a pixel. A picture that will not get all samples of the threads in its
@@ -113,32 +109,19 @@ std::array<float, 3> Renderer::Parts::edges_of(const DrawnFrame& drawn) const {
   const float taken = drawn.frame.render_scale < 1 ? kMoving : static_cast<float>(drawn.frame.all_samples);
   const float share = std::sqrt(std::clamp(taken / static_cast<float>(formulas::kMostYarnSamples), 0.0f, 1.0f));
   const bool straight_to_repeat = edges[1] <= edges[0];
-  edges[0] *= share;
+  edges[0] *= cloth.has_threads() ? share : 0;
   if (straight_to_repeat) edges[1] = edges[0];
+  // One answer for all the cloth holds only where its pattern is no longer seen.
+  edges[2] = std::max(edges[2], cloth.data().even[0]);
   return edges;
 }
 
-/// First of yarn, cell, repeat, cloth that rung auto needs in this picture. Without a graphics card both sides of
-/// a branch are run, so finer ones are left out of its program; while something moves it is yarn or repeat alone.
-int Renderer::Parts::finest_rung(const DrawnFrame& drawn) const {
-  if (drawn_method(drawn.look.method) != Method::kAuto) return 0;
-  const int nearest = cloth.has_threads() ? 0 : 1;
-  const std::array<float, 3> edges = edges_of(drawn);
-  if (drawn.frame.render_scale < 1) return drawn.least_yarns / drawn.frame.render_scale < edges[1] ? nearest : 2;
-  if (!software) return nearest;
-  constexpr float kSure = 0.8f;   // curved cloth and rounding
-  const glm::vec4 weight = formulas::rung_weights(kSure * drawn.least_yarns, glm::vec3(edges[0], edges[1], std::max(edges[2], cloth.data().even[0])));
-  int finest = nearest;
-  while (finest < 3 && weight[finest] <= 0) ++finest;
-  return finest;
-}
-
-GLuint Renderer::Parts::cloth_program(Method method, int taps, int finest, std::string& error) {
-  GlProgram& program = cloth_programs[{static_cast<int>(method), taps, finest}];
+GLuint Renderer::Parts::cloth_program(Method method, int taps, int rungs, std::string& error) {
+  GlProgram& program = cloth_programs[{static_cast<int>(method), taps, rungs}];
   if (!program.peek()) {
     std::vector<std::string> defines{define_of(method), "SHADOW_TAPS " + std::to_string(taps),
                                      "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
-                                     "FINEST_RUNG " + std::to_string(finest)};
+                                     "RUNGS " + std::to_string(rungs)};
     if (taps == kQuickTaps) defines.push_back("QUICK");
     program = build_program("cloth.vert", "cloth.frag", defines, error);
   }
@@ -197,8 +180,7 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   std::string error;
   Method method = drawn_method(drawn.look.method);
   if (method == Method::kYarn && !cloth.has_threads()) method = Method::kCell;
-  glUseProgram(cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps,
-                             finest_rung(drawn), error));
+  glUseProgram(cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs, error));
   has_gaps() ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
   const auto start = clock_here(drawn.frame);
@@ -278,39 +260,46 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   // What shows through gaps must be there before; otherwise what the cloth hides need not be shaded.
   if (has_gaps()) draw_around(drawn, camera);
-  DrawnFrame sized = drawn;
-  sized.least_yarns = least_pixel_mm(camera, prepared.bounds, drawn.frame.height) / std::max(cloth.mean_spacing_mm(), 1e-6f);
-  draw_cloth(sized, mesh);
+  stats.method = drawn_method(drawn.look.method);
+  DrawnFrame chosen = drawn;
+  chosen.rungs = tell_rungs(drawn, mesh, camera);
+  draw_cloth(chosen, mesh);
   if (!has_gaps()) draw_around(drawn, camera);
   draw_hairs(drawn, camera);
   glBindVertexArray(0);
   target.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  stats.method = drawn_method(drawn.look.method);
   stats.texture_bytes = cloth.bytes();
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
-  tell_rungs(drawn, camera);
 }
 
-/// Shares of the rungs and the error to expect.
-void Renderer::Parts::tell_rungs(const DrawnFrame& drawn, const Camera& camera) {
-  std::array<float, 3> edges = edges_of(drawn);
-  edges[2] = std::max(edges[2], cloth.data().even[0]);
-  const RungShares shares = rung_shares(mesh.prepared(), camera, drawn.frame.width, drawn.frame.height,
-                                        cloth.mean_spacing_mm(), edges);
+/// Tells shares of the rungs and the error to expect; gives the rungs that the picture needs (DrawnFrame). What is left
+/// out of a program costs nothing, while without a graphics card both sides of a branch are run.
+int Renderer::Parts::tell_rungs(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
+  constexpr int kAll = 15;
+  const float scale = drawn.frame.render_scale;
+  const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };
+  const RungShares shares = rung_shares(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
+                                        cloth.mean_spacing_mm(), edges_of(drawn));
   stats.rung_shares = shares.of;
   stats.estimated_error = 0;
-  if (shares.yarns_per_pixel <= 0) return;
+  if (shares.yarns_per_pixel <= 0) return kAll;
   if (stats.method != Method::kAuto) {
     const float error = expected_error(ladder, stats.method, shares.yarns_per_pixel);
     stats.estimated_error = std::isfinite(error) ? error : 0;
-    return;
+    return kAll;
   }
   constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+  int needed = 0;
   for (size_t k = 0; k < kDrawn.size(); ++k) {
     const float error = expected_error(ladder, kDrawn[k], shares.yarns_per_pixel);
     if (std::isfinite(error)) stats.estimated_error += shares.of[k] * error;
+    needed |= shares.needed[k] ? 1 << k : 0;
   }
+  if (scale >= 1) return needed;
+  // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
+  constexpr float kFairPart = 0.05f;
+  return shares.of[0] > kFairPart ? 1 : shares.of[1] > kFairPart ? 2 : 4;
 }
 
 void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
@@ -318,8 +307,6 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   const Camera camera = patch_camera(p);
   DrawnFrame drawn{{}, look, {}};
   drawn.scene.sky_strength = 0;
-  const float area = std::abs(p.step_x_mm.x * p.step_y_mm.y - p.step_x_mm.y * p.step_y_mm.x);
-  drawn.least_yarns = std::sqrt(area) / std::max(cloth.mean_spacing_mm(), 1e-6f);
   drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
   drawn.frame.samples = p.samples;
   if (!linear.begin(p.width, p.height, 1)) return;
@@ -336,11 +323,12 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
+  stats.method = drawn_method(look.method);
+  drawn.rungs = tell_rungs(drawn, patch, camera);
   draw_cloth(drawn, patch);
   glBindVertexArray(0);
   linear.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  stats.method = drawn_method(look.method);
   stats.texture_bytes = cloth.bytes();
 }
 

@@ -2,10 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "light/formulas.h"
 
 namespace weftlight {
+namespace {
+
+constexpr float kUnseen = 0.05f;     // so little of a rung changes no colour by what an eye could tell
+constexpr float kSlivers = 0.002f;   // of the cloth: simplified folds have a few triangles that are stretched out of all measure
+
+/// Root of a pixel's area on the cloth, as cloth_fetch.glsl (footprint_here) has it.
+float pixel_size(const glm::mat2& cloth_by_pixel) {
+  const float area = std::abs(glm::determinant(cloth_by_pixel));
+  const float sum = glm::dot(cloth_by_pixel[0], cloth_by_pixel[0]) + glm::dot(cloth_by_pixel[1], cloth_by_pixel[1]);
+  const float longest2 = 0.5f * (sum + std::sqrt(std::max(sum * sum - 4 * area * area, 0.0f)));
+  return std::sqrt(std::max(area, longest2 / 256));
+}
+
+bool within(glm::vec3 p, int width, int height) {
+  return p.x >= 0 && p.y >= 0 && p.x <= static_cast<float>(width) && p.y <= static_cast<float>(height);
+}
+
+bool may_show(glm::vec3 a, glm::vec3 b, glm::vec3 c, int width, int height) {
+  const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+  return high.x >= 0 && high.y >= 0 && low.x <= static_cast<float>(width) && low.y <= static_cast<float>(height);
+}
+
+}  // namespace
 
 RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int width, int height, float spacing_mm,
                        const std::array<float, 3>& edges) {
@@ -20,22 +44,29 @@ RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int w
   }
   RungShares shares;
   float all = 0, octaves = 0;
+  std::array<float, 4> wanted{};
   const std::vector<uint32_t>& index = prepared.coarse.empty() ? mesh.index : prepared.coarse;
   for (size_t i = 0; i + 2 < index.size(); i += 3) {
     const glm::vec3 &a = pixel[index[i]], &b = pixel[index[i + 1]], &c = pixel[index[i + 2]];
-    const glm::vec2 middle = glm::vec2(a + b + c) / 3.0f;
-    const bool off = middle.x < 0 || middle.y < 0 || middle.x > static_cast<float>(width) || middle.y > static_cast<float>(height);
-    if (off || a.z * b.z * c.z <= 0) continue;
+    if (a.z * b.z * c.z <= 0) {
+      if (a.z + b.z + c.z > 0) wanted[0] = std::numeric_limits<float>::infinity();   // it passes the eye
+      continue;
+    }
+    if (!may_show(a, b, c, width, height)) continue;
     const Vec2 &ua = mesh.uv_mm[index[i]], &ub = mesh.uv_mm[index[i + 1]], &uc = mesh.uv_mm[index[i + 2]];
-    const float on_screen = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    const float on_cloth = std::abs((ub[0] - ua[0]) * (uc[1] - ua[1]) - (ub[1] - ua[1]) * (uc[0] - ua[0]));
+    const glm::mat2 on_picture(glm::vec2(b - a), glm::vec2(c - a));
+    const float on_screen = std::abs(glm::determinant(on_picture));
     if (on_screen <= 1e-6f) continue;
-    const float yarns = std::sqrt(on_cloth / on_screen) / std::max(spacing_mm, 1e-6f);
+    const glm::mat2 on_cloth(ub[0] - ua[0], ub[1] - ua[1], uc[0] - ua[0], uc[1] - ua[1]);
+    const float yarns = pixel_size(on_cloth * glm::inverse(on_picture)) / std::max(spacing_mm, 1e-6f);
     const glm::vec4 weight = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
+    for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseen ? on_screen : 0;
+    if (!within((a + b + c) / 3.0f, width, height)) continue;
     for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;
     octaves += std::log2(std::max(yarns, 1e-6f)) * on_screen;
     all += on_screen;
   }
+  for (size_t k = 0; k < 4; ++k) shares.needed[k] = wanted[k] > kSlivers * all;
   if (all <= 0) return shares;
   for (float& s : shares.of) s /= all;
   shares.yarns_per_pixel = std::exp2(octaves / all);

@@ -1,5 +1,5 @@
 #pragma once
-// Which share of the cloth on screen each rung of `auto` draws, from the triangles' footprints. Knows no OpenGL
+// Which rungs of `auto` the cloth on screen needs, and which share of it each draws, from the triangles' footprints. Knows no OpenGL
 // and does not read pixels back; what hides behind other folds counts too.
 
 #include <array>
@@ -12,6 +12,7 @@ namespace weftlight {
 struct RungShares {
   std::array<float, 4> of{};   // yarn, cell, repeat, cloth; sum 1, or all 0 without cloth on screen
   float yarns_per_pixel = 0;   // mean of the logarithm
+  std::array<bool, 4> needed{};  // a twentieth of it or more in any but a few pixels
 };
 RungShares rung_shares(const PreparedMesh& mesh, const Camera& camera, int width, int height, float spacing_mm,
                        const std::array<float, 3>& edges);

@@ -1,4 +1,6 @@
 #include "picture.h"
+#include "preview/camera.h"
+#include "preview/rung_shares.h"
 
 namespace weftlight {
 namespace {
@@ -48,6 +50,39 @@ TEST_F(PictureTest, EachSideShowsItsFace) {
   frame.front = Face::kBack;
   const Mean turned = middle(draw());
   EXPECT_GT(turned.b, 1.5 * turned.r);
+}
+
+// Drafts of more crossings than the graphics card is given have no threads to draw near by.
+TEST_F(PictureTest, AClothWithoutThreadsOnTheCardIsDrawnFromItsMaps) {
+  Stages stages;
+  stages.update(std::make_shared<const Design>(twill(4, 2, kRed, kRed)));
+  PackedCloth cloth = stages.packed();
+  cloth.crossings.clear();
+  renderer->upload(cloth);
+  renderer->set_mesh(square(100));
+  frame.yarns_per_pixel = 0.125f;
+  for (const Method method : {Method::kAuto, Method::kYarn}) {
+    look.method = method;
+    const Mean m = middle(draw());
+    EXPECT_GT(m.r, 2 * m.b) << static_cast<int>(method);
+    EXPECT_GT(m.r, 0.1) << static_cast<int>(method);
+  }
+}
+
+TEST_F(PictureTest, OnlyTheRungsThatShowAreNeeded) {
+  const PreparedMesh mesh = prepare_mesh(square(100));
+  constexpr float kSpacing = 1, kYarnToRepeat = 1, kRepeatToCloth = 8;
+  constexpr std::array<float, 3> edges{kYarnToRepeat, kYarnToRepeat, kRepeatToCloth};
+  const auto needed = [&](float yarns) {
+    const Camera camera = place_camera(scene, mesh.mesh, mesh.bounds, 64, 64, yarns, kSpacing);
+    return rung_shares(mesh, camera, 64, 64, kSpacing, edges).needed;
+  };
+  using Rungs = std::array<bool, 4>;   // yarn, cell, repeat, cloth
+  EXPECT_EQ(needed(0.25f), (Rungs{true, false, false, false}));
+  EXPECT_EQ(needed(1), (Rungs{true, false, true, false}));
+  EXPECT_EQ(needed(3), (Rungs{false, false, true, false}));
+  EXPECT_EQ(needed(8), (Rungs{false, false, true, true}));
+  EXPECT_EQ(needed(32), (Rungs{false, false, false, true}));
 }
 
 TEST_F(PictureTest, ZoomingOutKeepsTheLight) {

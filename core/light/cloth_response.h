@@ -11,7 +11,7 @@
 
 namespace weftlight {
 
-inline constexpr int kResponseSamples = 2048;  // means then hold 3 percent on the charts' cloths
+inline constexpr int kResponseSamples = 2048;  // means then hold 4 percent on the charts' cloths
 inline constexpr int kSlopeBins = 64;          // even in the slope's angle, -90 to 90 degrees
 
 struct SystemResponse {

@@ -1,4 +1,4 @@
-// Based on: Roberts 2018 (R3, an even spread of points in three dimensions).
+// Based on: Roberts 2018 (R2 and R3, even spreads of points in two and three dimensions).
 
 #include "light/thread_places.h"
 
@@ -20,6 +20,9 @@ constexpr int kMostCells = 48;        // of crossings, along a ray
 constexpr int kAbove = 1 << 13;       // places seen from above
 // Of the turns around a thread, denser near its ridge: the underside is hardly seen.
 constexpr float kEvenTurns = 0.55f;
+
+/// Coordinate 0..1 of point k of an even spread.
+float part(int k, double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); }
 
 /// The threads of a window as a cloth of their own.
 Cloth cut(const Cloth& cloth, const CellRect& w) {
@@ -67,7 +70,7 @@ class Placer {
   }
   /// Place k of `count` of a system; area 0 where there is none.
   ThreadPlace place(int system, int k, int count);
-  void look_down(int count, std::vector<TopPlace>& top);
+  void look_down(int first, int count, std::vector<TopPlace>& top);
 
  private:
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
@@ -83,9 +86,8 @@ class Placer {
 };
 
 ThreadPlace Placer::place(int system, int k, int count) {
-  const auto part = [k](double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); };
-  const glm::vec2 at = glm::vec2(part(0.8191725133961645), part(0.6710436067037893)) * grid_.period;
-  const float u = 2 * part(0.5497004779019703) - 1;
+  const glm::vec2 at = glm::vec2(part(k, 0.8191725133961645), part(k, 0.6710436067037893)) * grid_.period;
+  const float u = 2 * part(k, 0.5497004779019703) - 1;
   const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u), density = kPi * (kEvenTurns + 3 * (1 - kEvenTurns) * u * u);
   const auto crossing = scene_.crossing_near(grid_, at);
   const auto& s = system == 0 ? crossing.warp : crossing.weft;
@@ -135,10 +137,10 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
   p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes, {toned(body.colour.r), toned(body.colour.g), toned(body.colour.b)});
 }
 
-void Placer::look_down(int count, std::vector<TopPlace>& top) {
-  for (int k = 0; k < count; ++k) {
-    const auto part = [k](double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); };
-    const auto hit = scene_.thread_below(grid_, glm::vec2(part(0.7548776662466927), part(0.5698402909980532)) * grid_.period, glm::vec2(0));
+void Placer::look_down(int first, int count, std::vector<TopPlace>& top) {
+  for (int k = first; k < first + count; ++k) {
+    const glm::vec2 at = glm::vec2(part(k, 0.7548776662466927), part(k, 0.5698402909980532)) * grid_.period;
+    const auto hit = scene_.thread_below(grid_, at, glm::vec2(0));
     if (hit.system < 0) continue;
     const auto point = scene_.thread_point(hit.system, hit.strand, hit.at);
     const size_t s = static_cast<size_t>(hit.system), thread = static_cast<size_t>(hit.strand.thread);
@@ -197,14 +199,16 @@ ThreadPlaces thread_places(const Cloth& cloth, int count) {
   if (cloth.ends.empty() || cloth.picks.empty()) return out;
   const bool large = cloth.ends.size() * cloth.picks.size() > kWhole;
   const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
-  const int each = std::max(1, count / 2 / static_cast<int>(parts.size()));
-  out.places.resize(parts.size() * static_cast<size_t>(2 * each));
-  size_t first = 0;
-  for (const Cloth& part : parts) {
-    Placer placer(part);
-    in_parallel(2 * each, 2, [&](int i) { out.places[first + static_cast<size_t>(i)] = placer.place(i % 2, i / 2, each); });
-    placer.look_down(kAbove / static_cast<int>(parts.size()), out.top);
-    first += static_cast<size_t>(2 * each);
+  const int windows = static_cast<int>(parts.size());
+  const int each = std::max(1, count / 2 / windows), above = kAbove / windows;
+  out.places.resize(static_cast<size_t>(windows * 2 * each));
+  // One spread over all windows: each takes the points that the one before left.
+  for (int w = 0; w < windows; ++w) {
+    Placer placer(parts[static_cast<size_t>(w)]);
+    in_parallel(2 * each, 2, [&](int i) {
+      out.places[static_cast<size_t>(w * 2 * each + i)] = placer.place(i % 2, w * each + i / 2, windows * each);
+    });
+    placer.look_down(w * above, above, out.top);
   }
   std::erase_if(out.places, [](const ThreadPlace& p) {
     return p.area <= 0 || std::all_of(p.open.begin(), p.open.end(), [](float o) { return o <= 0; });

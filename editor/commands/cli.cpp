@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "commands/commands.h"
+#include "light/formulas.h"
 
 namespace weftlight {
 namespace {
@@ -112,8 +113,9 @@ CommandLine run_command_line(int argc, char** argv) {
   add_picture_options(render_verb, picture, picture_text);
   auto* reference_verb = app.add_subcommand("reference", "The same picture by ray tracing the threads");
   add_picture_options(reference_verb, picture, picture_text);
-  render_verb->add_option("--samples", picture.samples, "Samples a pixel near the threads, at the most; 48, without a graphics card 16")
-      ->check(CLI::Range(1, 48));
+  constexpr int kMost = formulas::kMostYarnSamples;
+  render_verb->add_option("--samples", picture.samples, "Samples a pixel near the threads, at the most; " + std::to_string(kMost) +
+                          ", without a graphics card " + std::to_string(kSoftwareSamples))->check(CLI::Range(1, kMost));
   reference_verb->add_option("--spp", picture.spp, "Samples a pixel")->check(CLI::Range(1, 1 << 20));
   reference_verb->add_option("--bounces", picture.bounces, "Indirect bounces")->check(CLI::Range(0, 16));
 

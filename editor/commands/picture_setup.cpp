@@ -49,7 +49,6 @@ Frame PictureSetup::frame(const PictureOptions& o) const {
   frame.width = o.width, frame.height = o.height;
   frame.yarns_per_pixel = o.yarns_per_pixel;
   frame.front = o.face;
-  constexpr int kSoftwareSamples = 16;  // a picture then takes half a minute rather than one
   if (o.samples > 0) frame.samples = frame.all_samples = o.samples;
   else if (renderer && renderer->is_software()) frame.samples = kSoftwareSamples;
   return frame;

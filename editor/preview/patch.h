@@ -3,6 +3,7 @@
 // (core/reference/picture.h) defines it, so that a rung can be held against the truth.
 // World here is cloth space: x along the weft, y along the warp, z out of the front, mm.
 
+#include "light/formulas.h"
 #include "preview/ambient.h"
 
 namespace weftlight {
@@ -15,7 +16,7 @@ struct FlatPatch {
   glm::vec3 light_towards{0, 0, 1};   // unit
   float light_sine = 0;               // half angle of the light's disc, as a sine
   glm::vec3 light_irradiance{3.14159265f};  // on a surface that faces it
-  int samples = 48;                   // a pixel of rung yarn, at the most
+  int samples = formulas::kMostYarnSamples;   // a pixel of rung yarn, at the most
 };
 
 /// The patch and a margin around it as two triangles that face the eye.

@@ -10,6 +10,7 @@
 #include "draft/design.h"
 #include "drape/mesh.h"
 #include "files/files.h"
+#include "light/formulas.h"
 #include "light/ladder.h"
 #include "preview/ambient.h"
 #include "preview/packed_maps.h"
@@ -28,8 +29,8 @@ struct Frame {
   bool false_color_rungs = false;
   // Samples a pixel of rung yarn, at the most; of a picture made of several passes the first sample of this one,
   // and its number: the mean of all passes stands in the picture (pass < 0: this one alone).
-  int samples = 48, first_sample = 0, pass = -1;
-  int all_samples = 48;          // of all passes, what rung auto may count on
+  int samples = formulas::kMostYarnSamples, first_sample = 0, pass = -1;
+  int all_samples = formulas::kMostYarnSamples;   // of all passes, what rung auto may count on
   bool timed = false;            // wait for the cloth on a software renderer, so that gpu_ms is measured there too
 };
 

@@ -1,0 +1,83 @@
+// Places on the threads: together they are the cloth that is seen.
+
+#include <gtest/gtest.h>
+
+#include "cloth/thread_scene.h"
+#include "draft/draft.h"
+#include "light/thread_places.h"
+
+namespace weftlight {
+namespace {
+
+constexpr float kSpacing = 2;
+
+Cloth plain(int threads, float thickness_mm) {
+  Design design;
+  design.draft = blank_draft(threads, threads, 2, 2);
+  Draft& d = design.draft;
+  d.drive = Drive::kLiftplan;
+  for (int i = 0; i < threads; ++i) {
+    d.threading.set(i, i % 2, true);
+    d.liftplan.set(i, i % 2, true);
+  }
+  for (Threads* system : {&d.warp, &d.weft}) {
+    std::fill(system->spacing_mm.begin(), system->spacing_mm.end(), kSpacing);
+    std::fill(system->thickness_mm.begin(), system->thickness_mm.end(), thickness_mm);
+  }
+  design.yarns[0].plies = 1;
+  return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
+}
+
+/// Share of the plane that each system covers, seen along a view.
+std::array<float, 2> covers(const ThreadPlaces& threads, size_t view) {
+  const glm::vec3 v = response_views()[view];
+  std::array<float, 2> sum{};
+  for (const ThreadPlace& p : threads.places)
+    sum[static_cast<size_t>(p.system)] += p.area * std::max(glm::dot(p.side, v), 0.0f) * p.open[view] / v.z;
+  return sum;
+}
+
+constexpr size_t kFromAbove = static_cast<size_t>((kResponseElevations - 1) * kViewAzimuths);
+
+/// The same by rays from the eye.
+std::array<float, 2> hits(const Cloth& cloth, size_t view) {
+  ThreadScene scene(cloth);
+  constexpr int kSide = 96, kCells = 48;
+  std::array<float, 2> share{};
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const glm::vec2 at = (glm::vec2(i % kSide, i / kSide) + 0.5f) / static_cast<float>(kSide) * glm::vec2(cloth.width_mm, cloth.depth_mm);
+    const auto hit = scene.first_thread(scene.grid(), at, response_views()[view], kCells);
+    if (hit.system >= 0) share[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
+  }
+  return share;
+}
+
+TEST(ThreadPlaces, FromAboveTheyAreTheCover) {
+  const Cloth cloth = plain(8, 0.4f);
+  const float width = cloth.ends[0].width_mm / kSpacing;
+  const std::array<float, 2> seen = covers(thread_places(cloth, 1 << 14), kFromAbove);
+  EXPECT_NEAR(seen[0] + seen[1], 1 - (1 - width) * (1 - width), 0.01);
+}
+
+TEST(ThreadPlaces, FromEverySideTheyAreWhatRaysMeet) {
+  const Cloth cloth = plain(8, 1);
+  const ThreadPlaces threads = thread_places(cloth, 1 << 15);
+  for (size_t view = 0; view <= kFromAbove; ++view) {
+    if (response_views()[view].z < 0.1f) continue;   // below, few places are seen, each for much
+    const std::array<float, 2> seen = covers(threads, view), met = hits(cloth, view);
+    for (size_t s = 0; s < 2; ++s) EXPECT_NEAR(seen[s], met[s], 0.04) << "view " << view << ", system " << s;
+  }
+}
+
+TEST(ThreadPlaces, WindowsOfALargeClothAnswerAsTheWhole) {
+  const ThreadPlaces few = thread_places(plain(8, 1), 1 << 13), many = thread_places(plain(520, 1), 1 << 13);
+  EXPECT_NEAR(static_cast<double>(many.top.size()) / static_cast<double>(few.top.size()), 1, 0.02);
+  for (const size_t view : {kFromAbove, kFromAbove / 2, kFromAbove / 2 + kViewAzimuths / 4}) {
+    for (size_t s = 0; s < 2; ++s) EXPECT_NEAR(covers(many, view)[s], covers(few, view)[s], 0.03) << "view " << view;
+  }
+}
+
+TEST(ThreadPlaces, NoThreadsNoPlaces) { EXPECT_TRUE(thread_places({}, 100).places.empty()); }
+
+}  // namespace
+}  // namespace weftlight

@@ -13,7 +13,7 @@ mkdir -p "$out"
 picture() {  # name draft options...
   local name=$1 draft=$2
   shift 2
-  "$weftlight" render "$draft" -o "$work/$name.png" "$@"
+  "$weftlight" render "$draft" -o "$work/$name.png" --samples 48 "$@"
   convert "$work/$name.png" -quality 90 "$out/$name.jpg"
 }
 with() {  # new-name draft key=value...: a copy with yarn 1 changed

@@ -14,7 +14,7 @@ scene() {  # name draft options...
   local name=$1 draft=$drafts/$2.wif
   shift 2
   "$weftlight" reference "$draft" -o "$work/truth.png" --spp "${SPP:-96}" --bounces 1 --size 420x320 "$@"
-  "$weftlight" render "$draft" -o "$work/auto.png" --size 420x320 "$@"
+  "$weftlight" render "$draft" -o "$work/auto.png" --size 420x320 --samples 48 "$@"
   convert "$work/truth.png" "$work/auto.png" -compose difference -composite -evaluate multiply 4 "$work/difference.png"
   for part in truth auto difference; do convert "$work/$part.png" -quality 90 "$out/${name}_$part.jpg"; done
   # Relative RMSE of the shown pixels, for the table.

@@ -19,8 +19,8 @@ struct SkySeen {
 struct PreparedMesh {
   Mesh mesh, body;                   // body: what the cloth hangs on; may be empty
   std::vector<SkySeen> sky, body_sky;
-  // Triangles to draw: as few as keep the shape at rest, and fewer while the view moves. Small triangles are what
-  // a software renderer spends its time on.
+  // Triangles to draw: at rest all of them, or of very many as few as keep the weave in its place; fewer while the view
+  // moves. Small triangles are what a software renderer spends its time on.
   std::vector<uint32_t> fine, coarse, body_fine;
   Bounds bounds;                     // of the cloth
   float ground_mm = 0;               // height of the ground

@@ -9,7 +9,6 @@
 namespace weftlight {
 namespace {
 
-constexpr float kUnseen = 0.05f;     // so little of a rung changes no colour by what an eye could tell
 constexpr float kSlivers = 0.002f;   // of the cloth: simplified folds have a few triangles that are stretched out of all measure
 
 /// Root of a pixel's area on the cloth, as cloth_fetch.glsl (footprint_here) has it.
@@ -60,7 +59,7 @@ RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int w
     const glm::mat2 on_cloth(ub[0] - ua[0], ub[1] - ua[1], uc[0] - ua[0], uc[1] - ua[1]);
     const float yarns = pixel_size(on_cloth * glm::inverse(on_picture)) / std::max(spacing_mm, 1e-6f);
     const glm::vec4 weight = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
-    for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseen ? on_screen : 0;
+    for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseenWeight ? on_screen : 0;
     if (!within((a + b + c) / 3.0f, width, height)) continue;
     for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;
     octaves += std::log2(std::max(yarns, 1e-6f)) * on_screen;

@@ -9,10 +9,13 @@
 
 namespace weftlight {
 
+/// So little of a rung changes no colour by what an eye could tell.
+inline constexpr float kUnseenWeight = 0.05f;
+
 struct RungShares {
   std::array<float, 4> of{};   // yarn, cell, repeat, cloth; sum 1, or all 0 without cloth on screen
   float yarns_per_pixel = 0;   // mean of the logarithm
-  std::array<bool, 4> needed{};  // a twentieth of it or more in any but a few pixels
+  std::array<bool, 4> needed{};  // by more than a few pixels
 };
 RungShares rung_shares(const PreparedMesh& mesh, const Camera& camera, int width, int height, float spacing_mm,
                        const std::array<float, 3>& edges);

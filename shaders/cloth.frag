@@ -33,7 +33,7 @@ vec4 shade(Side side, Lights x, Footprint f) {
 #elif defined(METHOD_ENGINE)
   return vec4(shade_engine(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_YARN)
-  return shade_yarn(side, x, f, 1.0);
+  return shade_yarn(side, x, f);
 #elif defined(METHOD_CELL)
   return vec4(shade_cell(side, x, f), cover_of(side, x, f));
 #elif defined(METHOD_REPEAT)

@@ -27,7 +27,6 @@ struct Side {
   vec3 n;
   int face;          // 0: the cloth's front
   float sky;         // share of the sky that the folds leave
-  float sky_behind;
 };
 
 Side seen_side() {
@@ -38,8 +37,8 @@ Side seen_side() {
   s.b = cross(n, s.t);
   s.n = n * turn;
   s.face = turn * frame.eye.w > 0.0 ? 0 : 1;
-  s.sky = gl_FrontFacing ? sky_seen.x : sky_seen.y;
-  s.sky_behind = gl_FrontFacing ? sky_seen.y : sky_seen.x;
+  // A pixel's middle may lie outside the triangle, where what is interpolated runs on.
+  s.sky = clamp(gl_FrontFacing ? sky_seen.x : sky_seen.y, 0.0, 1.0);
   return s;
 }
 

@@ -13,7 +13,7 @@ vec4 shade_auto(Side side, Lights x, Footprint f, float cover) {
 #if defined(QUICK)
   // While the view moves: one rung for the whole picture, the nearer of two.
 #if (RUNGS & 1) != 0
-  return shade_yarn(side, x, f, 1.0);
+  return shade_yarn(side, x, f);
 #elif (RUNGS & 2) != 0
   return vec4(shade_cell(side, x, f), cover);
 #else
@@ -25,7 +25,7 @@ vec4 shade_auto(Side side, Lights x, Footprint f, float cover) {
   vec4 color = vec4(0.0);   // weighted by cover
 #if (RUNGS & 1) != 0
   if (weight.x > 0.0) {
-    vec4 near = shade_yarn(side, x, f, weight.x);
+    vec4 near = shade_yarn(side, x, f);
     color += weight.x * vec4(near.rgb * near.a, near.a);
   }
 #endif

@@ -78,11 +78,11 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
   sums.normal += n;
 }
 
-// Radiance of what is covered, and cover. weight: its share of the pixel's colour.
-vec4 shade_yarn(Side side, Lights x, Footprint f, float weight) {
+// Radiance of what is covered, and cover.
+vec4 shade_yarn(Side side, Lights x, Footprint f) {
   ThreadGrid g = thread_grid(side.face);
   int first = int(frame.samples.x);
-  int count = yarn_samples(f.yarns, weight, int(frame.samples.y));
+  int count = yarn_samples(f.yarns, int(frame.samples.y));
 #if defined(QUICK)
   count = 1;
 #endif

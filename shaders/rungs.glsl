@@ -23,12 +23,11 @@ struct Answer {
 };
 
 // Samples that rung yarn takes of a pixel so many yarns across (root of its area): about fourteen across a thread, which
-// holds the filtering error near 0.05 (docs/chart.md). What is half of a pixel's colour is as smooth with a quarter of them.
+// holds the filtering error near 0.05 (docs/chart.md).
 const int kLeastYarnSamples = 16;
 const int kMostYarnSamples = 48;
-FORMULA int yarn_samples(float yarns, float weight, int most) {
-  float alone = min(clamp(ceil(yarns * yarns * 192.0f), float(kLeastYarnSamples), float(kMostYarnSamples)), float(most));
-  return int(ceil(alone * weight * weight));
+FORMULA int yarn_samples(float yarns, int most) {
+  return min(int(clamp(ceil(yarns * yarns * 192.0f), float(kLeastYarnSamples), float(kMostYarnSamples))), most);
 }
 
 // Lobes from the numbers of a yarn or of a mean of yarns (interop.h, SystemData).

@@ -258,9 +258,9 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
   return *std::min_element(times.begin(), times.end());
 }
 
-/// yarns: a pixel's, by the root of its area; weight: the rung's in its colour.
-double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, double yarns, float weight) {
-  const int samples = method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), weight, formulas::kMostYarnSamples) : 1;
+/// yarns: a pixel's, by the root of its area.
+double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, double yarns) {
+  const int samples = method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), formulas::kMostYarnSamples) : 1;
   const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method}, 0.0);   // of a sample
   if (fresh) {
     // Single steps are slow, and samples are alike: a few stand for all.
@@ -274,14 +274,14 @@ double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, 
 double ChartBench::instructions(const ChartRow& cell) {
   const size_t scene = scene_of(cell);
   const double yarns = cell.yarns_per_pixel / std::sqrt(std::cos(cell.view_deg * 0.017453292519943295));
-  if (cell.method != Method::kAuto) return rung_instructions(scene, cell.view_deg, cell.method, yarns, 1);
+  if (cell.method != Method::kAuto) return rung_instructions(scene, cell.view_deg, cell.method, yarns);
   // The rungs that it mixes where a pixel is so large.
   const std::array<float, 3> edges = rung_edges(ladder_, Look{}.tolerance);
   const glm::vec4 weights = formulas::rung_weights(static_cast<float>(yarns), glm::vec3(edges[0], edges[1], edges[2]));
   constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
-    if (weights[k] > kUnseenWeight) sum += rung_instructions(scene, cell.view_deg, kRungs[static_cast<size_t>(k)], yarns, weights[k]);
+    if (weights[k] > kUnseenWeight) sum += rung_instructions(scene, cell.view_deg, kRungs[static_cast<size_t>(k)], yarns);
   }
   return sum;
 }

@@ -58,7 +58,7 @@ class ChartBench {
   double flicker(const ChartRow& cell, const PixelSteps& pixel);
   double nanoseconds(const ChartRow& cell, const PixelSteps& pixel);
   double instructions(const ChartRow& cell);
-  double rung_instructions(size_t scene, int view_deg, Method method, double yarns, float weight);
+  double rung_instructions(size_t scene, int view_deg, Method method, double yarns);
 
   ChartEffort effort_;
   std::unique_ptr<HeadlessContext> context_;   // outlives the renderer

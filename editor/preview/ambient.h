@@ -1,6 +1,6 @@
 #pragma once
 // How much of the sky each vertex of the cloth (both sides), each vertex of the body and each point of the
-// ground sees: soft light in folds and the contact shadow. Coarse, deterministic, for the worker thread.
+// ground sees: soft light in folds and the contact shadow. By rays; deterministic, for the worker thread.
 
 #include <cstdint>
 #include <vector>

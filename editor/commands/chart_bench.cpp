@@ -150,7 +150,9 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   made->packed = stages.packed();
   const BitMatrix cells = drawdown(opened.design.draft);
   made->cloth = lay_out(opened.design, cells, Face::kFront, choose_period(opened.design, cells));
-  made->tubes = TubeScene::build(made->cloth, {}, error);
+  TubeOptions options;
+  options.around = effort_.tube_facets;
+  made->tubes = TubeScene::build(made->cloth, options, error);
   if (!made->tubes) return nullptr;
   slot = std::move(made);
   return slot.get();
@@ -195,7 +197,7 @@ const Truth* ChartBench::truth(const ChartRow& cell, std::string& error) {
   if (!loaded) return nullptr;
   Truth& truth = loaded->truths[{cell.view_deg, cell.yarns_per_pixel}];
   if (!truth.half.empty()) return &truth;
-  const int pixels = patch_pixels(cell.yarns_per_pixel);
+  const int pixels = patch_pixels(cell.yarns_per_pixel, effort_);
   const PixelSteps steps = pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded->packed.mean_spacing_mm));
   for (const uint64_t seed : {1u, 2u}) {
     const FlatPicture picture = flat_picture(cell.view_deg, kCorner, steps, pixels, effort_.truth_budget, seed);
@@ -236,7 +238,7 @@ double ChartBench::filtering_error(const ChartRow& cell, const PixelSteps& pixel
 }
 
 double ChartBench::flicker(const ChartRow& cell, const PixelSteps& pixel) {
-  const int size = patch_pixels(cell.yarns_per_pixel);
+  const int size = patch_pixels(cell.yarns_per_pixel, effort_);
   std::vector<Pixels> pans;
   for (int k = 0; k < effort_.pans; ++k) {
     const float part = static_cast<float>(k) / static_cast<float>(effort_.pans);
@@ -260,6 +262,7 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
 
 /// yarns: a pixel's, by the root of its area.
 double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, double yarns) {
+  if (!effort_.count_everywhere) scene = 0, view_deg = 0;
   const int samples = method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), formulas::kMostYarnSamples) : 1;
   const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method}, 0.0);   // of a sample
   if (fresh) {
@@ -292,7 +295,7 @@ std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& e
   const Truth* known = truth(cell, error);
   if (!known) return std::nullopt;
   const PixelSteps pixel = pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded_[scene]->packed.mean_spacing_mm));
-  const int size = patch_pixels(cell.yarns_per_pixel);
+  const int size = patch_pixels(cell.yarns_per_pixel, effort_);
   const Pixels drawn = draw(cell.method, cell.view_deg, kCorner, pixel, size, size);
   ChartRow row = cell;
   row.model_error = relative_rmse(drawn, known->half, known->other_half);

@@ -27,10 +27,18 @@ PixelSteps pixel_steps(double view_deg, double side_mm) {
 }
 
 ChartEffort chart_effort(bool quick) {
-  return quick ? ChartEffort{4, 65'000, 16'000, 64, 3, 4, 1, 1e8} : ChartEffort{};
+  if (!quick) return {};
+  ChartEffort e;
+  e.samples_a_yarn = 4, e.fine_budget = 32'000, e.truth_budget = 16'000;
+  e.timing_size = 40, e.timing_repeats = 3, e.timing_enough_ns = 5e7;
+  e.pans = 3, e.counted_samples = 1, e.count_everywhere = false;
+  e.patch_least = 12, e.patch_yarns = 4, e.tube_facets = 24;
+  return e;
 }
 
-int patch_pixels(double yarns_per_pixel) { return std::max(16, static_cast<int>(std::lround(8 / yarns_per_pixel))); }
+int patch_pixels(double yarns_per_pixel, const ChartEffort& effort) {
+  return std::max(effort.patch_least, static_cast<int>(std::lround(effort.patch_yarns / yarns_per_pixel)));
+}
 
 FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& effort) {
   constexpr int kLeast = 32, kFewestPixels = 4;
@@ -39,7 +47,7 @@ FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& e
   grid.nx = std::max(kLeast, static_cast<int>(std::ceil(across)));
   grid.ny = std::max(kLeast, static_cast<int>(std::ceil(across / std::cos(radians(view_deg)))));
   const double fits = std::sqrt(static_cast<double>(effort.fine_budget) / (static_cast<double>(grid.nx) * grid.ny));
-  grid.pixels = std::clamp(static_cast<int>(fits), kFewestPixels, patch_pixels(yarns_per_pixel));
+  grid.pixels = std::clamp(static_cast<int>(fits), kFewestPixels, patch_pixels(yarns_per_pixel, effort));
   return grid;
 }
 

@@ -40,11 +40,15 @@ struct ChartEffort {
   int pans = 8;
   int counted_samples = 6;           // of rung yarn; one of six follows a ray to the light
   double timing_enough_ns = 1.5e9;   // of pictures that are slow enough to be timed by few
+  bool count_everywhere = true;      // instructions: else in the first scene, seen straight on
+  int patch_least = 16;              // pixels along a side
+  double patch_yarns = 8;            // or more, to hold so many
+  int tube_facets = 48;              // of the truth
 };
 ChartEffort chart_effort(bool quick);
 
-/// Pixels along a side of the patch: at least 16, and at least 8 yarns.
-int patch_pixels(double yarns_per_pixel);
+/// Pixels along a side of the patch.
+int patch_pixels(double yarns_per_pixel, const ChartEffort& effort);
 
 /// Grid of the finer picture: samples a pixel, and how many pixels the budget holds.
 struct FineGrid {

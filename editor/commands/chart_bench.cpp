@@ -131,7 +131,7 @@ std::string ChartBench::fingerprint() const {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   std::ostringstream out;
   out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << hash << std::dec << "\ndevice " << renderer_->device()
-      << "\nbudget " << effort_.fine_budget << '\n';
+      << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples << '\n';
   return out.str();
 }
 
@@ -211,9 +211,8 @@ double ChartBench::truth_noise(const ChartRow& cell, std::string& error) {
   return known ? noise_of(known->half, known->other_half) : 0;
 }
 
-/// A thousand finer pixels or more make one: few samples in each are enough.
+/// A thousand finer pixels or more make one.
 Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, const PixelSteps& pixel) {
-  constexpr int kFineSamples = 2;
   const PixelSteps fine{pixel.x / static_cast<float>(grid.nx), pixel.y / static_cast<float>(grid.ny)};
   const int across = std::clamp(kTile / grid.nx, 1, grid.pixels), down = std::clamp(kTile / grid.ny, 1, grid.pixels);
   Pixels all(static_cast<size_t>(grid.pixels) * static_cast<size_t>(grid.pixels));
@@ -221,7 +220,7 @@ Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, cons
     for (int x = 0; x < grid.pixels; x += across) {
       const int w = std::min(across, grid.pixels - x), h = std::min(down, grid.pixels - y);
       const glm::vec2 corner = kCorner + static_cast<float>(x) * pixel.x + static_cast<float>(y) * pixel.y;
-      const Pixels tile = box_average(draw(cell.method, cell.view_deg, corner, fine, w * grid.nx, h * grid.ny, kFineSamples), w * grid.nx, h * grid.ny,
+      const Pixels tile = box_average(draw(cell.method, cell.view_deg, corner, fine, w * grid.nx, h * grid.ny, effort_.fine_samples), w * grid.nx, h * grid.ny,
                                       grid.nx, grid.ny);
       for (int row = 0; row < h; ++row) {
         std::copy_n(tile.begin() + row * w, w, all.begin() + (y + row) * grid.pixels + x);

@@ -34,7 +34,8 @@ PixelSteps pixel_steps(double view_deg, double side_mm);
 /// How much is spent on a figure.
 struct ChartEffort {
   double samples_a_yarn = 16;   // of the finer picture, along each side, and never less than 32 a pixel
-  int fine_budget = 260'000;    // samples of the finer picture, where 4 x 4 pixels do not need more
+  int fine_budget = 260'000;    // pixels of the finer picture, where 4 x 4 pixels do not need more
+  int fine_samples = 16;        // of rung yarn in each: the light's disc must be covered, too
   int truth_budget = 150'000;   // rays of each half of the truth
   int timing_size = 256, timing_repeats = 5;
   int pans = 8;

@@ -51,12 +51,13 @@ FORMULA float footprint_yarns(vec2 dx, vec2 dy, float spacing_mm) {
 }
 
 // Weights (sum 1) of the rungs yarn, cell, repeat, cloth at a footprint in yarns a pixel. edges: where
-// one rung gives way to the next, none below the one before (equal: a rung is left out); each blend takes an
-// octave, so that no seam shows.
+// one rung has given way to the next, none below the one before (equal: a rung is left out). Each blend takes the half
+// octave before, so that no seam shows: there the next one is a little less true than it must be, but only a part of what
+// is seen, and where it is true enough alone nothing finer is paid for.
 FORMULA vec4 rung_weights(float yarns, vec3 edges) {
   float x = log2(max(yarns, 1.0e-6f));
-  float cell = smoothstep(-0.5f, 0.5f, x - log2(max(edges.x, 1.0e-6f)));
-  float repeat = smoothstep(-0.5f, 0.5f, x - log2(max(edges.y, 1.0e-6f)));
-  float cloth = smoothstep(-0.5f, 0.5f, x - log2(max(edges.z, 1.0e-6f)));
+  float cell = smoothstep(-0.5f, 0.0f, x - log2(max(edges.x, 1.0e-6f)));
+  float repeat = smoothstep(-0.5f, 0.0f, x - log2(max(edges.y, 1.0e-6f)));
+  float cloth = smoothstep(-0.5f, 0.0f, x - log2(max(edges.z, 1.0e-6f)));
   return vec4(1.0f - cell, cell - repeat, repeat - cloth, cloth);
 }

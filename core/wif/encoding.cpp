@@ -109,20 +109,24 @@ std::optional<std::string> from_utf8(std::string_view text, Encoding to) {
   return out;
 }
 
-std::string to_ascii(std::string_view text) {
+/// write(out, code, bytes) of each character; '?' for bytes that are none.
+template <class Write>
+static std::string rewritten(std::string_view text, const Write& write) {
   std::string out;
   uint32_t code = 0;
   for (size_t at = 0; at < text.size();) {
     const size_t size = sequence(text, at, code);
-    if (size == 0) {
-      out += '?';
-      ++at;
-      continue;
-    }
-    out += code < 0x80 ? (is_control(code) ? ' ' : static_cast<char>(code)) : plain_char(code);
-    at += size;
+    if (size) write(out, code, text.substr(at, size));
+    else out += '?';
+    at += size ? size : 1;
   }
   return out;
+}
+
+std::string to_ascii(std::string_view text) {
+  return rewritten(text, [](std::string& out, uint32_t code, std::string_view) {
+    out += code < 0x80 ? (is_control(code) ? ' ' : static_cast<char>(code)) : plain_char(code);
+  });
 }
 
 std::string escaped(std::string_view text) {
@@ -170,23 +174,9 @@ std::string unescaped(std::string_view text) {
 }
 
 std::string one_line(std::string_view text) {
-  std::string out;
-  uint32_t code = 0;
-  for (size_t at = 0; at < text.size();) {
-    const size_t size = sequence(text, at, code);
-    if (size == 0) {
-      out += '?';
-      ++at;
-      continue;
-    }
-    if (is_control(code)) {
-      out += ' ';
-    } else {
-      out.append(text, at, size);
-    }
-    at += size;
-  }
-  return std::string(trimmed(out));
+  return std::string(trimmed(rewritten(text, [](std::string& out, uint32_t code, std::string_view bytes) {
+    out += is_control(code) ? std::string_view(" ") : bytes;
+  })));
 }
 
 }  // namespace weftlight

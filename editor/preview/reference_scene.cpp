@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "light/formulas.h"
 #include "preview/cloth_block.h"
+#include "preview/stages.h"
 
 namespace weftlight {
 namespace {
@@ -37,7 +38,11 @@ std::string ReferenceScene::update_threads(const Design& design, const TubeOptio
   if (tubes_ && draft_ == design.draft && yarns_ == design.yarns) return {};
   std::string error;
   tubes_ = nullptr;  // two at once could take twice the memory
-  tubes_ = TubeScene::build(lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat), options, error);
+  const BitMatrix cells = drawdown(design.draft);
+  // As the preview lays it out, so that each thread has the same fibres; but not at the cost of its roundness.
+  constexpr int64_t kFineCrossings = 3000;
+  const bool fine = int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
+  tubes_ = TubeScene::build(lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat), options, error);
   draft_ = design.draft;
   yarns_ = design.yarns;
   return tubes_ ? std::string() : error;

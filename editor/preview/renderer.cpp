@@ -27,6 +27,8 @@ namespace weftlight {
 namespace {
 
 constexpr int kFullTaps = 12, kQuickTaps = 4;
+// Rungs that a program of `auto` holds.
+constexpr int kYarnRung = 1, kCellRung = 2, kRepeatRung = 4, kAllRungs = 15;
 constexpr float kFullRadius = 2.2f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
 
 interop::vec4 vec(glm::vec3 v, float w) { return {v.x, v.y, v.z, w}; }
@@ -35,7 +37,8 @@ struct DrawnFrame {
   Scene scene;
   Look look;
   Frame frame;
-  int rungs = 15;          // of auto that its program holds, by bits: yarn 1, cell 2, repeat 4, cloth 8
+  int rungs = kAllRungs;
+  bool gaps = false;       // what is behind shows
 };
 
 /// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
@@ -71,7 +74,8 @@ struct Renderer::Parts {
 
   bool build(std::string& error);
   GLuint cloth_program(Method method, int taps, int rungs, std::string& error);
-  int tell_rungs(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
+  int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
+  void tell_rungs(const RungShares& shares);
   std::array<float, 3> edges_of(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out, const GpuMesh& on) const;
   void upload_frame(const interop::FrameData& data);
@@ -84,7 +88,7 @@ struct Renderer::Parts {
   /// Share of the key light that the cloth keeps from what is behind it.
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1]); }
   float ground_opacity = -1;
-  bool has_gaps() const { return cloth.data().gaps[3] > 0.5f; }
+  bool has_gaps(const DrawnFrame& drawn) const;
   void take_queries(bool wait);
 };
 
@@ -98,7 +102,7 @@ bool Renderer::Parts::build(std::string& error) {
   if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error)) return false;
-  return cloth_program(Method::kAuto, kFullTaps, 4, error) != 0;
+  return cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung, error) != 0;
 }
 
 /// Where one rung gives way to the next, yarns a pixel. A picture that will not get all samples of the threads in its
@@ -181,7 +185,7 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   Method method = drawn_method(drawn.look.method);
   if (method == Method::kYarn && !cloth.has_threads()) method = Method::kCell;
   glUseProgram(cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs, error));
-  has_gaps() ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
+  drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
   const auto start = clock_here(drawn.frame);
   glBeginQuery(GL_TIME_ELAPSED, timer.get());
@@ -243,7 +247,11 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   const PreparedMesh& prepared = mesh.prepared();
   const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
-  mesh.sort(camera.eye, has_gaps() ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack, drawn.frame.render_scale < 1);
+  stats.method = drawn_method(drawn.look.method);
+  DrawnFrame chosen = drawn;
+  chosen.rungs = rungs_of(drawn, mesh, camera);
+  chosen.gaps = has_gaps(drawn);
+  mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack, drawn.frame.render_scale < 1);
   const bool new_light = sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
   upload_frame(frame_data(drawn, camera, linear_out, mesh));
   if (new_light || opacity() != ground_opacity) ground.update(sun.depth(), mesh.ground_sky());
@@ -259,12 +267,9 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   glDepthFunc(GL_LEQUAL);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   // What shows through gaps must be there before; otherwise what the cloth hides need not be shaded.
-  if (has_gaps()) draw_around(drawn, camera);
-  stats.method = drawn_method(drawn.look.method);
-  DrawnFrame chosen = drawn;
-  chosen.rungs = tell_rungs(drawn, mesh, camera);
+  if (chosen.gaps) draw_around(drawn, camera);
   draw_cloth(chosen, mesh);
-  if (!has_gaps()) draw_around(drawn, camera);
+  if (!chosen.gaps) draw_around(drawn, camera);
   draw_hairs(drawn, camera);
   glBindVertexArray(0);
   target.end();
@@ -273,33 +278,51 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
 }
 
-/// Tells shares of the rungs and the error to expect; gives the rungs that the picture needs (DrawnFrame). What is left
-/// out of a program costs nothing, while without a graphics card both sides of a branch are run.
-int Renderer::Parts::tell_rungs(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
-  constexpr int kAll = 15;
+/// Whether what is behind shows: through open cloth, and near by through the pinholes that any weave has, too
+/// small for the maps.
+bool Renderer::Parts::has_gaps(const DrawnFrame& drawn) const {
+  constexpr float kFew = 0.01f;
+  if (cloth.data().gaps[3] > 0.5f) return true;
+  const bool near = stats.method == Method::kYarn || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
+  return near && !drawn.frame.false_color_rungs;
+}
+
+/// Which rungs the program of auto must hold. Without a graphics card both sides of a branch are run, so it holds what this
+/// picture needs; a card has one program, so that no view waits for another.
+int Renderer::Parts::rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
   const float scale = drawn.frame.render_scale;
   const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };
+  const std::array<float, 3> edges = edges_of(drawn);
   const RungShares shares = rung_shares(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
-                                        cloth.mean_spacing_mm(), edges_of(drawn));
+                                        cloth.mean_spacing_mm(), edges);
+  tell_rungs(shares);
+  if (stats.method != Method::kAuto || shares.yarns_per_pixel <= 0) return kAllRungs;
+  if (scale < 1) {
+    // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
+    constexpr float kFairPart = 0.05f;
+    return shares.of[0] > kFairPart ? kYarnRung : shares.of[1] > kFairPart ? kCellRung : kRepeatRung;
+  }
+  if (!software) return edges[0] < edges[1] ? kAllRungs : kAllRungs & ~kCellRung;
+  int needed = 0;
+  for (size_t k = 0; k < shares.needed.size(); ++k) needed |= shares.needed[k] ? 1 << k : 0;
+  return needed;
+}
+
+/// Shares of the rungs and the error to expect.
+void Renderer::Parts::tell_rungs(const RungShares& shares) {
   stats.rung_shares = shares.of;
   stats.estimated_error = 0;
-  if (shares.yarns_per_pixel <= 0) return kAll;
+  if (shares.yarns_per_pixel <= 0) return;
   if (stats.method != Method::kAuto) {
     const float error = expected_error(ladder, stats.method, shares.yarns_per_pixel);
     stats.estimated_error = std::isfinite(error) ? error : 0;
-    return kAll;
+    return;
   }
   constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
-  int needed = 0;
   for (size_t k = 0; k < kDrawn.size(); ++k) {
     const float error = expected_error(ladder, kDrawn[k], shares.yarns_per_pixel);
     if (std::isfinite(error)) stats.estimated_error += shares.of[k] * error;
-    needed |= shares.needed[k] ? 1 << k : 0;
   }
-  if (scale >= 1) return needed;
-  // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
-  constexpr float kFairPart = 0.05f;
-  return shares.of[0] > kFairPart ? 1 : shares.of[1] > kFairPart ? 2 : 4;
 }
 
 void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
@@ -324,7 +347,7 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
   stats.method = drawn_method(look.method);
-  drawn.rungs = tell_rungs(drawn, patch, camera);
+  drawn.rungs = rungs_of(drawn, patch, camera);
   draw_cloth(drawn, patch);
   glBindVertexArray(0);
   linear.end();

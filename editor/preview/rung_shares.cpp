@@ -19,13 +19,11 @@ float pixel_size(const glm::mat2& cloth_by_pixel) {
   return std::sqrt(std::max(area, longest2 / 256));
 }
 
-bool within(glm::vec3 p, int width, int height) {
-  return p.x >= 0 && p.y >= 0 && p.x <= static_cast<float>(width) && p.y <= static_cast<float>(height);
-}
-
-bool may_show(glm::vec3 a, glm::vec3 b, glm::vec3 c, int width, int height) {
-  const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-  return high.x >= 0 && high.y >= 0 && low.x <= static_cast<float>(width) && low.y <= static_cast<float>(height);
+/// Part of a triangle's rectangle that lies on the picture: about that part of the triangle.
+float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
+  const glm::vec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+  const glm::vec2 shown = glm::max(glm::min(high, picture) - glm::max(low, glm::vec2(0)), glm::vec2(0)), all = high - low;
+  return shown.x * shown.y / std::max(all.x * all.y, 1e-6f);
 }
 
 }  // namespace
@@ -51,16 +49,16 @@ RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int w
       if (a.z + b.z + c.z > 0) wanted[0] = std::numeric_limits<float>::infinity();   // it passes the eye
       continue;
     }
-    if (!may_show(a, b, c, width, height)) continue;
+    const float part = shown_part(a, b, c, {width, height});
+    if (part <= 0) continue;
     const Vec2 &ua = mesh.uv_mm[index[i]], &ub = mesh.uv_mm[index[i + 1]], &uc = mesh.uv_mm[index[i + 2]];
     const glm::mat2 on_picture(glm::vec2(b - a), glm::vec2(c - a));
-    const float on_screen = std::abs(glm::determinant(on_picture));
-    if (on_screen <= 1e-6f) continue;
+    const float area = std::abs(glm::determinant(on_picture)), on_screen = area * part;
+    if (area <= 1e-6f) continue;
     const glm::mat2 on_cloth(ub[0] - ua[0], ub[1] - ua[1], uc[0] - ua[0], uc[1] - ua[1]);
     const float yarns = pixel_size(on_cloth * glm::inverse(on_picture)) / std::max(spacing_mm, 1e-6f);
     const glm::vec4 weight = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
     for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseenWeight ? on_screen : 0;
-    if (!within((a + b + c) / 3.0f, width, height)) continue;
     for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;
     octaves += std::log2(std::max(yarns, 1e-6f)) * on_screen;
     all += on_screen;

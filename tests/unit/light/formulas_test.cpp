@@ -100,6 +100,10 @@ TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
   EXPECT_EQ(formulas::rung_weights(4, edges).z, 1);
   EXPECT_EQ(formulas::rung_weights(20, edges).w, 1);
   EXPECT_EQ(formulas::rung_weights(0, edges).x, 1);
+  // At its edge the coarser one stands alone.
+  EXPECT_EQ(formulas::rung_weights(2, edges).z, 1);
+  EXPECT_EQ(formulas::rung_weights(8, edges).w, 1);
+  EXPECT_GT(formulas::rung_weights(1.9f, edges).y, 0);
   EXPECT_FLOAT_EQ(formulas::footprint_yarns({0.3f, 0.4f}, {0, 0.1f}, 0.25f), 2);
 }
 

@@ -79,9 +79,9 @@ TEST_F(PictureTest, OnlyTheRungsThatShowAreNeeded) {
   };
   using Rungs = std::array<bool, 4>;   // yarn, cell, repeat, cloth
   EXPECT_EQ(needed(0.25f), (Rungs{true, false, false, false}));
-  EXPECT_EQ(needed(1), (Rungs{true, false, true, false}));
+  EXPECT_EQ(needed(0.85f), (Rungs{true, false, true, false}));
   EXPECT_EQ(needed(3), (Rungs{false, false, true, false}));
-  EXPECT_EQ(needed(8), (Rungs{false, false, true, true}));
+  EXPECT_EQ(needed(7), (Rungs{false, false, true, true}));
   EXPECT_EQ(needed(32), (Rungs{false, false, false, true}));
 }
 

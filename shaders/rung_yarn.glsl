@@ -46,6 +46,13 @@ float surely_lit(int face, vec2 at, float level, vec3 l) {
   return l.z < min(a.x - 1.5 * a.y, b.x - 1.5 * b.y) - 0.1 ? -1.0 : 0.0;
 }
 
+// Horizons are those of what is on top: a place that is seen below another thread's edge has none.
+bool on_top(ThreadGrid g, ThreadHit hit) {
+  Crossing c = crossing_near(g, hit.at.xy);
+  float other = hit.system == 0 ? strand_top(c.weft, hit.at.y, hit.at.x) : strand_top(c.warp, hit.at.x, hit.at.y);
+  return other <= hit.at.z;
+}
+
 void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, float sample_mm, int face, float level) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
@@ -69,6 +76,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
   if (a.key.r + a.key.g + a.key.b > 0.0) {
     // Light from behind crosses this thread itself; every other one stops it.
     float sure = dot(p.normal, l) <= 0.0 || l.z <= 0.0 ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
+    if (sure > 0.0 && !on_top(g, hit)) sure = 0.0;
     if (sure < 0.0) a.key = vec3(0.0);
     if (sure == 0.0 && threads_block(g, hit.at, l, kLightCells, hit.system, thread)) a.key = vec3(0.0);
   }

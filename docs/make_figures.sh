@@ -1,14 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/figures.md from the shipped drafts. Needs ImageMagick's `convert` (to JPEG).
 # Usage: docs/make_figures.sh [path of weftlight]
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-weftlight=${1:-$root/build/release/weftlight}
-drafts=$root/presets/drafts
-out=$root/docs/figures
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-mkdir -p "$out"
+source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh" figures "$@"
 
 picture() {  # name draft options...
   local name=$1 draft=$2

@@ -1,14 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/truth.md: the cloth ray traced thread by thread, the preview, and their difference
 # (absolute, four times as bright). Needs ImageMagick. Usage: docs/make_truth.sh [path of weftlight]
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-weftlight=${1:-$root/build/release/weftlight}
-drafts=$root/presets/drafts
-out=$root/docs/truth
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-mkdir -p "$out"
+source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh" truth "$@"
 
 scene() {  # name draft options...
   local name=$1 draft=$drafts/$2.wif

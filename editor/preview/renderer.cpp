@@ -88,7 +88,7 @@ struct Renderer::Parts {
   /// Share of the key light that the cloth keeps from what is behind it.
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1]); }
   float ground_opacity = -1;
-  bool has_gaps(const DrawnFrame& drawn) const;
+  bool has_gaps() const;
   void take_queries(bool wait);
 };
 
@@ -250,7 +250,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   stats.method = drawn_method(drawn.look.method);
   DrawnFrame chosen = drawn;
   chosen.rungs = rungs_of(drawn, mesh, camera);
-  chosen.gaps = has_gaps(drawn);
+  chosen.gaps = has_gaps();
   mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack, drawn.frame.render_scale < 1);
   const bool new_light = sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
   upload_frame(frame_data(drawn, camera, linear_out, mesh));
@@ -280,11 +280,10 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
 
 /// Whether what is behind shows: through open cloth, and near by through the pinholes that any weave has, too
 /// small for the maps.
-bool Renderer::Parts::has_gaps(const DrawnFrame& drawn) const {
+bool Renderer::Parts::has_gaps() const {
   constexpr float kFew = 0.01f;
   if (cloth.data().gaps[3] > 0.5f) return true;
-  const bool near = stats.method == Method::kYarn || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
-  return near && !drawn.frame.false_color_rungs;
+  return stats.method == Method::kYarn || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
 }
 
 /// Which rungs the program of auto must hold. Without a graphics card both sides of a branch are run, so it holds what this

@@ -52,7 +52,7 @@ class Renderer {
   static std::unique_ptr<Renderer> create(std::string& error);
   ~Renderer();
 
-  /// prepare_mesh (ambient.h) takes a tenth of a second: the window does it on its worker.
+  /// prepare_mesh (ambient.h) takes a fifth to two fifths of a second for a drape: the window does it on its worker.
   void set_mesh(PreparedMesh mesh);
   void set_mesh(const Mesh& mesh) { set_mesh(prepare_mesh(mesh)); }
   /// New maps of both faces, or patches of the maps that are there (packed_maps.h).

@@ -1,6 +1,6 @@
 #pragma once
-// Which rungs of `auto` the cloth on screen needs, and which share of it each draws, from the triangles' footprints. Knows no OpenGL
-// and does not read pixels back; what hides behind other folds counts too.
+// Which rungs of `auto` the cloth on screen needs, and which share of it each draws, from the triangles' footprints.
+// Knows no OpenGL and does not read pixels back; what hides behind other folds counts too.
 
 #include <array>
 

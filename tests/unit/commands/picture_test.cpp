@@ -1,14 +1,13 @@
 // render and reference show one scene: the same threads at the same pixels of the same drape.
 
 #include <cmath>
+#include <optional>
 
 #include "files/files.h"
 #include "scratch_folder.h"
 
 namespace weftlight {
 namespace {
-
-using Pictures = ScratchFolder;
 
 /// Root mean square of the difference, over that of the first.
 double relative_rms(const Image& a, const Image& b) {
@@ -21,22 +20,52 @@ double relative_rms(const Image& a, const Image& b) {
   return std::sqrt(difference / square);
 }
 
-// A mesh drawn with fewer triangles keeps its shape while the weave slides over it: the error was then 0.5 and more.
+class Pictures : public ScratchFolder {
+ protected:
+  /// A shipped draft drawn and traced: how far they are apart. None without graphics.
+  std::optional<double> difference(const std::string& draft, const std::vector<std::string>& scene) {
+    const Ran drawn = picture("render", draft, scene, {"-o", path("drawn.exr")});
+    if (drawn.code == kNoGraphics) return std::nullopt;
+    EXPECT_EQ(drawn.code, kDone) << drawn.said;
+    const Ran traced = picture("reference", draft, scene, {"-o", path("traced.exr"), "--spp", "64"});
+    EXPECT_EQ(traced.code, kDone) << traced.said;
+    const ReadImage truth = read_image(path("traced.exr")), ours = read_image(path("drawn.exr"));
+    if (!truth.image || !ours.image || truth.image->texels.size() != ours.image->texels.size()) {
+      ADD_FAILURE() << "not two pictures of one size: " << truth.error << ours.error;
+      return 1;
+    }
+    return relative_rms(*truth.image, *ours.image);
+  }
+
+ private:
+  static Ran picture(const std::string& verb, const std::string& draft, const std::vector<std::string>& scene,
+                     const std::vector<std::string>& options) {
+    std::vector<std::string> line{verb, presets_dir() + "/drafts/" + draft + ".wif", "--size", "160x120"};
+    line.insert(line.end(), scene.begin(), scene.end());
+    line.insert(line.end(), options.begin(), options.end());
+    return run(line);
+  }
+};
+
+// A mesh drawn with fewer triangles keeps its shape while the weave slides over it: 0.40, where all triangles leave 0.09.
 TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
-  const std::string draft = presets_dir() + "/drafts/starter.wif";
-  const std::vector<std::string> scene{"--mesh", "tablecloth", "--yarns-per-pixel", "0.3", "--size", "160x120"};
-  std::vector<std::string> render{"render", draft, "-o", path("drawn.exr")}, reference{"reference", draft, "-o", path("traced.exr"), "--spp", "64"};
-  render.insert(render.end(), scene.begin(), scene.end());
-  reference.insert(reference.end(), scene.begin(), scene.end());
-  const Ran drawn = run(render);
-  if (drawn.code == kNoGraphics) GTEST_SKIP() << drawn.said;
-  ASSERT_EQ(drawn.code, kDone) << drawn.said;
-  const Ran traced = run(reference);
-  ASSERT_EQ(traced.code, kDone) << traced.said;
-  const ReadImage a = read_image(path("traced.exr")), b = read_image(path("drawn.exr"));
-  ASSERT_TRUE(a.image && b.image) << a.error << b.error;
-  ASSERT_EQ(a.image->texels.size(), b.image->texels.size());
-  EXPECT_LT(relative_rms(*a.image, *b.image), 0.15);
+  const std::optional<double> off = difference("starter", {"--mesh", "tablecloth", "--yarns-per-pixel", "0.3"});
+  if (!off) GTEST_SKIP() << "no graphics";
+  EXPECT_LT(*off, 0.15);
+}
+
+// Places under another thread's edge have no horizons of their own. Lit as if they lay on top: 0.33, else 0.22.
+TEST_F(Pictures, light_under_the_edges_of_threads_is_the_traced_light) {
+  const std::optional<double> off = difference("twill_2_2", {"--mesh", "plane", "--view", "-30,20", "--yarns-per-pixel", "0.06"});
+  if (!off) GTEST_SKIP() << "no graphics";
+  EXPECT_LT(*off, 0.27);
+}
+
+// The maps of a dense weave have no gaps, its threads have. Drawn opaque: 0.49, else 0.19.
+TEST_F(Pictures, what_is_behind_shows_through_the_pinholes_of_a_near_weave) {
+  const std::optional<double> off = difference("twill_2_2", {"--mesh", "plane", "--view", "20,15", "--yarns-per-pixel", "0.04"});
+  if (!off) GTEST_SKIP() << "no graphics";
+  EXPECT_LT(*off, 0.3);
 }
 
 }  // namespace

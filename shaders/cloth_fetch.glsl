@@ -166,8 +166,15 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, frame.light.w), sky_left(s, f));
 }
 
-// What is seen along v over the whole cloth: xy the share of each system, zw their mean heights, mm.
-vec4 seen_systems(int face, vec3 v) {
+// What is seen along v over the whole cloth, of warp and weft.
+struct Seen {
+  vec2 share;
+  vec2 height;   // mean, mm
+  float rise;    // of the warp's share, with its share of the cover around
+};
+
+Seen seen_systems(int face, vec3 v) {
   vec2 c = response_coord(v);
-  return textureLod(seen_map, vec2((c.x * 32.0 + 0.5) / 33.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0);
+  vec4 s = textureLod(seen_map, vec2((c.x * 32.0 + 0.5) / 33.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0);
+  return Seen(vec2(s.x, 1.0 - s.x), s.zw, s.y);
 }

@@ -41,6 +41,7 @@ vec3 mixed_light(Side side, Lights x, Answer m) {
 struct Local {
   vec4 color;    // premultiplied by coverage
   vec4 facets;   // means of the unit normal's x, y and of their squares
+  float around;  // coverage of some eight yarns about each place, and more
 };
 
 // Four samples a pixel: two by two in a square one, a row in a long one (zigzag between), each read where the mips are
@@ -48,6 +49,7 @@ struct Local {
 Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   Local y;
   y.color = vec4(0.0);
+  y.around = 0.0;
   vec4 sum = vec4(0.0);
   vec2 texels = vec2(textureSize(color_map, 0).xy);
   vec2 x_side = f.dx * texels;
@@ -59,12 +61,14 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
   float level = f.level - 1.0 - row;
+  float wide = max(level, log2(4.0 * texels.x * cloth.size.z / cloth.size.x));   // mips of four yarns, read between texels
   for (int i = 0; i < 4; ++i) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;
     vec3 p = vec3(at + longer * (half_side + turn * 0.125 * row) + aside * turn, float(system));
     y.color += 0.25 * textureLod(color_map, p, level);
     sum += 0.25 * textureLod(relief_map, p, level);
+    y.around += 0.25 * textureLod(color_map, p, wide).a;
   }
   y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
   return y;
@@ -80,17 +84,20 @@ Answer leaned_answer(Side side, Lights x, Local y, int which, vec2 slopes) {
 }
 
 vec3 shade_repeat(Side side, Lights x, Footprint f) {
-  vec4 seen = seen_systems(side.face, x.v);
+  Seen seen = seen_systems(side.face, x.v);
   // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
   vec2 towards = x.v.xy / (x.v.z * cloth.size.xy);
-  Local warp = fetch_local(side, f, 0, f.at + towards * seen.z);
-  Local weft = fetch_local(side, f, 1, f.at + towards * seen.w);
+  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
+  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
   vec2 share = vec2(cloth.systems[side.face * 2].mean.w, cloth.systems[side.face * 2 + 1].mean.w);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(share, vec2(1e-3));
+  vec2 region = vec2(warp.around, weft.around) / max(share * (warp.around + weft.around), vec2(1e-3));
+  vec2 rise = seen.rise * share / max(seen.share, vec2(1e-3)) - 1.0;
+  relative *= vec2(region_factor(rise.x, region.x), region_factor(rise.y, region.y));
   vec2 slopes = half_slope_coords(x);
   Answer a = leaned_answer(side, x, warp, 0, slopes);
   Answer b = leaned_answer(side, x, weft, 1, slopes);
-  return mixed_light(side, x, mixed_answer(a, b, relative, seen.xy));
+  return mixed_light(side, x, mixed_answer(a, b, relative, seen.share));
 }
 
 vec3 shade_cloth(Side side, Lights x) {

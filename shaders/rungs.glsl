@@ -111,6 +111,13 @@ FORMULA float lean_factor(vec4 lean, vec4 facets, vec4 mean_facets) {
   return max(1.0f + dot(lean, facets - mean_facets), 0.0f);
 }
 
+// What is seen of a system where the cloth around shows `region` times its mean cover, over that cover: `rise` is
+// measured, of the share of what is seen with that cover, less 1. The fewer threads lie in the dips between the others.
+// Weighed by `region` it is linear, so that no mean changes.
+FORMULA float region_factor(float rise, float region) {
+  return max(1.0f + rise * (1.0f - 1.0f / max(region, 0.2f)), 0.0f);
+}
+
 // Both systems, each with its local share of the cover over its mean (relative).
 FORMULA Answer mixed_answer(Answer warp, Answer weft, vec2 relative, vec2 seen) {
   float scale = 1.0f / max(relative.x * seen.x + relative.y * seen.y, 1.0e-4f);

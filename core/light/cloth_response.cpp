@@ -23,6 +23,7 @@ constexpr float kUnseenFacets = 0.01f;  // density of facets below which their s
 constexpr float kStraight = 1e-4f;      // variance of a facet's moments that tells nothing
 constexpr float kSteepest = 100.0f;     // rise with a moment, over the mean
 constexpr float kDark = 1e-4f;          // radiance whose lean is not seen
+constexpr float kEvenWeave = 0.02f;     // relative variance of the cover around that tells nothing
 constexpr int kMeanTexels = 512;        // along a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
@@ -39,6 +40,7 @@ struct Point {
   // the frame of the fibre, mu held above the plane.
   PerLight light_cosine{}, light_lit{}, light_lost{}, light_veil{}, light_clear{}, light_shadow{}, light_along{}, light_across{}, light_mu{};
   float height_mm = 0;
+  float around = 0;                 // share of the crossings around that its system has on top
   FacetMoments facets{};
   glm::vec3 inverse{1, 0, 1};       // of the covariance of the facets' slopes
   float peak = 0;                   // density of those slopes at their mean
@@ -65,7 +67,7 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90;
   p.hair = lobes.fuzz > 0 ? lobes.fuzz_colour.g : p.f0 / std::max(p.f90, 1e-3f);
   p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g / (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
-  p.height_mm = place.height_mm, p.facets = facet_moments(normal);
+  p.height_mm = place.height_mm, p.around = place.around, p.facets = facet_moments(normal);
   const bool plain = place.normal == place.side, own = normal == place.normal;
   const formulas::LobeFrame frame = formulas::lobe_frame(normal, place.fibre);
   for (size_t v = 0; v < kV; ++v) {
@@ -93,7 +95,7 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
 struct Sums {
   std::vector<float> body, mirror, hair, all;              // [view][light]
   std::array<std::vector<float>, kFacetMoments> leaning;   // all, times each of the point's moments
-  PerView seen{}, height{};
+  PerView seen{}, height{}, seen_around{};
   std::array<PerView, kFacetMoments> seen_leaning{};
   Sums() : body(kV * kL), mirror(kV * kL), hair(kV * kL), all(kV * kL) { leaning.fill(all); }
 
@@ -106,7 +108,7 @@ struct Sums {
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
     for (auto* of : {&body, &mirror, &hair, &all}) rows(*of, kL);
     for (auto& of : leaning) rows(of, kL);
-    for (auto* of : {&seen, &height}) one(*of);
+    for (auto* of : {&seen, &height, &seen_around}) one(*of);
     for (auto& of : seen_leaning) one(of);
   }
 };
@@ -124,7 +126,7 @@ std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
 void add(Sums& sums, const Point& p, const std::vector<float>& grazing, size_t view) {
   if (p.seen[view] <= 0) return;
   const float mu = p.mu[view], seen = p.area * p.seen[view], grooved = seen * p.groove;
-  sums.seen[view] += seen, sums.height[view] += seen * p.height_mm;
+  sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.seen_around[view] += seen * p.around;
   for (size_t k = 0; k < kFacetMoments; ++k) sums.seen_leaning[k][view] += seen * p.facets[k];
   const float from = seen * p.enters[view] * p.body_scale, veil = grooved * p.veil[view] * p.again;
   const float once = grooved * p.fuzz / (4 * kPi), lost = grooved * p.lost[view] * p.multiple;
@@ -304,6 +306,27 @@ float closed_form(const Slopes& slopes, float share, const glm::vec3& l, const g
   return share * formulas::facet_density({density(slopes[0], h.x), density(slopes[1], h.y)}, h);
 }
 
+/// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads, so
+/// what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the rise,
+/// beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
+std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlaces& threads) {
+  std::vector<float> out(kV);
+  for (size_t s = 0; s < 2; ++s) {
+    const float mean = std::max(s == 0 ? threads.around_mean : 1 - threads.around_mean, 1e-3f);
+    const float variance = threads.around_variance / (mean * mean), known = variance / (variance + kEvenWeave);
+    const auto part = [&](size_t v) { return sums[s].seen[v] / std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f); };
+    const auto covariance = [&](size_t v) {
+      return (sums[s].seen_around[v] - sums[s].seen[v] * mean) / std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
+    };
+    const float above = covariance(kV - 1), scale = 1 / std::max(threads.around_variance, 1e-6f);
+    for (size_t v = 0; v < kV; ++v) {
+      const float rise = 1 + (covariance(v) - above) * scale;
+      out[v] += 0.5f * (known * rise + (1 - known) * part(v) / mean);
+    }
+  }
+  return out;
+}
+
 /// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
 /// facets that are seen.
 void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system, const Moments& above) {
@@ -369,6 +392,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
     s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
     s.height_mm.assign(kV, 0.0f);
   }
+  out.seen_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();
   const ThreadPlaces threads = thread_places(cloth, samples);
@@ -385,6 +409,9 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   });
   for (size_t s = 0; s < 2; ++s) {
     sums[s].repeat_top();
+  }
+  out.seen_rise = seen_rises(sums, threads);
+  for (size_t s = 0; s < 2; ++s) {
     finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
     finish(out.systems[s].slopes);
   }

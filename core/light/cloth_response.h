@@ -35,6 +35,9 @@ struct SystemResponse {
 struct ClothResponse {
   std::array<SystemResponse, 2> systems;
   float sky = 1;     // mean share of the sky that is seen
+  // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
+  // slant, where the fewer threads lie hidden between the others.
+  std::vector<float> seen_rise;
 };
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = kResponseSamples);
 

@@ -70,10 +70,11 @@ class Placer {
   }
   /// Place k of `count` of a system; area 0 where there is none.
   ThreadPlace place(int system, int k, int count);
-  void look_down(int first, int count, std::vector<TopPlace>& top);
+  void look_down(int first, int count, ThreadPlaces& out);
 
  private:
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
+  float warp_around(int end, int pick) const;
   glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
   void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point);
   void look_around(ThreadPlace& p, glm::vec3 at, int thread);
@@ -84,6 +85,20 @@ class Placer {
   std::array<std::vector<ThreadTexture>, 2> textures_;
   std::array<glm::vec3, kResponseViews> views_;
 };
+
+/// The warp's share of the crossings around one, by a tent: what mips of four yarns see, read between texels.
+float Placer::warp_around(int end, int pick) const {
+  constexpr int kReach = 4, kTop = kReach + 1;
+  const int ends = static_cast<int>(cloth_.ends.size()), picks = static_cast<int>(cloth_.picks.size());
+  int sum = 0;
+  for (int j = -kReach; j <= kReach; ++j) {
+    const int row = (pick + picks * kReach + j) % picks;
+    int along = 0;
+    for (int i = -kReach; i <= kReach; ++i) along += (kTop - std::abs(i)) * cloth_.up.get(row, (end + ends * kReach + i) % ends);
+    sum += (kTop - std::abs(j)) * along;
+  }
+  return static_cast<float>(sum) / (kTop * kTop * kTop * kTop);
+}
 
 ThreadPlace Placer::place(int system, int k, int count) {
   const glm::vec2 at = glm::vec2(part(k, 0.8191725133961645), part(k, 0.6710436067037893)) * grid_.period;
@@ -112,6 +127,8 @@ ThreadPlace Placer::place(int system, int k, int count) {
     p.area = 0;
     return p;
   }
+  const float warp = warp_around(crossing.warp.thread, crossing.weft.thread);
+  p.around = system == 0 ? warp : 1 - warp;
   dress(p, s.thread, scene_.thread_point(system, s, where));
   look_around(p, where, s.thread);
   return p;
@@ -137,9 +154,13 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
   p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes, {toned(body.colour.r), toned(body.colour.g), toned(body.colour.b)});
 }
 
-void Placer::look_down(int first, int count, std::vector<TopPlace>& top) {
+/// Adds what is seen from above; of the crossings around it, sums.
+void Placer::look_down(int first, int count, ThreadPlaces& out) {
   for (int k = first; k < first + count; ++k) {
     const glm::vec2 at = glm::vec2(part(k, 0.7548776662466927), part(k, 0.5698402909980532)) * grid_.period;
+    const auto crossing = scene_.crossing_near(grid_, at);
+    const float warp = warp_around(crossing.warp.thread, crossing.weft.thread);
+    out.around_mean += warp, out.around_variance += warp * warp;
     const auto hit = scene_.thread_below(grid_, at, glm::vec2(0));
     if (hit.system < 0) continue;
     const auto point = scene_.thread_point(hit.system, hit.strand, hit.at);
@@ -147,8 +168,8 @@ void Placer::look_down(int first, int count, std::vector<TopPlace>& top) {
     Texel texel;
     const glm::vec3 normal = plied(hit.system, hit.strand.thread, point, texel);
     const Lobes& lobes = cloth_.yarns[static_cast<size_t>((s == 0 ? cloth_.ends : cloth_.picks)[thread].yarn)].lobes;
-    top.push_back({hit.system, normal, point.axis + point.around * textures_[s][thread].fibre_tan,
-                   {lobes.along_width * lobes.along_width, lobes.across_width * lobes.across_width}});
+    out.top.push_back({hit.system, normal, point.axis + point.around * textures_[s][thread].fibre_tan,
+                       {lobes.along_width * lobes.along_width, lobes.across_width * lobes.across_width}});
   }
 }
 
@@ -208,8 +229,11 @@ ThreadPlaces thread_places(const Cloth& cloth, int count) {
     in_parallel(2 * each, 2, [&](int i) {
       out.places[static_cast<size_t>(w * 2 * each + i)] = placer.place(i % 2, w * each + i / 2, windows * each);
     });
-    placer.look_down(w * above, above, out.top);
+    placer.look_down(w * above, above, out);
   }
+  const float scale = 1 / static_cast<float>(windows * above);
+  out.around_mean *= scale;
+  out.around_variance = std::max(out.around_variance * scale - out.around_mean * out.around_mean, 0.0f);
   std::erase_if(out.places, [](const ThreadPlace& p) {
     return p.area <= 0 || std::all_of(p.open.begin(), p.open.end(), [](float o) { return o <= 0; });
   });

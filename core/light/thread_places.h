@@ -33,6 +33,7 @@ struct ThreadPlace {
   glm::vec3 normal{0, 0, 1};   // between plies, too
   glm::vec3 fibre{1, 0, 0};    // along the fibres on the surface
   float groove = 1;
+  float around = 0;            // share of the crossings around it that its own system has on top
   formulas::YarnLobes lobes;
   // Per view, 0 or 1: nothing stands before it; for those behind the place, nothing but its own thread.
   std::array<float, kResponseViews> open{};
@@ -53,6 +54,8 @@ struct TopPlace {
 struct ThreadPlaces {
   std::vector<ThreadPlace> places;
   std::vector<TopPlace> top;  // many more: they cost little
+  // Of the warp's share of the crossings around a place (a tent nine wide), over the whole cloth.
+  float around_mean = 0, around_variance = 0;
 };
 
 /// `count` places, the same every time. Of a cloth of very many crossings: in windows spread over it. Those that

@@ -158,7 +158,8 @@ vec3 repeat_pixel(const PixelInput& x) {
   }
   warp.key *= lean_factor(broad, facets[0], x.spread);
   weft.key *= lean_factor(broad, facets[1], x.spread);
-  return mixed_answer(warp, weft, x.gap, slopes).key * x.key * coverage_by_view(0.9f, x.gap, 0.2f, x.v);
+  const vec2 seen = x.gap * vec2(region_factor(slopes.x, towards.x), region_factor(slopes.y, towards.y));
+  return mixed_answer(warp, weft, seen, slopes).key * x.key * coverage_by_view(0.9f, x.gap, 0.2f, x.v);
 }
 
 vec3 engine_pixel(const PixelInput& x) {

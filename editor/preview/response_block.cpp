@@ -38,7 +38,8 @@ void append_seen(std::vector<float>& out, const Faces& faces) {
     for (size_t e = 0; e < kResponseElevations; ++e) {
       for (size_t a = 0; a < kSeenWidth; ++a) {
         const size_t view = e * kViewAzimuths + a % kViewAzimuths;
-        for (const SystemResponse& system : face.systems) out.push_back(system.broad[4 * view * kResponseLights + 3]);
+        out.push_back(face.systems[0].broad[4 * view * kResponseLights + 3]);
+        out.push_back(face.seen_rise[view]);
         for (const SystemResponse& system : face.systems) out.push_back(system.height_mm[view]);
       }
     }

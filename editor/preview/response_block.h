@@ -14,7 +14,7 @@ namespace weftlight {
 inline constexpr int kResponseWidth = kLightAzimuths + 1, kSeenWidth = kViewAzimuths + 1;
 inline constexpr int kResponseHeight = 8 * kResponseElevations;
 inline constexpr int kSlopeRows = 8;                        // (face * 2 + system) * 2 + axis
-inline constexpr int kSeenHeight = 2 * kResponseElevations; // rows face; share of warp and weft seen, their heights
+inline constexpr int kSeenHeight = 2 * kResponseElevations; // rows face; share of the warp seen, its rise, heights
 inline constexpr size_t kBroadFloats = size_t{4} * kResponseWidth * kResponseHeight * kResponseViews;
 inline constexpr size_t kSlopeFloats = size_t{kSlopeBins} * kSlopeRows;
 inline constexpr size_t kSeenFloats = size_t{4} * kSeenWidth * kSeenHeight;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "cloth/maps.h"
 #include "cloth/thread_scene.h"
 #include "draft/draft.h"
+#include "light/cloth_response.h"
 #include "light/thread_places.h"
 
 namespace weftlight {
@@ -50,6 +52,45 @@ std::array<float, 2> hits(const Cloth& cloth, size_t view) {
     if (hit.system >= 0) share[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
   }
   return share;
+}
+
+/// Two blocks side by side: 3/1 twill, where the warp shows, and 1/3.
+Cloth damask() {
+  constexpr int kBlock = 24;
+  Design design;
+  design.draft = blank_draft(2 * kBlock, 8, 8, 8);
+  Draft& d = design.draft;
+  d.drive = Drive::kLiftplan;
+  for (int e = 0; e < 2 * kBlock; ++e) d.threading.set(e, e % 4 + (e < kBlock ? 0 : 4), true);
+  for (int p = 0; p < 8; ++p) {
+    for (int s = 0; s < 4; ++s) d.liftplan.set(p, s, (p + s) % 4 != 0), d.liftplan.set(p, 4 + s, (p + s) % 4 == 0);
+  }
+  for (Threads* system : {&d.warp, &d.weft}) {
+    std::fill(system->spacing_mm.begin(), system->spacing_mm.end(), 0.5f);
+    std::fill(system->thickness_mm.begin(), system->thickness_mm.end(), 0.45f);
+  }
+  return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
+}
+
+// Blocks stand out the more the flatter they are seen: the fewer threads of each hide between the others.
+TEST(ThreadPlaces, WhatIsSeenRisesWithTheCoverAround) {
+  const Cloth cloth = damask();
+  const std::vector<float> rise = cloth_response(cloth, bake(cloth, {192, 32}), 1 << 14).seen_rise;
+  ThreadScene scene(cloth);
+  for (const size_t view : {kFromAbove, static_cast<size_t>(3 * kViewAzimuths + 3), static_cast<size_t>(2 * kViewAzimuths + 5)}) {
+    std::array<std::array<float, 2>, 2> hits{};   // [block][system]
+    constexpr int kSide = 128, kCells = 48;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const size_t block = i % 2 ? 1 : 0;
+      // The middle third of a block: the tent that measures the cover around does not reach the other one.
+      const float along = (static_cast<float>(i / 2 % kSide) + 0.5f) / kSide;
+      const glm::vec2 at{cloth.width_mm * (0.5f * static_cast<float>(block) + (1 + along) / 6), cloth.depth_mm * (static_cast<float>(i / kSide) + 0.5f) / kSide};
+      const auto hit = scene.first_thread(scene.grid(), at, response_views()[view], kCells);
+      if (hit.system >= 0) hits[block][static_cast<size_t>(hit.system)] += 1;
+    }
+    const auto warp = [&](size_t block) { return hits[block][0] / (hits[block][0] + hits[block][1]); };
+    EXPECT_NEAR(rise[view] / (2 * (warp(0) - warp(1))), 1, 0.15) << response_views()[view].z;
+  }
 }
 
 TEST(ThreadPlaces, FromAboveTheyAreTheCover) {

@@ -13,6 +13,5 @@ void main() {
   position = in_position;
   normal = in_normal;
   sky_seen = in_sky;
-  // Drawn a little thinner, so that it never shows through the cloth that lies on it.
-  gl_Position = frame.world_to_clip * vec4(in_position - in_normal * (frame.ground.y * 0.0022), 1.0);
+  gl_Position = frame.world_to_clip * vec4(in_position, 1.0);
 }

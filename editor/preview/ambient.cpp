@@ -116,12 +116,21 @@ std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
 
 }  // namespace
 
+Mesh form_under(const std::string& drape, const Bounds& cloth) {
+  constexpr float kThinner = 0.005f;   // of the cloth's radius
+  Mesh form = body_mesh(drape);
+  const float thinner = kThinner * cloth.radius();
+  for (size_t i = 0; i < form.position_mm.size(); ++i)
+    for (size_t k = 0; k < 3; ++k) form.position_mm[i][k] -= thinner * form.normal[i][k];
+  return form;
+}
+
 PreparedMesh prepare_mesh(const Mesh& mesh) {
   PreparedMesh out;
   out.mesh = mesh;
   out.bounds = bounds_of(mesh);
   if (mesh.position_mm.empty()) return out;
-  out.body = body_mesh(mesh.name);
+  out.body = form_under(mesh.name, out.bounds);
   Bounds all = out.bounds;
   if (!out.body.position_mm.empty()) {
     const Bounds body = bounds_of(out.body);
@@ -137,7 +146,7 @@ PreparedMesh prepare_mesh(const Mesh& mesh) {
   constexpr size_t kMostTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMostTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);
-  out.body_fine = simplify(out.body, 0.002f);
+  out.body_fine = simplify(out.body, 0.0005f);   // a millimetre: its outline is that of the traced one
   return out;
 }
 

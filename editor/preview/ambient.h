@@ -3,6 +3,7 @@
 // ground sees: soft light in folds and the contact shadow. By rays; deterministic, for the worker thread.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "drape/mesh.h"
@@ -30,5 +31,9 @@ struct PreparedMesh {
 };
 
 PreparedMesh prepare_mesh(const Mesh& mesh);
+
+/// What a shipped drape hangs on, a little thinner than the cloth found it, so that it never shows through; drawn and
+/// traced alike. Empty for other meshes. `cloth`: the drape's bounds.
+Mesh form_under(const std::string& drape, const Bounds& cloth);
 
 }  // namespace weftlight

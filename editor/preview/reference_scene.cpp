@@ -7,6 +7,7 @@
 #include "draft/drawdown.h"
 #include "files/files.h"
 #include "light/formulas.h"
+#include "preview/ambient.h"
 #include "preview/cloth_block.h"
 #include "preview/stages.h"
 
@@ -58,7 +59,7 @@ std::string ReferenceScene::update_drape(const std::string& name) {
   if (!error.empty()) return error;
   mesh_ = std::move(*read.mesh);
   bounds_ = bounds_of(mesh_);
-  const Mesh form = body_mesh(name);
+  const Mesh form = form_under(name, bounds_);
   body_ = form.index.empty() ? nullptr : MeshScene::build(form, error);
   drape_ = MeshScene::build(mesh_, error);
   mesh_name_ = name;

@@ -30,7 +30,7 @@ ChartEffort chart_effort(bool quick) {
   if (!quick) return {};
   ChartEffort e;
   e.samples_a_yarn = 4, e.fine_budget = 32'000, e.fine_samples = 4, e.truth_budget = 16'000;
-  e.timing_size = 40, e.timing_repeats = 3, e.timing_enough_ns = 5e7;
+  e.timing_size = 32, e.timing_repeats = 3, e.timing_enough_ns = 2e7;
   e.pans = 3, e.counted_samples = 1, e.count_everywhere = false;
   e.patch_least = 12, e.patch_yarns = 4, e.tube_facets = 24;
   return e;

@@ -314,10 +314,9 @@ std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlace
   for (size_t s = 0; s < 2; ++s) {
     const float mean = std::max(s == 0 ? threads.around_mean : 1 - threads.around_mean, 1e-3f);
     const float variance = threads.around_variance / (mean * mean), known = variance / (variance + kEvenWeave);
-    const auto part = [&](size_t v) { return sums[s].seen[v] / std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f); };
-    const auto covariance = [&](size_t v) {
-      return (sums[s].seen_around[v] - sums[s].seen[v] * mean) / std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
-    };
+    const auto seen = [&](size_t v) { return std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f); };
+    const auto part = [&](size_t v) { return sums[s].seen[v] / seen(v); };
+    const auto covariance = [&](size_t v) { return (sums[s].seen_around[v] - sums[s].seen[v] * mean) / seen(v); };
     const float above = covariance(kV - 1), scale = 1 / std::max(threads.around_variance, 1e-6f);
     for (size_t v = 0; v < kV; ++v) {
       const float rise = 1 + (covariance(v) - above) * scale;

@@ -54,7 +54,6 @@ struct DrapeTrace {
   const MeshScene* body;
   const DrapePicture& picture;
   float thickness;
-  glm::vec2 period;
 
   /// Turning the cloth over: u stays, z and v change sign (a half turn about the weft).
   glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, -l.y, -l.z); }
@@ -90,11 +89,9 @@ struct DrapeTrace {
       if (stopped && stop.t < hit.t) return glm::vec4(0);
       const LocalFrame frame{hit};
       const glm::vec3 local = face(frame.to(direction));
-      // Within one period: a metre off, floats are as coarse as the seams between two are narrow, and rays slip through.
-      glm::vec2 at(hit.uv_mm.x, picture.front ? hit.uv_mm.y : -hit.uv_mm.y);
-      at -= glm::floor(at / period) * period;
+      const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
       // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
-      const Seen seen = tracer.trace(glm::vec3(at, 0) - local * (30 * thickness), local, 0, around(hit), sampler, picture.bounces);
+      const Seen seen = tracer.trace(at - local * (30 * thickness), local, 0, around(hit), sampler, picture.bounces);
       if (seen.hit) return glm::vec4(seen.radiance, 1);
       t_min = hit.t + thickness;
     }
@@ -107,8 +104,7 @@ struct DrapeTrace {
 TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress) {
   const ClothTracer tracer(tubes);
-  const DrapeTrace drape{tracer, cloth, body, picture, tubes.z_max() - tubes.z_min(),
-                         {tubes.cloth().width_mm, tubes.cloth().depth_mm}};
+  const DrapeTrace drape{tracer, cloth, body, picture, tubes.z_max() - tubes.z_min()};
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
   each_row(picture.height, picture.threads, picture.stop, progress, [&](int y) {

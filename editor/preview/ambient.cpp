@@ -146,7 +146,7 @@ PreparedMesh prepare_mesh(const Mesh& mesh) {
   constexpr size_t kMostTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMostTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);
-  out.body_fine = simplify(out.body, 0.0005f);   // a millimetre: its outline is that of the traced one
+  out.body_fine = simplify(out.body, 0.002f);
   return out;
 }
 

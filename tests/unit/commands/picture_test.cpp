@@ -1,24 +1,12 @@
 // render and reference show one scene: the same threads at the same pixels of the same drape.
 
-#include <cmath>
 #include <optional>
 
-#include "files/files.h"
+#include "../relative_rms.h"
 #include "scratch_folder.h"
 
 namespace weftlight {
 namespace {
-
-/// Root mean square of the difference, over that of the first.
-double relative_rms(const Image& a, const Image& b) {
-  double difference = 0, square = 0;
-  for (size_t i = 0; i < a.texels.size(); ++i) {
-    if (i % static_cast<size_t>(a.channels) == 3) continue;
-    const double d = static_cast<double>(a.texels[i] - b.texels[i]);
-    difference += d * d, square += static_cast<double>(a.texels[i]) * static_cast<double>(a.texels[i]);
-  }
-  return std::sqrt(difference / square);
-}
 
 class Pictures : public ScratchFolder {
  protected:

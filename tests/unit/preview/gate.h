@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../figures.h"
+#include "../relative_rms.h"
 #include "picture.h"
 
 namespace weftlight {
@@ -23,17 +24,6 @@ inline double mean(const Image& image, int channel = -1) {
     sum += channel < 0 ? luminance(&image.texels[i]) : static_cast<double>(image.texels[i + static_cast<size_t>(channel)]);
   }
   return sum / (static_cast<double>(image.texels.size()) / 4);
-}
-
-/// Root mean square difference of two pictures' colours over the root mean square of the first.
-inline double relative_rms(const Image& a, const Image& b) {
-  double off = 0, all = 1e-30;
-  for (size_t i = 0; i < a.texels.size(); ++i) {
-    if (i % 4 == 3) continue;
-    const double d = static_cast<double>(a.texels[i] - b.texels[i]);
-    off += d * d, all += static_cast<double>(a.texels[i]) * static_cast<double>(a.texels[i]);
-  }
-  return std::sqrt(off / all);
 }
 
 class Gate : public PictureTest {

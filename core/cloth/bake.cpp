@@ -7,7 +7,7 @@
 #include "cloth/bake_parts.h"
 #include "cloth/bands.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr int kBandRows = 32;
@@ -116,14 +116,30 @@ Maps empty_maps(int w, int h, const MapsSize& size) {
   // Filling the planes touches more memory than it computes: spread it too.
   const auto make = [&](int i) {
     switch (i) {
-      case 0: m.coverage = Plane<float>(w, h); break;
-      case 1: m.colour = Plane<Linear>(w, h); break;
-      case 2: m.groove = Plane<float>(w, h, 1.0f); break;
-      case 3: m.slope = Plane<Slope>(w, h); break;
-      case 4: m.tangent = Plane<Direction>(w, h); break;
-      case 5: m.system = Plane<uint8_t>(w, h); break;
-      case 6: m.thread = Plane<uint32_t>(w, h); break;
-      default: m.occlusion = Plane<float>(w, h, 1.0f); break;
+      case 0:
+        m.coverage = Plane<float>(w, h);
+        break;
+      case 1:
+        m.colour = Plane<Linear>(w, h);
+        break;
+      case 2:
+        m.groove = Plane<float>(w, h, 1.0f);
+        break;
+      case 3:
+        m.slope = Plane<Slope>(w, h);
+        break;
+      case 4:
+        m.tangent = Plane<Direction>(w, h);
+        break;
+      case 5:
+        m.system = Plane<uint8_t>(w, h);
+        break;
+      case 6:
+        m.thread = Plane<uint32_t>(w, h);
+        break;
+      default:
+        m.occlusion = Plane<float>(w, h, 1.0f);
+        break;
     }
   };
   for_each_band(8, size.threads, make);
@@ -245,8 +261,9 @@ Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
     maps.horizon[static_cast<size_t>(k)] = cut_out(horizon(height, turned, s, shown), field, shown, w, h);
   });
   maps.height_mm = cut_out(std::move(height), field, shown, w, h);
-  for_each_row_band(height_of(shown), whole.threads,
-                    [&](int y0, int y1) { bake_occlusion(maps, {0, y0, width_of(shown), y1}); });
+  for_each_row_band(height_of(shown), whole.threads, [&](int y0, int y1) {
+    bake_occlusion(maps, {0, y0, width_of(shown), y1});
+  });
   return maps;
 }
 
@@ -267,12 +284,12 @@ Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light
   Plane<uint8_t> lit(w, h);
   if (w == 0 || h == 0 || !(maps.width_mm > 0.0f) || !(maps.depth_mm > 0.0f)) return lit;
   const float dx = maps.width_mm / static_cast<float>(w), dy = maps.depth_mm / static_cast<float>(h);
-  const Sweep sweep = sweep_towards(static_cast<double>(light_azimuth_rad), w, h, dx, dy,
-                                    std::max(maps.width_mm, maps.depth_mm));
+  const Sweep sweep =
+      sweep_towards(static_cast<double>(light_azimuth_rad), w, h, dx, dy, std::max(maps.width_mm, maps.depth_mm));
   const Plane<uint8_t> sines = horizon(maps.height_mm, sweep);
   const float light = 255.0f * std::sin(light_elevation_rad);
   for (size_t i = 0; i < lit.at_.size(); ++i) lit.at_[i] = light > static_cast<float>(sines.at_[i]) ? 1 : 0;
   return lit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -7,9 +7,10 @@
 
 #include "cloth/horizon.h"
 #include "cloth/maps.h"
+#include "cloth/names.h"
 #include "cloth/surface.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 inline bool is_empty(const Cloth& cloth) { return cloth.ends.empty() || cloth.picks.empty(); }
 
@@ -40,4 +41,4 @@ Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k);
 /// Cosine-weighted share of the sky above the horizons.
 void bake_occlusion(Maps& maps, const TexelRect& r);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -7,7 +7,9 @@
 #include <thread>
 #include <vector>
 
-namespace weftlight {
+#include "cloth/names.h"
+
+namespace weftlight::cloth {
 
 /// Threads to use for `jobs` jobs; `asked` 0: one a core.
 inline int thread_count(int asked, int jobs) {
@@ -27,4 +29,4 @@ void for_each_band(int jobs, int threads, const Job& job) {
   work();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -15,7 +15,7 @@
 
 #include "cloth/thread_texture.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 // A float that nothing holds down rises at most this share of its thickness in an open cloth; touching
@@ -44,8 +44,7 @@ using RiseTable = std::array<float, (kFloatReach + 1) * (kFloatReach + 1)>;
 RiseTable rise_table() {
   RiseTable table{};
   for (int b = 0; b <= kFloatReach; ++b)
-    for (int a = 0; a <= kFloatReach; ++a)
-      table[static_cast<size_t>(b * (kFloatReach + 1) + a)] = rise_of(b, a);
+    for (int a = 0; a <= kFloatReach; ++a) table[static_cast<size_t>(b * (kFloatReach + 1) + a)] = rise_of(b, a);
   return table;
 }
 
@@ -118,11 +117,10 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
     const ThreadFacts& f = weft[static_cast<size_t>(p)];
     for (int e = 0; e < ends; ++e, ++out) {
       const ThreadFacts& w = warp[static_cast<size_t>(e)];
-      const size_t at = static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) +
-                        static_cast<size_t>(e + kFloatReach);
+      const size_t at =
+          static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) + static_cast<size_t>(e + kFloatReach);
       const float sum = w.stiffness + f.stiffness;
-      const float share =
-          sum > 0.0f ? std::clamp(f.stiffness / sum, kLeastShare, 1.0f - kLeastShare) : 0.5f;
+      const float share = sum > 0.0f ? std::clamp(f.stiffness / sum, kLeastShare, 1.0f - kLeastShare) : 0.5f;
       const float apart = 0.5f * (w.height + f.height);
       const float side = cells.up[at] ? 1.0f : -1.0f;
       lines.warp_mm[out] = side * (share * apart + w.rise * rise(at, cells.cols));
@@ -147,8 +145,8 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   const float period = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   const int n = static_cast<int>(crossed.size());
   const float s = place_in_period(s_mm, period);
-  const auto after = std::upper_bound(crossed.begin(), crossed.end(), s,
-                                      [](float x, const ThreadBody& t) { return x < t.centre_mm; });
+  const auto after =
+      std::upper_bound(crossed.begin(), crossed.end(), s, [](float x, const ThreadBody& t) { return x < t.centre_mm; });
   const auto place = [&](int i) {
     const float whole = std::floor(static_cast<float>(i) / static_cast<float>(n));
     return crossed[static_cast<size_t>(wrap(i, n))].centre_mm + whole * period;
@@ -177,17 +175,17 @@ CentrePoint centre_at(const CentreLines& lines, System system, int thread, const
   const bool warp = system == System::kWarp;
   const int dp = warp ? 1 : 0, de = 1 - dp;
   const int e = warp ? thread : step.crossing, p = warp ? step.crossing : thread;
-  return centre_between(lines.at(system, e - de, p - dp), lines.at(system, e, p),
-                        lines.at(system, e + de, p + dp), lines.at(system, e + 2 * de, p + 2 * dp), step);
+  return centre_between(lines.at(system, e - de, p - dp), lines.at(system, e, p), lines.at(system, e + de, p + dp),
+                        lines.at(system, e + 2 * de, p + 2 * dp), step);
 }
 
 float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm) {
   if (cloth.ends.empty() || cloth.picks.empty()) return 0.0f;
   const CentreStep step = centre_step(cloth, system, s_mm);
   const int c = step.crossing;
-  const CellRect window = system == System::kWarp ? CellRect{thread, thread + 1, c - 1, c + 3}
-                                                  : CellRect{c - 1, c + 3, thread, thread + 1};
+  const CellRect window =
+      system == System::kWarp ? CellRect{thread, thread + 1, c - 1, c + 3} : CellRect{c - 1, c + 3, thread, thread + 1};
   return centre_at(centre_lines(cloth, window), system, thread, step).height_mm;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "cloth/cloth.h"
+#include "cloth/names.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 /// A float's height depends on its ends no further away than this many threads: beyond, the bound of
 /// the weave's tightness is reached. It bounds what a changed cell can touch.
@@ -41,7 +42,7 @@ float place_in_period(float s_mm, float period_mm);
 
 /// Crossing at or before s_mm along a thread of `system`, and where between it and the next s is (0..1).
 struct CentreStep {
-  int crossing = 0;   // may be -1: before the first crossing of the period
+  int crossing = 0;  // may be -1: before the first crossing of the period
   float t = 0;
   float h0 = 0, h1 = 0, h2 = 0;  // mm between crossings -1..0, 0..1, 1..2 around it
 };
@@ -56,4 +57,4 @@ CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreS
 /// Centre line of a thread; the step's crossing -1..+2 must be inside the window.
 CentrePoint centre_at(const CentreLines& lines, System system, int thread, const CentreStep& step);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -5,10 +5,11 @@
 
 #include <vector>
 
+#include "cloth/names.h"
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 /// Linear-light colour.
 struct Linear {
@@ -19,12 +20,12 @@ Rgb srgb_from_linear(Linear c);
 
 /// One thread of the period.
 struct ThreadBody {
-  float centre_mm = 0;    // across: x of an end, y of a pick
-  float spacing_mm = 0;   // room it has, >= 0
-  float width_mm = 0;     // full width of the flattened cross-section
-  float height_mm = 0;    // full height of it
-  Linear colour;          // linear light
-  int yarn = 0;           // index into Cloth::yarns
+  float centre_mm = 0;   // across: x of an end, y of a pick
+  float spacing_mm = 0;  // room it has, >= 0
+  float width_mm = 0;    // full width of the flattened cross-section
+  float height_mm = 0;   // full height of it
+  Linear colour;         // linear light
+  int yarn = 0;          // index into Cloth::yarns
 };
 
 /// One period of one face. Front: up = drawdown; back: its complement, same end order, seen with +z
@@ -54,4 +55,4 @@ ThreadSize thread_size(const Design& design, System system, int thread);
 /// bound that the tightness of the weave sets (VRST 2003, section 3.4). To read many: centre_line.h.
 float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

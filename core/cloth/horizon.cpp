@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr int kSmallestBlock = 32, kSmallestAhead = 8;
@@ -206,4 +206,4 @@ Plane<uint8_t> horizon(const Plane<float>& height_mm, const Sweep& s) {
                  {0, 0, height_mm.width, height_mm.height});
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -8,19 +8,20 @@
 #include <vector>
 
 #include "cloth/maps.h"
+#include "cloth/names.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 /// One direction over a height field. `major` is the axis along which a line advances one texel a step.
 /// The field is cut into blocks along it; a point looks for what hides the light to the end of its block
 /// and `ahead` texels more, so that what a change of height can touch is bounded.
 struct Sweep {
   bool along_x = true;
-  bool forward = true;       // light from +major
-  double shear = 0;          // texels of the minor axis for a step of +1 along major
-  float step_mm = 1;         // length of that step
-  int length = 1, lines = 1; // texels along the major and the minor axis
-  int block = 1, ahead = 1;  // texels
+  bool forward = true;        // light from +major
+  double shear = 0;           // texels of the minor axis for a step of +1 along major
+  float step_mm = 1;          // length of that step
+  int length = 1, lines = 1;  // texels along the major and the minor axis
+  int block = 1, ahead = 1;   // texels
   // Where in the period the field begins that is read and written, along the major and the minor axis.
   int first = 0, first_line = 0;
   int blocks() const { return (length + block - 1) / block; }
@@ -72,4 +73,4 @@ Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned
 /// The whole field.
 Plane<uint8_t> horizon(const Plane<float>& height_mm, const Sweep& sweep);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -10,7 +10,7 @@
 #include "cloth/cloth.h"
 #include "draft/analysis.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 // Centre distance of threads over their width where the draft gives no spacing: a balanced cloth
@@ -51,8 +51,7 @@ ThreadBody body_of(float diameter, float spacing, const Yarn& yarn) {
   const float tightness = std::min(1.0f, diameter * kTouching / body.spacing_mm);
   const float section = 1.0f - (1.0f - flat) * tightness;
   body.width_mm = std::min(diameter / std::sqrt(section), body.spacing_mm);
-  if (body.width_mm > 0.0f)
-    body.height_mm = std::min(diameter * diameter / body.width_mm, kTallest * body.width_mm);
+  if (body.width_mm > 0.0f) body.height_mm = std::min(diameter * diameter / body.width_mm, kTallest * body.width_mm);
   return body;
 }
 
@@ -103,9 +102,7 @@ ThreadSize thread_size(const Design& design, System system, int thread) {
   return {diameter, body_of(diameter, entry(threads.spacing_mm, thread, kFromYarn), yarn).spacing_mm};
 }
 
-Linear linear_from_srgb(Rgb c) {
-  return {channel_to_linear(c.r), channel_to_linear(c.g), channel_to_linear(c.b)};
-}
+Linear linear_from_srgb(Rgb c) { return {channel_to_linear(c.r), channel_to_linear(c.g), channel_to_linear(c.b)}; }
 
 Rgb srgb_from_linear(Linear c) { return {channel_to_srgb(c.r), channel_to_srgb(c.g), channel_to_srgb(c.b)}; }
 
@@ -120,4 +117,4 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   return cloth;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "cloth/cloth.h"
+#include "cloth/names.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 template <class T>
 struct Plane {
@@ -36,15 +37,15 @@ struct TexelRect {
 /// The sharp surface: what is on top at each texel. coverage 0 is a gap.
 struct Maps {
   float width_mm = 0, depth_mm = 0;
-  Plane<float> height_mm;         // above the middle plane; gaps hold the floor of the lowest thread
-  Plane<float> coverage;          // 0..1
-  Plane<Linear> colour;           // thread colour times hair noise, linear; not premultiplied
-  Plane<float> groove;            // 0..1 factor of the twist's dark grooves (VRST 2003, section 3.2)
-  Plane<Slope> slope;             // of the thread's surface
-  Plane<Direction> tangent;       // fibre direction at the surface, with twist
-  Plane<uint8_t> system;          // 0 warp, 1 weft (in gaps: that of the nearest thread)
-  Plane<uint32_t> thread;         // index in its system
-  Plane<float> occlusion;         // 0..1, share of the cosine-weighted sky that is seen
+  Plane<float> height_mm;    // above the middle plane; gaps hold the floor of the lowest thread
+  Plane<float> coverage;     // 0..1
+  Plane<Linear> colour;      // thread colour times hair noise, linear; not premultiplied
+  Plane<float> groove;       // 0..1 factor of the twist's dark grooves (VRST 2003, section 3.2)
+  Plane<Slope> slope;        // of the thread's surface
+  Plane<Direction> tangent;  // fibre direction at the surface, with twist
+  Plane<uint8_t> system;     // 0 warp, 1 weft (in gaps: that of the nearest thread)
+  Plane<uint32_t> thread;    // index in its system
+  Plane<float> occlusion;    // 0..1, share of the cosine-weighted sky that is seen
   // Horizon: azimuth k points to (cos, sin)(2 pi k / azimuths) in (u, v). Value: sine of the elevation
   // below which light is blocked, 0..1.
   int azimuths = 0;
@@ -76,4 +77,4 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
 /// Boolean shadow of one light direction (VRST 2003, section 3.4): 1 lit, 0 in shadow.
 Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

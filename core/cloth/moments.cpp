@@ -6,7 +6,7 @@
 #include "cloth/bands.h"
 #include "cloth/surface.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr int kBandRows = 32;
@@ -36,9 +36,15 @@ void add(SystemMoments& m, int x, int y, float weight, const SurfaceSample& s) {
   const float g = weight * s.groove;
   const float xx = s.slope.x * s.slope.x + (s.system == 0 ? s.slope_spread : 0.0f);
   const float yy = s.slope.y * s.slope.y + (s.system == 1 ? s.slope_spread : 0.0f);
-  const float values[kMomentPlanes] = {weight,      g * s.colour.r,           g * s.colour.g,
-                                       g * s.colour.b, weight * s.slope.x,    weight * s.slope.y,
-                                       weight * xx, weight * s.slope.x * s.slope.y, weight * yy};
+  const float values[kMomentPlanes] = {weight,
+                                       g * s.colour.r,
+                                       g * s.colour.g,
+                                       g * s.colour.b,
+                                       weight * s.slope.x,
+                                       weight * s.slope.y,
+                                       weight * xx,
+                                       weight * s.slope.x * s.slope.y,
+                                       weight * yy};
   for (size_t p = 0; p < kMomentPlanes; ++p) m[p].at(x, y) += values[p];
 }
 
@@ -169,4 +175,4 @@ Facet facet_at(const SystemMoments& m, int x, int y) {
   return f;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "cloth/maps.h"
+#include "cloth/names.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 /// Moments are stored multiplied by the share of the texel that the system covers (kWeight), so that any
 /// linear filter (mips, a texture unit) keeps all means. Colour is linear and has the grooves in it.
@@ -32,14 +33,14 @@ std::vector<MomentLevel> moments(const Cloth& cloth, const Maps& maps, int width
 
 /// One system in one texel, divided by its weight; all zero where it covers nothing.
 struct Facet {
-  float weight = 0;             // 0..1
+  float weight = 0;  // 0..1
   Linear colour;
-  Slope slope;                  // mean
-  float xx = 0, xy = 0, yy = 0; // covariance of the slope, positive semi-definite
+  Slope slope;                   // mean
+  float xx = 0, xy = 0, yy = 0;  // covariance of the slope, positive semi-definite
 };
 Facet facet_at(const SystemMoments& moments, int x, int y);
 
 /// Area average of a periodic plane in fewer texels; sizes need not divide.
 Plane<float> averaged(const Plane<float>& in, int width, int height);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

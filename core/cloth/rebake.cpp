@@ -10,13 +10,13 @@
 #include "cloth/bands.h"
 #include "cloth/texel_cover.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 // What a rectangle costs beside its texels, in texels: setting a sampler up; a patch for who reads the result.
 constexpr int kSamplerOverhead = 40, kPatchOverhead = 256;
-constexpr int kLargestPart = 128;       // texels a side: parts are spread over threads
-constexpr int64_t kWorthAThread = 4096; // texels
+constexpr int kLargestPart = 128;        // texels a side: parts are spread over threads
+constexpr int64_t kWorthAThread = 4096;  // texels
 
 /// Crossings whose height changed: picks x ends.
 struct MovedCrossings {
@@ -65,7 +65,8 @@ std::pair<int, int> texels_of(int from, int to, int per_texel) {
 
 /// Texels along an axis that show the threads [first, last).
 std::pair<int, int> texels_of_threads(const SampleAxis& axis, int first, int last) {
-  return texels_of(axis.thread_from[static_cast<size_t>(first)], axis.thread_from[static_cast<size_t>(last)], axis.per_texel);
+  return texels_of(axis.thread_from[static_cast<size_t>(first)], axis.thread_from[static_cast<size_t>(last)],
+                   axis.per_texel);
 }
 
 /// Texels along an axis whose curves go through a height at the crossings [first, last): curves read one
@@ -74,7 +75,8 @@ std::vector<std::pair<int, int>> texels_of_curves(const SampleAxis& axis, int fi
   const int n = static_cast<int>(axis.crossing_from.size()) - 1;
   std::vector<std::pair<int, int>> out;
   for (const auto& [a, b] : pieces(first - 2, last + 1, n)) {
-    out.push_back(texels_of(axis.crossing_from[static_cast<size_t>(a)], axis.crossing_from[static_cast<size_t>(b)], axis.per_texel));
+    out.push_back(texels_of(axis.crossing_from[static_cast<size_t>(a)], axis.crossing_from[static_cast<size_t>(b)],
+                            axis.per_texel));
     // Before its first crossing a thread is past the last one of the period before.
     if (b == n) out.push_back(texels_of(0, axis.crossing_from[0], axis.per_texel));
   }
@@ -108,10 +110,12 @@ BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleG
   const SampleAxis columns = sample_axis(cloth, System::kWarp, grid), rows = sample_axis(cloth, System::kWeft, grid);
   for (int p = 0; p < moved.warp.rows(); ++p) {
     for_each_run(moved.warp.row(p), [&](int first, int last) {
-      for (const auto& run : texels_of_curves(rows, p, p + 1)) mark(texels, texels_of_threads(columns, first, last), run);
+      for (const auto& run : texels_of_curves(rows, p, p + 1))
+        mark(texels, texels_of_threads(columns, first, last), run);
     });
     for_each_run(moved.weft.row(p), [&](int first, int last) {
-      for (const auto& run : texels_of_curves(columns, first, last)) mark(texels, run, texels_of_threads(rows, p, p + 1));
+      for (const auto& run : texels_of_curves(columns, first, last))
+        mark(texels, run, texels_of_threads(rows, p, p + 1));
     });
   }
   return texels;
@@ -152,7 +156,8 @@ BitMatrix lines_through(const Sweep& s, const std::vector<TexelRect>& changed) {
         if (i0 >= i1) continue;
         const int low = std::min(shift(i0), shift(i1 - 1)), high = std::max(shift(i0), shift(i1 - 1));
         // A line reads two texels and its value reaches two.
-        for (const auto& [line0, line1] : pieces(c0 - high - 2, c1 - low + 2, s.lines)) set_run(lines.row(b), line0, line1);
+        for (const auto& [line0, line1] : pieces(c0 - high - 2, c1 - low + 2, s.lines))
+          set_run(lines.row(b), line0, line1);
       }
     }
   }
@@ -171,7 +176,8 @@ std::vector<TexelRect> resweep(Maps& maps, const Sweep& s, int k, const std::vec
     const int from = b * s.block, to = std::min(s.length, from + s.block);
     for_each_run(lines.row(b), [&](int line0, int line1) {
       sweep_block(s, height, line0, line1, b, out);
-      const int side0 = line0 + std::min(shift(from), shift(to - 1)), side1 = line1 + std::max(shift(from), shift(to - 1));
+      const int side0 = line0 + std::min(shift(from), shift(to - 1)),
+                side1 = line1 + std::max(shift(from), shift(to - 1));
       swept.push_back(s.along_x ? TexelRect{from, side0, to, side1} : TexelRect{side0, from, side1, to});
     });
   }
@@ -201,4 +207,4 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
   return all;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

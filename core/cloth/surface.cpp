@@ -9,12 +9,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
-constexpr float kLeastShown = 1e-6f;  // rounding of the covers, not a sliver of thread
+constexpr float kLeastShown = 1e-6f;      // rounding of the covers, not a sliver of thread
 constexpr double kMostSamples = 1 << 24;  // of one map, before threads are sampled more sparsely
 // The square of an ellipse's slope has no mean up to its edge: it is taken to this share of the radius.
 constexpr float kSteepest = 0.985f;
@@ -29,9 +29,8 @@ int per_texel(size_t threads, int texels, double most) {
 }
 
 int thread_at(const std::vector<ThreadBody>& threads, float s_mm) {
-  const auto it = std::partition_point(threads.begin(), threads.end(), [&](const ThreadBody& t) {
-    return t.centre_mm + 0.5f * t.spacing_mm <= s_mm;
-  });
+  const auto it = std::partition_point(threads.begin(), threads.end(),
+                                       [&](const ThreadBody& t) { return t.centre_mm + 0.5f * t.spacing_mm <= s_mm; });
   return static_cast<int>(std::min(it - threads.begin(), std::ssize(threads) - 1));
 }
 
@@ -113,7 +112,12 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
 }
 
 SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x0, int x1, int y0, int y1)
-    : cloth_(cloth), grid_(grid), x0_(x0), x1_(x1), y0_(y0), y1_(y1),
+    : cloth_(cloth),
+      grid_(grid),
+      x0_(x0),
+      x1_(x1),
+      y0_(y0),
+      y1_(y1),
       dx_mm_(cloth.width_mm / static_cast<float>(grid.samples_x())),
       dy_mm_(cloth.depth_mm / static_cast<float>(grid.samples_y())),
       floor_mm_(floor_mm(cloth)),
@@ -127,8 +131,8 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
   for (int x = x0; x < x1; ++x)
     column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
   // One crossing more on each side than the curves' steps touch.
-  lines_ = centre_lines(cloth, {columns_.front().thread - 2, columns_.back().thread + 4,
-                                rows_.front().thread - 2, rows_.back().thread + 4});
+  lines_ = centre_lines(cloth, {columns_.front().thread - 2, columns_.back().thread + 4, rows_.front().thread - 2,
+                                rows_.back().thread + 4});
   weft_along_.resize(columns_.size());
   warp_along_.resize(static_cast<size_t>(columns_.back().thread - columns_.front().thread + 1));
 }
@@ -224,8 +228,9 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const size_t index = static_cast<size_t>(a.thread);
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
   const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
-  const Texel texel = texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
-                                           a.turn / thread_formulas::kStraySpacing + l.stray_turn, l.node, l.blend, a.cycles, a.ply_fade});
+  const Texel texel = texture_at(
+      texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, a.turn / thread_formulas::kStraySpacing + l.stray_turn,
+                l.node, l.blend, a.cycles, a.ply_fade});
   float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm);
   SurfaceSample s;
   s.cover = cover;
@@ -269,8 +274,8 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     const Along& pick = weft_along_[i];
     // Shares of the sample: both systems there and one on top, or one of them alone.
     const float both = column.cover * across_row.cover;
-    const bool over = end.centre_mm + column.height_mm * end.lengthened >=
-                      pick.centre_mm + across_row.height_mm * pick.lengthened;
+    const bool over =
+        end.centre_mm + column.height_mm * end.lengthened >= pick.centre_mm + across_row.height_mm * pick.lengthened;
     const float warp = column.cover - (over ? 0.0f : both), weft = across_row.cover - (over ? both : 0.0f);
     if (warp + weft <= 0.0f) {
       const bool near_warp = column.beyond_mm <= across_row.beyond_mm;
@@ -286,4 +291,4 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

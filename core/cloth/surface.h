@@ -7,9 +7,10 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/maps.h"
+#include "cloth/names.h"
 #include "cloth/thread_texture.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 /// Samples of one period; a texel of the maps holds per_texel_x x per_texel_y of them, so that there
 /// are about four samples a thread where the map has fewer texels.
@@ -60,18 +61,18 @@ class SurfaceSampler {
   /// A sample's place across the threads of one system.
   struct Across {
     int thread = 0;
-    float cover = 0;        // share of the sample's width that threads cover
-    float beyond_mm = 0;    // distance from the thread's edge, 0 inside
-    float height_mm = 0;    // of the section above the centre line
-    float slope = 0;        // -d height / d across, mean over the sample
-    float slope_spread = 0; // its variance inside the sample
+    float cover = 0;         // share of the sample's width that threads cover
+    float beyond_mm = 0;     // distance from the thread's edge, 0 inside
+    float height_mm = 0;     // of the section above the centre line
+    float slope = 0;         // -d height / d across, mean over the sample
+    float slope_spread = 0;  // its variance inside the sample
     float turn = 0, ply_turn = 0, cycles = 0, ply_fade = 1;
   };
   /// A thread's state at a sample along it.
   struct Along {
     float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
-    float lengthened = 1;   // vertical cut of the section over the section, where the thread climbs
-    float bend = 0;         // of the slope for a height of 1 mm above the centre line
+    float lengthened = 1;  // vertical cut of the section over the section, where the thread climbs
+    float bend = 0;        // of the slope for a height of 1 mm above the centre line
     int node = 0;
     float blend = 0;
   };
@@ -103,4 +104,4 @@ class SurfaceSampler {
   int pick_ = -1;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 struct Run {
@@ -66,7 +66,8 @@ void set_run(std::span<uint64_t> row, int from, int to) {
     return;
   }
   row[a] |= head;
-  std::fill(row.begin() + static_cast<std::ptrdiff_t>(a) + 1, row.begin() + static_cast<std::ptrdiff_t>(b), ~uint64_t{0});
+  std::fill(row.begin() + static_cast<std::ptrdiff_t>(a) + 1, row.begin() + static_cast<std::ptrdiff_t>(b),
+            ~uint64_t{0});
   row[b] |= tail;
 }
 
@@ -95,4 +96,4 @@ std::vector<TexelRect> cover(const BitMatrix& mask, int overhead) {
   return out;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "cloth/maps.h"
+#include "cloth/names.h"
 #include "draft/bit_matrix.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 /// Sets the bits [from, to) of a row.
 void set_run(std::span<uint64_t> row, int from, int to);
@@ -15,4 +16,4 @@ void set_run(std::span<uint64_t> row, int from, int to);
 /// `overhead` texels.
 std::vector<TexelRect> cover(const BitMatrix& mask, int overhead);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

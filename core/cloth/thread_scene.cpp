@@ -5,7 +5,7 @@
 
 #include "cloth/centre_line.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr int kBinsAThread = 4;
@@ -13,7 +13,8 @@ constexpr int kBinsAThread = 4;
 std::vector<glm::vec4> bodies_of(const std::vector<ThreadBody>& threads) {
   std::vector<glm::vec4> out;
   out.reserve(threads.size());
-  for (const ThreadBody& t : threads) out.push_back({t.centre_mm, 0.5f * t.spacing_mm, 0.5f * t.width_mm, 0.5f * t.height_mm});
+  for (const ThreadBody& t : threads)
+    out.push_back({t.centre_mm, 0.5f * t.spacing_mm, 0.5f * t.width_mm, 0.5f * t.height_mm});
   return out;
 }
 
@@ -32,7 +33,8 @@ std::vector<int> bins_of(const std::vector<glm::vec4>& bodies, float period) {
 /// Threads that all have the same room can be found by a division.
 float even_room(const std::vector<ThreadBody>& threads) {
   const float room = threads.front().spacing_mm;
-  const bool even = std::all_of(threads.begin(), threads.end(), [&](const ThreadBody& t) { return t.spacing_mm == room; });
+  const bool even =
+      std::all_of(threads.begin(), threads.end(), [&](const ThreadBody& t) { return t.spacing_mm == room; });
   return even ? room : 0;
 }
 
@@ -70,8 +72,10 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
     for (int e = w.end0; e < w.end1; ++e) {
       const size_t i = static_cast<size_t>(e - w.end0);
       const float across = std::max(x[i + 2] - x[i], 2e-6f);
-      out.push_back({lines.at(System::kWarp, e, p), centre_slope(lines.at(System::kWarp, e, p - 1), lines.at(System::kWarp, e, p + 1), down),
-                     lines.at(System::kWeft, e, p), centre_slope(lines.at(System::kWeft, e - 1, p), lines.at(System::kWeft, e + 1, p), across)});
+      out.push_back({lines.at(System::kWarp, e, p),
+                     centre_slope(lines.at(System::kWarp, e, p - 1), lines.at(System::kWarp, e, p + 1), down),
+                     lines.at(System::kWeft, e, p),
+                     centre_slope(lines.at(System::kWeft, e - 1, p), lines.at(System::kWeft, e + 1, p), across)});
     }
   }
   return out;
@@ -105,9 +109,10 @@ ThreadTables thread_tables(const Cloth& cloth) {
 }
 
 thread_formulas::ThreadScene::ThreadScene(const Cloth& cloth, Face face)
-    : tables_(thread_tables(cloth)), crossings_(thread_crossings(cloth, {0, tables_.count.x, 0, tables_.count.y})),
+    : tables_(thread_tables(cloth)),
+      crossings_(thread_crossings(cloth, {0, tables_.count.x, 0, tables_.count.y})),
       side_(face == Face::kFront ? 1.0f : -1.0f) {
   tables_.top = highest_thread(cloth, crossings_);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
@@ -15,9 +15,7 @@ constexpr float kFibreTwistInPly = -0.2f;
 constexpr float kPlyRelief = 0.14f;  // of the thread's height
 constexpr int kMostTurns = 1 << 22;  // keeps phases exact enough in float
 
-int rounded(float x) {
-  return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMostTurns, 1.0f * kMostTurns)));
-}
+int rounded(float x) { return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMostTurns, 1.0f * kMostTurns))); }
 
 }  // namespace
 
@@ -29,7 +27,9 @@ ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System sy
   t.fibres = std::max(3.0f, std::round(kTwoPi * t.radius_mm / fibre_mm));
   // Z runs like the stroke of the letter: up and to the right along an end (+x across), which is
   // against +y along a pick.
-  const float hand = yarn.twist == Twist::kNone ? 0.0f : (yarn.twist == Twist::kZ) == (system == System::kWarp) ? -1.0f : 1.0f;
+  const float hand = yarn.twist == Twist::kNone                               ? 0.0f
+                     : (yarn.twist == Twist::kZ) == (system == System::kWarp) ? -1.0f
+                                                                              : 1.0f;
   const float turns = hand * std::clamp(yarn.turns_per_m, 0.0f, 5000.0f) * 1e-3f * length_mm;
   t.plies = std::clamp(yarn.plies, 1, 8);
   if (t.plies > 1) {
@@ -49,4 +49,4 @@ ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System sy
   return t;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -6,8 +6,9 @@
 #include <glm/glm.hpp>
 
 #include "cloth/cloth.h"
+#include "cloth/names.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 
 namespace thread_formulas {
 using glm::uint;
@@ -27,4 +28,4 @@ using thread_formulas::ThreadTexture;
 /// `length_mm` is the period along the thread.
 ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm);
 
-}  // namespace weftlight
+}  // namespace weftlight::cloth

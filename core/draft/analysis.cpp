@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 bool any(const BitMatrix& m) {
@@ -91,12 +91,10 @@ Repeat structure_repeat(const BitMatrix& cells) {
 Repeat design_repeat(const Design& design, const BitMatrix& cells) {
   const BitMatrix turned = transposed(cells);
   const Draft& d = design.draft;
-  return {smallest_period(
-              cells.cols(),
-              [&](int a, int b) { return same_thread(design, d.warp, a, b) && same_row(turned, a, b); }),
-          smallest_period(cells.rows(), [&](int a, int b) {
-            return same_thread(design, d.weft, a, b) && same_row(cells, a, b);
-          })};
+  return {smallest_period(cells.cols(),
+                          [&](int a, int b) { return same_thread(design, d.warp, a, b) && same_row(turned, a, b); }),
+          smallest_period(cells.rows(),
+                          [&](int a, int b) { return same_thread(design, d.weft, a, b) && same_row(cells, a, b); })};
 }
 
 double warp_up_share(const BitMatrix& cells) {
@@ -104,4 +102,4 @@ double warp_up_share(const BitMatrix& cells) {
   return crossings > 0 ? static_cast<double>(cells.count()) / crossings : 0.0;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

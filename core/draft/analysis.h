@@ -5,7 +5,7 @@
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Longest float, in threads crossed, of each system on each face.
 struct LongestFloats {
@@ -25,4 +25,4 @@ Repeat design_repeat(const Design& design, const BitMatrix& cells);
 /// Share of crossings with the warp on top, 0..1.
 double warp_up_share(const BitMatrix& cells);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

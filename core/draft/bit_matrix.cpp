@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::draft {
 
 void BitMatrix::resize(int rows, int cols) {
   if (rows == rows_ && cols == cols_) return;
@@ -89,4 +89,4 @@ BitMatrix transposed(const BitMatrix& m) {
   return out;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

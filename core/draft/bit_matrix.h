@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Leaves new words unset, so that a matrix of which every word is written next costs one pass, not two.
 template <class T>
@@ -70,9 +70,7 @@ class BitMatrix {
   bool operator==(const BitMatrix&) const = default;
 
  private:
-  size_t word_at(int row, int col) const {
-    return static_cast<size_t>(row) * words_ + static_cast<size_t>(col >> 6);
-  }
+  size_t word_at(int row, int col) const { return static_cast<size_t>(row) * words_ + static_cast<size_t>(col >> 6); }
   int rows_ = 0, cols_ = 0, words_ = 0;
   std::vector<uint64_t, UnsetAllocator<uint64_t>> bits_;
 };
@@ -82,4 +80,4 @@ std::vector<int> first_equal_rows(const BitMatrix& matrix);
 /// Rows become columns.
 BitMatrix transposed(const BitMatrix& matrix);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

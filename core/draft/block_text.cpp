@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 constexpr std::string_view kHead = "weftlight cells: ";
@@ -41,7 +41,8 @@ bool is_separated(std::string_view line) {
 }
 
 bool is_row(std::string_view line) {
-  return std::ranges::all_of(line, [](char c) { return kMarks.find(c) != kMarks.npos || kEmpty.find(c) != kEmpty.npos; });
+  return std::ranges::all_of(line,
+                             [](char c) { return kMarks.find(c) != kMarks.npos || kEmpty.find(c) != kEmpty.npos; });
 }
 
 std::optional<BitGrid> grid_named(std::string_view head) {
@@ -65,7 +66,8 @@ BlockRead read_rows(BitGrid from, const std::vector<std::string_view>& lines) {
   CellBlock block{from, BitMatrix(static_cast<int>(lines.size()), static_cast<int>(columns))};
   for (size_t r = 0; r < lines.size(); ++r)
     for (size_t i = 0; i < lines[r].size(); i += stride)
-      if (kMarks.find(lines[r][i]) != kMarks.npos) block.cells.set(static_cast<int>(r), static_cast<int>(i / stride), true);
+      if (kMarks.find(lines[r][i]) != kMarks.npos)
+        block.cells.set(static_cast<int>(r), static_cast<int>(i / stride), true);
   return {std::move(block), {}};
 }
 
@@ -103,4 +105,4 @@ BlockRead read_block_text(std::string_view text) {
   return read_rows(*from, lines);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

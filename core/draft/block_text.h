@@ -15,7 +15,7 @@
 
 #include "draft/selection.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Most cells that a text may hold; a display's clipboard takes no more than a few million bytes.
 inline constexpr int64_t kMaxBlockCells = int64_t{1} << 22;
@@ -33,4 +33,4 @@ BlockRead read_block_text(std::string_view text);
 /// "threading", "tieup", ... as in the first line.
 const char* bit_grid_name(BitGrid grid);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

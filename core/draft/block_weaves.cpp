@@ -6,7 +6,7 @@
 
 #include "draft/generators.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 std::vector<int> in_range(std::vector<int> blocks, int count) {
@@ -15,9 +15,7 @@ std::vector<int> in_range(std::vector<int> blocks, int count) {
   return blocks;
 }
 
-int last_block(const std::vector<int>& blocks) {
-  return *std::max_element(blocks.begin(), blocks.end());
-}
+int last_block(const std::vector<int>& blocks) { return *std::max_element(blocks.begin(), blocks.end()); }
 
 std::vector<int> point(int n) {
   std::vector<int> order;
@@ -178,4 +176,4 @@ Design glen_check(ClothSize size) {
   return with_colors(std::move(design), palette, order, order);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

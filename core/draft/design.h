@@ -8,7 +8,7 @@
 #include "draft/draft.h"
 #include "draft/yarn.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Rung of the ladder of methods (MODEL, section 5); kAuto chooses by footprint.
 enum class Method { kAuto, kFlat, kVrst03, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
@@ -47,4 +47,4 @@ struct Design {
 /// True when the draft is consistent and every thread's yarn exists.
 bool is_consistent(const Design& design);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

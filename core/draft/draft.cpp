@@ -4,7 +4,7 @@
 
 #include "draft/design.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 void Threads::resize(int n, int new_color) {
   const auto count = static_cast<size_t>(std::max(n, 0));
@@ -30,9 +30,7 @@ Draft blank_draft(int ends, int picks, int shafts, int treadles) {
 
 namespace {
 
-bool has_size(const BitMatrix& m, int rows, int cols) {
-  return m.rows() == rows && m.cols() == cols;
-}
+bool has_size(const BitMatrix& m, int rows, int cols) { return m.rows() == rows && m.cols() == cols; }
 
 bool in_range(const std::vector<int>& indices, size_t limit) {
   return std::all_of(indices.begin(), indices.end(),
@@ -46,9 +44,8 @@ bool is_consistent(const Threads& t, size_t colors, size_t yarns) {
 }
 
 bool is_consistent(const Draft& d, size_t yarns) {
-  const bool counts = d.shafts >= 0 && d.shafts <= kMaxShafts && d.treadles >= 0 &&
-                      d.treadles <= kMaxShafts && d.palette.size() <= static_cast<size_t>(kMaxColors) &&
-                      int64_t{d.ends()} * d.picks() <= kMaxCells;
+  const bool counts = d.shafts >= 0 && d.shafts <= kMaxShafts && d.treadles >= 0 && d.treadles <= kMaxShafts &&
+                      d.palette.size() <= static_cast<size_t>(kMaxColors) && int64_t{d.ends()} * d.picks() <= kMaxCells;
   return counts && has_size(d.threading, d.ends(), d.shafts) && has_size(d.tieup, d.treadles, d.shafts) &&
          has_size(d.treadling, d.picks(), d.treadles) && has_size(d.liftplan, d.picks(), d.shafts) &&
          is_consistent(d.warp, d.palette.size(), yarns) && is_consistent(d.weft, d.palette.size(), yarns);
@@ -56,12 +53,10 @@ bool is_consistent(const Draft& d, size_t yarns) {
 
 }  // namespace
 
-bool is_consistent(const Draft& draft) {
-  return is_consistent(draft, ~size_t{0});
-}
+bool is_consistent(const Draft& draft) { return is_consistent(draft, ~size_t{0}); }
 
 bool is_consistent(const Design& design) {
   return !design.yarns.empty() && is_consistent(design.draft, design.yarns.size());
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -13,7 +13,7 @@
 
 #include "draft/bit_matrix.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Display-referred (sRGB-encoded) colour, each channel 0..1.
 struct Rgb {
@@ -70,4 +70,4 @@ Draft blank_draft(int ends, int picks, int shafts, int treadles);
 /// True when all the invariants above hold (used in asserts and by the fuzzers).
 bool is_consistent(const Draft& draft);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -12,7 +12,7 @@
 #include <array>
 #include <bit>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 constexpr int kGroup = 8;  // shafts a table is indexed by
@@ -156,8 +156,7 @@ void include(CellRect& rect, int end, int pick) {
           std::max(rect.pick1, pick + 1)};
 }
 
-void include_difference(CellRect& rect, int pick, std::span<const uint64_t> was,
-                        std::span<const uint64_t> is) {
+void include_difference(CellRect& rect, int pick, std::span<const uint64_t> was, std::span<const uint64_t> is) {
   int low = -1, high = -1;
   for (size_t w = 0; w < was.size(); ++w) {
     const uint64_t changed = was[w] ^ is[w];
@@ -228,16 +227,13 @@ BitMatrix lifts(const Draft& draft) {
   if (draft.drive == Drive::kLiftplan) return draft.liftplan;
   BitMatrix out(draft.picks(), draft.shafts);
   for (int p = 0; p < draft.picks(); ++p) {
-    for_each_bit(draft.treadling.row(p), [&](int treadle) {
-      or_into(out.row(p).data(), draft.tieup.row(treadle).data(), out.words());
-    });
+    for_each_bit(draft.treadling.row(p),
+                 [&](int treadle) { or_into(out.row(p).data(), draft.tieup.row(treadle).data(), out.words()); });
   }
   return out;
 }
 
-BitMatrix drawdown(const Draft& draft) {
-  return drawdown_of(make_harness(draft), lifts(draft), draft.ends());
-}
+BitMatrix drawdown(const Draft& draft) { return drawdown_of(make_harness(draft), lifts(draft), draft.ends()); }
 
 CellRect update_drawdown(BitMatrix& cells, const Draft& before, const Draft& after) {
   const bool same_shape = before.ends() == after.ends() && before.picks() == after.picks() &&
@@ -267,4 +263,4 @@ BitMatrix complement(const BitMatrix& cells) {
   return out;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

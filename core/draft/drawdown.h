@@ -4,7 +4,7 @@
 
 #include "draft/draft.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 enum class Face { kFront, kBack };
 
@@ -29,4 +29,4 @@ CellRect update_drawdown(BitMatrix& cells, const Draft& before, const Draft& aft
 /// The other face, in the same end order: the complement.
 BitMatrix complement(const BitMatrix& cells);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -7,16 +7,12 @@
 #include <utility>
 #include <vector>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
-bool within(int index, int count) {
-  return index >= 0 && index < count;
-}
+bool within(int index, int count) { return index >= 0 && index < count; }
 
-bool is_length(float mm) {
-  return mm == kFromYarn || (std::isfinite(mm) && mm >= 0);
-}
+bool is_length(float mm) { return mm == kFromYarn || (std::isfinite(mm) && mm >= 0); }
 
 template <class T>
 void put(std::vector<T>& table, std::span<const int> threads, T value) {
@@ -24,13 +20,9 @@ void put(std::vector<T>& table, std::span<const int> threads, T value) {
     if (within(thread, static_cast<int>(table.size()))) table[static_cast<size_t>(thread)] = value;
 }
 
-bool is_color(Rgb c) {
-  return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
-}
+bool is_color(Rgb c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 
-Rgb in_gamut(Rgb c) {
-  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
-}
+Rgb in_gamut(Rgb c) { return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)}; }
 
 void mark(BitMatrix& grid, int row, int col, bool on, bool only) {
   if (on && only) std::fill(grid.row(row).begin(), grid.row(row).end(), 0);
@@ -38,8 +30,8 @@ void mark(BitMatrix& grid, int row, int col, bool on, bool only) {
 }
 
 bool same_thread(const Threads& t, int a, int b) {
-  return t.color[a] == t.color[b] && t.spacing_mm[a] == t.spacing_mm[b] &&
-         t.thickness_mm[a] == t.thickness_mm[b] && t.yarn[a] == t.yarn[b];
+  return t.color[a] == t.color[b] && t.spacing_mm[a] == t.spacing_mm[b] && t.thickness_mm[a] == t.thickness_mm[b] &&
+         t.yarn[a] == t.yarn[b];
 }
 
 // Smallest p with thread i alike to thread i - p throughout (Knuth, Morris, Pratt 1977: n less the longest
@@ -134,7 +126,8 @@ Design with_thread_spacing(Design design, System system, int thread, float mm) {
 }
 
 Design with_thread_color(Design design, System system, std::span<const int> threads, int color) {
-  if (within(color, static_cast<int>(design.draft.palette.size()))) put(design.draft.threads(system).color, threads, color);
+  if (within(color, static_cast<int>(design.draft.palette.size())))
+    put(design.draft.threads(system).color, threads, color);
   return design;
 }
 
@@ -230,4 +223,4 @@ Design to_treadling(Design design) {
   return design;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

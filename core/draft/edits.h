@@ -7,7 +7,7 @@
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// `only`: the thread is taken off its other shafts/treadles first (what a weaver expects of a click).
 Design with_threading(Design design, int end, int shaft, bool on, bool only = true);
@@ -44,4 +44,4 @@ Design to_liftplan(Design design);
 /// Unchanged when it is treadled so already, or when more than kMaxShafts treadles would be needed.
 Design to_treadling(Design design);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -16,14 +16,12 @@
 
 #include "draft/drawdown.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 constexpr float kGapAtPlain = 1.0f / 7.0f;  // share of the width left open where every crossing interlaces
 
-int wrapped(int i, int n) {
-  return ((i % n) + n) % n;
-}
+int wrapped(int i, int n) { return ((i % n) + n) % n; }
 
 // Which of the shafts of a straight draw are up on the first pick.
 std::vector<char> pattern_of(const OverUnder& order) {
@@ -62,9 +60,7 @@ std::vector<int> mirrored(std::vector<int> order) {
   return order;
 }
 
-std::vector<int> point(int n) {
-  return mirrored(straight(n));
-}
+std::vector<int> point(int n) { return mirrored(straight(n)); }
 
 // Interlacings of a crossing, 0..1, met in going along the rows.
 float interlacing(const BitMatrix& cells) {
@@ -122,9 +118,7 @@ Design make_design(const Recipe& recipe, ClothSize size) {
   return with_sett(std::move(design));
 }
 
-Design plain(ClothSize size) {
-  return make_design({2, {0, 1}, {{0}, {1}}, {0, 1}}, size);
-}
+Design plain(ClothSize size) { return make_design({2, {0, 1}, {{0}, {1}}, {0, 1}}, size); }
 
 Design basket(int group, ClothSize size) {
   std::vector<int> order(static_cast<size_t>(std::clamp(group, 1, kMaxThreads)), 0);
@@ -226,4 +220,4 @@ Design with_sett(Design design, float openness) {
   return design;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -8,7 +8,7 @@
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 struct ClothSize {
   int ends = 64, picks = 64;
@@ -78,4 +78,4 @@ Design with_yarns(Design design, const Yarn& warp, const Yarn& weft);
 /// twice the spacing.
 Design with_sett(Design design, float openness = 1.0f);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

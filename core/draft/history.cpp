@@ -2,22 +2,17 @@
 
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
-size_t bytes(const BitMatrix& m) {
-  return static_cast<size_t>(m.rows()) * m.words() * sizeof(uint64_t);
-}
+size_t bytes(const BitMatrix& m) { return static_cast<size_t>(m.rows()) * m.words() * sizeof(uint64_t); }
 
-size_t bytes(const Threads& t) {
-  return static_cast<size_t>(t.size()) * (2 * sizeof(int) + 2 * sizeof(float));
-}
+size_t bytes(const Threads& t) { return static_cast<size_t>(t.size()) * (2 * sizeof(int) + 2 * sizeof(float)); }
 
 size_t bytes(const Design& design) {
   const Draft& d = design.draft;
   size_t sum = sizeof(Design) + bytes(d.threading) + bytes(d.tieup) + bytes(d.treadling) + bytes(d.liftplan) +
-               bytes(d.warp) + bytes(d.weft) + d.palette.size() * sizeof(Rgb) +
-               design.yarns.size() * sizeof(Yarn);
+               bytes(d.warp) + bytes(d.weft) + d.palette.size() * sizeof(Rgb) + design.yarns.size() * sizeof(Yarn);
   for (const std::string& note : design.notes) sum += sizeof(std::string) + note.size();
   return sum;
 }
@@ -40,8 +35,7 @@ void History::commit(Design next, std::string label, uint64_t stroke) {
     if (next == now()) return;  // the stroke took itself back
   }
   const size_t size = bytes(next);
-  steps_.push_back(
-      {std::make_shared<const Design>(std::move(next)), std::move(label), stroke, next_id_++, size});
+  steps_.push_back({std::make_shared<const Design>(std::move(next)), std::move(label), stroke, next_id_++, size});
   total_bytes_ += size;
   position_ = steps_.size() - 1;
   drop_oldest();
@@ -77,20 +71,12 @@ void History::redo() {
   if (can_redo()) ++position_;
 }
 
-std::string History::undo_label() const {
-  return can_undo() ? steps_[position_].label : std::string();
-}
+std::string History::undo_label() const { return can_undo() ? steps_[position_].label : std::string(); }
 
-std::string History::redo_label() const {
-  return can_redo() ? steps_[position_ + 1].label : std::string();
-}
+std::string History::redo_label() const { return can_redo() ? steps_[position_ + 1].label : std::string(); }
 
-void History::mark_saved() {
-  saved_id_ = steps_[position_].id;
-}
+void History::mark_saved() { saved_id_ = steps_[position_].id; }
 
-bool History::is_saved() const {
-  return steps_[position_].id == saved_id_;
-}
+bool History::is_saved() const { return steps_[position_].id == saved_id_; }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -10,7 +10,7 @@
 
 #include "draft/design.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// What the snapshots may take together; past it the oldest steps go, but never the last one.
 inline constexpr size_t kMaxHistoryBytes = size_t{256} << 20;
@@ -50,4 +50,4 @@ class History {
   uint64_t next_id_ = 1, saved_id_ = 0;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

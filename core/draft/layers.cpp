@@ -14,7 +14,7 @@
 #include <bit>
 #include <numeric>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 // Threads of one system, those most often on top first.
@@ -83,8 +83,6 @@ std::vector<Layer> layers(const BitMatrix& cells) {
   return out;
 }
 
-bool hangs_together(const BitMatrix& cells) {
-  return layers(cells).size() <= 1;
-}
+bool hangs_together(const BitMatrix& cells) { return layers(cells).size() <= 1; }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

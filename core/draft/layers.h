@@ -5,7 +5,7 @@
 
 #include "draft/bit_matrix.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Threads that cannot be parted without cutting. One end alone or one pick alone is a loose thread.
 struct Layer {
@@ -20,4 +20,4 @@ std::vector<Layer> layers(const BitMatrix& cells);
 /// True when the cloth is a single layer.
 bool hangs_together(const BitMatrix& cells);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

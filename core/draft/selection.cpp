@@ -7,7 +7,7 @@
 #include "draft/drawdown.h"
 #include "draft/edits.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 /// Threading and tie-up are stored a row a column a, the others a row a row b.
@@ -15,10 +15,14 @@ bool stored_by_column(BitGrid grid) { return grid == BitGrid::kThreading || grid
 
 const BitMatrix& stored(const Draft& d, BitGrid grid) {
   switch (grid) {
-    case BitGrid::kThreading: return d.threading;
-    case BitGrid::kTieup: return d.tieup;
-    case BitGrid::kTreadling: return d.treadling;
-    default: return d.liftplan;
+    case BitGrid::kThreading:
+      return d.threading;
+    case BitGrid::kTieup:
+      return d.tieup;
+    case BitGrid::kTreadling:
+      return d.treadling;
+    default:
+      return d.liftplan;
   }
 }
 BitMatrix& stored(Draft& d, BitGrid grid) { return const_cast<BitMatrix&>(stored(std::as_const(d), grid)); }
@@ -99,10 +103,13 @@ Design with_crossings(Design design, const Selection& s, int a, int b, const Bit
 int columns_of(const Draft& d, BitGrid grid) {
   switch (grid) {
     case BitGrid::kThreading:
-    case BitGrid::kDrawdown: return d.ends();
+    case BitGrid::kDrawdown:
+      return d.ends();
     case BitGrid::kTieup:
-    case BitGrid::kTreadling: return d.treadles;
-    case BitGrid::kLiftplan: return d.shafts;
+    case BitGrid::kTreadling:
+      return d.treadles;
+    case BitGrid::kLiftplan:
+      return d.shafts;
   }
   return 0;
 }
@@ -152,8 +159,9 @@ int64_t missed_cells(const Draft& d, BitGrid grid, int a, int b, const BitMatrix
 BitMatrix turned_for(const CellBlock& block, BitGrid to) {
   const auto threads_across = [](BitGrid g) { return g == BitGrid::kThreading; };
   const auto threads_down = [](BitGrid g) { return g == BitGrid::kTreadling || g == BitGrid::kLiftplan; };
-  const bool turn = (threads_across(block.from) && threads_down(to)) || (threads_down(block.from) && threads_across(to));
+  const bool turn =
+      (threads_across(block.from) && threads_down(to)) || (threads_down(block.from) && threads_across(to));
   return turn ? transposed(block.cells) : block.cells;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -4,7 +4,7 @@
 
 #include "draft/design.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// The grids of bits. Each is seen as columns a and rows b: threading (end, shaft), tie-up (treadle, shaft),
 /// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick).
@@ -54,4 +54,4 @@ int64_t missed_cells(const Draft& draft, BitGrid grid, int a, int b, const BitMa
 /// (a threading becomes the treadling that weaves as drawn in); else the cells as they are seen.
 BitMatrix turned_for(const CellBlock& block, BitGrid to);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 int wrapped(int64_t i, int n) { return static_cast<int>(((i % n) + n) % n); }
@@ -67,10 +67,13 @@ BitMatrix shifted(const BitMatrix& m, int da, int db) {
 std::optional<ThreadRange> threads_of(const Selection& s) {
   if (s.empty()) return {};
   switch (s.grid) {
-    case BitGrid::kThreading: return ThreadRange{System::kWarp, s.a0, s.a1};
+    case BitGrid::kThreading:
+      return ThreadRange{System::kWarp, s.a0, s.a1};
     case BitGrid::kTreadling:
-    case BitGrid::kLiftplan: return ThreadRange{System::kWeft, s.b0, s.b1};
-    default: return {};
+    case BitGrid::kLiftplan:
+      return ThreadRange{System::kWeft, s.b0, s.b1};
+    default:
+      return {};
   }
 }
 
@@ -146,4 +149,4 @@ Design with_repeated(Design design, const Selection& selection, Reach reach, boo
   return with_block(std::move(design), s.grid, to.a0, to.b0, many, Write::kInside);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -9,7 +9,7 @@
 #include "draft/selection.h"
 #include "draft/thread_order.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 // What the edits below make of the cells of a block.
 BitMatrix mirrored_across(const BitMatrix& cells);  // left to right: the columns change places
@@ -36,4 +36,4 @@ Design with_shifted(Design design, const Selection& s, int da, int db, bool with
 /// of not all shafts: along the picks).
 Design with_repeated(Design design, const Selection& s, Reach reach, bool with_looks = true);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 using Order = std::vector<ThreadSource>;
@@ -148,8 +148,8 @@ Design with_turned_threads(Design design, const ThreadRange& range, int steps, b
 Design with_repeated_threads(Design design, const ThreadRange& range, Reach reach, bool with_looks) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
-  const Order order = over_reach(r, design.draft.threads(r.system).size(), reach,
-                                 [n = r.count()](int i) { return wrapped(i, n); });
+  const Order order =
+      over_reach(r, design.draft.threads(r.system).size(), reach, [n = r.count()](int i) { return wrapped(i, n); });
   return with_thread_order(std::move(design), r.system, order, with_looks);
 }
 
@@ -178,4 +178,4 @@ Design with_advancing_repeat(Design design, const ThreadRange& range, int step, 
   return design;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

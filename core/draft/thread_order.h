@@ -8,7 +8,7 @@
 
 #include "draft/design.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// Half-open range of ends or picks.
 struct ThreadRange {
@@ -48,4 +48,4 @@ Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, b
 /// As with_repeated_threads to the end, each repeat `step` shafts (treadles) further, round and round.
 Design with_advancing_repeat(Design design, const ThreadRange& range, int step, bool with_looks = true);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

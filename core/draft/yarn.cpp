@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 void bound(float& value, float low, float high, float fallback) {
@@ -44,4 +44,4 @@ Yarn clamped(Yarn yarn) {
   return yarn;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

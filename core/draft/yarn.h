@@ -8,7 +8,7 @@
 
 #include "draft/draft.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 enum class Twist : uint8_t { kNone, kS, kZ };
 
@@ -37,8 +37,7 @@ struct Yarn {
   Twist twist = Twist::kZ;
   float turns_per_m = 550.0f;  // 0..5000, twist tightness
   int plies = 1;               // 1..8
-  float fibre_um =
-      60.0f;  // 1..2000, width of the fibre bundles seen as grooves ("thickness", VRST 2003 fig. 3)
+  float fibre_um = 60.0f;      // 1..2000, width of the fibre bundles seen as grooves ("thickness", VRST 2003 fig. 3)
   float groove_depth = 0.45f;  // 0..1, darkness of the grooves
   float hairiness = 0.35f;     // 0..1, noise of stray fibres
   float flattening = 0.8f;     // 0.3..1, height over width of the cross-section in the cloth
@@ -49,4 +48,4 @@ struct Yarn {
 /// The yarn with every number inside the range stated beside it; what is not a number becomes the default.
 Yarn clamped(Yarn yarn);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -32,7 +32,7 @@
 #include <algorithm>
 #include <array>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 constexpr Rgb kWhite{1, 1, 1};
@@ -144,4 +144,4 @@ const Yarn& yarn_preset(std::string_view name) {
   return at != presets.end() ? *at : presets.front();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

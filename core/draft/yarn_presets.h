@@ -6,7 +6,7 @@
 
 #include "draft/yarn.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 /// The eight yarns, cotton first.
 std::span<const Yarn> yarn_presets();
@@ -14,4 +14,4 @@ std::span<const Yarn> yarn_presets();
 /// The preset of that name, or the first when there is none.
 const Yarn& yarn_preset(std::string_view name);
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -8,7 +8,7 @@
 
 #include "drape/vec.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 namespace {
 
@@ -17,9 +17,7 @@ float smooth_min(float a, float b, float width) {
   return std::min(a, b) - h * h * width * 0.25f;
 }
 
-float smooth_max(float a, float b, float width) {
-  return -smooth_min(-a, -b, width);
-}
+float smooth_max(float a, float b, float width) { return -smooth_min(-a, -b, width); }
 
 /// A limb that narrows from radius ra at a to rb at b.
 float limb(Vec3 p, Vec3 a, Vec3 b, float ra, float rb) {
@@ -42,16 +40,14 @@ constexpr Measure kTrunk[] = {
 float curve(float before, float from, float to, float after, float t) {
   const float slope_from = 0.5f * (to - before), slope_to = 0.5f * (after - from);
   const float t2 = t * t, t3 = t2 * t;
-  return from * (2 * t3 - 3 * t2 + 1) + to * (3 * t2 - 2 * t3) + slope_from * (t3 - 2 * t2 + t) +
-         slope_to * (t3 - t2);
+  return from * (2 * t3 - 3 * t2 + 1) + to * (3 * t2 - 2 * t3) + slope_from * (t3 - 2 * t2 + t) + slope_to * (t3 - t2);
 }
 
 float trunk(Vec3 p) {
   const Section s = trunk_section(p[1]);
   const float x = p[0], z = p[2] - s.middle;
   const float out = std::sqrt(x * x + z * z);
-  const float scaled =
-      std::sqrt(x * x / (s.half_width * s.half_width) + z * z / (s.half_depth * s.half_depth));
+  const float scaled = std::sqrt(x * x / (s.half_width * s.half_width) + z * z / (s.half_depth * s.half_depth));
   return scaled < 0.05f ? -std::min(s.half_width, s.half_depth) : out * (1 - 1 / scaled);
 }
 
@@ -59,30 +55,21 @@ float trunk(Vec3 p) {
 
 Section trunk_section(float height) {
   const auto last = std::prev(std::end(kTrunk));
-  const auto above =
-      std::find_if(std::begin(kTrunk), last, [&](const Measure& m) { return m.height > height; });
+  const auto above = std::find_if(std::begin(kTrunk), last, [&](const Measure& m) { return m.height > height; });
   const Measure& to = above == std::begin(kTrunk) ? *std::next(above) : *above;
   const Measure& from = *std::prev(&to);
   const Measure& before = &from == std::begin(kTrunk) ? from : *std::prev(&from);
   const Measure& after = &to == last ? to : *std::next(&to);
   const float t = std::clamp((height - from.height) / (to.height - from.height), 0.0f, 1.0f);
-  const auto along = [&](float Measure::*part) {
-    return curve(before.*part, from.*part, to.*part, after.*part, t);
-  };
+  const auto along = [&](float Measure::*part) { return curve(before.*part, from.*part, to.*part, after.*part, t); };
   return {along(&Measure::half_width), along(&Measure::half_depth), along(&Measure::middle)};
 }
 
-Arm arm() {
-  return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26};
-}
+Arm arm() { return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26}; }
 
-float ground(Vec3 p) {
-  return p[1];
-}
+float ground(Vec3 p) { return p[1]; }
 
-float ball(Vec3 p) {
-  return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius;
-}
+float ball(Vec3 p) { return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius; }
 
 float table(Vec3 p) {
   constexpr float kEdge = 13, kHalfThickness = 14;
@@ -101,12 +88,8 @@ float dress_form(Vec3 p) {
   return smooth_max(smooth_max(body, p[1] - 1520, 14), 752 - p[1], 20);
 }
 
-float skirt_form(Vec3 p) {
-  return smooth_max(smooth_max(trunk(p), p[1] - (kWaistHeight + 70), 14), 752 - p[1], 20);
-}
+float skirt_form(Vec3 p) { return smooth_max(smooth_max(trunk(p), p[1] - (kWaistHeight + 70), 14), 752 - p[1], 20); }
 
-float ring_x(int ring) {
-  return (static_cast<float>(ring) / (kRings - 1) - 0.5f) * 660;
-}
+float ring_x(int ring) { return (static_cast<float>(ring) / (kRings - 1) - 0.5f) * 660; }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

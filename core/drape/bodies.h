@@ -2,9 +2,10 @@
 // What the drapes lie on, as signed distances to collide with and as meshes to draw.
 
 #include "drape/mesh.h"
+#include "drape/names.h"
 #include "drape/solver.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 constexpr float kBallRadius = 150;
 constexpr float kTableRadius = 450, kTableHeight = 720;
@@ -40,4 +41,4 @@ float ring_x(int ring);
 
 Mesh mesh_of_body(const std::string& name);
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

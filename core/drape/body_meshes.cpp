@@ -7,7 +7,7 @@
 #include "drape/bodies.h"
 #include "drape/vec.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 namespace {
 
@@ -82,8 +82,7 @@ void append_ring(Mesh& mesh, float x) {
       const float phi = 2 * kPi * static_cast<float>(i) / kAround;
       const float theta = 2 * kPi * static_cast<float>(k) / kAcross;
       const float out = kRingRadius + 2.6f * std::cos(theta);
-      mesh.position_mm.push_back(
-          {x + 2.6f * std::sin(theta), middle + out * std::sin(phi), out * std::cos(phi)});
+      mesh.position_mm.push_back({x + 2.6f * std::sin(theta), middle + out * std::sin(phi), out * std::cos(phi)});
     }
   }
   for (uint32_t i = 0; i < kAround; ++i) {
@@ -166,12 +165,9 @@ void append_zero_set(Mesh& mesh, const Distance& distance, const Samples& s) {
       for (int x = 1; x + 1 < nx; ++x) {
         const bool here = s.value[s.at(x, y, z)] < 0;
         const auto v = [&](int dx, int dy, int dz) { return vertex[s.at(x - dx, y - dy, z - dz)]; };
-        if (here != (s.value[s.at(x + 1, y, z)] < 0))
-          quad(here, v(0, 1, 1), v(0, 0, 1), v(0, 0, 0), v(0, 1, 0));
-        if (here != (s.value[s.at(x, y + 1, z)] < 0))
-          quad(here, v(1, 0, 1), v(1, 0, 0), v(0, 0, 0), v(0, 0, 1));
-        if (here != (s.value[s.at(x, y, z + 1)] < 0))
-          quad(here, v(1, 1, 0), v(0, 1, 0), v(0, 0, 0), v(1, 0, 0));
+        if (here != (s.value[s.at(x + 1, y, z)] < 0)) quad(here, v(0, 1, 1), v(0, 0, 1), v(0, 0, 0), v(0, 1, 0));
+        if (here != (s.value[s.at(x, y + 1, z)] < 0)) quad(here, v(1, 0, 1), v(1, 0, 0), v(0, 0, 0), v(0, 0, 1));
+        if (here != (s.value[s.at(x, y, z + 1)] < 0)) quad(here, v(1, 1, 0), v(0, 1, 0), v(0, 0, 0), v(1, 0, 0));
       }
     }
   }
@@ -198,4 +194,4 @@ Mesh mesh_of_body(const std::string& name) {
   return mesh;
 }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

@@ -6,9 +6,7 @@
 #include "drape/garments.h"
 #include "drape/vec.h"
 
-namespace weftlight {
-
-using namespace draping;
+namespace weftlight::drape {
 
 namespace {
 
@@ -119,8 +117,6 @@ Mesh simulate_drape(const std::string& name, float steps_scale) {
   return {};
 }
 
-Mesh body_mesh(const std::string& name) {
-  return mesh_of_body(name);
-}
+Mesh body_mesh(const std::string& name) { return mesh_of_body(name); }
 
-}  // namespace weftlight
+}  // namespace weftlight::drape

@@ -9,7 +9,7 @@
 #include <map>
 #include <queue>
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 namespace {
 
@@ -33,13 +33,9 @@ EdgeSides collect_sides(const Pattern& pattern) {
   return sides;
 }
 
-Vec2 edge(const Pattern& pattern, uint32_t from, uint32_t to) {
-  return pattern.uv_mm[to] - pattern.uv_mm[from];
-}
+Vec2 edge(const Pattern& pattern, uint32_t from, uint32_t to) { return pattern.uv_mm[to] - pattern.uv_mm[from]; }
 
-double twice_area(Vec2 a, Vec2 b) {
-  return std::fabs(static_cast<double>(a[0] * b[1] - a[1] * b[0]));
-}
+double twice_area(Vec2 a, Vec2 b) { return std::fabs(static_cast<double>(a[0] * b[1] - a[1] * b[0])); }
 
 double cotangent(Vec2 a, Vec2 b) {
   return static_cast<double>(a[0] * b[0] + a[1] * b[1]) / std::max(twice_area(a, b), 1e-6);
@@ -126,4 +122,4 @@ Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm) {
   return cloth;
 }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

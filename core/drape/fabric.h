@@ -2,10 +2,11 @@
 // A pattern made into cloth: particles with mass, threads that hardly stretch, a bias that gives,
 // and stiffness against bending. Units: mm, kg, s (so stiffness in N/m is kg/s2 as it stands).
 
+#include "drape/names.h"
 #include "drape/pattern.h"
 #include "drape/vec.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 /// A heavy cotton: 260 g/m2; its bending length, cube root of stiffness over weight, is 22 mm.
 struct Fabric {
@@ -40,4 +41,4 @@ struct Cloth {
 /// `near_mm`: how far along the cloth two particles count as near (they never collide).
 Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm);
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

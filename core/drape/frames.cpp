@@ -5,9 +5,7 @@
 #include "drape/mesh.h"
 #include "drape/vec.h"
 
-namespace weftlight {
-
-using namespace draping;
+namespace weftlight::drape {
 
 namespace {
 
@@ -46,8 +44,8 @@ void compute_frames(Mesh& mesh) {
   std::vector<Vec3> normals(count, Vec3{}), tangents(count, Vec3{});
   for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
     const uint32_t* v = &mesh.index[t];
-    const Vec3 doubled_area = cross(mesh.position_mm[v[1]] - mesh.position_mm[v[0]],
-                                    mesh.position_mm[v[2]] - mesh.position_mm[v[0]]);
+    const Vec3 doubled_area =
+        cross(mesh.position_mm[v[1]] - mesh.position_mm[v[0]], mesh.position_mm[v[2]] - mesh.position_mm[v[0]]);
     const Vec3 along = weft_direction(mesh, v);
     for (int corner = 0; corner < 3; ++corner) {
       normals[weld[v[corner]]] += doubled_area;
@@ -64,4 +62,4 @@ void compute_frames(Mesh& mesh) {
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::drape

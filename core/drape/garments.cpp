@@ -7,7 +7,7 @@
 #include "drape/bodies.h"
 #include "drape/vec.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 namespace {
 
@@ -58,9 +58,9 @@ Piece add_skirt_panel(Pattern& pattern, const SkirtCut& cut, bool back) {
     const float share = (back ? 0.5f : 0.0f) + s / 2;
     const float phi = angle_by_arc(cut.waist.half_width, cut.waist.half_depth, share - std::floor(share));
     const float flare = 0.55f * down, drop = 0.83f * down;
-    return Vec3{(cut.waist.half_width + flare) * std::sin(phi), kWaistHeight - drop,
-                cut.waist.middle + (cut.waist.half_depth + flare) * std::cos(phi) +
-                    0.01f * down * std::sin(5 * phi + 1)};
+    return Vec3{
+        (cut.waist.half_width + flare) * std::sin(phi), kWaistHeight - drop,
+        cut.waist.middle + (cut.waist.half_depth + flare) * std::cos(phi) + 0.01f * down * std::sin(5 * phi + 1)};
   };
   return add_piece(pattern, kSkirtColumns, kSkirtRows, shape, place);
 }
@@ -82,14 +82,10 @@ float body_top(float across, float dip) {
   return kBodyLength - kShoulderDrop * out - dip * std::pow(1 - in * in, 0.7f);
 }
 
-float body_half(float above_hem) {
-  return mix(kHemHalf, kShoulderHalf, std::min(above_hem / kBodyLength, 1.0f));
-}
+float body_half(float above_hem) { return mix(kHemHalf, kShoulderHalf, std::min(above_hem / kBodyLength, 1.0f)); }
 
 /// How far the armhole gapes to each side at a share of its height, when the sleeve is set in.
-float gape(float share) {
-  return 55 * std::sin(kPi * std::clamp(share, 0.0f, 1.0f));
-}
+float gape(float share) { return 55 * std::sin(kPi * std::clamp(share, 0.0f, 1.0f)); }
 
 constexpr float kSideLength = kBodyLength - kShoulderDrop;
 constexpr float kUnderarm = kSideLength - kArmhole;  // above the hem
@@ -104,24 +100,19 @@ Piece add_body_panel(Pattern& pattern, bool back) {
     const float across = std::clamp((uv[0] - kHemHalf) / body_half(uv[1]), -1.0f, 1.0f);
     const float round = ramp(0, 130, body_top(across, 0) - uv[1]), angle = across * kPi / 2;
     const float x = kPutOnHalf * mix(across, std::sin(angle), round);
-    const float depth =
-        140 * std::cos(angle) * round + gape((uv[1] - kUnderarm) / kArmhole) * std::pow(across, 4.0f);
-    return Vec3{back ? -x : x, kShoulderHeight - (kBodyLength - uv[1]),
-                kShoulderMiddle + (back ? -depth : depth)};
+    const float depth = 140 * std::cos(angle) * round + gape((uv[1] - kUnderarm) / kArmhole) * std::pow(across, 4.0f);
+    return Vec3{back ? -x : x, kShoulderHeight - (kBodyLength - uv[1]), kShoulderMiddle + (back ? -depth : depth)};
   };
   return add_piece(pattern, kBodyColumns, kBodyRows, shape, place);
 }
 
 /// Rows of a body panel's side from the hem to the armhole.
-int armhole_row() {
-  return static_cast<int>(std::lround(kUnderarm / kSideLength * (kBodyRows - 1)));
-}
+int armhole_row() { return static_cast<int>(std::lround(kUnderarm / kSideLength * (kBodyRows - 1))); }
 
 /// A tube along the arm: s from the underarm round over the top, t from cuff to armhole.
 /// A sleeve at -x (side -1) runs round the other way.
 Piece add_sleeve(Pattern& pattern, float side, int columns) {
-  const float armhole =
-      static_cast<float>(2 * (kBodyRows - 1 - armhole_row())) / (kBodyRows - 1) * kSideLength;
+  const float armhole = static_cast<float>(2 * (kBodyRows - 1 - armhole_row())) / (kBodyRows - 1) * kSideLength;
   const auto shape = [=](float s, float t) {
     return Vec2{armhole * (0.5f + (s - 0.5f) * mix(kCuffShare, 1, t)), t * kSleeveLength};
   };
@@ -132,8 +123,7 @@ Piece add_sleeve(Pattern& pattern, float side, int columns) {
     const float share = 1 - std::fabs(2 * s - 1), around = 2 * kPi * s;
     const float front = s < 0.5f ? side : -side;
     const float above_hem = kUnderarm + share * kArmhole;
-    const Vec3 set_in{kPutOnHalf, kShoulderHeight - kBodyLength + above_hem,
-                      kShoulderMiddle + front * gape(share)};
+    const Vec3 set_in{kPutOnHalf, kShoulderHeight - kBodyLength + above_hem, kShoulderMiddle + front * gape(share)};
     const Vec3 axis = unit(a.wrist - a.shoulder), over = unit(Vec3{-axis[1], axis[0], 0});
     const float radius = armhole * kCuffShare / (2 * kPi);
     const Vec3 cuff = a.shoulder + axis * kCuffAlongArm + over * (-std::cos(around) * radius) +
@@ -195,8 +185,7 @@ Drape tunic() {
   for (int k = 0; k <= 2 * rise; ++k) {
     const int row = k <= rise ? underarm + k : underarm + 2 * rise - k;
     const bool first_half = k <= rise;
-    sew(pattern, first_half ? front.vertex(last, row) : back.vertex(0, row),
-        right.vertex(k, kSleeveRows - 1));
+    sew(pattern, first_half ? front.vertex(last, row) : back.vertex(0, row), right.vertex(k, kSleeveRows - 1));
     sew(pattern, first_half ? back.vertex(last, row) : front.vertex(0, row), left.vertex(k, kSleeveRows - 1));
   }
   drop_unused_particles(pattern);
@@ -209,4 +198,4 @@ Drape tunic() {
   return drape;
 }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

@@ -2,9 +2,10 @@
 // A drape before it falls, and the sewn ones.
 
 #include "drape/fabric.h"
+#include "drape/names.h"
 #include "drape/solver.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 struct Drape {
   Pattern pattern;
@@ -20,4 +21,4 @@ Drape skirt();
 /// Front, back and two sleeves, sewn at shoulders, sides and armholes.
 Drape tunic();
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

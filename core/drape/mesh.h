@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace weftlight {
+#include "drape/names.h"
+
+namespace weftlight::drape {
 
 using Vec3 = std::array<float, 3>;
 using Vec2 = std::array<float, 2>;
@@ -37,4 +39,4 @@ Mesh simulate_drape(const std::string& name, float steps_scale = 1.0f);
 /// for unknown names.
 Mesh body_mesh(const std::string& name);
 
-}  // namespace weftlight
+}  // namespace weftlight::drape

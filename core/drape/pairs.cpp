@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 namespace {
 
@@ -28,8 +28,7 @@ Cell cell_of(Vec3d p, double width) {
 }
 
 bool are_near(const Cloth& cloth, uint32_t a, uint32_t b) {
-  return std::binary_search(cloth.near.begin() + cloth.near_first[a],
-                            cloth.near.begin() + cloth.near_first[a + 1], b);
+  return std::binary_search(cloth.near.begin() + cloth.near_first[a], cloth.near.begin() + cloth.near_first[a + 1], b);
 }
 
 /// Particles sorted by hashed cell: those of cell h are members[first[h]] .. members[first[h + 1]].
@@ -77,4 +76,4 @@ void find_pairs(const Cloth& cloth, double reach_mm, std::vector<Pair>& pairs) {
   }
 }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

@@ -4,7 +4,7 @@
 
 #include "drape/vec.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 Piece add_piece(Pattern& pattern, int columns, int rows, const PatternShape& shape, const Placement& place) {
   const Piece piece{static_cast<uint32_t>(pattern.uv_mm.size()), columns, rows};
@@ -60,4 +60,4 @@ Mesh to_mesh(const Pattern& pattern, const std::string& name) {
   return mesh;
 }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

@@ -5,8 +5,9 @@
 #include <functional>
 
 #include "drape/mesh.h"
+#include "drape/names.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 struct Pattern {
   std::vector<Vec2> uv_mm;         // of a vertex, along weft and warp
@@ -37,4 +38,4 @@ void drop_unused_particles(Pattern& pattern);
 /// The mesh of a pattern, with frames.
 Mesh to_mesh(const Pattern& pattern, const std::string& name);
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

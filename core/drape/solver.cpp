@@ -11,7 +11,7 @@
 
 #include "drape/pairs.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 namespace {
 
@@ -179,4 +179,4 @@ Vec3 push_out(const Distance& body, Vec3 p, float skin_mm) {
   return p;
 }
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

@@ -4,8 +4,9 @@
 #include <functional>
 
 #include "drape/fabric.h"
+#include "drape/names.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 /// Signed distance to a body in mm, negative inside; only its zero set and its direction need be
 /// true, its slope is measured.
@@ -34,4 +35,4 @@ Vec3 settle(const Distance& body, Vec3 p);
 /// A place on the body's outside, skin_mm from it, if p is nearer than that; else p.
 Vec3 push_out(const Distance& body, Vec3 p, float skin_mm);
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

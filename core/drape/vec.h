@@ -5,8 +5,9 @@
 #include <type_traits>
 
 #include "drape/mesh.h"
+#include "drape/names.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 
 template <class T>
 using Triple = std::array<T, 3>;
@@ -50,22 +51,14 @@ inline Vec3 unit(Vec3 a, Vec3 fallback = {0, 0, 1}) {
   const float l = length(a);
   return l > 1e-12f ? a * (1.0f / l) : fallback;
 }
-inline Vec3 to_float(Vec3d a) {
-  return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
-}
+inline Vec3 to_float(Vec3d a) { return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])}; }
 inline Vec3d to_double(Vec3 a) {
   return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
 
-inline Vec2 operator-(Vec2 a, Vec2 b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-inline float length(Vec2 a) {
-  return std::sqrt(a[0] * a[0] + a[1] * a[1]);
-}
-inline float mix(float a, float b, float t) {
-  return a + (b - a) * t;
-}
+inline Vec2 operator-(Vec2 a, Vec2 b) { return {a[0] - b[0], a[1] - b[1]}; }
+inline float length(Vec2 a) { return std::sqrt(a[0] * a[0] + a[1] * a[1]); }
+inline float mix(float a, float b, float t) { return a + (b - a) * t; }
 /// 0 before `from`, 1 after `to`, smooth between.
 inline float ramp(float from, float to, float x) {
   const float t = std::fmin(std::fmax((x - from) / (to - from), 0.0f), 1.0f);
@@ -74,4 +67,4 @@ inline float ramp(float from, float to, float x) {
 
 constexpr float kPi = 3.14159265358979f;
 
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

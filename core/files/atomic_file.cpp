@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace weftlight {
+namespace weftlight::files {
 namespace fs = std::filesystem;
 
 namespace {
@@ -56,4 +56,4 @@ std::string write_text(const std::string& path, const std::string& text) {
   return write_bytes(path, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::files

@@ -5,7 +5,9 @@
 #include <span>
 #include <string>
 
-namespace weftlight {
+#include "files/names.h"
+
+namespace weftlight::files {
 
 /// A name beside `path` that no other process uses, with the same extension (writers choose the format by it).
 std::string temporary_beside(const std::string& path);
@@ -15,4 +17,4 @@ std::string commit_file(const std::string& temporary, const std::string& path);
 std::string write_bytes(const std::string& path, std::span<const unsigned char> bytes);
 std::string write_text(const std::string& path, const std::string& text);
 
-}  // namespace weftlight
+}  // namespace weftlight::files

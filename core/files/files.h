@@ -7,8 +7,9 @@
 
 #include "cloth/maps.h"
 #include "drape/mesh.h"
+#include "files/names.h"
 
-namespace weftlight {
+namespace weftlight::files {
 
 /// Interleaved float image, row 0 at the top.
 struct Image {
@@ -43,7 +44,7 @@ ReadMesh read_mesh(const std::string& path);
 struct GltfMaterial {
   std::string name;
   std::vector<unsigned char> base_color_png, orm_png, normal_png, anisotropy_png, sheen_png;
-  float uv_scale_u = 1, uv_scale_v = 1;      // KHR_texture_transform: repeats a millimetre
+  float uv_scale_u = 1, uv_scale_v = 1;  // KHR_texture_transform: repeats a millimetre
   Linear sheen_color{0, 0, 0};
   float sheen_roughness = 0.5f;
   float anisotropy_strength = 0, anisotropy_rotation = 0;
@@ -64,4 +65,4 @@ void draw_text(Image& image, int x, int y, int size, const std::string& text, co
 /// PNG bytes in memory, for embedding.
 std::vector<unsigned char> encode_png(const Image& image, PixelType type = PixelType::kU8);
 
-}  // namespace weftlight
+}  // namespace weftlight::files

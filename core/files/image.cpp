@@ -12,7 +12,7 @@
 #include "files/atomic_file.h"
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 constexpr int kMaxSide = 65536;
@@ -26,8 +26,9 @@ std::string check_shape(const Image& image) {
   const int64_t values = int64_t{image.width} * image.height * image.channels;
   const bool fits = image.width >= 1 && image.width <= kMaxSide && image.height >= 1 && image.height <= kMaxSide &&
                     image.channels >= 1 && image.channels <= kMaxChannels && values <= kMaxValues;
-  if (!fits) return "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " x " +
-                    std::to_string(image.channels) + " channels cannot be written";
+  if (!fits)
+    return "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " x " +
+           std::to_string(image.channels) + " channels cannot be written";
   if (static_cast<int64_t>(image.texels.size()) != values) return "the image's texels do not fill its size";
   return {};
 }
@@ -37,27 +38,29 @@ template <class T>
 std::vector<T> quantised(const std::vector<float>& values) {
   constexpr float top = static_cast<float>(static_cast<T>(~T{0}));
   std::vector<T> out(values.size());
-  std::transform(values.begin(), values.end(), out.begin(), [](float v) {
-    return static_cast<T>(v > 0 ? std::min(v, 1.0f) * top + 0.5f : 0.0f);
-  });
+  std::transform(values.begin(), values.end(), out.begin(),
+                 [](float v) { return static_cast<T>(v > 0 ? std::min(v, 1.0f) * top + 0.5f : 0.0f); });
   return out;
 }
 
 /// Half floats end at 65504: brighter values stop there and do not become infinite.
 std::vector<float> within_half(const std::vector<float>& values) {
   std::vector<float> out(values.size());
-  std::transform(values.begin(), values.end(), out.begin(), [](float v) {
-    return std::isnan(v) ? 0.0f : std::clamp(v, -kMaxHalf, kMaxHalf);
-  });
+  std::transform(values.begin(), values.end(), out.begin(),
+                 [](float v) { return std::isnan(v) ? 0.0f : std::clamp(v, -kMaxHalf, kMaxHalf); });
   return out;
 }
 
 OIIO::TypeDesc type_desc(PixelType type) {
   switch (type) {
-    case PixelType::kU8: return OIIO::TypeDesc::UINT8;
-    case PixelType::kU16: return OIIO::TypeDesc::UINT16;
-    case PixelType::kHalf: return OIIO::TypeDesc::HALF;
-    case PixelType::kFloat: break;
+    case PixelType::kU8:
+      return OIIO::TypeDesc::UINT8;
+    case PixelType::kU16:
+      return OIIO::TypeDesc::UINT16;
+    case PixelType::kHalf:
+      return OIIO::TypeDesc::HALF;
+    case PixelType::kFloat:
+      break;
   }
   return OIIO::TypeDesc::FLOAT;
 }
@@ -80,10 +83,14 @@ OIIO::ImageSpec spec_for(const Image& image, PixelType type) {
 
 bool write_texels(OIIO::ImageOutput& out, const Image& image, PixelType type) {
   switch (type) {
-    case PixelType::kU8: return out.write_image(OIIO::TypeDesc::UINT8, quantised<uint8_t>(image.texels).data());
-    case PixelType::kU16: return out.write_image(OIIO::TypeDesc::UINT16, quantised<uint16_t>(image.texels).data());
-    case PixelType::kHalf: return out.write_image(OIIO::TypeDesc::FLOAT, within_half(image.texels).data());
-    case PixelType::kFloat: break;
+    case PixelType::kU8:
+      return out.write_image(OIIO::TypeDesc::UINT8, quantised<uint8_t>(image.texels).data());
+    case PixelType::kU16:
+      return out.write_image(OIIO::TypeDesc::UINT16, quantised<uint16_t>(image.texels).data());
+    case PixelType::kHalf:
+      return out.write_image(OIIO::TypeDesc::FLOAT, within_half(image.texels).data());
+    case PixelType::kFloat:
+      break;
   }
   return out.write_image(OIIO::TypeDesc::FLOAT, image.texels.data());
 }
@@ -173,8 +180,9 @@ std::string write_mipmapped_exr(const std::string& path, const std::vector<Image
   for (size_t i = 0; i < levels.size(); ++i) {
     if (std::string problem = check_shape(levels[i]); !problem.empty()) return path + ": " + problem;
     const Image& above = levels[i > 0 ? i - 1 : 0];
-    const bool halves = i == 0 || (levels[i].width == std::max(above.width / 2, 1) && levels[i].height == std::max(above.height / 2, 1) &&
-                                   levels[i].channels == above.channels);
+    const bool halves =
+        i == 0 || (levels[i].width == std::max(above.width / 2, 1) &&
+                   levels[i].height == std::max(above.height / 2, 1) && levels[i].channels == above.channels);
     if (!halves) return path + ": a mip level does not halve the one before";
   }
   return write_beside(path, [&](const std::string& temporary) { return write_levels(temporary, levels, type); });
@@ -201,4 +209,4 @@ std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
   return bytes;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::files

@@ -15,7 +15,7 @@
 
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 using nlohmann::json;
@@ -73,7 +73,8 @@ struct Chunks {
 Chunks split(const std::string& bytes) {
   if (bytes.compare(0, 4, "glTF") != 0) return {bytes, {}};
   if (bytes.size() < 20) refuse("the file ends within its header; export it again");
-  if (u32_at(bytes, 4) != 2) refuse("glTF version " + std::to_string(u32_at(bytes, 4)) + " is not read; export as glTF 2.0");
+  if (u32_at(bytes, 4) != 2)
+    refuse("glTF version " + std::to_string(u32_at(bytes, 4)) + " is not read; export as glTF 2.0");
   if (u32_at(bytes, 8) > bytes.size()) refuse("the file is cut short; export or copy it again");
   Chunks chunks;
   const std::string_view all(bytes);
@@ -123,7 +124,8 @@ Needed cut_down(const json& root) {
   for (const char* kind : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes"}) {
     const auto found = root.find(kind);
     if (found == root.end()) continue;
-    if (!found->is_array() || found->size() > kMaxNodes) refuse(std::string("its ") + kind + " are no list, or too many");
+    if (!found->is_array() || found->size() > kMaxNodes)
+      refuse(std::string("its ") + kind + " are no list, or too many");
     json list = *found;
     for (json& item : list) {
       if (!item.is_object()) refuse(std::string("one of its ") + kind + " is no object");
@@ -137,13 +139,15 @@ Needed cut_down(const json& root) {
 tinygltf::Model load(const Needed& needed, std::string_view binary, const std::string& folder) {
   tinygltf::TinyGLTF loader;
   loader.RemoveImageLoader();
-  loader.SetFsCallbacks({&tinygltf::FileExists, &tinygltf::ExpandFilePath, &read_regular, &tinygltf::WriteWholeFile, nullptr});
+  loader.SetFsCallbacks(
+      {&tinygltf::FileExists, &tinygltf::ExpandFilePath, &read_regular, &tinygltf::WriteWholeFile, nullptr});
   tinygltf::Model model;
   std::string error, warning;
   std::string text = needed.root.dump();
   bool good = false;
   if (binary.empty()) {
-    good = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), folder);
+    good =
+        loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), folder);
   } else {
     text.append((4 - text.size() % 4) % 4, ' ');
     std::string body(binary);
@@ -168,7 +172,8 @@ tinygltf::Model load(const Needed& needed, std::string_view binary, const std::s
 
 template <class T>
 const T& item(const std::vector<T>& list, int index, const char* what) {
-  if (index < 0 || static_cast<size_t>(index) >= list.size()) refuse(std::string("it names a ") + what + " that is not there; export it again");
+  if (index < 0 || static_cast<size_t>(index) >= list.size())
+    refuse(std::string("it names a ") + what + " that is not there; export it again");
   return list[static_cast<size_t>(index)];
 }
 
@@ -187,13 +192,20 @@ struct Elements {
       return static_cast<double>(v);
     };
     switch (component) {
-      case TINYGLTF_COMPONENT_TYPE_FLOAT: return as(float{});
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return as(uint32_t{});
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return as(uint16_t{}) / (normalised ? 65535.0 : 1.0);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return as(uint8_t{}) / (normalised ? 255.0 : 1.0);
-      case TINYGLTF_COMPONENT_TYPE_SHORT: return normalised ? std::max(as(int16_t{}) / 32767.0, -1.0) : as(int16_t{});
-      case TINYGLTF_COMPONENT_TYPE_BYTE: return normalised ? std::max(as(int8_t{}) / 127.0, -1.0) : as(int8_t{});
-      default: return 0;
+      case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return as(float{});
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return as(uint32_t{});
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return as(uint16_t{}) / (normalised ? 65535.0 : 1.0);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return as(uint8_t{}) / (normalised ? 255.0 : 1.0);
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return normalised ? std::max(as(int16_t{}) / 32767.0, -1.0) : as(int16_t{});
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return normalised ? std::max(as(int8_t{}) / 127.0, -1.0) : as(int8_t{});
+      default:
+        return 0;
     }
   }
 };
@@ -206,7 +218,8 @@ Elements elements(const tinygltf::Model& model, int index, int type, size_t most
   const tinygltf::BufferView& view = item(model.bufferViews, accessor.bufferView, "buffer view");
   const tinygltf::Buffer& buffer = item(model.buffers, view.buffer, "buffer");
   const int component = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
-  if (component < 1 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE) refuse("an accessor's component type is unknown; export it again");
+  if (component < 1 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
+    refuse("an accessor's component type is unknown; export it again");
   Elements out;
   out.count = accessor.count;
   out.component = accessor.componentType;
@@ -225,7 +238,8 @@ Elements elements(const tinygltf::Model& model, int index, int type, size_t most
 }
 
 float finite(double v, const char* what) {
-  if (!std::isfinite(v) || std::abs(v) > 1e9) refuse(std::string("a ") + what + " is no usable number; export it again");
+  if (!std::isfinite(v) || std::abs(v) > 1e9)
+    refuse(std::string("a ") + what + " is no usable number; export it again");
   return static_cast<float>(v);
 }
 
@@ -249,13 +263,26 @@ Matrix local_matrix(const tinygltf::Node& node) {
     std::copy(node.matrix.begin(), node.matrix.end(), m.begin());
     return m;
   }
-  const std::array<double, 3> s = node.scale.size() == 3 ? std::array{node.scale[0], node.scale[1], node.scale[2]} : std::array{1.0, 1.0, 1.0};
+  const std::array<double, 3> s =
+      node.scale.size() == 3 ? std::array{node.scale[0], node.scale[1], node.scale[2]} : std::array{1.0, 1.0, 1.0};
   if (node.rotation.size() == 4) {
     const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
-    m = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
-         2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
-         2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0,
-         0, 0, 0, 1};
+    m = {1 - 2 * (y * y + z * z),
+         2 * (x * y + z * w),
+         2 * (x * z - y * w),
+         0,
+         2 * (x * y - z * w),
+         1 - 2 * (x * x + z * z),
+         2 * (y * z + x * w),
+         0,
+         2 * (x * z + y * w),
+         2 * (y * z - x * w),
+         1 - 2 * (x * x + y * y),
+         0,
+         0,
+         0,
+         0,
+         1};
   }
   for (size_t c = 0; c < 3; ++c) {
     for (size_t r = 0; r < 3; ++r) m[c * 4 + r] *= s[c];
@@ -267,7 +294,7 @@ Matrix local_matrix(const tinygltf::Node& node) {
 std::array<double, 9> cofactors(const Matrix& m) {  // normals turn by these
   return {m[5] * m[10] - m[6] * m[9], m[6] * m[8] - m[4] * m[10], m[4] * m[9] - m[5] * m[8],
           m[2] * m[9] - m[1] * m[10], m[0] * m[10] - m[2] * m[8], m[1] * m[8] - m[0] * m[9],
-          m[1] * m[6] - m[2] * m[5], m[2] * m[4] - m[0] * m[6], m[0] * m[5] - m[1] * m[4]};
+          m[1] * m[6] - m[2] * m[5],  m[2] * m[4] - m[0] * m[6],  m[0] * m[5] - m[1] * m[4]};
 }
 
 Vec3 turned(const std::array<double, 9>& m, const Elements& e, size_t i) {
@@ -317,7 +344,8 @@ std::vector<uint32_t> corners(const tinygltf::Model& model, const tinygltf::Prim
   out.resize(e.count);
   for (size_t i = 0; i < e.count; ++i) {
     const double v = e.value(i, 0);
-    if (v < 0 || v >= static_cast<double>(vertices)) refuse("a triangle names a vertex that is not there; export it again");
+    if (v < 0 || v >= static_cast<double>(vertices))
+      refuse("a triangle names a vertex that is not there; export it again");
     out[i] = static_cast<uint32_t>(v);
   }
   return out;
@@ -328,12 +356,15 @@ void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::
   if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) return;  // points and lines have no cloth
   const Elements position = elements(model, attribute(primitive, "POSITION"), TINYGLTF_TYPE_VEC3, kMaxVertices);
   if (attribute(primitive, "TEXCOORD_0") < 0) {
-    refuse("it has no texture coordinates (TEXCOORD_0), so the threads have no direction; unwrap it along the grain of the cloth and export again");
+    refuse(
+        "it has no texture coordinates (TEXCOORD_0), so the threads have no direction; unwrap it along the grain of "
+        "the cloth and export again");
   }
   const Elements uv = elements(model, attribute(primitive, "TEXCOORD_0"), TINYGLTF_TYPE_VEC2, kMaxVertices);
   const int normal_at = attribute(primitive, "NORMAL");
   const Elements normal = normal_at < 0 ? Elements{} : elements(model, normal_at, TINYGLTF_TYPE_VEC3, kMaxVertices);
-  if (uv.count != position.count || (normal_at >= 0 && normal.count != position.count)) refuse("its attributes differ in length; export it again");
+  if (uv.count != position.count || (normal_at >= 0 && normal.count != position.count))
+    refuse("its attributes differ in length; export it again");
   const size_t base = out.mesh.position_mm.size();
   if (base + position.count > kMaxVertices) refuse("it has too many vertices; export a lighter mesh");
   const std::array<double, 9> turn = cofactors(m);
@@ -343,11 +374,13 @@ void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::
     Vec3 p;
     for (size_t r = 0; r < 3; ++r) {
       p[r] = finite((m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]) * double{kMmPerMetre}, "position");
-      if (std::abs(double{p[r]}) > kMaxPositionMm) refuse("it is larger than a kilometre; glTF counts in metres: scale it and export again");
+      if (std::abs(double{p[r]}) > kMaxPositionMm)
+        refuse("it is larger than a kilometre; glTF counts in metres: scale it and export again");
     }
     out.mesh.position_mm.push_back(p);
     // glTF's second coordinate runs down the image, v runs up the warp.
-    out.mesh.uv_mm.push_back({finite(uv.value(i, 0), "texture coordinate"), -finite(uv.value(i, 1), "texture coordinate")});
+    out.mesh.uv_mm.push_back(
+        {finite(uv.value(i, 0), "texture coordinate"), -finite(uv.value(i, 1), "texture coordinate")});
     out.mesh.normal.push_back(normal_at >= 0 ? turned(turn, normal, i) : Vec3{});
   }
   const double determinant = m[0] * turn[0] + m[1] * turn[1] + m[2] * turn[2];
@@ -411,14 +444,17 @@ Gathered gather(const tinygltf::Model& model) {
 void scale_uv(Mesh& mesh) {
   double surface = 0, texture = 0;
   for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
-    const Vec3 &a = mesh.position_mm[mesh.index[t]], &b = mesh.position_mm[mesh.index[t + 1]], &c = mesh.position_mm[mesh.index[t + 2]];
+    const Vec3 &a = mesh.position_mm[mesh.index[t]], &b = mesh.position_mm[mesh.index[t + 1]],
+               &c = mesh.position_mm[mesh.index[t + 2]];
     const Vec2 &p = mesh.uv_mm[mesh.index[t]], &q = mesh.uv_mm[mesh.index[t + 1]], &r = mesh.uv_mm[mesh.index[t + 2]];
     std::array<double, 3> e{}, f{};
     for (size_t k = 0; k < 3; ++k) e[k] = double{b[k]} - double{a[k]}, f[k] = double{c[k]} - double{a[k]};
     surface += std::hypot(e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]);
-    texture += std::abs((double{q[0]} - double{p[0]}) * (double{r[1]} - double{p[1]}) - (double{q[1]} - double{p[1]}) * (double{r[0]} - double{p[0]}));
+    texture += std::abs((double{q[0]} - double{p[0]}) * (double{r[1]} - double{p[1]}) -
+                        (double{q[1]} - double{p[1]}) * (double{r[0]} - double{p[0]}));
   }
-  if (!(texture > 1e-12) || !(surface > 0)) refuse("its texture coordinates cover no area, so the threads have no direction; unwrap it and export again");
+  if (!(texture > 1e-12) || !(surface > 0))
+    refuse("its texture coordinates cover no area, so the threads have no direction; unwrap it and export again");
   const float scale = static_cast<float>(std::sqrt(surface / texture));
   for (Vec2& uv : mesh.uv_mm) uv = {uv[0] * scale, uv[1] * scale};
 }
@@ -426,7 +462,9 @@ void scale_uv(Mesh& mesh) {
 void check_uv(const Mesh& mesh) {
   for (const Vec2& uv : mesh.uv_mm) {
     if (!(std::abs(double{uv[0]}) <= kMaxUvMm && std::abs(double{uv[1]}) <= kMaxUvMm)) {
-      refuse("its texture coordinates run over ten kilometres of cloth; move the islands near the origin and export again");
+      refuse(
+          "its texture coordinates run over ten kilometres of cloth; move the islands near the origin and export "
+          "again");
     }
   }
 }
@@ -472,4 +510,4 @@ ReadMesh read_mesh(const std::string& path) {
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::files

@@ -13,21 +13,21 @@
 #include "files/atomic_file.h"
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 using nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 
 constexpr float kMetresPerMm = 0.001f;
-constexpr int kFloat = 5126, kUint = 5125;                  // glTF component types
+constexpr int kFloat = 5126, kUint = 5125;                   // glTF component types
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // and buffer view targets
 constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
 struct Document {
   json root;
-  Bytes binary;                                     // of the one buffer
-  bool embed = true;                                // images within the buffer, else as files
+  Bytes binary;                                      // of the one buffer
+  bool embed = true;                                 // images within the buffer, else as files
   std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
   std::string stem;
 };
@@ -144,8 +144,7 @@ json add_texture(Document& doc, const GltfMaterial& material, const std::string&
   doc.root["images"].push_back(std::move(image));
   doc.root["textures"].push_back({{"source", doc.root["images"].size() - 1}, {"sampler", 0}});
   return {{"index", doc.root["textures"].size() - 1},
-          {"extensions",
-           {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
+          {"extensions", {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
 }
 
 bool has_sheen(const GltfMaterial& m) {
@@ -252,4 +251,4 @@ std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMate
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::files

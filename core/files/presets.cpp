@@ -7,7 +7,7 @@
 
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace fs = std::filesystem;
 
 namespace {
@@ -63,7 +63,8 @@ ReadMesh load_drape(const std::string& name_or_path) {
   }
   const std::string extension = fs::path(name_or_path).extension().string();
   if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return read_mesh(name_or_path);
-  return {{}, "no mesh is called '" + name_or_path + "'; give one of " + names_of_drapes() + ", or a .glb or .gltf file"};
+  return {{},
+          "no mesh is called '" + name_or_path + "'; give one of " + names_of_drapes() + ", or a .glb or .gltf file"};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::files

@@ -5,7 +5,7 @@
 
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 constexpr const char* kFonts[] = {
@@ -34,4 +34,4 @@ void draw_text(Image& image, int x, int y, int size, const std::string& text, co
   OIIO::ImageBufAlgo::render_text(wrapped, x, y, text, size, font, colour);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::files

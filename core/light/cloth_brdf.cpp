@@ -10,7 +10,7 @@
 #include <bit>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr int kCosines = 32, kAzimuths = 24;  // entries of the table of g
@@ -123,8 +123,7 @@ float sigma_of(float rise_mm, float float_mm) {
 
 }  // namespace
 
-ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float sigma_weft, Linear warp,
-                          Linear weft) {
+ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float sigma_weft, Linear warp, Linear weft) {
   const float total = f_warp + f_weft;
   formulas::Vrst03 p;
   p.f_warp = total > 0 ? f_warp / total : 0.5f;
@@ -137,8 +136,8 @@ ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float si
   const auto normalise = [](const Nodes& n, float& c) {
     float area = 0, height = 0;
     for (const Node& a : n) area += a.weight, height += a.weight * a.cosine;
-    c = 0.5f / area;                            // integral of cos b over b is 2
-    return c * height * (formulas::kPi / 2);    // integral of cos^2 b is pi / 2
+    c = 0.5f / area;                          // integral of cos b over b is 2
+    return c * height * (formulas::kPi / 2);  // integral of cos^2 b is pi / 2
   };
   const float warp_hn = normalise(nodes.warp, p.c_warp), weft_hn = normalise(nodes.weft, p.c_weft);
   p.mean_hn = p.f_warp * warp_hn + p.f_weft * weft_hn;
@@ -192,4 +191,4 @@ glm::vec3 evaluate(const ClothBrdf& brdf, const glm::vec3& wi, const glm::vec3& 
   return formulas::vrst03_brdf(brdf.p, shadowing(brdf, wi), shadowing(brdf, wo), wi, wo);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

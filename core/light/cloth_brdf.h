@@ -6,9 +6,10 @@
 
 #include "cloth/cloth.h"
 #include "light/formulas.h"
+#include "light/names.h"
 #include "light/tables.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 struct ClothBrdf {
   formulas::Vrst03 p;  // complete: c_warp, c_weft and mean_hn are set
@@ -16,8 +17,7 @@ struct ClothBrdf {
 };
 
 /// From the shares and widths alone. Shares are normalised (both zero: halves), widths clamped to 0.01..4.
-ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float sigma_weft, Linear warp,
-                          Linear weft);
+ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float sigma_weft, Linear warp, Linear weft);
 
 /// From the weave: shares by the cells of this face; the width of a system's Gaussian is the slope of a
 /// thread that climbs over the crossing threads within its mean float, so long floats shine as satin.
@@ -35,4 +35,4 @@ float shadowing_exact(const formulas::Vrst03& p, const glm::vec3& w);
 /// BRDF, 1/sr; 0 below the horizon.
 glm::vec3 evaluate(const ClothBrdf& brdf, const glm::vec3& wi, const glm::vec3& wo);
 
-}  // namespace weftlight
+}  // namespace weftlight::light

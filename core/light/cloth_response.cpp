@@ -14,7 +14,7 @@
 #include "light/parallel.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -31,21 +31,22 @@ using PerLight = std::array<float, kL>;
 
 /// One place on a thread: what each view sees of it, and what each light sends to it.
 struct Point {
-  float area = 0;           // over that of the cloth's plane
-  float above = 0;          // of it, in the plane, what is seen from above
+  float area = 0;   // over that of the cloth's plane
+  float above = 0;  // of it, in the plane, what is seen from above
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
   PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
   // Of lights: cosine, times what the lobes do on the way in; shadow: projected area of the micro-facets; the light in
   // the frame of the fibre, mu held above the plane.
-  PerLight light_cosine{}, light_lit{}, light_lost{}, light_veil{}, light_clear{}, light_shadow{}, light_along{}, light_across{}, light_mu{};
+  PerLight light_cosine{}, light_lit{}, light_lost{}, light_veil{}, light_clear{}, light_shadow{}, light_along{},
+      light_across{}, light_mu{};
   float height_mm = 0;
-  float around = 0;                 // share of the crossings around that its system has on top
+  float around = 0;  // share of the crossings around that its system has on top
   FacetMoments facets{};
-  glm::vec3 inverse{1, 0, 1};       // of the covariance of the facets' slopes
-  float peak = 0;                   // density of those slopes at their mean
+  glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
+  float peak = 0;              // density of those slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
-  float tone = 0, f0 = 0, f90 = 0, hair = 0;   // green, of the colours that the table leaves out
+  float tone = 0, f0 = 0, f90 = 0, hair = 0;  // green, of the colours that the table leaves out
 };
 
 void take_light(Point& p, size_t i, size_t view, float cosine) {
@@ -66,13 +67,14 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = place.groove;
   p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90;
   p.hair = lobes.fuzz > 0 ? lobes.fuzz_colour.g : p.f0 / std::max(p.f90, 1e-3f);
-  p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g / (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
+  p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
+            (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
   p.height_mm = place.height_mm, p.around = place.around, p.facets = facet_moments(normal);
   const bool plain = place.normal == place.side, own = normal == place.normal;
   const formulas::LobeFrame frame = formulas::lobe_frame(normal, place.fibre);
   for (size_t v = 0; v < kV; ++v) {
     const float facing = glm::dot(place.side, w[v]);
-    p.mu[v] = p.clear[v] = p.shadow[v] = 1;   // unseen: any will do
+    p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // unseen: any will do
     if (facing <= 0 || place.open[v] <= 0) continue;
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide side = formulas::lobe_side(lobes, shared, local);
@@ -93,8 +95,8 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
 }
 
 struct Sums {
-  std::vector<float> body, mirror, hair, all;              // [view][light]
-  std::array<std::vector<float>, kFacetMoments> leaning;   // all, times each of the point's moments
+  std::vector<float> body, mirror, hair, all;             // [view][light]
+  std::array<std::vector<float>, kFacetMoments> leaning;  // all, times each of the point's moments
   PerView seen{}, height{}, seen_around{};
   std::array<PerView, kFacetMoments> seen_leaning{};
   Sums() : body(kV * kL), mirror(kV * kL), hair(kV * kL), all(kV * kL) { leaning.fill(all); }
@@ -103,7 +105,8 @@ struct Sums {
   void repeat_top() {
     constexpr size_t kTop = kV - kViewAzimuths;
     const auto rows = [](std::vector<float>& of, size_t width) {
-      for (size_t v = kTop + 1; v < kV; ++v) std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
+      for (size_t v = kTop + 1; v < kV; ++v)
+        std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
     };
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
     for (auto* of : {&body, &mirror, &hair, &all}) rows(*of, kL);
@@ -133,11 +136,13 @@ void add(Sums& sums, const Point& p, const std::vector<float>& grazing, size_t v
   const float glance = 0.25f * grooved * p.peak;
   // Kept apart from the sums, which might be any of the point's floats as far as the compiler knows: the loops then run
   // on vectors.
-  const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view], across = p.across[view];
+  const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view],
+              across = p.across[view];
   const float xx = -0.5f * p.inverse.x, xy = -p.inverse.y, yy = -0.5f * p.inverse.z;
   PerLight mirrored, scattered, combed, sent;
   for (size_t i = 0; i < kL; ++i) {
-    const float mu_i = p.light_mu[i], cosine = p.light_cosine[i], veiled = 1 - clear * p.light_clear[i], unveiled = 1 - fuzz * veiled;
+    const float mu_i = p.light_mu[i], cosine = p.light_cosine[i], veiled = 1 - clear * p.light_clear[i],
+                unveiled = 1 - fuzz * veiled;
     // Beckmann's facets, as lobe_specular() has them (shaders/lobes.glsl), without Fresnel.
     const float over = 1 / (mu + mu_i), x = (along + p.light_along[i]) * over, y = (across + p.light_across[i]) * over;
     const float secant2 = 1 + x * x + y * y;
@@ -184,7 +189,8 @@ void add_slopes(Slopes& slopes, const glm::vec3& n, const glm::vec3& fibre, glm:
 
 /// Means over the whole map, which need no directions and so many more texels.
 void take_means(ClothResponse& out, const Maps& maps) {
-  const int step_x = std::max(1, maps.coverage.width / kMeanTexels), step_y = std::max(1, maps.coverage.height / kMeanTexels);
+  const int step_x = std::max(1, maps.coverage.width / kMeanTexels),
+            step_y = std::max(1, maps.coverage.height / kMeanTexels);
   float all = 0;
   for (int j = 0; j < maps.coverage.height / step_y; ++j) {
     for (int i = 0; i < maps.coverage.width / step_x; ++i) {
@@ -306,9 +312,9 @@ float closed_form(const Slopes& slopes, float share, const glm::vec3& l, const g
   return share * formulas::facet_density({density(slopes[0], h.x), density(slopes[1], h.y)}, h);
 }
 
-/// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads, so
-/// what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the rise,
-/// beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
+/// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
+/// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
+/// rise, beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
 std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlaces& threads) {
   std::vector<float> out(kV);
   for (size_t s = 0; s < 2; ++s) {
@@ -328,7 +334,8 @@ std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlace
 
 /// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
 /// facets that are seen.
-void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system, const Moments& above) {
+void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
+                   const Moments& above) {
   const Regression cover(points, system, [](const Point& p) { return p.above; });
   const float scale = out.share / std::max(cover.weight, 1e-9f);
   for (size_t v = 0; v < kV; ++v) {
@@ -354,8 +361,8 @@ void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& po
 std::vector<Point> points_of(const std::vector<ThreadPlace>& places, const std::array<glm::vec3, kV>& w) {
   const auto turns_away = [&w](const ThreadPlace& p) {
     return p.normal != p.side && std::any_of(w.begin(), w.end(), [&p](const glm::vec3& v) {
-      return glm::dot(p.normal, v) <= 0 && glm::dot(p.side, v) > 0;
-    });
+             return glm::dot(p.normal, v) <= 0 && glm::dot(p.side, v) > 0;
+           });
   };
   std::vector<Point> points(2 * places.size());
   in_parallel(static_cast<int>(places.size()), 2, [&](int k) {
@@ -369,8 +376,8 @@ std::vector<Point> points_of(const std::vector<ThreadPlace>& places, const std::
   return points;
 }
 
-/// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those of
-/// many.
+/// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those
+/// of many.
 std::array<Slopes, 2> slopes_of(const std::vector<ThreadPlace>& places) {
   std::array<Slopes, 2> out{};
   for (const ThreadPlace& p : places) {
@@ -404,7 +411,8 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   in_parallel(kResponseElevations, 2, [&](int e) {
     const int azimuths = e == kResponseElevations - 1 ? 1 : kViewAzimuths;
     for (const Point& p : points)
-      for (int a = 0; a < azimuths; ++a) add(sums[static_cast<size_t>(p.system)], p, grazing, static_cast<size_t>(e * kViewAzimuths + a));
+      for (int a = 0; a < azimuths; ++a)
+        add(sums[static_cast<size_t>(p.system)], p, grazing, static_cast<size_t>(e * kViewAzimuths + a));
   });
   for (size_t s = 0; s < 2; ++s) {
     sums[s].repeat_top();
@@ -431,4 +439,4 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   return out;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

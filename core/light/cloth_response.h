@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "cloth/maps.h"
+#include "light/names.h"
 #include "light/thread_places.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 inline constexpr int kResponseSamples = 2048;  // means then hold 4 percent on the charts' cloths
 inline constexpr int kSlopeBins = 64;          // even in the slope's angle, -90 to 90 degrees
@@ -22,23 +23,23 @@ struct SystemResponse {
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
   std::vector<float> lean;
-  FacetMoments facets{};             // of the maps, seen from above
-  std::vector<float> height_mm;   // [view]: mean height of what is seen
+  FacetMoments facets{};         // of the maps, seen from above
+  std::vector<float> height_mm;  // [view]: mean height of what is seen
   // Density of the facets' slope angles along x and along y, micro-slopes in it; integral 1.
   std::array<std::array<float, kSlopeBins>, 2> slopes{};
-  float share = 0;   // of the cover at normal view; both sum to 1
-  Linear colour;     // mean, with grooves
+  float share = 0;  // of the cover at normal view; both sum to 1
+  Linear colour;    // mean, with grooves
 };
 
 /// Index 0 warp, 1 weft. Means of what is seen from above come from the maps; `samples`: places on the threads at
 /// which the rest is measured.
 struct ClothResponse {
   std::array<SystemResponse, 2> systems;
-  float sky = 1;     // mean share of the sky that is seen
+  float sky = 1;  // mean share of the sky that is seen
   // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
   // slant, where the fewer threads lie hidden between the others.
   std::vector<float> seen_rise;
 };
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = kResponseSamples);
 
-}  // namespace weftlight
+}  // namespace weftlight::light

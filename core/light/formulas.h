@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cstdint>
-
 #include <glm/glm.hpp>
 
 namespace weftlight::formulas {
@@ -26,8 +25,8 @@ inline float exp(float x) {
   const float shifted = t * 1.44269504f + 12582912.0f;  // 1.5 * 2^23: the sum's low bits are the integer
   const float n = shifted - 12582912.0f;
   const float r = (t - n * 0.693359375f) + n * 2.12194440e-4f;
-  const float p = 1.0f + r * (1.0f + r * (0.5f + r * (0.16666667f + r * (0.041666667f
-                + r * (0.0083333333f + r * 0.0013888889f)))));
+  const float p =
+      1.0f + r * (1.0f + r * (0.5f + r * (0.16666667f + r * (0.041666667f + r * (0.0083333333f + r * 0.0013888889f)))));
   return p * std::bit_cast<float>((std::bit_cast<int32_t>(shifted) << 23) + 0x3f800000);
 }
 

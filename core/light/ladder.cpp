@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 struct Named {
@@ -14,9 +14,9 @@ struct Named {
   std::string_view name;
 };
 constexpr Named kNames[] = {
-    {Method::kAuto, "auto"},     {Method::kFlat, "flat"}, {Method::kVrst03, "vrst03"},
-    {Method::kCloth, "cloth"},   {Method::kRepeat, "repeat"}, {Method::kCell, "cell"},
-    {Method::kYarn, "yarn"},     {Method::kEngine, "engine"}, {Method::kReference, "reference"},
+    {Method::kAuto, "auto"},   {Method::kFlat, "flat"},     {Method::kVrst03, "vrst03"},
+    {Method::kCloth, "cloth"}, {Method::kRepeat, "repeat"}, {Method::kCell, "cell"},
+    {Method::kYarn, "yarn"},   {Method::kEngine, "engine"}, {Method::kReference, "reference"},
 };
 constexpr Method kRungs[] = {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};  // fine to coarse
 
@@ -102,8 +102,10 @@ Ladder default_ladder() {
     Method method;
     float from, to, cost_ns;
   };
-  constexpr Band bands[] = {{Method::kYarn, 1.0f / 64, 0.25f, 40}, {Method::kCell, 1.0f / 64, 2, 25},
-                            {Method::kRepeat, 2, 8, 15},           {Method::kCloth, 8, 64, 10}};
+  constexpr Band bands[] = {{Method::kYarn, 1.0f / 64, 0.25f, 40},
+                            {Method::kCell, 1.0f / 64, 2, 25},
+                            {Method::kRepeat, 2, 8, 15},
+                            {Method::kCloth, 8, 64, 10}};
   Ladder ladder;
   for (const Band& b : bands)
     for (float yarns = 1.0f / 64; yarns <= 64; yarns *= 2) {
@@ -117,8 +119,8 @@ Ladder default_ladder() {
 }
 
 Ladder read_ladder(std::string_view csv, std::string& problem) {
-  constexpr std::string_view kColumns[] = {"method", "yarns_per_pixel", "ns_per_pixel",
-                                           "rel_rmse_filtering", "rel_rmse_model"};
+  constexpr std::string_view kColumns[] = {"method", "yarns_per_pixel", "ns_per_pixel", "rel_rmse_filtering",
+                                           "rel_rmse_model"};
   const std::vector<std::string_view> lines = split(csv, '\n');
   const std::vector<std::string_view> head = split(lines.front(), ',');
   size_t at[5] = {};
@@ -159,7 +161,7 @@ float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel) 
 }
 
 Method choose_rung(const Ladder& ladder, float yarns_per_pixel, float tolerance) {
-  constexpr float kAsGood = 1.1f;   // errors nearer to each other than this are told apart by no eye
+  constexpr float kAsGood = 1.1f;  // errors nearer to each other than this are told apart by no eye
   float least = std::numeric_limits<float>::infinity();
   for (const Method m : kRungs) least = std::min(least, expected_error(ladder, m, yarns_per_pixel));
   const float held = std::max(tolerance, least * kAsGood);
@@ -184,4 +186,4 @@ std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance) {
   return edges;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "draft/design.h"
+#include "light/names.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 std::string_view method_name(Method method);
 std::optional<Method> method_from_name(std::string_view name);
@@ -46,4 +47,4 @@ Method choose_rung(const Ladder& ladder, float yarns_per_pixel, float tolerance)
 /// rising; the finer rung is kept as long as any coarser footprint still needs it.
 std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance);
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -9,7 +9,7 @@
 
 #include "light/parallel.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr int kRounds = 6;  // the error no longer moves in its third digit
@@ -153,12 +153,18 @@ FacePoint face_point(const glm::vec3& d) {
 glm::vec3 cube_direction(int face, float x, float y, int size) {
   const float s = 2 * x / static_cast<float>(size) - 1, t = 2 * y / static_cast<float>(size) - 1;
   switch (face) {
-    case 0: return {1, -t, -s};
-    case 1: return {-1, -t, s};
-    case 2: return {s, 1, t};
-    case 3: return {s, -1, -t};
-    case 4: return {s, -t, 1};
-    default: return {-s, -t, -1};
+    case 0:
+      return {1, -t, -s};
+    case 1:
+      return {-1, -t, s};
+    case 2:
+      return {s, 1, t};
+    case 3:
+      return {s, -1, -t};
+    case 4:
+      return {s, -t, 1};
+    default:
+      return {-s, -t, -1};
   }
 }
 
@@ -202,4 +208,4 @@ glm::vec3 evaluate(const Separable& separable, const glm::vec3& wi, const glm::v
   return sample(separable.first, wi + wo) * sample(separable.second, formulas::vrst03_difference(wi, wo));
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "light/cloth_brdf.h"
+#include "light/names.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 /// Faces +x -x +y -y +z -z in OpenGL's order and orientation, rows first.
 struct CubeMap {
@@ -39,4 +40,4 @@ Separable factorise(const ClothBrdf& brdf, Split split, int size = 16, int threa
 /// BRDF from the cube maps; 0 below the horizon.
 glm::vec3 evaluate(const Separable& separable, const glm::vec3& wi, const glm::vec3& wo);
 
-}  // namespace weftlight
+}  // namespace weftlight::light

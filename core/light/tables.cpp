@@ -11,14 +11,14 @@
 #include "light/formulas.h"
 #include "light/parallel.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
-constexpr int kOpenings = 20, kSpreads = 24;   // entries of the albedo table
+constexpr int kOpenings = 20, kSpreads = 24;  // entries of the albedo table
 constexpr int kFuzzOpenings = 32, kFuzzDepths = 16;
-constexpr float kWidestSlope = 1.0e3f;         // stands for infinity: the albedo no longer changes
+constexpr float kWidestSlope = 1.0e3f;  // stands for infinity: the albedo no longer changes
 constexpr float kLeastSlope = 5.0e-3f;
-constexpr float kGaussianReach = 4.25f;        // deviations; beyond lie 2e-5 of the facets
+constexpr float kGaussianReach = 4.25f;  // deviations; beyond lie 2e-5 of the facets
 constexpr int kAlongNodes = 16, kAcrossNodes = 8, kLineNodes = 24;
 
 float coordinate(int i, int n) { return static_cast<float>(i) / static_cast<float>(n - 1); }
@@ -48,8 +48,8 @@ glm::vec4 albedo_at(const Table& t, float opening, float along, float across) {
 
 /// A view (sine, 0, mu) of facets with RMS slopes along it and across it.
 struct Seen {
-  float along, across;   // RMS slopes
-  float nu, mu, sine;    // nu: cosine over deviation
+  float along, across;  // RMS slopes
+  float nu, mu, sine;   // nu: cosine over deviation
   float area;
 };
 /// Of the angle from the normal; the inverse of `opening`.
@@ -125,8 +125,7 @@ float first_facing(const Seen& v) { return std::max(-v.nu, -kGaussianReach); }
 
 glm::vec2 independent_albedo(const Seen& v, const Row<kAcrossNodes>& across) {
   Row<kAlongNodes> along = slope_row<kAlongNodes>(first_facing(v), kGaussianReach, v.along);
-  for (size_t j = 0; j < kAcrossNodes; ++j)
-    add_facets<false>(along, v, 1, 0, across.slope[j], 2 * across.weight[j]);
+  for (size_t j = 0; j < kAcrossNodes; ++j) add_facets<false>(along, v, 1, 0, across.slope[j], 2 * across.weight[j]);
   return total(along, v);
 }
 
@@ -178,8 +177,8 @@ Slice slice_of(float xx, float yy, float phi) {
 }
 
 glm::vec2 stored_at(const Table& albedo, const Slice& s, float opening) {
-  const glm::vec4 t = albedo_at(albedo, opening, formulas::spread_coordinate(s.along),
-                                formulas::spread_coordinate(s.across));
+  const glm::vec4 t =
+      albedo_at(albedo, opening, formulas::spread_coordinate(s.along), formulas::spread_coordinate(s.across));
   return glm::mix(glm::vec2(t.x, t.y), glm::vec2(t.z, t.w), s.mixed);
 }
 
@@ -274,7 +273,11 @@ const LightTables& light_tables() {
   return tables;
 }
 
-namespace formulas {
+}  // namespace weftlight::light
+
+namespace weftlight::formulas {
+
+using namespace light;
 
 vec4 albedo_table(float opening, float along, float across) {
   return albedo_at(light_tables().albedo, opening, along, across);
@@ -290,5 +293,4 @@ vec4 fuzz_table(float opening, float depth) {
   return plane_at<vec4>(t, cell_of(opening, t.nx), cell_of(depth, t.ny), 0);
 }
 
-}  // namespace formulas
-}  // namespace weftlight
+}  // namespace weftlight::formulas

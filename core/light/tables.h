@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace weftlight {
+#include "light/names.h"
+
+namespace weftlight::light {
 
 /// A regular grid over 0..1 in each axis, entries at both ends; x runs fastest, channels inside.
 struct Table {
@@ -13,12 +15,17 @@ struct Table {
   std::vector<float> values;
   Table() = default;
   Table(int x, int y, int z, int channels_)
-      : nx(x), ny(y), nz(z), channels(channels_),
+      : nx(x),
+        ny(y),
+        nz(z),
+        channels(channels_),
         values(static_cast<size_t>(x) * static_cast<size_t>(y) * static_cast<size_t>(z) *
                static_cast<size_t>(channels_)) {}
   float* at(int x, int y, int z = 0) {
-    return values.data() + ((static_cast<size_t>(z) * static_cast<size_t>(ny) + static_cast<size_t>(y)) *
-                                static_cast<size_t>(nx) + static_cast<size_t>(x)) * static_cast<size_t>(channels);
+    return values.data() +
+           ((static_cast<size_t>(z) * static_cast<size_t>(ny) + static_cast<size_t>(y)) * static_cast<size_t>(nx) +
+            static_cast<size_t>(x)) *
+               static_cast<size_t>(channels);
   }
   const float* at(int x, int y, int z = 0) const { return const_cast<Table*>(this)->at(x, y, z); }
 };
@@ -58,4 +65,4 @@ LightTables make_light_tables(int threads = 2);
 /// The tables, made at the first call (thread-safe).
 const LightTables& light_tables();
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -10,14 +10,14 @@
 #include "light/parallel.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kWhole = 1 << 18;       // crossings up to which a cloth is taken whole
+constexpr int kWhole = 1 << 18;            // crossings up to which a cloth is taken whole
 constexpr int kWindow = 64, kWindows = 4;  // threads and windows a side, else
-constexpr int kMostCells = 48;        // of crossings, along a ray
-constexpr int kAbove = 1 << 13;       // places seen from above
+constexpr int kMostCells = 48;             // of crossings, along a ray
+constexpr int kAbove = 1 << 13;            // places seen from above
 // Of the turns around a thread, denser near its ridge: the underside is hardly seen.
 constexpr float kEvenTurns = 0.55f;
 
@@ -64,7 +64,8 @@ class Placer {
       const std::vector<ThreadBody>& bodies = s == 0 ? cloth.ends : cloth.picks;
       for (size_t i = 0; i < bodies.size(); ++i) {
         const Yarn& yarn = cloth.yarns[static_cast<size_t>(bodies[i].yarn)];
-        textures_[s].push_back(thread_texture(yarn, bodies[i], s == 0 ? System::kWarp : System::kWeft, static_cast<int>(i), length(s)));
+        textures_[s].push_back(
+            thread_texture(yarn, bodies[i], s == 0 ? System::kWarp : System::kWeft, static_cast<int>(i), length(s)));
       }
     }
   }
@@ -94,7 +95,8 @@ float Placer::warp_around(int end, int pick) const {
   for (int j = -kReach; j <= kReach; ++j) {
     const int row = (pick + picks * kReach + j) % picks;
     int along = 0;
-    for (int i = -kReach; i <= kReach; ++i) along += (kTop - std::abs(i)) * cloth_.up.get(row, (end + ends * kReach + i) % ends);
+    for (int i = -kReach; i <= kReach; ++i)
+      along += (kTop - std::abs(i)) * cloth_.up.get(row, (end + ends * kReach + i) % ends);
     sum += (kTop - std::abs(j)) * along;
   }
   return static_cast<float>(sum) / (kTop * kTop * kTop * kTop);
@@ -103,7 +105,8 @@ float Placer::warp_around(int end, int pick) const {
 ThreadPlace Placer::place(int system, int k, int count) {
   const glm::vec2 at = glm::vec2(part(k, 0.8191725133961645), part(k, 0.6710436067037893)) * grid_.period;
   const float u = 2 * part(k, 0.5497004779019703) - 1;
-  const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u), density = kPi * (kEvenTurns + 3 * (1 - kEvenTurns) * u * u);
+  const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u),
+              density = kPi * (kEvenTurns + 3 * (1 - kEvenTurns) * u * u);
   const auto crossing = scene_.crossing_near(grid_, at);
   const auto& s = system == 0 ? crossing.warp : crossing.weft;
   const float along = system == 0 ? at.y : at.x;
@@ -151,7 +154,8 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
   const auto toned = [&](float v) { return std::min(v * texel.tone, 1.0f); };
-  p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes, {toned(body.colour.r), toned(body.colour.g), toned(body.colour.b)});
+  p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes,
+                       {toned(body.colour.r), toned(body.colour.g), toned(body.colour.b)});
 }
 
 /// Adds what is seen from above; of the crossings around it, sums.
@@ -168,7 +172,9 @@ void Placer::look_down(int first, int count, ThreadPlaces& out) {
     Texel texel;
     const glm::vec3 normal = plied(hit.system, hit.strand.thread, point, texel);
     const Lobes& lobes = cloth_.yarns[static_cast<size_t>((s == 0 ? cloth_.ends : cloth_.picks)[thread].yarn)].lobes;
-    out.top.push_back({hit.system, normal, point.axis + point.around * textures_[s][thread].fibre_tan,
+    out.top.push_back({hit.system,
+                       normal,
+                       point.axis + point.around * textures_[s][thread].fibre_tan,
                        {lobes.along_width * lobes.along_width, lobes.across_width * lobes.across_width}});
   }
 }
@@ -240,4 +246,4 @@ ThreadPlaces thread_places(const Cloth& cloth, int count) {
   return out;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -7,8 +7,9 @@
 
 #include "cloth/cloth.h"
 #include "light/formulas.h"
+#include "light/names.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 // Directions on a grid: elevation-major, azimuth 0 along the weft, 90 degrees along the warp. Views twice as close:
 // where threads hide behind each other, what is seen turns sharply about the threads' own directions.
@@ -26,14 +27,14 @@ constexpr size_t view_of_light(size_t i) {
 std::array<glm::vec3, kResponseViews> response_views();
 
 struct ThreadPlace {
-  int system = 0;          // 0 warp, 1 weft
-  float area = 0;          // of the thread that the place stands for, over that of the cloth's plane
+  int system = 0;  // 0 warp, 1 weft
+  float area = 0;  // of the thread that the place stands for, over that of the cloth's plane
   float height_mm = 0;
-  glm::vec3 side{0, 0, 1};     // normal of the section
-  glm::vec3 normal{0, 0, 1};   // between plies, too
-  glm::vec3 fibre{1, 0, 0};    // along the fibres on the surface
+  glm::vec3 side{0, 0, 1};    // normal of the section
+  glm::vec3 normal{0, 0, 1};  // between plies, too
+  glm::vec3 fibre{1, 0, 0};   // along the fibres on the surface
   float groove = 1;
-  float around = 0;            // share of the crossings around it that its own system has on top
+  float around = 0;  // share of the crossings around it that its own system has on top
   formulas::YarnLobes lobes;
   // Per view, 0 or 1: nothing stands before it; for those behind the place, nothing but its own thread.
   std::array<float, kResponseViews> open{};
@@ -62,4 +63,4 @@ struct ThreadPlaces {
 /// no direction reaches are left out.
 ThreadPlaces thread_places(const Cloth& cloth, int count);
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -9,7 +9,7 @@
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr size_t kBlock = 64;  // pairs; all stages of a block stay in the first cache
@@ -26,7 +26,7 @@ struct Directions {
 /// LobePlace, what is stored there, and the rest of LobeSide, of one direction of every pair.
 struct Sides {
   Lanes<float> mu, area, rim, opening, along, across, mixed;
-  Lanes<int> entry;                         // of the albedo table: first float of the cell
+  Lanes<int> entry;                           // of the albedo table: first float of the cell
   Lanes<float> opening_t, along_t, across_t;  // shares within the cell
   Lanes<float> lost, cosine, fuzz_lost;
   Lanes<float> enters_x, enters_y, enters_z, clear;
@@ -39,7 +39,7 @@ struct Shared {
   const Table& albedo;
   std::array<float, kMostFuzzOpenings> fuzz_lost{};  // fuzz_table(.., depth of the yarn).y
   int fuzz_openings = 2;
-  float fuzz_mean = 0;                               // fuzz_table(.., depth of the yarn).w
+  float fuzz_mean = 0;  // fuzz_table(.., depth of the yarn).w
 };
 
 Shared shared_of(const formulas::YarnLobes& yarn) {
@@ -120,7 +120,8 @@ void look_up_fuzz(const Shared& shared, Sides& s) {
 formulas::LobeSide finished(const formulas::YarnLobes& yarn, const Shared& shared, const Sides& s, size_t k) {
   const formulas::LobePlace p{s.mu[k], s.area[k], s.rim[k], s.opening[k], s.along[k], s.across[k], s.mixed[k]};
   // Reflection asks for what the fuzz loses, and for the mean of it.
-  return formulas::lobe_finish(yarn, shared.lobes, p, {s.lost[k], s.cosine[k]}, {0, s.fuzz_lost[k], 0, shared.fuzz_mean});
+  return formulas::lobe_finish(yarn, shared.lobes, p, {s.lost[k], s.cosine[k]},
+                               {0, s.fuzz_lost[k], 0, shared.fuzz_mean});
 }
 
 void reflect_block(const formulas::YarnLobes& yarn, const Shared& shared, const Directions& wi, const Directions& wo,
@@ -193,4 +194,4 @@ void reflect(const formulas::YarnLobes& yarn, std::span<const glm::vec3> wi, std
   reflect_baseline(shared, wi, wo, out);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

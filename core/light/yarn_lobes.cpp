@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 float clamped(float v, float low, float high) { return v >= low ? std::min(v, high) : low; }  // NaN: low
 
-glm::vec3 unit_colour(Linear c) {
-  return {clamped(c.r, 0, 1), clamped(c.g, 0, 1), clamped(c.b, 0, 1)};
-}
+glm::vec3 unit_colour(Linear c) { return {clamped(c.r, 0, 1), clamped(c.g, 0, 1), clamped(c.b, 0, 1)}; }
 
 }  // namespace
 
@@ -39,4 +37,4 @@ formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour) {
   return y;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

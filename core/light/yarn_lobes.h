@@ -6,8 +6,9 @@
 #include "cloth/cloth.h"
 #include "draft/yarn.h"
 #include "light/formulas.h"
+#include "light/names.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 /// Lobes of a thread of this colour. Out-of-range values are clamped; never NaN.
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour);
@@ -21,4 +22,4 @@ Vectors widest_vectors();
 void reflect(const formulas::YarnLobes& yarn, std::span<const glm::vec3> wi, std::span<const glm::vec3> wo,
              std::span<glm::vec3> out, Vectors vectors = widest_vectors());
 
-}  // namespace weftlight
+}  // namespace weftlight::light

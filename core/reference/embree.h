@@ -7,7 +7,9 @@
 #include <embree3/rtcore.h>
 #endif
 
-namespace weftlight {
+#include "reference/names.h"
+
+namespace weftlight::reference {
 
 /// Nearest hit of one ray.
 inline void trace_ray(RTCScene scene, RTCRayHit& ray) {
@@ -31,4 +33,4 @@ inline void trace_shadow(RTCScene scene, RTCRay& ray) {
 #endif
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

@@ -5,7 +5,7 @@
 
 #include "reference/embree.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 namespace {
 
 glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
@@ -77,8 +77,10 @@ bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Me
   hit.t = ray.ray.tfar;
   hit.triangle = ray.hit.primID;
   hit.position = origin + direction * hit.t;
-  hit.normal = glm::normalize(vec(mesh.normal[corner[0]]) * w + vec(mesh.normal[corner[1]]) * u + vec(mesh.normal[corner[2]]) * v);
-  const glm::vec3 along = vec(mesh.tangent[corner[0]]) * w + vec(mesh.tangent[corner[1]]) * u + vec(mesh.tangent[corner[2]]) * v;
+  hit.normal = glm::normalize(vec(mesh.normal[corner[0]]) * w + vec(mesh.normal[corner[1]]) * u +
+                              vec(mesh.normal[corner[2]]) * v);
+  const glm::vec3 along =
+      vec(mesh.tangent[corner[0]]) * w + vec(mesh.tangent[corner[1]]) * u + vec(mesh.tangent[corner[2]]) * v;
   hit.weft = glm::normalize(along - hit.normal * glm::dot(along, hit.normal));
   hit.warp = glm::cross(hit.normal, hit.weft);
   const Vec2 &a = mesh.uv_mm[corner[0]], &b = mesh.uv_mm[corner[1]], &c = mesh.uv_mm[corner[2]];
@@ -94,4 +96,4 @@ bool MeshScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) con
   return ray.tfar < 0;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

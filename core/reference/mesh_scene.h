@@ -6,8 +6,9 @@
 #include <string>
 
 #include "drape/mesh.h"
+#include "reference/names.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 
 struct MeshHit {
   float t = 0;
@@ -34,4 +35,4 @@ class MeshScene {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

@@ -6,12 +6,13 @@
 #include <mutex>
 #include <thread>
 
-namespace weftlight {
+namespace weftlight::reference {
 namespace {
 
 constexpr int kMostLayers = 8;  // of cloth behind cloth, through gaps
 
-/// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not depend on them.
+/// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not
+/// depend on them.
 template <class Row>
 void each_row(int height, int threads, const std::stop_token& stop, const Progress& progress, Row row) {
   std::atomic<int> next{0}, done{0};
@@ -142,8 +143,8 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
         const glm::vec2 p = glm::vec2(x, y) + pixel_sample(k, shift);
         const glm::vec2 at = picture.corner_mm + p.x * picture.step_x_mm + p.y * picture.step_y_mm;
         const float away = 2 * (tubes.z_max() - tubes.z_min()) / std::max(picture.view.z, 1e-4f);
-        const Seen seen = tracer.trace(glm::vec3(at, 0) + picture.view * away, -picture.view, 0, picture.around, sampler,
-                                       picture.bounces);
+        const Seen seen = tracer.trace(glm::vec3(at, 0) + picture.view * away, -picture.view, 0, picture.around,
+                                       sampler, picture.bounces);
         sum += glm::vec4(seen.radiance, seen.hit ? 1.0f : 0.0f);
       }
       image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
@@ -153,4 +154,4 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
   return image;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "reference/mesh_scene.h"
+#include "reference/names.h"
 #include "reference/trace.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 
 /// Linear RGB and coverage of each pixel, row 0 on top. rgb is premultiplied by alpha.
 struct TracedImage {
@@ -25,14 +26,14 @@ struct DrapePicture {
   int width = 0, height = 0, spp = 64, bounces = 0;
   glm::vec3 eye{0};
   glm::mat4 clip_to_world{1};
-  glm::vec3 light_towards{0, 0, 1};   // world
+  glm::vec3 light_towards{0, 0, 1};  // world
   float light_radius_rad = 0.005f;
   glm::vec3 light_irradiance{3.14159265f};
-  std::function<glm::vec3(glm::vec3)> sky;   // radiance by world direction; empty: black
-  bool front = true;                  // the mesh's front shows the cloth's front
-  int first_sample = 0;               // of each pixel: pictures that go on where others ended may be averaged
-  int threads = 0;                    // 0: all cores
-  std::stop_token stop;               // when asked to stop, the rows not yet begun stay empty
+  std::function<glm::vec3(glm::vec3)> sky;  // radiance by world direction; empty: black
+  bool front = true;                        // the mesh's front shows the cloth's front
+  int first_sample = 0;                     // of each pixel: pictures that go on where others ended may be averaged
+  int threads = 0;                          // 0: all cores
+  std::stop_token stop;                     // when asked to stop, the rows not yet begun stay empty
 };
 /// The mesh gives position and frame; in each point's frame the ray goes through the endless flat cloth.
 /// `body`: what stops light beside the cloth, may be null.
@@ -44,10 +45,10 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
 struct FlatPicture {
   int width = 0, height = 0, spp = 64, bounces = 0;
   glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
-  glm::vec3 view{0, 0, 1};            // unit, towards the eye, cloth space
+  glm::vec3 view{0, 0, 1};  // unit, towards the eye, cloth space
   Surroundings around;
-  uint64_t seed = 0;                  // other seeds give independent samples
+  uint64_t seed = 0;  // other seeds give independent samples
 };
 TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress);
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

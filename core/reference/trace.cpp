@@ -7,7 +7,7 @@
 #include "light/formulas.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -85,15 +85,17 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   glm::vec3 normal = hit.normal;
   if (texture.plies > 1) {
     const float slant = 4 * texture.ply_relief_mm * texel.ply;
-    normal = glm::normalize(normal + around * (slant * static_cast<float>(texture.plies) / (2 * kPi * texture.radius_mm)) +
-                            hit.axis * (slant * static_cast<float>(texture.ply_advance) / length));
+    normal =
+        glm::normalize(normal + around * (slant * static_cast<float>(texture.plies) / (2 * kPi * texture.radius_mm)) +
+                       hit.axis * (slant * static_cast<float>(texture.ply_advance) / length));
   }
   p.smooth = glm::dot(hit.normal, from) >= 0 ? hit.normal : -hit.normal;
   if (glm::dot(normal, from) <= 0) normal = p.smooth;
   p.frame = formulas::lobe_frame(normal, hit.axis + around * texture.fibre_tan);
   const Yarn& yarn = cloth.yarns[static_cast<size_t>(body.yarn)];
-  p.lobes = yarn_lobes(yarn.lobes, {std::min(body.colour.r * texel.tone, 1.0f), std::min(body.colour.g * texel.tone, 1.0f),
-                                    std::min(body.colour.b * texel.tone, 1.0f)});
+  p.lobes =
+      yarn_lobes(yarn.lobes, {std::min(body.colour.r * texel.tone, 1.0f), std::min(body.colour.g * texel.tone, 1.0f),
+                              std::min(body.colour.b * texel.tone, 1.0f)});
   p.shared = formulas::lobe_shared(p.lobes);
   p.local_out = formulas::lobe_local(p.frame, from);
   p.out = formulas::lobe_side(p.lobes, p.shared, p.local_out);
@@ -119,7 +121,8 @@ glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Random
   const glm::vec3 local = formulas::lobe_local(p.frame, towards);
   glm::vec3 f;
   if (local.z > 0) {
-    f = formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local, p.local_out);
+    f = formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
+                               p.local_out);
   } else {
     const glm::vec3 mirrored(local.x, local.y, -local.z);
     f = formulas::lobe_transmit(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, mirrored), p.out);
@@ -145,7 +148,8 @@ Seen ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, cons
     if (glm::dot(direction, p.smooth) <= 0) return seen;
     const glm::vec3 local = formulas::lobe_local(p.frame, direction);
     weight *= formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
-                                     p.local_out) * (kPi * p.groove);
+                                     p.local_out) *
+              (kPi * p.groove);
     const glm::vec3 from = p.position + p.smooth * hair_mm_;
     if (!tubes_.intersect(from, direction, 0, hit)) {
       if (around.sky) seen.radiance += weight * around.sky(direction);
@@ -155,4 +159,4 @@ Seen ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, cons
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "cloth/thread_texture.h"
+#include "reference/names.h"
 #include "reference/tubes.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 
 /// Repeatable random numbers (O'Neill 2014, PCG-XSH-RR 64/32).
 class RandomStream {
@@ -32,8 +33,8 @@ class RandomStream {
 
 /// What lies around the cloth at a point of it.
 struct Surroundings {
-  glm::vec3 light_towards{0, 0, 1};  // unit, cloth space
-  float light_radius_rad = 0;        // half angle of its disc
+  glm::vec3 light_towards{0, 0, 1};         // unit, cloth space
+  float light_radius_rad = 0;               // half angle of its disc
   glm::vec3 light_irradiance{3.14159265f};  // on a surface that faces it
   /// Whether something outside the cloth hides the light in that direction. Empty: nothing does.
   std::function<bool(glm::vec3)> hidden;
@@ -43,7 +44,7 @@ struct Surroundings {
 
 struct Seen {
   glm::vec3 radiance{0};
-  bool hit = false;   // false: the ray went through a gap
+  bool hit = false;  // false: the ray went through a gap
 };
 
 class ClothTracer {
@@ -61,7 +62,7 @@ class ClothTracer {
 
   const TubeScene& tubes_;
   std::vector<ThreadTexture> textures_[2];
-  float hair_mm_;   // offset of secondary rays
+  float hair_mm_;  // offset of secondary rays
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

@@ -12,7 +12,7 @@
 #include "cloth/centre_line.h"
 #include "reference/embree.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -53,7 +53,7 @@ struct TubeScene::Parts {
   int rings[2] = {0, 0};  // segments along a tube of each system over the tile
   // Segments beyond both of its ends: sections lean, so what is on top at the tile's edge may start outside it.
   int beyond[2] = {0, 0};
-  glm::vec2 tile{0};      // tile size, whole periods
+  glm::vec2 tile{0};  // tile size, whole periods
   float z_min = 0, z_max = 0;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -70,7 +70,9 @@ struct TubeScene::Parts {
   float period_across(System s) const { return s == System::kWarp ? cloth.width_mm : cloth.depth_mm; }
   int segments(System s) const { return rings[static_cast<int>(s)] + 2 * beyond[static_cast<int>(s)]; }
   float step(System s) const { return tile_along(s) / static_cast<float>(rings[static_cast<int>(s)]); }
-  float along_of(System s, float ring) const { return (ring - static_cast<float>(beyond[static_cast<int>(s)])) * step(s); }
+  float along_of(System s, float ring) const {
+    return (ring - static_cast<float>(beyond[static_cast<int>(s)])) * step(s);
+  }
   float thickest(System s) const {
     float most = 0;
     for (const ThreadBody& body : threads(s)) most = std::max(most, body.height_mm);
@@ -192,11 +194,10 @@ bool TubeScene::Parts::make_scene() {
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                   sizeof(glm::vec3), vertex_count()));
-  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                 3 * sizeof(uint32_t),
-                                                                 static_cast<size_t>(triangle_count())));
+  auto* vertices = static_cast<glm::vec3*>(
+      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), vertex_count()));
+  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+      mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), static_cast<size_t>(triangle_count())));
   const bool room = vertices && indices;
   if (room) {
     fill(vertices, indices);
@@ -211,7 +212,8 @@ bool TubeScene::Parts::make_scene() {
 void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
   const uint32_t prim = ray.hit.primID;
   const auto tube = std::upper_bound(tubes.begin(), tubes.end(), prim,
-                                     [](uint32_t p, const Tube& t) { return p < t.first_triangle; }) - 1;
+                                     [](uint32_t p, const Tube& t) { return p < t.first_triangle; }) -
+                    1;
   const uint32_t quad = (prim - tube->first_triangle) / 2;
   const bool second = (prim - tube->first_triangle) & 1;
   const float ring = static_cast<float>(quad / static_cast<uint32_t>(around));
@@ -316,4 +318,4 @@ bool TubeScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) con
   });
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

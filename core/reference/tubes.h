@@ -8,8 +8,9 @@
 #include <string>
 
 #include "cloth/cloth.h"
+#include "reference/names.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 
 struct TubeOptions {
   int around = 48;                     // facets of a section
@@ -23,8 +24,8 @@ struct TubeHit {
   glm::vec3 normal, axis;  // smooth normal of the section; unit direction of the centre line
   System system = System::kWarp;
   int thread = 0;
-  float along_mm = 0;      // on the centre line, within the period
-  float around_rad = 0;    // on the section: 0 towards +across, pi / 2 up
+  float along_mm = 0;    // on the centre line, within the period
+  float around_rad = 0;  // on the section: 0 towards +across, pi / 2 up
 };
 
 class TubeScene {
@@ -49,4 +50,4 @@ class TubeScene {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::reference

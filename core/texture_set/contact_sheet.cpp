@@ -6,7 +6,7 @@
 
 #include "texture_set/rows.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 // Texels of the sheet.
@@ -28,8 +28,10 @@ Linear lit(const SurfaceTexel& t) {
   static const Three half = unit({light[0] + eye[0], light[1] + eye[1], light[2] + eye[2]});
   const GgxAlphas a = ggx_alphas(t);
   const float wide = std::max(a.wide, 0.05f), narrow = std::max(a.narrow, 0.05f);
-  const Three wx = unit({a.wide_axis[0], a.wide_axis[1], -(a.wide_axis[0] * t.normal[0] + a.wide_axis[1] * t.normal[1]) / std::max(t.normal[2], 0.2f)});
-  const Three wy{t.normal[1] * wx[2] - t.normal[2] * wx[1], t.normal[2] * wx[0] - t.normal[0] * wx[2], t.normal[0] * wx[1] - t.normal[1] * wx[0]};
+  const Three wx = unit({a.wide_axis[0], a.wide_axis[1],
+                         -(a.wide_axis[0] * t.normal[0] + a.wide_axis[1] * t.normal[1]) / std::max(t.normal[2], 0.2f)});
+  const Three wy{t.normal[1] * wx[2] - t.normal[2] * wx[1], t.normal[2] * wx[0] - t.normal[0] * wx[2],
+                 t.normal[0] * wx[1] - t.normal[1] * wx[0]};
   const float hx = dot(half, wx) / wide, hy = dot(half, wy) / narrow, hz = dot(half, t.normal);
   const float q = hx * hx + hy * hy + hz * hz;
   const float d = 1 / (3.14159265f * wide * narrow * q * q);
@@ -39,13 +41,16 @@ Linear lit(const SurfaceTexel& t) {
   auto channel = [&](float base, float sheen) {
     const float f0 = 0.044f + (base - 0.044f) * t.metal;
     constexpr float kBehind = 0.30f;  // a grey wall seen through the gaps
-    return (1 - t.coverage) * kBehind + t.coverage * (base * (1 - t.metal) * (1.25f * falling * (0.35f + 0.65f * t.occlusion) + sky) + f0 * (shine + sky) + 0.15f * sheen * sky);
+    return (1 - t.coverage) * kBehind +
+           t.coverage * (base * (1 - t.metal) * (1.25f * falling * (0.35f + 0.65f * t.occlusion) + sky) +
+                         f0 * (shine + sky) + 0.15f * sheen * sky);
   };
   return {channel(t.base.r, t.sheen.r), channel(t.base.g, t.sheen.g), channel(t.base.b, t.sheen.b)};
 }
 
 void put(Image& image, int x, int y, float r, float g, float b) {
-  float* at = image.texels.data() + (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) * 3;
+  float* at =
+      image.texels.data() + (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) * 3;
   at[0] = r, at[1] = g, at[2] = b;
 }
 
@@ -71,7 +76,9 @@ Image shrunk(const Image& image, const Colour& colour) {
       Three sum{};
       for (int j = y0; j < y1; ++j) {
         for (int i = x0; i < x1; ++i) {
-          const Three c = colour(image.texels.data() + (static_cast<size_t>(j) * static_cast<size_t>(image.width) + static_cast<size_t>(i)) * static_cast<size_t>(image.channels));
+          const Three c = colour(image.texels.data() +
+                                 (static_cast<size_t>(j) * static_cast<size_t>(image.width) + static_cast<size_t>(i)) *
+                                     static_cast<size_t>(image.channels));
           for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
         }
       }
@@ -84,7 +91,9 @@ Image shrunk(const Image& image, const Colour& colour) {
 
 /// Four columns or five, whichever leaves fewer places empty; the lit swatch takes two by two.
 int columns_for(size_t entries) {
-  auto empty = [n = static_cast<int>(entries) + 4](int columns) { return std::max((n + columns - 1) / columns, 2) * columns - n; };
+  auto empty = [n = static_cast<int>(entries) + 4](int columns) {
+    return std::max((n + columns - 1) / columns, 2) * columns - n;
+  };
   return empty(5) < empty(4) ? 5 : 4;
 }
 
@@ -106,7 +115,8 @@ Image thread_thumbnail(const Image& image) {
     // Golden-ratio steps round the hues keep neighbours apart; warp is dark, weft is light.
     const float turn = std::fmod((t[0] + t[1] * 65536.0f) * 65535.0f * 0.618034f + 0.37f * t[2], 1.0f) * 6.2831853f;
     const float level = t[2] > 0.5f ? 0.72f : 0.45f;
-    return {level + 0.2f * std::cos(turn), level + 0.2f * std::cos(turn - 2.0944f), level + 0.2f * std::cos(turn + 2.0944f)};
+    return {level + 0.2f * std::cos(turn), level + 0.2f * std::cos(turn - 2.0944f),
+            level + 0.2f * std::cos(turn + 2.0944f)};
   });
 }
 
@@ -118,7 +128,8 @@ Image lit_swatch(const Surface& surface, int width, int height, float repeats_ac
   });
   Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
   const float mm = repeats_across * surface.width_mm / static_cast<float>(width);  // of a texel of the swatch
-  const float step_x = mm / surface.width_mm * static_cast<float>(w), step_y = mm / surface.depth_mm * static_cast<float>(h);
+  const float step_x = mm / surface.width_mm * static_cast<float>(w),
+              step_y = mm / surface.depth_mm * static_cast<float>(h);
   const int taps = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y))), 2, 8);
   for_rows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
@@ -126,13 +137,15 @@ Image lit_swatch(const Surface& surface, int width, int height, float repeats_ac
       for (int j = 0; j < taps; ++j) {
         for (int i = 0; i < taps; ++i) {
           const float fx = (static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(taps)) * step_x;
-          const float fy = (static_cast<float>(height - 1 - y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps)) * step_y;
+          const float fy =
+              (static_cast<float>(height - 1 - y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps)) * step_y;
           const Linear& c = radiance.at(static_cast<int>(fx) % w, static_cast<int>(fy) % h);
           sum.r += c.r, sum.g += c.g, sum.b += c.b;
         }
       }
       const float share = 1.0f / static_cast<float>(taps * taps);
-      const Rgb c = srgb_from_linear({std::min(sum.r * share, 1.0f), std::min(sum.g * share, 1.0f), std::min(sum.b * share, 1.0f)});
+      const Rgb c = srgb_from_linear(
+          {std::min(sum.r * share, 1.0f), std::min(sum.g * share, 1.0f), std::min(sum.b * share, 1.0f)});
       put(out, x, y, c.r, c.g, c.b);
     }
   });
@@ -165,4 +178,4 @@ Image contact_sheet(const std::string& title, const std::string& facts, const Su
   return sheet;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

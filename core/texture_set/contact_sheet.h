@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "files/files.h"
+#include "texture_set/names.h"
 #include "texture_set/surface.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 
 struct SheetEntry {
   std::string label;
@@ -28,4 +29,4 @@ Image contact_sheet(const std::string& title, const std::string& facts, const Su
 /// `repeats` periods across, whatever its size.
 Image lit_swatch(const Surface& surface, int width, int height, float repeats_across);
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

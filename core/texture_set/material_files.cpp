@@ -5,7 +5,7 @@
 
 #include "files/atomic_file.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 // Engines cut alpha at one half, so that a texel that is more gap than thread goes.
@@ -55,7 +55,8 @@ uv1_scale = Vector3({SCALE_U}, {SCALE_V}, 1)
 )";
 
 // Blender 3.4 and 4: run it in the scripting tab, or `blender -P` it. Sockets were renamed in 4.0.
-constexpr const char* kBlenderScript = R"("""Builds the material "{NAME}" from the images beside this file. One UV unit is one repeat of
+constexpr const char* kBlenderScript =
+    R"("""Builds the material "{NAME}" from the images beside this file. One UV unit is one repeat of
 {WIDTH_MM} x {DEPTH_MM} mm; for a mesh whose UVs are millimetres set MM_UV = True (the .glb's are)."""
 import os
 import bpy
@@ -160,11 +161,12 @@ bool has_gaps(const Surface& surface) {
                      [](const SurfaceTexel& t) { return t.coverage < kAlphaCut; });
 }
 
-MaterialFile write_material(const std::string& folder, const std::string& name, Target target,
-                            const Surface& surface, const Mesh& mesh) {
+MaterialFile write_material(const std::string& folder, const std::string& name, Target target, const Surface& surface,
+                            const Mesh& mesh) {
   const std::string path = folder + "/" + name;
   switch (target) {
-    case Target::kGltf: return {name + ".glb", write_glb(path + ".glb", name, surface, mesh)};
+    case Target::kGltf:
+      return {name + ".glb", write_glb(path + ".glb", name, surface, mesh)};
     case Target::kGodot:
       return {name + ".tres", write_text(path + ".tres", filled(kGodotMaterial, template_values(name, surface)))};
     case Target::kBlender: {
@@ -175,9 +177,10 @@ MaterialFile write_material(const std::string& folder, const std::string& name, 
     case Target::kRaw:
     case Target::kUnreal:
     case Target::kUnityHdrp:
-    case Target::kUnityUrp: break;
+    case Target::kUnityUrp:
+      break;
   }
   return {};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

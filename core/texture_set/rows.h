@@ -7,7 +7,9 @@
 #include <thread>
 #include <vector>
 
-namespace weftlight {
+#include "texture_set/names.h"
+
+namespace weftlight::texture_set {
 
 template <class Function>
 void for_rows(int rows, const Function& do_row) {
@@ -21,4 +23,4 @@ void for_rows(int rows, const Function& do_row) {
   work();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

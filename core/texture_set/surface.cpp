@@ -10,7 +10,7 @@
 
 #include "texture_set/rows.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 using Three = std::array<float, 3>;
@@ -80,7 +80,8 @@ SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, con
   const Linear dye = maps.colour.at(x, y);
   const Linear colour = scaled(dye, maps.groove.at(x, y));
   SurfaceTexel out;
-  out.base = lobes.metallic ? Linear{colour.r * tint.r, colour.g * tint.g, colour.b * tint.b} : scaled(colour, lobes.body);
+  out.base =
+      lobes.metallic ? Linear{colour.r * tint.r, colour.g * tint.g, colour.b * tint.b} : scaled(colour, lobes.body);
   // Light leaves a lone fibre after fewer meetings with the dye: the root of its colour.
   out.sheen = scaled({std::sqrt(dye.r), std::sqrt(dye.g), std::sqrt(dye.b)}, lobes.fuzz);
   out.through = lobes.metallic ? Linear{} : scaled(out.base, lobes.transmission);
@@ -247,4 +248,4 @@ std::array<float, 2> ggx_along_across(const SurfaceTexel& texel) {
           alpha_of((xx * y * y - 2 * xy * x * y + yy * x * x) / length2)};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

@@ -9,24 +9,25 @@
 #include <vector>
 
 #include "cloth/maps.h"
+#include "texture_set/names.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 
 /// A texel of the surface. Axes: x along the weft (u), y along the warp (v), z towards the viewer.
 struct SurfaceTexel {
-  Linear base;                        // body colour with grooves; a metal's reflectance
-  Linear sheen;                       // colour of the fibres that stand off, times their share
-  Linear through;                     // light from behind, of the body
-  float coverage = 0;                 // 0 a gap .. 1
+  Linear base;         // body colour with grooves; a metal's reflectance
+  Linear sheen;        // colour of the fibres that stand off, times their share
+  Linear through;      // light from behind, of the body
+  float coverage = 0;  // 0 a gap .. 1
   float height_mm = 0;
   float occlusion = 1;
   float metal = 0;
   float sheen_roughness = 0.5f;
   std::array<float, 3> normal{0, 0, 1};
   std::array<float, 3> fibre{1, 0, 0};
-  std::array<float, 3> slope_cov{};   // xx, xy, yy of the micro-slopes about the normal
-  uint32_t thread = 0;                // that covers most
-  uint8_t system = 0;                 // 0 warp, 1 weft
+  std::array<float, 3> slope_cov{};  // xx, xy, yy of the micro-slopes about the normal
+  uint32_t thread = 0;               // that covers most
+  uint8_t system = 0;                // 0 warp, 1 weft
 };
 
 struct Surface {
@@ -51,11 +52,11 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts);
 /// alpha has the same peak, 1 / (pi alpha^2). Based on: Walter, Marschner, Li, Torrance, Microfacet Models
 /// for Refraction through Rough Surfaces, 2007; variances add: Olano, Baker, LEAN Mapping, 2010.
 struct GgxAlphas {
-  float wide = 1, narrow = 1;         // 0..1
+  float wide = 1, narrow = 1;  // 0..1
   std::array<float, 2> wide_axis{1, 0};
 };
 GgxAlphas ggx_alphas(const SurfaceTexel& texel);
 /// Alphas along and across the texel's fibre.
 std::array<float, 2> ggx_along_across(const SurfaceTexel& texel);
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

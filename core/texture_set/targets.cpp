@@ -8,7 +8,7 @@
 
 #include "texture_set/rows.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 using enum Channel;
@@ -82,9 +82,12 @@ struct TargetRow {
   const char* normal;
 };
 constexpr TargetRow kTargets[] = {
-    {Target::kRaw, "raw", "+Y"},           {Target::kGltf, "gltf", "+Y"},
-    {Target::kUnreal, "unreal", "-Y"},     {Target::kUnityHdrp, "unity-hdrp", "+Y"},
-    {Target::kUnityUrp, "unity-urp", "+Y"}, {Target::kGodot, "godot", "+Y"},
+    {Target::kRaw, "raw", "+Y"},
+    {Target::kGltf, "gltf", "+Y"},
+    {Target::kUnreal, "unreal", "-Y"},
+    {Target::kUnityHdrp, "unity-hdrp", "+Y"},
+    {Target::kUnityUrp, "unity-urp", "+Y"},
+    {Target::kGodot, "godot", "+Y"},
     {Target::kBlender, "blender", "+Y"},
 };
 
@@ -112,42 +115,78 @@ float aspect_anisotropy(const GgxAlphas& a) {
 
 float value(Channel channel, const SurfaceTexel& t, bool srgb) {
   switch (channel) {
-    case kNone: return 0;
-    case kOne: return 1;
-    case kBaseR: return encoded(t.base.r, srgb);
-    case kBaseG: return encoded(t.base.g, srgb);
-    case kBaseB: return encoded(t.base.b, srgb);
-    case kCoverage: return t.coverage;
-    case kOcclusion: return t.occlusion;
-    case kMetal: return t.metal;
-    case kRoughness: return round_roughness(ggx_alphas(t));
-    case kSmoothness: return 1 - round_roughness(ggx_alphas(t));
-    case kRoughnessNarrow: return std::sqrt(ggx_alphas(t).narrow);
-    case kRoughnessAlong: return std::sqrt(ggx_along_across(t)[0]);
-    case kRoughnessAcross: return std::sqrt(ggx_along_across(t)[1]);
-    case kNormalX: return half_range(t.normal[0]);
-    case kNormalY: return half_range(t.normal[1]);
-    case kNormalZ: return half_range(t.normal[2]);
-    case kNormalYDown: return half_range(-t.normal[1]);
-    case kFibreX: return half_range(t.fibre[0]);
-    case kFibreY: return half_range(t.fibre[1]);
-    case kFibreZ: return half_range(t.fibre[2]);
-    case kWideX: return half_range(ggx_alphas(t).wide_axis[0]);
-    case kWideY: return half_range(ggx_alphas(t).wide_axis[1]);
-    case kGltfAnisotropy: return gltf_strength(ggx_alphas(t));
-    case kAspectAnisotropy: return aspect_anisotropy(ggx_alphas(t));
-    case kSheenR: return encoded(t.sheen.r, srgb);
-    case kSheenG: return encoded(t.sheen.g, srgb);
-    case kSheenB: return encoded(t.sheen.b, srgb);
-    case kSheenRoughness: return t.sheen_roughness;
-    case kSheenWeight: return std::max({t.sheen.r, t.sheen.g, t.sheen.b});
-    case kThroughR: return encoded(t.through.r, srgb);
-    case kThroughG: return encoded(t.through.g, srgb);
-    case kThroughB: return encoded(t.through.b, srgb);
-    case kHeightMm: return t.height_mm;
-    case kThreadLow: return static_cast<float>(t.thread & 0xFFFFu) / 65535.0f;
-    case kThreadHigh: return static_cast<float>(t.thread >> 16) / 65535.0f;
-    case kSystem: return t.system;
+    case kNone:
+      return 0;
+    case kOne:
+      return 1;
+    case kBaseR:
+      return encoded(t.base.r, srgb);
+    case kBaseG:
+      return encoded(t.base.g, srgb);
+    case kBaseB:
+      return encoded(t.base.b, srgb);
+    case kCoverage:
+      return t.coverage;
+    case kOcclusion:
+      return t.occlusion;
+    case kMetal:
+      return t.metal;
+    case kRoughness:
+      return round_roughness(ggx_alphas(t));
+    case kSmoothness:
+      return 1 - round_roughness(ggx_alphas(t));
+    case kRoughnessNarrow:
+      return std::sqrt(ggx_alphas(t).narrow);
+    case kRoughnessAlong:
+      return std::sqrt(ggx_along_across(t)[0]);
+    case kRoughnessAcross:
+      return std::sqrt(ggx_along_across(t)[1]);
+    case kNormalX:
+      return half_range(t.normal[0]);
+    case kNormalY:
+      return half_range(t.normal[1]);
+    case kNormalZ:
+      return half_range(t.normal[2]);
+    case kNormalYDown:
+      return half_range(-t.normal[1]);
+    case kFibreX:
+      return half_range(t.fibre[0]);
+    case kFibreY:
+      return half_range(t.fibre[1]);
+    case kFibreZ:
+      return half_range(t.fibre[2]);
+    case kWideX:
+      return half_range(ggx_alphas(t).wide_axis[0]);
+    case kWideY:
+      return half_range(ggx_alphas(t).wide_axis[1]);
+    case kGltfAnisotropy:
+      return gltf_strength(ggx_alphas(t));
+    case kAspectAnisotropy:
+      return aspect_anisotropy(ggx_alphas(t));
+    case kSheenR:
+      return encoded(t.sheen.r, srgb);
+    case kSheenG:
+      return encoded(t.sheen.g, srgb);
+    case kSheenB:
+      return encoded(t.sheen.b, srgb);
+    case kSheenRoughness:
+      return t.sheen_roughness;
+    case kSheenWeight:
+      return std::max({t.sheen.r, t.sheen.g, t.sheen.b});
+    case kThroughR:
+      return encoded(t.through.r, srgb);
+    case kThroughG:
+      return encoded(t.through.g, srgb);
+    case kThroughB:
+      return encoded(t.through.b, srgb);
+    case kHeightMm:
+      return t.height_mm;
+    case kThreadLow:
+      return static_cast<float>(t.thread & 0xFFFFu) / 65535.0f;
+    case kThreadHigh:
+      return static_cast<float>(t.thread >> 16) / 65535.0f;
+    case kSystem:
+      return t.system;
   }
   return 0;
 }
@@ -155,7 +194,8 @@ float value(Channel channel, const SurfaceTexel& t, bool srgb) {
 }  // namespace
 
 std::span<const ImageRow> image_rows(Target target) {
-  const auto first = std::find_if(std::begin(kRows), std::end(kRows), [=](const ImageRow& r) { return r.target == target; });
+  const auto first =
+      std::find_if(std::begin(kRows), std::end(kRows), [=](const ImageRow& r) { return r.target == target; });
   const auto last = std::find_if(first, std::end(kRows), [=](const ImageRow& r) { return r.target != target; });
   return {first, last};
 }
@@ -172,42 +212,78 @@ const char* normal_convention(Target target) { return target_row(target).normal;
 
 const char* channel_words(Channel channel) {
   switch (channel) {
-    case kNone: return "none";
-    case kOne: return "one";
-    case kBaseR: return "base colour red";
-    case kBaseG: return "base colour green";
-    case kBaseB: return "base colour blue";
-    case kCoverage: return "coverage";
-    case kOcclusion: return "ambient occlusion";
-    case kMetal: return "metalness";
-    case kRoughness: return "roughness";
-    case kSmoothness: return "smoothness";
-    case kRoughnessNarrow: return "roughness of the narrow axis";
-    case kRoughnessAlong: return "roughness along the fibre";
-    case kRoughnessAcross: return "roughness across the fibre";
-    case kNormalX: return "normal x";
-    case kNormalY: return "normal y, up";
-    case kNormalZ: return "normal z";
-    case kNormalYDown: return "normal y, down";
-    case kFibreX: return "fibre direction x";
-    case kFibreY: return "fibre direction y";
-    case kFibreZ: return "fibre direction z";
-    case kWideX: return "anisotropy direction x";
-    case kWideY: return "anisotropy direction y";
-    case kGltfAnisotropy: return "anisotropy strength (KHR_materials_anisotropy)";
-    case kAspectAnisotropy: return "anisotropy (narrow / wide = 1 - 0.9 a)";
-    case kSheenR: return "sheen colour red";
-    case kSheenG: return "sheen colour green";
-    case kSheenB: return "sheen colour blue";
-    case kSheenRoughness: return "sheen roughness";
-    case kSheenWeight: return "weight of the cloth layer";
-    case kThroughR: return "transmitted light red";
-    case kThroughG: return "transmitted light green";
-    case kThroughB: return "transmitted light blue";
-    case kHeightMm: return "height in millimetres above the middle plane";
-    case kThreadLow: return "thread index modulo 65536";
-    case kThreadHigh: return "thread index over 65536";
-    case kSystem: return "thread system: 0 warp, 1 weft";
+    case kNone:
+      return "none";
+    case kOne:
+      return "one";
+    case kBaseR:
+      return "base colour red";
+    case kBaseG:
+      return "base colour green";
+    case kBaseB:
+      return "base colour blue";
+    case kCoverage:
+      return "coverage";
+    case kOcclusion:
+      return "ambient occlusion";
+    case kMetal:
+      return "metalness";
+    case kRoughness:
+      return "roughness";
+    case kSmoothness:
+      return "smoothness";
+    case kRoughnessNarrow:
+      return "roughness of the narrow axis";
+    case kRoughnessAlong:
+      return "roughness along the fibre";
+    case kRoughnessAcross:
+      return "roughness across the fibre";
+    case kNormalX:
+      return "normal x";
+    case kNormalY:
+      return "normal y, up";
+    case kNormalZ:
+      return "normal z";
+    case kNormalYDown:
+      return "normal y, down";
+    case kFibreX:
+      return "fibre direction x";
+    case kFibreY:
+      return "fibre direction y";
+    case kFibreZ:
+      return "fibre direction z";
+    case kWideX:
+      return "anisotropy direction x";
+    case kWideY:
+      return "anisotropy direction y";
+    case kGltfAnisotropy:
+      return "anisotropy strength (KHR_materials_anisotropy)";
+    case kAspectAnisotropy:
+      return "anisotropy (narrow / wide = 1 - 0.9 a)";
+    case kSheenR:
+      return "sheen colour red";
+    case kSheenG:
+      return "sheen colour green";
+    case kSheenB:
+      return "sheen colour blue";
+    case kSheenRoughness:
+      return "sheen roughness";
+    case kSheenWeight:
+      return "weight of the cloth layer";
+    case kThroughR:
+      return "transmitted light red";
+    case kThroughG:
+      return "transmitted light green";
+    case kThroughB:
+      return "transmitted light blue";
+    case kHeightMm:
+      return "height in millimetres above the middle plane";
+    case kThreadLow:
+      return "thread index modulo 65536";
+    case kThreadHigh:
+      return "thread index over 65536";
+    case kSystem:
+      return "thread system: 0 warp, 1 weft";
   }
   return "";
 }
@@ -216,7 +292,9 @@ Image pack(const ImageRow& row, const Surface& surface) {
   const int width = surface.texels.width, height = surface.texels.height;
   const auto end = std::find(row.channels.begin(), row.channels.end(), kNone);
   const int channels = static_cast<int>(end - row.channels.begin());
-  Image image{width, height, channels, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
+  Image image{
+      width, height, channels,
+      std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
   for_rows(height, [&](int y) {
     const SurfaceTexel* texel = surface.texels.row(height - 1 - y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
@@ -240,4 +318,4 @@ Image pack_planes(const std::vector<Plane<float>>& planes) {
   return image;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

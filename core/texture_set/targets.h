@@ -8,9 +8,10 @@
 #include <string>
 
 #include "files/files.h"
+#include "texture_set/names.h"
 #include "texture_set/surface.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 
 enum class Target { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlender };
 
@@ -18,27 +19,40 @@ enum class Target { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlende
 enum class Channel {
   kNone,  // ends the list of channels
   kOne,
-  kBaseR, kBaseG, kBaseB,           // linear light; encoded where the image is sRGB
+  kBaseR,
+  kBaseG,
+  kBaseB,  // linear light; encoded where the image is sRGB
   kCoverage,
   kOcclusion,
   kMetal,
-  kRoughness,                       // sqrt of the alpha of a round lobe as large as this one
-  kSmoothness,                      // 1 - kRoughness
-  kRoughnessNarrow,                 // of the narrow axis: glTF's base roughness
-  kRoughnessAlong, kRoughnessAcross,  // of the fibre
-  kNormalX, kNormalY, kNormalZ,     // -1..1 as 0..1; x along the weft, y along the warp, up the image
-  kNormalYDown,                     // the same for engines whose green runs down
-  kFibreX, kFibreY, kFibreZ,        // likewise
-  kWideX, kWideY,                   // direction of the wider axis, likewise
-  kGltfAnisotropy,                  // strength s of KHR_materials_anisotropy: alpha_t = mix(alpha, 1, s^2)
-  kAspectAnisotropy,                // of Godot and Blender: narrow / wide = 1 - 0.9 a
-  kSheenR, kSheenG, kSheenB,        // linear light
+  kRoughness,        // sqrt of the alpha of a round lobe as large as this one
+  kSmoothness,       // 1 - kRoughness
+  kRoughnessNarrow,  // of the narrow axis: glTF's base roughness
+  kRoughnessAlong,
+  kRoughnessAcross,  // of the fibre
+  kNormalX,
+  kNormalY,
+  kNormalZ,      // -1..1 as 0..1; x along the weft, y along the warp, up the image
+  kNormalYDown,  // the same for engines whose green runs down
+  kFibreX,
+  kFibreY,
+  kFibreZ,  // likewise
+  kWideX,
+  kWideY,             // direction of the wider axis, likewise
+  kGltfAnisotropy,    // strength s of KHR_materials_anisotropy: alpha_t = mix(alpha, 1, s^2)
+  kAspectAnisotropy,  // of Godot and Blender: narrow / wide = 1 - 0.9 a
+  kSheenR,
+  kSheenG,
+  kSheenB,  // linear light
   kSheenRoughness,
-  kSheenWeight,                     // largest of the sheen's colour
-  kThroughR, kThroughG, kThroughB,  // linear light
-  kHeightMm,                        // millimetres, signed
-  kThreadLow, kThreadHigh,          // index of the thread in its system, modulo and over 65536, as 16 bits
-  kSystem,                          // 0 warp, 1 weft
+  kSheenWeight,  // largest of the sheen's colour
+  kThroughR,
+  kThroughG,
+  kThroughB,  // linear light
+  kHeightMm,  // millimetres, signed
+  kThreadLow,
+  kThreadHigh,  // index of the thread in its system, modulo and over 65536, as 16 bits
+  kSystem,      // 0 warp, 1 weft
 };
 
 struct ImageRow {
@@ -66,4 +80,4 @@ Image pack(const ImageRow& row, const Surface& surface);
 /// Mean or spread of the horizon, a channel an azimuth; likewise upright.
 Image pack_planes(const std::vector<Plane<float>>& planes);
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

@@ -14,14 +14,14 @@
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr int kLeastSide = 16;
-constexpr int kAzimuths = 16;  // of the horizon, which occlusion is made from
+constexpr int kAzimuths = 16;                           // of the horizon, which occlusion is made from
 constexpr int64_t kMostBakedTexels = int64_t{1} << 24;  // about 1 GiB of maps
 constexpr int kSamplesAThread = 4;
 
@@ -29,7 +29,8 @@ constexpr int kSamplesAThread = 4;
 /// of normals is known; more where threads are finer than texels; fewer where memory ends.
 int supersampling(const Cloth& cloth, TextureSize size) {
   const double texels_x = static_cast<double>(size.width) / static_cast<double>(std::max<size_t>(cloth.ends.size(), 1));
-  const double texels_y = static_cast<double>(size.height) / static_cast<double>(std::max<size_t>(cloth.picks.size(), 1));
+  const double texels_y =
+      static_cast<double>(size.height) / static_cast<double>(std::max<size_t>(cloth.picks.size(), 1));
   int factor = 2;
   while (factor < 8 && std::min(texels_x, texels_y) * factor < kSamplesAThread) factor *= 2;
   while (factor > 1 && int64_t{size.width} * size.height * factor * factor > kMostBakedTexels) factor /= 2;
@@ -45,10 +46,14 @@ Surface surface_of(const Cloth& cloth, TextureSize size, bool with_horizon) {
 
 const char* type_words(PixelType type) {
   switch (type) {
-    case PixelType::kU8: return "8-bit";
-    case PixelType::kU16: return "16-bit";
-    case PixelType::kHalf: return "half";
-    case PixelType::kFloat: break;
+    case PixelType::kU8:
+      return "8-bit";
+    case PixelType::kU16:
+      return "16-bit";
+    case PixelType::kHalf:
+      return "half";
+    case PixelType::kFloat:
+      break;
   }
   return "float";
 }
@@ -62,8 +67,8 @@ struct Writing {
   std::string problem;
 };
 
-void record(Writing& set, const std::string& file, const char* face, const char* space, PixelType type, const Image& image,
-            json channels) {
+void record(Writing& set, const std::string& file, const char* face, const char* space, PixelType type,
+            const Image& image, json channels) {
   set.maps.push_back({{"file", file},
                       {"face", face},
                       {"color_space", space},
@@ -76,7 +81,8 @@ void record(Writing& set, const std::string& file, const char* face, const char*
 json channel_list(const ImageRow& row) {
   constexpr const char* kLetters[] = {"R", "G", "B", "A"};
   json out = json::object();
-  for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c) out[kLetters[c]] = channel_words(row.channels[c]);
+  for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c)
+    out[kLetters[c]] = channel_words(row.channels[c]);
   return out;
 }
 
@@ -94,13 +100,16 @@ Image side_by_side(const Image& a, const Image& b) {
   Image out{a.width, a.height, a.channels + b.channels, {}};
   out.texels.reserve(a.texels.size() + b.texels.size());
   for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
-    for (int c = 0; c < a.channels; ++c) out.texels.push_back(a.texels[i * static_cast<size_t>(a.channels) + static_cast<size_t>(c)]);
-    for (int c = 0; c < b.channels; ++c) out.texels.push_back(b.texels[i * static_cast<size_t>(b.channels) + static_cast<size_t>(c)]);
+    for (int c = 0; c < a.channels; ++c)
+      out.texels.push_back(a.texels[i * static_cast<size_t>(a.channels) + static_cast<size_t>(c)]);
+    for (int c = 0; c < b.channels; ++c)
+      out.texels.push_back(b.texels[i * static_cast<size_t>(b.channels) + static_cast<size_t>(c)]);
   }
   return out;
 }
 
-void write_row(Writing& set, const ImageRow& row, const Surface& surface, const char* face, const std::string& face_suffix) {
+void write_row(Writing& set, const ImageRow& row, const Surface& surface, const char* face,
+               const std::string& face_suffix) {
   if (!set.problem.empty()) return;
   const std::string file = row.prefix + set.options.name + face_suffix + row.suffix + row.extension;
   const Image image = pack(row, surface);
@@ -125,7 +134,9 @@ void write_mips(Writing& set, const Surface& surface, const char* face, const st
   const std::string file = set.options.name + face_suffix + "_mips.exr";
   set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf);
   json channels;
-  for (int k = 0; k < 5; ++k) channels["c00" + std::to_string(k)] = channel_words(k < 3 ? kNormal[static_cast<size_t>(k)] : kRough[static_cast<size_t>(k - 3)]);
+  for (int k = 0; k < 5; ++k)
+    channels["c00" + std::to_string(k)] =
+        channel_words(k < 3 ? kNormal[static_cast<size_t>(k)] : kRough[static_cast<size_t>(k - 3)]);
   record(set, file, face, "linear", PixelType::kHalf, levels[0], std::move(channels));
   set.maps.back()["mip_levels"] = levels.size();
 }
@@ -138,7 +149,8 @@ void write_horizon(Writing& set, const std::vector<Plane<float>>& planes, const 
   set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf);
   json channels = json::object();
   for (int k = 0; k < image.channels; ++k) {
-    channels[std::to_string(k)] = "sine of the horizon's elevation, " + what + ", towards azimuth " + std::to_string(360.0 * k / image.channels) + " degrees from u to v";
+    channels[std::to_string(k)] = "sine of the horizon's elevation, " + what + ", towards azimuth " +
+                                  std::to_string(360.0 * k / image.channels) + " degrees from u to v";
   }
   record(set, file, face, "linear", PixelType::kHalf, image, std::move(channels));
   set.sheet.push_back({"horizon_" + what + face_suffix, thumbnail(image)});
@@ -162,14 +174,15 @@ std::string millimetres(float v) {
 std::string size_words(const Surface& s) { return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm"; }
 
 std::string readme(const Surface& s, const TextureSetOptions& o) {
-  return o.name + ": one seamless repeat of " + o.source + ", " + size_words(s) + " (" + std::to_string(s.texels.width) + " x " +
-         std::to_string(s.texels.height) + " texels), for " + target_name(o.target) + ".\n" +
-         "Tile it once every " + size_words(s) + "; normal maps are " + normal_convention(o.target) +
-         ", u runs along the weft, v up along the warp.\n" +
+  return o.name + ": one seamless repeat of " + o.source + ", " + size_words(s) + " (" +
+         std::to_string(s.texels.width) + " x " + std::to_string(s.texels.height) + " texels), for " +
+         target_name(o.target) + ".\n" + "Tile it once every " + size_words(s) + "; normal maps are " +
+         normal_convention(o.target) + ", u runs along the weft, v up along the warp.\n" +
          "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n";
 }
 
-std::string list_of(const Writing& set, const Design& design, const Cloth& cloth, const Surface& s, const std::string& material) {
+std::string list_of(const Writing& set, const Design& design, const Cloth& cloth, const Surface& s,
+                    const std::string& material) {
   json root{{"format", "weftlight texture set"},
             {"format_version", 1},
             {"program", "weftlight " + set.options.program_version},
@@ -198,14 +211,18 @@ void finish(Writing& set, const Design& design, const Cloth& cloth, const Surfac
   if (!set.problem.empty()) return;
   const std::string title = design.title.empty() ? set.options.name : printable(design.title);
   const std::string facts = std::string(target_name(set.options.target)) + "   " + size_words(front) + "   " +
-                            std::to_string(cloth.ends.size()) + " ends x " + std::to_string(cloth.picks.size()) + " picks   " +
-                            std::to_string(front.texels.width) + " x " + std::to_string(front.texels.height) + " texels";
-  set.problem = write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, front, set.sheet), PixelType::kU8);
+                            std::to_string(cloth.ends.size()) + " ends x " + std::to_string(cloth.picks.size()) +
+                            " picks   " + std::to_string(front.texels.width) + " x " +
+                            std::to_string(front.texels.height) + " texels";
+  set.problem =
+      write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, front, set.sheet), PixelType::kU8);
   if (set.problem.empty()) set.problem = write_text(set.folder + "/README.md", readme(front, set.options));
-  if (set.problem.empty()) set.problem = write_text(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
+  if (set.problem.empty())
+    set.problem = write_text(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
 }
 
-std::string write_into(const std::string& folder, const Design& design, const Mesh& mesh, const TextureSetOptions& options) {
+std::string write_into(const std::string& folder, const Design& design, const Mesh& mesh,
+                       const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
   const bool raw = options.target == Target::kRaw;
@@ -251,7 +268,8 @@ std::string put_in_place(const fs::path& made, const fs::path& folder) {
 std::string file_name_of(const std::string& text) {
   std::string out;
   for (char c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     if (plain) out += c;
     else if (!out.empty() && out.back() != '_') out += '_';
   }
@@ -262,14 +280,16 @@ std::string file_name_of(const std::string& text) {
 TextureSize texture_size(float width_mm, float depth_mm, int size) {
   const float longer = std::max(width_mm, depth_mm);
   auto side = [&](float mm) {
-    const double exact = static_cast<double>(size) * static_cast<double>(mm) / static_cast<double>(std::max(longer, 1e-6f));
+    const double exact =
+        static_cast<double>(size) * static_cast<double>(mm) / static_cast<double>(std::max(longer, 1e-6f));
     const double power = std::exp2(std::round(std::log2(std::max(exact, 1.0))));
     return std::clamp(static_cast<int>(power), std::min(kLeastSide, size), size);
   };
   return {side(width_mm), side(depth_mm)};
 }
 
-std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh, const TextureSetOptions& options) {
+std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
+                              const TextureSetOptions& options) {
   const fs::path target(folder);
   if (!may_replace(target)) return folder + ": there is something else there; choose another folder";
   std::error_code ec;
@@ -287,4 +307,4 @@ std::string write_texture_set(const std::string& folder, const Design& design, c
   return problem;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

@@ -6,16 +6,17 @@
 
 #include "draft/design.h"
 #include "drape/mesh.h"
+#include "texture_set/names.h"
 #include "texture_set/targets.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 
 struct TextureSetOptions {
   Target target = Target::kGltf;
-  std::string name;             // of the files; file_name_of() makes one from anything
-  std::string source;           // the draft's file name, for the record
+  std::string name;    // of the files; file_name_of() makes one from anything
+  std::string source;  // the draft's file name, for the record
   std::string program_version;
-  int size = 1024;              // texels of the longer side, a power of two 16..8192
+  int size = 1024;  // texels of the longer side, a power of two 16..8192
 };
 
 /// Letters, digits, '-' and '_' of a text; "cloth" when none is left.
@@ -36,4 +37,4 @@ TextureSize texture_size(float width_mm, float depth_mm, int size);
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
                               const TextureSetOptions& options);
 
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

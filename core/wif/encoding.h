@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace weftlight {
+#include "wif/names.h"
+
+namespace weftlight::wif {
 
 enum class Encoding { kUtf8, kLatin1 };
 
@@ -23,4 +25,4 @@ std::string unescaped(std::string_view text);
 /// The one-line form of a text: controls become blanks, ends trimmed, valid UTF-8.
 std::string one_line(std::string_view text);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -10,7 +10,7 @@
 
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +46,11 @@ int open_temporary(const fs::path& target, fs::path& temporary) {
   for (int i = 0; i < kTries; ++i) {
     temporary = target;
     std::string name = ".";
-    name.append(target.filename().string()).append(".").append(std::to_string(::getpid())).append("-").append(std::to_string(i));
+    name.append(target.filename().string())
+        .append(".")
+        .append(std::to_string(::getpid()))
+        .append("-")
+        .append(std::to_string(i));
     temporary.replace_filename(name);
     const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd >= 0 || errno != EEXIST) return fd;
@@ -98,7 +102,8 @@ std::string write_file_atomically(const std::string& path, std::string_view byte
   std::string error = write_all(fd, bytes);
   if (error.empty() && there && ::fchmod(fd, old.st_mode & 07777) != 0) error = why("cannot keep the permissions");
   if (::close(fd) != 0 && error.empty()) error = why("cannot close");
-  if (error.empty() && ::rename(temporary.c_str(), target.c_str()) != 0) error = why("cannot replace " + target.string());
+  if (error.empty() && ::rename(temporary.c_str(), target.c_str()) != 0)
+    error = why("cannot replace " + target.string());
   if (!error.empty()) {
     ::unlink(temporary.c_str());
     return error;
@@ -112,4 +117,4 @@ std::string write_file_atomically(const std::string& path, std::string_view byte
   return {};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

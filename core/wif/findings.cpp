@@ -2,7 +2,7 @@
 
 #include "wif/parse.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 void Findings::add(Severity severity, int line_index, std::string_view kind, std::string text, std::string remedy) {
   error_ = error_ || severity == Severity::kError;
@@ -33,4 +33,4 @@ int WifHabits::base_of(std::string_view section) const {
   return std::find(zero_based.begin(), zero_based.end(), section) != zero_based.end() ? 0 : 1;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

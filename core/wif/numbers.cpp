@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace weftlight {
+namespace weftlight::wif {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v'; }
 
@@ -149,4 +149,4 @@ std::string in_units(float mm, double unit_mm) {
   return std::string(buffer, plain.ptr);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace weftlight {
+#include "wif/names.h"
+
+namespace weftlight::wif {
 
 bool is_blank(char c);
 std::string_view trimmed(std::string_view text);
@@ -30,4 +32,4 @@ std::string shortest(float value);
 /// The shortest decimal v for which float(v * unit_mm) is `mm`.
 std::string in_units(float mm, double unit_mm);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "wif/names.h"
 #include "wif/text.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 /// A diagnostic for each kind of finding, with a count of the further lines it concerns.
 class Findings {
@@ -48,8 +49,8 @@ struct WifHabits {
   int palette_base = 1;        // number of the first row of [COLOR TABLE]
   int default_color_base = 1;  // of Color= in [WARP] and [WEFT] (Luminescence: 0)
   SystemHabits warp, weft;
-  int treadle_base = 1;        // number that [TREADLING] gives the first treadle
-  bool has_liftplan = false;   // a liftplan is kept beside the treadling
+  int treadle_base = 1;                 // number that [TREADLING] gives the first treadle
+  bool has_liftplan = false;            // a liftplan is kept beside the treadling
   std::vector<std::string> zero_based;  // sections whose rows count from 0
 
   int base_of(std::string_view section) const;
@@ -68,4 +69,4 @@ void read_private_sections(const WifText& text, const WifHabits& habits, Finding
 /// Reads a file; nothing but findings when it cannot be used. `info` is given the facts for the user.
 std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, WifFile* info = nullptr);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

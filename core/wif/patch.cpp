@@ -8,7 +8,7 @@
 
 #include "wif/numbers.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 /// A change of one line, or lines put behind it (line -1: before the first).
@@ -90,7 +90,8 @@ void Patch::set_value(const WifKey& key, const WifEntry& entry) {
   size_t at = had_value ? static_cast<size_t>(key.value.data() - line.data()) : line.find('=') + 1;
   if (!had_value && at < line.size() && is_blank(line[at])) ++at;
   std::string value = entry.value;
-  if (!entry.is_text && (value == "true" || value == "false")) value = bool_word(value == "true", key.value.substr(0, size));
+  if (!entry.is_text && (value == "true" || value == "false"))
+    value = bool_word(value == "true", key.value.substr(0, size));
   const std::optional<std::string> encoded = from_utf8(value, text_.encoding);
   if (!encoded) unencodable_ = true;
   std::string out(line.substr(0, at));
@@ -173,14 +174,16 @@ class KeyLines {
       const WifKey& key = section.keys[i];
       if (key.number >= 0) numbered_.emplace_back(key.number, static_cast<int>(i));
     }
-    std::stable_sort(numbered_.begin(), numbered_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(numbered_.begin(), numbered_.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
   template <class Use>
   bool each(const WifEntry& entry, Use use) const {
     bool found = false;
     if (entry.number >= 0) {
-      for (auto it = at(entry.number); it != numbered_.end() && it->first == entry.number; ++it, found = true) use(key(it));
+      for (auto it = at(entry.number); it != numbered_.end() && it->first == entry.number; ++it, found = true)
+        use(key(it));
     } else {
       for (const WifKey& k : section_.keys) {
         if (same_word(k.key, entry.key)) {
@@ -209,7 +212,8 @@ class KeyLines {
  private:
   using Numbered = std::vector<std::pair<int, int>>;
   Numbered::const_iterator at(int number) const {
-    return std::lower_bound(numbered_.begin(), numbered_.end(), number, [](const auto& a, int n) { return a.first < n; });
+    return std::lower_bound(numbered_.begin(), numbered_.end(), number,
+                            [](const auto& a, int n) { return a.first < n; });
   }
   const WifKey& key(Numbered::const_iterator it) const { return section_.keys[static_cast<size_t>(it->second)]; }
   const WifSection& section_;
@@ -269,10 +273,12 @@ bool has_key(const WifEntries& section, const WifEntry& entry) {
     return std::binary_search(section.entries.begin(), section.entries.end(), entry,
                               [](const WifEntry& a, const WifEntry& b) { return a.number < b.number; });
   }
-  return std::any_of(section.entries.begin(), section.entries.end(), [&](const WifEntry& e) { return e.key == entry.key; });
+  return std::any_of(section.entries.begin(), section.entries.end(),
+                     [&](const WifEntry& e) { return e.key == entry.key; });
 }
 
-void change_section(Patch& patch, const WifSection& section, const WifEntries* before, const WifEntries& now, Reach reach) {
+void change_section(Patch& patch, const WifSection& section, const WifEntries* before, const WifEntries& now,
+                    Reach reach) {
   const KeyLines lines(section);
   Changes changes(before);
   const bool all = reach == Reach::kAll || (reach == Reach::kCounts && is_count_section(now.name));
@@ -337,7 +343,8 @@ int count_of(const std::vector<WifEntries>& all, const char* system) {
 }
 
 /// Rows of tables that are not edited go with the threads they were for.
-void trim_tables(Patch& patch, const char* system, const std::vector<WifEntries>& before, const std::vector<WifEntries>& now) {
+void trim_tables(Patch& patch, const char* system, const std::vector<WifEntries>& before,
+                 const std::vector<WifEntries>& now) {
   const int count = count_of(now, system);
   if (count >= count_of(before, system)) return;
   for (const char* table : {" SYMBOLS", " SPACING ZOOM", " THICKNESS ZOOM"}) {
@@ -372,4 +379,4 @@ std::optional<std::string> patched(const WifText& text, const std::vector<WifEnt
   return patch.bytes();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

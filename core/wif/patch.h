@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "wif/names.h"
 #include "wif/sections.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 /// How much is put in the file: what differs; also every count and every section the file lacks; or every
 /// entry that its line does not say word for word.
@@ -18,4 +19,4 @@ enum class Reach { kChanged, kCounts, kAll };
 std::optional<std::string> patched(const WifText& text, const std::vector<WifEntries>& before,
                                    const std::vector<WifEntries>& now, Reach reach);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

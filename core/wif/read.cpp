@@ -7,7 +7,7 @@
 #include "draft/drawdown.h"
 #include "wif/rows.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 int row_base(const WifSection& section, int count) {
   bool zero = false;
@@ -121,7 +121,8 @@ int read_shaft_count(const Reader& r) {
     }
   }
   if (stated > 0 && used > stated) {
-    r.findings.warn(used_line, {}, "shaft " + std::to_string(used) + " is used but [WEAVING] Shafts is " + std::to_string(stated),
+    r.findings.warn(used_line, {},
+                    "shaft " + std::to_string(used) + " is used but [WEAVING] Shafts is " + std::to_string(stated),
                     "read with " + std::to_string(used) + " shafts; correct the one or the other");
   } else if (stated <= 0) {
     r.findings.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Shafts is missing",
@@ -169,7 +170,8 @@ int read_treadle_count(const Reader& r) {
     }
   }
   if (stated > 0 && used > stated) {
-    r.findings.warn(line, {}, "treadle " + std::to_string(used) + " is used but [WEAVING] Treadles is " + std::to_string(stated),
+    r.findings.warn(line, {},
+                    "treadle " + std::to_string(used) + " is used but [WEAVING] Treadles is " + std::to_string(stated),
                     "read with " + std::to_string(used) + " treadles; correct the one or the other");
   } else if (stated <= 0 && (used > 0 || !r.text.find("LIFTPLAN"))) {
     r.findings.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Treadles is missing",
@@ -205,14 +207,16 @@ void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what, 
   each_row(*section, bits.rows(), base, r.findings, [&](int row, const WifKey& key) {
     leading_ints(key.value, list);
     if (list.empty()) {
-      r.findings.warn(key.line, section->name + " value", "[" + section->name + "] has a value that is not a list of numbers",
+      r.findings.warn(key.line, section->name + " value",
+                      "[" + section->name + "] has a value that is not a list of numbers",
                       std::string("ignored; write the numbers of its ") + what);
     }
     for (const int value : list) {
       if (value >= value_base && value - value_base < bits.cols()) {
         bits.set(row, value - value_base, true);
       } else if (value != 0) {
-        r.findings.warn(key.line, section->name + " shaft", "[" + section->name + "] names " + what + " " + std::to_string(value),
+        r.findings.warn(key.line, section->name + " shaft",
+                        "[" + section->name + "] names " + what + " " + std::to_string(value),
                         "ignored; there are " + std::to_string(bits.cols()));
       }
     }
@@ -248,7 +252,8 @@ void read_drive(Reader& r, WifFile* info) {
   } else {
     if (has_liftplan) note_differing_liftplan(r, liftplan);
     if (!has_liftplan && !has_treadling) {
-      r.findings.warn(-1, {}, "there is neither a treadling nor a liftplan", "every pick is empty; add [TREADLING] or [LIFTPLAN]");
+      r.findings.warn(-1, {}, "there is neither a treadling nor a liftplan",
+                      "every pick is empty; add [TREADLING] or [LIFTPLAN]");
     } else if (!has_tieup) {
       r.findings.warn(r.line_of("TREADLING"), {}, "there is a treadling but no tie-up", "no shaft moves; add [TIEUP]");
     }
@@ -267,9 +272,10 @@ void note_empty_tail(const Reader& r, const BitMatrix& rows, const char* system,
   int used = rows.rows();
   while (used > 0 && rows.first(used - 1) < 0) --used;
   if (used == 0 || rows.rows() < kLong || rows.rows() < used * kTimes) return;
-  r.findings.add(Severity::kNote, r.line_of(system), {},
-                 "only the first " + std::to_string(used) + " of " + std::to_string(rows.rows()) + " " + what + " are used",
-                 "resize the draft to " + std::to_string(used) + " to see its cloth alone");
+  r.findings.add(
+      Severity::kNote, r.line_of(system), {},
+      "only the first " + std::to_string(used) + " of " + std::to_string(rows.rows()) + " " + what + " are used",
+      "resize the draft to " + std::to_string(used) + " to see its cloth alone");
 }
 
 void read_notes(const Reader& r) {
@@ -306,9 +312,9 @@ void read_head(const Reader& r, WifFile* info) {
 
 /// Sections whose lines must all be keys; others may hold free text.
 constexpr const char* kKeyedSections[] = {
-    "WIF", "CONTENTS", "COLOR PALETTE", "WEAVING", "WARP", "WEFT", "TIEUP", "COLOR TABLE", "THREADING",
-    "TREADLING", "LIFTPLAN", "WARP COLORS", "WEFT COLORS", "WARP SPACING", "WEFT SPACING", "WARP THICKNESS",
-    "WEFT THICKNESS", "NOTES"};
+    "WIF",         "CONTENTS",     "COLOR PALETTE", "WEAVING",        "WARP",           "WEFT",
+    "TIEUP",       "COLOR TABLE",  "THREADING",     "TREADLING",      "LIFTPLAN",       "WARP COLORS",
+    "WEFT COLORS", "WARP SPACING", "WEFT SPACING",  "WARP THICKNESS", "WEFT THICKNESS", "NOTES"};
 
 void check_lines(const Reader& r) {
   for (const int line : r.text.unclosed_headers) {
@@ -344,10 +350,12 @@ void check_contents(const Reader& r) {
     }
   }
   for (const WifSection& section : r.text.sections) {
-    if (section.name.empty() || section.name == "WIF" || section.name == "CONTENTS" || section.name == "TRANSLATIONS") continue;
+    if (section.name.empty() || section.name == "WIF" || section.name == "CONTENTS" || section.name == "TRANSLATIONS")
+      continue;
     const WifKey* key = contents->find(section.name);
     if (!key || word_as_bool(key->value) != true) {
-      r.findings.add(Severity::kNote, section.blocks.front().header, "unlisted", "[" + section.name + "] is not listed in [CONTENTS]",
+      r.findings.add(Severity::kNote, section.blocks.front().header, "unlisted",
+                     "[" + section.name + "] is not listed in [CONTENTS]",
                      "read all the same; other programs may skip it");
     }
   }
@@ -426,4 +434,4 @@ WifRead read_wif(std::string_view bytes) {
   return result;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -8,7 +8,7 @@
 #include "wif/private.h"
 #include "wif/rows.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 const WifSection* private_section(const WifText& text, std::string_view name) {
@@ -43,7 +43,8 @@ struct Source {
 };
 
 template <class T, size_t N>
-void read_fields(const Source& s, const WifSection& section, const std::string& prefix, const FloatField<T> (&fields)[N], T& out) {
+void read_fields(const Source& s, const WifSection& section, const std::string& prefix,
+                 const FloatField<T> (&fields)[N], T& out) {
   for (const FloatField<T>& field : fields) {
     const WifKey* key = section.find(prefix + field.key);
     if (!key) continue;
@@ -60,7 +61,8 @@ void read_color(const Source& s, const WifSection& section, const std::string& n
   const WifKey* key = section.find(name);
   if (!key) return;
   const std::vector<float> c = as_floats(key->value);
-  if (c.size() != 3 || !std::all_of(c.begin(), c.end(), [](float v) { return std::isfinite(v); })) return s.unusable(*key);
+  if (c.size() != 3 || !std::all_of(c.begin(), c.end(), [](float v) { return std::isfinite(v); }))
+    return s.unusable(*key);
   out = {c[0], c[1], c[2]};
 }
 
@@ -84,7 +86,8 @@ Yarn read_yarn(const Source& s, const WifSection& section, const std::string& pr
   if (const WifKey* key = section.find(prefix + "Plies")) {
     yarn.plies = std::clamp(leading_int(key->value).value_or(1), 1, 8);
   }
-  if (const WifKey* key = section.find(prefix + "Metallic")) yarn.lobes.metallic = word_as_bool(key->value).value_or(false);
+  if (const WifKey* key = section.find(prefix + "Metallic"))
+    yarn.lobes.metallic = word_as_bool(key->value).value_or(false);
   read_fields(s, section, prefix, kYarnFloats, yarn);
   read_fields(s, section, prefix, kLobeFloats, yarn.lobes);
   read_color(s, section, prefix + "Tint", yarn.lobes.specular_tint);
@@ -117,7 +120,8 @@ void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads&
 void read_look_and_scene(const Source& s, Design& design) {
   if (const WifSection* look = private_section(s.text, "LOOK")) {
     read_fields(s, *look, "", kLookFloats, design.look);
-    if (const WifKey* key = look->find("Method")) design.look.method = static_cast<Method>(name_index(kMethodNames, key->value, 0));
+    if (const WifKey* key = look->find("Method"))
+      design.look.method = static_cast<Method>(name_index(kMethodNames, key->value, 0));
   }
   if (const WifSection* scene = private_section(s.text, "SCENE")) {
     read_fields(s, *scene, "", kSceneFloats, design.scene);
@@ -157,7 +161,8 @@ void read_exact_colors(const Source& s, const WifHabits& habits, Draft& draft) {
     Rgb& color = draft.palette[static_cast<size_t>(index)];
     const std::vector<float> c = as_floats(key.value);
     if (c.size() != 3) return s.unusable(key);
-    const bool same = number(c[0]) == number(color.r) && number(c[1]) == number(color.g) && number(c[2]) == number(color.b);
+    const bool same =
+        number(c[0]) == number(color.r) && number(c[1]) == number(color.g) && number(c[2]) == number(color.b);
     if (same) color = {c[0], c[1], c[2]};
   });
 }
@@ -205,4 +210,4 @@ void read_private_sections(const WifText& text, const WifHabits& habits, Finding
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

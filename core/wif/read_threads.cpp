@@ -5,7 +5,7 @@
 
 #include "wif/rows.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
@@ -110,7 +110,8 @@ void default_palette(Context& c) {
   std::fill(c.draft.weft.color.begin(), c.draft.weft.color.end(), 1);
   c.habits.warp.color.fallback = 0;
   c.habits.weft.color.fallback = 1;
-  c.findings.add(Severity::kNote, -1, {}, "there is no color table", "warp and weft were given two colours; paint them as you like");
+  c.findings.add(Severity::kNote, -1, {}, "there is no color table",
+                 "warp and weft were given two colours; paint them as you like");
 }
 
 int color_index(Context& c, int number, int base, int line) {
@@ -133,11 +134,12 @@ void read_colors(Context& c, const char* system, Threads& threads, ColumnHabits&
   const WifSection* rows = c.text.find(std::string(system) + " COLORS");
   if (!rows) return;
   habit.list_all = true;
-  each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.findings, [&](int thread, const WifKey& row) {
-    if (const std::optional<int> number = leading_int(row.value)) {
-      threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.habits.palette_base, row.line);
-    }
-  });
+  each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.findings,
+           [&](int thread, const WifKey& row) {
+             if (const std::optional<int> number = leading_int(row.value)) {
+               threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.habits.palette_base, row.line);
+             }
+           });
 }
 
 void read_units(Context& c, const char* system, SystemHabits& habits) {
@@ -145,7 +147,8 @@ void read_units(Context& c, const char* system, SystemHabits& habits) {
   if (!key) {
     for (const char* name : {"Spacing", "Thickness"}) {
       if (const WifKey* measure = c.text.find(system, name)) {
-        c.findings.warn(measure->line, {}, std::string("[") + system + "] gives no Units", "read as centimeters; write Units=");
+        c.findings.warn(measure->line, {}, std::string("[") + system + "] gives no Units",
+                        "read as centimeters; write Units=");
         return;
       }
     }
@@ -163,7 +166,8 @@ void read_units(Context& c, const char* system, SystemHabits& habits) {
     c.findings.warn(key->line, {}, "Units is neither Inches, Centimeters nor Decipoints", "read as centimeters");
   }
   if (unit == "ENGLISH") {
-    c.findings.add(Severity::kNote, key->line, {}, "Units=" + habits.unit.name + " is not a unit of WIF", "read as inches");
+    c.findings.add(Severity::kNote, key->line, {}, "Units=" + habits.unit.name + " is not a unit of WIF",
+                   "read as inches");
   }
 }
 
@@ -174,7 +178,8 @@ std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
   if (comma) c.findings.warn(key.line, "comma", "a measure has a decimal comma", "read as a point; write a point");
   const float mm = static_cast<float>(value.value_or(-1) * unit_mm);
   if (!value || *value < 0 || !std::isfinite(mm)) {
-    c.findings.warn(key.line, "measure", "a spacing or thickness is not a usable number", "ignored; write a number of 0 or more");
+    c.findings.warn(key.line, "measure", "a spacing or thickness is not a usable number",
+                    "ignored; write a number of 0 or more");
     return std::nullopt;
   }
   return mm > 0 ? mm : kFromYarn;
@@ -278,4 +283,4 @@ void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Dr
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -3,10 +3,11 @@
 
 #include <vector>
 
+#include "wif/names.h"
 #include "wif/numbers.h"
 #include "wif/parse.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 /// 0 when the rows run from 0: row 0 says something and no row `count` is there; otherwise 1.
 int row_base(const WifSection& section, int count);
@@ -34,9 +35,10 @@ void each_row(const WifSection& section, int count, int base, Findings& findings
     std::string_view& before = first[static_cast<size_t>(index)];
     if (before.data()) {
       if (before != key.value) {
-        findings.warn(key.line, section.name + " twice",
-                      "[" + section.name + "] line " + std::to_string(key.number) + " is there twice, with other values",
-                      "the first was used; remove one");
+        findings.warn(
+            key.line, section.name + " twice",
+            "[" + section.name + "] line " + std::to_string(key.number) + " is there twice, with other values",
+            "the first was used; remove one");
       }
       continue;
     }
@@ -45,4 +47,4 @@ void each_row(const WifSection& section, int count, int base, Findings& findings
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -8,7 +8,7 @@
 #include "wif/numbers.h"
 #include "wif/private.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 std::string bit_list(const BitMatrix& bits, int row, int base) {
   std::string list;
@@ -24,11 +24,13 @@ std::string bit_list(const BitMatrix& bits, int row, int base) {
 
 namespace {
 
-void add_rows(std::vector<WifEntries>& out, const char* name, const BitMatrix& bits, const WifHabits& habits, int value_base = 1) {
+void add_rows(std::vector<WifEntries>& out, const char* name, const BitMatrix& bits, const WifHabits& habits,
+              int value_base = 1) {
   WifEntries section{name, {}};
   section.entries.reserve(static_cast<size_t>(bits.rows()));
   const int base = habits.base_of(name);
-  for (int row = 0; row < bits.rows(); ++row) section.entries.push_back({row + base, {}, bit_list(bits, row, value_base), false});
+  for (int row = 0; row < bits.rows(); ++row)
+    section.entries.push_back({row + base, {}, bit_list(bits, row, value_base), false});
   out.push_back(std::move(section));
 }
 
@@ -38,7 +40,8 @@ bool is_uniform(const std::vector<T>& values) {
 }
 
 /// Colours of a system: rows where the file lists rows, otherwise one default and the rows that differ.
-void add_colors(WifEntries& head, WifEntries& rows, const Threads& threads, const ColumnHabits& habit, const WifHabits& habits) {
+void add_colors(WifEntries& head, WifEntries& rows, const Threads& threads, const ColumnHabits& habit,
+                const WifHabits& habits) {
   const bool one = !habit.list_all && is_uniform(threads.color);
   const int fallback = one && threads.size() > 0 ? threads.color.front() : static_cast<int>(habit.fallback);
   head.entries.push_back({-1, "Color", std::to_string(fallback + habits.default_color_base), false});
@@ -57,12 +60,13 @@ bool is_public_measure(float mm) { return mm == kFromYarn || (mm > 0 && mm < kAn
 std::string measure_text(float mm, double unit_mm) { return mm > 0 && mm < kAny ? in_units(mm, unit_mm) : "0"; }
 
 /// Spacing or thickness, as the colours; 0 stands for "from the yarn" where a default would speak otherwise.
-void add_measures(WifEntries& head, WifEntries& rows, const char* key, const std::vector<float>& mm, const ColumnHabits& habit,
-                  double unit_mm, const WifHabits& habits) {
+void add_measures(WifEntries& head, WifEntries& rows, const char* key, const std::vector<float>& mm,
+                  const ColumnHabits& habit, double unit_mm, const WifHabits& habits) {
   const float stated = static_cast<float>(habit.fallback);
   const bool one = !habit.list_all && !mm.empty() && is_uniform(mm) && is_public_measure(mm.front());
   const float fallback = one ? mm.front() : stated;
-  if (fallback != kFromYarn || stated != kFromYarn) head.entries.push_back({-1, key, measure_text(fallback, unit_mm), false});
+  if (fallback != kFromYarn || stated != kFromYarn)
+    head.entries.push_back({-1, key, measure_text(fallback, unit_mm), false});
   const int base = habits.base_of(rows.name);
   for (size_t i = 0; i < mm.size(); ++i) {
     if (!habit.list_all && mm[i] == fallback) continue;
@@ -78,13 +82,15 @@ void add_named(WifEntries& section, const char* key, std::string value, bool is_
 /// [WARP] or [WEFT] into `head`, its tables into `tables`.
 void add_system(WifEntries& head, std::vector<WifEntries>& tables, const Threads& threads, const SystemHabits& own,
                 const WifHabits& habits) {
-  WifEntries colors{head.name + " COLORS", {}}, spacing{head.name + " SPACING", {}}, thickness{head.name + " THICKNESS", {}};
+  WifEntries colors{head.name + " COLORS", {}}, spacing{head.name + " SPACING", {}},
+      thickness{head.name + " THICKNESS", {}};
   add_named(head, "Threads", std::to_string(threads.size()));
   add_colors(head, colors, threads, own.color, habits);
   WifEntries measures{head.name, {}};
   add_measures(measures, spacing, "Spacing", threads.spacing_mm, own.spacing, own.unit.mm, habits);
   add_measures(measures, thickness, "Thickness", threads.thickness_mm, own.thickness, own.unit.mm, habits);
-  if (!measures.entries.empty() || !spacing.entries.empty() || !thickness.entries.empty()) add_named(head, "Units", own.unit.name);
+  if (!measures.entries.empty() || !spacing.entries.empty() || !thickness.entries.empty())
+    add_named(head, "Units", own.unit.name);
   head.entries.insert(head.entries.end(), measures.entries.begin(), measures.entries.end());
   for (WifEntries* table : {&colors, &spacing, &thickness}) {
     if (!table->entries.empty()) tables.push_back(std::move(*table));
@@ -93,7 +99,9 @@ void add_system(WifEntries& head, std::vector<WifEntries>& tables, const Threads
 
 WifEntries color_table(const Draft& draft, const WifHabits& habits) {
   WifEntries table{"COLOR TABLE", {}};
-  const auto number = [&](float channel) { return std::to_string(channel_number(channel, habits.range_low, habits.range_high)); };
+  const auto number = [&](float channel) {
+    return std::to_string(channel_number(channel, habits.range_low, habits.range_high));
+  };
   for (size_t i = 0; i < draft.palette.size(); ++i) {
     const Rgb& c = draft.palette[i];
     std::string value = number(c.r);
@@ -155,4 +163,4 @@ std::vector<WifEntries> sections_of(const Design& design, const WifHabits& habit
   return out;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "wif/names.h"
 #include "wif/parse.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 struct WifEntry {
   int number = -1;  // of a numbered row; -1: a named key
@@ -35,4 +36,4 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
 /// "1,3,4" of the set bits of a row, counted from `base`; "0" for none, empty where 0 is a number.
 std::string bit_list(const BitMatrix& bits, int row, int base = 1);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

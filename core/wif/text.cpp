@@ -5,7 +5,7 @@
 
 #include "wif/numbers.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
@@ -134,4 +134,4 @@ WifText scan_wif(std::string_view bytes) {
   return text;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "wif/encoding.h"
+#include "wif/names.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 /// One physical line: where its bytes start, how many before the line end, and how many the line end has
 /// ("\r\n", "\n", "\r", or none on the last line).
@@ -27,7 +28,7 @@ struct WifKey {
 /// All the lines under one section name (repeated sections are merged).
 struct WifSection {
   struct Block {
-    int header = -1;       // index of the [NAME] line; -1: lines before the first header
+    int header = -1;         // index of the [NAME] line; -1: lines before the first header
     int first = 0, end = 0;  // lines of the body, half-open
   };
   std::string name;  // upper case
@@ -43,9 +44,9 @@ struct WifText {
   bool bom = false;
   Encoding encoding = Encoding::kUtf8;
   std::vector<WifLine> lines;
-  std::vector<WifSection> sections;  // by first appearance
+  std::vector<WifSection> sections;   // by first appearance
   std::vector<int> unclosed_headers;  // lines like "[WARP"
-  int second_warp_colors = -1;  // header line of a repeated [WARP COLORS] that holds the weft's (Luminescence)
+  int second_warp_colors = -1;        // header line of a repeated [WARP COLORS] that holds the weft's (Luminescence)
 
   std::string_view line(int index) const { return bytes.substr(lines[index].begin, lines[index].size); }
   std::string_view eol(int index) const {
@@ -57,4 +58,4 @@ struct WifText {
 
 WifText scan_wif(std::string_view bytes);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

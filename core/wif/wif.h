@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "draft/design.h"
+#include "wif/names.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 enum class Severity { kNote, kWarning, kError };
 
@@ -66,4 +67,4 @@ struct FileBytes {
 FileBytes read_file(const std::string& path);
 std::string write_file_atomically(const std::string& path, std::string_view bytes);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

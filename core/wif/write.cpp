@@ -6,7 +6,7 @@
 #include "wif/numbers.h"
 #include "wif/patch.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 constexpr std::string_view kEol = "\r\n";
@@ -31,8 +31,9 @@ std::optional<Attempt> attempt(const WifText& text, const std::vector<WifEntries
 }
 
 std::vector<std::string> head_lines(const std::vector<WifEntries>& sections) {
-  std::vector<std::string> lines{"[WIF]", "Version=1.1", "Date=April 20, 1997", "Developers=wif@mhsoft.com",
-                                 "Source Program=Weftlight", "", "[CONTENTS]"};
+  std::vector<std::string> lines{
+      "[WIF]", "Version=1.1", "Date=April 20, 1997", "Developers=wif@mhsoft.com", "Source Program=Weftlight",
+      "",      "[CONTENTS]"};
   for (const WifEntries& section : sections) lines.push_back(section.name + "=true");
   return lines;
 }
@@ -44,7 +45,10 @@ std::string whole_file(const std::vector<WifEntries>& sections) {
     out.append(kEol).append("[").append(section.name).append("]").append(kEol);
     for (const WifEntry& entry : section.entries) {
       if (entry.value.empty() && !entry.is_text) continue;
-      out.append(entry.number >= 0 ? std::to_string(entry.number) : entry.key).append("=").append(entry.value).append(kEol);
+      out.append(entry.number >= 0 ? std::to_string(entry.number) : entry.key)
+          .append("=")
+          .append(entry.value)
+          .append(kEol);
     }
   }
   return out;
@@ -92,7 +96,8 @@ std::vector<std::string> plain_notes(const std::vector<std::string>& notes) {
     size_t begin = 0;
     while (begin <= note.size()) {
       const size_t end = std::min(note.find('\n', begin), note.size());
-      for (std::string& line : wrapped(to_ascii(note.substr(begin, end - begin)), kConsoleWidth)) result.push_back(std::move(line));
+      for (std::string& line : wrapped(to_ascii(note.substr(begin, end - begin)), kConsoleWidth))
+        result.push_back(std::move(line));
       begin = end + 1;
     }
   }
@@ -142,4 +147,4 @@ std::string write_plain_wif(const Design& design, PlainDrive drive) {
   return whole_file(public_sections_of(plain, habits));
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

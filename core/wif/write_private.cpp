@@ -5,7 +5,7 @@
 #include "wif/private.h"
 #include "wif/sections.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 void add(WifEntries& section, std::string key, std::string value, bool is_text = false) {
@@ -93,7 +93,8 @@ WifEntries exact_colors_of(const std::vector<Rgb>& palette, const WifHabits& hab
   };
   for (size_t i = 0; i < palette.size(); ++i) {
     const Rgb& c = palette[i];
-    if (!held(c.r) || !held(c.g) || !held(c.b)) section.entries.push_back({static_cast<int>(i) + 1, {}, color_text(c), false});
+    if (!held(c.r) || !held(c.g) || !held(c.b))
+      section.entries.push_back({static_cast<int>(i) + 1, {}, color_text(c), false});
   }
   return section;
 }
@@ -134,4 +135,4 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   push_if_any(out, treadled ? sleeping("LIFTPLAN", draft.liftplan) : sleeping("TREADLING", draft.treadling));
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

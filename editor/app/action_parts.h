@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "app/actions.h"
+#include "app/names.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 using Actions = std::vector<Action>;
 
@@ -37,4 +38,4 @@ void add_selection_actions(Actions& all);
 /// Choosing ends and picks for the Threads panel, and its rows (thread_actions.cpp).
 void add_thread_actions(Actions& all);
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -13,7 +13,7 @@
 #include "panels/axis.h"
 #include "panels/icons.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 void add_file(Actions& all, const std::vector<std::string>& recent) {
@@ -22,7 +22,8 @@ void add_file(Actions& all, const std::vector<std::string>& recent) {
   with_icon(new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Editor& e) { e.save(); })), icon::kSave);
   add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Editor& e) { e.save_as(); });
   add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Editor& e) { e.save_for_others(); });
-  new_group(add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Editor& e) { e.export_textures(); }));
+  new_group(
+      add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Editor& e) { e.export_textures(); }));
   bool first = true;
   for (const std::string& path : recent) {
     Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().c_str(), "",
@@ -66,7 +67,8 @@ void add_draft(Actions& all) {
   add(all, "Draft", "size", "Ends, picks, shafts\xE2\x80\xA6", "", [](Editor& e) { e.ask_size(); });
   const auto shed = [&all](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [rising](Editor& e) {
-      e.commit({rising ? "Rising shed" : "Sinking shed", [rising](Design d) { return with_rising(std::move(d), rising); }});
+      e.commit(
+          {rising ? "Rising shed" : "Sinking shed", [rising](Design d) { return with_rising(std::move(d), rising); }});
     });
     a.checked = [rising](const Editor& e) { return e.document().now().draft.rising == rising; };
     return &a;
@@ -75,7 +77,8 @@ void add_draft(Actions& all) {
   shed("sinking", "Sinking shed", false);
   const auto drive = [&all](const char* id, const char* label, Drive to) {
     Action& a = add(all, "Draft", id, label, "", [to](Editor& e) {
-      e.commit(to == Drive::kLiftplan ? Edit{"Drive by liftplan", to_liftplan} : Edit{"Drive by treadles", to_treadling});
+      e.commit(to == Drive::kLiftplan ? Edit{"Drive by liftplan", to_liftplan}
+                                      : Edit{"Drive by treadles", to_treadling});
     });
     a.checked = [to](const Editor& e) { return e.document().now().draft.drive == to; };
     a.enabled = [to](const Editor& e) { return e.document().now().draft.drive != to; };
@@ -87,28 +90,33 @@ void add_draft(Actions& all) {
 }
 
 void add_drawdown_looks(Actions& all) {
-  constexpr std::pair<const char*, const char*> kLooks[] = {
-      {"look.threads", "Drawdown as threads"}, {"look.color", "Drawdown in colour"}, {"look.structure", "Drawdown as structure"}};
+  constexpr std::pair<const char*, const char*> kLooks[] = {{"look.threads", "Drawdown as threads"},
+                                                            {"look.color", "Drawdown in colour"},
+                                                            {"look.structure", "Drawdown as structure"}};
   for (int i = 0; i < 3; ++i) {
     const auto look = static_cast<DrawdownStyle>(i);
-    Action& a = add(all, "View", kLooks[i].first, kLooks[i].second, "", [look](Editor& e) { e.work().drawdown_style = look; });
+    Action& a =
+        add(all, "View", kLooks[i].first, kLooks[i].second, "", [look](Editor& e) { e.work().drawdown_style = look; });
     a.checked = [look](const Editor& e) { return e.work().drawdown_style == look; };
     a.item.group = i == 0;
   }
-  Action& back = add(all, "View", "back", "Back of the cloth in the drawdown", "Ctrl+B", [](Editor& e) {
-    e.work().face = e.work().face == Face::kFront ? Face::kBack : Face::kFront;
-  });
+  Action& back = add(all, "View", "back", "Back of the cloth in the drawdown", "Ctrl+B",
+                     [](Editor& e) { e.work().face = e.work().face == Face::kFront ? Face::kBack : Face::kFront; });
   back.checked = [](const Editor& e) { return e.work().face == Face::kBack; };
-  Action& right = add(all, "View", "end1_right", "End 1 at the right", "", [](Editor& e) { e.work().end1_right = !e.work().end1_right; });
+  Action& right = add(all, "View", "end1_right", "End 1 at the right", "",
+                      [](Editor& e) { e.work().end1_right = !e.work().end1_right; });
   right.checked = [](const Editor& e) { return e.work().end1_right; };
 }
 
 void add_view(Actions& all) {
-  add(all, "View", "zoom_in", "Larger cells", "Ctrl++", [](Editor& e) { e.work().pitch = zoomed_pitch(e.work().pitch, 1); });
-  add(all, "View", "zoom_out", "Smaller cells", "Ctrl+-", [](Editor& e) { e.work().pitch = zoomed_pitch(e.work().pitch, -1); });
+  add(all, "View", "zoom_in", "Larger cells", "Ctrl++",
+      [](Editor& e) { e.work().pitch = zoomed_pitch(e.work().pitch, 1); });
+  add(all, "View", "zoom_out", "Smaller cells", "Ctrl+-",
+      [](Editor& e) { e.work().pitch = zoomed_pitch(e.work().pitch, -1); });
   add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](Editor& e) { e.work().pitch = 0; });
   add_drawdown_looks(all);
-  new_group(add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Editor& e) { e.reset_view(); }));
+  new_group(
+      add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Editor& e) { e.reset_view(); }));
   add(all, "View", "keep_view", "Keep this view with the draft", "", [](Editor& e) { e.keep_view(); });
   Action& remarks = add(all, "View", "show_remarks", "Remarks on the file", "", [](Editor& e) { e.show_remarks(); });
   remarks.item.group = true;
@@ -125,13 +133,13 @@ void add_cloth(Actions& all) {
     });
     a.checked = [name](const Editor& e) { return e.document().now().scene.mesh == name; };
   }
-  Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6", [](Editor& e) { e.work().show_rungs = !e.work().show_rungs; });
+  Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6",
+                      [](Editor& e) { e.work().show_rungs = !e.work().show_rungs; });
   rungs.item.group = true;
   rungs.checked = [](const Editor& e) { return e.work().show_rungs; };
   const auto comparison = [&all](const char* id, const char* label, const char* key, Compare to) {
-    Action& a = add(all, "Cloth", id, label, key, [to](Editor& e) {
-      e.work().compare = e.work().compare == to ? Compare::kOff : to;
-    });
+    Action& a = add(all, "Cloth", id, label, key,
+                    [to](Editor& e) { e.work().compare = e.work().compare == to ? Compare::kOff : to; });
     a.checked = [to](const Editor& e) { return e.work().compare == to; };
   };
   comparison("compare", "Compare with the ray-traced threads", "F7", Compare::kSplit);
@@ -162,4 +170,4 @@ std::vector<ActionItem> show(const std::vector<Action>& actions, const Editor& e
   return items;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

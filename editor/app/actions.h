@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/names.h"
 #include "panels/action_list.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 class Editor;
 
@@ -23,4 +24,4 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent);
 /// The table as the panels show it, with what holds now.
 std::vector<ActionItem> show(const std::vector<Action>& actions, const Editor& editor);
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -6,7 +6,7 @@
 #include "app/editor.h"
 #include "app/window.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 int run_editor(const EditorOptions& options) {
   const Settings settings = load_settings();
@@ -20,4 +20,4 @@ int run_editor(const EditorOptions& options) {
   return kDone;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -5,7 +5,7 @@
 
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 BackgroundWriter::BackgroundWriter() : thread_([this] { work(); }) {}
 
@@ -77,4 +77,4 @@ void BackgroundWriter::work() {
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

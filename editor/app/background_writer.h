@@ -9,7 +9,9 @@
 #include <string>
 #include <thread>
 
-namespace weftlight {
+#include "app/names.h"
+
+namespace weftlight::app {
 
 class BackgroundWriter {
  public:
@@ -41,4 +43,4 @@ class BackgroundWriter {
   std::thread thread_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

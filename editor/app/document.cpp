@@ -6,7 +6,7 @@
 
 #include "draft/edits.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 Document::Document(Design design) : history_(std::move(design)), cells_(drawdown(now().draft)) {}
 
@@ -62,10 +62,11 @@ std::function<std::string()> Document::writer() const {
 
 OpenResult open_document(const std::string& path) {
   FileBytes file = read_file(path);
-  if (!file.error.empty()) return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
+  if (!file.error.empty())
+    return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
   WifRead read = read_wif(file.bytes);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   return {Document(std::move(*read.file), std::move(read.diagnostics), path), {}};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

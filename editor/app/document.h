@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "app/names.h"
 #include "draft/history.h"
 #include "panels/panel.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 class Document {
  public:
@@ -58,4 +59,4 @@ struct OpenResult {
 };
 OpenResult open_document(const std::string& path);
 
-}  // namespace weftlight
+}  // namespace weftlight::app

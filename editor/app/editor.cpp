@@ -7,7 +7,7 @@
 #include "draft/edits.h"
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 Document first_document() {
@@ -97,7 +97,9 @@ void Editor::save_for_others() {
 void Editor::save_to(const std::string& path, std::function<void()> then) {
   const std::string problem = write_file_atomically(path, document_.writer()());
   if (!problem.empty()) {
-    return ask(Question{"The draft was not saved", problem + "\n\nYour work is still here; choose another place.", {"Save as\xE2\x80\xA6", "Cancel"}},
+    return ask(Question{"The draft was not saved",
+                        problem + "\n\nYour work is still here; choose another place.",
+                        {"Save as\xE2\x80\xA6", "Cancel"}},
                [this](int button) {
                  if (button == 0) save_as();
                });
@@ -214,13 +216,15 @@ void Editor::ask(Dialog dialog, std::function<void(int)> then) {
 
 void Editor::unless_unsaved(std::function<void()> then) {
   if (document_.is_saved()) return then();
-  ask(Question{"Save the changes to " + document_.name() + "?", "What you did since the last save would be lost.",
+  ask(Question{"Save the changes to " + document_.name() + "?",
+               "What you did since the last save would be lost.",
                {"Save", "Do not save", "Cancel"}},
       [this, then = std::move(then)](int button) {
         if (button == 1) then();
         if (button != 0) return;
         if (!document_.path().empty()) return save_to(document_.path(), then);
-        ask_path(FileAsk::kSave, "Save the draft as", "untitled.wif", [this, then](const std::string& path) { save_to(path, then); });
+        ask_path(FileAsk::kSave, "Save the draft as", "untitled.wif",
+                 [this, then](const std::string& path) { save_to(path, then); });
       });
 }
 
@@ -239,8 +243,11 @@ void Editor::offer_recovery() {
   std::vector<LeftBehind> left = recovery_.left_behind();
   if (left.empty()) return;
   const LeftBehind one = left.front();
-  const std::string name = one.path.empty() ? "a draft that was never saved" : std::filesystem::path(one.path).filename().string();
-  ask(Question{"Bring back unsaved work?", "Weftlight ended before changes to " + name + " were saved.", {"Bring back", "Later", "Discard"}},
+  const std::string name =
+      one.path.empty() ? "a draft that was never saved" : std::filesystem::path(one.path).filename().string();
+  ask(Question{"Bring back unsaved work?",
+               "Weftlight ended before changes to " + name + " were saved.",
+               {"Bring back", "Later", "Discard"}},
       [this, one](int button) {
         if (button == 0) restore(one);
         if (button == 2) Recovery::discard(writer_, one);
@@ -273,4 +280,4 @@ void Editor::run_action(const std::string& id) {
   }
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -10,6 +10,7 @@
 #include "app/background_writer.h"
 #include "app/document.h"
 #include "app/file_dialog.h"
+#include "app/names.h"
 #include "app/preview_pane.h"
 #include "app/ui_map_file.h"
 #include "app/user_files.h"
@@ -19,7 +20,7 @@
 #include "panels/draft_panel.h"
 #include "panels/yarn_strip.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 class Editor {
  public:
@@ -115,4 +116,4 @@ class Editor {
   double tip_at_s_ = -1, said_at_s_ = 0;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

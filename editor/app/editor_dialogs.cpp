@@ -8,7 +8,7 @@
 #include "texture_set/material_files.h"
 #include "texture_set/texture_set.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 struct TargetName {
@@ -16,8 +16,13 @@ struct TargetName {
   const char* name;
 };
 constexpr TargetName kTargets[] = {
-    {Target::kGltf, "glTF"},          {Target::kBlender, "Blender"}, {Target::kUnreal, "Unreal Engine"}, {Target::kUnityHdrp, "Unity HDRP"},
-    {Target::kUnityUrp, "Unity URP"}, {Target::kGodot, "Godot"},     {Target::kRaw, "Raw maps"},
+    {Target::kGltf, "glTF"},
+    {Target::kBlender, "Blender"},
+    {Target::kUnreal, "Unreal Engine"},
+    {Target::kUnityHdrp, "Unity HDRP"},
+    {Target::kUnityUrp, "Unity URP"},
+    {Target::kGodot, "Godot"},
+    {Target::kRaw, "Raw maps"},
 };
 
 /// Empty: done; else what went wrong. Any thread.
@@ -49,7 +54,8 @@ void Editor::export_textures() {
   ask(std::move(prompt), [this](int) {
     const ExportPrompt p = std::get<ExportPrompt>(dialog_);
     dialog_ = {};
-    ask_path(FileAsk::kFolder, "Folder for the textures", std::filesystem::path(document_.path()).parent_path().string(),
+    ask_path(FileAsk::kFolder, "Folder for the textures",
+             std::filesystem::path(document_.path()).parent_path().string(),
              [this, p](const std::string& folder) { start_export(folder, p); });
   });
 }
@@ -70,4 +76,4 @@ void Editor::start_export(const std::string& folder, const ExportPrompt& p) {
   say("Exporting the textures\xE2\x80\xA6");
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

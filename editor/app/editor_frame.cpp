@@ -14,17 +14,18 @@
 #include "panels/widgets.h"
 #include "panels/yarn_panel.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;  // pixels at 96 dpi
 constexpr int kFramesAfterEvent = 4;  // a click goes down and up, and what it opened lays itself out
-constexpr double kMessageS = 10;       // then hints take its place again
+constexpr double kMessageS = 10;      // then hints take its place again
 constexpr double kTipS = 0.5;         // a frame when a tooltip is due
 constexpr double kCaretS = 0.4;       // a text field's caret blinks
 constexpr double kDialogPollS = 0.05;
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                    ImGuiWindowFlags_NoNavFocus;
 
 bool begin_fixed(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImGuiWindowFlags more = 0) {
   ImGui::SetNextWindowPos(at);
@@ -178,7 +179,8 @@ void Editor::draw_panels(PanelContext& c) {
   ImGui::End();
 
   begin_fixed("Status", {x, y + height}, {view->WorkSize.x, status}, {style_.px(14), style_.px(6)});
-  if (draw_status_bar(c, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_)) remarks_open_ = !remarks_open_;
+  if (draw_status_bar(c, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
+    remarks_open_ = !remarks_open_;
   ImGui::End();
   if (edit) commit(*edit);
   if (work_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
@@ -215,7 +217,8 @@ float Editor::split_of(float room, float height) {
   if (settings_.split > 0) return settings_.split;
   // Chosen with the first pitch, and kept while threads are added.
   if (work_.pitch <= 0)
-    fitted_split_ = fitting_width(document_.now().draft, style_, room * kLeast, room * kMost, height - style_.px(kHeader)) / room;
+    fitted_split_ =
+        fitting_width(document_.now().draft, style_, room * kLeast, room * kMost, height - style_.px(kHeader)) / room;
   return fitted_split_;
 }
 
@@ -226,7 +229,8 @@ void Editor::draw_splitter(PanelContext& c, float x, float top, float height) {
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive()) {
     const float room = ImGui::GetMainViewport()->WorkSize.x - style_.px(kInspector);
-    const float moved = ImGui::GetIO().MouseDelta.x / room, before = settings_.split > 0 ? settings_.split : fitted_split_;
+    const float moved = ImGui::GetIO().MouseDelta.x / room,
+                before = settings_.split > 0 ? settings_.split : fitted_split_;
     if (moved != 0) settings_.split = std::clamp(before + moved, 0.2f, 0.8f);
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = work_.pitch = 0;
@@ -247,4 +251,4 @@ void Editor::draw_question(PanelContext& c) {
   if (!answer_) dialog_ = {};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -12,7 +12,7 @@
 
 extern char** environ;
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 /// What the program prints, without the line end; empty when it fails.
@@ -32,7 +32,8 @@ std::string output_of(std::vector<std::string> words) {
   close(ends[1]);
   std::string text;
   char buffer[4096];
-  for (ssize_t n = 0; started && (n = read(ends[0], buffer, sizeof buffer)) > 0;) text.append(buffer, static_cast<size_t>(n));
+  for (ssize_t n = 0; started && (n = read(ends[0], buffer, sizeof buffer)) > 0;)
+    text.append(buffer, static_cast<size_t>(n));
   close(ends[0]);
   int status = 1;
   if (!started || waitpid(child, &status, 0) < 0 || status != 0) return {};
@@ -76,4 +77,4 @@ void FileDialog::poll() {
   if (!path.empty()) chosen(path);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

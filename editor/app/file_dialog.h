@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
-namespace weftlight {
+#include "app/names.h"
+
+namespace weftlight::app {
 
 enum class FileAsk { kOpen, kSave, kFolder };
 
@@ -25,4 +27,4 @@ class FileDialog {
   std::function<void(const std::string&)> chosen_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -7,17 +7,15 @@
 #include <span>
 #include <string>
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
-constexpr std::array kTextFonts = {"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
-                                   "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
-                                   "/usr/share/fonts/inter/Inter-Regular.otf",
-                                   "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
-constexpr std::array kBoldFonts = {"/usr/share/fonts/opentype/inter/Inter-SemiBold.otf",
-                                   "/usr/share/fonts/truetype/inter/Inter-SemiBold.ttf",
-                                   "/usr/share/fonts/inter/Inter-SemiBold.otf",
-                                   "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"};
+constexpr std::array kTextFonts = {
+    "/usr/share/fonts/opentype/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
+    "/usr/share/fonts/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
+constexpr std::array kBoldFonts = {
+    "/usr/share/fonts/opentype/inter/Inter-SemiBold.otf", "/usr/share/fonts/truetype/inter/Inter-SemiBold.ttf",
+    "/usr/share/fonts/inter/Inter-SemiBold.otf", "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"};
 constexpr std::array kMonoFonts = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
                                    "/usr/share/fonts/jetbrains-mono/JetBrainsMono-Regular.ttf",
                                    "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
@@ -77,4 +75,4 @@ Fonts load_fonts(float pixels, float ratio) {
   return fonts;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

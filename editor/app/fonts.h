@@ -2,11 +2,12 @@
 // Inter for words, JetBrains Mono for figures, Font Awesome for icons: found where Debian and Ubuntu put
 // them; ImGui's own font stands in for what is missing.
 
+#include "app/names.h"
 #include "panels/style.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 /// Fills the atlas anew. `pixels` is framebuffer pixels a design unit; `ratio` of them make a window unit.
 Fonts load_fonts(float pixels, float ratio);
 
-}  // namespace weftlight
+}  // namespace weftlight::app

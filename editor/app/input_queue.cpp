@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 using Kind = InputEvent::Kind;
@@ -24,7 +24,8 @@ struct InputQueue::Frame {
 
 /// Whether the first event is a key that went down for a character: the window system says both at once.
 bool InputQueue::types() const {
-  return waiting_[0].kind == Kind::kKey && waiting_[0].down && waiting_.size() > 1 && waiting_[1].kind == Kind::kCharacter;
+  return waiting_[0].kind == Kind::kKey && waiting_[0].down && waiting_.size() > 1 &&
+         waiting_[1].kind == Kind::kCharacter;
 }
 
 bool InputQueue::fits(const Frame& f) const {
@@ -32,18 +33,23 @@ bool InputQueue::fits(const Frame& f) const {
   if (e.kind == Kind::kModifier) return true;
   if (f.ended) return false;
   switch (e.kind) {
-    case Kind::kMove: return !f.scrolled && !f.typed;
+    case Kind::kMove:
+      return !f.scrolled && !f.typed;
     // A drag must see where it ended before it is let go.
-    case Kind::kButton: return !f.scrolled && !f.typed && (e.down || !f.moved);
-    case Kind::kScroll: return !f.typed && (!f.scrolled || f.held == e.held);
+    case Kind::kButton:
+      return !f.scrolled && !f.typed && (e.down || !f.moved);
+    case Kind::kScroll:
+      return !f.typed && (!f.scrolled || f.held == e.held);
     case Kind::kKey:
       if (!e.down) return true;
       if (types()) return frames_since_action_ > kOpeningFrames;
       // Up and down again in one frame would be a key held.
       return !f.scrolled && frames_since_action_ > kClosingFrames &&
              std::find(f.released.begin(), f.released.end(), e.code) == f.released.end();
-    case Kind::kCharacter: return frames_since_action_ > kOpeningFrames;
-    case Kind::kModifier: break;
+    case Kind::kCharacter:
+      return frames_since_action_ > kOpeningFrames;
+    case Kind::kModifier:
+      break;
   }
   return true;
 }
@@ -72,4 +78,4 @@ std::vector<InputEvent> InputQueue::next_frame() {
   return events;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace weftlight {
+#include "app/names.h"
+
+namespace weftlight::app {
 
 struct Modifiers {
   bool ctrl = false, shift = false, alt = false;
@@ -42,4 +44,4 @@ class InputQueue {
   int frames_since_action_ = 1000;  // a button or command
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -6,7 +6,7 @@
 
 #include "light/formulas.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 constexpr double kRestS = 0.15;         // still for so long: draw every pixel
@@ -15,8 +15,8 @@ constexpr double kBusyPollS = 0.01;     // how often the worker is asked
 constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
 constexpr int kMostAPass = 8;
-constexpr double kPassMs = 30;           // the next pass takes more samples below, fewer above twice it
-constexpr double kRefineMs = 4000;       // for all passes of one picture
+constexpr double kPassMs = 30;      // the next pass takes more samples below, fewer above twice it
+constexpr double kRefineMs = 4000;  // for all passes of one picture
 constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
 
 }  // namespace
@@ -47,7 +47,7 @@ bool PreviewPane::poll() {
 }
 
 float PreviewPane::moving_scale() const {
-  constexpr float kFirstOnSoftware = 0.5f;   // nothing has been timed, and a program is being compiled
+  constexpr float kFirstOnSoftware = 0.5f;  // nothing has been timed, and a program is being compiled
   if (full_ms_ <= 0 && moving_ms_ <= 0 && renderer_->is_software()) return kFirstOnSoftware;
   // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
   const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
@@ -88,7 +88,8 @@ void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s)
 double PreviewPane::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRestS; }
 
 bool PreviewPane::can_refine() const {
-  const bool threads = stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
+  const bool threads =
+      stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
   return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
 }
 
@@ -97,13 +98,15 @@ void PreviewPane::draw_pass(const PreviewRequest& request, float scale) {
   Frame frame = frame_of(request);
   frame.render_scale = scale;
   frame.timed = true;
-  if (passes_ == 0 && ms_a_sample_ > 0) all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
+  if (passes_ == 0 && ms_a_sample_ > 0)
+    all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
   frame.samples = samples_a_pass_;
   frame.all_samples = all_samples_;
   if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
   stats_ = renderer_->draw(request.scene, request.look, frame);
   if (scale == 1) stats_ = renderer_->measure();
-  if (stats_.gpu_ms > 0 && passes_ == 0) (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
+  if (stats_.gpu_ms > 0 && passes_ == 0)
+    (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
   drawn_scale_ = scale;
   if (scale < 1) return;
   constexpr float kMostlyThreads = 0.3f;
@@ -181,4 +184,4 @@ PreviewPicture PreviewPane::picture() const {
   return p;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -6,13 +6,14 @@
 #include <memory>
 #include <string>
 
+#include "app/names.h"
 #include "app/reference_tracer.h"
+#include "gl/pipeline.h"
+#include "gl/renderer.h"
 #include "panels/pixel_texture.h"
 #include "panels/preview_panel.h"
-#include "preview/pipeline.h"
-#include "preview/renderer.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 struct PreviewRequest {
   Scene scene;
@@ -57,18 +58,18 @@ class PreviewPane {
   PreviewRequest drawn_;
   float drawn_scale_ = 0;
   double moved_s_ = -1e9;
-  int passes_ = 0, samples_ = 0;         // of the resting picture, so far
+  int passes_ = 0, samples_ = 0;              // of the resting picture, so far
   int samples_a_pass_ = 2, all_samples_ = 8;  // the first picture tells what it costs
-  double spent_ms_ = 0;                  // on its passes
-  double ms_a_sample_ = 0;               // of a picture mostly of threads
-  double full_ms_ = 0, moving_ms_ = 0;  // the cloth's cost at every pixel, at rest and by the moving programs
+  double spent_ms_ = 0;                       // on its passes
+  double ms_a_sample_ = 0;                    // of a picture mostly of threads
+  double full_ms_ = 0, moving_ms_ = 0;        // the cloth's cost at every pixel, at rest and by the moving programs
   FrameStats stats_;
 
   ReferenceTracer tracer_;
-  bool traced_ = false;        // the tracer was given the picture that is drawn
+  bool traced_ = false;  // the tracer was given the picture that is drawn
   Comparison comparison_;
   Compare shown_ = Compare::kOff;
   PixelTexture reference_texture_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -6,11 +6,11 @@
 
 #include "panels/preview_panel.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
-constexpr int kMostSamples = 256;     // of a pixel: noise is then below what is seen
-constexpr int kCoarse = 4;            // the first picture has a pixel for so many, each way
+constexpr int kMostSamples = 256;          // of a pixel: noise is then below what is seen
+constexpr int kCoarse = 4;                 // the first picture has a pixel for so many, each way
 constexpr int64_t kTriangles = 3'000'000;  // 400 MB: the window must leave room for others
 
 uint32_t packed(const float* rgb) {
@@ -153,4 +153,4 @@ void ReferenceTracer::publish(Comparison made, const std::stop_token& stop) {
   if (!stop.stop_requested()) made_ = std::move(made);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

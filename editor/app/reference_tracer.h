@@ -12,23 +12,24 @@
 #include <thread>
 #include <vector>
 
+#include "app/names.h"
 #include "files/files.h"
-#include "preview/reference_scene.h"
+#include "upload/reference_scene.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 /// A view of the preview.
 struct TraceJob {
   std::shared_ptr<const Design> design;
-  Scene scene;        // with the camera as it is turned
+  Scene scene;  // with the camera as it is turned
   float exposure_ev = 0;
-  Image around;       // the preview without its cloth
-  Image preview;      // the whole preview; of the same size
+  Image around;   // the preview without its cloth
+  Image preview;  // the whole preview; of the same size
 };
 
 struct Comparison {
   int width = 0, height = 0;
-  int samples = 0;    // a pixel; 0: a coarse first picture
+  int samples = 0;                              // a pixel; 0: a coarse first picture
   std::vector<uint32_t> reference, difference;  // RGBA8, row 0 on top; the difference kDifferenceScale times
   float relative_error = 0;  // RMSE of the preview over the reference's RMS, linear light, over the cloth
   bool finished = false;
@@ -66,4 +67,4 @@ class ReferenceTracer {
   std::thread thread_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -9,7 +9,7 @@
 #include "draft/block_text.h"
 #include "panels/selection.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 using SelectionEdit = Design (*)(Design, const Selection&, bool with_looks);
@@ -31,20 +31,25 @@ Action& on_selection(Action& a, const char* submenu = "") {
   return a;
 }
 
-Action& add_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key, SelectionEdit edit) {
-  return on_selection(add(all, "Edit", id, label, key,
-                          [=](Editor& e) {
-                            const bool looks = e.work().select.with_looks;
-                            e.commit({label, [s = selected(e), edit, looks](Design d) { return edit(std::move(d), s, looks); }});
-                          }),
-                      submenu);
+Action& add_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
+                 SelectionEdit edit) {
+  return on_selection(
+      add(all, "Edit", id, label, key,
+          [=](Editor& e) {
+            const bool looks = e.work().select.with_looks;
+            e.commit({label, [s = selected(e), edit, looks](Design d) { return edit(std::move(d), s, looks); }});
+          }),
+      submenu);
 }
 
-Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key, ThreadEdit edit) {
+Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
+                        ThreadEdit edit) {
   Action& a = on_selection(add(all, "Edit", id, label, key,
                                [=](Editor& e) {
                                  const bool looks = e.work().select.with_looks;
-                                 e.commit({label, [t = *threads_of(selected(e)), edit, looks](Design d) { return edit(std::move(d), t, looks); }});
+                                 e.commit({label, [t = *threads_of(selected(e)), edit, looks](Design d) {
+                                             return edit(std::move(d), t, looks);
+                                           }});
                                }),
                            submenu);
   a.enabled = has_threads;
@@ -104,8 +109,10 @@ void insert_threads(Editor& e) {
 void delete_threads(Editor& e) {
   const ThreadRange t = *threads_of(selected(e));
   const bool all = t.count() >= e.document().now().draft.threads(t.system).size();
-  if (all) return e.say(t.system == System::kWarp ? "A draft keeps at least one end" : "A draft keeps at least one pick");
-  e.commit({"Delete threads", [t, looks = e.work().select.with_looks](Design d) { return without_threads(std::move(d), t, looks); }});
+  if (all)
+    return e.say(t.system == System::kWarp ? "A draft keeps at least one end" : "A draft keeps at least one pick");
+  e.commit({"Delete threads",
+            [t, looks = e.work().select.with_looks](Design d) { return without_threads(std::move(d), t, looks); }});
   select_cells(e.work().select, {});
 }
 
@@ -123,10 +130,14 @@ void add_clipboard(Actions& all) {
   new_group(on_selection(add(all, "Edit", "cut", "Cut", "Ctrl+X", cut_selection)));
   on_selection(add(all, "Edit", "copy", "Copy", "Ctrl+C", [](Editor& e) { copy_selection(e); }));
   on_selection(add(all, "Edit", "paste", "Paste", "Ctrl+V", [](Editor& e) { paste(e, false); })).enabled = nullptr;
-  on_selection(add(all, "Edit", "paste_add", "Paste marks on top", "Ctrl+Shift+V", [](Editor& e) { paste(e, true); })).enabled = nullptr;
-  add_edit(all, "", "clear", "Delete", "Delete", [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
+  on_selection(add(all, "Edit", "paste_add", "Paste marks on top", "Ctrl+Shift+V", [](Editor& e) {
+    paste(e, true);
+  })).enabled = nullptr;
+  add_edit(all, "", "clear", "Delete", "Delete",
+           [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
   new_group(add(all, "Edit", "select_all", "Select all of a grid", "Ctrl+A", select_all));
-  on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads)).enabled = has_threads;
+  on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads))
+      .enabled = has_threads;
   add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const Editor& e) {
     return has_selection(e) || has_block(e);
   };
@@ -146,38 +157,51 @@ void turn(Editor& e, const char* label, SelectionEdit edit, BlockTurn of_block) 
 }
 
 void add_turns(Actions& all) {
-  const auto add_turn = [&all](const char* id, const char* label, const char* key, SelectionEdit edit, BlockTurn of_block) {
-    Action& a = on_selection(add(all, "Edit", id, label, key, [=](Editor& e) { turn(e, label, edit, of_block); }), kTurn);
+  const auto add_turn = [&all](const char* id, const char* label, const char* key, SelectionEdit edit,
+                               BlockTurn of_block) {
+    Action& a =
+        on_selection(add(all, "Edit", id, label, key, [=](Editor& e) { turn(e, label, edit, of_block); }), kTurn);
     a.enabled = [](const Editor& e) { return has_selection(e) || has_block(e); };
     return &a;
   };
   new_group(*add_turn("mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across, mirrored_across));
   add_turn("mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down, mirrored_down);
   add_turn("half_turn", "Turn by half", "Shift+R", with_half_turn, half_turned);
-  add_turn("invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); }, inverted);
+  add_turn(
+      "invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); },
+      inverted);
 }
 
 void add_repeats(Actions& all) {
-  add_edit(all, kRepeat, "repeat_end", "Repeat to the end", "Ctrl+R",
-           [](Design d, const Selection& s, bool looks) { return with_repeated(std::move(d), s, Reach::kToEnd, looks); });
+  add_edit(all, kRepeat, "repeat_end", "Repeat to the end", "Ctrl+R", [](Design d, const Selection& s, bool looks) {
+    return with_repeated(std::move(d), s, Reach::kToEnd, looks);
+  });
   add_edit(all, kRepeat, "repeat_all", "Repeat over everything", "Ctrl+Shift+R",
            [](Design d, const Selection& s, bool looks) { return with_repeated(std::move(d), s, Reach::kAll, looks); });
   add_thread_edit(all, kRepeat, "point_end", "Point repeat to the end", "Ctrl+M",
-                  [](Design d, const ThreadRange& t, bool looks) { return with_point_repeat(std::move(d), t, Reach::kToEnd, looks); });
-  add_thread_edit(all, kRepeat, "advance_up", "Advancing repeat to the end, one up each time", "Ctrl+.",
-                  [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, 1, looks); });
-  add_thread_edit(all, kRepeat, "advance_down", "Advancing repeat to the end, one down each time", "Ctrl+,",
-                  [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, -1, looks); });
+                  [](Design d, const ThreadRange& t, bool looks) {
+                    return with_point_repeat(std::move(d), t, Reach::kToEnd, looks);
+                  });
+  add_thread_edit(
+      all, kRepeat, "advance_up", "Advancing repeat to the end, one up each time", "Ctrl+.",
+      [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, 1, looks); });
+  add_thread_edit(
+      all, kRepeat, "advance_down", "Advancing repeat to the end, one down each time", "Ctrl+,",
+      [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, -1, looks); });
 }
 
 void add_threads(Actions& all) {
-  on_selection(add(all, "Edit", "insert_threads", "Insert empty threads before", "Insert", insert_threads), kThreads).enabled = has_threads;
-  on_selection(add(all, "Edit", "delete_threads", "Delete threads", "Ctrl+Delete", delete_threads), kThreads).enabled = has_threads;
+  on_selection(add(all, "Edit", "insert_threads", "Insert empty threads before", "Insert", insert_threads), kThreads)
+      .enabled = has_threads;
+  on_selection(add(all, "Edit", "delete_threads", "Delete threads", "Ctrl+Delete", delete_threads), kThreads).enabled =
+      has_threads;
   add_thread_edit(all, kThreads, "reverse_threads", "Reverse their order", "Ctrl+Shift+M", with_reversed_threads);
-  add_thread_edit(all, kThreads, "double_threads", "Insert a copy after", "Ctrl+D",
-                  [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, false, looks); });
-  add_thread_edit(all, kThreads, "double_mirrored", "Insert a mirrored copy after (shared point)", "Ctrl+Shift+D",
-                  [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
+  add_thread_edit(
+      all, kThreads, "double_threads", "Insert a copy after", "Ctrl+D",
+      [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, false, looks); });
+  add_thread_edit(
+      all, kThreads, "double_mirrored", "Insert a mirrored copy after (shared point)", "Ctrl+Shift+D",
+      [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
   Action& looks = on_selection(add(all, "Edit", "with_looks", "Whole threads take their colours along", "",
                                    [](Editor& e) { e.work().select.with_looks = !e.work().select.with_looks; }),
                                kThreads);
@@ -196,26 +220,30 @@ void step(Editor& e, int dx, int dy) {
                   std::clamp(s.held->at.b + by.b, 0, rows_of(design.draft, grid) - 1)};
     return hold_block_over(s, grid, at);
   }
-  if (const MaybeEdit edit = move_selection(s, design, s.selected.a0 + by.a, s.selected.b0 + by.b, false)) e.commit(*edit);
+  if (const MaybeEdit edit = move_selection(s, design, s.selected.a0 + by.a, s.selected.b0 + by.b, false))
+    e.commit(*edit);
 }
 
 void shift_by_one(Editor& e, const char* label, int dx, int dy) {
   const Cell by = screen_step(selected(e).grid, e.work().end1_right, dx, dy);
   const bool looks = e.work().select.with_looks;
-  e.commit({label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
+  e.commit(
+      {label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
 }
 
 struct Arrow {
   const char *key, *name;
   int dx, dy;
 };
-constexpr Arrow kArrows[] = {{"Left", "left", -1, 0}, {"Right", "right", 1, 0}, {"Up", "up", 0, -1}, {"Down", "down", 0, 1}};
+constexpr Arrow kArrows[] = {
+    {"Left", "left", -1, 0}, {"Right", "right", 1, 0}, {"Up", "up", 0, -1}, {"Down", "down", 0, 1}};
 
 void add_shifts(Actions& all) {
   constexpr const char* kLabels[] = {"Shift left, round", "Shift right, round", "Shift up, round", "Shift down, round"};
   for (int i = 0; i < 4; ++i) {
     const Arrow& way = kArrows[i];
-    on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), kLabels[i], (std::string("Alt+") + way.key).c_str(),
+    on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), kLabels[i],
+                     (std::string("Alt+") + way.key).c_str(),
                      [label = kLabels[i], way](Editor& e) { shift_by_one(e, label, way.dx, way.dy); }),
                  kShift);
   }
@@ -225,12 +253,15 @@ void add_shifts(Actions& all) {
 void add_keys(Actions& all) {
   for (const Arrow& way : kArrows) {
     const std::string name = way.name, key = way.key;
-    add(all, "", ("move_" + name).c_str(), ("Move the selection " + name).c_str(), key.c_str(),
-        [way](Editor& e) { step(e, way.dx, way.dy); }).enabled = [](const Editor& e) { return has_selection(e) || has_block(e); };
-    add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(), [way](Editor& e) {
-      const Cell by = screen_step(selected(e).grid, e.work().end1_right, way.dx, way.dy);
-      extend_selection(e.work().select, e.document().now().draft, by.a, by.b);
-    }).enabled = has_selection;
+    add(all, "", ("move_" + name).c_str(), ("Move the selection " + name).c_str(), key.c_str(), [way](Editor& e) {
+      step(e, way.dx, way.dy);
+    }).enabled = [](const Editor& e) { return has_selection(e) || has_block(e); };
+    add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(),
+        [way](Editor& e) {
+          const Cell by = screen_step(selected(e).grid, e.work().end1_right, way.dx, way.dy);
+          extend_selection(e.work().select, e.document().now().draft, by.a, by.b);
+        })
+        .enabled = has_selection;
   }
   add(all, "", "drop", "Put down what is being pasted", "Enter", [](Editor& e) {
     if (const MaybeEdit edit = drop_block(e.work().select, e.document().now(), false)) e.commit(*edit);
@@ -259,4 +290,4 @@ void add_selection_actions(Actions& all) {
   add_keys(all);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -5,11 +5,10 @@
 #include "draft/edits.h"
 #include "panels/threads_panel.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
-Action& add_one(Actions& all, const char* id, const char* label, const char* key,
-                std::function<void(Editor&)> run) {
+Action& add_one(Actions& all, const char* id, const char* label, const char* key, std::function<void(Editor&)> run) {
   Action& a = add(all, "Draft", id, label, key, std::move(run));
   a.item.submenu = "Threads";
   return a;
@@ -41,8 +40,8 @@ void leave_to_yarn(Editor& e) {
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
   e.commit({thread_label("Thickness and spacing", choice.system, threads.size()),
             [threads, system = choice.system](Design d) {
-              return with_thread_spacing(with_thread_thickness(std::move(d), system, threads, kFromYarn),
-                                         system, threads, kFromYarn);
+              return with_thread_spacing(with_thread_thickness(std::move(d), system, threads, kFromYarn), system,
+                                         threads, kFromYarn);
             }});
 }
 
@@ -54,13 +53,11 @@ void add_thread_actions(Actions& all) {
   add_one(all, "threads.swap", "Warp or weft", "", choose_other_system);
   add_one(all, "threads.alike", "Choose all alike", "", choose_alike).enabled = some;
   add_one(all, "threads.every_other", "Choose every other", "", choose_every_other);
-  add_one(all, "threads.clear", "Choose none", "", [](Editor& e) {
-    e.work().chosen.threads.clear();
-  }).enabled = some;
+  add_one(all, "threads.clear", "Choose none", "", [](Editor& e) { e.work().chosen.threads.clear(); }).enabled = some;
   new_group(add_focus(all, "threads.set_thickness", "Thickness\xE2\x80\xA6", "T", "threads.thickness"));
   add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
   add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");
   add_one(all, "threads.from_yarn", "Leave thickness and spacing to the yarn", "", leave_to_yarn);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

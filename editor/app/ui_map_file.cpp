@@ -4,10 +4,11 @@
 
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 std::string ui_map_json(const UiMap& map, uint64_t frame) {
-  nlohmann::ordered_json json = {{"frame", frame}, {"controls", nlohmann::json::array()}, {"grids", nlohmann::json::array()}};
+  nlohmann::ordered_json json = {
+      {"frame", frame}, {"controls", nlohmann::json::array()}, {"grids", nlohmann::json::array()}};
   for (const UiControl& c : map.controls)
     json["controls"].push_back({{"name", c.name}, {"x", c.x}, {"y", c.y}, {"w", c.w}, {"h", c.h}});
   for (const UiGrid& g : map.grids)
@@ -29,4 +30,4 @@ void UiMapFile::frame(const UiMap& map) {
   if (write_file_atomically(path_, ui_map_json(map, frame_)).empty()) last_ = map;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

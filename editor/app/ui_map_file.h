@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <string>
 
+#include "app/names.h"
 #include "panels/ui_map.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 std::string ui_map_json(const UiMap& map, uint64_t frame);
 
@@ -22,4 +23,4 @@ class UiMapFile {
   uint64_t frame_ = 0;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -12,7 +12,7 @@
 
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,7 +20,8 @@ constexpr size_t kMostRecent = 10;
 
 /// $VARIABLE/weftlight, or ~/fallback/weftlight.
 fs::path user_folder(const char* variable, const char* fallback) {
-  if (const char* given = std::getenv(variable); given != nullptr && *given == '/') return fs::path(given) / "weftlight";
+  if (const char* given = std::getenv(variable); given != nullptr && *given == '/')
+    return fs::path(given) / "weftlight";
   const char* home = std::getenv("HOME");
   return fs::path(home != nullptr ? home : ".") / fallback / "weftlight";
 }
@@ -31,7 +32,8 @@ template <class T>
 void take(const nlohmann::json& json, const char* key, T& value) {
   const auto at = json.find(key);
   if (at == json.end()) return;
-  if (at->type() == nlohmann::json(value).type() || (at->is_number() && nlohmann::json(value).is_number())) value = at->get<T>();
+  if (at->type() == nlohmann::json(value).type() || (at->is_number() && nlohmann::json(value).is_number()))
+    value = at->get<T>();
 }
 
 bool is_running(const std::string& process) {
@@ -65,9 +67,10 @@ Settings load_settings() {
 }
 
 void save_settings(const Settings& s) {
-  const nlohmann::json json = {{"dark", s.dark},   {"end1_right", s.end1_right}, {"drawdown_style", s.drawdown_style},
-                               {"per_inch", s.per_inch}, {"split", s.split}, {"width", s.width},           {"height", s.height},
-                               {"recent", s.recent}};
+  const nlohmann::json json = {
+      {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", s.drawdown_style},
+      {"per_inch", s.per_inch}, {"split", s.split},           {"width", s.width},
+      {"height", s.height},     {"recent", s.recent}};
   std::error_code ignored;  // a home that cannot be written to is no reason to stop
   fs::create_directories(settings_path().parent_path(), ignored);
   write_file_atomically(settings_path().string(), json.dump(1) + "\n");
@@ -119,4 +122,4 @@ void Recovery::discard(BackgroundWriter& writer, const LeftBehind& left) {
   writer.remove(fs::path(left.copy).replace_extension(".path").string());
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

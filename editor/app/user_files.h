@@ -6,16 +6,17 @@
 
 #include "app/background_writer.h"
 #include "app/document.h"
+#include "app/names.h"
 
-namespace weftlight {
+namespace weftlight::app {
 
 struct Settings {
   bool dark = false, end1_right = true;
   int drawdown_style = 0;
-  bool per_inch = false;           // ends and picks are counted in an inch
-  float split = 0;                 // share of the window that the draft takes; 0: what it fills
-  int width = 1440, height = 900;  // of the window
-  std::vector<std::string> recent; // newest first
+  bool per_inch = false;            // ends and picks are counted in an inch
+  float split = 0;                  // share of the window that the draft takes; 0: what it fills
+  int width = 1440, height = 900;   // of the window
+  std::vector<std::string> recent;  // newest first
 };
 /// $XDG_CONFIG_HOME/weftlight/settings.json; what is missing or wrong is as in Settings{}.
 Settings load_settings();
@@ -43,4 +44,4 @@ class Recovery {
   std::string folder_, copy_, name_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -16,7 +16,7 @@
 #include "app/fonts.h"
 #include "app/input_queue.h"
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 using Kind = InputEvent::Kind;
@@ -24,10 +24,12 @@ using Kind = InputEvent::Kind;
 constexpr int kButtons = IM_ARRAYSIZE(ImGuiIO::MouseDown), kKeys = IM_ARRAYSIZE(ImGuiIO::KeysDown);
 constexpr float kOutside = -1e6f;  // where no pointer is
 
-constexpr std::pair<int, const char*> kNamedKeys[] = {
-    {GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"}, {GLFW_KEY_LEFT, "Left"},     {GLFW_KEY_RIGHT, "Right"},
-    {GLFW_KEY_UP, "Up"},          {GLFW_KEY_DOWN, "Down"},     {GLFW_KEY_DELETE, "Delete"}, {GLFW_KEY_BACKSPACE, "Delete"},
-    {GLFW_KEY_INSERT, "Insert"},  {GLFW_KEY_ENTER, "Enter"},   {GLFW_KEY_KP_ENTER, "Enter"}, {GLFW_KEY_ESCAPE, "Escape"}};
+constexpr std::pair<int, const char*> kNamedKeys[] = {{GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"},
+                                                      {GLFW_KEY_LEFT, "Left"},      {GLFW_KEY_RIGHT, "Right"},
+                                                      {GLFW_KEY_UP, "Up"},          {GLFW_KEY_DOWN, "Down"},
+                                                      {GLFW_KEY_DELETE, "Delete"},  {GLFW_KEY_BACKSPACE, "Delete"},
+                                                      {GLFW_KEY_INSERT, "Insert"},  {GLFW_KEY_ENTER, "Enter"},
+                                                      {GLFW_KEY_KP_ENTER, "Enter"}, {GLFW_KEY_ESCAPE, "Escape"}};
 
 std::string key_name(int key, int scancode) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));
@@ -37,7 +39,8 @@ std::string key_name(int key, int scancode) {
   const char* name = glfwGetKeyName(key, scancode);
   if (name == nullptr) return {};
   std::string text = name;
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text == "=" ? "+" : text;
 }
 
@@ -90,7 +93,7 @@ struct Window::Inbox {
   bool happened = true;
   InputQueue input;
   std::vector<std::string> dropped;
-  std::vector<std::string> shortcuts;  // of the frame
+  std::vector<std::string> shortcuts;                     // of the frame
   bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as the window system last said
   double x = kOutside, y = kOutside;                      // of the last move
   ImVec2 given_pointer = {kOutside, kOutside};            // as ImGui knows them
@@ -101,7 +104,9 @@ struct Window::Inbox {
     in.happened = true;
     return in;
   }
-  bool dragging() const { return std::find(std::begin(button_down), std::end(button_down), true) != std::end(button_down); }
+  bool dragging() const {
+    return std::find(std::begin(button_down), std::end(button_down), true) != std::end(button_down);
+  }
   void key(int key, int scancode, int action, int mods);
   /// To ImGui.
   void give(InputEvent& e);
@@ -111,7 +116,8 @@ void Window::Inbox::key(int key, int scancode, int action, int mods) {
   const bool down = action != GLFW_RELEASE;
   if (key < 0 || key >= kKeys) return;
   key_down[key] = down;
-  InputEvent e{is_modifier(key) ? Kind::kModifier : Kind::kKey, x, y, static_cast<unsigned>(key), down, modifiers(mods)};
+  InputEvent e{
+      is_modifier(key) ? Kind::kModifier : Kind::kKey, x, y, static_cast<unsigned>(key), down, modifiers(mods)};
   if (down) e.shortcut = shortcut(key, scancode, mods);
   input.add(std::move(e));
 }
@@ -152,7 +158,8 @@ void Window::listen(GLFWwindow* w) {
     Inbox::of(at);
     ImGui_ImplGlfw_WindowFocusCallback(at, focused);
   });
-  glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) { Inbox::of(at).dropped.assign(paths, paths + count); });
+  glfwSetDropCallback(
+      w, [](GLFWwindow* at, int count, const char** paths) { Inbox::of(at).dropped.assign(paths, paths + count); });
   glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
   glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
   glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { Inbox::of(at); });
@@ -183,8 +190,12 @@ void Window::give_input() {
 void Window::Inbox::give(InputEvent& e) {
   ImGuiIO& io = ImGui::GetIO();
   switch (e.kind) {
-    case Kind::kButton: given_buttons[e.code] = e.down; [[fallthrough]];
-    case Kind::kMove: given_pointer = {static_cast<float>(e.x), static_cast<float>(e.y)}; break;
+    case Kind::kButton:
+      given_buttons[e.code] = e.down;
+      [[fallthrough]];
+    case Kind::kMove:
+      given_pointer = {static_cast<float>(e.x), static_cast<float>(e.y)};
+      break;
     case Kind::kScroll:
       io.MouseWheelH += static_cast<float>(e.x);
       io.MouseWheel += static_cast<float>(e.y);
@@ -192,8 +203,12 @@ void Window::Inbox::give(InputEvent& e) {
     case Kind::kKey:
       if (!e.shortcut.empty()) shortcuts.push_back(std::move(e.shortcut));
       [[fallthrough]];
-    case Kind::kModifier: io.KeysDown[e.code] = e.down; break;
-    case Kind::kCharacter: io.AddInputCharacter(e.code); break;
+    case Kind::kModifier:
+      io.KeysDown[e.code] = e.down;
+      break;
+    case Kind::kCharacter:
+      io.AddInputCharacter(e.code);
+      break;
   }
 }
 
@@ -310,4 +325,4 @@ std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shor
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
 double Window::seconds() { return glfwGetTime(); }
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "app/names.h"
 #include "panels/style.h"
 
 struct GLFWwindow;
 struct GLFWcursor;
 
-namespace weftlight {
+namespace weftlight::app {
 
 class Window {
  public:
@@ -59,4 +60,4 @@ class Window {
   GLFWcursor* crosshair_ = nullptr;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::app

@@ -13,24 +13,25 @@
 #include "commands/commands.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
+#include "gl/shader_program.h"
 #include "light/formulas.h"
-#include "preview/light_rig.h"
-#include "preview/rung_shares.h"
-#include "preview/shader_program.h"
-#include "preview/shipped_ladder.h"
-#include "preview/stages.h"
+#include "upload/light_rig.h"
+#include "upload/rung_shares.h"
+#include "upload/shipped_ladder.h"
+#include "upload/stages.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 constexpr glm::vec3 kIrradiance{kKeyIrradiance};
-constexpr glm::vec2 kCorner{0.37f, 0.61f};   // mm: no pixel begins where a thread does
-constexpr int kTile = 1024;                  // of a finer picture
+constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm: no pixel begins where a thread does
+constexpr int kTile = 1024;                 // of a finer picture
 
 Pixels colours(const Image& image) {
   Pixels pixels;
   pixels.reserve(image.texels.size() / 4);
-  for (size_t i = 0; i + 3 < image.texels.size(); i += 4) pixels.emplace_back(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
+  for (size_t i = 0; i + 3 < image.texels.size(); i += 4)
+    pixels.emplace_back(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
   return pixels;
 }
 
@@ -51,25 +52,34 @@ size_t scene_of(const ChartRow& cell) {
 double textures(const PackedFace& face, const std::vector<PackedKind>& kinds) {
   double bytes = 0;
   for (const PackedKind kind : kinds) {
-    for (const std::vector<uint8_t>& level : face.textures[static_cast<size_t>(kind)].levels) bytes += static_cast<double>(level.size());
+    for (const std::vector<uint8_t>& level : face.textures[static_cast<size_t>(kind)].levels)
+      bytes += static_cast<double>(level.size());
   }
   return bytes;
 }
 
 std::vector<PackedKind> kinds_of(Method method) {
   switch (method) {
-    case Method::kFlat: return {PackedKind::kColor};
-    case Method::kVrst03: return {PackedKind::kColor, PackedKind::kShadow};
-    case Method::kCloth: return {};
-    case Method::kRepeat: return {PackedKind::kColor, PackedKind::kRelief};
+    case Method::kFlat:
+      return {PackedKind::kColor};
+    case Method::kVrst03:
+      return {PackedKind::kColor, PackedKind::kShadow};
+    case Method::kCloth:
+      return {};
+    case Method::kRepeat:
+      return {PackedKind::kColor, PackedKind::kRelief};
     case Method::kCell:
-    case Method::kEngine: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
-    case Method::kYarn: return {PackedKind::kHorizon};   // the sky's share
-    default: return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
+    case Method::kEngine:
+      return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
+    case Method::kYarn:
+      return {PackedKind::kHorizon};  // the sky's share
+    default:
+      return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
   }
 }
 
-FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& steps, int pixels, int rays, uint64_t seed) {
+FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& steps, int pixels, int rays,
+                         uint64_t seed) {
   FlatPicture picture;
   picture.width = picture.height = pixels;
   picture.spp = std::max(4, rays / (pixels * pixels));
@@ -127,11 +137,11 @@ std::string ChartBench::fingerprint() const {
     std::ifstream in(file, std::ios::binary);
     text += std::string(std::istreambuf_iterator<char>(in), {});
   }
-  uint64_t hash = 1469598103934665603u;   // FNV-1a
+  uint64_t hash = 1469598103934665603u;  // FNV-1a
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   std::ostringstream out;
-  out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << hash << std::dec << "\ndevice " << renderer_->device()
-      << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples << '\n';
+  out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << hash << std::dec << "\ndevice "
+      << renderer_->device() << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples << '\n';
   return out.str();
 }
 
@@ -144,7 +154,7 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
     return nullptr;
   }
   auto made = std::make_unique<Loaded>();
-  opened.design.look.method = Method::kVrst03;   // the only one that asks for maps of its own
+  opened.design.look.method = Method::kVrst03;  // the only one that asks for maps of its own
   Stages stages;
   stages.update(std::make_shared<const Design>(opened.design));
   made->packed = stages.packed();
@@ -166,7 +176,8 @@ bool ChartBench::show(size_t scene, std::string& error) {
   return true;
 }
 
-Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height, int samples) {
+Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width,
+                        int height, int samples) {
   FlatPatch patch;
   patch.samples = samples;
   patch.width = width, patch.height = height;
@@ -198,7 +209,8 @@ const Truth* ChartBench::truth(const ChartRow& cell, std::string& error) {
   Truth& truth = loaded->truths[{cell.view_deg, cell.yarns_per_pixel}];
   if (!truth.half.empty()) return &truth;
   const int pixels = patch_pixels(cell.yarns_per_pixel, effort_);
-  const PixelSteps steps = pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded->packed.mean_spacing_mm));
+  const PixelSteps steps =
+      pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded->packed.mean_spacing_mm));
   for (const uint64_t seed : {1u, 2u}) {
     const FlatPicture picture = flat_picture(cell.view_deg, kCorner, steps, pixels, effort_.truth_budget, seed);
     (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(*loaded->tubes, picture, {}));
@@ -220,8 +232,9 @@ Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, cons
     for (int x = 0; x < grid.pixels; x += across) {
       const int w = std::min(across, grid.pixels - x), h = std::min(down, grid.pixels - y);
       const glm::vec2 corner = kCorner + static_cast<float>(x) * pixel.x + static_cast<float>(y) * pixel.y;
-      const Pixels tile = box_average(draw(cell.method, cell.view_deg, corner, fine, w * grid.nx, h * grid.ny, effort_.fine_samples), w * grid.nx, h * grid.ny,
-                                      grid.nx, grid.ny);
+      const Pixels tile =
+          box_average(draw(cell.method, cell.view_deg, corner, fine, w * grid.nx, h * grid.ny, effort_.fine_samples),
+                      w * grid.nx, h * grid.ny, grid.nx, grid.ny);
       for (int row = 0; row < h; ++row) {
         std::copy_n(tile.begin() + row * w, w, all.begin() + (y + row) * grid.pixels + x);
       }
@@ -262,12 +275,14 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
 /// yarns: a pixel's, by the root of its area.
 double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, double yarns) {
   if (!effort_.count_everywhere) scene = 0, view_deg = 0;
-  const int samples = method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), formulas::kMostYarnSamples) : 1;
-  const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method}, 0.0);   // of a sample
+  const int samples =
+      method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), formulas::kMostYarnSamples) : 1;
+  const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method}, 0.0);  // of a sample
   if (fresh) {
     // Single steps are slow, and samples are alike: a few stand for all.
     const int taken = method == Method::kYarn ? effort_.counted_samples : 1;
-    const auto counted = formula_instructions(method, loaded_[scene]->cloth, chart_view(view_deg), chart_light(), taken);
+    const auto counted =
+        formula_instructions(method, loaded_[scene]->cloth, chart_view(view_deg), chart_light(), taken);
     at->second = static_cast<double>(counted.value_or(0)) / taken;
   }
   return at->second * samples;
@@ -283,7 +298,8 @@ double ChartBench::instructions(const ChartRow& cell) {
   constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
-    if (weights[k] > kUnseenWeight) sum += rung_instructions(scene, cell.view_deg, kRungs[static_cast<size_t>(k)], yarns);
+    if (weights[k] > kUnseenWeight)
+      sum += rung_instructions(scene, cell.view_deg, kRungs[static_cast<size_t>(k)], yarns);
   }
   return sum;
 }
@@ -293,7 +309,8 @@ std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& e
   if (!show(scene, error)) return std::nullopt;
   const Truth* known = truth(cell, error);
   if (!known) return std::nullopt;
-  const PixelSteps pixel = pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded_[scene]->packed.mean_spacing_mm));
+  const PixelSteps pixel =
+      pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded_[scene]->packed.mean_spacing_mm));
   const int size = patch_pixels(cell.yarns_per_pixel, effort_);
   const Pixels drawn = draw(cell.method, cell.view_deg, kCorner, pixel, size, size);
   ChartRow row = cell;
@@ -307,15 +324,18 @@ std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& e
   return as_written(row);
 }
 
-std::optional<double> ChartBench::brightness(size_t scene, double view_deg, std::optional<Method> method, std::string& error) {
+std::optional<double> ChartBench::brightness(size_t scene, double view_deg, std::optional<Method> method,
+                                             std::string& error) {
   if (!show(scene, error)) return std::nullopt;
   constexpr int kPixels = 16;
-  constexpr double kYarns = 4;   // a pixel: the patch holds whole figures
+  constexpr double kYarns = 4;  // a pixel: the patch holds whole figures
   Loaded& loaded = *loaded_[scene];
   const PixelSteps steps = pixel_steps(view_deg, kYarns * static_cast<double>(loaded.packed.mean_spacing_mm));
   const double white = static_cast<double>(kIrradiance.x * chart_light().z) / 3.141592653589793;
   if (method) return mean_value(draw(*method, view_deg, kCorner, steps, kPixels, kPixels)) / white;
-  return mean_value(colours(trace_flat(*loaded.tubes, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) / white;
+  return mean_value(colours(
+             trace_flat(*loaded.tubes, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) /
+         white;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

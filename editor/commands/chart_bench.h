@@ -11,12 +11,13 @@
 #include "commands/chart_error.h"
 #include "commands/chart_rows.h"
 #include "commands/chart_scene.h"
-#include "preview/context.h"
-#include "preview/packed_maps.h"
-#include "preview/renderer.h"
+#include "commands/names.h"
+#include "gl/context.h"
+#include "gl/renderer.h"
 #include "reference/picture.h"
+#include "upload/packed_maps.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 /// The traced patch, twice, with other random numbers.
 struct Truth {
@@ -52,7 +53,8 @@ class ChartBench {
   Loaded* load(size_t scene, std::string& error);
   bool show(size_t scene, std::string& error);
   const Truth* truth(const ChartRow& cell, std::string& error);
-  Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height, int samples = FlatPatch{}.samples);
+  Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
+              int samples = FlatPatch{}.samples);
   Pixels supersampled(const ChartRow& cell, const FineGrid& grid, const PixelSteps& pixel);
   double filtering_error(const ChartRow& cell, const PixelSteps& pixel);
   double flicker(const ChartRow& cell, const PixelSteps& pixel);
@@ -61,7 +63,7 @@ class ChartBench {
   double rung_instructions(size_t scene, int view_deg, Method method, double yarns);
 
   ChartEffort effort_;
-  std::unique_ptr<HeadlessContext> context_;   // outlives the renderer
+  std::unique_ptr<HeadlessContext> context_;  // outlives the renderer
   std::unique_ptr<Renderer> renderer_;
   std::array<std::unique_ptr<Loaded>, kChartScenes.size()> loaded_;
   std::optional<size_t> shown_;
@@ -72,4 +74,4 @@ class ChartBench {
 /// Texture memory that a method reads, both faces.
 double method_bytes(const PackedCloth& cloth, Method method);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

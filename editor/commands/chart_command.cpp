@@ -16,7 +16,7 @@
 #include "commands/picture_setup.h"
 #include "files/atomic_file.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 constexpr std::array<double, 7> kAlbedoViews{0, 20, 40, 55, 70, 80, 85};
@@ -67,15 +67,17 @@ class Run {
   void keep_earlier() {
     if (read_text(dir_ + "/chart.state") != bench_.fingerprint()) return;
     for (const ChartRow& row : read_chart(read_text(dir_ + "/chart.csv"))) {
-      const bool asked = std::any_of(cells_.begin(), cells_.end(), [&row](const ChartRow& c) { return c.same_cell(row); });
+      const bool asked =
+          std::any_of(cells_.begin(), cells_.end(), [&row](const ChartRow& c) { return c.same_cell(row); });
       if (asked && !known(row)) rows_.push_back(row);
     }
   }
 
   void tell(const ChartRow& cell) const {
     char line[128];
-    std::snprintf(line, sizeof line, "%3zu/%zu  %s, %d degrees, %g yarns a pixel, %s", rows_.size() + 1, cells_.size(), cell.scene.c_str(),
-                  cell.view_deg, cell.yarns_per_pixel, std::string(method_name(cell.method)).c_str());
+    std::snprintf(line, sizeof line, "%3zu/%zu  %s, %d degrees, %g yarns a pixel, %s", rows_.size() + 1, cells_.size(),
+                  cell.scene.c_str(), cell.view_deg, cell.yarns_per_pixel,
+                  std::string(method_name(cell.method)).c_str());
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%-78s", line);
     else if (rows_.size() % 20 == 0) std::fprintf(stderr, "%s\n", line);
   }
@@ -92,7 +94,8 @@ class Run {
   std::vector<ChartRow> in_order() const {
     std::vector<ChartRow> sorted;
     for (const ChartRow& cell : cells_) {
-      const auto found = std::find_if(rows_.begin(), rows_.end(), [&cell](const ChartRow& r) { return r.same_cell(cell); });
+      const auto found =
+          std::find_if(rows_.begin(), rows_.end(), [&cell](const ChartRow& r) { return r.same_cell(cell); });
       if (found != rows_.end()) sorted.push_back(*found);
     }
     mark_front(sorted);
@@ -120,7 +123,8 @@ class Run {
     const std::vector<Method> methods = bench_.methods();
     for (size_t scene = 0; scene < kChartScenes.size(); ++scene) {
       for (const double view : kAlbedoViews) {
-        if (const auto traced = bench_.brightness(scene, view, {}, error)) values.push_back({kChartScenes[scene].name, "truth", view, *traced});
+        if (const auto traced = bench_.brightness(scene, view, {}, error))
+          values.push_back({kChartScenes[scene].name, "truth", view, *traced});
         for (const Method method : methods) {
           if (const auto drawn = bench_.brightness(scene, view, method, error)) {
             values.push_back({kChartScenes[scene].name, std::string(method_name(method)), view, *drawn});
@@ -149,7 +153,8 @@ class Run {
 int chart_command(const ChartOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
-  if (!std::filesystem::is_directory(options.out)) return fail(kNotWritten, options.out + ": the folder cannot be made");
+  if (!std::filesystem::is_directory(options.out))
+    return fail(kNotWritten, options.out + ": the folder cannot be made");
   int code = kDone;
   std::string error;
   const auto bench = ChartBench::create(chart_effort(options.quick), code, error);
@@ -157,4 +162,4 @@ int chart_command(const ChartOptions& options) {
   return Run(*bench, options.out).all();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

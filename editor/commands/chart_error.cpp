@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 using Span = std::span<const glm::vec3>;
@@ -18,9 +18,7 @@ double mean_product(size_t count, const Left& left, const Right& right) {
   return count ? sum / (3.0 * static_cast<double>(count)) : 0;
 }
 
-double ratio_of_roots(double above, double below) {
-  return below > 0 ? std::sqrt(std::max(above, 0.0) / below) : 0;
-}
+double ratio_of_roots(double above, double below) { return below > 0 ? std::sqrt(std::max(above, 0.0) / below) : 0; }
 
 }  // namespace
 
@@ -72,7 +70,8 @@ Pixels box_average(Span samples, int width, int height, int nx, int ny) {
   for (int y = 0; y < rows * ny; ++y) {
     const size_t row = static_cast<size_t>(y / ny) * static_cast<size_t>(columns);
     for (int x = 0; x < columns * nx; ++x) {
-      sums[row + static_cast<size_t>(x / nx)] += glm::dvec3(samples[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]);
+      sums[row + static_cast<size_t>(x / nx)] +=
+          glm::dvec3(samples[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]);
     }
   }
   Pixels means;
@@ -81,4 +80,4 @@ Pixels box_average(Span samples, int width, int height, int nx, int ny) {
   return means;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

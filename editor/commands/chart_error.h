@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-namespace weftlight {
+#include "commands/names.h"
+
+namespace weftlight::commands {
 
 using Pixels = std::vector<glm::vec3>;
 
@@ -14,7 +16,8 @@ double relative_rmse(std::span<const glm::vec3> picture, std::span<const glm::ve
 
 /// The same against a truth known by two independent estimates: the product of the two differences has no
 /// share of their noise, so the result is not raised by it. 0 where noise leaves nothing.
-double relative_rmse(std::span<const glm::vec3> picture, std::span<const glm::vec3> half, std::span<const glm::vec3> other_half);
+double relative_rmse(std::span<const glm::vec3> picture, std::span<const glm::vec3> half,
+                     std::span<const glm::vec3> other_half);
 
 /// Noise of the mean of both halves, as a relative RMSE.
 double noise_of(std::span<const glm::vec3> half, std::span<const glm::vec3> other_half);
@@ -28,4 +31,4 @@ double flicker_of(const std::vector<Pixels>& pans);
 /// Means of blocks of nx x ny samples; width and height are whole blocks.
 Pixels box_average(std::span<const glm::vec3> samples, int width, int height, int nx, int ny);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

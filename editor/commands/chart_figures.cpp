@@ -11,13 +11,13 @@
 #include "commands/chart_scene.h"
 #include "files/atomic_file.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 using namespace plot;
 
 constexpr double kModelGoal = 0.15, kFilteringGoal = 0.05;
-constexpr double kLeastError = 1e-4;   // shown for less
+constexpr double kLeastError = 1e-4;  // shown for less
 
 struct Style {
   Method method;
@@ -25,13 +25,17 @@ struct Style {
   Marker marker;
 };
 constexpr std::array<Style, 8> kStyles{{
-    {Method::kFlat, {0.58, 0.60, 0.62}, Marker::kSquare},   {Method::kVrst03, {0.72, 0.43, 0.16}, Marker::kDiamond},
-    {Method::kCloth, {0.16, 0.44, 0.70}, Marker::kUp},      {Method::kRepeat, {0.10, 0.60, 0.50}, Marker::kDown},
-    {Method::kCell, {0.85, 0.65, 0.10}, Marker::kCross},    {Method::kYarn, {0.80, 0.27, 0.20}, Marker::kCircle},
-    {Method::kEngine, {0.55, 0.38, 0.68}, Marker::kRing},   {Method::kAuto, {0.10, 0.11, 0.13}, Marker::kStar},
+    {Method::kFlat, {0.58, 0.60, 0.62}, Marker::kSquare},
+    {Method::kVrst03, {0.72, 0.43, 0.16}, Marker::kDiamond},
+    {Method::kCloth, {0.16, 0.44, 0.70}, Marker::kUp},
+    {Method::kRepeat, {0.10, 0.60, 0.50}, Marker::kDown},
+    {Method::kCell, {0.85, 0.65, 0.10}, Marker::kCross},
+    {Method::kYarn, {0.80, 0.27, 0.20}, Marker::kCircle},
+    {Method::kEngine, {0.55, 0.38, 0.68}, Marker::kRing},
+    {Method::kAuto, {0.10, 0.11, 0.13}, Marker::kStar},
 }};
-constexpr std::array<Ink, 5> kFootprintInks{{
-    {0.75, 0.22, 0.17}, {0.88, 0.53, 0.17}, {0.55, 0.60, 0.20}, {0.15, 0.55, 0.55}, {0.17, 0.30, 0.60}}};
+constexpr std::array<Ink, 5> kFootprintInks{
+    {{0.75, 0.22, 0.17}, {0.88, 0.53, 0.17}, {0.55, 0.60, 0.20}, {0.15, 0.55, 0.55}, {0.17, 0.30, 0.60}}};
 const std::vector<std::string> kFootprintNames{"1/8", "1/2", "1", "2", "8"};
 
 const Style& style_of(Method method) {
@@ -39,7 +43,9 @@ const Style& style_of(Method method) {
 }
 
 std::string scene_title(const std::string& scene, int view_deg) {
-  const std::map<std::string, std::string> titles{{"plain", "Plain weave"}, {"twill", "2/2 twill"}, {"satin", "Satin on 8 shafts"},
+  const std::map<std::string, std::string> titles{{"plain", "Plain weave"},
+                                                  {"twill", "2/2 twill"},
+                                                  {"satin", "Satin on 8 shafts"},
                                                   {"damask", "Twill damask, two colours"}};
   const auto found = titles.find(scene);
   return (found == titles.end() ? scene : found->second) + ", " + std::to_string(view_deg) + "°";
@@ -56,7 +62,8 @@ std::vector<KeyEntry> method_key(const std::vector<ChartRow>& rows, bool coloure
   std::vector<KeyEntry> key;
   for (const Style& s : kStyles) {
     const bool there = std::any_of(rows.begin(), rows.end(), [&s](const ChartRow& r) { return r.method == s.method; });
-    if (there) key.push_back({std::string(method_name(s.method)), coloured ? s.ink : Ink{0.3, 0.32, 0.35}, s.marker, line});
+    if (there)
+      key.push_back({std::string(method_name(s.method)), coloured ? s.ink : Ink{0.3, 0.32, 0.35}, s.marker, line});
   }
   return key;
 }
@@ -79,7 +86,8 @@ std::vector<Curve> cost_curves(const std::vector<ChartRow>& rows, size_t footpri
   std::vector<ChartRow> here;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(here),
                [footprint](const ChartRow& r) { return r.yarns_per_pixel == kChartFootprints[footprint]; });
-  std::sort(here.begin(), here.end(), [](const ChartRow& a, const ChartRow& b) { return a.ns_per_pixel < b.ns_per_pixel; });
+  std::sort(here.begin(), here.end(),
+            [](const ChartRow& a, const ChartRow& b) { return a.ns_per_pixel < b.ns_per_pixel; });
   Curve all, front;
   all.ink = front.ink = kFootprintInks[footprint];
   all.width = 0, front.width = 1.8;
@@ -95,7 +103,10 @@ std::vector<Curve> cost_curves(const std::vector<ChartRow>& rows, size_t footpri
 Figure cost_figure(const std::vector<ChartRow>& rows, const std::string& device) {
   Figure figure;
   figure.title = "Error against cost";
-  figure.subtitle = "Relative RMSE against traced threads; one curve a footprint (yarns a pixel, named at its end) through its Pareto front. " + device;
+  figure.subtitle =
+      "Relative RMSE against traced threads; one curve a footprint (yarns a pixel, named at its end) through its "
+      "Pareto front. " +
+      device;
   figure.key = method_key(rows, false, false);
   const Axis x = log_axis("nanoseconds a pixel", values_of(rows, &ChartRow::ns_per_pixel));
   const Axis y = log_axis("error", values_of(rows, &ChartRow::model_error));
@@ -125,11 +136,17 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
       Panel panel{scene_title(scene.name, view), x, y, {}, goal, goal_name.str()};
       const std::vector<ChartRow> here = rows_at(rows, scene.name, view);
       for (const Style& s : kStyles) {
-        Curve curve{std::string(method_name(s.method)), s.ink, s.method == Method::kAuto ? 2.2 : 1.4, s.method == Method::kAuto, {}};
+        Curve curve{std::string(method_name(s.method)),
+                    s.ink,
+                    s.method == Method::kAuto ? 2.2 : 1.4,
+                    s.method == Method::kAuto,
+                    {}};
         for (const ChartRow& r : here) {
-          if (r.method == s.method) curve.points.push_back({r.yarns_per_pixel, std::max(r.*error, kLeastError), s.marker, false, {}});
+          if (r.method == s.method)
+            curve.points.push_back({r.yarns_per_pixel, std::max(r.*error, kLeastError), s.marker, false, {}});
         }
-        std::sort(curve.points.begin(), curve.points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+        std::sort(curve.points.begin(), curve.points.end(),
+                  [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
         if (!curve.points.empty()) panel.curves.push_back(std::move(curve));
       }
       figure.panels.push_back(std::move(panel));
@@ -141,19 +158,27 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
 Figure albedo_figure(const std::vector<Brightness>& values) {
   Figure figure;
   figure.title = "Albedo against angle";
-  figure.subtitle = "Light reflected towards the eye over that of a white Lambertian; light 40° from the normal, 4 yarns a pixel";
+  figure.subtitle =
+      "Light reflected towards the eye over that of a white Lambertian; light 40° from the normal, 4 yarns a pixel";
   double most = 0;
   for (const Brightness& b : values) most = std::max(most, b.value);
   for (const ChartScene& scene : kChartScenes) {
     std::string title = scene_title(scene.name, 0);
     title.resize(title.rfind(','));
-    Panel panel{title, {"view, degrees from the normal", 0, 90, false, {0, 30, 60, 80}, {}}, {"albedo", 0, most * 1.05, false, {}, {}}, {}, 0, {}};
+    Panel panel{title,
+                {"view, degrees from the normal", 0, 90, false, {0, 30, 60, 80}, {}},
+                {"albedo", 0, most * 1.05, false, {}, {}},
+                {},
+                0,
+                {}};
     std::ostringstream unused;
-    for (double tick = 0; tick <= most * 1.05; tick += most > 2 ? 1 : most > 0.8 ? 0.2 : 0.1) panel.y.ticks.push_back(std::round(tick * 100) / 100);
+    for (double tick = 0; tick <= most * 1.05; tick += most > 2 ? 1 : most > 0.8 ? 0.2 : 0.1)
+      panel.y.ticks.push_back(std::round(tick * 100) / 100);
     const auto curve_of = [&](const std::string& method, Ink ink, Marker marker, double width) {
       Curve curve{method, ink, width, false, {}};
       for (const Brightness& b : values) {
-        if (b.scene == scene.name && b.method == method) curve.points.push_back({b.view_deg, b.value, marker, false, {}});
+        if (b.scene == scene.name && b.method == method)
+          curve.points.push_back({b.view_deg, b.value, marker, false, {}});
       }
       if (!curve.points.empty()) panel.curves.push_back(std::move(curve));
     };
@@ -188,16 +213,23 @@ std::vector<Memory> memory_points(const std::vector<ChartRow>& rows) {
 Figure memory_figure(const std::vector<Memory>& points, const std::vector<ChartRow>& rows) {
   Figure figure;
   figure.title = "Memory against error";
-  figure.subtitle = "Texture bytes that a method reads, both faces, against its error; geometric means over scenes and views";
+  figure.subtitle =
+      "Texture bytes that a method reads, both faces, against its error; geometric means over scenes and views";
   figure.columns = 5, figure.panel_width = 230;
   figure.key = method_key(rows, true, false);
   std::vector<double> bytes, errors;
   for (const Memory& m : points) bytes.push_back(m.bytes), errors.push_back(m.error);
   for (size_t f = 0; f < kChartFootprints.size(); ++f) {
-    Panel panel{kFootprintNames[f] + (kChartFootprints[f] > 1 ? " yarns a pixel" : " yarn a pixel"), log_axis("bytes", bytes), log_axis("error", errors), {}, kModelGoal, "goal 0.15"};
+    Panel panel{kFootprintNames[f] + (kChartFootprints[f] > 1 ? " yarns a pixel" : " yarn a pixel"),
+                log_axis("bytes", bytes),
+                log_axis("error", errors),
+                {},
+                kModelGoal,
+                "goal 0.15"};
     for (const Memory& m : points) {
       if (m.yarns_per_pixel != kChartFootprints[f]) continue;
-      panel.curves.push_back({{}, style_of(m.method).ink, 0, false, {{m.bytes, m.error, style_of(m.method).marker, false, {}}}});
+      panel.curves.push_back(
+          {{}, style_of(m.method).ink, 0, false, {{m.bytes, m.error, style_of(m.method).marker, false, {}}}});
     }
     figure.panels.push_back(std::move(panel));
   }
@@ -214,14 +246,16 @@ std::string albedo_csv(const std::vector<Brightness>& values) {
 std::string memory_csv(const std::vector<Memory>& points) {
   std::ostringstream out;
   out << "method,yarns_per_pixel,bytes,rel_rmse_model\n";
-  for (const Memory& m : points) out << method_name(m.method) << ',' << m.yarns_per_pixel << ',' << m.bytes << ',' << m.error << '\n';
+  for (const Memory& m : points)
+    out << method_name(m.method) << ',' << m.yarns_per_pixel << ',' << m.bytes << ',' << m.error << '\n';
   return out.str();
 }
 
 std::string noise_csv(const std::vector<TruthNoise>& noise) {
   std::ostringstream out;
   out << "scene,view_deg,yarns_per_pixel,rel_rmse_noise\n";
-  for (const TruthNoise& n : noise) out << n.scene << ',' << n.view_deg << ',' << n.yarns_per_pixel << ',' << n.noise << '\n';
+  for (const TruthNoise& n : noise)
+    out << n.scene << ',' << n.view_deg << ',' << n.yarns_per_pixel << ',' << n.noise << '\n';
   return out.str();
 }
 
@@ -244,18 +278,29 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
   const std::vector<Memory> memory = memory_points(rows);
   const std::array<std::function<std::string()>, 11> steps{
       [&] { return write_figure(cost_figure(rows, device), dir + "/error_cost"); },
-      [&] { return write_text(dir + "/error_cost.csv", part_csv(rows, "ns_per_pixel", &ChartRow::ns_per_pixel, true)); },
       [&] {
-        return write_figure(footprint_figure(rows, &ChartRow::model_error, "Error against footprint", "Relative RMSE against traced threads", kModelGoal),
+        return write_text(dir + "/error_cost.csv", part_csv(rows, "ns_per_pixel", &ChartRow::ns_per_pixel, true));
+      },
+      [&] {
+        return write_figure(footprint_figure(rows, &ChartRow::model_error, "Error against footprint",
+                                             "Relative RMSE against traced threads", kModelGoal),
                             dir + "/error_footprint");
       },
-      [&] { return write_text(dir + "/error_footprint.csv", part_csv(rows, "rel_rmse_model", &ChartRow::model_error, false)); },
       [&] {
-        return write_figure(footprint_figure(rows, &ChartRow::filtering_error, "Filtering error against footprint",
-                                             "Relative RMSE against the method's own picture from at least 1,024 samples a pixel", kFilteringGoal),
-                            dir + "/filtering_footprint");
+        return write_text(dir + "/error_footprint.csv",
+                          part_csv(rows, "rel_rmse_model", &ChartRow::model_error, false));
       },
-      [&] { return write_text(dir + "/filtering_footprint.csv", part_csv(rows, "rel_rmse_filtering", &ChartRow::filtering_error, false)); },
+      [&] {
+        return write_figure(
+            footprint_figure(rows, &ChartRow::filtering_error, "Filtering error against footprint",
+                             "Relative RMSE against the method's own picture from at least 1,024 samples a pixel",
+                             kFilteringGoal),
+            dir + "/filtering_footprint");
+      },
+      [&] {
+        return write_text(dir + "/filtering_footprint.csv",
+                          part_csv(rows, "rel_rmse_filtering", &ChartRow::filtering_error, false));
+      },
       [&] { return write_figure(albedo_figure(brightness), dir + "/albedo"); },
       [&] { return write_text(dir + "/albedo.csv", albedo_csv(brightness)); },
       [&] { return write_figure(memory_figure(memory, rows), dir + "/memory"); },
@@ -268,4 +313,4 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
   return {};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "commands/chart_rows.h"
+#include "commands/names.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 /// Reflected light over a white Lambertian's, by view angle.
 struct Brightness {
-  std::string scene, method;   // method "truth": traced
+  std::string scene, method;  // method "truth": traced
   double view_deg = 0, value = 0;
 };
 struct TruthNoise {
@@ -24,4 +25,4 @@ struct TruthNoise {
 std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
                                 const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -11,7 +11,7 @@
 #include "light/formulas.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 using namespace formulas;
@@ -105,8 +105,10 @@ vec3 yarn_sample(const PixelInput& x, vec2 at, bool doubtful) {
   const auto p = scene.thread_point(hit.system, hit.strand, hit.at);
   const float length = hit.system == 0 ? grid.period.y : grid.period.x;
   const ThreadTexture& pattern = (hit.system == 0 ? x.ends : x.picks)[static_cast<size_t>(hit.strand.thread)];
-  const Texel texel = texture_at(pattern, thread_formulas::texture_point(pattern, fract(p.along / length), p.turn, 1, 0));
-  const Answer a = facet_answer(hit.system == 0 ? x.warp : x.weft, p.normal, 1, p.axis + p.around * pattern.fibre_tan, vec3(0), x.l, x.v);
+  const Texel texel =
+      texture_at(pattern, thread_formulas::texture_point(pattern, fract(p.along / length), p.turn, 1, 0));
+  const Answer a = facet_answer(hit.system == 0 ? x.warp : x.weft, p.normal, 1, p.axis + p.around * pattern.fibre_tan,
+                                vec3(0), x.l, x.v);
   if (doubtful && scene.threads_block(grid, hit.at, x.l, kLightCells, hit.system, hit.strand.thread)) return vec3(0);
   return a.key * texel.groove;
 }
@@ -171,14 +173,22 @@ using PixelFormula = vec3 (*)(const PixelInput&);
 
 PixelFormula formula_of(Method method) {
   switch (method) {
-    case Method::kFlat: return flat_pixel;
-    case Method::kVrst03: return vrst03_pixel;
-    case Method::kCloth: return cloth_pixel;
-    case Method::kRepeat: return repeat_pixel;
-    case Method::kCell: return cell_pixel;
-    case Method::kYarn: return yarn_pixel;
-    case Method::kEngine: return engine_pixel;
-    default: return nullptr;
+    case Method::kFlat:
+      return flat_pixel;
+    case Method::kVrst03:
+      return vrst03_pixel;
+    case Method::kCloth:
+      return cloth_pixel;
+    case Method::kRepeat:
+      return repeat_pixel;
+    case Method::kCell:
+      return cell_pixel;
+    case Method::kYarn:
+      return yarn_pixel;
+    case Method::kEngine:
+      return engine_pixel;
+    default:
+      return nullptr;
   }
 }
 
@@ -186,8 +196,8 @@ std::vector<ThreadTexture> textures_of(const Cloth& cloth, System system) {
   const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
   std::vector<ThreadTexture> out;
   for (size_t i = 0; i < threads.size(); ++i) {
-    out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(threads[i].yarn)], threads[i], system, static_cast<int>(i),
-                                 system == System::kWarp ? cloth.depth_mm : cloth.width_mm));
+    out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(threads[i].yarn)], threads[i], system,
+                                 static_cast<int>(i), system == System::kWarp ? cloth.depth_mm : cloth.width_mm));
   }
   return out;
 }
@@ -205,7 +215,8 @@ std::optional<long> count_instructions(const std::function<void()>& work) {
   return *all - *nothing;
 }
 
-std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light, int samples) {
+std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light,
+                                         int samples) {
   const PixelFormula formula = formula_of(method);
   if (!formula || cloth.ends.empty() || cloth.picks.empty()) return std::nullopt;
   PixelInput input;
@@ -222,4 +233,4 @@ std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm:
   });
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

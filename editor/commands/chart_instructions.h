@@ -8,14 +8,16 @@
 #include <optional>
 
 #include "cloth/cloth.h"
+#include "commands/names.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 /// Empty where the system does not let a process step its own child.
 std::optional<long> count_instructions(const std::function<void()>& work);
 
 /// `view` and `light` unit, in cloth space; samples a pixel: of rung yarn alone. Empty also for methods that have no
 /// formulas here.
-std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light, int samples = 1);
+std::optional<long> formula_instructions(Method method, const Cloth& cloth, glm::vec3 view, glm::vec3 light,
+                                         int samples = 1);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -10,13 +10,13 @@
 
 #include "files/atomic_file.h"
 
-namespace weftlight::plot {
+namespace weftlight::commands::plot {
 namespace {
 
-constexpr double kLeft = 52, kRight = 56, kTop = 30, kBottom = 44;   // room around the square of a panel
+constexpr double kLeft = 52, kRight = 56, kTop = 30, kBottom = 44;  // room around the square of a panel
 constexpr double kMargin = 28, kHead = 66, kKeyHeight = 40;
 constexpr double kPngScale = 1.6;
-constexpr double kLabelStep = 11;     // least distance of two labels
+constexpr double kLabelStep = 11;  // least distance of two labels
 constexpr Ink kText{0.13, 0.15, 0.18}, kQuiet{0.45, 0.48, 0.52}, kGrid{0.90, 0.91, 0.92}, kAxisInk{0.62, 0.64, 0.67};
 
 using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
@@ -26,7 +26,8 @@ void take_ink(cairo_t* c, Ink ink, double alpha = 1) { cairo_set_source_rgba(c, 
 
 enum class Place { kStart, kMiddle, kEnd };
 
-void write(cairo_t* c, double x, double y, const std::string& text, double size, Ink ink, Place place = Place::kStart, bool bold = false) {
+void write(cairo_t* c, double x, double y, const std::string& text, double size, Ink ink, Place place = Place::kStart,
+           bool bold = false) {
   cairo_select_font_face(c, "Inter", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(c, size);
   cairo_text_extents_t extents;
@@ -62,12 +63,19 @@ void star(cairo_t* c, double x, double y, double r) {
 
 void shape(cairo_t* c, Marker marker, double x, double y, double r) {
   switch (marker) {
-    case Marker::kSquare: return polygon(c, x, y, {{-r, -r}, {r, -r}, {r, r}, {-r, r}});
-    case Marker::kDiamond: return polygon(c, x, y, {{0, -1.3 * r}, {1.3 * r, 0}, {0, 1.3 * r}, {-1.3 * r, 0}});
-    case Marker::kUp: return polygon(c, x, y, {{0, -1.25 * r}, {1.2 * r, r}, {-1.2 * r, r}});
-    case Marker::kDown: return polygon(c, x, y, {{0, 1.25 * r}, {1.2 * r, -r}, {-1.2 * r, -r}});
-    case Marker::kStar: return star(c, x, y, 1.6 * r);
-    default: cairo_new_path(c); cairo_arc(c, x, y, r, 0, 6.2831853);
+    case Marker::kSquare:
+      return polygon(c, x, y, {{-r, -r}, {r, -r}, {r, r}, {-r, r}});
+    case Marker::kDiamond:
+      return polygon(c, x, y, {{0, -1.3 * r}, {1.3 * r, 0}, {0, 1.3 * r}, {-1.3 * r, 0}});
+    case Marker::kUp:
+      return polygon(c, x, y, {{0, -1.25 * r}, {1.2 * r, r}, {-1.2 * r, r}});
+    case Marker::kDown:
+      return polygon(c, x, y, {{0, 1.25 * r}, {1.2 * r, -r}, {-1.2 * r, -r}});
+    case Marker::kStar:
+      return star(c, x, y, 1.6 * r);
+    default:
+      cairo_new_path(c);
+      cairo_arc(c, x, y, r, 0, 6.2831853);
   }
 }
 
@@ -77,7 +85,8 @@ void mark(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
   if (p.marker == Marker::kCross) {
     take_ink(c, ink);
     cairo_set_line_width(c, 1.8);
-    for (const double s : {-1.0, 1.0}) cairo_move_to(c, x - kSize, y - s * kSize), cairo_line_to(c, x + kSize, y + s * kSize);
+    for (const double s : {-1.0, 1.0})
+      cairo_move_to(c, x - kSize, y - s * kSize), cairo_line_to(c, x + kSize, y + s * kSize);
     cairo_stroke(c);
     return;
   }
@@ -95,7 +104,7 @@ void mark(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
 /// Where values stand on the sheet.
 struct Frame2D {
   const Panel& panel;
-  double x0, y0, width, height;   // y0: top
+  double x0, y0, width, height;  // y0: top
 
   static double share(const Axis& a, double v) {
     if (!a.log) return (v - a.from) / (a.to - a.from);
@@ -118,8 +127,10 @@ std::vector<double> ticks_of(const Axis& a) {
   std::vector<double> ticks;
   if (a.log) {
     const double range = a.to / a.from;
-    const std::vector<double> steps = range > 1000 ? std::vector<double>{1} : range > 60 ? std::vector<double>{1, 3}
-                                      : range > 12 ? std::vector<double>{1, 2, 5} : std::vector<double>{1, 2, 3, 5, 7};
+    const std::vector<double> steps = range > 1000 ? std::vector<double>{1}
+                                      : range > 60 ? std::vector<double>{1, 3}
+                                      : range > 12 ? std::vector<double>{1, 2, 5}
+                                                   : std::vector<double>{1, 2, 3, 5, 7};
     for (double decade = std::pow(10, std::floor(std::log10(a.from))); decade <= a.to; decade *= 10) {
       for (const double k : steps) {
         const double v = k * decade;
@@ -194,7 +205,8 @@ struct Tag {
 void draw_tags(cairo_t* c, const Frame2D& f) {
   std::vector<Tag> tags;
   for (const Curve& curve : f.panel.curves) {
-    if (!curve.label.empty() && !curve.points.empty()) tags.push_back({f.y(curve.points.back().y), curve.label, curve.ink});
+    if (!curve.label.empty() && !curve.points.empty())
+      tags.push_back({f.y(curve.points.back().y), curve.label, curve.ink});
   }
   std::stable_sort(tags.begin(), tags.end(), [](const Tag& a, const Tag& b) { return a.y < b.y; });
   for (size_t i = 1; i < tags.size(); ++i) tags[i].y = std::max(tags[i].y, tags[i - 1].y + kLabelStep);
@@ -207,7 +219,8 @@ void draw_tags(cairo_t* c, const Frame2D& f) {
 }
 
 void draw_panel(cairo_t* c, const Panel& panel, double x, double y, const Figure& figure) {
-  const Frame2D f{panel, x + kLeft, y + kTop, figure.panel_width - kLeft - kRight, figure.panel_height - kTop - kBottom};
+  const Frame2D f{panel, x + kLeft, y + kTop, figure.panel_width - kLeft - kRight,
+                  figure.panel_height - kTop - kBottom};
   draw_axes(c, f);
   for (const Curve& curve : panel.curves) draw_line(c, f, curve);
   for (const Curve& curve : panel.curves) {
@@ -226,7 +239,8 @@ struct Size {
 Size size_of(const Figure& figure) {
   const int columns = std::max(1, figure.columns);
   const int rows = (static_cast<int>(figure.panels.size()) + columns - 1) / columns;
-  return {2 * kMargin + columns * figure.panel_width, kHead + rows * figure.panel_height + (figure.key.empty() ? 0 : kKeyHeight) + kMargin / 2};
+  return {2 * kMargin + columns * figure.panel_width,
+          kHead + rows * figure.panel_height + (figure.key.empty() ? 0 : kKeyHeight) + kMargin / 2};
 }
 
 void draw_key(cairo_t* c, const Figure& figure, double y) {
@@ -277,7 +291,8 @@ std::string write_svg(const Figure& figure, const std::string& path) {
 std::string write_png(const Figure& figure, const std::string& path) {
   const Size size = size_of(figure);
   const std::string temporary = temporary_beside(path);
-  const Sheet sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width * kPngScale), static_cast<int>(size.height * kPngScale)),
+  const Sheet sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width * kPngScale),
+                                               static_cast<int>(size.height * kPngScale)),
                     cairo_surface_destroy);
   const Pen pen(cairo_create(sheet.get()), cairo_destroy);
   cairo_scale(pen.get(), kPngScale, kPngScale);
@@ -307,4 +322,4 @@ void fit_log(Axis& axis, const std::vector<double>& values) {
   axis.from = least / 1.25, axis.to = most * 1.25;
 }
 
-}  // namespace weftlight::plot
+}  // namespace weftlight::commands::plot

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 std::string number(double v) {
@@ -52,8 +52,10 @@ bool read_row(std::string_view line, ChartRow& row) {
   row.view_deg = static_cast<int>(value(cells[1], good));
   row.yarns_per_pixel = value(cells[2], good);
   row.method = method.value_or(Method::kAuto);
-  double* const numbers[] = {&row.ns_per_pixel, &row.instructions_per_pixel, &row.model_error, &row.filtering_error,
-                             &row.energy_ratio, &row.flicker, &row.bytes};
+  double* const numbers[] = {&row.ns_per_pixel, &row.instructions_per_pixel,
+                             &row.model_error,  &row.filtering_error,
+                             &row.energy_ratio, &row.flicker,
+                             &row.bytes};
   for (size_t i = 0; i < std::size(numbers); ++i) *numbers[i] = value(cells[4 + i], good);
   row.on_front = cells[11] == "1";
   return good;
@@ -69,8 +71,9 @@ Ladder place_ladder(const std::vector<ChartRow>& rows, const ChartRow& place, Me
   Ladder ladder;
   for (const ChartRow& r : rows) {
     if (r.method != method || r.scene != place.scene || r.view_deg != place.view_deg) continue;
-    ladder.push_back({method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))), static_cast<float>(r.ns_per_pixel),
-                      static_cast<float>(r.filtering_error), static_cast<float>(r.model_error)});
+    ladder.push_back({method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))),
+                      static_cast<float>(r.ns_per_pixel), static_cast<float>(r.filtering_error),
+                      static_cast<float>(r.model_error)});
   }
   return ladder;
 }
@@ -107,8 +110,10 @@ std::string chart_csv(const std::vector<ChartRow>& rows) {
   std::string text(kChartColumns);
   text += '\n';
   for (const ChartRow& r : rows) {
-    text += r.scene + ',' + std::to_string(r.view_deg) + ',' + number(r.yarns_per_pixel) + ',' + std::string(method_name(r.method));
-    for (const double v : {r.ns_per_pixel, r.instructions_per_pixel, r.model_error, r.filtering_error, r.energy_ratio, r.flicker, r.bytes}) {
+    text += r.scene + ',' + std::to_string(r.view_deg) + ',' + number(r.yarns_per_pixel) + ',' +
+            std::string(method_name(r.method));
+    for (const double v : {r.ns_per_pixel, r.instructions_per_pixel, r.model_error, r.filtering_error, r.energy_ratio,
+                           r.flicker, r.bytes}) {
       text += ',' + number(v);
     }
     text += r.on_front ? ",1\n" : ",0\n";
@@ -145,9 +150,10 @@ Ladder ladder_of(const std::vector<ChartRow>& rows) {
   std::vector<ChartRow> places;
   for (const ChartRow& row : rows) {
     footprints.insert(static_cast<float>(row.yarns_per_pixel));
-    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 2);   // tilted pixels are larger
-    const bool seen = std::any_of(places.begin(), places.end(),
-                                  [&row](const ChartRow& p) { return p.scene == row.scene && p.view_deg == row.view_deg; });
+    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 2);  // tilted pixels are larger
+    const bool seen = std::any_of(places.begin(), places.end(), [&row](const ChartRow& p) {
+      return p.scene == row.scene && p.view_deg == row.view_deg;
+    });
     if (!seen) places.push_back(row);
   }
   Ladder ladder;
@@ -167,10 +173,11 @@ std::string ladder_csv(const Ladder& ladder) {
   std::string text = "method,yarns_per_pixel,ns_per_pixel,rel_rmse_filtering,rel_rmse_model\n";
   for (const LadderPoint& p : ladder) {
     text += std::string(method_name(p.method));
-    for (const float v : {p.yarns_per_pixel, p.cost_ns, p.filtering_error, p.model_error}) text += ',' + number(static_cast<double>(v));
+    for (const float v : {p.yarns_per_pixel, p.cost_ns, p.filtering_error, p.model_error})
+      text += ',' + number(static_cast<double>(v));
     text += '\n';
   }
   return text;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

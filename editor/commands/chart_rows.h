@@ -6,25 +6,26 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/names.h"
 #include "light/ladder.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 struct ChartRow {
   std::string scene;
-  int view_deg = 0;             // from the normal
-  double yarns_per_pixel = 1;   // across the tilt; along it a pixel is longer by 1 / cos(view)
+  int view_deg = 0;            // from the normal
+  double yarns_per_pixel = 1;  // across the tilt; along it a pixel is longer by 1 / cos(view)
   Method method = Method::kYarn;
   double ns_per_pixel = 0, instructions_per_pixel = 0;
-  double model_error = 0;       // relative RMSE against the traced threads
-  double filtering_error = 0;   // relative RMSE against the method's own picture, supersampled
-  double energy_ratio = 1;      // mean over the truth's mean
+  double model_error = 0;      // relative RMSE against the traced threads
+  double filtering_error = 0;  // relative RMSE against the method's own picture, supersampled
+  double energy_ratio = 1;     // mean over the truth's mean
   double flicker = 0;
   double bytes = 0;
   bool on_front = false;
 
-  bool same_place(const ChartRow& other) const;   // scene, view and footprint
-  bool same_cell(const ChartRow& other) const;    // and method
+  bool same_place(const ChartRow& other) const;  // scene, view and footprint
+  bool same_cell(const ChartRow& other) const;   // and method
 };
 
 inline constexpr std::string_view kChartColumns =
@@ -47,4 +48,4 @@ Ladder ladder_of(const std::vector<ChartRow>& rows);
 /// In the form of presets/ladder.csv (core/light/ladder.h, read_ladder).
 std::string ladder_csv(const Ladder& ladder);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
-constexpr double kViewAzimuth = -73, kLightAzimuth = 35, kLightTilt = 40;   // degrees; 0 is along the weft
+constexpr double kViewAzimuth = -73, kLightAzimuth = 35, kLightTilt = 40;  // degrees; 0 is along the weft
 
 double radians(double degrees) { return degrees * 0.017453292519943295; }
 
@@ -22,8 +22,9 @@ glm::vec3 chart_view(double degrees) { return tilted(kViewAzimuth, degrees); }
 glm::vec3 chart_light() { return tilted(kLightAzimuth, kLightTilt); }
 
 PixelSteps pixel_steps(double view_deg, double side_mm) {
-  const glm::dvec2 towards = around(kViewAzimuth);   // the near rim is the lower one
-  return {glm::vec2(glm::dvec2(-towards.y, towards.x) * side_mm), glm::vec2(towards * (side_mm / std::cos(radians(view_deg))))};
+  const glm::dvec2 towards = around(kViewAzimuth);  // the near rim is the lower one
+  return {glm::vec2(glm::dvec2(-towards.y, towards.x) * side_mm),
+          glm::vec2(towards * (side_mm / std::cos(radians(view_deg))))};
 }
 
 ChartEffort chart_effort(bool quick) {
@@ -51,4 +52,4 @@ FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& e
   return grid;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

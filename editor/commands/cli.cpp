@@ -8,7 +8,7 @@
 #include "commands/commands.h"
 #include "light/formulas.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 constexpr float kUnset = std::numeric_limits<float>::quiet_NaN();
@@ -114,8 +114,11 @@ CommandLine run_command_line(int argc, char** argv) {
   auto* reference_verb = app.add_subcommand("reference", "The same picture by ray tracing the threads");
   add_picture_options(reference_verb, picture, picture_text);
   constexpr int kMost = formulas::kMostYarnSamples;
-  render_verb->add_option("--samples", picture.samples, "Samples a pixel near the threads, at the most; " + std::to_string(kMost) +
-                          ", without a graphics card " + std::to_string(kSoftwareSamples))->check(CLI::Range(1, kMost));
+  render_verb
+      ->add_option("--samples", picture.samples,
+                   "Samples a pixel near the threads, at the most; " + std::to_string(kMost) +
+                       ", without a graphics card " + std::to_string(kSoftwareSamples))
+      ->check(CLI::Range(1, kMost));
   reference_verb->add_option("--spp", picture.spp, "Samples a pixel")->check(CLI::Range(1, 1 << 20));
   reference_verb->add_option("--bounces", picture.bounces, "Indirect bounces")->check(CLI::Range(0, 16));
 
@@ -164,4 +167,4 @@ CommandLine run_command_line(int argc, char** argv) {
   return result;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

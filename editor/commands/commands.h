@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "commands/names.h"
 #include "draft/design.h"
 #include "draft/drawdown.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 /// The exit codes of the command-line contract.
 enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWritten = 5 };
@@ -38,9 +39,9 @@ struct PictureOptions {
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
-  int samples = 0;   // render only; 0: all, without a graphics card kSoftwareSamples
-  int spp = 64;      // reference only
-  int bounces = 0;   // reference only
+  int samples = 0;  // render only; 0: all, without a graphics card kSoftwareSamples
+  int spp = 64;     // reference only
+  int bounces = 0;  // reference only
 };
 struct ExportOptions {
   std::vector<std::string> files;
@@ -87,4 +88,4 @@ struct OpenedDesign {
 void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
 OpenedDesign open_design(const std::string& path, bool print_warnings = false);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

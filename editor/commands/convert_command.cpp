@@ -5,7 +5,7 @@
 #include "commands/commands.h"
 #include "draft/edits.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 std::string converted(const WifFile& file, const ConvertOptions& options) {
@@ -26,7 +26,8 @@ int convert_command(const ConvertOptions& options) {
   const OpenedDesign opened = open_design(options.in);
   if (!opened.ok) return kBadInput;
   if (options.drive == ConvertDrive::kTreadling && to_treadling(opened.design).draft.drive != Drive::kTreadling) {
-    std::fprintf(stderr, "%s: the draft needs more than %d treadles; keep its liftplan\n", options.in.c_str(), kMaxShafts);
+    std::fprintf(stderr, "%s: the draft needs more than %d treadles; keep its liftplan\n", options.in.c_str(),
+                 kMaxShafts);
     return kBadInput;
   }
   const std::string error = write_file_atomically(options.out, converted(opened.file, options));
@@ -35,4 +36,4 @@ int convert_command(const ConvertOptions& options) {
   return kNotWritten;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

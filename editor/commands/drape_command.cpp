@@ -5,15 +5,14 @@
 #include "drape/mesh.h"
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 namespace {
 
 int write_one(const Mesh& mesh, const std::string& path) {
   const std::string problem = write_mesh(path, mesh, nullptr);
   if (problem.empty()) {
-    std::printf("%s: %zu vertices, %zu triangles\n", path.c_str(), mesh.position_mm.size(),
-                mesh.index.size() / 3);
+    std::printf("%s: %zu vertices, %zu triangles\n", path.c_str(), mesh.position_mm.size(), mesh.index.size() / 3);
     return kDone;
   }
   std::fprintf(stderr, "%s: %s\n", path.c_str(), problem.c_str());
@@ -62,4 +61,4 @@ int drape_command(const DrapeOptions& options) {
   return kDone;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -7,7 +7,7 @@
 #include "commands/commands.h"
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 std::string as_text(const BitMatrix& cells) {
@@ -34,7 +34,8 @@ Image as_image(const BitMatrix& cells, const Draft& draft) {
     const int pick = y / size;
     for (int x = 0; x < image.width; ++x) {
       const int end = x / size;
-      const int color = cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)] : draft.weft.color[static_cast<size_t>(pick)];
+      const int color = cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)]
+                                             : draft.weft.color[static_cast<size_t>(pick)];
       const Rgb& c = draft.palette[static_cast<size_t>(color)];
       image.texels.insert(image.texels.end(), {c.r, c.g, c.b});
     }
@@ -51,7 +52,8 @@ int drawdown_command(const DrawdownOptions& options) {
   if (options.face == Face::kBack) cells = complement(cells);
   if (options.out.empty()) {
     const std::string text = as_text(cells);
-    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0 ? kDone : kNotWritten;
+    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0 ? kDone
+                                                                                                       : kNotWritten;
   }
   constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
   const bool picture = options.out.ends_with(".png");
@@ -67,4 +69,4 @@ int drawdown_command(const DrawdownOptions& options) {
   return kNotWritten;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

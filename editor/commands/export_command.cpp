@@ -11,7 +11,7 @@
 #include "texture_set/material_files.h"
 #include "texture_set/texture_set.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 struct Job {
@@ -30,7 +30,8 @@ std::vector<Job> jobs_of(const ExportOptions& options, Target target) {
     const std::string stem = file_name_of(path.stem().string());
     std::string name = stem;
     for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
-    jobs.push_back({file, (std::filesystem::path(options.out) / name).string(),
+    jobs.push_back({file,
+                    (std::filesystem::path(options.out) / name).string(),
                     {target, name, path.filename().string(), WEFTLIGHT_VERSION, options.size}});
   }
   return jobs;
@@ -84,4 +85,4 @@ int export_command(const ExportOptions& options) {
   return worst;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -6,7 +6,7 @@
 #include "commands/commands.h"
 #include "draft/analysis.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 const char* severity_name(Severity severity) {
@@ -15,34 +15,35 @@ const char* severity_name(Severity severity) {
 
 nlohmann::ordered_json as_json(const OpenedDesign& opened, const LongestFloats& floats, const Repeat& repeat) {
   const Draft& draft = opened.design.draft;
-  nlohmann::ordered_json json = {
-      {"ends", draft.ends()},
-      {"picks", draft.picks()},
-      {"shafts", draft.shafts},
-      {"treadles", draft.treadles},
-      {"rising", draft.rising},
-      {"source_program", opened.file.source_program},
-      {"title", opened.design.title},
-      {"has_liftplan", opened.file.has_liftplan},
-      {"longest_float",
-       {{"warp_front", floats.warp_front},
-        {"warp_back", floats.warp_back},
-        {"weft_front", floats.weft_front},
-        {"weft_back", floats.weft_back}}},
-      {"repeat", {{"ends", repeat.ends}, {"picks", repeat.picks}}},
-      {"warnings", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json = {{"ends", draft.ends()},
+                                 {"picks", draft.picks()},
+                                 {"shafts", draft.shafts},
+                                 {"treadles", draft.treadles},
+                                 {"rising", draft.rising},
+                                 {"source_program", opened.file.source_program},
+                                 {"title", opened.design.title},
+                                 {"has_liftplan", opened.file.has_liftplan},
+                                 {"longest_float",
+                                  {{"warp_front", floats.warp_front},
+                                   {"warp_back", floats.warp_back},
+                                   {"weft_front", floats.weft_front},
+                                   {"weft_back", floats.weft_back}}},
+                                 {"repeat", {{"ends", repeat.ends}, {"picks", repeat.picks}}},
+                                 {"warnings", nlohmann::ordered_json::array()}};
   for (const Diagnostic& d : opened.diagnostics) {
-    json["warnings"].push_back({{"line", d.line}, {"severity", severity_name(d.severity)}, {"text", d.text}, {"remedy", d.remedy}});
+    json["warnings"].push_back(
+        {{"line", d.line}, {"severity", severity_name(d.severity)}, {"text", d.text}, {"remedy", d.remedy}});
   }
   return json;
 }
 
-void print_text(const std::string& path, const OpenedDesign& opened, const LongestFloats& floats, const Repeat& repeat) {
+void print_text(const std::string& path, const OpenedDesign& opened, const LongestFloats& floats,
+                const Repeat& repeat) {
   const Draft& draft = opened.design.draft;
   if (!opened.design.title.empty()) std::printf("title           %s\n", opened.design.title.c_str());
   if (!opened.file.source_program.empty()) std::printf("source program  %s\n", opened.file.source_program.c_str());
-  std::printf("ends            %d\npicks           %d\nshafts          %d\ntreadles        %d\n", draft.ends(), draft.picks(),
-              draft.shafts, draft.treadles);
+  std::printf("ends            %d\npicks           %d\nshafts          %d\ntreadles        %d\n", draft.ends(),
+              draft.picks(), draft.shafts, draft.treadles);
   std::printf("shed            %s\n", draft.rising ? "rising" : "sinking");
   std::printf("driven by       %s\n", draft.drive == Drive::kLiftplan ? "liftplan" : "tie-up and treadling");
   std::printf("longest float   warp %d front, %d back; weft %d front, %d back\n", floats.warp_front, floats.warp_back,
@@ -70,4 +71,4 @@ int info_command(const InfoOptions& options) {
   return kDone;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

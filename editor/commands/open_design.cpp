@@ -2,12 +2,12 @@
 
 #include "commands/commands.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 void print_diagnostic(const std::string& path, const Diagnostic& d) {
   const std::string place = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
-  std::fprintf(stderr, "%s: %s%s; %s\n", place.c_str(), d.severity == Severity::kError ? "" : "warning: ", d.text.c_str(),
-               d.remedy.c_str());
+  std::fprintf(stderr, "%s: %s%s; %s\n", place.c_str(),
+               d.severity == Severity::kError ? "" : "warning: ", d.text.c_str(), d.remedy.c_str());
 }
 
 OpenedDesign open_design(const std::string& path, bool print_warnings) {
@@ -30,4 +30,4 @@ OpenedDesign open_design(const std::string& path, bool print_warnings) {
   return result;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

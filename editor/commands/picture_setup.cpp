@@ -7,7 +7,7 @@
 #include "files/files.h"
 #include "light/ladder.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
@@ -62,9 +62,10 @@ std::string write_picture(const std::string& path, const Image& image) {
   Image rgb{image.width, image.height, 3, {}};
   rgb.texels.reserve(image.texels.size() / 4 * 3);
   for (size_t i = 0; i < image.texels.size(); i += 4) {
-    rgb.texels.insert(rgb.texels.end(), image.texels.begin() + static_cast<long>(i), image.texels.begin() + static_cast<long>(i + 3));
+    rgb.texels.insert(rgb.texels.end(), image.texels.begin() + static_cast<long>(i),
+                      image.texels.begin() + static_cast<long>(i + 3));
   }
   return write_image(path, rgb, PixelType::kU8);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "preview/context.h"
-#include "preview/pipeline.h"
-#include "preview/renderer.h"
+#include "commands/names.h"
+#include "gl/context.h"
+#include "gl/pipeline.h"
+#include "gl/renderer.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
 /// Prints "weftlight: what" and gives the code back.
 int fail(int code, const std::string& what);
@@ -31,4 +32,4 @@ bool writes_linear(const std::string& path);
 /// Empty: done; else what went wrong.
 std::string write_picture(const std::string& path, const Image& image);
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -7,9 +7,9 @@
 
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
-#include "preview/reference_scene.h"
+#include "upload/reference_scene.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 /// Progress on a terminal only.
@@ -54,4 +54,4 @@ int reference_command(const PictureOptions& o) {
   return error.empty() ? kDone : fail(kNotWritten, error);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -7,7 +7,7 @@
 #include "light/ladder.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 std::string write_stats(const std::string& path, const FrameStats& stats, const PictureOptions& o) {
@@ -34,11 +34,12 @@ int render_command(const PictureOptions& o) {
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   if (asked != Method::kAuto && asked != stats.method) {
-    std::fprintf(stderr, "weftlight: drawn by %s, the nearest method that is there\n", std::string(method_name(stats.method)).c_str());
+    std::fprintf(stderr, "weftlight: drawn by %s, the nearest method that is there\n",
+                 std::string(method_name(stats.method)).c_str());
   }
   std::string error = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
   if (error.empty() && !o.stats.empty()) error = write_stats(o.stats, stats, o);
   return error.empty() ? kDone : fail(kNotWritten, error);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

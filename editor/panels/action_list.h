@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 struct ActionItem {
   std::string id;        // "save"
@@ -19,7 +20,7 @@ struct ActionItem {
   std::string icon;      // Font Awesome glyph; with one it is in the toolbar
   bool enabled = true;
   bool checked = false;
-  bool group = false;    // a line above it in the menu
+  bool group = false;         // a line above it in the menu
   bool on_selection = false;  // also in the menu of a right click on the selection
 };
 
@@ -47,4 +48,4 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
 /// higher (runs and starts of words count more).
 bool matches(const std::string& label, const std::string& typed, int& score);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr float kSmallestPitch = 0.02f;  // 100,000 threads in 2,000 pixels
@@ -23,13 +23,9 @@ int cell_at(const Axis& a, float pixel) {
 
 }  // namespace
 
-float Axis::low(int i) const {
-  return reversed ? start + length - offset(*this, i + 1) : start + offset(*this, i);
-}
+float Axis::low(int i) const { return reversed ? start + length - offset(*this, i + 1) : start + offset(*this, i); }
 
-float Axis::high(int i) const {
-  return reversed ? start + length - offset(*this, i) : start + offset(*this, i + 1);
-}
+float Axis::high(int i) const { return reversed ? start + length - offset(*this, i) : start + offset(*this, i + 1); }
 
 int Axis::at(float pixel) const {
   if (pixel < start || pixel >= start + length) return -1;
@@ -44,9 +40,7 @@ int Axis::nearest(float pixel) const {
 
 int Axis::first_visible() const { return std::clamp(static_cast<int>(std::floor(scroll)), 0, count); }
 
-int Axis::end_visible() const {
-  return std::clamp(static_cast<int>(std::ceil(scroll + length / pitch)), 0, count);
-}
+int Axis::end_visible() const { return std::clamp(static_cast<int>(std::ceil(scroll + length / pitch)), 0, count); }
 
 float clamp_scroll(const Axis& axis, float scroll) {
   const float most = std::max(0.0f, static_cast<float>(axis.count) - axis.length / axis.pitch);
@@ -75,4 +69,4 @@ int label_step(float pitch, float pixels) {
   return 1000000;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -2,7 +2,9 @@
 // One direction of a grid on the screen: which pixels a thread, shaft or treadle covers. Index 0 lies at
 // the low pixel (left, top) or, reversed, at the high one.
 
-namespace weftlight {
+#include "panels/names.h"
+
+namespace weftlight::panels {
 
 struct Axis {
   float start = 0, length = 0;  // pixels of the pane
@@ -34,4 +36,4 @@ float zoomed_pitch(float pitch, float steps);
 /// Smallest of 1, 2, 5, 10, 20, 50 ... cells whose width is at least `pixels`.
 int label_step(float pitch, float pixels);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

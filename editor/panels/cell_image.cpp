@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr int kSamples = 4;  // along each side of a pixel that covers several cells
@@ -43,8 +43,8 @@ std::vector<ImU32> thread_colors(const Draft& draft, System system) {
   return out;
 }
 
-CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look,
-                     const Colors& colors, const Axis& ends, const Axis& picks) {
+CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look, const Colors& colors,
+                     const Axis& ends, const Axis& picks) {
   CellImage image{static_cast<int>(ends.length), static_cast<int>(picks.length), {}};
   image.pixels.resize(static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
   const bool structure = look == DrawdownStyle::kStructure;
@@ -67,4 +67,4 @@ CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, Draw
   return image;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "panels/axis.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// Colour of every thread of a system, as ImGui packs it.
 std::vector<ImU32> thread_colors(const Draft& draft, System system);
@@ -24,7 +25,7 @@ struct CellImage {
 };
 
 /// What the panes of the two axes show, a pixel a pixel. kStructure: ink where the warp is on top.
-CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look,
-                     const Colors& colors, const Axis& ends, const Axis& picks);
+CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look, const Colors& colors,
+                     const Axis& ends, const Axis& picks);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

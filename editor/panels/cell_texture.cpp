@@ -2,11 +2,12 @@
 
 #include "panels/cell_image.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 ImTextureID CellTexture::of(const PanelContext& c, const GridPane& p) {
-  const Key key{c.revision, c.work.face, c.work.drawdown_style, c.style.dark, p.x.reversed,
-                p.x.pitch,  p.x.scroll,  p.y.scroll,            p.x.length,   p.y.length};
+  const Key key{
+      c.revision, c.work.face, c.work.drawdown_style, c.style.dark, p.x.reversed, p.x.pitch, p.x.scroll, p.y.scroll,
+      p.x.length, p.y.length};
   if (texture_.empty() || !(key == key_)) {
     const CellImage image =
         cell_image(c.design.draft, c.cells, c.work.face, c.work.drawdown_style, c.style.color, p.x, p.y);
@@ -16,4 +17,4 @@ ImTextureID CellTexture::of(const PanelContext& c, const GridPane& p) {
   return texture_.id();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -2,9 +2,10 @@
 // A GL texture that holds the drawdown's pixels and is made again only when what it shows has changed.
 
 #include "panels/draft_layout.h"
+#include "panels/names.h"
 #include "panels/pixel_texture.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 class CellTexture {
  public:
@@ -23,4 +24,4 @@ class CellTexture {
   Key key_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -8,7 +8,7 @@
 #include "panels/action_list.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 char lower(char ch) { return static_cast<char>(std::tolower(static_cast<unsigned char>(ch))); }
@@ -43,7 +43,9 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
     const ActionItem& item = *found[static_cast<size_t>(i)].item;
     ImGui::PushID(item.id.c_str());
     ImGui::BeginDisabled(!item.enabled);
-    const std::string where = item.menu.empty() ? item.label : item.menu + kIn + (item.submenu.empty() ? "" : item.submenu + kIn) + item.label;
+    const std::string where = item.menu.empty()
+                                  ? item.label
+                                  : item.menu + kIn + (item.submenu.empty() ? "" : item.submenu + kIn) + item.label;
     if (ImGui::Selectable(where.c_str(), i == palette.chosen)) run = item.id;
     ImGui::EndDisabled();
     c.map.add_item("command:" + item.id);
@@ -87,10 +89,12 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
-  ImGui::Begin("Commands", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Begin("Commands", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   if (palette.appearing) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool enter = ImGui::InputTextWithHint("##typed", "Type a command", &palette.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool enter =
+      ImGui::InputTextWithHint("##typed", "Type a command", &palette.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("commands.typed");
   if (ImGui::IsItemEdited()) palette.chosen = 0;
   const std::vector<Match> found = narrowed(items, palette.typed);
@@ -108,4 +112,4 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
   return run;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

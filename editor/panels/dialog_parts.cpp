@@ -6,7 +6,7 @@
 
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 bool enter_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false); }
@@ -26,7 +26,8 @@ bool primary_button(PanelContext& c, const char* id, const char* label) {
 int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first) {
   const ImGuiStyle& s = ImGui::GetStyle();
   float width = -s.ItemSpacing.x;
-  for (const std::string& l : labels) width += ImGui::CalcTextSize(l.c_str()).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
+  for (const std::string& l : labels)
+    width += ImGui::CalcTextSize(l.c_str()).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
   ImGui::Dummy({0, c.style.px(6)});
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
   int pressed = -1;
@@ -63,4 +64,4 @@ void number(PanelContext& c, const char* id, const char* label, int& value, int 
   value = std::clamp(value, min, max);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

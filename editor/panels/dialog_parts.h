@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "panels/dialogs.h"
+#include "panels/names.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 void heading(PanelContext& c, const std::string& text);
 /// A labelled whole number with steps of one and ten.
@@ -18,4 +19,4 @@ DialogAnswer answered(int button, int leave_button = 1);
 
 DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

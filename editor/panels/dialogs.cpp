@@ -6,7 +6,7 @@
 #include "panels/dialog_parts.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
@@ -87,7 +87,8 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   constexpr const char* kName = "###dialog";
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImGuiViewport* view = ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y * 0.4f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y * 0.4f},
+                          ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
   // A dialog lies higher than the panels: its fields stand out from its own ground.
   const Colors& color = c.style.color;
@@ -96,7 +97,8 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   ImGui::PushStyleColor(ImGuiCol_Button, blend(color.raised, color.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(color.raised, color.text, 0.14f));
   DialogAnswer answer;
-  if (ImGui::BeginPopupModal(kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
+  if (ImGui::BeginPopupModal(
+          kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
     answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
     if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1};
     if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
@@ -107,4 +109,4 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   return answer;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -6,10 +6,11 @@
 #include <variant>
 #include <vector>
 
+#include "panels/names.h"
 #include "panels/panel.h"
 #include "panels/weaves.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// A question with up to three buttons; the answer is the index of the one pressed (-1: left by Escape).
 struct Question {
@@ -50,4 +51,4 @@ struct DialogAnswer {
 /// Draws the open dialog, whose fields hold what was typed.
 DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

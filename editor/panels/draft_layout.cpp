@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 // Pixels at 96 dpi.
@@ -81,13 +81,11 @@ DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec
   l.max = max;
   const float x0 = min.x + s.px(kMargin), y0 = min.y;
   const float bar_y = y0 + s.px(kEndRuler), threading_y = bar_y + s.px(kBar) + s.px(kGap);
-  const Axis shafts =
-      axis(threading_y, room.height * kThreadingShare, loom, work.scroll_shaft, d.shafts, true);
+  const Axis shafts = axis(threading_y, room.height * kThreadingShare, loom, work.scroll_shaft, d.shafts, true);
   const float drawdown_y = threading_y + shafts.length + s.px(kGap);
   Axis picks = axis(drawdown_y, room.height - shafts.length, work.pitch, work.scroll_pick, d.picks(), false);
 
-  const float lift_width =
-      std::min(static_cast<float>(lift_columns(d)) * loom, std::floor(room.width * kLiftShare));
+  const float lift_width = std::min(static_cast<float>(lift_columns(d)) * loom, std::floor(room.width * kLiftShare));
   Axis ends = axis(x0, room.width - lift_width, work.pitch, work.scroll_end, d.ends(), work.end1_right);
   const float lift_x = x0 + ends.length + s.px(kShaftNumbers);
   const Axis treadles = axis(lift_x, lift_width, loom, work.scroll_treadle, lift_columns(d), false);
@@ -118,4 +116,4 @@ UiGrid map_of(const GridPane& pane) {
   return grid;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -4,10 +4,11 @@
 
 #include <vector>
 
-#include "panels/panel.h"
 #include "panels/axis.h"
+#include "panels/names.h"
+#include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// A grid on the screen; x carries Cell::a, y carries Cell::b.
 struct GridPane {
@@ -39,4 +40,4 @@ DraftLayout lay_out_draft(const Draft& draft, Workspace& work, const Style& styl
 /// The grid as the --ui-map tells it.
 UiGrid map_of(const GridPane& pane);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -11,7 +11,7 @@
 #include "panels/selection_draw.h"
 #include "panels/thread_heads.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
@@ -128,7 +128,8 @@ void scrollbars(PanelContext& c, const DraftLayout& l) {
   if (l.scroll_ends)
     scrollbar(c, "scroll.ends", l.drawdown.x, c.work.scroll_end, {a.x, b.y + 3}, {b.x, b.y + 3 + thick}, true);
   if (l.scroll_picks)
-    scrollbar(c, "scroll.picks", l.drawdown.y, c.work.scroll_pick, {l.max.x - thick - 2, a.y}, {l.max.x - 2, b.y}, false);
+    scrollbar(c, "scroll.picks", l.drawdown.y, c.work.scroll_pick, {l.max.x - thick - 2, a.y}, {l.max.x - 2, b.y},
+              false);
 }
 
 /// A dot at end 1 and pick 1, where reading starts.
@@ -190,4 +191,4 @@ MaybeEdit draw_draft(PanelContext& c, CellTexture& texture) {
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

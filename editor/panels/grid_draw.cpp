@@ -7,12 +7,12 @@
 #include "panels/cell_image.h"
 #include "panels/paint.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
-constexpr float kLinesFrom = 5;    // pixels a cell from which hairlines help rather than hide
-constexpr float kNumbersFrom = 15; // from which a number fits
-constexpr float kGapsFrom = 8;     // from which a gap parts threads without darkening them
+constexpr float kLinesFrom = 5;     // pixels a cell from which hairlines help rather than hide
+constexpr float kNumbersFrom = 15;  // from which a number fits
+constexpr float kGapsFrom = 8;      // from which a gap parts threads without darkening them
 
 void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
   const Colors& k = c.style.color;
@@ -80,7 +80,8 @@ void draw_thread(ImDrawList* dl, Box box, ImU32 color, bool upright) {
   dl->AddRectFilled(box.min, box.max, color);
   if (width < 7) return;
   const float edge = std::max(1.0f, static_cast<float>(static_cast<int>(width * 0.16f)));
-  const ImU32 dark = blend(color, IM_COL32(0, 0, 0, 255), 0.22f), light = blend(color, IM_COL32(255, 255, 255, 255), 0.16f);
+  const ImU32 dark = blend(color, IM_COL32(0, 0, 0, 255), 0.22f),
+              light = blend(color, IM_COL32(255, 255, 255, 255), 0.16f);
   if (upright) {
     dl->AddRectFilled(box.min, {box.min.x + edge, box.max.y}, light);
     dl->AddRectFilled({box.max.x - edge, box.min.y}, box.max, dark);
@@ -95,7 +96,7 @@ bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4
 
 struct ThreadLook {
   std::vector<ImU32> warp, weft;
-  float gap;  // pixels between threads
+  float gap;                                  // pixels between threads
   std::vector<float> warp_inset, weft_inset;  // pixels that a thinner thread leaves free at each side; none: 0
   float inset(System s, int thread) const {
     const auto& all = s == System::kWarp ? warp_inset : weft_inset;
@@ -112,7 +113,8 @@ std::vector<float> insets(const Design& d, System system, float pitch) {
   std::vector<float> thickness, out;
   float most = 0, least = 1e9f;
   for (size_t i = 0; i < t.color.size(); ++i) {
-    thickness.push_back(t.thickness_mm[i] >= 0 ? t.thickness_mm[i] : d.yarns[static_cast<size_t>(t.yarn[i])].diameter_mm);
+    thickness.push_back(t.thickness_mm[i] >= 0 ? t.thickness_mm[i]
+                                               : d.yarns[static_cast<size_t>(t.yarn[i])].diameter_mm);
     most = std::max(most, thickness.back());
     least = std::min(least, thickness.back());
   }
@@ -126,11 +128,14 @@ ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
   const Draft& d = c.design.draft;
   if (c.work.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
-            std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper), 0, {}, {}};
+            std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper),
+            0,
+            {},
+            {}};
   const bool threads = c.work.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
   if (!threads) return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 0, {}, {}};
-  return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 1, insets(c.design, System::kWarp, p.x.pitch),
-          insets(c.design, System::kWeft, p.y.pitch)};
+  return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 1,
+          insets(c.design, System::kWarp, p.x.pitch), insets(c.design, System::kWeft, p.y.pitch)};
 }
 
 /// Each end's warp floats, drawn as one piece each over the picks.
@@ -218,8 +223,8 @@ void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, f
     const float x = (axis.low(i) + axis.high(i)) / 2;
     if (x < axis.start || x > axis.start + axis.length) continue;
     if (i != lit && lit >= 0 && std::abs(static_cast<float>(i - lit)) * axis.pitch < c.style.px(24)) continue;
-    draw_centered(dl, c.style.font.mono_small, {x, top + height / 2}, i == lit ? c.style.color.accent : c.style.color.muted,
-                  std::to_string(i + 1));
+    draw_centered(dl, c.style.font.mono_small, {x, top + height / 2},
+                  i == lit ? c.style.color.accent : c.style.color.muted, std::to_string(i + 1));
   }
 }
 
@@ -259,4 +264,4 @@ void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
               {o.x.high(c.work.hover.a) + 1, o.y.high(c.work.hover.b) + 1}, c.style.color.accent, 0, 0, 1.5f);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

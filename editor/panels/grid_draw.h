@@ -2,9 +2,10 @@
 // Drawing of the grids with ImDrawList: only what is in sight, on whole pixels.
 
 #include "panels/draft_layout.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// Threading, treadling, liftplan: filled cells. Tie-up: a ring for a rising shaft, a cross for a sinking.
 void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
@@ -21,4 +22,4 @@ void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, 
 /// The row and the column of the pointer, on every grid that shares the thread, shaft or treadle.
 void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -5,7 +5,7 @@
 #include "panels/action_list.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 struct MouseHint {
@@ -21,7 +21,8 @@ constexpr MouseHint kSelectHints[] = {{"Drag", "select a rectangle"},
                                       {"Drag inside", "move the marks"},
                                       {"Ctrl+drag inside", "copy them"},
                                       {"Right click", "everything that can be done with it"}};
-constexpr MouseHint kViewHints[] = {{"Wheel, middle drag", "scroll the draft"}, {"Ctrl+wheel", "larger or smaller cells"}};
+constexpr MouseHint kViewHints[] = {{"Wheel, middle drag", "scroll the draft"},
+                                    {"Ctrl+wheel", "larger or smaller cells"}};
 
 void row(const PanelContext& c, const std::string& left, const std::string& right) {
   ImGui::TextUnformatted(left.c_str());
@@ -53,7 +54,8 @@ void draw_keys_window(const PanelContext& c, std::span<const ActionItem> items, 
   if (!open) return;
   const ImGuiViewport* view = ImGui::GetMainViewport();
   ImGui::SetNextWindowSize({c.style.px(540), c.style.px(560)}, ImGuiCond_Appearing);
-  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y / 2},
+                          ImGuiCond_Appearing, {0.5f, 0.5f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
@@ -72,4 +74,4 @@ void draw_keys_window(const PanelContext& c, std::span<const ActionItem> items, 
   ImGui::PopStyleVar(2);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

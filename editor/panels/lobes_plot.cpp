@@ -12,7 +12,7 @@
 #include "light/yarn_lobes.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 using formulas::YarnLobes;
@@ -20,7 +20,7 @@ using formulas::YarnLobes;
 constexpr float kDegree = 0.017453293f;
 constexpr float kPi = 3.14159265f;
 constexpr float kMargin = 7, kMostRadius = 128;  // pixels at 96 dpi
-constexpr float kBelow = 0.42f;  // height of the lower half, in radii
+constexpr float kBelow = 0.42f;                  // height of the lower half, in radii
 // Nearer to the horizon the formulas divide by next to nothing.
 constexpr float kLastDegree = 89.5f;
 
@@ -93,7 +93,8 @@ void draw_paper(const PanelContext& c, const Plot& plot) {
   const float white = plotted_radius(1, plot.rim) * plot.radius, most = plot.radius;
   dl->AddLine({plot.middle.x - most, plot.middle.y}, {plot.middle.x + most, plot.middle.y}, color.line_strong);
   const float line = c.style.font.small->FontSize + 1;
-  if (plot.rim > 1) draw_small(c, {plot.middle.x - most, plot.middle.y + c.style.px(2)}, color.muted, fixed(plot.rim, 0).c_str());
+  if (plot.rim > 1)
+    draw_small(c, {plot.middle.x - most, plot.middle.y + c.style.px(2)}, color.muted, fixed(plot.rim, 0).c_str());
   draw_small(c, {plot.middle.x - white - c.style.px(3), plot.middle.y + c.style.px(2)}, color.muted, "1");
   draw_small(c, {plot.middle.x - most, plot.middle.y + kBelow * most - line}, color.muted, "behind");
 }
@@ -120,7 +121,8 @@ void draw_legend(const PanelContext& c, std::span<const LegendRow> rows) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   float words = 0;
-  for (const LegendRow& row : rows) words += c.style.font.small->CalcTextSizeA(line, FLT_MAX, 0, row.word).x + box + gap;
+  for (const LegendRow& row : rows)
+    words += c.style.font.small->CalcTextSizeA(line, FLT_MAX, 0, row.word).x + box + gap;
   const float between = (width - words) / static_cast<float>(rows.size() - 1);
   float x = at.x;
   for (const LegendRow& row : rows) {
@@ -200,9 +202,11 @@ void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour) {
   draw_line(points_of(plot, curves.across, false), color.warn, 1.8f);
   draw_line(points_of(plot, curves.along, false), color.accent, 1.8f);
   draw_light(c, plot, lit);
-  const LegendRow rows[] = {{"shine along", color.accent, false}, {"across", color.warn, false}, {"fuzz", color.muted, false},
+  const LegendRow rows[] = {{"shine along", color.accent, false},
+                            {"across", color.warn, false},
+                            {"fuzz", color.muted, false},
                             {"body", own, true}};
   draw_legend(c, rows);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "cloth/cloth.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// Brightness beside white paper that faces the light, seen from -90 to 90 degrees off the normal in steps of
 /// half a degree; the light is on the positive side. Body, fuzz and through: in the plane along the fibre.
@@ -16,7 +17,7 @@ struct LobeCurves {
   using Curve = std::array<float, kCount>;
   Curve along{}, across{};  // mirrored, in the plane along the fibre and in that across it
   Curve body{}, fuzz{};
-  Curve through{};          // seen from behind, the normal turned over
+  Curve through{};  // seen from behind, the normal turned over
 
   static float angle_deg(int i) { return -90 + 0.5f * static_cast<float>(i); }
 };
@@ -33,4 +34,4 @@ float lobes_plot_height(const PanelContext& c, float width);
 /// Draws the plot over the width that there is. Dragging in it turns the light (Workspace::lobe_light_deg).
 void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -4,7 +4,7 @@
 #include "panels/action_list.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 std::vector<std::string> menus_of(std::span<const ActionItem> items) {
@@ -49,9 +49,10 @@ void draw_title(const PanelContext& c, const std::string& title, float left) {
   const ImVec2 size = ImGui::CalcTextSize(title.c_str());
   const float x = std::max(left + c.style.px(24), (width - size.x) / 2);
   const ImVec2 at = ImGui::GetWindowPos();
-  ImGui::GetWindowDrawList()->AddText({at.x + static_cast<float>(static_cast<int>(x)),
-                                       at.y + static_cast<float>(static_cast<int>((ImGui::GetFrameHeight() - size.y) / 2))},
-                                      c.style.color.muted, title.c_str());
+  ImGui::GetWindowDrawList()->AddText(
+      {at.x + static_cast<float>(static_cast<int>(x)),
+       at.y + static_cast<float>(static_cast<int>((ImGui::GetFrameHeight() - size.y) / 2))},
+      c.style.color.muted, title.c_str());
 }
 
 }  // namespace
@@ -87,4 +88,4 @@ std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> ite
   return chosen;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

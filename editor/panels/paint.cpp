@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 std::string number(int index) { return std::to_string(index + 1); }
@@ -16,8 +16,7 @@ std::string listed(const BitMatrix& m, int row) {
   for (int col = 0; row >= 0 && row < m.rows() && col < m.cols(); ++col)
     if (m.get(row, col)) names.push_back(number(col));
   std::string out;
-  for (size_t i = 0; i < names.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  for (size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return out;
 }
 
@@ -75,30 +74,41 @@ bool is_on(const Draft& d, const BitMatrix& cells, GridId grid, Cell at) {
     return row >= 0 && row < m.rows() && col >= 0 && col < m.cols() && m.get(row, col);
   };
   switch (grid) {
-    case GridId::kThreading: return bit(d.threading, at.a, at.b);
-    case GridId::kTieup: return bit(d.tieup, at.a, at.b);
-    case GridId::kTreadling: return bit(d.treadling, at.b, at.a);
-    case GridId::kLiftplan: return bit(d.liftplan, at.b, at.a);
-    case GridId::kDrawdown: return bit(cells, at.b, at.a);
-    default: return false;
+    case GridId::kThreading:
+      return bit(d.threading, at.a, at.b);
+    case GridId::kTieup:
+      return bit(d.tieup, at.a, at.b);
+    case GridId::kTreadling:
+      return bit(d.treadling, at.b, at.a);
+    case GridId::kLiftplan:
+      return bit(d.liftplan, at.b, at.a);
+    case GridId::kDrawdown:
+      return bit(cells, at.b, at.a);
+    default:
+      return false;
   }
 }
 
 Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
   switch (grid) {
-    case GridId::kThreading: return with_threading(std::move(design), at.a, at.b, on, only);
-    case GridId::kTieup: return with_tieup(std::move(design), at.a, at.b, on);
-    case GridId::kTreadling: return with_treadling(std::move(design), at.b, at.a, on, only);
-    case GridId::kLiftplan: return with_liftplan(std::move(design), at.b, at.a, on);
-    case GridId::kDrawdown: return with_drawdown_cell(std::move(design), at.a, at.b, on);
-    default: return design;
+    case GridId::kThreading:
+      return with_threading(std::move(design), at.a, at.b, on, only);
+    case GridId::kTieup:
+      return with_tieup(std::move(design), at.a, at.b, on);
+    case GridId::kTreadling:
+      return with_treadling(std::move(design), at.b, at.a, on, only);
+    case GridId::kLiftplan:
+      return with_liftplan(std::move(design), at.b, at.a, on);
+    case GridId::kDrawdown:
+      return with_drawdown_cell(std::move(design), at.a, at.b, on);
+    default:
+      return design;
   }
 }
 
 Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only) {
   return {std::string("Paint ") + grid_name(grid), [=](Design design) {
-            for (const Cell& at : line_of_cells(from, to))
-              design = with_cell(std::move(design), grid, at, on, only);
+            for (const Cell& at : line_of_cells(from, to)) design = with_cell(std::move(design), grid, at, on, only);
             return design;
           }};
 }
@@ -120,20 +130,25 @@ std::string describe(const Design& design, const BitMatrix& cells, GridId grid, 
   if (!at.valid()) return {};
   const Draft& d = design.draft;
   switch (grid) {
-    case GridId::kThreading: return shafts_of_end(d, at.a);
+    case GridId::kThreading:
+      return shafts_of_end(d, at.a);
     case GridId::kTreadling:
-    case GridId::kLiftplan: return lift_of_pick(d, at.b);
+    case GridId::kLiftplan:
+      return lift_of_pick(d, at.b);
     case GridId::kTieup:
       return "Treadle " + number(at.a) + (is_on(d, cells, grid, at) ? " tied to shaft " : " not tied to shaft ") +
              number(at.b);
     case GridId::kDrawdown:
       return "End " + number(at.a) + (is_on(d, cells, grid, at) ? " over pick " : " under pick ") + number(at.b) +
              "    " + shafts_of_end(d, at.a) + "    " + lift_of_pick(d, at.b);
-    case GridId::kWarpColors: return thread_facts(design, System::kWarp, at.a);
-    case GridId::kWeftColors: return thread_facts(design, System::kWeft, at.b);
-    case GridId::kNone: break;
+    case GridId::kWarpColors:
+      return thread_facts(design, System::kWarp, at.a);
+    case GridId::kWeftColors:
+      return thread_facts(design, System::kWeft, at.b);
+    case GridId::kNone:
+      break;
   }
   return {};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

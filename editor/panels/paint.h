@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "draft/edits.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// Cells on the straight line between two, both included, each a neighbour of the one before.
 std::vector<Cell> line_of_cells(Cell from, Cell to);
@@ -26,4 +27,4 @@ Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index);
 /// A sentence on the cell under the pointer: "End 12 on shaft 3". Empty when there is none.
 std::string describe(const Design& design, const BitMatrix& cells, GridId grid, Cell at);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -6,7 +6,7 @@
 #include "panels/paint.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 /// All swatches in rows; a click takes a colour in hand. Large palettes scroll.
@@ -41,10 +41,12 @@ MaybeEdit draw_color_in_hand(PanelContext& c) {
   const int index = c.work.color;
   Rgb color = c.design.draft.palette[static_cast<size_t>(index)];
   float rgb[3] = {color.r, color.g, color.b};
-  row_label(c, ("Colour " + std::to_string(index + 1)).c_str(), "The colour in hand: click the swatch to mix it, or type its hex value");
+  row_label(c, ("Colour " + std::to_string(index + 1)).c_str(),
+            "The colour in hand: click the swatch to mix it, or type its hex value");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - c.style.px(8));
   ImGui::PushFont(c.style.font.mono);
-  const bool changed = ImGui::ColorEdit3("##rgb", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
+  const bool changed =
+      ImGui::ColorEdit3("##rgb", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
   ImGui::PopFont();
   c.map.add_item("palette.color");
   ImGui::SameLine();
@@ -85,4 +87,4 @@ MaybeEdit draw_palette(PanelContext& c) {
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -9,13 +9,14 @@
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
+#include "panels/names.h"
 #include "panels/select_state.h"
 #include "panels/style.h"
 #include "panels/thread_choice.h"
 #include "panels/ui_map.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// A change of the design, with the label that undo shows.
 struct Edit {
@@ -25,9 +26,7 @@ struct Edit {
 };
 using MaybeEdit = std::optional<Edit>;
 
-enum class GridId {
-  kNone, kThreading, kTieup, kTreadling, kLiftplan, kDrawdown, kWarpColors, kWeftColors
-};
+enum class GridId { kNone, kThreading, kTieup, kTreadling, kLiftplan, kDrawdown, kWarpColors, kWeftColors };
 /// Name in the --ui-map, also the label of its strokes.
 const char* grid_name(GridId grid);
 
@@ -52,21 +51,21 @@ struct Workspace {
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
   Face face = Face::kFront;
   BarPaint bar_paint = BarPaint::kColor;
-  int color = 0, yarn = 0;  // what the colour bars are painted with
+  int color = 0, yarn = 0;    // what the colour bars are painted with
   float lobe_light_deg = 35;  // of the light in the plot of the lobes, from the normal
   bool show_rungs = false;    // false colours: which method shades which pixel
   Compare compare = Compare::kOff;
-  float compare_split = 0.5f; // of the pane's width
-  const char* hint = "";    // how to use what the pointer is over, for the status line
+  float compare_split = 0.5f;  // of the pane's width
+  const char* hint = "";       // how to use what the pointer is over, for the status line
   GridId hover_grid = GridId::kNone;
   Cell hover;
   Stroke stroke;
   SelectState select;
-  ThreadChoice chosen;      // what the Threads panel is about
-  std::string choice_words; // as they are being typed
-  bool per_inch = false;    // of ends and picks; else per centimetre
+  ThreadChoice chosen;           // what the Threads panel is about
+  std::string choice_words;      // as they are being typed
+  bool per_inch = false;         // of ends and picks; else per centimetre
   WifUnit warp_unit, weft_unit;  // of the opened file
-  std::string focus;        // control that the keyboard goes to next, by its name in the --ui-map
+  std::string focus;             // control that the keyboard goes to next, by its name in the --ui-map
 };
 
 struct PanelContext {
@@ -78,4 +77,4 @@ struct PanelContext {
   Workspace& work;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-namespace weftlight {
+namespace weftlight::panels {
 
 PixelTexture::~PixelTexture() {
   if (name_ != 0) glDeleteTextures(1, &name_);
@@ -17,4 +17,4 @@ void PixelTexture::set(int width, int height, std::span<const ImU32> pixels) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <span>
 
-namespace weftlight {
+#include "panels/names.h"
+
+namespace weftlight::panels {
 
 class PixelTexture {
  public:
@@ -25,4 +27,4 @@ class PixelTexture {
   unsigned name_ = 0;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

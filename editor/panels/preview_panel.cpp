@@ -7,7 +7,7 @@
 #include "panels/scene_panel.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr const char* kHint =
@@ -59,8 +59,8 @@ void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float x = c.style.px(8), y = c.style.px(4);
-  dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y}, with_alpha(c.style.color.panel, 0.82f),
-                    c.style.px(5));
+  dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y},
+                    with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
   dl->AddText(font, font->FontSize, at, c.style.color.muted, text.c_str());
 }
 
@@ -69,7 +69,11 @@ std::string shares_text(const std::array<float, 4>& shares) {
   std::string text;
   for (size_t i = 0; i < shares.size(); ++i) {
     if (shares[i] < 0.005f) continue;
-    text.append(text.empty() ? "" : ", ").append(kRungs[i].word).append(" ").append(fixed(100 * shares[i], 0)).append("%");
+    text.append(text.empty() ? "" : ", ")
+        .append(kRungs[i].word)
+        .append(" ")
+        .append(fixed(100 * shares[i], 0))
+        .append("%");
   }
   return text;
 }
@@ -81,7 +85,8 @@ std::string stats_line(const PreviewPicture& p) {
   if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
   if (p.stats.yarns_per_pixel > 0) {
     const bool near_by = p.stats.yarns_per_pixel < 1;
-    say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn" : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
+    say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn"
+                : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
   }
   if (p.stats.estimated_error > 0) say("error about " + fixed(100 * p.stats.estimated_error, 0) + "%");
   if (p.busy) say("weaving\xE2\x80\xA6");
@@ -100,7 +105,8 @@ void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
   for (const RungRow& rung : kRungs) {
     const float y = at.y + (line - box) / 2;
     dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, rung.color, 2);
-    dl->AddText(font, font->FontSize, {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text, rung.word);
+    dl->AddText(font, font->FontSize, {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
+                rung.word);
     at.y += line;
   }
 }
@@ -109,7 +115,9 @@ std::string reference_line(const ReferencePicture& r, Compare compare) {
   if (!r.problem.empty()) return r.problem;
   if (r.texture == 0) return "Tracing the threads\xE2\x80\xA6";
   std::string line = compare == Compare::kSplit ? "ray traced" : "difference \xC3\x97 " + fixed(kDifferenceScale, 0);
-  line += r.samples == 0 ? "   coarse" : r.samples == 1 ? "   1 sample a pixel" : "   " + std::to_string(r.samples) + " samples a pixel";
+  line += r.samples == 0   ? "   coarse"
+          : r.samples == 1 ? "   1 sample a pixel"
+                           : "   " + std::to_string(r.samples) + " samples a pixel";
   if (r.samples > 0) line += "   apart by " + fixed(100 * r.difference, 1) + "%";
   return r.tracing ? line + "\xE2\x80\xA6" : line;
 }
@@ -140,8 +148,10 @@ void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a,
   }
   const float grip = c.style.px(9), y = (a.y + b.y) / 2;
   dl->AddRectFilled({x - 1, a.y}, {x + 1, b.y}, c.style.color.raised);
-  dl->AddRectFilled({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.raised, c.style.px(4));
-  dl->AddRect({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.line_strong, c.style.px(4));
+  dl->AddRectFilled({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.raised,
+                    c.style.px(4));
+  dl->AddRect({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.line_strong,
+              c.style.px(4));
   const std::string text = reference_line(r, c.work.compare);
   ImFont* font = c.style.font.small;
   const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
@@ -158,9 +168,7 @@ void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& 
 
 }  // namespace
 
-Orbit orbit_of(const Scene& s) {
-  return {s.view_azimuth, s.view_elevation, s.view_distance, s.pan_x, s.pan_y};
-}
+Orbit orbit_of(const Scene& s) { return {s.view_azimuth, s.view_elevation, s.view_distance, s.pan_x, s.pan_y}; }
 
 Scene with_orbit(Scene s, const Orbit& camera) {
   s.view_azimuth = camera.azimuth;
@@ -193,15 +201,17 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   if (pane.x < 8 || pane.y < 8) return {};
   const bool comparing = c.work.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
-  ImGui::InvisibleButton("view", pane,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  ImGui::InvisibleButton(
+      "view", pane,
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
   MaybeEdit edit;
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) edit = drag(c, camera, pane);
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.work.hint = kHint;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
-    camera = zoomed(camera, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x, ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
+    camera = zoomed(camera, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
+                    ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) camera = orbit_of(c.design.scene);
 
   ImDrawList* dl = ImGui::GetWindowDrawList();
@@ -220,4 +230,4 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

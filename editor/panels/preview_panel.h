@@ -4,27 +4,28 @@
 #include <array>
 #include <string>
 
+#include "gl/renderer.h"
+#include "panels/names.h"
 #include "panels/panel.h"
-#include "preview/renderer.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// What stands behind the slider of the comparison.
 struct ReferencePicture {
-  unsigned texture = 0;   // of Compare::kSplit or kDifference, row 0 on top; 0: none yet
-  int samples = 0;        // a pixel; 0: a coarse first picture
-  float difference = 0;   // relative RMSE of the preview against it, over the cloth
-  bool tracing = false;   // a better one is on its way
+  unsigned texture = 0;  // of Compare::kSplit or kDifference, row 0 on top; 0: none yet
+  int samples = 0;       // a pixel; 0: a coarse first picture
+  float difference = 0;  // relative RMSE of the preview against it, over the cloth
+  bool tracing = false;  // a better one is on its way
   std::string problem;
 };
 inline constexpr float kDifferenceScale = 4;  // the picture of the difference is this much brighter
 
 /// What there is to show.
 struct PreviewPicture {
-  unsigned texture = 0;   // 0: none yet
+  unsigned texture = 0;  // 0: none yet
   FrameStats stats;
-  std::string problem;    // why there is none, or what is wrong with the mesh
-  bool busy = false;      // the newest edit is still being worked on
+  std::string problem;  // why there is none, or what is wrong with the mesh
+  bool busy = false;    // the newest edit is still being worked on
   ReferencePicture reference;
 };
 
@@ -44,4 +45,4 @@ Orbit zoomed(Orbit camera, float steps, float x, float y);
 /// `pane` receives the size of the picture in pixels of the window.
 MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& camera, ImVec2& pane);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -5,7 +5,7 @@
 #include "drape/mesh.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 struct SceneSpec {
@@ -13,9 +13,11 @@ struct SceneSpec {
   float Scene::*field;
 };
 const SceneSpec kLight[] = {
-    {{"scene.light_azimuth", "Light from", -180, 180, "%.0f\xC2\xB0", "Azimuth of the light: 0 is in front, positive to the right. Or drag in the picture with the right button"},
+    {{"scene.light_azimuth", "Light from", -180, 180, "%.0f\xC2\xB0",
+      "Azimuth of the light: 0 is in front, positive to the right. Or drag in the picture with the right button"},
      &Scene::light_azimuth},
-    {{"scene.light_elevation", "Light height", 0, 90, "%.0f\xC2\xB0", "Elevation of the light: 0 grazes, 90 is straight above"},
+    {{"scene.light_elevation", "Light height", 0, 90, "%.0f\xC2\xB0",
+      "Elevation of the light: 0 grazes, 90 is straight above"},
      &Scene::light_elevation},
     {{"scene.light_strength", "Light", 0, 4, "%.2f", "Strength of the key light"}, &Scene::light_strength},
     {{"scene.sky_strength", "Sky", 0, 4, "%.2f", "Strength of the soft light from all around"}, &Scene::sky_strength},
@@ -49,7 +51,8 @@ MaybeEdit draw_mesh(PanelContext& c) {
 }
 
 MaybeEdit draw_method(PanelContext& c) {
-  row_label(c, "Method", "How the threads are shaded. Automatic takes the cheapest that is good enough at the distance");
+  row_label(c, "Method",
+            "How the threads are shaded. Automatic takes the cheapest that is good enough at the distance");
   ImGui::SetNextItemWidth(-FLT_MIN);
   MaybeEdit edit;
   if (begin_combo(c, "look.method", method_label(c.design.look.method))) {
@@ -66,7 +69,7 @@ MaybeEdit draw_method(PanelContext& c) {
 }  // namespace
 
 const char* method_label(Method method) {
-  constexpr const char* kLabels[] = {"automatic", "flat", "vrst03", "cloth", "repeat",
+  constexpr const char* kLabels[] = {"automatic", "flat", "vrst03", "cloth",    "repeat",
                                      "cell",      "yarn", "engine", "reference"};
   return kLabels[static_cast<int>(method)];
 }
@@ -77,13 +80,20 @@ MaybeEdit draw_scene(PanelContext& c) {
   if (MaybeEdit method = draw_method(c)) edit = std::move(method);
   if (c.design.look.method == Method::kAuto) {
     float tolerance = c.design.look.tolerance;
-    constexpr SliderSpec kTolerance{"look.tolerance", "Error allowed", 0.01f, 0.3f, "%.2f",
-                                    "What the automatic method may be off by: the smaller, the finer its methods. 0.05 is 5% of the brightness", true};
+    constexpr SliderSpec kTolerance{
+        "look.tolerance",
+        "Error allowed",
+        0.01f,
+        0.3f,
+        "%.2f",
+        "What the automatic method may be off by: the smaller, the finer its methods. 0.05 is 5% of the brightness",
+        true};
     if (slider(c, kTolerance, tolerance))
       edit = scene_edit("Error allowed", [tolerance](Design& d) { d.look.tolerance = tolerance; });
   }
   float exposure = c.design.look.exposure_ev;
-  constexpr SliderSpec kExposure{"look.exposure_ev", "Exposure", -3, 3, "%+.1f EV", "Brightness of the picture, in stops"};
+  constexpr SliderSpec kExposure{
+      "look.exposure_ev", "Exposure", -3, 3, "%+.1f EV", "Brightness of the picture, in stops"};
   if (slider(c, kExposure, exposure))
     edit = scene_edit("Exposure", [exposure](Design& d) { d.look.exposure_ev = exposure; });
   Scene scene = c.design.scene;
@@ -93,4 +103,4 @@ MaybeEdit draw_scene(PanelContext& c) {
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -1,13 +1,14 @@
 #pragma once
 // The scene the cloth hangs in: drape, method of shading, exposure, light and sky.
 
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 MaybeEdit draw_scene(PanelContext& c);
 
 /// Names of the methods as shown, in the order of Method.
 const char* method_label(Method method);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -2,7 +2,7 @@
 
 #include "panels/selection.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 MaybeEdit press_with_block(PanelContext& c) {
@@ -50,14 +50,16 @@ MaybeEdit go_on(PanelContext& c, BitGrid grid, Cell at) {
   if (!at.valid()) return {};
   if (s.drag == SelectDrag::kBand) {
     if (const Selection next = selection_between(grid, s.anchor, at); next != s.selected) select_cells(s, next);
-  } else if (s.drag == SelectDrag::kMove && !(holds(s.selected, grid, at) && at.a - s.grip.a == s.selected.a0 && at.b - s.grip.b == s.selected.b0)) {
+  } else if (s.drag == SelectDrag::kMove &&
+             !(holds(s.selected, grid, at) && at.a - s.grip.a == s.selected.a0 && at.b - s.grip.b == s.selected.b0)) {
     return move_selection(s, c.design, at.a - s.grip.a, at.b - s.grip.b, false);
   }
   return {};
 }
 
 void show_cursor(SelectState& s, BitGrid grid, Cell at) {
-  const bool grips = s.drag == SelectDrag::kMove || (s.drag == SelectDrag::kNone && s.tool == Tool::kSelect && holds(s.selected, grid, at));
+  const bool grips = s.drag == SelectDrag::kMove ||
+                     (s.drag == SelectDrag::kNone && s.tool == Tool::kSelect && holds(s.selected, grid, at));
   if (grips && !s.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   else s.crosshair = true;
 }
@@ -85,4 +87,4 @@ MaybeEdit select_input(PanelContext& c, const GridPane& pane) {
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -2,9 +2,10 @@
 // The mouse of the select tool over one grid: draw a rectangle, move it, put a block down, ask for the menu.
 
 #include "panels/draft_layout.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// True when the mouse over this grid selects rather than paints: with the tool, with Ctrl held, or with a
 /// block in hand.
@@ -12,4 +13,4 @@ bool selects(const PanelContext& c, const GridPane& pane);
 /// To be called right after the grid's ImGui item.
 MaybeEdit select_input(PanelContext& c, const GridPane& pane);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -7,8 +7,9 @@
 #include <string>
 
 #include "draft/selection.h"
+#include "panels/names.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// A cell: a is along the screen's x, b along its y. threading (end, shaft), tieup (treadle, shaft),
 /// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick), warp_colors (end, 0),
@@ -44,7 +45,7 @@ struct SelectState {
   Cell anchor;             // where it began
   bool with_looks = true;  // whole threads take their colours along
   SelectDrag drag = SelectDrag::kNone;
-  Cell grip;               // of a move: the cell under the pointer, counted from the selection's first
+  Cell grip;  // of a move: the cell under the pointer, counted from the selection's first
   std::optional<MarksOnTheMove> move;
   std::optional<BlockInHand> held;
   bool menu_wanted = false;  // a right click: the context menu opens in this frame
@@ -54,4 +55,4 @@ struct SelectState {
   uint64_t moves = 0;        // so far
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr uint64_t kMoveStrokes = uint64_t{1} << 63;  // apart from the strokes of the mouse
@@ -24,11 +24,16 @@ struct Words {
 
 Words words_of(BitGrid grid) {
   switch (grid) {
-    case BitGrid::kThreading: return {"end", "ends", "shaft", "shafts"};
-    case BitGrid::kTieup: return {"treadle", "treadles", "shaft", "shafts"};
-    case BitGrid::kTreadling: return {"treadle", "treadles", "pick", "picks"};
-    case BitGrid::kLiftplan: return {"shaft", "shafts", "pick", "picks"};
-    case BitGrid::kDrawdown: return {"end", "ends", "pick", "picks"};
+    case BitGrid::kThreading:
+      return {"end", "ends", "shaft", "shafts"};
+    case BitGrid::kTieup:
+      return {"treadle", "treadles", "shaft", "shafts"};
+    case BitGrid::kTreadling:
+      return {"treadle", "treadles", "pick", "picks"};
+    case BitGrid::kLiftplan:
+      return {"shaft", "shafts", "pick", "picks"};
+    case BitGrid::kDrawdown:
+      return {"end", "ends", "pick", "picks"};
   }
   return {};
 }
@@ -42,25 +47,33 @@ std::string range_text(const char* one, const char* many, int first, int end) {
 std::string held_text(const BlockInHand& held) {
   const BitMatrix cells = turned_for(held.block, held.grid);
   const Words w = words_of(held.grid);
-  return "Paste " + size_text(held.grid, cells.cols(), cells.rows()) + " from " + w.column + " " + std::to_string(held.at.a + 1) +
-         ", " + w.row + " " + std::to_string(held.at.b + 1) + ": click or Enter puts it down, Shift+click keeps it in hand, Esc lets it go";
+  return "Paste " + size_text(held.grid, cells.cols(), cells.rows()) + " from " + w.column + " " +
+         std::to_string(held.at.a + 1) + ", " + w.row + " " + std::to_string(held.at.b + 1) +
+         ": click or Enter puts it down, Shift+click keeps it in hand, Esc lets it go";
 }
 
 }  // namespace
 
 std::optional<BitGrid> bit_grid_of(GridId grid) {
   switch (grid) {
-    case GridId::kThreading: return BitGrid::kThreading;
-    case GridId::kTieup: return BitGrid::kTieup;
-    case GridId::kTreadling: return BitGrid::kTreadling;
-    case GridId::kLiftplan: return BitGrid::kLiftplan;
-    case GridId::kDrawdown: return BitGrid::kDrawdown;
-    default: return {};
+    case GridId::kThreading:
+      return BitGrid::kThreading;
+    case GridId::kTieup:
+      return BitGrid::kTieup;
+    case GridId::kTreadling:
+      return BitGrid::kTreadling;
+    case GridId::kLiftplan:
+      return BitGrid::kLiftplan;
+    case GridId::kDrawdown:
+      return BitGrid::kDrawdown;
+    default:
+      return {};
   }
 }
 
 GridId grid_id_of(BitGrid grid) {
-  constexpr GridId kIds[] = {GridId::kThreading, GridId::kTieup, GridId::kTreadling, GridId::kLiftplan, GridId::kDrawdown};
+  constexpr GridId kIds[] = {GridId::kThreading, GridId::kTieup, GridId::kTreadling, GridId::kLiftplan,
+                             GridId::kDrawdown};
   return kIds[static_cast<int>(grid)];
 }
 
@@ -70,7 +83,8 @@ bool is_shown(const Draft& d, BitGrid grid) {
 }
 
 Selection selection_between(BitGrid grid, Cell one, Cell other) {
-  return {grid, std::min(one.a, other.a), std::max(one.a, other.a) + 1, std::min(one.b, other.b), std::max(one.b, other.b) + 1};
+  return {grid, std::min(one.a, other.a), std::max(one.a, other.a) + 1, std::min(one.b, other.b),
+          std::max(one.b, other.b) + 1};
 }
 
 bool holds(const Selection& s, BitGrid grid, Cell at) {
@@ -133,7 +147,8 @@ void extend_selection(SelectState& s, const Draft& d, int da, int db) {
   // The far corner lies across from the one where the selection began.
   const Cell near = holds(now, now.grid, s.anchor) ? s.anchor : Cell{now.a0, now.b0};
   const Cell far{near.a == now.a0 ? now.a1 - 1 : now.a0, near.b == now.b0 ? now.b1 - 1 : now.b0};
-  const Cell to{std::clamp(far.a + da, 0, columns_of(d, now.grid) - 1), std::clamp(far.b + db, 0, rows_of(d, now.grid) - 1)};
+  const Cell to{std::clamp(far.a + da, 0, columns_of(d, now.grid) - 1),
+                std::clamp(far.b + db, 0, rows_of(d, now.grid) - 1)};
   s.anchor = near;
   select_cells(s, selection_between(now.grid, near, to));
 }
@@ -181,8 +196,8 @@ std::string missed_text(const Draft& d, BitGrid grid, int a, int b, const BitMat
 
 std::string size_text(BitGrid grid, int columns, int rows) {
   const Words w = words_of(grid);
-  return std::to_string(columns) + " " + (columns == 1 ? w.column : w.columns) + " \xC3\x97 " + std::to_string(rows) + " " +
-         (rows == 1 ? w.row : w.rows);
+  return std::to_string(columns) + " " + (columns == 1 ? w.column : w.columns) + " \xC3\x97 " + std::to_string(rows) +
+         " " + (rows == 1 ? w.row : w.rows);
 }
 
 std::string selection_text(const SelectState& s) {
@@ -190,11 +205,12 @@ std::string selection_text(const SelectState& s) {
   if (s.selected.empty()) return {};
   const Selection& at = s.selected;
   const Words w = words_of(at.grid);
-  const std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " + range_text(w.column, w.columns, at.a0, at.a1) +
-                           ", " + range_text(w.row, w.rows, at.b0, at.b1);
+  const std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " +
+                           range_text(w.column, w.columns, at.a0, at.a1) + ", " +
+                           range_text(w.row, w.rows, at.b0, at.b1);
   if (s.drag == SelectDrag::kBand) return size;
   if (s.drag == SelectDrag::kMove) return (s.move && s.move->copy ? "Copy " : "Move ") + size;
   return size + "    drag to move, Ctrl+drag to copy, right click for more";
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -7,9 +7,10 @@
 #include <string>
 
 #include "draft/selection_edits.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 std::optional<BitGrid> bit_grid_of(GridId grid);
 GridId grid_id_of(BitGrid grid);
@@ -55,4 +56,4 @@ std::string size_text(BitGrid grid, int columns, int rows);
 /// What is selected or in hand, and what can be done with it; empty for neither.
 std::string selection_text(const SelectState& state);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

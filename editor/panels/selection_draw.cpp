@@ -4,12 +4,12 @@
 
 #include "panels/selection.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
-constexpr float kDash = 5;             // pixels
-constexpr float kCellsFrom = 2;        // pixels a cell from which the marks of a block are drawn
-constexpr float kOutOfSight = 8;       // pixels past the pane: edges further off are not drawn
+constexpr float kDash = 5;        // pixels
+constexpr float kCellsFrom = 2;   // pixels a cell from which the marks of a block are drawn
+constexpr float kOutOfSight = 8;  // pixels past the pane: edges further off are not drawn
 
 const GridPane* pane_of(const DraftLayout& l, BitGrid grid) {
   for (const GridPane* pane : l.panes())
@@ -64,11 +64,14 @@ void push_clip(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   dl->PushClipRect({a.x - room, a.y - room}, {b.x + 1 + room, b.y + 1 + room}, true);
 }
 
-void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BlockInHand& held, const BitMatrix& cells) {
+void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BlockInHand& held,
+                const BitMatrix& cells) {
   const bool crossings = held.grid == BitGrid::kDrawdown;
   const bool turned = crossings && c.work.face == Face::kBack;  // the back shows the other threads
-  const ImU32 mark = blend(c.style.color.accent, c.style.color.ink, 0.25f), empty = with_alpha(c.style.color.paper, 0.8f);
-  const int a1 = std::min(held.at.a + cells.cols(), p.x.end_visible()), b1 = std::min(held.at.b + cells.rows(), p.y.end_visible());
+  const ImU32 mark = blend(c.style.color.accent, c.style.color.ink, 0.25f),
+              empty = with_alpha(c.style.color.paper, 0.8f);
+  const int a1 = std::min(held.at.a + cells.cols(), p.x.end_visible()),
+            b1 = std::min(held.at.b + cells.rows(), p.y.end_visible());
   for (int b = std::max(held.at.b, p.y.first_visible()); b < b1; ++b)
     for (int a = std::max(held.at.a, p.x.first_visible()); a < a1; ++a) {
       const bool on = cells.get(b - held.at.b, a - held.at.a) != turned;
@@ -109,4 +112,4 @@ void draw_block_in_hand(ImDrawList* dl, const PanelContext& c, const DraftLayout
   dl->PopClipRect();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

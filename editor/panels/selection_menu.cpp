@@ -2,7 +2,7 @@
 
 #include "panels/action_list.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items) {
   constexpr const char* kName = "###selection_menu";
@@ -17,4 +17,4 @@ std::string draw_selection_menu(const PanelContext& c, std::span<const ActionIte
   return chosen;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

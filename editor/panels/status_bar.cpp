@@ -7,23 +7,27 @@
 #include "panels/selection.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 std::string count(int n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); }
 
 ImU32 severity_color(const PanelContext& c, Severity s) {
-  return s == Severity::kError ? c.style.color.error : s == Severity::kWarning ? c.style.color.warn : c.style.color.muted;
+  return s == Severity::kError     ? c.style.color.error
+         : s == Severity::kWarning ? c.style.color.warn
+                                   : c.style.color.muted;
 }
 
 bool draw_remark_button(const PanelContext& c, std::span<const Diagnostic> remarks) {
-  const bool bad = std::any_of(remarks.begin(), remarks.end(), [](const Diagnostic& d) { return d.severity != Severity::kNote; });
+  const bool bad =
+      std::any_of(remarks.begin(), remarks.end(), [](const Diagnostic& d) { return d.severity != Severity::kNote; });
   const std::string label = (c.style.font.icons ? std::string(bad ? icon::kWarning : icon::kInfo) + " " : "") +
                             count(static_cast<int>(remarks.size()), "remark", "remarks");
   ImGui::PushStyleColor(ImGuiCol_Text, bad ? c.style.color.warn : c.style.color.muted);
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(6), c.style.px(1)});
-  const bool pressed = text_button(c, "remarks", label.c_str(), "What was odd in the opened file, and what was done about it");
+  const bool pressed =
+      text_button(c, "remarks", label.c_str(), "What was odd in the opened file, and what was done about it");
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);
   return pressed;
@@ -70,7 +74,8 @@ bool draw_status_bar(PanelContext& c, const std::string& message, std::span<cons
   ImGui::TextUnformatted(status_text(c, message).c_str());
   const std::string facts = summary(c.design.draft);
   const float remark_room = remarks.empty() ? 0 : c.style.px(110);
-  ImGui::SameLine(std::max(c.style.px(400), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(facts.c_str()).x - remark_room));
+  ImGui::SameLine(std::max(c.style.px(400),
+                           ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(facts.c_str()).x - remark_room));
   muted_text(c, facts);
   bool clicked = false;
   if (!remarks.empty()) {
@@ -85,8 +90,9 @@ void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& op
   if (!open) return;
   const ImGuiViewport* view = ImGui::GetMainViewport();
   ImGui::SetNextWindowSize({c.style.px(560), c.style.px(280)}, ImGuiCond_Appearing);
-  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x - c.style.px(16), view->WorkPos.y + view->WorkSize.y - c.style.px(44)},
-                          ImGuiCond_Appearing, {1, 1});
+  ImGui::SetNextWindowPos(
+      {view->WorkPos.x + view->WorkSize.x - c.style.px(16), view->WorkPos.y + view->WorkSize.y - c.style.px(44)},
+      ImGuiCond_Appearing, {1, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
@@ -97,4 +103,4 @@ void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& op
   ImGui::PopStyleVar(2);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

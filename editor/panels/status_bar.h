@@ -3,10 +3,11 @@
 
 #include <span>
 
+#include "panels/names.h"
 #include "panels/panel.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// `message` is shown for a while after something was done ("Saved"). True when the remarks were clicked.
 bool draw_status_bar(PanelContext& c, const std::string& message, std::span<const Diagnostic> remarks);
@@ -16,4 +17,4 @@ std::string summary(const Draft& draft);
 /// The remarks on the opened file in a window of their own, quiet: line, what, what to do.
 void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& open);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

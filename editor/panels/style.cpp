@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
-constexpr ImU32 hex(uint32_t rgb) {
-  return IM_COL32((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255, 255);
-}
+constexpr ImU32 hex(uint32_t rgb) { return IM_COL32((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255, 255); }
 
 ImVec4 vec(ImU32 c, float alpha = 1.0f) {
   ImVec4 v = ImGui::ColorConvertU32ToFloat4(c);
@@ -101,9 +99,7 @@ void apply(const Style& style) {
   s.ScaleAllSizes(style.scale);
 }
 
-ImU32 to_u32(Rgb c, float alpha) {
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, alpha));
-}
+ImU32 to_u32(Rgb c, float alpha) { return ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, alpha)); }
 
 ImU32 blend(ImU32 from, ImU32 to, float share) {
   ImU32 out = 0;
@@ -124,4 +120,4 @@ ImU32 reading_color(Rgb c) {
   return luma > 0.55f ? IM_COL32(24, 22, 18, 255) : IM_COL32(255, 255, 255, 255);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

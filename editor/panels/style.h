@@ -4,15 +4,16 @@
 #include <imgui.h>
 
 #include "draft/draft.h"
+#include "panels/names.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 struct Colors {
-  ImU32 window, panel, raised;      // backgrounds, from the furthest back
-  ImU32 line, line_strong;          // hairlines and every fifth
-  ImU32 text, muted;                // contrast against `panel`: 7:1 and 4.5:1 or better
-  ImU32 accent, accent_soft;        // what is chosen; what the pointer is over
-  ImU32 ink, paper;                 // a filled and an empty cell
+  ImU32 window, panel, raised;  // backgrounds, from the furthest back
+  ImU32 line, line_strong;      // hairlines and every fifth
+  ImU32 text, muted;            // contrast against `panel`: 7:1 and 4.5:1 or better
+  ImU32 accent, accent_soft;    // what is chosen; what the pointer is over
+  ImU32 ink, paper;             // a filled and an empty cell
   ImU32 warn, error;
 };
 
@@ -47,4 +48,4 @@ ImU32 with_alpha(ImU32 color, float alpha);
 /// Black or white, whichever reads better on `c`.
 ImU32 reading_color(Rgb c);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -8,7 +8,7 @@
 
 #include "cloth/cloth.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr size_t kMostOthers = 7;
@@ -70,8 +70,7 @@ std::optional<Span> span_of(std::string_view word, int count) {
     s.last = word.empty() || word.front() == '/' ? count : take_number(word).value_or(-1);
     if (take_sign(word, '/')) s.step = take_number(word).value_or(-1);
   }
-  const bool good =
-      word.empty() && s.step > 0 && s.first >= 1 && s.last >= 1 && std::min(s.first, s.last) <= count;
+  const bool good = word.empty() && s.step > 0 && s.first >= 1 && s.last >= 1 && std::min(s.first, s.last) <= count;
   if (!good) return std::nullopt;
   if (s.first > s.last) std::swap(s.first, s.last);
   s.last = std::min(s.last, count);
@@ -110,8 +109,7 @@ void add(SharedLength& shared, float mm, bool own, bool first) {
 void begin_choice(ThreadChoice& choice, System system, int thread, Choose how) {
   if (system != choice.system) choice = {system, {}, -1, {}, false, false};
   choice.before = how == Choose::kAlso ? choice.threads : std::vector<int>{};
-  choice.takes_away =
-      how == Choose::kAlso && std::binary_search(choice.threads.begin(), choice.threads.end(), thread);
+  choice.takes_away = how == Choose::kAlso && std::binary_search(choice.threads.begin(), choice.threads.end(), thread);
   if (how != Choose::kRange || choice.anchor < 0) choice.anchor = thread;
   choice.dragging = true;
   drag_choice(choice, thread);
@@ -137,9 +135,7 @@ std::vector<int> concerned(const ThreadChoice& choice, const Draft& draft) {
 
 std::vector<int> threads_alike(const Draft& draft, System system, const std::vector<int>& threads) {
   const Threads& t = draft.threads(system);
-  const auto look = [&t](int i) {
-    return std::pair(t.color[static_cast<size_t>(i)], t.yarn[static_cast<size_t>(i)]);
-  };
+  const auto look = [&t](int i) { return std::pair(t.color[static_cast<size_t>(i)], t.yarn[static_cast<size_t>(i)]); };
   std::set<std::pair<int, int>> looks;
   for (const int i : threads) looks.insert(look(i));
   std::vector<int> out;
@@ -194,4 +190,4 @@ SharedThreads shared_by(const Design& design, System system, const std::vector<i
   return shared;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

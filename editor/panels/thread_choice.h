@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "draft/design.h"
+#include "panels/names.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 struct ThreadChoice {
   System system = System::kWarp;
@@ -60,4 +61,4 @@ struct SharedThreads {
 };
 SharedThreads shared_by(const Design& design, System system, const std::vector<int>& threads);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -4,16 +4,12 @@
 
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
-System system_of(const GridPane& pane) {
-  return pane.id == GridId::kWarpColors ? System::kWarp : System::kWeft;
-}
+System system_of(const GridPane& pane) { return pane.id == GridId::kWarpColors ? System::kWarp : System::kWeft; }
 
-const Axis& threads_along(const GridPane& pane) {
-  return pane.id == GridId::kWarpColors ? pane.x : pane.y;
-}
+const Axis& threads_along(const GridPane& pane) { return pane.id == GridId::kWarpColors ? pane.x : pane.y; }
 
 int thread_at(const GridPane& pane) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -28,12 +24,8 @@ void take_gesture(PanelContext& c, const GridPane& pane) {
   if (thread < 0) return;
   const System system = system_of(pane);
   if (ImGui::IsItemActivated())
-    begin_choice(choice, system, thread,
-                 io.KeyShift  ? Choose::kRange
-                 : io.KeyCtrl ? Choose::kAlso
-                              : Choose::kOnly);
-  else if (ImGui::IsItemActive())
-    drag_choice(choice, thread);
+    begin_choice(choice, system, thread, io.KeyShift ? Choose::kRange : io.KeyCtrl ? Choose::kAlso : Choose::kOnly);
+  else if (ImGui::IsItemActive()) drag_choice(choice, thread);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     choice.threads = threads_alike(c.design.draft, system, {thread});
     choice.dragging = false;
@@ -66,8 +58,7 @@ template <class Use>
 void each_run(const ThreadChoice& choice, const Axis& axis, Use use) {
   const auto& all = choice.threads;
   const int stop = axis.end_visible();
-  for (auto at = std::lower_bound(all.begin(), all.end(), axis.first_visible());
-       at != all.end() && *at < stop;) {
+  for (auto at = std::lower_bound(all.begin(), all.end(), axis.first_visible()); at != all.end() && *at < stop;) {
     auto last = at;
     while (std::next(last) != all.end() && *std::next(last) == *last + 1 && *std::next(last) < stop) ++last;
     use(std::min(axis.low(*at), axis.low(*last)), std::max(axis.high(*at), axis.high(*last)));
@@ -87,13 +78,11 @@ void draw_frame(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
 bool chooses_on_bar(const PanelContext& c, GridId bar) {
   if (bar != GridId::kWarpColors && bar != GridId::kWeftColors) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  return c.work.chosen.dragging || (c.work.stroke.grid == GridId::kNone &&
-                                    (c.work.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
+  return c.work.chosen.dragging ||
+         (c.work.stroke.grid == GridId::kNone && (c.work.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
 }
 
-void choose_on_bar(PanelContext& c, const GridPane& bar) {
-  take_gesture(c, bar);
-}
+void choose_on_bar(PanelContext& c, const GridPane& bar) { take_gesture(c, bar); }
 
 void choose_by_heads(PanelContext& c, const DraftLayout& l) {
   ThreadChoice& choice = c.work.chosen;
@@ -117,24 +106,20 @@ void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   dl->PushClipRect({a.x - thick, a.y - thick}, {b.x + thick + 1, b.y + thick + 1}, true);
   each_run(c.work.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) {
-      dl->AddRectFilled({low, heads.min().y}, {high + 1, heads.max().y}, soft, r,
-                        ImDrawFlags_RoundCornersTop);
+      dl->AddRectFilled({low, heads.min().y}, {high + 1, heads.max().y}, soft, r, ImDrawFlags_RoundCornersTop);
       draw_frame(dl, c, {low, bar.min().y}, {high, bar.max().y});
     } else {
-      dl->AddRectFilled({heads.min().x, low}, {heads.max().x, high + 1}, soft, r,
-                        ImDrawFlags_RoundCornersRight);
+      dl->AddRectFilled({heads.min().x, low}, {heads.max().x, high + 1}, soft, r, ImDrawFlags_RoundCornersRight);
       draw_frame(dl, c, {bar.min().x, low}, {bar.max().x, high});
     }
   });
   dl->PopClipRect();
   dl->PushClipRect(marks.min(), marks.max(), true);
   each_run(c.work.chosen, threads_along(bar), [&](float low, float high) {
-    if (warp)
-      dl->AddRectFilled({low, marks.min().y}, {high + 1, marks.max().y}, band);
-    else
-      dl->AddRectFilled({marks.min().x, low}, {marks.max().x, high + 1}, band);
+    if (warp) dl->AddRectFilled({low, marks.min().y}, {high + 1, marks.max().y}, band);
+    else dl->AddRectFilled({marks.min().x, low}, {marks.max().x, high + 1}, band);
   });
   dl->PopClipRect();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -4,9 +4,10 @@
 // same, and Shift and Ctrl with any tool.
 
 #include "panels/draft_layout.h"
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// True while a press on a colour bar chooses rather than paints.
 bool chooses_on_bar(const PanelContext& c, GridId bar);
@@ -17,4 +18,4 @@ void choose_by_heads(PanelContext& c, const DraftLayout& layout);
 /// What is chosen, on numbers and bars.
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

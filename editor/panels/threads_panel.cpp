@@ -13,7 +13,7 @@
 #include "panels/icons.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link to the yarn
@@ -39,12 +39,12 @@ const LengthSpec kThickness = {
     "threads.thickness:yarn",
     &SharedThreads::thickness,
     with_thread_thickness};
-const LengthSpec kSpacing = {{"threads.spacing", "Spacing", 0.05f, 20, "%.2f mm",
-                              "From the middle of a thread to the middle of the next", true},
-                             "Spacing",
-                             "threads.spacing:yarn",
-                             &SharedThreads::spacing,
-                             with_thread_spacing};
+const LengthSpec kSpacing = {
+    {"threads.spacing", "Spacing", 0.05f, 20, "%.2f mm", "From the middle of a thread to the middle of the next", true},
+    "Spacing",
+    "threads.spacing:yarn",
+    &SharedThreads::spacing,
+    with_thread_spacing};
 
 const char* thread_word(System system, size_t count) {
   if (system == System::kWarp) return count == 1 ? "end" : "ends";
@@ -54,17 +54,14 @@ const char* thread_word(System system, size_t count) {
 template <class Apply>
 Edit edit_of(const Subject& s, const char* what, Apply apply) {
   return {thread_label(what, s.system, s.threads.size()),
-          [apply, system = s.system, threads = s.threads](Design d) {
-            return apply(std::move(d), system, threads);
-          }};
+          [apply, system = s.system, threads = s.threads](Design d) { return apply(std::move(d), system, threads); }};
 }
 
 /// How many are chosen, at the end of the field drawn last, where its text leaves room.
 void draw_count(const PanelContext& c, const ThreadChoice& choice) {
   const std::string count =
       std::to_string(choice.threads.size()) + " " + thread_word(choice.system, choice.threads.size());
-  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(),
-               padding = ImGui::GetStyle().FramePadding;
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), padding = ImGui::GetStyle().FramePadding;
   const float x = b.x - padding.x - ImGui::CalcTextSize(count.c_str()).x;
   if (x < a.x + 2 * padding.x + ImGui::CalcTextSize(c.work.choice_words.c_str()).x) return;
   ImGui::GetWindowDrawList()->AddText({x, a.y + padding.y}, c.style.color.muted, count.c_str());
@@ -80,8 +77,7 @@ void draw_which(PanelContext& c, const Draft& d) {
   if (!typing) c.work.choice_words = words_of_threads(choice.threads);
   take_focus(c, "threads.which");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
-  std::optional<std::vector<int>> named =
-      threads_of_words(c.work.choice_words, d.threads(choice.system).size());
+  std::optional<std::vector<int>> named = threads_of_words(c.work.choice_words, d.threads(choice.system).size());
   if (!named) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
   const bool typed = ImGui::InputTextWithHint("##which", all.c_str(), &c.work.choice_words);
   if (!named) ImGui::PopStyleColor();
@@ -95,8 +91,7 @@ void draw_which(PanelContext& c, const Draft& d) {
   if (clear <= 0) return;
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  if (icon_button(c, "threads.none", icon::kClear, "x",
-                  "Choose none: the panel then speaks of all threads   Esc"))
+  if (icon_button(c, "threads.none", icon::kClear, "x", "Choose none: the panel then speaks of all threads   Esc"))
     choice.threads.clear();
   ImGui::PopStyleColor();
 }
@@ -120,8 +115,7 @@ std::string yarn_title(const Design& d, int index) {
 /// "S, 97 turns a metre".
 std::string twist_words(const Yarn& yarn) {
   if (yarn.twist == Twist::kNone) return "no twist";
-  return (yarn.twist == Twist::kS ? "S twist, " : "Z twist, ") + fixed(yarn.turns_per_m, 0) +
-         " turns a metre";
+  return (yarn.twist == Twist::kS ? "S twist, " : "Z twist, ") + fixed(yarn.turns_per_m, 0) + " turns a metre";
 }
 
 /// "S 97/m".
@@ -147,8 +141,7 @@ Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
 }
 
 MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
-  row_label(c, "Yarn",
-            "What the threads are spun from, and how they are twisted. Its twist and light are set below");
+  row_label(c, "Yarn", "What the threads are spun from, and how they are twisted. Its twist and light are set below");
   ImGui::SetNextItemWidth(-FLT_MIN);
   const SharedIndex& yarn = s.shared.yarn;
   const std::string shown = yarn.mixed() ? "mixed" : yarn_title(c.design, yarn.value);
@@ -159,8 +152,7 @@ MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
   MaybeEdit edit;
   for (int i = 0; i < static_cast<int>(c.design.yarns.size()); ++i) {
     ImGui::PushID(i);
-    const std::string twisted =
-        yarn_title(c.design, i) + "   " + twist_mark(c.design.yarns[static_cast<size_t>(i)]);
+    const std::string twisted = yarn_title(c.design, i) + "   " + twist_mark(c.design.yarns[static_cast<size_t>(i)]);
     if (ImGui::Selectable(twisted.c_str(), !yarn.mixed() && i == yarn.value)) edit = give_yarn(c, s, i);
     ImGui::PopID();
     c.map.add_item("threads.yarn:" + std::to_string(i + 1));
@@ -192,8 +184,8 @@ void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 
   for (size_t i = 0; i < color.others.size() && x + step < b.x - c.style.px(24); ++i) swatch(color.others[i]);
   if (color.mixed()) return;
   const std::string name = "Colour " + std::to_string(color.value + 1);
-  ImGui::GetWindowDrawList()->AddText({x + c.style.px(5), a.y + ImGui::GetStyle().FramePadding.y},
-                                      c.style.color.text, name.c_str());
+  ImGui::GetWindowDrawList()->AddText({x + c.style.px(5), a.y + ImGui::GetStyle().FramePadding.y}, c.style.color.text,
+                                      name.c_str());
 }
 
 MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
@@ -248,18 +240,16 @@ MaybeEdit draw_color(PanelContext& c, const Subject& s) {
 }
 
 /// A hundredth of a millimetre is finer than any yarn is known.
-float rounded(float mm) {
-  return std::round(mm * 100) / 100;
-}
+float rounded(float mm) { return std::round(mm * 100) / 100; }
 
 /// Shows whether the yarn decides, and gives it back to the yarn.
 bool draw_link(PanelContext& c, const LengthSpec& spec, const SharedLength& length) {
   ImGui::SameLine(0, c.style.px(4));
   const bool own = length.own > 0;
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  const bool pressed = icon_button(
-      c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? "own" : "yarn",
-      own ? "Set for these threads. Click to leave it to their yarn again" : "Follows the yarn", own);
+  const bool pressed =
+      icon_button(c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? "own" : "yarn",
+                  own ? "Set for these threads. Click to leave it to their yarn again" : "Follows the yarn", own);
   ImGui::PopStyleColor();
   return pressed;
 }
@@ -270,11 +260,10 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   float mm = length.mixed() ? (length.low + length.high) / 2 * 1.0001f : length.low;
   MaybeEdit edit;
   if (span_slider(c, spec.slider, {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)}, mm))
-    edit =
-        edit_of(s, spec.what,
-                [set = spec.set, mm = rounded(mm)](Design d, System system, const std::vector<int>& threads) {
-                  return set(std::move(d), system, threads, mm);
-                });
+    edit = edit_of(s, spec.what,
+                   [set = spec.set, mm = rounded(mm)](Design d, System system, const std::vector<int>& threads) {
+                     return set(std::move(d), system, threads, mm);
+                   });
   if (draw_link(c, spec, length))
     edit = edit_of(s, spec.what, [set = spec.set](Design d, System system, const std::vector<int>& threads) {
       return set(std::move(d), system, threads, kFromYarn);
@@ -290,16 +279,14 @@ MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   row_label(c, warp ? "Ends" : "Picks", tip);
   const float unit = c.work.per_inch ? kMmPerInch : kMmPerCm;
   const SharedLength& spacing = s.shared.spacing;
-  float sett =
-      unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
+  float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
   const SliderSpec field{"threads.sett", "", 0.5f, c.work.per_inch ? 500.0f : 200.0f, "%.2f", tip};
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
-    edit =
-        edit_of(s, "Spacing", [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
-          return with_thread_spacing(std::move(d), system, threads, mm);
-        });
+    edit = edit_of(s, "Spacing", [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
+      return with_thread_spacing(std::move(d), system, threads, mm);
+    });
   ImGui::SameLine();
   muted_text(c, "per");
   ImGui::SameLine();
@@ -321,8 +308,7 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
   if (unit.mm == static_cast<double>(kMmPerCm)) return;
   std::string text;
   const auto add = [&](const char* what, const SharedLength& length) {
-    if (length.own > 0)
-      text += (text.empty() ? "" : ", ") + std::string(what) + " " + in_unit(length, unit.mm);
+    if (length.own > 0) text += (text.empty() ? "" : ", ") + std::string(what) + " " + in_unit(length, unit.mm);
   };
   add("thickness", s.shared.thickness);
   add("spacing", s.shared.spacing);
@@ -360,4 +346,4 @@ MaybeEdit draw_threads(PanelContext& c) {
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace weftlight {
+namespace weftlight::panels {
 
 void UiMap::clear() {
   controls.clear();
@@ -20,4 +20,4 @@ void UiMap::add_item(std::string name) {
   add(std::move(name), a.x, a.y, b.x - a.x, b.y - a.y);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace weftlight {
+#include "panels/names.h"
+
+namespace weftlight::panels {
 
 struct UiControl {
   std::string name;
@@ -32,4 +34,4 @@ struct UiMap {
   bool operator==(const UiMap&) const = default;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -9,7 +9,7 @@
 #include "panels/dialog_parts.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr float kListWidth = 176, kHeight = 428, kColumn = 320, kCell = 8;  // pixels at 96 dpi
@@ -19,7 +19,8 @@ void draw_list(PanelContext& c, WeavePrompt& p) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, c.style.color.panel);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(8), c.style.px(6)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {c.style.px(8), c.style.px(4)});
-  ImGui::BeginChild("weaves", {c.style.px(kListWidth), c.style.px(kHeight)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("weaves", {c.style.px(kListWidth), c.style.px(kHeight)}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
   for (int i = 0; i < static_cast<int>(weaves().size()); ++i) {
     const Weave& weave = weaves()[static_cast<size_t>(i)];
     if (ImGui::Selectable(weave.name, i == p.weave) && i != p.weave) {
@@ -79,4 +80,4 @@ DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   return answered(draw_buttons(c, {"Create", "Cancel"}, true));
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -5,8 +5,9 @@
 #include <span>
 
 #include "draft/generators.h"
+#include "panels/names.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 inline constexpr int kWeaveNumbers = 3;
 
@@ -28,4 +29,4 @@ std::array<int, kWeaveNumbers> first_numbers(const Weave& weave);
 /// A straight threading and a balanced twill, two colours.
 Design straight_draw(int shafts, int treadles, ClothSize size);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

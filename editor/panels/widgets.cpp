@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr float kLabelColumn = 104, kFigureColumn = 70, kRest = 0.45f;
@@ -57,8 +57,9 @@ enum class FigureAlign { kRight, kMiddle };
 void draw_figure(const char* text, FigureAlign align, ImU32 color) {
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text);
   const float x = align == FigureAlign::kRight ? b.x - size.x : (a.x + b.x - size.x) / 2;
-  ImGui::GetWindowDrawList()->AddText({static_cast<float>(static_cast<int>(x)), static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))},
-                                      color, text);
+  ImGui::GetWindowDrawList()->AddText(
+      {static_cast<float>(static_cast<int>(x)), static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))}, color,
+      text);
 }
 
 /// The figure: drag it, or click to type. Its text is drawn here, since ImGui would centre it and
@@ -69,7 +70,8 @@ bool figure(const PanelContext& c, const SliderSpec& spec, bool mixed, FigureAli
   const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
   if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
   take_focus(c, spec.id);
-  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max, spec.format, ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max,
+                                        spec.format, ImGuiSliderFlags_AlwaysClamp);
   if (!typing) {
     ImGui::PopStyleColor();
     char text[48];
@@ -99,7 +101,8 @@ bool column_figure(const PanelContext& c, const SliderSpec& spec, const SliderSp
 bool span_slider(const PanelContext& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushID(spec.id);
   row_label(c, spec.label, spec.tip);
-  const float width = std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn) - span.room_after);
+  const float width =
+      std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn) - span.room_after);
   ImGui::InvisibleButton("track", {width, ImGui::GetFrameHeight()});
   c.map.add_item(spec.id);
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
@@ -121,7 +124,8 @@ bool slider(const PanelContext& c, const SliderSpec& spec, float& value) {
 bool number_field(const PanelContext& c, const SliderSpec& spec, bool mixed, float width, float& value) {
   ImGui::PushID(spec.id);
   ImGui::SetNextItemWidth(width);
-  const bool changed = figure(c, spec, mixed, FigureAlign::kMiddle, mixed ? c.style.color.muted : c.style.color.text, value);
+  const bool changed =
+      figure(c, spec, mixed, FigureAlign::kMiddle, mixed ? c.style.color.muted : c.style.color.text, value);
   c.map.add_item(spec.id);
   tooltip(c, spec.tip);
   ImGui::PopID();
@@ -176,7 +180,8 @@ void end_combo() {
 bool segmented(const PanelContext& c, const char* id, std::span<const char* const> labels, int& chosen, float width) {
   const auto count = static_cast<int>(labels.size());
   if (width <= 0) width = ImGui::GetContentRegionAvail().x;
-  const float h = ImGui::GetFrameHeight(), each = static_cast<float>(static_cast<int>(width / static_cast<float>(count)));
+  const float h = ImGui::GetFrameHeight(),
+              each = static_cast<float>(static_cast<int>(width / static_cast<float>(count)));
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float r = ImGui::GetStyle().FrameRounding;
@@ -226,8 +231,10 @@ bool section(const PanelContext& c, const char* id, const char* label, bool open
   // A small triangle that points right when shut and down when open.
   const float r = c.style.px(4);
   const ImVec2 m{at.x + r + 1, at.y + h / 2};
-  if (open) dl->AddTriangleFilled({m.x - r, m.y - r / 2}, {m.x + r, m.y - r / 2}, {m.x, m.y + r * 0.7f}, c.style.color.muted);
-  else dl->AddTriangleFilled({m.x - r / 2, m.y - r}, {m.x - r / 2, m.y + r}, {m.x + r * 0.7f, m.y}, c.style.color.muted);
+  if (open)
+    dl->AddTriangleFilled({m.x - r, m.y - r / 2}, {m.x + r, m.y - r / 2}, {m.x, m.y + r * 0.7f}, c.style.color.muted);
+  else
+    dl->AddTriangleFilled({m.x - r / 2, m.y - r}, {m.x - r / 2, m.y + r}, {m.x + r * 0.7f, m.y}, c.style.color.muted);
   return open;
 }
 
@@ -297,4 +304,4 @@ std::string fixed(float value, int decimals) {
   return text;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

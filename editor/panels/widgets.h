@@ -4,15 +4,16 @@
 #include <span>
 #include <string>
 
+#include "panels/names.h"
 #include "panels/panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 struct SliderSpec {
-  const char* id;       // name in the --ui-map, "yarn.turns_per_m"
+  const char* id;  // name in the --ui-map, "yarn.turns_per_m"
   const char* label;
   float min, max;
-  const char* format;   // with the unit, "%.0f /m"
+  const char* format;  // with the unit, "%.0f /m"
   const char* tip;
   bool logarithmic = false;
 };
@@ -56,4 +57,4 @@ std::string fitted(const std::string& text, float width);
 void muted_text(const PanelContext& c, const std::string& text);
 std::string fixed(float value, int decimals);
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

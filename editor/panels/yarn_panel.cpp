@@ -11,7 +11,7 @@
 #include "panels/paint.h"
 #include "panels/widgets.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr float kStripHeight = 84;  // pixels at 96 dpi
@@ -31,21 +31,28 @@ const FieldSpec kBody[] = {
      &Yarn::diameter_mm},
     {{"yarn.turns_per_m", "Twist", 0, 2000, "%.0f /m", "Turns in a metre: how steep the fibres wind"},
      &Yarn::turns_per_m},
-    {{"yarn.fibre_um", "Fibre bundles", 5, 500, "%.0f \xC2\xB5m", "Width of the bundles seen between the grooves of the twist", true},
+    {{"yarn.fibre_um", "Fibre bundles", 5, 500, "%.0f \xC2\xB5m",
+      "Width of the bundles seen between the grooves of the twist", true},
      &Yarn::fibre_um},
-    {{"yarn.groove_depth", "Grooves", 0, 1, "%.2f", "How dark the grooves between the fibres are"}, &Yarn::groove_depth},
+    {{"yarn.groove_depth", "Grooves", 0, 1, "%.2f", "How dark the grooves between the fibres are"},
+     &Yarn::groove_depth},
     {{"yarn.hairiness", "Hairiness", 0, 1, "%.2f", "Stray fibres: noise along the thread"}, &Yarn::hairiness},
     {{"yarn.flattening", "Roundness", 0.3f, 1, "%.2f", "Height over width of the thread in the cloth: 1 is round"},
      &Yarn::flattening},
 };
 const LobeSpec kLight[] = {
     {{"yarn.specular", "Shine", 0, 1, "%.2f", "Strength of the light mirrored along the fibres"}, &Lobes::specular},
-    {{"yarn.along_width", "Spread along", 0.02f, 2, "%.2f", "RMS slope along the fibre: small is glossy, large is dull", true},
+    {{"yarn.along_width", "Spread along", 0.02f, 2, "%.2f", "RMS slope along the fibre: small is glossy, large is dull",
+      true},
      &Lobes::along_width},
-    {{"yarn.across_width", "Spread across", 0.02f, 2, "%.2f", "RMS slope across the fibre", true}, &Lobes::across_width},
-    {{"yarn.ior", "Refraction", 1, 3, "%.2f", "Index of refraction: cotton 1.53, silk 1.56, polyester 1.6"}, &Lobes::ior},
-    {{"yarn.body", "Body", 0, 1, "%.2f", "Light that entered the thread and leaves it in the thread's colour"}, &Lobes::body},
-    {{"yarn.fuzz", "Fuzz", 0, 1, "%.2f", "Fibres that stand off, seen at grazing angles and at the edge"}, &Lobes::fuzz},
+    {{"yarn.across_width", "Spread across", 0.02f, 2, "%.2f", "RMS slope across the fibre", true},
+     &Lobes::across_width},
+    {{"yarn.ior", "Refraction", 1, 3, "%.2f", "Index of refraction: cotton 1.53, silk 1.56, polyester 1.6"},
+     &Lobes::ior},
+    {{"yarn.body", "Body", 0, 1, "%.2f", "Light that entered the thread and leaves it in the thread's colour"},
+     &Lobes::body},
+    {{"yarn.fuzz", "Fuzz", 0, 1, "%.2f", "Fibres that stand off, seen at grazing angles and at the edge"},
+     &Lobes::fuzz},
     {{"yarn.fuzz_width", "Fuzz spread", 0.05f, 1, "%.2f", "Roughness of the fuzz"}, &Lobes::fuzz_width},
     {{"yarn.transmission", "Translucence", 0, 1, "%.2f", "Share of the body's light that passes through from behind"},
      &Lobes::transmission},
@@ -81,7 +88,9 @@ MaybeEdit draw_choice(PanelContext& c) {
   const float add = ImGui::GetFrameHeight() + c.style.px(12);
   row_label(c, "Yarn in hand", "The yarn shown here, and painted on the bars when they paint yarns");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - add);
-  const auto title = [&](int i) { return std::to_string(i + 1).append("  ").append(yarns[static_cast<size_t>(i)].name); };
+  const auto title = [&](int i) {
+    return std::to_string(i + 1).append("  ").append(yarns[static_cast<size_t>(i)].name);
+  };
   if (begin_combo(c, "yarn.list", title(c.work.yarn).c_str())) {
     for (int i = 0; i < static_cast<int>(yarns.size()); ++i) {
       ImGui::PushID(i);
@@ -92,7 +101,8 @@ MaybeEdit draw_choice(PanelContext& c) {
     end_combo();
   }
   ImGui::SameLine();
-  if (icon_button(c, "yarn.add", icon::kPlus, "+", "Add a yarn: one like this, or a ready one")) ImGui::OpenPopup("ready yarns");
+  if (icon_button(c, "yarn.add", icon::kPlus, "+", "Add a yarn: one like this, or a ready one"))
+    ImGui::OpenPopup("ready yarns");
   return draw_ready_yarns(c);
 }
 
@@ -116,7 +126,8 @@ bool draw_twist(PanelContext& c, Yarn& yarn) {
 /// A thread of the yarn in the colour in hand.
 void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip) {
   const float width = ImGui::GetContentRegionAvail().x, height = c.style.px(kStripHeight);
-  ImGui::Image(strip.of(yarn, colour, c.work.lobe_light_deg, static_cast<int>(width), static_cast<int>(height)), {width, height});
+  ImGui::Image(strip.of(yarn, colour, c.work.lobe_light_deg, static_cast<int>(width), static_cast<int>(height)),
+               {width, height});
   c.map.add_item("yarn.strip");
   tooltip(c, "A thread of this yarn in the colour in hand, under the light of the plot");
 }
@@ -161,4 +172,4 @@ MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
   return edit;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -6,7 +6,7 @@
 #include "cloth/thread_texture.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr float kPi = 3.14159265f;
@@ -21,8 +21,8 @@ struct Thread {
   formulas::YarnLobes lobes;
   formulas::LobeShared shared;
   glm::vec3 light;
-  float length;   // radii
-  float pixel;    // radii
+  float length;  // radii
+  float pixel;   // radii
 };
 
 Thread thread_of(const Yarn& yarn, Rgb colour, float light_deg, int width, int height) {
@@ -103,4 +103,4 @@ ImTextureID YarnStrip::of(const Yarn& yarn, Rgb colour, float light_deg, int wid
   return texture_.id();
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

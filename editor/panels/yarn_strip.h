@@ -4,10 +4,11 @@
 
 #include <vector>
 
+#include "panels/names.h"
 #include "panels/panel.h"
 #include "panels/pixel_texture.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 
 /// width x height pixels, row 0 on top, transparent beside the thread. The light is `light_deg` off the
 /// normal, towards the right, and a little above.
@@ -30,4 +31,4 @@ class YarnStrip {
   Key key_;
 };
 
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -8,7 +8,7 @@
 #include "cloth/moments.h"
 #include "draft/edits.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 /// A straight draft of 8 shafts, satin of step 5, of the yarn's own spacing.
@@ -30,7 +30,12 @@ void BM_BakeAllMaps(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(bake(cloth, {n, n, static_cast<int>(state.range(1)), 0}));
   state.SetItemsProcessed(state.iterations() * n * n);
 }
-BENCHMARK(BM_BakeAllMaps)->Args({1024, 16})->Args({1024, 0})->Args({2048, 16})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_BakeAllMaps)
+    ->Args({1024, 16})
+    ->Args({1024, 0})
+    ->Args({2048, 16})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void BM_ShadowMap(benchmark::State& state) {
   const Maps maps = bake(laid_out(satin_design(8, 8)), {1024, 1024, 0, 0});
@@ -40,7 +45,8 @@ BENCHMARK(BM_ShadowMap)->Unit(benchmark::kMillisecond);
 
 constexpr int kEnds = 1285, kPicks = 3058, kWindow = 2048;  // a map that a window shows whole: texels a side
 
-/// What follows a painted cell, with so many horizons (the preview bakes 4 where texels are as wide as threads): drawdown, layout and maps of the front face, brought up to date.
+/// What follows a painted cell, with so many horizons (the preview bakes 4 where texels are as wide as threads):
+/// drawdown, layout and maps of the front face, brought up to date.
 void paint(benchmark::State& state, Design now, const std::function<void(Draft&)>& flip) {
   BitMatrix cells = drawdown(now.draft);
   Cloth cloth = laid_out(now);
@@ -98,4 +104,4 @@ void BM_Moments(benchmark::State& state) {
 BENCHMARK(BM_Moments)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

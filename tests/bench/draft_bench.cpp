@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace weftlight;
+using namespace weftlight::draft;
 
 constexpr int kLarge = 10000;
 constexpr int kShafts = 32;

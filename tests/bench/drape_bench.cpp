@@ -2,7 +2,7 @@
 
 #include "drape/mesh.h"
 
-namespace weftlight {
+namespace weftlight::drape {
 namespace {
 
 /// One simulated second (of the tablecloth's four) with its set-up: 10,201 particles, 1,920 substeps.
@@ -18,4 +18,4 @@ void frames(benchmark::State& state) {
 BENCHMARK(frames)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::drape

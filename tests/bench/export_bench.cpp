@@ -8,7 +8,7 @@
 #include "files/files.h"
 #include "texture_set/texture_set.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 Cloth sample_cloth() {
@@ -18,7 +18,8 @@ Cloth sample_cloth() {
 
 Image sample_image(int channels) {
   Image image{1024, 1024, channels, std::vector<float>(size_t{1024} * 1024 * static_cast<size_t>(channels))};
-  for (size_t i = 0; i < image.texels.size(); ++i) image.texels[i] = static_cast<float>((i * 2654435761u) >> 24 & 63) / 255.0f;
+  for (size_t i = 0; i < image.texels.size(); ++i)
+    image.texels[i] = static_cast<float>((i * 2654435761u) >> 24 & 63) / 255.0f;
   return image;
 }
 
@@ -71,4 +72,4 @@ void ReadMeshFile(benchmark::State& state) {
 BENCHMARK(ReadMeshFile)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

@@ -11,7 +11,7 @@
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 void light_tables_of_all_cloths(benchmark::State& state) {
@@ -95,4 +95,4 @@ void seed_paper_evaluations(benchmark::State& state) {
 BENCHMARK(seed_paper_evaluations);
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

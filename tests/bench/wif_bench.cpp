@@ -5,7 +5,7 @@
 #include "draft/edits.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 /// 2,600 ends and picks on 16 shafts, all rows listed.
@@ -44,4 +44,4 @@ void save_after_one_edit(benchmark::State& state) {
 BENCHMARK(save_after_one_edit)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

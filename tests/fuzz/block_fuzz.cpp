@@ -8,7 +8,7 @@
 
 #include "draft/block_text.h"
 
-using namespace weftlight;
+using namespace weftlight::draft;
 
 namespace {
 
@@ -32,7 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   for (int end = 0; end < 9; ++end) design.draft.threading.set(end, end % 4, true);
   for (BitGrid grid : {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kDrawdown}) {
     const int a = static_cast<int>(size % 13) - 4, b = static_cast<int>(data[0] % 11) - 3;
-    design = with_block(std::move(design), grid, a, b, turned_for(block, grid), size % 2 == 0 ? Write::kThreads : Write::kAdd);
+    design = with_block(std::move(design), grid, a, b, turned_for(block, grid),
+                        size % 2 == 0 ? Write::kThreads : Write::kAdd);
     require(is_consistent(design), "a draft stays consistent");
   }
   return 0;

@@ -7,7 +7,7 @@
 
 #include "light/ladder.h"
 
-using namespace weftlight;
+using namespace weftlight::light;
 
 namespace {
 

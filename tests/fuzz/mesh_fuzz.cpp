@@ -11,7 +11,7 @@
 
 #include "files/files.h"
 
-using namespace weftlight;
+using namespace weftlight::files;
 
 namespace {
 
@@ -34,7 +34,8 @@ bool is_unit(const Vec3& v) { return std::abs(std::hypot(v[0], v[1], v[2]) - 1) 
 
 void require_drawable(const Mesh& mesh) {
   const size_t n = mesh.position_mm.size();
-  require(mesh.normal.size() == n && mesh.tangent.size() == n && mesh.uv_mm.size() == n, "attributes are as long as each other");
+  require(mesh.normal.size() == n && mesh.tangent.size() == n && mesh.uv_mm.size() == n,
+          "attributes are as long as each other");
   require(!mesh.index.empty() && mesh.index.size() % 3 == 0, "there are whole triangles");
   for (const uint32_t i : mesh.index) require(i < n, "a corner is a vertex");
   for (size_t i = 0; i < n; ++i) {

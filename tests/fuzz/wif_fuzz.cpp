@@ -9,7 +9,8 @@
 #include "draft/edits.h"
 #include "wif/wif.h"
 
-using namespace weftlight;
+using namespace weftlight::draft;
+using namespace weftlight::wif;
 
 namespace {
 
@@ -35,16 +36,37 @@ Design edited(Design design, uint64_t dice) {
     const Draft& d = design.draft;
     const int end = upto(d.ends()), pick = upto(d.picks()), shaft = upto(d.shafts), treadle = upto(d.treadles);
     switch (upto(10)) {
-      case 0: design = with_threading(std::move(design), end, shaft, true, upto(2) == 0); break;
-      case 1: design = with_tieup(std::move(design), treadle, shaft, upto(2) == 0); break;
-      case 2: design = with_treadling(std::move(design), pick, treadle, upto(2) == 0); break;
-      case 3: design = with_liftplan(std::move(design), pick, shaft, upto(2) == 0); break;
-      case 4: design = with_thread_color(std::move(design), System::kWarp, end, upto(static_cast<int>(d.palette.size()))); break;
-      case 5: design = with_thread_spacing(std::move(design), System::kWeft, pick, static_cast<float>(upto(99)) / 10); break;
-      case 6: design = with_size(std::move(design), d.ends() + upto(3) - 1, d.picks() + upto(3) - 1, d.shafts + upto(3) - 1, d.treadles + upto(3) - 1); break;
-      case 7: design.title = "T\xC3\xA4st \xE7\xB9\x94"; break;
-      case 8: design.notes.push_back("a\nb"); break;
-      default: design = with_rising(std::move(design), upto(2) == 0); break;
+      case 0:
+        design = with_threading(std::move(design), end, shaft, true, upto(2) == 0);
+        break;
+      case 1:
+        design = with_tieup(std::move(design), treadle, shaft, upto(2) == 0);
+        break;
+      case 2:
+        design = with_treadling(std::move(design), pick, treadle, upto(2) == 0);
+        break;
+      case 3:
+        design = with_liftplan(std::move(design), pick, shaft, upto(2) == 0);
+        break;
+      case 4:
+        design = with_thread_color(std::move(design), System::kWarp, end, upto(static_cast<int>(d.palette.size())));
+        break;
+      case 5:
+        design = with_thread_spacing(std::move(design), System::kWeft, pick, static_cast<float>(upto(99)) / 10);
+        break;
+      case 6:
+        design = with_size(std::move(design), d.ends() + upto(3) - 1, d.picks() + upto(3) - 1, d.shafts + upto(3) - 1,
+                           d.treadles + upto(3) - 1);
+        break;
+      case 7:
+        design.title = "T\xC3\xA4st \xE7\xB9\x94";
+        break;
+      case 8:
+        design.notes.push_back("a\nb");
+        break;
+      default:
+        design = with_rising(std::move(design), upto(2) == 0);
+        break;
     }
   }
   return design;
@@ -63,7 +85,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   // Huge drafts are allowed, but slow to write a thousand times.
   constexpr int kMost = 600;
   const Draft& d = design.draft;
-  if (d.ends() > kMost || d.picks() > kMost || d.shafts > kMost || d.treadles > kMost || d.palette.size() > kMost || design.notes.size() > kMost) return 0;
+  if (d.ends() > kMost || d.picks() > kMost || d.shafts > kMost || d.treadles > kMost || d.palette.size() > kMost ||
+      design.notes.size() > kMost)
+    return 0;
   require(read_again(write_new_wif(design), "a new file is read") == design, "a new file holds the design");
   const Design now = edited(design, size * 31 + (size > 9 ? data[size / 2] : 0));
   require(read_again(write_wif(*read.file, now), "an edited file is read") == now, "an edited file holds the edit");

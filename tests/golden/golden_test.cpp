@@ -8,7 +8,7 @@
 
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 // Root mean square over all channels, of 0..1. The same picture from another processor or driver differs in the
@@ -35,8 +35,8 @@ void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
 class GoldenTest : public testing::TestWithParam<Golden> {};
 
 int run_render(const Golden& golden, const std::string& out) {
-  const std::string command = std::string(WEFTLIGHT_BINARY) + " render " WEFTLIGHT_DRAFTS "/" + golden.draft + ".wif -o '" +
-                              out + "' --mesh plane --size 256x256 " + golden.options;
+  const std::string command = std::string(WEFTLIGHT_BINARY) + " render " WEFTLIGHT_DRAFTS "/" + golden.draft +
+                              ".wif -o '" + out + "' --mesh plane --size 256x256 " + golden.options;
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(kGoldens),
                          [](const testing::TestParamInfo<Golden>& golden) { return std::string(golden.param.name); });
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::files

@@ -44,9 +44,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return out;
 }
 
-std::string at(Point p) {
-  return std::to_string(std::lround(p.x)) + " " + std::to_string(std::lround(p.y));
-}
+std::string at(Point p) { return std::to_string(std::lround(p.x)) + " " + std::to_string(std::lround(p.y)); }
 
 std::string pause() { return std::string(" sleep ").append(kHandPause).append(" "); }
 
@@ -112,7 +110,8 @@ Display::Display(int width, int height) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return;
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
-  server_ = Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen, "-nolisten", "tcp"}, {}, ends[1]);
+  server_ =
+      Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen, "-nolisten", "tcp"}, {}, ends[1]);
   close(ends[1]);
   // The number and its line end come apart, and the server gives up when nobody reads the second.
   std::string number;
@@ -136,7 +135,8 @@ void Display::drag(const std::vector<Point>& along) const {
 }
 
 void Display::click_holding(const std::string& key, Point where) const {
-  hand("mousemove " + at(where) + pause() + "keydown " + key + pause() + "click 1" + pause() + "keyup " + key + pause());
+  hand("mousemove " + at(where) + pause() + "keydown " + key + pause() + "click 1" + pause() + "keyup " + key +
+       pause());
 }
 
 void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 60 " + keys); }
@@ -152,9 +152,10 @@ Window::Window(const Display& display, const std::filesystem::path& folder, cons
   std::filesystem::remove(map_);
   std::filesystem::remove(live_);
   const std::string own = folder.string();
-  process_ = Process({WEFTLIGHT_BINARY, draft.string(), "--ui-map", map_.string(), "--live-export", live_.string()},
-                     {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY=", "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",
-                      "XDG_CONFIG_HOME=" + own + "/config", "LIBGL_ALWAYS_SOFTWARE=1"});
+  process_ =
+      Process({WEFTLIGHT_BINARY, draft.string(), "--ui-map", map_.string(), "--live-export", live_.string()},
+              {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY=", "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",
+               "XDG_CONFIG_HOME=" + own + "/config", "LIBGL_ALWAYS_SOFTWARE=1"});
 }
 
 nlohmann::json Window::map() const { return nlohmann::json::parse(bytes_of(map_), nullptr, false); }
@@ -166,7 +167,8 @@ Point Window::cell(const std::string& name, int a, int b) const {
   for (const auto& grid : now["grids"]) {
     if (grid["name"] != name) continue;
     const auto value = [&](int i) {
-      return grid["origin"][i].get<double>() + (a - 1) * grid["step_a"][i].get<double>() + (b - 1) * grid["step_b"][i].get<double>();
+      return grid["origin"][i].get<double>() + (a - 1) * grid["step_a"][i].get<double>() +
+             (b - 1) * grid["step_b"][i].get<double>();
     };
     return {value(0), value(1)};
   }
@@ -180,7 +182,8 @@ std::pair<Point, Point> Window::place_of(const std::string& name) const {
   if (now.is_object())
     for (const auto& control : now["controls"])
       if (control["name"] == name)
-        return {{control["x"].get<double>(), control["y"].get<double>()}, {control["w"].get<double>(), control["h"].get<double>()}};
+        return {{control["x"].get<double>(), control["y"].get<double>()},
+                {control["w"].get<double>(), control["h"].get<double>()}};
   return {};
 }
 

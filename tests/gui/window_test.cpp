@@ -11,6 +11,9 @@
 #include "wif/wif.h"
 
 namespace weftlight::gui {
+
+using namespace draft;
+using namespace wif;
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,7 +141,8 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   display_.drag({w.cell("threading", 5, 4), w.cell("threading", 8, 4)});
   EXPECT_TRUE(comes_true([&] {
     const Draft d = design_of(w.live()).draft;
-    return d.threading.first(4) == 3 && d.threading.first(5) == 3 && d.threading.first(6) == 3 && d.threading.first(7) == 3;
+    return d.threading.first(4) == 3 && d.threading.first(5) == 3 && d.threading.first(6) == 3 &&
+           d.threading.first(7) == 3;
   })) << "the drag left out a cell";
   undone("threading");
 
@@ -159,7 +163,8 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   undone("warp colours");
 
   display_.click(w.middle_of("yarn.turns_per_m"));
-  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).yarns[0].turns_per_m != design_of(original).yarns[0].turns_per_m; }));
+  EXPECT_TRUE(
+      comes_true([&] { return design_of(w.live()).yarns[0].turns_per_m != design_of(original).yarns[0].turns_per_m; }));
   undone("yarn twist");
   quit(w);
 }
@@ -202,11 +207,14 @@ TEST_F(WindowTest, SelectsCopiesPastesAndTakesItAllBack) {
     becomes(mirrored, "the pasted ends should be mirrored");
     const double tieup_x = w.cell("tieup", 1, 1).x;
     display_.key("ctrl+Delete");
-    EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 12; })) << "the four selected ends should go";
+    EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 12; }))
+        << "the four selected ends should go";
     ASSERT_TRUE(comes_true([&] { return w.cell("tieup", 1, 1).x != tieup_x; })) << "a narrower draft moves its tie-up";
     display_.drag({w.cell("tieup", 1, 1), w.cell("tieup", 2, 2)});
     display_.drag({w.cell("tieup", 1, 1), w.cell("tieup", 2, 2), w.cell("tieup", 3, 3)});
-    EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.tieup.get(2, 3) && !design_of(w.live()).draft.tieup.get(0, 0); })) << "the drag should move the ties";
+    EXPECT_TRUE(comes_true([&] {
+      return design_of(w.live()).draft.tieup.get(2, 3) && !design_of(w.live()).draft.tieup.get(0, 0);
+    })) << "the drag should move the ties";
     for (int i = 0; i < 4; ++i) display_.key("ctrl+z");
     EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "four steps should be four undos, to the byte";
     display_.key("ctrl+shift+z");
@@ -231,10 +239,12 @@ TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
   };
   const std::string quarter = half(0.3, 0.45);
   display_.drag({w.middle_of("view.compare"), {pane.x + 0.25 * size.x, pane.y + 0.5 * size.y}});
-  EXPECT_TRUE(comes_true([&] { return w.middle_of("view.compare").x < pane.x + 0.3 * size.x; })) << "the slider did not move";
+  EXPECT_TRUE(comes_true([&] { return w.middle_of("view.compare").x < pane.x + 0.3 * size.x; }))
+      << "the slider did not move";
   EXPECT_TRUE(comes_true([&] { return half(0.3, 0.45) != quarter; })) << "the traced threads did not follow the slider";
   display_.key("F7");
-  EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && still_picture(w) == alone; })) << "the preview did not come back whole";
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && still_picture(w) == alone; }))
+      << "the preview did not come back whole";
   quit(w);
 }
 
@@ -283,7 +293,8 @@ TEST_F(WindowTest, BeginsADraftFromAWeave) {
 
 TEST_F(WindowTest, ChosenEndsTakeAThicknessThatTheFileKeeps) {
   // Another program's way of writing, in inches; only the lines of the chosen ends may change.
-  std::ofstream(draft_, std::ios::binary) << twill() + "[WARP]\nUnits=Inches\n[WARP THICKNESS]\n1=.0200 ; as spun\n9= 0.030\n";
+  std::ofstream(draft_, std::ios::binary)
+      << twill() + "[WARP]\nUnits=Inches\n[WARP THICKNESS]\n1=.0200 ; as spun\n9= 0.030\n";
   const std::string original = bytes_of(draft_);
   std::string saved;
   {

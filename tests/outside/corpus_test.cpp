@@ -15,7 +15,7 @@
 #include "sha256.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 struct Facts {
@@ -65,7 +65,9 @@ std::string drawdown_text(const BitMatrix& cells) {
 
 std::string color_text(const Draft& draft, const Threads& threads) {
   std::string text;
-  const auto byte = [](float channel) { return std::to_string(static_cast<int>(std::floor(static_cast<double>(channel) * 255 + 0.5))); };
+  const auto byte = [](float channel) {
+    return std::to_string(static_cast<int>(std::floor(static_cast<double>(channel) * 255 + 0.5)));
+  };
   for (const int index : threads.color) {
     const Rgb& c = draft.palette[static_cast<size_t>(index)];
     if (!text.empty()) text += ';';
@@ -136,7 +138,8 @@ void expect_small_edit(const std::string& name, const WifFile& file) {
 
 /// An error that says what is wrong and what to do.
 void expect_clear_refusal(const std::string& file, const std::vector<Diagnostic>& diagnostics) {
-  const auto error = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) { return d.severity == Severity::kError; });
+  const auto error = std::find_if(diagnostics.begin(), diagnostics.end(),
+                                  [](const Diagnostic& d) { return d.severity == Severity::kError; });
   ASSERT_NE(error, diagnostics.end()) << file;
   EXPECT_FALSE(error->text.empty() || error->remedy.empty()) << file;
   std::printf("refused: %s:%d: %s; %s\n", file.c_str(), error->line, error->text.c_str(), error->remedy.c_str());
@@ -168,4 +171,4 @@ TEST(corpus, every_file_matches_or_is_refused) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

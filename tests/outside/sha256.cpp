@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 /// First 32 bits of the fractional part of the square or cube root of a prime (FIPS 180-4, 4.2.2 and 5.3.3).
@@ -16,7 +16,8 @@ uint32_t root_bits(int prime, bool cube) {
   for (int bit = 36; bit >= 0; --bit) {
     const uint64_t next = root | (uint64_t{1} << bit);
     const Wide n = next;
-    const bool fits = cube ? n * n * n <= (Wide{static_cast<unsigned>(prime)} << 96) : n * n <= (Wide{static_cast<unsigned>(prime)} << 64);
+    const bool fits = cube ? n * n * n <= (Wide{static_cast<unsigned>(prime)} << 96)
+                           : n * n <= (Wide{static_cast<unsigned>(prime)} << 64);
     if (fits) root = next;
   }
   return static_cast<uint32_t>(root);
@@ -43,7 +44,8 @@ Constants constants() {
 void compress(std::array<uint32_t, 8>& h, const std::array<uint32_t, 64>& k, const uint8_t* block) {
   std::array<uint32_t, 64> w{};
   for (size_t i = 0; i < 16; ++i) {
-    w[i] = uint32_t{block[4 * i]} << 24 | uint32_t{block[4 * i + 1]} << 16 | uint32_t{block[4 * i + 2]} << 8 | block[4 * i + 3];
+    w[i] = uint32_t{block[4 * i]} << 24 | uint32_t{block[4 * i + 1]} << 16 | uint32_t{block[4 * i + 2]} << 8 |
+           block[4 * i + 3];
   }
   for (size_t i = 16; i < 64; ++i) {
     const uint32_t s0 = std::rotr(w[i - 15], 7) ^ std::rotr(w[i - 15], 18) ^ (w[i - 15] >> 3);
@@ -81,4 +83,4 @@ std::string sha256_hex(std::string_view bytes) {
   return hex;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

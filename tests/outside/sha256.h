@@ -4,8 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace weftlight {
+#include "wif/names.h"
+namespace weftlight::wif {
 
 std::string sha256_hex(std::string_view bytes);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

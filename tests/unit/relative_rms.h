@@ -8,7 +8,7 @@
 namespace weftlight {
 
 /// Root mean square difference of two RGBA pictures' colours over the root mean square of the first.
-inline double relative_rms(const Image& a, const Image& b) {
+inline double relative_rms(const files::Image& a, const files::Image& b) {
   double off = 0, all = 1e-30;
   for (size_t i = 0; i < a.texels.size(); ++i) {
     if (i % 4 == 3) continue;

@@ -6,14 +6,16 @@
 
 #include <initializer_list>
 
-namespace weftlight {
+namespace weftlight::app {
 namespace {
 
 using Kind = InputEvent::Kind;
 
 InputEvent move(double x) { return {Kind::kMove, x, 0}; }
 InputEvent button(bool down) { return {Kind::kButton, 0, 0, 0, down}; }
-InputEvent key(char name, bool down, Modifiers held = {}) { return {Kind::kKey, 0, 0, static_cast<unsigned>(name), down, held}; }
+InputEvent key(char name, bool down, Modifiers held = {}) {
+  return {Kind::kKey, 0, 0, static_cast<unsigned>(name), down, held};
+}
 InputEvent control(bool down) { return {Kind::kModifier, 0, 0, 341, down}; }
 InputEvent character(char c) { return {Kind::kCharacter, 0, 0, static_cast<unsigned char>(c)}; }
 
@@ -101,4 +103,4 @@ TEST(InputQueue, ScrollsRunTogetherUntilAnotherKeyIsHeld) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::app

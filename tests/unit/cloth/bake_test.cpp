@@ -4,10 +4,9 @@
 
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
-using namespace test;
 
 Cloth whole(const Design& d, const BitMatrix& cells, Face face = Face::kFront) {
   return lay_out(d, cells, face, Period::kWholeDraft);
@@ -17,8 +16,8 @@ bool all_finite(const Maps& m) {
   for (size_t i = 0; i < m.height_mm.at_.size(); ++i) {
     const Linear& c = m.colour.at_[i];
     const Direction& t = m.tangent.at_[i];
-    for (float v : {m.height_mm.at_[i], m.coverage.at_[i], m.groove.at_[i], m.slope.at_[i].x, m.slope.at_[i].y,
-                    c.r, c.g, c.b, t.x, t.y, t.z, m.occlusion.at_[i]})
+    for (float v : {m.height_mm.at_[i], m.coverage.at_[i], m.groove.at_[i], m.slope.at_[i].x, m.slope.at_[i].y, c.r,
+                    c.g, c.b, t.x, t.y, t.z, m.occlusion.at_[i]})
       if (!std::isfinite(v)) return false;
     const float length = t.x * t.x + t.y * t.y + t.z * t.z;
     if (std::abs(length - 1.0f) > 1e-4f) return false;
@@ -263,4 +262,4 @@ TEST(Bake, ManyThreadsKeepTheirIndex) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

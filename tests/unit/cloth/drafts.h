@@ -6,7 +6,7 @@
 #include "cloth/cloth.h"
 #include "cloth/maps.h"
 
-namespace weftlight::test {
+namespace weftlight::cloth {
 
 /// Design of the given size: every thread of one yarn; spacing and thickness as given.
 inline Design design_of(int ends, int picks, float spacing_mm, float thickness_mm) {
@@ -79,4 +79,4 @@ inline std::string difference(const Maps& a, const Maps& b) {
   return same_plane(a.occlusion, b.occlusion, equal) ? "" : "occlusion";
 }
 
-}  // namespace weftlight::test
+}  // namespace weftlight::cloth

@@ -7,13 +7,12 @@
 #include "../figures.h"
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
-using namespace test;
 
-constexpr float kSpacing = 0.5f;   // mm
-constexpr int kTexels = 16;        // across a thread
+constexpr float kSpacing = 0.5f;  // mm
+constexpr int kTexels = 16;       // across a thread
 
 /// One thread of another colour in an all-warp or all-weft face of `count` threads of its system.
 Design marked(int count, System system, int marker) {
@@ -27,11 +26,12 @@ Design marked(int count, System system, int marker) {
 /// The maps around thread `at` of the system, 3 threads wide.
 Maps around(const Design& d, System system, int at) {
   const bool warp = system == System::kWarp;
-  const Cloth cloth = lay_out(d, cells_of(d.draft.ends(), d.draft.picks(), [&](int, int) { return warp; }), Face::kFront,
-                              Period::kWholeDraft);
+  const Cloth cloth = lay_out(d, cells_of(d.draft.ends(), d.draft.picks(), [&](int, int) { return warp; }),
+                              Face::kFront, Period::kWholeDraft);
   const MapsSize whole{d.draft.ends() * kTexels, d.draft.picks() * kTexels, 0, 2};
   const float along = (static_cast<float>(at) + 0.5f) * kSpacing;
-  return bake(cloth, whole, window_around(cloth, whole, warp ? along : kSpacing, warp ? kSpacing : along, 3 * kTexels, 3 * kTexels));
+  return bake(cloth, whole,
+              window_around(cloth, whole, warp ? along : kSpacing, warp ? kSpacing : along, 3 * kTexels, 3 * kTexels));
 }
 
 /// Red over green and blue in the middle of a window.
@@ -41,12 +41,13 @@ double redness(const Maps& m) {
 }
 
 TEST(ClothGate, ThreadsPastEachWidthOfANumberKeepTheirColour) {
-  for (const auto& [count, past, bits] : {std::array{200, 127, 7}, std::array{400, 255, 8}, std::array{66000, 65535, 16}}) {
+  for (const auto& [count, past, bits] :
+       {std::array{200, 127, 7}, std::array{400, 255, 8}, std::array{66000, 65535, 16}}) {
     for (const System system : {System::kWarp, System::kWeft}) {
       const int marker = past + 40;
       const Design d = marked(count, system, marker);
       const Maps here = around(d, system, marker);
-      const int narrow = marker & past;   // where a number of so many bits leads
+      const int narrow = marker & past;  // where a number of so many bits leads
       const double ours = redness(here), fails = redness(around(d, system, narrow));
       figure("redness of a red thread past " + std::to_string(past), fails, ours);
       EXPECT_EQ(here.thread.at(3 * kTexels / 2, 3 * kTexels / 2), static_cast<uint32_t>(marker)) << bits << " bits";
@@ -62,7 +63,8 @@ TEST(ClothGate, ThreadsPastEachWidthOfANumberKeepTheirColour) {
 float highest(const Cloth& cloth, System system) {
   float most = 0;
   const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
-  for (int i = 0; i < 4000; ++i) most = std::max(most, centre_height_mm(cloth, system, 0, length * static_cast<float>(i) / 4000));
+  for (int i = 0; i < 4000; ++i)
+    most = std::max(most, centre_height_mm(cloth, system, 0, length * static_cast<float>(i) / 4000));
   return most;
 }
 
@@ -88,7 +90,8 @@ double checked_cover(const Maps& m) {
   for (size_t i = 0; i < m.coverage.at_.size(); ++i) {
     const float c = m.coverage.at_[i];
     EXPECT_TRUE(c >= 0 && c <= 1);
-    EXPECT_TRUE(std::isfinite(m.height_mm.at_[i]) && std::isfinite(m.slope.at_[i].x) && std::isfinite(m.colour.at_[i].r));
+    EXPECT_TRUE(std::isfinite(m.height_mm.at_[i]) && std::isfinite(m.slope.at_[i].x) &&
+                std::isfinite(m.colour.at_[i].r));
     sum += static_cast<double>(c);
   }
   return sum / static_cast<double>(m.coverage.at_.size());
@@ -97,7 +100,8 @@ double checked_cover(const Maps& m) {
 TEST(ClothGate, ThreadsOfNoAndOfEnormousThicknessCoverAShare) {
   for (const float thickness : {0.0f, 1e-4f, 0.2f, 100.0f, 1e9f}) {
     const Design d = design_of(4, 4, kSpacing, thickness);
-    const double ours = checked_cover(bake(lay_out(d, plain(4, 4), Face::kFront, Period::kWholeDraft), {128, 128, 8, 2}));
+    const double ours =
+        checked_cover(bake(lay_out(d, plain(4, 4), Face::kFront, Period::kWholeDraft), {128, 128, 8, 2}));
     // Peirce's cover of two systems with the threads' free width: k + k' - k k'.
     const double k = static_cast<double>(thickness / kSpacing), naive = 2 * k - k * k;
     figure("cover with threads of " + text(thickness) + " mm", naive, ours);
@@ -111,7 +115,8 @@ TEST(ClothGate, ThreadsOfNoAndOfEnormousThicknessCoverAShare) {
 }
 
 TEST(ClothGate, OneThreadAndOneSidedFacesAreCloth) {
-  for (const auto& [ends, picks, up] : {std::array{1, 1, 1}, std::array{1, 1, 0}, std::array{6, 5, 1}, std::array{6, 5, 0}, std::array{1, 300, 1}}) {
+  for (const auto& [ends, picks, up] :
+       {std::array{1, 1, 1}, std::array{1, 1, 0}, std::array{6, 5, 1}, std::array{6, 5, 0}, std::array{1, 300, 1}}) {
     const auto cells = cells_of(ends, picks, [&, warp = up](int, int) { return warp == 1; });
     const Cloth cloth = lay_out(design_of(ends, picks, kSpacing, 0.45f), cells, Face::kFront, Period::kWholeDraft);
     EXPECT_GT(checked_cover(bake(cloth, {64, 64, 8, 2})), 0.8) << ends << " x " << picks;
@@ -123,4 +128,4 @@ TEST(ClothGate, OneThreadAndOneSidedFacesAreCloth) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

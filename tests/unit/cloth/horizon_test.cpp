@@ -1,12 +1,13 @@
+#include "cloth/horizon.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "cloth/horizon.h"
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -83,7 +84,7 @@ TEST(Horizon, OneTexelAndThinFields) {
 }
 
 TEST(ShadowMap, AgreesWithTheHorizonAndDarkensAsTheLightSinks) {
-  const Cloth cloth = lay_out(test::design_of(8, 8, 0.5f, 0.45f), test::satin(8, 8), Face::kFront, Period::kWholeDraft);
+  const Cloth cloth = lay_out(design_of(8, 8, 0.5f, 0.45f), satin(8, 8), Face::kFront, Period::kWholeDraft);
   const Maps m = bake(cloth, {128, 128, 16, 2});
   int before = 0;
   for (float elevation : {0.0f, 0.1f, 0.4f, 0.8f, 1.57f}) {
@@ -97,11 +98,11 @@ TEST(ShadowMap, AgreesWithTheHorizonAndDarkensAsTheLightSinks) {
 }
 
 TEST(Occlusion, IsOneOnTheFlatAndLessBetweenThreads) {
-  const Cloth cloth = lay_out(test::design_of(4, 4, 0.5f, 0.4f), test::plain(4, 4), Face::kFront, Period::kWholeDraft);
+  const Cloth cloth = lay_out(design_of(4, 4, 0.5f, 0.4f), plain(4, 4), Face::kFront, Period::kWholeDraft);
   const Maps m = bake(cloth, {160, 160, 16, 2});
   EXPECT_GT(m.occlusion.at(20, 20), 0.95f);  // crest of a crossing
   EXPECT_LT(m.occlusion.at(0, 0), 0.5f);     // gap
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -1,14 +1,14 @@
+#include "cloth/moments.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "cloth/moments.h"
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
-using namespace test;
 
 double mean(const Plane<float>& plane) {
   double sum = 0;
@@ -103,4 +103,4 @@ TEST(Moments, HorizonSpreadIsZeroOnTheFinestLevelAndMeanIsKept) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

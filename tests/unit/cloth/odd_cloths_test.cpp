@@ -8,10 +8,9 @@
 
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
-using namespace test;
 
 float spacing_or_thickness(std::mt19937& random) {
   constexpr float kValues[] = {0.0f, 1e-4f, 0.02f, 0.3f, 0.5f, 0.5f, 0.5f, 1.7f, 40.0f};
@@ -66,16 +65,18 @@ TEST_P(OddCloths, hold_together) {
     const Cloth cloth = lay_out(d, cells, face, Period::kWholeDraft);
     expect_window_of(maps, bake(cloth, size, window), window);
     const CellRect dirty{upto(ends), 0, upto(picks), 0};
-    const CellRect whole{dirty.end0, dirty.end0 + 1 + upto(ends - dirty.end0), dirty.pick0, dirty.pick0 + 1 + upto(picks - dirty.pick0)};
+    const CellRect whole{dirty.end0, dirty.end0 + 1 + upto(ends - dirty.end0), dirty.pick0,
+                         dirty.pick0 + 1 + upto(picks - dirty.pick0)};
     for (int p = whole.pick0; p < whole.pick1; ++p)
       for (int e = whole.end0; e < whole.end1; ++e) cells.set(p, e, !cells.get(p, e));
     const Cloth after = lay_out(d, cells, face, Period::kWholeDraft);
     rebake(maps, cloth, after);
-    ASSERT_EQ(difference(maps, bake(after, size)), "") << ends << " x " << picks << " to " << size.width << " x " << size.height;
+    ASSERT_EQ(difference(maps, bake(after, size)), "")
+        << ends << " x " << picks << " to " << size.width << " x " << size.height;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, OddCloths, testing::Range(1u, 41u));
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -5,10 +5,9 @@
 #include "cloth/texel_cover.h"
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
-using namespace test;
 
 Cloth whole(const Design& d, const BitMatrix& cells) { return lay_out(d, cells, Face::kFront, Period::kWholeDraft); }
 
@@ -63,9 +62,9 @@ TEST_P(Rebake, OneCellEqualsBakeBitForBit) {
 
 TEST_P(Rebake, ScatteredCellsEqualBakeBitForBit) {
   const RebakeCase p = GetParam();
-  change_all(p, {[&](int e, int y) { return e == p.ends / 2 && y % 4 == 1; },            // a threading cell
-                 [&](int e, int y) { return e % 8 == 3 && y == p.picks / 2; },           // a liftplan cell
-                 [](int e, int y) { return e % 8 == 3 && y % 8 == 5; }});                // a tie-up cell
+  change_all(p, {[&](int e, int y) { return e == p.ends / 2 && y % 4 == 1; },   // a threading cell
+                 [&](int e, int y) { return e % 8 == 3 && y == p.picks / 2; },  // a liftplan cell
+                 [](int e, int y) { return e % 8 == 3 && y % 8 == 5; }});       // a tie-up cell
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Rebake,
@@ -90,7 +89,8 @@ TEST(Cover, HoldsEveryBitWithoutOverlap) {
     for (uint32_t i = 0, n = random(9); i < n; ++i) {
       const int from = static_cast<int>(random(static_cast<uint32_t>(mask.cols())));
       const int y = static_cast<int>(random(static_cast<uint32_t>(mask.rows())));
-      for (int r = y; r < std::min(mask.rows(), y + 5); ++r) set_run(mask.row(r), from, std::min(mask.cols(), from + 70));
+      for (int r = y; r < std::min(mask.rows(), y + 5); ++r)
+        set_run(mask.row(r), from, std::min(mask.cols(), from + 70));
     }
     BitMatrix held(mask.rows(), mask.cols());
     for (const TexelRect& r : cover(mask, 20)) {
@@ -113,4 +113,4 @@ TEST(Cover, KeepsFarRunsApartAndJoinsNearOnes) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

@@ -2,10 +2,9 @@
 
 #include "drafts.h"
 
-namespace weftlight {
+namespace weftlight::cloth {
 namespace {
 
-using namespace test;
 
 /// The texels of a window, which may wrap, of whole maps.
 Maps cut(const Maps& m, const TexelRect& r) {
@@ -33,8 +32,12 @@ TEST(BakeWindow, HasTheBitsOfTheWholeAlsoAcrossTheEdges) {
   for (const MapsSize& size : {MapsSize{900, 700, 16, 2}, MapsSize{900, 300, 12, 2}, MapsSize{90, 61, 8, 1}}) {
     const Maps all = bake(c, size);
     const int w = size.width, h = size.height;
-    const TexelRect windows[] = {{w / 2, h / 2, w / 2 + 50, h / 2 + 30}, {-20, -30, 40, 10},    {w - 10, 5, w + 30, 6},
-                                 {-3 * w - 7, 2 * h - 9, -3 * w + 11, 2 * h + 9}, {0, 0, 1, 1}, {7, 5, w + 7, h + 5},
+    const TexelRect windows[] = {{w / 2, h / 2, w / 2 + 50, h / 2 + 30},
+                                 {-20, -30, 40, 10},
+                                 {w - 10, 5, w + 30, 6},
+                                 {-3 * w - 7, 2 * h - 9, -3 * w + 11, 2 * h + 9},
+                                 {0, 0, 1, 1},
+                                 {7, 5, w + 7, h + 5},
                                  {0, 10, w, 20}};
     for (const TexelRect& r : windows)
       EXPECT_EQ(difference(bake(c, size, r), cut(all, r)), "") << w << "x" << h << " from " << r.x0 << ", " << r.y0;
@@ -68,7 +71,8 @@ TEST(BakeWindow, StandsAroundItsPlace) {
 TEST(BakeWindow, OfALargeDraftCostsOnlyItself) {
   // 20,000 x 40,000 texels as a whole.
   const int ends = 1250, picks = 2500;
-  const Cloth c = lay_out(design_of(ends, picks, 0.5f, 0.45f), scattered(ends, picks, 9), Face::kFront, Period::kWholeDraft);
+  const Cloth c =
+      lay_out(design_of(ends, picks, 0.5f, 0.45f), scattered(ends, picks, 9), Face::kFront, Period::kWholeDraft);
   const MapsSize whole{ends * 16, picks * 16, 8, 2};
   const Maps m = bake(c, whole, window_around(c, whole, 0.5f * c.width_mm, 0.5f * c.depth_mm, 64, 64));
   EXPECT_EQ(m.height_mm.width, 64);
@@ -78,4 +82,4 @@ TEST(BakeWindow, OfALargeDraftCostsOnlyItself) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::cloth

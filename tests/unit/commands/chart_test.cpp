@@ -15,9 +15,9 @@
 #include "commands/chart_scene.h"
 #include "commands/commands.h"
 #include "draft/generators.h"
-#include "preview/context.h"
+#include "gl/context.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,7 +50,8 @@ TEST(chart_error, two_estimates_of_the_truth_do_not_raise_it_by_their_noise) {
 }
 
 TEST(chart_error, blocks_are_averaged_and_pans_compared_pixel_by_pixel) {
-  const Pixels fine{glm::vec3(1), glm::vec3(3), glm::vec3(10), glm::vec3(20), glm::vec3(5), glm::vec3(7), glm::vec3(30), glm::vec3(40)};
+  const Pixels fine{glm::vec3(1), glm::vec3(3), glm::vec3(10), glm::vec3(20),
+                    glm::vec3(5), glm::vec3(7), glm::vec3(30), glm::vec3(40)};
   EXPECT_EQ(box_average(fine, 4, 2, 2, 2), (Pixels{glm::vec3(4), glm::vec3(25)}));
   EXPECT_NEAR(flicker_of({Pixels{glm::vec3(1)}, Pixels{glm::vec3(3)}}), 0.5, 1e-9);
   EXPECT_EQ(flicker_of({Pixels(2, glm::vec3(1)), Pixels(2, glm::vec3(1))}), 0);
@@ -58,7 +59,7 @@ TEST(chart_error, blocks_are_averaged_and_pans_compared_pixel_by_pixel) {
 
 TEST(chart_rows, on_the_front_is_what_no_other_beats_in_both) {
   std::vector<ChartRow> rows{row(Method::kFlat, 1, 0.9), row(Method::kCloth, 2, 0.3), row(Method::kEngine, 3, 0.4),
-                             row(Method::kYarn, 9, 0.1), row(Method::kAuto, 9, 0.1), row(Method::kCell, 0.5, 0.01, 2)};
+                             row(Method::kYarn, 9, 0.1), row(Method::kAuto, 9, 0.1),  row(Method::kCell, 0.5, 0.01, 2)};
   mark_front(rows);
   const std::vector<bool> expected{true, true, false, true, true, true};
   for (size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].on_front, expected[i]) << i;
@@ -68,9 +69,10 @@ TEST(chart_rows, go_to_text_and_back) {
   ChartRow r = row(Method::kRepeat, 12.5, 0.123456789, 0.125);
   r.view_deg = 80, r.bytes = 22369600, r.on_front = true;
   const std::string text = chart_csv({r});
-  EXPECT_EQ(text.substr(0, text.find('\n')),
-            "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_filtering,"
-            "energy_ratio,flicker,bytes,on_front");
+  EXPECT_EQ(
+      text.substr(0, text.find('\n')),
+      "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_filtering,"
+      "energy_ratio,flicker,bytes,on_front");
   const std::vector<ChartRow> back = read_chart(text);
   ASSERT_EQ(back.size(), 1u);
   EXPECT_TRUE(back[0].same_cell(r));
@@ -85,7 +87,7 @@ TEST(chart_rows, make_a_ladder_that_can_be_read_again) {
     rows.push_back(row(Method::kYarn, 40, 0.1 * footprint, footprint));
     rows.push_back(row(Method::kCloth, 10, 0.4 / footprint, footprint));
   }
-  rows.push_back(row(Method::kYarn, 60, 0.3, 2));   // another cloth, worse
+  rows.push_back(row(Method::kYarn, 60, 0.3, 2));  // another cloth, worse
   rows.back().scene = "satin";
   const Ladder ladder = ladder_of(rows);
   std::string problem;
@@ -94,7 +96,7 @@ TEST(chart_rows, make_a_ladder_that_can_be_read_again) {
   EXPECT_EQ(again.size(), ladder.size());
   EXPECT_NEAR(expected_error(again, Method::kYarn, 2), std::sqrt((0.04f + 0.09f) / 2), 1e-5f);
   EXPECT_NEAR(expected_cost(again, Method::kYarn, 2), 50, 1e-3f);
-  EXPECT_EQ(choose_rung(again, 0.5f, 0.06f), Method::kYarn);   // none holds it: the nearest
+  EXPECT_EQ(choose_rung(again, 0.5f, 0.06f), Method::kYarn);  // none holds it: the nearest
   EXPECT_EQ(choose_rung(again, 2, 0.25f), Method::kCloth);
 }
 
@@ -150,7 +152,8 @@ TEST_F(ChartRun, measures_every_combination_and_takes_up_where_it_was_cut) {
     EXPECT_GE(r.model_error, 0);
   }
   for (const char* picture : {"error_cost", "error_footprint", "filtering_footprint", "albedo", "memory"}) {
-    for (const char* kind : {".svg", ".png", ".csv"}) EXPECT_TRUE(fs::exists(dir_ / (std::string(picture) + kind))) << picture << kind;
+    for (const char* kind : {".svg", ".png", ".csv"})
+      EXPECT_TRUE(fs::exists(dir_ / (std::string(picture) + kind))) << picture << kind;
   }
 
   // Cut after all but two rows; what is kept keeps its timings.
@@ -161,7 +164,9 @@ TEST_F(ChartRun, measures_every_combination_and_takes_up_where_it_was_cut) {
   for (size_t i = 0; i + 2 < all.size(); ++i) EXPECT_EQ(again[i].ns_per_pixel, all[i].ns_per_pixel);
 }
 
-TEST(chart_command, says_when_the_folder_cannot_be_made) { EXPECT_EQ(chart_command({"/dev/null/chart", true}), kNotWritten); }
+TEST(chart_command, says_when_the_folder_cannot_be_made) {
+  EXPECT_EQ(chart_command({"/dev/null/chart", true}), kNotWritten);
+}
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::commands

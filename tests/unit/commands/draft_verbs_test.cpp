@@ -6,7 +6,7 @@
 
 #include "scratch_folder.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 using DraftVerbs = ScratchFolder;
@@ -66,7 +66,8 @@ TEST_F(DraftVerbs, convert_changes_the_drive_and_keeps_the_cloth) {
   for (const bool plain : {false, true}) {
     EXPECT_EQ(convert_command({fixture_path("heddles.wif"), path("lifts.wif"), plain, ConvertDrive::kLiftplan}), kDone);
     EXPECT_EQ(convert_command({path("lifts.wif"), path("treadles.wif"), plain, ConvertDrive::kTreadling}), kDone);
-    const Draft lifts = open_design(path("lifts.wif")).design.draft, treadles = open_design(path("treadles.wif")).design.draft;
+    const Draft lifts = open_design(path("lifts.wif")).design.draft,
+                treadles = open_design(path("treadles.wif")).design.draft;
     EXPECT_EQ(lifts.drive, Drive::kLiftplan);
     EXPECT_EQ(treadles.drive, Drive::kTreadling);
     EXPECT_TRUE(drawdown(lifts) == cells && drawdown(treadles) == cells);
@@ -89,4 +90,4 @@ TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -4,9 +4,10 @@
 
 #include <cstdlib>
 
+#include "paths.h"
 #include "scratch_folder.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 using ExitCodes = ScratchFolder;
@@ -141,4 +142,4 @@ TEST_F(ExitCodes, a_full_disk_leaves_the_old_texture_set_whole) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::commands

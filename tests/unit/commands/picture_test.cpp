@@ -5,7 +5,7 @@
 #include "../relative_rms.h"
 #include "scratch_folder.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 namespace {
 
 class Pictures : public ScratchFolder {
@@ -35,7 +35,8 @@ class Pictures : public ScratchFolder {
   }
 };
 
-// A mesh drawn with fewer triangles keeps its shape while the weave slides over it: 0.40, where all triangles leave 0.09.
+// A mesh drawn with fewer triangles keeps its shape while the weave slides over it: 0.40, where all triangles leave
+// 0.09.
 TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
   const std::optional<double> off = difference("starter", {"--mesh", "tablecloth", "--yarns-per-pixel", "0.3"});
   if (!off) GTEST_SKIP() << "no graphics";
@@ -44,17 +45,19 @@ TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
 
 // Places under another thread's edge have no horizons of their own. Lit as if they lay on top: 0.33, else 0.22.
 TEST_F(Pictures, light_under_the_edges_of_threads_is_the_traced_light) {
-  const std::optional<double> off = difference("twill_2_2", {"--mesh", "plane", "--view", "-30,20", "--yarns-per-pixel", "0.06"});
+  const std::optional<double> off =
+      difference("twill_2_2", {"--mesh", "plane", "--view", "-30,20", "--yarns-per-pixel", "0.06"});
   if (!off) GTEST_SKIP() << "no graphics";
   EXPECT_LT(*off, 0.27);
 }
 
 // The maps of a dense weave have no gaps, its threads have. Drawn opaque: 0.49, else 0.19.
 TEST_F(Pictures, what_is_behind_shows_through_the_pinholes_of_a_near_weave) {
-  const std::optional<double> off = difference("twill_2_2", {"--mesh", "plane", "--view", "20,15", "--yarns-per-pixel", "0.04"});
+  const std::optional<double> off =
+      difference("twill_2_2", {"--mesh", "plane", "--view", "20,15", "--yarns-per-pixel", "0.04"});
   if (!off) GTEST_SKIP() << "no graphics";
   EXPECT_LT(*off, 0.3);
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::commands

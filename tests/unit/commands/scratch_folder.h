@@ -10,17 +10,21 @@
 #include <vector>
 
 #include "commands/commands.h"
+#include "commands/names.h"
+#include "paths.h"
 
-namespace weftlight {
+namespace weftlight::commands {
 
-inline std::string fixture_path(const std::string& name) { return std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/" + name; }
+inline std::string fixture_path(const std::string& name) {
+  return std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/" + name;
+}
 
 class ScratchFolder : public ::testing::Test {
  protected:
   void SetUp() override {
-    dir_ = std::filesystem::path(::testing::TempDir()) /
-           ("weftlight-verbs-" + std::to_string(::getpid()) + "-" +
-            ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    dir_ =
+        std::filesystem::path(::testing::TempDir()) / ("weftlight-verbs-" + std::to_string(::getpid()) + "-" +
+                                                       ::testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::create_directories(dir_);
   }
   void TearDown() override {
@@ -60,4 +64,4 @@ inline Ran run(std::vector<std::string> args) {
   return {line.open_editor ? -1 : line.exit_code, said};
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::commands

@@ -4,7 +4,7 @@
 
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 void expect_floats(const Rows& rows, int warp_front, int warp_back, int weft_front, int weft_back) {
@@ -15,13 +15,9 @@ void expect_floats(const Rows& rows, int warp_front, int warp_back, int weft_fro
   EXPECT_EQ(f.weft_back, weft_back);
 }
 
-TEST(Floats, PlainWeaveHasOnes) {
-  expect_floats({"10", "01"}, 1, 1, 1, 1);
-}
+TEST(Floats, PlainWeaveHasOnes) { expect_floats({"10", "01"}, 1, 1, 1, 1); }
 
-TEST(Floats, DenimIsThreeOverOne) {
-  expect_floats({"1110", "0111", "1011", "1101"}, 3, 1, 1, 3);
-}
+TEST(Floats, DenimIsThreeOverOne) { expect_floats({"1110", "0111", "1011", "1101"}, 3, 1, 1, 3); }
 
 TEST(Floats, RunOverTheEdgeOfTheRepeat) {
   // End 1 is up on the last two picks and the first: one float of three.
@@ -70,8 +66,7 @@ TEST(Repeats, OfStructure) {
 
 TEST(Repeats, OfDesignHoldColoursYarnsAndSett) {
   Design d;
-  d.draft =
-      treadled({"10", "01", "10", "01", "10", "01", "10", "01"}, {"10", "01"}, {"10", "01", "10", "01"});
+  d.draft = treadled({"10", "01", "10", "01", "10", "01", "10", "01"}, {"10", "01"}, {"10", "01", "10", "01"});
   const BitMatrix cells = drawdown(d.draft);
   EXPECT_EQ(design_repeat(d, cells).ends, 2);
   Design colour = d;
@@ -97,4 +92,4 @@ TEST(WarpShare, CountsCrossings) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -5,7 +5,7 @@
 #include "draft/edits.h"
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 const Rows kStraight4 = {"1000", "0100", "0010", "0001"};
@@ -207,4 +207,4 @@ TEST(BitMatrix, TransposeTwiceIsTheSame) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -7,19 +7,17 @@
 
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 Design twill_design() {
   Design design;
-  design.draft = treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"},
-                          {"1000", "0100", "0010", "0001"});
+  design.draft =
+      treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
   return design;
 }
 
-Rows cloth(const Design& design) {
-  return text_of(drawdown(design.draft));
-}
+Rows cloth(const Design& design) { return text_of(drawdown(design.draft)); }
 
 TEST(Edits, ThreadingMovesTheEndToTheClickedShaft) {
   const Design next = with_threading(twill_design(), 1, 3, true);
@@ -43,10 +41,12 @@ TEST(Edits, ManyThreadsAtOnceAreEachOfThem) {
     one_by_one = with_thread_color(std::move(one_by_one), System::kWarp, thread, 1);
   }
   Design at_once = with_thread_thickness(d, System::kWarp, threads, 1.5f);
-  at_once = with_thread_color(with_thread_spacing(std::move(at_once), System::kWarp, threads, 2), System::kWarp, threads, 1);
+  at_once =
+      with_thread_color(with_thread_spacing(std::move(at_once), System::kWarp, threads, 2), System::kWarp, threads, 1);
   EXPECT_EQ(at_once, one_by_one);
   EXPECT_EQ(at_once.draft.warp.thickness_mm, (std::vector<float>{1.5f, kFromYarn, kFromYarn, 1.5f}));
-  EXPECT_EQ(with_thread_thickness(at_once, System::kWarp, threads, kFromYarn).draft.warp.thickness_mm, d.draft.warp.thickness_mm);
+  EXPECT_EQ(with_thread_thickness(at_once, System::kWarp, threads, kFromYarn).draft.warp.thickness_mm,
+            d.draft.warp.thickness_mm);
   EXPECT_EQ(with_thread_yarn(d, System::kWarp, threads, 7), d) << "there is no such yarn";
 }
 
@@ -193,4 +193,4 @@ TEST(Consistency, FindsWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -6,12 +6,10 @@
 #include "draft/yarn_presets.h"
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
-Rows cloth(const Design& design) {
-  return text_of(drawdown(design.draft));
-}
+Rows cloth(const Design& design) { return text_of(drawdown(design.draft)); }
 
 TEST(Generators, KnownDrawdowns) {
   EXPECT_EQ(cloth(plain({3, 2})), (Rows{"101", "010"}));
@@ -115,4 +113,4 @@ TEST(YarnPresets, AreInRangeAndFoundByName) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

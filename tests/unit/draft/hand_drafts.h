@@ -9,7 +9,7 @@
 
 #include "draft/drawdown.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 
 using Rows = std::vector<std::string>;
 
@@ -33,8 +33,7 @@ inline BitMatrix matrix_of(const Rows& rows) {
 /// Each grid as rows of 0 and 1: threading a row an end, tie-up a row a treadle, treadling a row a pick.
 inline Draft treadled(const Rows& threading, const Rows& tieup, const Rows& treadling) {
   const int shafts = static_cast<int>(threading[0].size()), treadles = static_cast<int>(tieup.size());
-  Draft d =
-      blank_draft(static_cast<int>(threading.size()), static_cast<int>(treadling.size()), shafts, treadles);
+  Draft d = blank_draft(static_cast<int>(threading.size()), static_cast<int>(treadling.size()), shafts, treadles);
   d.threading = matrix_of(threading);
   d.tieup = matrix_of(tieup);
   d.treadling = matrix_of(treadling);
@@ -83,4 +82,4 @@ inline Draft random_draft(std::mt19937& random, int ends, int picks, int shafts,
   return d;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::draft

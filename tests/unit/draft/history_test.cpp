@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 Design called(std::string title) {
@@ -113,4 +113,4 @@ TEST(History, MemoryIsBoundedByDroppingTheOldest) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

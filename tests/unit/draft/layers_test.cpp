@@ -4,7 +4,7 @@
 
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 TEST(Layers, PlainAndTwillHangTogether) {
@@ -78,4 +78,4 @@ TEST(Layers, AgreeWithReachabilityOnRandomCloth) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

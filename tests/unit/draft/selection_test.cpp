@@ -1,11 +1,10 @@
-#include "draft/selection_edits.h"
-
 #include <gtest/gtest.h>
 
 #include "draft/block_text.h"
+#include "draft/selection_edits.h"
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 /// Ends 1 to 6 on shafts 1 2 3 4 1 2, a 2/2 twill; end i has colour i, pick p colour p.
@@ -67,12 +66,17 @@ TEST(Selection, CrossingsFollowTheLoomAndSayWhatTheyCannot) {
   EXPECT_EQ(missed_cells(up.draft, BitGrid::kDrawdown, 0, 2, matrix_of({"1"})), 0);
 
   const BitMatrix torn = matrix_of({"10001"});  // as threaded; then end 5 alone down
-  EXPECT_EQ(missed_cells(with_block(d, BitGrid::kDrawdown, 0, 2, torn, Write::kInside).draft, BitGrid::kDrawdown, 0, 2, torn), 0);
+  EXPECT_EQ(
+      missed_cells(with_block(d, BitGrid::kDrawdown, 0, 2, torn, Write::kInside).draft, BitGrid::kDrawdown, 0, 2, torn),
+      0);
   const BitMatrix against = matrix_of({"10000"});
-  EXPECT_EQ(missed_cells(with_block(d, BitGrid::kDrawdown, 0, 2, against, Write::kInside).draft, BitGrid::kDrawdown, 0, 2, against), 1);
+  EXPECT_EQ(missed_cells(with_block(d, BitGrid::kDrawdown, 0, 2, against, Write::kInside).draft, BitGrid::kDrawdown, 0,
+                         2, against),
+            1);
 
   const BitMatrix same = cells_of(d.draft, whole_grid(d.draft, BitGrid::kDrawdown));
-  EXPECT_EQ(with_block(d, BitGrid::kDrawdown, 0, 0, same, Write::kInside), d) << "what changes nothing keeps the treadles";
+  EXPECT_EQ(with_block(d, BitGrid::kDrawdown, 0, 0, same, Write::kInside), d)
+      << "what changes nothing keeps the treadles";
 }
 
 TEST(Selection, ASinkingShedIsPastedAsItIsSeen) {
@@ -97,7 +101,8 @@ TEST(SelectionEdits, ClearInvertAndMove) {
   EXPECT_EQ(text_of(with_inverted(twill_design(), {BitGrid::kTieup, 0, 1, 0, 4}).draft.tieup)[0], "0011");
   const Design moved = with_moved(twill_design(), {BitGrid::kThreading, 0, 2, 0, 2}, 3, 2);
   EXPECT_EQ(threading(moved), (Rows{"0000", "0000", "0010", "0010", "0001", "0100"}));
-  EXPECT_EQ(threading(with_moved(twill_design(), {BitGrid::kThreading, 0, 2, 0, 2}, 3, 2, true))[0], "1000") << "a copy stays";
+  EXPECT_EQ(threading(with_moved(twill_design(), {BitGrid::kThreading, 0, 2, 0, 2}, 3, 2, true))[0], "1000")
+      << "a copy stays";
   EXPECT_EQ(moved.draft.warp, twill_design().draft.warp);
   EXPECT_EQ(with_moved(twill_design(), kFirstThreeEnds, 0, 0), twill_design());
 }
@@ -164,8 +169,8 @@ TEST(SelectionEdits, APlainWeaveTiledOverTheDrawdown) {
 
 TEST(SelectionEdits, AnEmptyOrForeignSelectionChangesNothing) {
   const Design d = twill_design();
-  for (const Selection& s : {Selection{}, Selection{BitGrid::kThreading, 9, 12, 0, 4}, Selection{BitGrid::kTieup, 3, 1, 0, 4},
-                             Selection{BitGrid::kDrawdown, -5, 0, 0, 4}}) {
+  for (const Selection& s : {Selection{}, Selection{BitGrid::kThreading, 9, 12, 0, 4},
+                             Selection{BitGrid::kTieup, 3, 1, 0, 4}, Selection{BitGrid::kDrawdown, -5, 0, 0, 4}}) {
     EXPECT_EQ(with_cleared(d, s), d);
     EXPECT_EQ(with_inverted(d, s), d);
     EXPECT_EQ(with_moved(d, s, 1, 1), d);
@@ -201,7 +206,8 @@ TEST(BlockText, ComesBackAsItWent) {
   const CellBlock block{BitGrid::kTreadling, matrix_of({"1010", "0000", "0111"})};
   EXPECT_EQ(block_text(block), "weftlight cells: treadling, 4 x 3\n#.#.\n....\n.###\n");
   EXPECT_EQ(read_block_text(block_text(block)).block, block);
-  for (BitGrid grid : {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kLiftplan, BitGrid::kDrawdown})
+  for (BitGrid grid :
+       {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kLiftplan, BitGrid::kDrawdown})
     EXPECT_EQ(read_block_text(block_text({grid, block.cells})).block->from, grid);
   EXPECT_EQ(block_text({}), "");
   EXPECT_EQ(block_text({BitGrid::kDrawdown, BitMatrix(4096, 1025)}), "");
@@ -209,8 +215,9 @@ TEST(BlockText, ComesBackAsItWent) {
 
 TEST(BlockText, TakesWhatPeopleAndSpreadsheetsWrite) {
   const BitMatrix cells = matrix_of({"1001", "0110"});
-  for (const char* text : {"1001\n0110\n", "#..#\r\n.##.\r\n", "X--X\r-xx-", "1 0 0 1\n0 1 1 0\n", "1\t0\t0\t1\n0\t1\t1\t0\n\n",
-                           "\xEF\xBB\xBF*__*\n_**_", "weftlight cells: drawdown\n1001\n011\n"}) {
+  for (const char* text :
+       {"1001\n0110\n", "#..#\r\n.##.\r\n", "X--X\r-xx-", "1 0 0 1\n0 1 1 0\n", "1\t0\t0\t1\n0\t1\t1\t0\n\n",
+        "\xEF\xBB\xBF*__*\n_**_", "weftlight cells: drawdown\n1001\n011\n"}) {
     const BlockRead read = read_block_text(text);
     ASSERT_TRUE(read.block.has_value()) << text << read.problem;
     EXPECT_EQ(read.block->cells, cells) << text;
@@ -220,9 +227,10 @@ TEST(BlockText, TakesWhatPeopleAndSpreadsheetsWrite) {
 
 TEST(BlockText, RefusesWithAReason) {
   for (const std::string& text :
-       {std::string(), std::string("\n\n"), std::string("Dear weaver"), std::string("weftlight cells: "), std::string("weftlight cells: warp, 2 x 2\n##\n##\n"),
-        std::string("weftlight cells: threading, 9 x 9\n"), std::string("1\0001", 3), std::string("\xFF\xFE"), std::string(200000, '1'),
-        std::string(20'000'000, '\n'), std::string(20'000'000, '#'), std::string(3'000'000, '\n') + "#"}) {
+       {std::string(), std::string("\n\n"), std::string("Dear weaver"), std::string("weftlight cells: "),
+        std::string("weftlight cells: warp, 2 x 2\n##\n##\n"), std::string("weftlight cells: threading, 9 x 9\n"),
+        std::string("1\0001", 3), std::string("\xFF\xFE"), std::string(200000, '1'), std::string(20'000'000, '\n'),
+        std::string(20'000'000, '#'), std::string(3'000'000, '\n') + "#"}) {
     const BlockRead read = read_block_text(text);
     EXPECT_FALSE(read.block.has_value()) << text.substr(0, 40);
     EXPECT_FALSE(read.problem.empty());
@@ -230,4 +238,4 @@ TEST(BlockText, RefusesWithAReason) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -4,7 +4,7 @@
 
 #include "hand_drafts.h"
 
-namespace weftlight {
+namespace weftlight::draft {
 namespace {
 
 /// Ends on shafts 1 2 3 4 in colours 0 1 2 3, of different yarn, thickness and spacing; picks alike.
@@ -106,7 +106,8 @@ TEST(ThreadOrder, AdvancingPicksMovesWhatDrivesTheLoom) {
   EXPECT_EQ(treadles.draft.liftplan, plan);
   d.draft.drive = Drive::kLiftplan;
   d.draft.liftplan = matrix_of({"1100", "0000", "0000", "0000"});
-  EXPECT_EQ(text_of(with_advancing_repeat(d, {System::kWeft, 0, 1}, 1).draft.liftplan), (Rows{"1100", "0110", "0011", "1001"}));
+  EXPECT_EQ(text_of(with_advancing_repeat(d, {System::kWeft, 0, 1}, 1).draft.liftplan),
+            (Rows{"1100", "0110", "0011", "1001"}));
 }
 
 TEST(ThreadOrder, WhatCannotBeChangesNothing) {
@@ -116,7 +117,8 @@ TEST(ThreadOrder, WhatCannotBeChangesNothing) {
   EXPECT_EQ(with_bare_threads(d, System::kWarp, 0, 1 << 30), d);
   EXPECT_EQ(with_thread_order(d, System::kWarp, std::vector<ThreadSource>{{4}}, true), d);
   EXPECT_EQ(with_thread_order(d, System::kWarp, {}, true), d);
-  for (const ThreadRange& r : {ThreadRange{System::kWarp, 2, 2}, ThreadRange{System::kWeft, 7, 9}, ThreadRange{System::kWarp, 3, -1}}) {
+  for (const ThreadRange& r :
+       {ThreadRange{System::kWarp, 2, 2}, ThreadRange{System::kWeft, 7, 9}, ThreadRange{System::kWarp, 3, -1}}) {
     EXPECT_EQ(without_threads(d, r), d);
     EXPECT_EQ(with_doubled_threads(d, r, true), d);
     EXPECT_EQ(with_repeated_threads(d, r, Reach::kAll), d);
@@ -126,8 +128,9 @@ TEST(ThreadOrder, WhatCannotBeChangesNothing) {
   }
   Design wide;
   wide.draft = blank_draft(30000, 70000, 1, 1);
-  EXPECT_EQ(with_doubled_threads(wide, {System::kWarp, 0, 30000}, false), wide) << "more crossings than a draft may have";
+  EXPECT_EQ(with_doubled_threads(wide, {System::kWarp, 0, 30000}, false), wide)
+      << "more crossings than a draft may have";
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::draft

@@ -10,17 +10,15 @@
 #include "drape/mesh.h"
 #include "files/files.h"
 
-namespace weftlight {
+namespace weftlight::drape {
+
+using namespace files;
 namespace {
 
 constexpr float kQuick = 0.01f;
 
-float dot(Vec3 a, Vec3 b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-float distance(Vec3 a, Vec3 b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+float dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+float distance(Vec3 a, Vec3 b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 Mesh shipped(const std::string& name) {
   const ReadMesh read = read_mesh(presets_dir() + "/meshes/" + name + ".glb");
@@ -29,8 +27,7 @@ Mesh shipped(const std::string& name) {
 }
 
 class EachDrape : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(All, EachDrape, testing::ValuesIn(drape_names()),
-                         [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(All, EachDrape, testing::ValuesIn(drape_names()), [](const auto& p) { return p.param; });
 
 TEST_P(EachDrape, IsTheSameBitForBitTwice) {
   const Mesh one = simulate_drape(GetParam(), kQuick), two = simulate_drape(GetParam(), kQuick);
@@ -98,12 +95,11 @@ int inside(const Mesh& mesh, Body body, float lowered) {
 }
 
 TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
-  EXPECT_EQ(inside(shipped("sphere"), draping::ball, 0), 0);
-  EXPECT_EQ(inside(shipped("tablecloth"), draping::table, 0), 0);
-  EXPECT_EQ(inside(shipped("skirt"), draping::skirt_form, draping::kSkirtLowered), 0);
-  EXPECT_EQ(inside(shipped("tunic"), draping::dress_form, draping::kTunicLowered), 0);
-  for (const std::string& name : drape_names())
-    EXPECT_EQ(inside(shipped(name), draping::ground, 0), 0) << name;
+  EXPECT_EQ(inside(shipped("sphere"), ball, 0), 0);
+  EXPECT_EQ(inside(shipped("tablecloth"), table, 0), 0);
+  EXPECT_EQ(inside(shipped("skirt"), skirt_form, kSkirtLowered), 0);
+  EXPECT_EQ(inside(shipped("tunic"), dress_form, kTunicLowered), 0);
+  for (const std::string& name : drape_names()) EXPECT_EQ(inside(shipped(name), ground, 0), 0) << name;
 }
 
 TEST(Drapes, PiecesHaveTheirRealSize) {
@@ -173,4 +169,4 @@ TEST(Drapes, AnUnknownNameGivesNothing) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::drape

@@ -6,7 +6,7 @@
 
 #include "drape/mesh.h"
 
-namespace weftlight {
+namespace weftlight::drape {
 namespace {
 
 template <class Surface>
@@ -30,9 +30,7 @@ Mesh grid(int columns, int rows, float width, float depth, Surface surface) {
   return mesh;
 }
 
-float dot(Vec3 a, Vec3 b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+float dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 TEST(Frames, FlatSwatchFacesFrontWithTheWeftAlongX) {
   const Mesh mesh = grid(4, 3, 30, 20, [](float u, float v) { return Vec3{u, v, 0}; });
@@ -72,8 +70,7 @@ TEST(Frames, SpherePatchHasRadialNormals) {
 TEST(Frames, BothSidesOfASeamShareTheNormalAndKeepTheirOwnTangent) {
   // A ridge of two squares, each with uv of its own; the second one's weft runs the other way.
   Mesh mesh;
-  mesh.position_mm = {{-1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {-1, 1, 0},
-                      {0, 0, 1},  {1, 0, 0}, {1, 1, 0}, {0, 1, 1}};
+  mesh.position_mm = {{-1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {-1, 1, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}};
   mesh.uv_mm = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1, 1}, {0, 1}, {0, 0}, {1, 0}};
   mesh.index = {0, 1, 2, 0, 2, 3, 4, 5, 7, 5, 6, 7};
   compute_frames(mesh);
@@ -96,4 +93,4 @@ TEST(Frames, DegenerateTrianglesGiveUnitVectors) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::drape

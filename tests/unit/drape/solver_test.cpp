@@ -9,17 +9,14 @@
 #include "drape/bodies.h"
 #include "drape/pairs.h"
 
-namespace weftlight::draping {
+namespace weftlight::drape {
 namespace {
 
-float nothing_near(Vec3) {
-  return 1e6f;
-}
+float nothing_near(Vec3) { return 1e6f; }
 
 Pattern sheet(int columns, int rows, float cell_mm, float height_mm) {
   Pattern pattern;
-  const float width = cell_mm * static_cast<float>(columns - 1),
-              depth = cell_mm * static_cast<float>(rows - 1);
+  const float width = cell_mm * static_cast<float>(columns - 1), depth = cell_mm * static_cast<float>(rows - 1);
   add_piece(
       pattern, columns, rows,
       [=](float s, float t) {
@@ -126,8 +123,7 @@ TEST(Pairs, FindsWhatABruteForceSearchFinds) {
   size_t expected = 0;
   for (uint32_t a = 0; a < cloth.position.size(); ++a) {
     for (uint32_t b = a + 1; b < cloth.position.size(); ++b) {
-      const auto first = cloth.near.begin() + cloth.near_first[a],
-                 last = cloth.near.begin() + cloth.near_first[a + 1];
+      const auto first = cloth.near.begin() + cloth.near_first[a], last = cloth.near.begin() + cloth.near_first[a + 1];
       const bool near = std::find(first, last, b) != last;
       expected += !near && length(cloth.position[a] - cloth.position[b]) < 8;
     }
@@ -146,4 +142,4 @@ TEST(Bodies, DistancesAreTrueAtKnownPlaces) {
 }
 
 }  // namespace
-}  // namespace weftlight::draping
+}  // namespace weftlight::drape

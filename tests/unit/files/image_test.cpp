@@ -8,12 +8,13 @@
 #include "files/files.h"
 #include "scratch.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 Image ramp(int width, int height, int channels) {
   Image image{width, height, channels, {}};
-  for (int i = 0; i < width * height * channels; ++i) image.texels.push_back(static_cast<float>((i * 37) % 256) / 255.0f);
+  for (int i = 0; i < width * height * channels; ++i)
+    image.texels.push_back(static_cast<float>((i * 37) % 256) / 255.0f);
   return image;
 }
 
@@ -42,19 +43,14 @@ TEST_P(RoundTrip, KeepsEveryTexel) {
 }
 
 // Colour under alpha 0 must come back: a gap's colour bleeds into its neighbours when engines filter.
-INSTANTIATE_TEST_SUITE_P(All, RoundTrip,
-                         testing::Values(Kind{"grey8.png", PixelType::kU8, 1, 1e-6f},
-                                         Kind{"rgb8.png", PixelType::kU8, 3, 1e-6f},
-                                         Kind{"rgba8.png", PixelType::kU8, 4, 1e-6f},
-                                         Kind{"grey16.png", PixelType::kU16, 1, 1e-5f},
-                                         Kind{"rgba16.png", PixelType::kU16, 4, 1e-5f},
-                                         Kind{"half.exr", PixelType::kHalf, 3, 5e-4f},
-                                         Kind{"half_alpha.exr", PixelType::kHalf, 4, 5e-4f},
-                                         Kind{"float.exr", PixelType::kFloat, 1, 0.0f},
-                                         Kind{"many.exr", PixelType::kHalf, 16, 5e-4f},
-                                         Kind{"rgb.tif", PixelType::kU16, 3, 1e-5f},
-                                         Kind{"rgba.tif", PixelType::kFloat, 4, 0.0f},
-                                         Kind{"rgb.jpg", PixelType::kU8, 3, 1.0f}));
+INSTANTIATE_TEST_SUITE_P(
+    All, RoundTrip,
+    testing::Values(Kind{"grey8.png", PixelType::kU8, 1, 1e-6f}, Kind{"rgb8.png", PixelType::kU8, 3, 1e-6f},
+                    Kind{"rgba8.png", PixelType::kU8, 4, 1e-6f}, Kind{"grey16.png", PixelType::kU16, 1, 1e-5f},
+                    Kind{"rgba16.png", PixelType::kU16, 4, 1e-5f}, Kind{"half.exr", PixelType::kHalf, 3, 5e-4f},
+                    Kind{"half_alpha.exr", PixelType::kHalf, 4, 5e-4f}, Kind{"float.exr", PixelType::kFloat, 1, 0.0f},
+                    Kind{"many.exr", PixelType::kHalf, 16, 5e-4f}, Kind{"rgb.tif", PixelType::kU16, 3, 1e-5f},
+                    Kind{"rgba.tif", PixelType::kFloat, 4, 0.0f}, Kind{"rgb.jpg", PixelType::kU8, 3, 1.0f}));
 
 TEST(Image, RowZeroIsTheTop) {
   const Scratch scratch("top");
@@ -112,4 +108,4 @@ TEST(Image, TruncatedFilesAreErrors) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::files

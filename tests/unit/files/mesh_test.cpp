@@ -9,7 +9,7 @@
 #include "files/files.h"
 #include "scratch.h"
 
-namespace weftlight {
+namespace weftlight::files {
 namespace {
 
 using nlohmann::json;
@@ -55,7 +55,8 @@ TEST(MeshFile, RoundTripWithMaterial) {
   const Image white{2, 2, 4, std::vector<float>(16, 1.0f)};
   GltfMaterial material;
   material.name = "cloth";
-  material.base_color_png = material.orm_png = material.normal_png = material.anisotropy_png = material.sheen_png = encode_png(white);
+  material.base_color_png = material.orm_png = material.normal_png = material.anisotropy_png = material.sheen_png =
+      encode_png(white);
   material.anisotropy_strength = 0.5f;
   material.sheen_color = {1, 1, 1};
   for (const char* name : {"cloth.glb", "cloth.gltf"}) {
@@ -99,20 +100,21 @@ json triangle(int index_type = 5121) {
     bytes.push_back(i);
     bytes.insert(bytes.end(), width - 1, 0);
   }
-  return {{"asset", {{"version", "2.0"}}},
-          {"scene", 0},
-          {"scenes", {{{"nodes", {0}}}}},
-          {"nodes", {{{"mesh", 0}}}},
-          {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}, {"indices", 2}}}}}}},
-          {"accessors",
-           {{{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}},
-            {{"bufferView", 1}, {"componentType", 5126}, {"count", 3}, {"type", "VEC2"}},
-            {{"bufferView", 2}, {"componentType", index_type}, {"count", 3}, {"type", "SCALAR"}}}},
-          {"bufferViews",
-           {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 36}},
-            {{"buffer", 0}, {"byteOffset", 36}, {"byteLength", 24}},
-            {{"buffer", 0}, {"byteOffset", 60}, {"byteLength", 3 * width}}}},
-          {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}}}};
+  return {
+      {"asset", {{"version", "2.0"}}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}}}},
+      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}, {"indices", 2}}}}}}},
+      {"accessors",
+       {{{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}},
+        {{"bufferView", 1}, {"componentType", 5126}, {"count", 3}, {"type", "VEC2"}},
+        {{"bufferView", 2}, {"componentType", index_type}, {"count", 3}, {"type", "SCALAR"}}}},
+      {"bufferViews",
+       {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 36}},
+        {{"buffer", 0}, {"byteOffset", 36}, {"byteLength", 24}},
+        {{"buffer", 0}, {"byteOffset", 60}, {"byteLength", 3 * width}}}},
+      {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}}}};
 }
 
 ReadMesh read_json(const Scratch& scratch, const json& root) {
@@ -188,15 +190,19 @@ TEST_P(BrokenGltf, IsRefusedWithAReason) {
 INSTANTIATE_TEST_SUITE_P(
     All, BrokenGltf,
     testing::Values(
-        Broken{"no_uv", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0"); }, "texture coordinates"},
-        Broken{"no_position", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"); }, "accessor"},
+        Broken{"no_uv", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0"); },
+               "texture coordinates"},
+        Broken{"no_position", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"); },
+               "accessor"},
         Broken{"huge_count", [](json& r) { r["accessors"][0]["count"] = 4000000000u; }, "vertices"},
         Broken{"count_past_end", [](json& r) { r["accessors"][0]["count"] = 4; }, "past the end"},
         Broken{"negative_count", [](json& r) { r["accessors"][0]["count"] = -3; }, ""},
         Broken{"offset_past_end", [](json& r) { r["accessors"][0]["byteOffset"] = 1000000; }, "past the end"},
         Broken{"view_past_end", [](json& r) { r["bufferViews"][0]["byteLength"] = 1u << 30; }, "past the end"},
-        Broken{"view_offset_overflow", [](json& r) { r["bufferViews"][0]["byteOffset"] = 18446744073709551600ull; }, "past the end"},
-        Broken{"accessor_out_of_range", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 77; }, "accessor"},
+        Broken{"view_offset_overflow", [](json& r) { r["bufferViews"][0]["byteOffset"] = 18446744073709551600ull; },
+               "past the end"},
+        Broken{"accessor_out_of_range", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 77; },
+               "accessor"},
         Broken{"view_out_of_range", [](json& r) { r["accessors"][0]["bufferView"] = 77; }, "buffer view"},
         Broken{"buffer_out_of_range", [](json& r) { r["bufferViews"][0]["buffer"] = 77; }, "buffer"},
         Broken{"mesh_out_of_range", [](json& r) { r["nodes"][0]["mesh"] = 77; }, "mesh"},
@@ -204,23 +210,42 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"no_such_component", [](json& r) { r["accessors"][0]["componentType"] = 9; }, ""},
         Broken{"float_indices", [](json& r) { r["meshes"][0]["primitives"][0]["indices"] = 1; }, ""},
         Broken{"ring_of_nodes", [](json& r) { r["nodes"][0]["children"] = {0}; }, "ring"},
-        Broken{"ring_of_two", [](json& r) { r["nodes"] = {{{"children", {1}}}, {{"children", {0}}, {"mesh", 0}}}; }, "ring"},
+        Broken{"ring_of_two",
+               [](json& r) {
+                 r["nodes"] = {{{"children", {1}}}, {{"children", {0}}, {"mesh", 0}}};
+               },
+               "ring"},
         Broken{"child_out_of_range", [](json& r) { r["nodes"][0]["children"] = {5}; }, "node"},
         Broken{"scene_out_of_range", [](json& r) { r["scene"] = 5; }, "scene"},
         Broken{"buffer_longer_than_data", [](json& r) { r["buffers"][0]["byteLength"] = 1u << 30; }, ""},
         Broken{"buffer_device", [](json& r) { r["buffers"][0]["uri"] = "../../../../../../dev/zero"; }, ""},
         Broken{"buffer_missing", [](json& r) { r["buffers"][0]["uri"] = "none.bin"; }, ""},
-        Broken{"flat_uv", [](json& r) { r["accessors"][1]["byteOffset"] = 0; r["accessors"][1]["bufferView"] = 0;
-                                        r["bufferViews"][0]["byteStride"] = 12; r["accessors"][1]["count"] = 1; }, "length"},
-        Broken{"sparse", [](json& r) { r["accessors"][0]["sparse"] = {{"count", 1},
-                 {"indices", {{"bufferView", 2}, {"componentType", 5121}}}, {"values", {{"bufferView", 0}}}}; }, "sparse"},
+        Broken{"flat_uv",
+               [](json& r) {
+                 r["accessors"][1]["byteOffset"] = 0;
+                 r["accessors"][1]["bufferView"] = 0;
+                 r["bufferViews"][0]["byteStride"] = 12;
+                 r["accessors"][1]["count"] = 1;
+               },
+               "length"},
+        Broken{"sparse",
+               [](json& r) {
+                 r["accessors"][0]["sparse"] = {{"count", 1},
+                                                {"indices", {{"bufferView", 2}, {"componentType", 5121}}},
+                                                {"values", {{"bufferView", 0}}}};
+               },
+               "sparse"},
         Broken{"draco", [](json& r) { r["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }, "compression"},
         Broken{"version_1", [](json& r) { r["asset"]["version"] = "1.0"; }, "2.0"},
         Broken{"asset_is_a_list", [](json& r) { r["asset"] = json::array(); }, "2.0"},
         Broken{"meshes_is_a_number", [](json& r) { r["meshes"] = 3; }, "meshes"},
         Broken{"node_is_a_string", [](json& r) { r["nodes"][0] = "mesh"; }, "nodes"},
         Broken{"no_meshes", [](json& r) { r.erase("meshes"); }, ""},
-        Broken{"infinite_matrix", [](json& r) { r["nodes"][0]["scale"] = {1e300, 1e300, 1}; }, "position"}),
+        Broken{"infinite_matrix",
+               [](json& r) {
+                 r["nodes"][0]["scale"] = {1e300, 1e300, 1};
+               },
+               "position"}),
     [](const auto& broken) { return std::string(broken.param.name); });
 
 TEST(MeshFile, TruncatedGlbAtEveryLengthIsRefused) {
@@ -228,7 +253,8 @@ TEST(MeshFile, TruncatedGlbAtEveryLengthIsRefused) {
   ASSERT_EQ(write_mesh(scratch / "whole.glb", sheet(), nullptr), "");
   const auto size = std::filesystem::file_size(scratch / "whole.glb");
   for (uintmax_t keep = 0; keep < size; keep += keep < 40 ? 1 : 13) {
-    std::filesystem::copy_file(scratch / "whole.glb", scratch / "cut.glb", std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(scratch / "whole.glb", scratch / "cut.glb",
+                               std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(scratch / "cut.glb", keep);
     EXPECT_FALSE(read_mesh(scratch / "cut.glb").mesh) << keep << " bytes of " << size;
   }
@@ -262,4 +288,4 @@ TEST(Drape, PresetsFolderOfTheEnvironmentWins) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::files

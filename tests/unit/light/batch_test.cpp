@@ -8,7 +8,7 @@
 #include "light/yarn_lobes.h"
 #include "sampling.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 std::vector<Vectors> kinds() {
@@ -18,9 +18,7 @@ std::vector<Vectors> kinds() {
 
 struct Pairs {
   std::vector<glm::vec3> wi, wo, out;
-  void add(const glm::vec3& i, const glm::vec3& o) {
-    wi.push_back(i), wo.push_back(o), out.emplace_back(-1.0f);
-  }
+  void add(const glm::vec3& i, const glm::vec3& o) { wi.push_back(i), wo.push_back(o), out.emplace_back(-1.0f); }
 };
 
 Pairs random_pairs(std::mt19937& rng, int count) {
@@ -105,4 +103,4 @@ TEST(Batch, DirectionThatIsNoNumberHarmsNoOther) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -1,12 +1,13 @@
 // The seed paper's BRDF: normalisation, known albedos, exact against brute force, separable maps.
 
+#include "light/cloth_brdf.h"
+
 #include <gtest/gtest.h>
 
-#include "light/cloth_brdf.h"
 #include "light/separable.h"
 #include "sampling.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr Linear kWhite{1, 1, 1};
@@ -28,9 +29,11 @@ TEST(ClothBrdf, LosesTheLightThatItIsKnownToLose) {
 }
 
 TEST(ClothBrdf, DistributionAndShadowingAgreeWithBruteForce) {
-  for (const auto& [f, warp, weft] : {std::array{0.1f, 0.3f, 0.3f}, std::array{0.5f, 1.0f, 0.4f}, std::array{0.8f, 0.1f, 2.0f}}) {
+  for (const auto& [f, warp, weft] :
+       {std::array{0.1f, 0.3f, 0.3f}, std::array{0.5f, 1.0f, 0.4f}, std::array{0.8f, 0.1f, 2.0f}}) {
     const ClothBrdf b = make_cloth_brdf(f, 1 - f, warp, weft, kWhite, kWhite);
-    const glm::vec3 views[] = {at_degrees(0, 0), at_degrees(35, 10), at_degrees(60, 45), at_degrees(85, 80), at_degrees(89.9f, 200)};
+    const glm::vec3 views[] = {at_degrees(0, 0), at_degrees(35, 10), at_degrees(60, 45), at_degrees(85, 80),
+                               at_degrees(89.9f, 200)};
     double total = 0, mean = 0, g[5] = {};
     const int n = 700;
     for (int i = 0; i < n; ++i)
@@ -161,11 +164,11 @@ TEST(Separable, CubeTexelsComeBackAtTheirOwnDirections) {
   map.size = 8;
   for (size_t f = 0; f < 6; ++f)
     for (int i = 0; i < 64; ++i)
-      map.faces[f].push_back(glm::normalize(cube_direction(static_cast<int>(f), static_cast<float>(i % 8) + 0.5f,
-                                                           static_cast<float>(i / 8) + 0.5f, 8)));
+      map.faces[f].push_back(glm::normalize(
+          cube_direction(static_cast<int>(f), static_cast<float>(i % 8) + 0.5f, static_cast<float>(i / 8) + 0.5f, 8)));
   for (size_t f = 0; f < 6; ++f)
     for (const glm::vec3& d : map.faces[f]) EXPECT_NEAR(glm::dot(sample(map, d), d), 1, 1e-5f);
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

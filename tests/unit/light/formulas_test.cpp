@@ -9,9 +9,10 @@
 #include <string_view>
 
 #include "light/ladder.h"
+#include "paths.h"
 #include "sampling.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 float horizon_of(float azimuth) { return 0.4f + 0.3f * std::cos(azimuth) + 0.1f * std::sin(2 * azimuth); }
@@ -170,7 +171,8 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 TEST(Glsl, EveryFormulaFileParses) {
-  if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "glslangValidator is not installed";
+  if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "glslangValidator is not installed";
   const std::filesystem::path shaders = std::filesystem::path(WEFTLIGHT_SOURCE_DIR) / "shaders";
   for (const char* file : {"lobes.glsl", "vrst03.glsl", "horizon.glsl", "filter.glsl"}) {
     std::string text = "#version 330 core\n";
@@ -186,4 +188,4 @@ TEST(Glsl, EveryFormulaFileParses) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

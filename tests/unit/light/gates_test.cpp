@@ -13,7 +13,7 @@
 #include "light/yarn_lobes.h"
 #include "sampling.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 using formulas::YarnLobes;
@@ -77,9 +77,10 @@ TEST(LightGate, WhiteLobesReturnTheLightThatSingleScatteringLoses) {
     const auto s = formulas::lobe_shared(y);
     const glm::vec3 wo = at_degrees(60, 20);
     const auto o = formulas::lobe_side(y, s, wo);
-    const double once = furnace([&](glm::vec3 wi) {
-      return formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo);
-    }, 200, 200).x;
+    const double once =
+        furnace([&](glm::vec3 wi) { return formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo); },
+                200, 200)
+            .x;
     const double ours = slope_furnace(y, wo, 120).x;
     figure("single scattering alone, slopes of " + text(width), once, ours);
     EXPECT_NEAR(ours, 1, 0.01);
@@ -117,8 +118,11 @@ TEST(LightGate, LightAndViewChangePlacesOverRandomLobes) {
     const glm::vec3 wi = random_upper(rng), wo = random_upper(rng);
     const auto s = formulas::lobe_shared(y);
     const auto i = formulas::lobe_side(y, s, wi), o = formulas::lobe_side(y, s, wo);
-    const auto off = [](float a, float b) { return std::abs(static_cast<double>(a - b)) / (1 + static_cast<double>(a)); };
-    ours = std::max(ours, off(formulas::lobe_reflect(y, s, i, o, wi, wo).x, formulas::lobe_reflect(y, s, o, i, wo, wi).x));
+    const auto off = [](float a, float b) {
+      return std::abs(static_cast<double>(a - b)) / (1 + static_cast<double>(a));
+    };
+    ours =
+        std::max(ours, off(formulas::lobe_reflect(y, s, i, o, wi, wo).x, formulas::lobe_reflect(y, s, o, i, wo, wi).x));
     // The body dimmed by what the coat reflects towards the eye alone.
     by_view = std::max(by_view, off(y.body.x * o.enters.x / formulas::kPi, y.body.x * i.enters.x / formulas::kPi));
   }
@@ -133,7 +137,9 @@ TEST(LightGate, ColoursThatTurnWithTheViewStayReciprocal) {
   double ours = 0, by_view = 0;
   for (int k = 0; k < 5000; ++k) {
     const glm::vec3 wi = random_upper(rng), wo = random_upper(rng);
-    const auto off = [](float a, float c) { return std::abs(static_cast<double>(a - c)) / (1 + static_cast<double>(a)); };
+    const auto off = [](float a, float c) {
+      return std::abs(static_cast<double>(a - c)) / (1 + static_cast<double>(a));
+    };
     ours = std::max(ours, off(evaluate(b, wi, wo).x, evaluate(b, wo, wi).x));
     // The seed paper names the view alone: warp seen straight on, weft at grazing.
     const auto colour = [&](const glm::vec3& w) { return glm::mix(b.p.warp_colour.x, b.p.weft_colour.x, 1 - w.z); };
@@ -150,7 +156,9 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
   for (const float angle : {80.0f, 85.0f, 89.0f, 89.9f}) {
     const glm::vec3 wo = at_degrees(angle, 20);
     most_ours = std::max(most_ours, slope_furnace(white(0.3f, 0.3f), wo, 160).x);
-    most_ward = std::max(most_ward, furnace([&](glm::vec3 wi) { return glm::vec3(static_cast<float>(ward_duer(wi, wo, 0.42f))); }, 400, 200).x);
+    most_ward = std::max(
+        most_ward,
+        furnace([&](glm::vec3 wi) { return glm::vec3(static_cast<float>(ward_duer(wi, wo, 0.42f))); }, 400, 200).x);
   }
   figure("largest albedo from 80 to 89.9 degrees", most_ward, most_ours);
   EXPECT_GT(most_ward, 3);
@@ -160,7 +168,8 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
   EXPECT_FALSE(std::isfinite(ward_duer(flat, edge, 0.3f)));
   for (const float light : {0.0f, 80.0f, 89.9f})
     for (const float view : {0.0f, 80.0f, 89.9f}) {
-      const glm::vec3 f = formulas::yarn_reflect(white(0.3f, 0.3f, 0.04f), at_degrees(light, 10), at_degrees(view, 200));
+      const glm::vec3 f =
+          formulas::yarn_reflect(white(0.3f, 0.3f, 0.04f), at_degrees(light, 10), at_degrees(view, 200));
       EXPECT_TRUE(std::isfinite(f.x) && f.x > 0) << light << " " << view;
     }
   EXPECT_TRUE(std::isfinite(formulas::yarn_reflect(white(0.3f, 0.3f), flat, edge).x));
@@ -168,7 +177,7 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
 
 TEST(LightGate, RoughnessOfNothingIsNoBlackSpot) {
   const glm::vec3 wi = at_degrees(30, 0), wo = at_degrees(30, 180);
-  float narrowest = 1;   // RMS slope from which on the failing lobe has lost its highlight
+  float narrowest = 1;  // RMS slope from which on the failing lobe has lost its highlight
   for (float width = 1; width > 1e-3f; width *= 0.9f) {
     if (!std::isfinite(von_mises(1, width))) break;
     narrowest = width;
@@ -223,7 +232,8 @@ Pairs tabulate(const ClothBrdf& b, Split split) {
   std::vector<glm::vec3> at;
   for (int face = 0; face < 6; ++face)
     for (int i = 0; i < kSize * kSize; ++i) {
-      const glm::vec3 d = glm::normalize(cube_direction(face, static_cast<float>(i % kSize) + 0.5f, static_cast<float>(i / kSize) + 0.5f, kSize));
+      const glm::vec3 d = glm::normalize(
+          cube_direction(face, static_cast<float>(i % kSize) + 0.5f, static_cast<float>(i / kSize) + 0.5f, kSize));
       if (d.z > 0) at.push_back(d);
     }
   Pairs m{at.size(), std::vector<float>(at.size() * at.size()), std::vector<float>(at.size() * at.size())};
@@ -286,8 +296,10 @@ TEST(LightGate, ExactFactorsBeatEverySeparableRank) {
       off += d * d, all += static_cast<double>(exact) * static_cast<double>(exact);
     }
     const double ours = std::sqrt(off / all);
-    const std::vector<double> half = rank_errors(tabulate(b, Split::kHalfDifference), 3), raw = rank_errors(tabulate(b, Split::kRaw), 1);
-    for (size_t k = 0; k < half.size(); ++k) figure(std::string(name) + ", rank " + std::to_string(k + 1) + " in half and difference vectors", half[k], ours);
+    const std::vector<double> half = rank_errors(tabulate(b, Split::kHalfDifference), 3),
+                              raw = rank_errors(tabulate(b, Split::kRaw), 1);
+    for (size_t k = 0; k < half.size(); ++k)
+      figure(std::string(name) + ", rank " + std::to_string(k + 1) + " in half and difference vectors", half[k], ours);
     figure(std::string(name) + ", rank 1 in light and view", raw[0], ours);
     EXPECT_LT(ours, 0.01) << name;
     EXPECT_GT(half[2], 0.03) << name;
@@ -298,4 +310,4 @@ TEST(LightGate, ExactFactorsBeatEverySeparableRank) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -4,7 +4,7 @@
 
 #include "light/formulas.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 TEST(Hair, ScattersNoMoreThanItMeets) {
@@ -32,4 +32,4 @@ TEST(Hair, GlowsAgainstTheLight) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

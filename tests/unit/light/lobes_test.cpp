@@ -9,7 +9,7 @@
 #include "light/yarn_lobes.h"
 #include "sampling.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 using formulas::YarnLobes;
@@ -84,9 +84,10 @@ TEST(Furnace, SingleScatteringAloneLosesLight) {
   const auto s = formulas::lobe_shared(y);
   const glm::vec3 wo = at_degrees(60, 20);
   const auto o = formulas::lobe_side(y, s, wo);
-  const double once = furnace([&](glm::vec3 wi) {
-    return formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo);
-  }, 200, 200).x;
+  const double once =
+      furnace([&](glm::vec3 wi) { return formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo); },
+              200, 200)
+          .x;
   EXPECT_LT(once, 0.85);
   EXPECT_NEAR(once, 1 - static_cast<double>(o.lost), 0.01);
 }
@@ -113,9 +114,11 @@ TEST(Energy, NothingGivesMoreThanItGets) {
     const YarnLobes y = random_lobes(rng);
     const glm::vec3 wo = random_upper(rng);
     const glm::dvec3 back = slope_furnace(y, wo, 60);
-    const glm::dvec3 through = furnace([&](glm::vec3 wi) {
-      return formulas::yarn_transmit(y, {wi.x, wi.y, -wi.z}, wo);
-    }, 60, 12);
+    const glm::dvec3 through = furnace(
+        [&](glm::vec3 wi) {
+          return formulas::yarn_transmit(y, {wi.x, wi.y, -wi.z}, wo);
+        },
+        60, 12);
     for (int c = 0; c < 3; ++c) EXPECT_LE(back[c] + through[c], 1.02) << k;
   }
 }
@@ -239,8 +242,10 @@ TEST(Moments, OneWideLobeStandsForManyTiltedOnes) {
           const auto frame = formulas::lobe_frame(glm::normalize(slope), fibre);
           const glm::vec3 li = formulas::lobe_local(frame, wi), lo = formulas::lobe_local(frame, wo);
           // Light and view by the projected area of this part of the surface.
-          const double w = std::exp(-0.5 * static_cast<double>(u * u + v * v)) * static_cast<double>(glm::length(slope));
-          sum += w * static_cast<double>(formulas::yarn_reflect(y, li, lo).x * std::max(li.z, 0.0f) * std::max(lo.z, 0.0f));
+          const double w =
+              std::exp(-0.5 * static_cast<double>(u * u + v * v)) * static_cast<double>(glm::length(slope));
+          sum += w *
+                 static_cast<double>(formulas::yarn_reflect(y, li, lo).x * std::max(li.z, 0.0f) * std::max(lo.z, 0.0f));
           weights += w * static_cast<double>(std::max(lo.z, 0.0f));
         }
       const auto frame = formulas::lobe_frame(glm::normalize(glm::vec3(tilt, 1)), fibre);
@@ -296,4 +301,4 @@ TEST(Exponential, IsExactToFloat) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

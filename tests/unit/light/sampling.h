@@ -6,8 +6,9 @@
 #include <random>
 
 #include "light/formulas.h"
+#include "light/names.h"
 
-namespace weftlight {
+namespace weftlight::light {
 
 inline glm::vec3 direction(float elevation_cosine, float azimuth) {
   const float s = std::sqrt(std::max(1 - elevation_cosine * elevation_cosine, 0.0f));
@@ -67,7 +68,8 @@ inline glm::dvec3 slope_furnace(const formulas::YarnLobes& y, const glm::vec3& w
   const double reach_a = std::atan(6.0 * static_cast<double>(a)), reach_c = std::atan(6.0 * static_cast<double>(c));
   for (int i = 0; i < nodes; ++i)
     for (int j = 0; j < nodes; ++j) {
-      const double p = std::tan(reach_a * ((2 * i + 1.0) / nodes - 1)), q = std::tan(reach_c * ((2 * j + 1.0) / nodes - 1));
+      const double p = std::tan(reach_a * ((2 * i + 1.0) / nodes - 1)),
+                   q = std::tan(reach_c * ((2 * j + 1.0) / nodes - 1));
       const double ds = (1 + p * p) * (1 + q * q) * 4 * reach_a * reach_c / (nodes * static_cast<double>(nodes));
       const float sx = static_cast<float>(p), sy = static_cast<float>(q) + b / a * sx;
       const float secant2 = 1 + sx * sx + sy * sy, faces = wo.z + wo.x * sx + wo.y * sy;
@@ -88,4 +90,4 @@ inline glm::dvec3 slope_furnace(const formulas::YarnLobes& y, const glm::vec3& w
   return sum + furnace(rest, 160, 24);
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::light

@@ -1,14 +1,15 @@
 // Places on the threads: together they are the cloth that is seen.
 
+#include "light/thread_places.h"
+
 #include <gtest/gtest.h>
 
 #include "cloth/maps.h"
 #include "cloth/thread_scene.h"
 #include "draft/draft.h"
 #include "light/cloth_response.h"
-#include "light/thread_places.h"
 
-namespace weftlight {
+namespace weftlight::light {
 namespace {
 
 constexpr float kSpacing = 2;
@@ -47,7 +48,8 @@ std::array<float, 2> hits(const Cloth& cloth, size_t view) {
   constexpr int kSide = 96, kCells = 48;
   std::array<float, 2> share{};
   for (int i = 0; i < kSide * kSide; ++i) {
-    const glm::vec2 at = (glm::vec2(i % kSide, i / kSide) + 0.5f) / static_cast<float>(kSide) * glm::vec2(cloth.width_mm, cloth.depth_mm);
+    const glm::vec2 at = (glm::vec2(i % kSide, i / kSide) + 0.5f) / static_cast<float>(kSide) *
+                         glm::vec2(cloth.width_mm, cloth.depth_mm);
     const auto hit = scene.first_thread(scene.grid(), at, response_views()[view], kCells);
     if (hit.system >= 0) share[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
   }
@@ -77,14 +79,16 @@ TEST(ThreadPlaces, WhatIsSeenRisesWithTheCoverAround) {
   const Cloth cloth = damask();
   const std::vector<float> rise = cloth_response(cloth, bake(cloth, {192, 32}), 1 << 14).seen_rise;
   ThreadScene scene(cloth);
-  for (const size_t view : {kFromAbove, static_cast<size_t>(3 * kViewAzimuths + 3), static_cast<size_t>(2 * kViewAzimuths + 5)}) {
-    std::array<std::array<float, 2>, 2> hits{};   // [block][system]
+  for (const size_t view :
+       {kFromAbove, static_cast<size_t>(3 * kViewAzimuths + 3), static_cast<size_t>(2 * kViewAzimuths + 5)}) {
+    std::array<std::array<float, 2>, 2> hits{};  // [block][system]
     constexpr int kSide = 128, kCells = 48;
     for (int i = 0; i < kSide * kSide; ++i) {
       const size_t block = i % 2 ? 1 : 0;
       // The middle third of a block: the tent that measures the cover around does not reach the other one.
       const float along = (static_cast<float>(i / 2 % kSide) + 0.5f) / kSide;
-      const glm::vec2 at{cloth.width_mm * (0.5f * static_cast<float>(block) + (1 + along) / 6), cloth.depth_mm * (static_cast<float>(i / kSide) + 0.5f) / kSide};
+      const glm::vec2 at{cloth.width_mm * (0.5f * static_cast<float>(block) + (1 + along) / 6),
+                         cloth.depth_mm * (static_cast<float>(i / kSide) + 0.5f) / kSide};
       const auto hit = scene.first_thread(scene.grid(), at, response_views()[view], kCells);
       if (hit.system >= 0) hits[block][static_cast<size_t>(hit.system)] += 1;
     }
@@ -104,7 +108,7 @@ TEST(ThreadPlaces, FromEverySideTheyAreWhatRaysMeet) {
   const Cloth cloth = plain(8, 1);
   const ThreadPlaces threads = thread_places(cloth, 1 << 15);
   for (size_t view = 0; view <= kFromAbove; ++view) {
-    if (response_views()[view].z < 0.1f) continue;   // below, few places are seen, each for much
+    if (response_views()[view].z < 0.1f) continue;  // below, few places are seen, each for much
     const std::array<float, 2> seen = covers(threads, view), met = hits(cloth, view);
     for (size_t s = 0; s < 2; ++s) EXPECT_NEAR(seen[s], met[s], 0.04) << "view " << view << ", system " << s;
   }
@@ -121,4 +125,4 @@ TEST(ThreadPlaces, WindowsOfALargeClothAnswerAsTheWhole) {
 TEST(ThreadPlaces, NoThreadsNoPlaces) { EXPECT_TRUE(thread_places({}, 100).places.empty()); }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::light

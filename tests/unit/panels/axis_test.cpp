@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 TEST(Axis, FindsTheCellThatItDraws) {
@@ -81,4 +81,4 @@ TEST(Axis, LabelsKeepTheirDistance) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -8,7 +8,7 @@
 #include "panels/weaves.h"
 #include "panels/yarn_strip.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 constexpr Linear kWhite{1, 1, 1};
@@ -82,4 +82,4 @@ TEST(Weaves, EveryNumberMakesADraftOfTheSize) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::panels

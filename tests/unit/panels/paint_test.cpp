@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "panels/action_list.h"
 #include "panels/cell_image.h"
 #include "panels/draft_layout.h"
-#include "panels/action_list.h"
 #include "panels/preview_panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 Design twill() {
@@ -93,7 +93,8 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
     for (int end = pick % 2; end < 400; end += 2) plain.set(pick, end, true);
   const Axis small{0, 100, 0.25f, 0, 400, true};
   const CellImage mean = cell_image(d.draft, plain, Face::kFront, DrawdownStyle::kColor, light_colors(), small, small);
-  for (ImU32 pixel : mean.pixels) EXPECT_NEAR(static_cast<double>(pixel & 255), 127, 1) << "plain weave is grey from afar";
+  for (ImU32 pixel : mean.pixels)
+    EXPECT_NEAR(static_cast<double>(pixel & 255), 127, 1) << "plain weave is grey from afar";
 }
 
 TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
@@ -151,4 +152,4 @@ TEST(Orbit, ZoomKeepsThePointUnderThePointer) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::panels

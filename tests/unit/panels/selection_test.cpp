@@ -4,7 +4,7 @@
 
 #include "draft/edits.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 /// Eight ends straight over four shafts, six picks straight over four treadles, a 2/2 twill.
@@ -200,10 +200,13 @@ TEST(SelectTool, ALiftplanBlockFindsAGridThatIsShown) {
 }
 
 TEST(SelectTool, SaysWhatIsSelected) {
-  EXPECT_EQ(selection_text(with_selected({BitGrid::kThreading, 2, 10, 0, 1})).rfind(
-            "8 ends \xC3\x97 1 shaft: ends 3\xE2\x80\x93" "10, shaft 1    drag", 0), 0u);
+  EXPECT_EQ(selection_text(with_selected({BitGrid::kThreading, 2, 10, 0, 1}))
+                .rfind("8 ends \xC3\x97 1 shaft: ends 3\xE2\x80\x93"
+                       "10, shaft 1    drag",
+                       0),
+            0u);
   EXPECT_EQ(selection_text({}), "");
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::panels

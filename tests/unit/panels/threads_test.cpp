@@ -4,7 +4,7 @@
 #include "panels/thread_choice.h"
 #include "panels/threads_panel.h"
 
-namespace weftlight {
+namespace weftlight::panels {
 namespace {
 
 using Indices = std::vector<int>;
@@ -126,4 +126,4 @@ TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::panels

@@ -9,19 +9,18 @@
 
 #include "draft/analysis.h"
 #include "draft/layers.h"
+#include "paths.h"
 #include "recipes.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 std::string presets_path(const std::string& path) {
   return (std::filesystem::path(WEFTLIGHT_TESTS_DIR).parent_path() / "presets" / path).string();
 }
 
-bool updating() {
-  return std::getenv("WEFTLIGHT_UPDATE_PRESETS") != nullptr;
-}
+bool updating() { return std::getenv("WEFTLIGHT_UPDATE_PRESETS") != nullptr; }
 
 TEST(Presets, FilesAreWhatTheRecipesGive) {
   for (const PresetRecipe& recipe : preset_recipes()) {
@@ -53,8 +52,7 @@ TEST(Presets, NoStrayFiles) {
   for (const char* folder : {"drafts", "yarns"}) {
     for (const auto& entry : std::filesystem::directory_iterator(presets_path(folder))) {
       const std::string path = std::string(folder) + "/" + entry.path().filename().string();
-      EXPECT_TRUE(std::ranges::any_of(recipes, [&](const PresetRecipe& r) { return r.path == path; }))
-          << path;
+      EXPECT_TRUE(std::ranges::any_of(recipes, [&](const PresetRecipe& r) { return r.path == path; })) << path;
     }
   }
 }
@@ -82,4 +80,4 @@ TEST(Presets, AreSoundCloth) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

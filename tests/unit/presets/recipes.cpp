@@ -8,8 +8,9 @@
 #include "draft/edits.h"
 #include "draft/generators.h"
 #include "draft/yarn_presets.h"
+#include "wif/names.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 Rgb hex(unsigned rgb) {
@@ -23,9 +24,7 @@ std::vector<Rgb> palette(std::initializer_list<unsigned> colors) {
   return out;
 }
 
-const Yarn& yarn(const char* name) {
-  return yarn_preset(name);
-}
+const Yarn& yarn(const char* name) { return yarn_preset(name); }
 
 Design titled(Design design, std::string title, std::vector<std::string> notes) {
   design.title = std::move(title);
@@ -75,22 +74,19 @@ Design plain_weave() {
 }
 
 Design twill_2_2() {
-  Design d =
-      with_colors(twill({2, 2}, Lean::kRight, {48, 48}), palette({0x3b4a3f, 0xb9ab86}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(twill({2, 2}, Lean::kRight, {48, 48}), palette({0x3b4a3f, 0xb9ab86}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "2/2 twill",
                 {"The balanced twill of tweeds and blankets."});
 }
 
 Design satin_8() {
-  Design d =
-      with_colors(satin(8, 3, Face::kFront, {64, 64}), palette({0x0f5a4a, 0x123c33}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(satin(8, 3, Face::kFront, {64, 64}), palette({0x0f5a4a, 0x123c33}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), yarn("Silk"), yarn("Silk")), "Satin on eight shafts",
                 {"Warp satin, step three: each end is bound once in eight picks."});
 }
 
 Design herringbone_tweed() {
-  Design d =
-      with_colors(herringbone({2, 2}, 12, {96, 48}), palette({0x4a4540, 0xcfc6b4}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(herringbone({2, 2}, 12, {96, 48}), palette({0x4a4540, 0xcfc6b4}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "Herringbone",
                 {"2/2 twill whose lines turn, with a break, every twelve ends."});
 }
@@ -147,8 +143,7 @@ Design cabin() {
 
 Design shadow() {
   Design d = shadow_weave(
-      {0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 3, 3, 2, 2, 1, 1, 0, 0, 3, 3, 2, 2, 1, 1},
-      {64, 64});
+      {0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 1, 1, 2, 2, 3, 3, 0, 0, 3, 3, 2, 2, 1, 1, 0, 0, 3, 3, 2, 2, 1, 1}, {64, 64});
   d = with_colors(std::move(d), palette({0x2b2f5b, 0xe9c46a}), {}, {});
   return titled(in_yarns(std::move(d), yarn("Mercerised cotton"), yarn("Mercerised cotton")), "Shadow weave",
                 {"Dark and light threads in turn; blocks choose lines along or across."});
@@ -168,8 +163,7 @@ Design shot_taffeta() {
 }
 
 Design denim() {
-  Design d =
-      with_colors(twill({3, 1}, Lean::kRight, {48, 48}), palette({0x22304f, 0xe6e0d2}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(twill({3, 1}, Lean::kRight, {48, 48}), palette({0x22304f, 0xe6e0d2}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), yarn("Cotton"), yarn("Cotton")), "Denim",
                 {"3/1 twill, indigo warp over an ecru weft."});
 }
@@ -228,9 +222,8 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/undulating_twill.wif", undulating()},
       {"drafts/summer_and_winter.wif", summer_winter()},
   };
-  for (const Yarn& preset : yarn_presets())
-    all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
+  for (const Yarn& preset : yarn_presets()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
   return all;
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "draft/design.h"
+#include "wif/names.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 struct PresetRecipe {
   std::string path;  // in presets/
@@ -14,4 +15,4 @@ struct PresetRecipe {
 };
 std::vector<PresetRecipe> preset_recipes();
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -1,15 +1,16 @@
 // The threads as the shaders evaluate them (shaders/threads.glsl) against the traced tubes: same thread, same place,
 // same normal, same shadow.
 
+#include "cloth/thread_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "cloth/thread_scene.h"
 #include "reference/tubes.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 namespace {
 
 /// Warp over `up`, under `down`, a step aside at every pick.
@@ -71,7 +72,8 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
       TubeHit hit;
       const bool met = tubes->intersect(glm::vec3(at, 0) + v * (4 * grid.top / v.z), -v, 0, hit);
       const auto found = threads.first_thread(grid, at, v, 48);
-      if (met != (found.system >= 0) || (met && (found.system != static_cast<int>(hit.system) || found.strand.thread != hit.thread))) {
+      if (met != (found.system >= 0) ||
+          (met && (found.system != static_cast<int>(hit.system) || found.strand.thread != hit.thread))) {
         ++other;
         continue;
       }
@@ -82,7 +84,8 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
       if (glm::dot(hit.normal, light) <= 0) continue;
       ++lit;
       if (tubes->occluded(hit.position + hit.normal * (2e-3f * grid.top), light, 0) !=
-          threads.threads_block(grid, found.at, light, 24, found.system, found.strand.thread)) ++other_shadow;
+          threads.threads_block(grid, found.at, light, 24, found.system, found.strand.thread))
+        ++other_shadow;
     }
     EXPECT_LT(other, 0.03 * kRays) << tilt;
     EXPECT_LT(apart / kRays, 0.005 * static_cast<double>(grid.top)) << tilt;
@@ -117,7 +120,8 @@ TEST_P(Threads, TheTileHasNoSeam) {
     at[i % 2] = (unit(random) - 0.5f) * 0.2f * grid.spacing;
     TubeHit hit;
     if (!tubes->intersect(glm::vec3(at, 2 * grid.top), {0, 0, -1}, 0, hit)) continue;
-    EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z, 0.1f * grid.top) << at.x << ' ' << at.y;
+    EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z, 0.1f * grid.top)
+        << at.x << ' ' << at.y;
   }
 }
 
@@ -136,4 +140,4 @@ TEST_P(Threads, TheBackIsTheFrontTurnedOver) {
 INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4));
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::reference

@@ -7,7 +7,7 @@
 
 #include "reference/picture.h"
 
-namespace weftlight {
+namespace weftlight::reference {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -22,8 +22,7 @@ Cloth parallel_cylinders(int count) {
   yarn.lobes.specular = yarn.lobes.fuzz = yarn.lobes.transmission = 0;
   yarn.lobes.body = 1;
   cloth.yarns = {yarn};
-  for (int i = 0; i < count; ++i)
-    cloth.ends.push_back({1 + 2 * static_cast<float>(i), 2, 1, 1, {1, 1, 1}, 0});
+  for (int i = 0; i < count; ++i) cloth.ends.push_back({1 + 2 * static_cast<float>(i), 2, 1, 1, {1, 1, 1}, 0});
   cloth.picks.push_back({1, 2, 0, 0, {1, 1, 1}, 0});
   cloth.width_mm = 2 * static_cast<float>(count);
   cloth.depth_mm = 2;
@@ -114,7 +113,8 @@ TEST(trace, cylinders_shade_each_other) {
 
 TEST(trace, white_cloth_in_a_white_furnace_is_white) {
   Cloth cloth = parallel_cylinders(4);
-  cloth.picks = {{1, 2, 1, 1, {1, 1, 1}, 0}, {3, 2, 1, 1, {1, 1, 1}, 0}, {5, 2, 1, 1, {1, 1, 1}, 0}, {7, 2, 1, 1, {1, 1, 1}, 0}};
+  cloth.picks = {
+      {1, 2, 1, 1, {1, 1, 1}, 0}, {3, 2, 1, 1, {1, 1, 1}, 0}, {5, 2, 1, 1, {1, 1, 1}, 0}, {7, 2, 1, 1, {1, 1, 1}, 0}};
   cloth.depth_mm = 8;
   cloth.up = BitMatrix(4, 4);
   for (int p = 0; p < 4; ++p)
@@ -159,4 +159,4 @@ TEST(tubes, a_draft_too_large_to_trace_is_refused_in_words) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::reference

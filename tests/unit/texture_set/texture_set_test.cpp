@@ -1,3 +1,5 @@
+#include "texture_set/texture_set.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,9 +9,8 @@
 
 #include "../files/scratch.h"
 #include "draft/generators.h"
-#include "texture_set/texture_set.h"
 
-namespace weftlight {
+namespace weftlight::texture_set {
 namespace {
 
 using nlohmann::json;
@@ -45,7 +46,11 @@ class EveryTarget : public testing::TestWithParam<Target> {};
 INSTANTIATE_TEST_SUITE_P(All, EveryTarget,
                          testing::Values(Target::kRaw, Target::kGltf, Target::kUnreal, Target::kUnityHdrp,
                                          Target::kUnityUrp, Target::kGodot, Target::kBlender),
-                         [](const auto& target) { std::string name = target_name(target.param); std::erase(name, '-'); return name; });
+                         [](const auto& target) {
+                           std::string name = target_name(target.param);
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 /// Root mean square of the difference of two columns (or rows) of an image.
 double step_rms(const Image& image, bool columns, int a, int b) {
@@ -68,7 +73,8 @@ void expect_seamless(const Image& image, const std::string& file) {
     const int n = columns ? image.width : image.height;
     double most = 0;
     for (int k = 0; k + 1 < n; ++k) most = std::max(most, step_rms(image, columns, k, k + 1));
-    EXPECT_LE(step_rms(image, columns, n - 1, 0), 1.05 * most + 1e-3) << file << (columns ? ": left and right" : ": top and bottom");
+    EXPECT_LE(step_rms(image, columns, n - 1, 0), 1.05 * most + 1e-3)
+        << file << (columns ? ": left and right" : ": top and bottom");
   }
 }
 
@@ -83,7 +89,8 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   EXPECT_GT(list["size_mm"][0], 0);
   EXPECT_GT(list["size_mm"][0], list["size_mm"][1]);
   EXPECT_EQ(list["size_texels"][0], 128);
-  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * (GetParam() == Target::kRaw ? 2 : 1) + (GetParam() == Target::kRaw ? 6 : 0));
+  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * (GetParam() == Target::kRaw ? 2 : 1) +
+                                     (GetParam() == Target::kRaw ? 6 : 0));
   std::set<std::string> expected{"README.md", "contact_sheet.png", "texture_set.json"};
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
@@ -109,14 +116,16 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
 TEST(TextureSet, NamesAreThoseOfTheEngines) {
   const Scratch scratch("names");
   ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
-  for (const char* file : {"T_sample_BC.png", "T_sample_N.png", "T_sample_ORM.png"}) EXPECT_TRUE(fs::exists(scratch / ("u/" + std::string(file)))) << file;
+  for (const char* file : {"T_sample_BC.png", "T_sample_N.png", "T_sample_ORM.png"})
+    EXPECT_TRUE(fs::exists(scratch / ("u/" + std::string(file)))) << file;
 }
 
 TEST(TextureSet, GreenOfTheNormalsRunsAsTheEngineWants) {
   const Scratch scratch("green");
   ASSERT_EQ(write_texture_set(scratch / "up", sample_design(), sheet(), options_for(Target::kGltf, 64)), "");
   ASSERT_EQ(write_texture_set(scratch / "down", sample_design(), sheet(), options_for(Target::kUnreal, 64)), "");
-  const Image up = *read_image(scratch / "up/sample_normal.png").image, down = *read_image(scratch / "down/T_sample_N.png").image;
+  const Image up = *read_image(scratch / "up/sample_normal.png").image,
+              down = *read_image(scratch / "down/T_sample_N.png").image;
   for (size_t i = 0; i < up.texels.size(); i += 3) {
     EXPECT_NEAR(up.texels[i], down.texels[i], 1e-6f);
     EXPECT_NEAR(up.texels[i + 1], 1 - down.texels[i + 1], 1.01f / 255);
@@ -138,7 +147,8 @@ TEST(TextureSet, AverageColourSurvivesResampling) {
   Surface surface = make_surface(cloth, maps, 256, 64);
   for (int level = 0; level < 9; ++level) {
     double kept = 0, covered = 0;
-    for (const SurfaceTexel& t : surface.texels.at_) kept += static_cast<double>(t.base.g * t.coverage), covered += static_cast<double>(t.coverage);
+    for (const SurfaceTexel& t : surface.texels.at_)
+      kept += static_cast<double>(t.base.g * t.coverage), covered += static_cast<double>(t.coverage);
     EXPECT_NEAR(kept / covered, sharp / share, 2e-3 * sharp / share) << "level " << level;
     surface = half_of(surface);
   }
@@ -208,7 +218,8 @@ TEST(TextureSet, MipsHoldRougherSurfacesTheCoarserTheyAre) {
     ASSERT_TRUE(mip.image) << mip.error;
     ASSERT_EQ(mip.image->width, 64 >> level);
     double rough = 0;
-    for (size_t i = 0; i < mip.image->texels.size(); i += 5) rough += static_cast<double>(mip.image->texels[i + 3] + mip.image->texels[i + 4]);
+    for (size_t i = 0; i < mip.image->texels.size(); i += 5)
+      rough += static_cast<double>(mip.image->texels[i + 3] + mip.image->texels[i + 4]);
     rough /= static_cast<double>(mip.image->texels.size() / 5);
     EXPECT_GT(rough, before) << "level " << level;
     before = rough;
@@ -261,4 +272,4 @@ TEST(TextureSet, EmptyDraftIsAnError) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::texture_set

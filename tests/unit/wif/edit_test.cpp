@@ -9,7 +9,7 @@
 #include "draft/edits.h"
 #include "lines.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -40,11 +40,13 @@ TEST(edit, none_gives_the_same_bytes) {
 TEST(edit, threading) {
   expect_change(diff_of("twill.wif", [](Design& d) { d = with_threading(d, 2, 0, true); }), {"3=3\r\n"}, {"3=1\r\n"});
   // Spacing round "=", several shafts, and both lines of a doubled key.
-  expect_change(diff_of("untidy.wif", [](Design& d) { d.draft.threading.set(0, 2, true); }), {"1 = 1\n"}, {"1 = 1,3\n"});
+  expect_change(diff_of("untidy.wif", [](Design& d) { d.draft.threading.set(0, 2, true); }), {"1 = 1\n"},
+                {"1 = 1,3\n"});
   expect_change(diff_of("untidy.wif", [](Design& d) { d = with_threading(d, 1, 3, true); }), {"2 = 2\n", "2 = 3\n"},
                 {"2 = 4\n", "2 = 4\n"});
   expect_change(diff_of("untidy.wif", [](Design& d) { d = with_threading(d, 3, 3, true); }), {"4 =\n"}, {"4 =4\n"});
-  expect_change(diff_of("luminescence.wif", [](Design& d) { d = with_threading(d, 0, 1, true); }), {"0=1\n"}, {"0=2\n"});
+  expect_change(diff_of("luminescence.wif", [](Design& d) { d = with_threading(d, 0, 1, true); }), {"0=1\n"},
+                {"0=2\n"});
 }
 
 TEST(edit, a_comment_behind_a_number_stays) {
@@ -56,8 +58,8 @@ TEST(edit, a_comment_behind_a_number_stays) {
 
 TEST(edit, tieup_carries_the_liftplan_beside_it) {
   expect_change(diff_of("twill.wif", [](Design& d) { d = with_tieup(d, 0, 2, true); }), {"1=1,2\r\n"}, {"1=1,2,3\r\n"});
-  expect_change(diff_of("both_agree.wif", [](Design& d) { d = with_tieup(d, 0, 2, true); }), {"1=1,2\r\n", "1=1,2\r\n", "5=1,2\r\n"},
-                {"1=1,2,3\r\n", "1=1,2,3\r\n", "5=1,2,3\r\n"});
+  expect_change(diff_of("both_agree.wif", [](Design& d) { d = with_tieup(d, 0, 2, true); }),
+                {"1=1,2\r\n", "1=1,2\r\n", "5=1,2\r\n"}, {"1=1,2,3\r\n", "1=1,2,3\r\n", "5=1,2,3\r\n"});
 }
 
 TEST(edit, treadles_counted_from_zero) {
@@ -70,10 +72,11 @@ TEST(edit, liftplan) {
 }
 
 TEST(edit, text) {
-  expect_change(diff_of("twill.wif", [](Design& d) { d.title = "Herringbone; my own"; }), {"Title=Two and two twill\r\n"},
-                {"Title=Herringbone; my own\r\n"});
+  expect_change(diff_of("twill.wif", [](Design& d) { d.title = "Herringbone; my own"; }),
+                {"Title=Two and two twill\r\n"}, {"Title=Herringbone; my own\r\n"});
   expect_change(diff_of("twill.wif", [](Design& d) { d.author.clear(); }), {"Author=A weaver\r\n"}, {});
-  expect_change(diff_of("twill.wif", [](Design& d) { d.notes[1] = "Beat gently."; }), {"2=\r\n"}, {"2=Beat gently.\r\n"});
+  expect_change(diff_of("twill.wif", [](Design& d) { d.notes[1] = "Beat gently."; }), {"2=\r\n"},
+                {"2=Beat gently.\r\n"});
   expect_change(diff_of("no_last_end.wif", [](Design& d) { d.notes.push_back("Full it."); }), {"3=Wash warm."},
                 {"3=Wash warm.\r\n", "4=Full it."});
   expect_change(diff_of("luminescence.wif", [](Design& d) { d.title = "Steps"; }), {}, {"Title=Steps\n"});
@@ -85,11 +88,14 @@ TEST(edit, a_new_section_is_listed_in_contents) {
 }
 
 TEST(edit, text_of_the_files_own_encoding) {
-  expect_change(diff_of("latin1.wif", [](Design& d) { d.author = "Zoë"; }), {"Author=A weaver\r\n"}, {"Author=Zo\xEB\r\n"});
+  expect_change(diff_of("latin1.wif", [](Design& d) { d.author = "Zoë"; }), {"Author=A weaver\r\n"},
+                {"Author=Zo\xEB\r\n"});
   // What Latin-1 lacks turns the file into UTF-8; nothing else changes.
   const LineDiff diff = diff_of("latin1.wif", [](Design& d) { d.author = "織る人"; });
-  expect_change(diff, {"Title=K\xF6rper f\xFCr \xC4rmel\r\n", "Author=A weaver\r\n", "1=Caf\xE9 \x93"
-                                                                                     "cr\xE8me\x94\r\n"},
+  expect_change(diff,
+                {"Title=K\xF6rper f\xFCr \xC4rmel\r\n", "Author=A weaver\r\n",
+                 "1=Caf\xE9 \x93"
+                 "cr\xE8me\x94\r\n"},
                 {"Title=Körper für Ärmel\r\n", "Author=織る人\r\n", "1=Café “crème”\r\n"});
   // Latin-1 bytes that happen to be UTF-8 would be read as such.
   diff_of("latin1.wif", [](Design& d) {
@@ -99,7 +105,8 @@ TEST(edit, text_of_the_files_own_encoding) {
 }
 
 TEST(edit, words_of_another_encoding_are_carried_over_whole) {
-  const WifFile file = opened("[WARP]\nThreads=1\nUnits=cent\xEDmetros\nSpacing=1\n[WEFT]\nThreads=1\n[TREADLING]\n1=3\n[TIEUP]\n1=1\n");
+  const WifFile file =
+      opened("[WARP]\nThreads=1\nUnits=cent\xEDmetros\nSpacing=1\n[WEFT]\nThreads=1\n[TREADLING]\n1=3\n[TIEUP]\n1=1\n");
   Design now = to_liftplan(file.design);
   now.title = "織る";
   EXPECT_TRUE(opened(write_wif(file, now)).design == now);
@@ -122,39 +129,50 @@ TEST(edit, another_programs_title_wins_over_our_exact_one) {
 }
 
 TEST(edit, colors) {
-  expect_change(diff_of("twill.wif", [](Design& d) { d = with_thread_color(d, System::kWeft, 3, 0); }), {"4=2\r\n"}, {"4=1\r\n"});
+  expect_change(diff_of("twill.wif", [](Design& d) { d = with_thread_color(d, System::kWeft, 3, 0); }), {"4=2\r\n"},
+                {"4=1\r\n"});
   // In the file's own Range: 20..1200.
-  expect_change(diff_of("measures.wif", [](Design& d) { d.draft.palette[0] = {1, 0, 0.5f}; }), {"1=20,610,1200\r\n"},
-                {"1=1200,20,610\r\n"});
-  expect_change(diff_of("untidy.wif", [](Design& d) { d.draft.palette.push_back({0, 1, 0}); }), {"entries = 2\n"},
-                {"3 = 0,999,0\n", "entries = 3\n"});
+  expect_change(diff_of("measures.wif",
+                        [](Design& d) {
+                          d.draft.palette[0] = {1, 0, 0.5f};
+                        }),
+                {"1=20,610,1200\r\n"}, {"1=1200,20,610\r\n"});
+  expect_change(diff_of("untidy.wif",
+                        [](Design& d) {
+                          d.draft.palette.push_back({0, 1, 0});
+                        }),
+                {"entries = 2\n"}, {"3 = 0,999,0\n", "entries = 3\n"});
   // One colour for a whole system without rows is its default; one thread is a row of its own.
-  expect_change(diff_of("liftplan.wif", [](Design& d) { std::fill(d.draft.warp.color.begin(), d.draft.warp.color.end(), 0); }),
-                {"Color=2\r\n"}, {"Color=1\r\n"});
+  expect_change(
+      diff_of("liftplan.wif", [](Design& d) { std::fill(d.draft.warp.color.begin(), d.draft.warp.color.end(), 0); }),
+      {"Color=2\r\n"}, {"Color=1\r\n"});
   expect_change(diff_of("liftplan.wif", [](Design& d) { d = with_thread_color(d, System::kWarp, 2, 0); }), {},
                 {"WARP COLORS=true\r\n", "\r\n", "[WARP COLORS]\r\n", "3=1\r\n"});
-  expect_change(diff_of("luminescence.wif", [](Design& d) { d = with_thread_color(d, System::kWeft, 0, 0); }), {"1=2\n"}, {"1=1\n"});
+  expect_change(diff_of("luminescence.wif", [](Design& d) { d = with_thread_color(d, System::kWeft, 0, 0); }),
+                {"1=2\n"}, {"1=1\n"});
 }
 
 TEST(edit, a_color_between_the_steps_of_range_is_kept_exactly) {
   const LineDiff diff = diff_of("twill.wif", [](Design& d) { d.draft.palette[1] = {0.1f, 0.2f, 0.3f}; });
   EXPECT_EQ(diff.removed, (Lines{"2=0,0,128\r\n"}));
-  EXPECT_EQ(diff.added, (Lines{"PRIVATE WEFTLIGHT COLORS=true\r\n", "2=26,51,77\r\n", "\r\n", "[PRIVATE WEFTLIGHT COLORS]\r\n",
-                               "2=0.1,0.2,0.3\r\n"}));
+  EXPECT_EQ(diff.added, (Lines{"PRIVATE WEFTLIGHT COLORS=true\r\n", "2=26,51,77\r\n", "\r\n",
+                               "[PRIVATE WEFTLIGHT COLORS]\r\n", "2=0.1,0.2,0.3\r\n"}));
 }
 
 TEST(edit, measures_in_the_files_own_units) {
-  expect_change(diff_of("twill.wif", [](Design& d) { std::fill(d.draft.warp.spacing_mm.begin(), d.draft.warp.spacing_mm.end(), 2.5f); }),
-                {"Spacing=.212\r\n"}, {"Spacing=0.25\r\n"});
+  expect_change(
+      diff_of("twill.wif",
+              [](Design& d) { std::fill(d.draft.warp.spacing_mm.begin(), d.draft.warp.spacing_mm.end(), 2.5f); }),
+      {"Spacing=.212\r\n"}, {"Spacing=0.25\r\n"});
   expect_change(diff_of("twill.wif", [](Design& d) { d = with_thread_thickness(d, System::kWeft, 1, 4.0f); }), {},
                 {"WEFT THICKNESS=true\r\n", "\r\n", "[WEFT THICKNESS]\r\n", "2=0.4\r\n"});
-  expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_thickness(d, System::kWeft, 3, 5.08f); }), {"4=.1\r\n"},
-                {"4=0.2\r\n"});
+  expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_thickness(d, System::kWeft, 3, 5.08f); }),
+                {"4=.1\r\n"}, {"4=0.2\r\n"});
   expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_spacing(d, System::kWarp, 0, 2.54f); }), {},
                 {"1=72\r\n"});
   // Left to the yarn where the file has a default.
-  expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_spacing(d, System::kWarp, 1, kFromYarn); }), {"2=40\r\n"},
-                {"2=0\r\n"});
+  expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_spacing(d, System::kWarp, 1, kFromYarn); }),
+                {"2=40\r\n"}, {"2=0\r\n"});
 }
 
 TEST(edit, size) {
@@ -164,15 +182,18 @@ TEST(edit, size) {
   const LineDiff fewer = diff_of("twill.wif", [](Design& d) { d = with_size(d, 8, 6, 4, 4); });
   EXPECT_EQ(fewer.removed, (Lines{"Threads=8\r\n", "7=3\r\n", "8=4\r\n", "7=2\r\n", "8=2\r\n"}));
   EXPECT_EQ(fewer.added, (Lines{"Threads=6\r\n"}));
-  expect_change(diff_of("twill.wif", [](Design& d) { d = with_size(d, 8, 8, 4, 5); }), {"Treadles=4\r\n"}, {"Treadles=5\r\n", "5=0\r\n"});
+  expect_change(diff_of("twill.wif", [](Design& d) { d = with_size(d, 8, 8, 4, 5); }), {"Treadles=4\r\n"},
+                {"Treadles=5\r\n", "5=0\r\n"});
   // The rows of tables that are not edited go with their threads.
   const LineDiff symbols = diff_of("measures.wif", [](Design& d) { d = with_size(d, 3, 4, 2, 2); });
   EXPECT_EQ(symbols.removed, (Lines{"Threads=4\r\n", "4=2\r\n", "4=4\r\n"}));
 }
 
 TEST(edit, rising_in_the_files_own_words) {
-  expect_change(diff_of("untidy.wif", [](Design& d) { d = with_rising(d, false); }), {"rising shed = yes\n"}, {"rising shed = no\n"});
-  expect_change(diff_of("measures.wif", [](Design& d) { d = with_rising(d, false); }), {"Rising Shed=on\r\n"}, {"Rising Shed=off\r\n"});
+  expect_change(diff_of("untidy.wif", [](Design& d) { d = with_rising(d, false); }), {"rising shed = yes\n"},
+                {"rising shed = no\n"});
+  expect_change(diff_of("measures.wif", [](Design& d) { d = with_rising(d, false); }), {"Rising Shed=on\r\n"},
+                {"Rising Shed=off\r\n"});
 }
 
 TEST(edit, drive) {
@@ -190,7 +211,8 @@ TEST(edit, drive) {
 TEST(edit, unknown_lines_survive_a_change_of_drive) {
   const WifFile file = opened(fixture("untidy.wif"));
   const std::string bytes = write_wif(file, to_liftplan(file.design));
-  for (const char* kept : {"; A comment before all\n", "free text\n Key = kept\n;\n", "[MY OWN]\nanything at all\n", "; straight\n"}) {
+  for (const char* kept :
+       {"; A comment before all\n", "free text\n Key = kept\n;\n", "[MY OWN]\nanything at all\n", "; straight\n"}) {
     EXPECT_NE(bytes.find(kept), std::string::npos) << kept;
   }
 }
@@ -207,8 +229,8 @@ TEST(edit, what_wif_cannot_hold) {
     d.scene.mesh = "skirt";
   });
   EXPECT_TRUE(diff.removed.empty());
-  for (const char* line : {"PRIVATE WEFTLIGHT YARNS=true\r\n", "2 Diameter=0.7\r\n", "2 Tint=0.9,0.8,0.7\r\n", "4=2\r\n",
-                           "Exposure=0.5\r\n", "Mesh=skirt\r\n"}) {
+  for (const char* line : {"PRIVATE WEFTLIGHT YARNS=true\r\n", "2 Diameter=0.7\r\n", "2 Tint=0.9,0.8,0.7\r\n",
+                           "4=2\r\n", "Exposure=0.5\r\n", "Mesh=skirt\r\n"}) {
     EXPECT_NE(std::find(diff.added.begin(), diff.added.end(), line), diff.added.end()) << line;
   }
 }
@@ -232,10 +254,11 @@ TEST(edit, mixed_line_ends_stay) {
 }
 
 TEST(edit, gaps_are_filled_only_where_the_edit_needs_it) {
-  expect_change(diff_of("gaps.wif", [](Design& d) { d.title = "Mended"; }), {"Title=Two and two twill\r\n"}, {"Title=Mended\r\n"});
+  expect_change(diff_of("gaps.wif", [](Design& d) { d.title = "Mended"; }), {"Title=Two and two twill\r\n"},
+                {"Title=Mended\r\n"});
   diff_of("gaps.wif", [](Design& d) { d = with_size(d, 8, 8, 5, 7); });
   diff_of("gaps.wif", [](Design& d) { d = with_size(d, 8, 8, 4, 2); });
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -8,7 +8,7 @@
 
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,4 +69,4 @@ TEST_F(FileTest, what_cannot_be_written_leaves_nothing) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace weftlight {
+#include "paths.h"
+
+namespace weftlight::wif {
 namespace {
 
 std::vector<std::string> split(std::string_view bytes) {
@@ -74,4 +76,4 @@ bool says(const WifRead& read, int line, std::string_view words) {
   });
 }
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

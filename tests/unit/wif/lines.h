@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "wif/names.h"
 #include "wif/wif.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 
 std::string fixture(const std::string& name);
 std::vector<std::string> fixture_names();
@@ -24,4 +25,4 @@ LineDiff line_diff(std::string_view before, std::string_view after);
 /// Whether a diagnostic of that line holds the words.
 bool says(const WifRead& read, int line, std::string_view words);
 
-}  // namespace weftlight
+}  // namespace weftlight::wif

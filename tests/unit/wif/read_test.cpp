@@ -7,7 +7,7 @@
 #include "draft/drawdown.h"
 #include "lines.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 std::vector<std::string> cloth(const Draft& draft) {
@@ -25,7 +25,8 @@ using Lines = std::vector<std::string>;
 TEST(read, twill_is_a_twill) {
   const WifFile file = opened(fixture("twill.wif"));
   const Draft& draft = file.design.draft;
-  EXPECT_EQ(cloth(draft), (Lines{"11001100", "01100110", "00110011", "10011001", "11001100", "01100110", "00110011", "10011001"}));
+  EXPECT_EQ(cloth(draft),
+            (Lines{"11001100", "01100110", "00110011", "10011001", "11001100", "01100110", "00110011", "10011001"}));
   EXPECT_EQ(file.design.title, "Two and two twill");
   EXPECT_EQ(file.design.author, "A weaver");
   EXPECT_EQ(file.source_program, "Weftlight");
@@ -185,4 +186,4 @@ TEST(read, the_locale_does_not_matter) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

@@ -8,7 +8,7 @@
 #include "draft/drawdown.h"
 #include "lines.h"
 
-namespace weftlight {
+namespace weftlight::wif {
 namespace {
 
 class Dice {
@@ -18,7 +18,9 @@ class Dice {
   bool coin() { return upto(1) == 1; }
   float between(float low, float high) { return low + (high - low) * static_cast<float>(upto(1 << 24)) / (1 << 24); }
   template <class T, size_t N>
-  T one_of(const T (&all)[N]) { return all[upto(N - 1)]; }
+  T one_of(const T (&all)[N]) {
+    return all[upto(N - 1)];
+  }
 
  private:
   std::mt19937 random_;
@@ -48,8 +50,11 @@ Threads random_threads(Dice& dice, int count, int colors, int yarns) {
 }
 
 std::string random_text(Dice& dice) {
-  static const char* const kTexts[] = {"", "Plain", " edges ", "two\nlines", "back\\slash", "; no comment", "Köper", "織物",
-                                       "[x]", "a=b", "tab\there", "true", "Ã©", "1,2 ; 3", "\xE2\x80\x9Cquoted\xE2\x80\x9D"};
+  static const char* const kTexts[] = {"",           "Plain",       " edges ",
+                                       "two\nlines", "back\\slash", "; no comment",
+                                       "Köper",      "織物",        "[x]",
+                                       "a=b",        "tab\there",   "true",
+                                       "Ã©",         "1,2 ; 3",     "\xE2\x80\x9Cquoted\xE2\x80\x9D"};
   return dice.one_of(kTexts);
 }
 
@@ -77,7 +82,8 @@ Design random_design(unsigned seed) {
     design.yarns = {random_yarn(dice), random_yarn(dice)};
   }
   for (int i = 0; i < colors; ++i) {
-    draft.palette.push_back(dice.coin() ? Rgb{0, 1, static_cast<float>(51.0 / 255)} : Rgb{dice.between(-1, 2), dice.between(0, 1), 0.5f});
+    draft.palette.push_back(dice.coin() ? Rgb{0, 1, static_cast<float>(51.0 / 255)}
+                                        : Rgb{dice.between(-1, 2), dice.between(0, 1), 0.5f});
   }
   draft.rising = dice.coin();
   draft.drive = dice.coin() ? Drive::kTreadling : Drive::kLiftplan;
@@ -137,7 +143,8 @@ TEST(plain, keeps_the_cloth_and_is_plain) {
       EXPECT_EQ(bytes.find("PRIVATE"), std::string::npos);
       EXPECT_NE(bytes.find("[TIEUP]"), std::string::npos) << "seed " << seed;
       EXPECT_NE(bytes.find("[LIFTPLAN]"), std::string::npos) << "seed " << seed;
-      EXPECT_TRUE(std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == '\r' || c == '\n' || (c >= ' ' && c < 127); }));
+      EXPECT_TRUE(std::all_of(bytes.begin(), bytes.end(),
+                              [](char c) { return c == '\r' || c == '\n' || (c >= ' ' && c < 127); }));
       if (drive == PlainDrive::kLiftplan) {
         EXPECT_EQ(file.design.draft.drive, Drive::kLiftplan);
       }
@@ -151,8 +158,8 @@ TEST(plain, head_order_and_notes) {
   const std::string bytes = write_plain_wif(design);
   EXPECT_EQ(bytes.find("[WIF]\r\nVersion=1.1\r\nDate=April 20, 1997\r\nDevelopers=wif@mhsoft.com\r\n"), 0u);
   size_t last = 0;
-  for (const char* section : {"[WIF]", "[CONTENTS]", "[COLOR PALETTE]", "[TEXT]", "[WEAVING]", "[WARP]", "[WEFT]", "[COLOR TABLE]",
-                              "[THREADING]", "[TIEUP]", "[TREADLING]", "[LIFTPLAN]"}) {
+  for (const char* section : {"[WIF]", "[CONTENTS]", "[COLOR PALETTE]", "[TEXT]", "[WEAVING]", "[WARP]", "[WEFT]",
+                              "[COLOR TABLE]", "[THREADING]", "[TIEUP]", "[TREADLING]", "[LIFTPLAN]"}) {
     const size_t at = bytes.find(section);
     ASSERT_NE(at, std::string::npos) << section;
     EXPECT_GE(at, last) << section;
@@ -163,4 +170,4 @@ TEST(plain, head_order_and_notes) {
 }
 
 }  // namespace
-}  // namespace weftlight
+}  // namespace weftlight::wif

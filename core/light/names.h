@@ -1,0 +1,11 @@
+#pragma once
+// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+
+namespace weftlight {
+namespace draft {}
+namespace cloth {}
+namespace light {
+using namespace draft;
+using namespace cloth;
+}  // namespace light
+}  // namespace weftlight

@@ -1,0 +1,17 @@
+#pragma once
+// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+
+namespace weftlight {
+namespace draft {}
+namespace cloth {}
+namespace light {}
+namespace drape {}
+namespace files {}
+namespace texture_set {
+using namespace draft;
+using namespace cloth;
+using namespace light;
+using namespace drape;
+using namespace files;
+}  // namespace texture_set
+}  // namespace weftlight

@@ -1,0 +1,117 @@
+#include "upload/response_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+namespace weftlight::upload {
+namespace {
+
+using Faces = std::array<ClothResponse, 2>;
+
+/// Rows of all faces and systems, of values of [view][light], for one view.
+void append_rows(std::vector<float>& out, const Faces& faces, size_t view, std::vector<float> SystemResponse::*values) {
+  for (const ClothResponse& face : faces) {
+    for (const SystemResponse& system : face.systems) {
+      for (size_t e = 0; e < kResponseElevations; ++e) {
+        for (size_t a = 0; a < kResponseWidth; ++a) {
+          const size_t light = e * kLightAzimuths + a % kLightAzimuths;
+          const float* at = &(system.*values)[4 * (view * kResponseLights + light)];
+          out.insert(out.end(), at, at + 4);
+        }
+      }
+    }
+  }
+}
+
+void append_broad(std::vector<float>& out, const Faces& faces) {
+  for (size_t view = 0; view < kResponseViews; ++view) {
+    append_rows(out, faces, view, &SystemResponse::broad);
+    append_rows(out, faces, view, &SystemResponse::lean);
+  }
+}
+
+void append_seen(std::vector<float>& out, const Faces& faces) {
+  for (const ClothResponse& face : faces) {
+    for (size_t e = 0; e < kResponseElevations; ++e) {
+      for (size_t a = 0; a < kSeenWidth; ++a) {
+        const size_t view = e * kViewAzimuths + a % kViewAzimuths;
+        out.push_back(face.systems[0].broad[4 * view * kResponseLights + 3]);
+        out.push_back(face.seen_rise[view]);
+        for (const SystemResponse& system : face.systems) out.push_back(system.height_mm[view]);
+      }
+    }
+  }
+}
+
+/// Relative RMS of a level's colours about their mean.
+float contrast(const PackedTexture& color, int level) {
+  const int w = color.level_width(level), h = color.level_height(level);
+  std::array<double, 3> sum{}, square{};
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < w; ++x) {
+      for (size_t c = 0; c < 3; ++c) {
+        double v = 0;
+        for (int layer = 0; layer < 2; ++layer) v += std::pow(color.texel(level, layer, x, y)[c] / 255.0, 2.2);
+        sum[c] += v, square[c] += v * v;
+      }
+    }
+  }
+  const double n = static_cast<double>(w) * h;
+  double variance = 0, mean2 = 0;
+  for (size_t c = 0; c < 3; ++c) variance += square[c] / n - sum[c] * sum[c] / n / n, mean2 += sum[c] * sum[c] / n / n;
+  return static_cast<float>(std::sqrt(std::max(variance, 0.0) / std::max(mean2, 1e-9)));
+}
+
+}  // namespace
+
+void keep_response(std::vector<float>& block, const std::vector<float>& earlier) {
+  interop::ClothData data, kept;
+  std::memcpy(&data, block.data(), sizeof data);
+  std::memcpy(&kept, earlier.data(), sizeof kept);
+  data.relief[2] = kept.relief[2], data.relief[3] = kept.relief[3];
+  for (size_t s = 0; s < 4; ++s)
+    data.systems[s].mean = kept.systems[s].mean, data.systems[s].facets = kept.systems[s].facets;
+  std::memcpy(block.data(), &data, sizeof data);
+  block.insert(block.end(), earlier.end() - static_cast<ptrdiff_t>(kResponseFloats), earlier.end());
+}
+
+float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) {
+  constexpr float kEven = 0.02f;
+  const PackedTexture& color = face.textures[static_cast<size_t>(PackedKind::kColor)];
+  int level = static_cast<int>(color.levels.size()) - 1;
+  while (level > 0 && contrast(color, level - 1) <= kEven) --level;
+  // The last level is one texel, and even by itself: a pixel must hold the period.
+  const float texels = static_cast<float>(1 << level) / static_cast<float>(std::max(1, color.width));
+  return texels * width_mm / std::max(spacing_mm, 1e-6f);
+}
+
+void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back, int samples) {
+  Faces faces;
+  std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps, samples); });
+  faces[0] = cloth_response(front.cloth, front.maps, samples);
+  beside.join();
+  interop::ClothData data;
+  std::memcpy(&data, block.data(), sizeof data);
+  data.relief[2] = faces[0].sky, data.relief[3] = faces[1].sky;
+  for (size_t f = 0; f < 2; ++f) {
+    for (size_t s = 0; s < 2; ++s) {
+      const Linear& c = faces[f].systems[s].colour;
+      data.systems[f * 2 + s].mean = {c.r, c.g, c.b, faces[f].systems[s].share};
+      data.systems[f * 2 + s].facets = faces[f].systems[s].facets;
+    }
+  }
+  std::memcpy(block.data(), &data, sizeof data);
+  block.reserve(block.size() + kResponseFloats);
+  append_broad(block, faces);
+  for (const ClothResponse& face : faces) {
+    for (const SystemResponse& system : face.systems) {
+      for (const auto& axis : system.slopes) block.insert(block.end(), axis.begin(), axis.end());
+    }
+  }
+  append_seen(block, faces);
+}
+
+}  // namespace weftlight::upload

@@ -1,0 +1,75 @@
+#include "upload/rung_shares.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "light/formulas.h"
+
+namespace weftlight::upload {
+namespace {
+
+constexpr float kSlivers =
+    0.002f;  // of the cloth: simplified folds have a few triangles that are stretched out of all measure
+
+/// Root of a pixel's area on the cloth, as cloth_fetch.glsl (footprint_here) has it.
+float pixel_size(const glm::mat2& cloth_by_pixel) {
+  const float area = std::abs(glm::determinant(cloth_by_pixel));
+  const float sum = glm::dot(cloth_by_pixel[0], cloth_by_pixel[0]) + glm::dot(cloth_by_pixel[1], cloth_by_pixel[1]);
+  const float longest2 = 0.5f * (sum + std::sqrt(std::max(sum * sum - 4 * area * area, 0.0f)));
+  return std::sqrt(std::max(area, longest2 / 256));
+}
+
+/// Part of a triangle's rectangle that lies on the picture: about that part of the triangle.
+float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
+  const glm::vec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+  const glm::vec2 shown = glm::max(glm::min(high, picture) - glm::max(low, glm::vec2(0)), glm::vec2(0)),
+                  all = high - low;
+  return shown.x * shown.y / std::max(all.x * all.y, 1e-6f);
+}
+
+}  // namespace
+
+RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int width, int height, float spacing_mm,
+                       const std::array<float, 3>& edges) {
+  const Mesh& mesh = prepared.mesh;
+  std::vector<glm::vec3> pixel;  // z: 1 where the vertex lies before the eye
+  pixel.reserve(mesh.position_mm.size());
+  for (const Vec3& p : mesh.position_mm) {
+    const glm::vec4 c = camera.world_to_clip * glm::vec4(p[0], p[1], p[2], 1);
+    const float w = std::max(c.w, 1e-6f);
+    pixel.push_back({(c.x / w * 0.5f + 0.5f) * static_cast<float>(width),
+                     (c.y / w * 0.5f + 0.5f) * static_cast<float>(height), c.w > 0 ? 1.0f : 0.0f});
+  }
+  RungShares shares;
+  float all = 0, octaves = 0;
+  std::array<float, 4> wanted{};
+  const std::vector<uint32_t>& index = prepared.coarse.empty() ? mesh.index : prepared.coarse;
+  for (size_t i = 0; i + 2 < index.size(); i += 3) {
+    const glm::vec3 &a = pixel[index[i]], &b = pixel[index[i + 1]], &c = pixel[index[i + 2]];
+    if (a.z * b.z * c.z <= 0) {
+      if (a.z + b.z + c.z > 0) wanted[0] = std::numeric_limits<float>::infinity();  // it passes the eye
+      continue;
+    }
+    const float part = shown_part(a, b, c, {width, height});
+    if (part <= 0) continue;
+    const Vec2 &ua = mesh.uv_mm[index[i]], &ub = mesh.uv_mm[index[i + 1]], &uc = mesh.uv_mm[index[i + 2]];
+    const glm::mat2 on_picture(glm::vec2(b - a), glm::vec2(c - a));
+    const float area = std::abs(glm::determinant(on_picture)), on_screen = area * part;
+    if (area <= 1e-6f) continue;
+    const glm::mat2 on_cloth(ub[0] - ua[0], ub[1] - ua[1], uc[0] - ua[0], uc[1] - ua[1]);
+    const float yarns = pixel_size(on_cloth * glm::inverse(on_picture)) / std::max(spacing_mm, 1e-6f);
+    const glm::vec4 weight = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
+    for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseenWeight ? on_screen : 0;
+    for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;
+    octaves += std::log2(std::max(yarns, 1e-6f)) * on_screen;
+    all += on_screen;
+  }
+  for (size_t k = 0; k < 4; ++k) shares.needed[k] = wanted[k] > kSlivers * all;
+  if (all <= 0) return shares;
+  for (float& s : shares.of) s /= all;
+  shares.yarns_per_pixel = std::exp2(octaves / all);
+  return shares;
+}
+
+}  // namespace weftlight::upload

@@ -1,0 +1,272 @@
+#include "upload/stages.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "cloth/thread_scene.h"
+#include "drape/mesh.h"
+#include "files/files.h"
+#include "light/separable.h"
+#include "upload/cloth_block.h"
+#include "upload/response_block.h"
+#include "upload/thread_block.h"
+
+namespace weftlight::upload {
+namespace {
+
+constexpr int kAzimuths = 16;
+constexpr int kFewAzimuths = 4;              // of a map whose texels are about as wide as a thread: it is nearly flat
+constexpr double kFinePerHorizon = 3;        // texels across a thread, from which on threads shade each other
+constexpr double kTexels = 1024.0 * 1024.0;  // of one face, where that gives each thread enough
+constexpr double kMostTexels = 2048.0 * 2048.0;  // for drafts of many threads
+constexpr double kLeastPerThread = 6;            // texels across a thread worth more than kTexels
+constexpr double kMostPerThread = 64;            // beyond, fibres are smooth
+constexpr double kFinePerThread = 14;            // a whole draft coarser than this gives way to its repeat
+constexpr int kLongest = 8192;
+constexpr int kQuickSamples = 256;
+constexpr int kQuickShrink = 4;  // of a quick bake's sides
+
+bool same_yarn_shape(Yarn a, Yarn b) {
+  a.lobes = b.lobes = Lobes{};
+  return a == b;
+}
+
+bool same_yarns(const std::vector<Yarn>& a, const std::vector<Yarn>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_yarn_shape);
+}
+
+bool same_threads(const Draft& a, const Draft& b) {
+  return a.warp == b.warp && a.weft == b.weft && a.palette == b.palette;
+}
+
+bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ThreadBody& s, const ThreadBody& t) {
+    return s.centre_mm == t.centre_mm && s.spacing_mm == t.spacing_mm && s.width_mm == t.width_mm &&
+           s.height_mm == t.height_mm && s.yarn == t.yarn && s.colour.r == t.colour.r && s.colour.g == t.colour.g &&
+           s.colour.b == t.colour.b;
+  });
+}
+
+bool same_layout(const Cloth& a, const Cloth& b) {
+  return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && same_bodies(a.ends, b.ends) &&
+         same_bodies(a.picks, b.picks);
+}
+
+int power_of_two(double v) {
+  const double floor2 = std::exp2(std::floor(std::log2(std::max(1.0, v)) + 0.5));
+  return static_cast<int>(std::min<double>(kLongest, floor2));
+}
+
+template <class T>
+std::vector<uint8_t> bytes_of(const std::vector<T>& values) {
+  const auto* at = reinterpret_cast<const uint8_t*>(values.data());
+  return {at, at + values.size() * sizeof(T)};
+}
+
+/// Texels across one thread that the budget allows.
+double per_thread(const Cloth& cloth) {
+  const double crossings = static_cast<double>(cloth.ends.size()) * static_cast<double>(cloth.picks.size());
+  const double wanted = std::sqrt(kTexels / std::max(1.0, crossings));
+  if (wanted >= kLeastPerThread) return std::min(wanted, kMostPerThread);
+  return std::min(kLeastPerThread, std::sqrt(kMostTexels / std::max(1.0, crossings)));
+}
+
+/// Powers of two, so that every mip averages whole texels.
+MapsSize maps_size(const Cloth& cloth) {
+  const double n = per_thread(cloth);
+  const double ends = static_cast<double>(cloth.ends.size()), picks = static_cast<double>(cloth.picks.size());
+  // Square texels in millimetres: the shorter side of the threads' mean decides.
+  MapsSize size{power_of_two(ends * n), power_of_two(picks * n), n < kFinePerHorizon ? kFewAzimuths : kAzimuths};
+  return size;
+}
+
+/// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so its yarns are
+/// handed the other way there to be handed the same way in space.
+Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period) {
+  Cloth cloth = lay_out(design, cells, face, period);
+  if (face == Face::kBack) {
+    for (Yarn& yarn : cloth.yarns) {
+      yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
+    }
+  }
+  return cloth;
+}
+
+std::vector<float> cube_texels(const CubeMap& cube) {
+  std::vector<float> texels;
+  for (const std::vector<glm::vec3>& face : cube.faces) {
+    for (const glm::vec3& c : face) texels.insert(texels.end(), {c.x, c.y, c.z});
+  }
+  return texels;
+}
+
+/// The average BRDF of rung vrst03.
+void add_cubes(PackedFace& face, const Cloth& cloth) {
+  const Separable separable = factorise(cloth_brdf(cloth), Split::kHalfDifference);
+  face.cube_size = separable.first.size;
+  face.half_cube = cube_texels(separable.first);
+  face.difference_cube = cube_texels(separable.second);
+}
+
+ReadMesh find_mesh(const std::string& name) {
+  ReadMesh read = load_drape(name);
+  const std::vector<std::string>& shipped = drape_names();
+  const bool is_shipped = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
+  if (!read.mesh && is_shipped) read = {simulate_drape(name), {}};
+  if (read.mesh && is_shipped) read.mesh->name = name;
+  return read;
+}
+
+}  // namespace
+
+Period choose_period(const Design& design, const BitMatrix& cells) {
+  const double whole = per_thread(lay_out(design, cells, Face::kFront, Period::kWholeDraft));
+  if (whole >= kFinePerThread) return Period::kWholeDraft;
+  const double repeat = per_thread(lay_out(design, cells, Face::kFront, Period::kRepeat));
+  return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
+}
+
+void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
+  coarse_ = effort == Effort::kQuick;
+  old_back_ = false;
+  period_ = choose_period(design, cells_);
+  shadows_ = shadows;
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    FaceState& state = face == Face::kFront ? front_ : back_;
+    state.cloth = face_cloth(design, cells_, face, period_);
+    MapsSize size = maps_size(state.cloth);
+    if (coarse_)
+      size.width = std::max(1, size.width / kQuickShrink), size.height = std::max(1, size.height / kQuickShrink);
+    state.maps = bake(state.cloth, size);
+    PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
+    packed = pack(state.maps, shadows);
+    if (shadows) add_cubes(packed, state.cloth);
+  }
+  packed_.width_mm = front_.cloth.width_mm;
+  packed_.depth_mm = front_.cloth.depth_mm;
+  packed_.mean_spacing_mm = mean_spacing_mm(front_.cloth);
+  take_threads();
+}
+
+/// All threads and crossings of the front; the back's are the same, turned over.
+void Stages::take_threads() {
+  const Cloth& cloth = front_.cloth;
+  packed_.ends = static_cast<int>(cloth.ends.size()), packed_.picks = static_cast<int>(cloth.picks.size());
+  packed_.crossings.clear(), packed_.threads.clear();
+  if (int64_t{packed_.ends} * packed_.picks > kMostCrossings) return;
+  const std::vector<glm::vec4> crossings = thread_crossings(cloth, {0, packed_.ends, 0, packed_.picks});
+  top_mm_ = highest_thread(cloth, crossings);
+  packed_.crossings = packed_crossings(crossings);
+  packed_.threads = thread_records(cloth, top_mm_);
+}
+
+void Stages::take_crossings(const CellRect& dirty, StageResult& result) {
+  if (packed_.crossings.empty()) return;
+  const Cloth& cloth = front_.cloth;
+  const CellRect all{0, packed_.ends, 0, packed_.picks};
+  const CellRect cells = period_ == Period::kRepeat ? all : touched_crossings(cloth, dirty);
+  const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
+  top_mm_ = std::max(top_mm_, highest_thread(cloth, crossings));
+  const std::vector<uint16_t> texels = packed_crossings(crossings);
+  const size_t row = static_cast<size_t>(cells.end1 - cells.end0) * 4;
+  for (int p = cells.pick0; p < cells.pick1; ++p) {
+    std::copy_n(texels.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(p - cells.pick0) * row), row,
+                packed_.crossings.begin() + (static_cast<std::ptrdiff_t>(p) * packed_.ends + cells.end0) * 4);
+  }
+  result.patches.push_back({Face::kFront, kCrossingPatch, 0, cells.end0, cells.pick0, cells.end1 - cells.end0,
+                            cells.pick1 - cells.pick0, bytes_of(texels)});
+}
+
+bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result) {
+  const bool catch_up = old_back_ && effort == Effort::kFull;
+  if (dirty.empty() && !catch_up) return true;
+  if (shadows_) return false;  // vrst03 knows only the whole
+  if (period_ == Period::kRepeat && choose_period(design, cells_) != period_) return false;
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    if (face == Face::kBack) old_back_ = effort == Effort::kQuick;
+    if (face == Face::kBack && old_back_) break;
+    FaceState& state = face == Face::kFront ? front_ : back_;
+    Cloth after = face_cloth(design, cells_, face, period_);
+    if (!same_layout(state.cloth, after)) return false;
+    const std::vector<TexelRect> rects = rebake(state.maps, state.cloth, after);
+    state.cloth = std::move(after);
+    if (face == Face::kFront && !dirty.empty()) take_crossings(dirty, result);
+    PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
+    std::vector<PackedPatch> patches = repack(packed, face, state.maps, rects);
+    result.patches.insert(result.patches.end(), std::make_move_iterator(patches.begin()),
+                          std::make_move_iterator(patches.end()));
+  }
+  return true;
+}
+
+void Stages::take_lobes(const Design& design, Effort effort, StageResult& result) {
+  for (FaceState* state : {&front_, &back_}) {
+    for (size_t i = 0; i < state->cloth.yarns.size() && i < design.yarns.size(); ++i) {
+      state->cloth.yarns[i].lobes = design.yarns[i].lobes;
+    }
+  }
+  if (!packed_.crossings.empty()) {
+    packed_.threads = thread_records(front_.cloth, top_mm_);
+    const int rows = static_cast<int>(packed_.threads.size()) / (4 * THREAD_MAP_WIDTH);
+    if (!result.all_maps) {
+      result.patches.push_back(
+          {Face::kFront, kThreadPatch, 0, 0, 0, THREAD_MAP_WIDTH, rows, bytes_of(packed_.threads)});
+    }
+  }
+  std::vector<float> block = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps});
+  interop::ClothData data;
+  std::memcpy(&data, block.data(), sizeof data);
+  data.even[0] = even_from_yarns(packed_.front, packed_.width_mm, packed_.mean_spacing_mm);
+  std::memcpy(block.data(), &data, sizeof data);
+  old_response_ = effort == Effort::kQuick;
+  if (old_response_ && !packed_.lobes.empty()) keep_response(block, packed_.lobes);
+  else
+    append_response(block, {front_.cloth, front_.maps}, {back_.cloth, back_.maps},
+                    old_response_ ? kQuickSamples : kResponseSamples);
+  packed_.lobes = std::move(block);
+  result.lobes = packed_.lobes;
+}
+
+StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
+  StageResult result;
+  if (design->scene.mesh != mesh_name_) {
+    ReadMesh read = find_mesh(design->scene.mesh);
+    if (read.mesh) result.mesh = prepare_mesh(*read.mesh);
+    mesh_problem_ = read.mesh ? std::string() : read.error;
+    mesh_name_ = design->scene.mesh;
+  }
+  result.problem = mesh_problem_;
+  const Draft& now = design->draft;
+  if (now.ends() == 0 || now.picks() == 0) {
+    result.problem = "the draft has no threads: give it at least one end and one pick";
+    return result;
+  }
+  const bool shadows = shadows_ || design->look.method == Method::kVrst03;
+  const bool first = !done_;
+  const bool same_sizes = !first && done_->draft.ends() == now.ends() && done_->draft.picks() == now.picks();
+  const CellRect all{0, now.ends(), 0, now.picks()};
+  CellRect dirty = all;
+  if (same_sizes) {
+    if (done_->draft == now) dirty = {};
+    else dirty = update_drawdown(cells_, done_->draft, now);
+  } else {
+    cells_ = drawdown(now);
+  }
+  const bool same_look =
+      same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) && shadows == shadows_;
+  const bool too_coarse = coarse_ && effort == Effort::kFull;
+  if (!same_look || too_coarse || !bake_cells(*design, dirty, effort, result)) {
+    result.patches.clear();
+    bake_all(*design, shadows, effort);
+    result.all_maps = true;
+  }
+  const bool new_answer = old_response_ && effort == Effort::kFull;
+  if (result.all_maps || !dirty.empty() || new_answer || done_->yarns != design->yarns)
+    take_lobes(*design, effort, result);
+  done_ = std::move(design);
+  return result;
+}
+
+}  // namespace weftlight::upload

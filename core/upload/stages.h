@@ -1,0 +1,63 @@
+#pragma once
+// What the worker of the pipeline derives from a design, kept between designs so that only what an edit
+// touched is computed again. Knows no thread and no OpenGL.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/maps.h"
+#include "draft/design.h"
+#include "upload/ambient.h"
+#include "upload/names.h"
+#include "upload/packed_maps.h"
+
+namespace weftlight::upload {
+
+/// What one step changed, ready for the renderer; empty parts did not change.
+struct StageResult {
+  std::optional<PreparedMesh> mesh;
+  bool all_maps = false;  // packed() is new as a whole
+  std::vector<PackedPatch> patches;
+  std::vector<float> lobes;
+  std::string problem;
+};
+
+/// What the maps hold: the whole draft where its threads get enough texels, else one repeat.
+Period choose_period(const Design& design, const BitMatrix& cells);
+
+/// kQuick: the next frame's answer. Whole bakes are made with few texels; painted cells reach the front alone; light
+/// from afar keeps the answer that it had. kFull brings all of it up to date.
+enum class Effort { kQuick, kFull };
+
+class Stages {
+ public:
+  StageResult update(std::shared_ptr<const Design> design, Effort effort = Effort::kFull);
+  const PackedCloth& packed() const { return packed_; }
+
+ private:
+  struct FaceState {
+    Cloth cloth;
+    Maps maps;
+  };
+  void bake_all(const Design& design, bool shadows, Effort effort);
+  bool bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result);
+  void take_lobes(const Design& design, Effort effort, StageResult& result);
+  void take_threads();
+  void take_crossings(const CellRect& dirty, StageResult& result);
+
+  std::shared_ptr<const Design> done_;
+  std::string mesh_name_, mesh_problem_;
+  BitMatrix cells_;
+  Period period_ = Period::kWholeDraft;
+  FaceState front_, back_;
+  PackedCloth packed_;
+  bool shadows_ = false;
+  float top_mm_ = 0;           // bound of the threads' heights
+  bool coarse_ = false;        // the maps are of a quick bake
+  bool old_back_ = false;      // the back's maps are of an earlier draft
+  bool old_response_ = false;  // the answer from afar is of an earlier design
+};
+
+}  // namespace weftlight::upload

@@ -1,0 +1,26 @@
+#pragma once
+// The threads of a cloth, one by one, as rung `yarn` fetches them (shaders/thread_fetch.glsl).
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "cloth/cloth.h"
+#include "upload/names.h"
+#include "upload/packed_maps.h"
+
+namespace weftlight::upload {
+
+/// Drafts with more crossings than this are not drawn thread by thread: 128 MB.
+inline constexpr int64_t kMostCrossings = int64_t{1} << 24;
+
+/// `top_mm`: the crossings' bound, kept by the caller, since an edit knows a few of them alone.
+std::vector<uint32_t> thread_records(const Cloth& front, float top_mm);
+
+/// Half floats, four a crossing, a row a pick.
+std::vector<uint16_t> packed_crossings(const std::vector<glm::vec4>& crossings);
+
+/// Crossings that a change of the cells in `dirty` can touch, cut to the period.
+CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty);
+
+}  // namespace weftlight::upload

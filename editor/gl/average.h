@@ -1,0 +1,27 @@
+#pragma once
+// Mean of pictures that are drawn one after another, each with other samples of the same scene: what a graphics
+// card cannot sample at once becomes fine while nothing moves.
+
+#include <string>
+
+#include "gl/gl_objects.h"
+#include "gl/names.h"
+
+namespace weftlight::gl {
+
+class Average {
+ public:
+  bool build(std::string& error);
+  /// Takes the sRGB-encoded picture number `pass` (0 begins anew) and leaves the mean in its place.
+  void add(GLuint texture, GLuint framebuffer, int width, int height, int pass);
+
+ private:
+  void draw(GLuint from, GLuint to, bool encoded);
+  GlProgram program_;
+  GlVertexArray nothing_;
+  GlTexture mean_;  // linear
+  GlFramebuffer target_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace weftlight::gl

@@ -1,0 +1,73 @@
+// EGL without a surface: Mesa's surfaceless platform first (a GPU or llvmpipe), then the default display
+// of the vendor's driver.
+
+#include "gl/context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+
+namespace weftlight::gl {
+namespace {
+
+EGLDisplay open_display() {
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+  }
+  const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+  return EGL_NO_DISPLAY;
+}
+
+EGLContext open_context(EGLDisplay display) {
+  // The highest first: some drivers give exactly the version that is asked for.
+  constexpr std::array<std::array<int, 2>, 3> kVersions{{{4, 5}, {4, 1}, {3, 3}}};
+  for (const auto& [major, minor] : kVersions) {
+    const EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           major,   EGL_CONTEXT_MINOR_VERSION, minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (context != EGL_NO_CONTEXT) return context;
+  }
+  return EGL_NO_CONTEXT;
+}
+
+}  // namespace
+
+std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
+  std::unique_ptr<HeadlessContext> made(new HeadlessContext);
+  const EGLDisplay display = open_display();
+  if (display == EGL_NO_DISPLAY) {
+    error = "no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)";
+    return nullptr;
+  }
+  made->display_ = display;
+  if (!eglBindAPI(EGL_OPENGL_API)) {
+    error = "EGL has no desktop OpenGL: install Mesa (Debian: libgl1-mesa-dri)";
+    return nullptr;
+  }
+  const EGLContext context = open_context(display);
+  if (context == EGL_NO_CONTEXT) {
+    error =
+        "OpenGL 3.3 core is not there: update the graphics driver, or use Mesa's software renderer "
+        "(LIBGL_ALWAYS_SOFTWARE=1)";
+    return nullptr;
+  }
+  made->context_ = context;
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    error = "the OpenGL context cannot be used without a window: update the graphics driver";
+    return nullptr;
+  }
+  return made;
+}
+
+HeadlessContext::~HeadlessContext() {
+  if (!display_) return;
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  if (context_) eglDestroyContext(display_, context_);
+  eglTerminate(display_);
+}
+
+}  // namespace weftlight::gl

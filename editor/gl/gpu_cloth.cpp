@@ -1,0 +1,219 @@
+#include "gl/gpu_cloth.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "light/tables.h"
+#include "upload/response_block.h"
+
+namespace weftlight::gl {
+namespace {
+
+struct Format {
+  GLint internal;
+  GLenum layout, type;
+  Sampler slot;
+};
+constexpr std::array<Format, kPackedKinds> kFormats{{
+    {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, kColorSlot},
+    {GL_RGBA8_SNORM, GL_RGBA, GL_BYTE, kReliefSlot},
+    {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, kHorizonSlot},
+    {GL_R8, GL_RED, GL_UNSIGNED_BYTE, kThreadShadowSlot},
+}};
+
+size_t upload_face(const PackedTexture& t, const Format& format, int first_layer) {
+  size_t bytes = 0;
+  for (int level = 0; level < static_cast<int>(t.levels.size()); ++level) {
+    const std::vector<uint8_t>& texels = t.levels[static_cast<size_t>(level)];
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, first_layer, t.level_width(level), t.level_height(level),
+                    t.layers, format.layout, format.type, texels.data());
+    bytes += texels.size();
+  }
+  return bytes;
+}
+
+void filter_as_tile(int levels) {
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+void clamp_to_edge(GLenum target) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+}
+
+void upload_cube(GlTexture& texture, const std::vector<float>& texels, int size) {
+  glBindTexture(GL_TEXTURE_CUBE_MAP, texture.get());
+  const size_t face = static_cast<size_t>(size) * static_cast<size_t>(size) * 3;
+  for (size_t i = 0; i < 6; ++i) {
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0, GL_RGB32F, size, size, 0, GL_RGB, GL_FLOAT,
+                 texels.data() + i * face);
+  }
+  clamp_to_edge(GL_TEXTURE_CUBE_MAP);
+}
+
+}  // namespace
+
+void GpuCloth::upload_tables() {
+  if (albedo_.peek()) return;
+  const LightTables& tables = light_tables();
+  glBindTexture(GL_TEXTURE_3D, albedo_.get());
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RGBA, GL_FLOAT,
+               tables.albedo.values.data());
+  clamp_to_edge(GL_TEXTURE_3D);
+  glBindTexture(GL_TEXTURE_2D, albedo_mean_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, tables.albedo_mean.nx, tables.albedo_mean.ny, 0, GL_RG, GL_FLOAT,
+               tables.albedo_mean.values.data());
+  clamp_to_edge(GL_TEXTURE_2D);
+  glBindTexture(GL_TEXTURE_2D, fuzz_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, tables.fuzz.nx, tables.fuzz.ny, 0, GL_RGBA, GL_FLOAT,
+               tables.fuzz.values.data());
+  clamp_to_edge(GL_TEXTURE_2D);
+}
+
+void GpuCloth::upload(const PackedCloth& cloth) {
+  upload_tables();
+  width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
+  bytes_ = 0;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (size_t k = 0; k < kPackedKinds; ++k) {
+    const PackedTexture& front = cloth.front.textures[k];
+    const PackedTexture& back = cloth.back.textures[k];
+    layers_[k] = front.layers;
+    textures_[k].reset();
+    if (!front.layers) continue;
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
+    for (int level = 0; level < static_cast<int>(front.levels.size()); ++level) {
+      glTexImage3D(GL_TEXTURE_2D_ARRAY, level, kFormats[k].internal, front.level_width(level),
+                   front.level_height(level), front.layers + back.layers, 0, kFormats[k].layout, kFormats[k].type,
+                   nullptr);
+    }
+    filter_as_tile(static_cast<int>(front.levels.size()));
+    bytes_ += upload_face(front, kFormats[k], 0) + upload_face(back, kFormats[k], front.layers);
+  }
+  if (cloth.front.cube_size > 0) {
+    upload_cube(cubes_[0], cloth.front.half_cube, cloth.front.cube_size);
+    upload_cube(cubes_[1], cloth.front.difference_cube, cloth.front.cube_size);
+    upload_cube(cubes_[2], cloth.back.half_cube, cloth.back.cube_size);
+    upload_cube(cubes_[3], cloth.back.difference_cube, cloth.back.cube_size);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  }
+  has_threads_ = !cloth.crossings.empty();
+  crossings_.reset();
+  if (has_threads_) {
+    crossing_blocks_ = (cloth.ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
+    const int layers = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, std::min(cloth.ends, CROSSING_BLOCK),
+                 std::min(cloth.picks, CROSSING_BLOCK), layers, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings.data());
+    upload_threads(cloth.threads.data(), cloth.threads.size());
+    bytes_ += cloth.crossings.size() * sizeof(uint16_t) + cloth.threads.size() * sizeof(uint32_t);
+  }
+  upload_lobes(cloth.lobes);
+}
+
+/// Cells of a rectangle, block by block of the crossing map.
+void GpuCloth::upload_crossings(const CellRect& cells, const uint16_t* texels) {
+  glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+  const int row = cells.end1 - cells.end0;
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, row);
+  for (int p = cells.pick0; p < cells.pick1; p = (p / CROSSING_BLOCK + 1) * CROSSING_BLOCK) {
+    const int picks = std::min(cells.pick1, (p / CROSSING_BLOCK + 1) * CROSSING_BLOCK) - p;
+    for (int e = cells.end0; e < cells.end1; e = (e / CROSSING_BLOCK + 1) * CROSSING_BLOCK) {
+      const int ends = std::min(cells.end1, (e / CROSSING_BLOCK + 1) * CROSSING_BLOCK) - e;
+      const size_t first =
+          static_cast<size_t>(p - cells.pick0) * static_cast<size_t>(row) + static_cast<size_t>(e - cells.end0);
+      glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, e % CROSSING_BLOCK, p % CROSSING_BLOCK,
+                      p / CROSSING_BLOCK * crossing_blocks_ + e / CROSSING_BLOCK, ends, picks, 1, GL_RGBA,
+                      GL_HALF_FLOAT, texels + 4 * first);
+    }
+  }
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+void GpuCloth::upload_threads(const uint32_t* records, size_t count) {
+  glBindTexture(GL_TEXTURE_2D, threads_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH,
+               static_cast<GLsizei>(count / (size_t{4} * THREAD_MAP_WIDTH)), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+               records);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void GpuCloth::upload(const std::vector<PackedPatch>& patches) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (const PackedPatch& p : patches) {
+    if (p.texture == kThreadPatch) {
+      upload_threads(reinterpret_cast<const uint32_t*>(p.texels.data()), p.texels.size() / sizeof(uint32_t));
+      continue;
+    }
+    if (p.texture == kCrossingPatch) {
+      upload_crossings({p.x, p.x + p.width, p.y, p.y + p.height}, reinterpret_cast<const uint16_t*>(p.texels.data()));
+      continue;
+    }
+    const size_t k = static_cast<size_t>(p.texture);
+    if (!layers_[k] || p.width <= 0 || p.height <= 0) continue;
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, p.level, p.x, p.y, p.face == Face::kFront ? 0 : layers_[k], p.width, p.height,
+                    layers_[k], kFormats[k].layout, kFormats[k].type, p.texels.data());
+  }
+}
+
+void GpuCloth::upload_lobes(const std::vector<float>& lobes) {
+  data_ = {};
+  std::memcpy(&data_, lobes.data(), std::min(sizeof data_, lobes.size() * sizeof(float)));
+  glBindBuffer(GL_UNIFORM_BUFFER, block_.get());
+  glBufferData(GL_UNIFORM_BUFFER, sizeof data_, &data_, GL_DYNAMIC_DRAW);
+  upload_response(std::span<const float>(lobes).subspan(std::min(lobes.size(), sizeof data_ / sizeof(float))));
+}
+
+void GpuCloth::upload_response(std::span<const float> tables) {
+  if (tables.size() < kResponseFloats) return;
+  const float* at = tables.data();
+  glBindTexture(GL_TEXTURE_2D_ARRAY, response_.get());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kResponseWidth, kResponseHeight, kResponseViews, 0, GL_RGBA,
+               GL_FLOAT, at);
+  clamp_to_edge(GL_TEXTURE_2D_ARRAY);
+  at += kBroadFloats;
+  glBindTexture(GL_TEXTURE_2D, slopes_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, kSlopeBins, kSlopeRows, 0, GL_RED, GL_FLOAT, at);
+  clamp_to_edge(GL_TEXTURE_2D);
+  at += kSlopeFloats;
+  glBindTexture(GL_TEXTURE_2D, seen_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSeenWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, at);
+  clamp_to_edge(GL_TEXTURE_2D);
+}
+
+void GpuCloth::bind() {
+  for (size_t k = 0; k < kPackedKinds; ++k) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kFormats[k].slot));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].peek());
+  }
+  const auto bind_to = [](int slot, GLenum target, const GlTexture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(slot));
+    glBindTexture(target, texture.peek());
+  };
+  bind_to(kThreadSlot, GL_TEXTURE_2D, threads_);
+  bind_to(kCrossingSlot, GL_TEXTURE_2D_ARRAY, crossings_);
+  bind_to(kAlbedoSlot, GL_TEXTURE_3D, albedo_);
+  bind_to(kAlbedoMeanSlot, GL_TEXTURE_2D, albedo_mean_);
+  bind_to(kFuzzSlot, GL_TEXTURE_2D, fuzz_);
+  bind_to(kResponseSlot, GL_TEXTURE_2D_ARRAY, response_);
+  bind_to(kSlopesSlot, GL_TEXTURE_2D, slopes_);
+  bind_to(kSeenSlot, GL_TEXTURE_2D, seen_);
+  for (int i = 0; i < 4; ++i) bind_to(kFrontHalfSlot + i, GL_TEXTURE_CUBE_MAP, cubes_[static_cast<size_t>(i)]);
+  glBindBufferBase(GL_UNIFORM_BUFFER, kClothBinding, block_.get());
+}
+
+}  // namespace weftlight::gl

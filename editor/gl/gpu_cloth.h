@@ -1,0 +1,51 @@
+#pragma once
+// The packed maps of both faces on the GPU: one texture array a kind, the front's layers before the back's.
+
+#include <array>
+#include <span>
+
+#include "gl/gl_objects.h"
+#include "gl/names.h"
+#include "shaders/interop.h"
+#include "upload/packed_maps.h"
+
+namespace weftlight::gl {
+
+class GpuCloth {
+ public:
+  void upload(const PackedCloth& cloth);
+  void upload(const std::vector<PackedPatch>& patches);
+  void upload_lobes(const std::vector<float>& lobes);
+  /// Binds the textures to their slots and the block of lobes.
+  void bind();
+
+  bool empty() const { return width_mm_ <= 0; }
+  float width_mm() const { return width_mm_; }
+  float depth_mm() const { return depth_mm_; }
+  float mean_spacing_mm() const { return mean_spacing_mm_; }
+  /// Whether each thread can be drawn as a body (thread_block.h).
+  bool has_threads() const { return has_threads_; }
+  bool has_shadows() const { return layers_[static_cast<size_t>(PackedKind::kShadow)] > 0; }
+  const interop::ClothData& data() const { return data_; }
+  size_t bytes() const { return bytes_; }
+
+ private:
+  void upload_tables();
+  void upload_response(std::span<const float> tables);
+  void upload_crossings(const CellRect& cells, const uint16_t* texels);
+  void upload_threads(const uint32_t* records, size_t count);
+  std::array<GlTexture, kPackedKinds> textures_;
+  std::array<int, kPackedKinds> layers_{};  // of one face
+  std::array<GlTexture, 4> cubes_;          // front half, front difference, back half, back difference
+  GlTexture albedo_, albedo_mean_, fuzz_;   // of no design: made once
+  GlTexture response_, slopes_, seen_;      // of the cloth and its lobes
+  GlTexture threads_, crossings_;
+  int crossing_blocks_ = 1;  // from one row of blocks to the next
+  bool has_threads_ = false;
+  GlBuffer block_;
+  interop::ClothData data_{};
+  float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;
+  size_t bytes_ = 0;
+};
+
+}  // namespace weftlight::gl

@@ -1,0 +1,44 @@
+#pragma once
+// A prepared mesh on the GPU: cloth, body, and the triangles of the cloth in the order they are drawn.
+
+#include <vector>
+
+#include "gl/gl_objects.h"
+#include "gl/names.h"
+#include "upload/ambient.h"
+
+namespace weftlight::gl {
+
+enum class TriangleOrder { kFrontToBack, kBackToFront };
+
+class GpuMesh {
+ public:
+  void upload(PreparedMesh mesh);
+  const PreparedMesh& prepared() const { return prepared_; }
+  /// Texture coordinate of the vertex buffer's origin, mm.
+  std::array<double, 2> uv_origin_mm() const { return uv_origin_; }
+
+  /// Back to front for blending, front to back for early depth tests. `coarse`: the fewer triangles.
+  void sort(glm::vec3 eye, TriangleOrder order, bool coarse);
+  void draw_cloth();
+  void draw_body();
+  GLuint ground_sky() const { return ground_sky_.peek(); }
+
+ private:
+  struct Part {
+    GlVertexArray array;
+    GlBuffer vertices, indices;
+    int count = 0;
+  };
+  void fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky, const std::vector<uint32_t>& index);
+
+  PreparedMesh prepared_;
+  Part cloth_, body_;
+  GlTexture ground_sky_;
+  std::array<double, 2> uv_origin_{};
+  glm::vec3 sorted_for_{0};
+  TriangleOrder order_ = TriangleOrder::kFrontToBack;
+  bool coarse_ = false, sorted_ = false;
+};
+
+}  // namespace weftlight::gl

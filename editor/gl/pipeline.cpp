@@ -1,0 +1,143 @@
+#include "gl/pipeline.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "upload/stages.h"
+
+namespace weftlight::gl {
+
+struct Pipeline::Parts {
+  // Guards all below but `stages`, which is the worker's; its packed maps are read by the thread with the
+  // GL context under `maps`.
+  mutable std::mutex mutex;
+  std::mutex maps;
+  std::condition_variable wake, settled;
+  std::shared_ptr<const Design> wanted;
+  bool working = false, stop = false;
+  std::optional<PreparedMesh> mesh;
+  bool all_maps = false;                  // stages.packed() is new as a whole
+  std::optional<PackedCloth> quick_maps;  // or this is; patches come after it
+  std::vector<PackedPatch> patches;
+  std::vector<float> lobes;
+  std::string problem;
+  Stages stages;
+  std::thread worker;
+
+  void run();
+  void compute(const std::shared_ptr<const Design>& design, Effort effort);
+  void hand_over(StageResult result, std::optional<PackedCloth> copy);
+  bool upload(Renderer& renderer, bool wait);
+};
+
+void Pipeline::Parts::run() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    wake.wait(lock, [&] { return stop || wanted; });
+    if (stop) return;
+    const std::shared_ptr<const Design> design = std::move(wanted);
+    wanted = nullptr;
+    working = true;
+    lock.unlock();
+    compute(design, Effort::kQuick);
+    lock.lock();
+    const bool newest = !wanted && !stop;
+    lock.unlock();
+    if (newest) compute(design, Effort::kFull);
+    lock.lock();
+    working = false;
+    if (!wanted) settled.notify_all();
+  }
+}
+
+/// Quick maps are small: a copy of them is handed over, so that they can be taken up while the full ones are made.
+void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort) {
+  // Held through the hand-over, so that maps and patches are taken up in the order they were made.
+  const std::lock_guard hold(maps);
+  StageResult result = stages.update(design, effort);
+  std::optional<PackedCloth> copy;
+  if (result.all_maps && effort == Effort::kQuick) copy = stages.packed();
+  hand_over(std::move(result), std::move(copy));
+}
+
+void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> copy) {
+  const std::lock_guard lock(mutex);
+  if (result.mesh) mesh = std::move(result.mesh);
+  if (result.all_maps) {
+    quick_maps = std::move(copy);
+    all_maps = !quick_maps;
+    patches.clear();
+    lobes.clear();
+  }
+  if (!all_maps) {
+    patches.insert(patches.end(), std::make_move_iterator(result.patches.begin()),
+                   std::make_move_iterator(result.patches.end()));
+    if (!result.all_maps && !result.lobes.empty()) lobes = std::move(result.lobes);
+  }
+  problem = std::move(result.problem);
+}
+
+bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
+  // The worker holds its maps while it computes: then the last good ones stay on screen.
+  std::unique_lock hold(maps, std::defer_lock);
+  if (wait) hold.lock();
+  std::unique_lock lock(mutex);
+  if (all_maps && !wait && !hold.try_lock()) return false;
+  const bool changed = mesh || all_maps || quick_maps || !patches.empty() || !lobes.empty();
+  if (mesh) renderer.set_mesh(std::move(*mesh));
+  mesh.reset();
+  if (all_maps) renderer.upload(stages.packed());
+  if (quick_maps) renderer.upload(*quick_maps);
+  if (!patches.empty()) renderer.upload(patches);
+  if (!lobes.empty()) renderer.upload_lobes(lobes);
+  all_maps = false;
+  quick_maps.reset();
+  patches.clear();
+  lobes.clear();
+  return changed;
+}
+
+Pipeline::Pipeline() : parts_(std::make_unique<Parts>()) {
+  parts_->worker = std::thread([parts = parts_.get()] { parts->run(); });
+}
+
+Pipeline::~Pipeline() {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->stop = true;
+  }
+  parts_->wake.notify_all();
+  parts_->worker.join();
+}
+
+void Pipeline::submit(std::shared_ptr<const Design> design) {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->wanted = std::move(design);
+  }
+  parts_->wake.notify_all();
+}
+
+bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false); }
+
+std::string Pipeline::finish(Renderer& renderer) {
+  {
+    std::unique_lock lock(parts_->mutex);
+    parts_->settled.wait(lock, [&] { return !parts_->wanted && !parts_->working; });
+  }
+  parts_->upload(renderer, true);
+  return problem();
+}
+
+std::string Pipeline::problem() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->problem;
+}
+
+bool Pipeline::busy() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->wanted || parts_->working;
+}
+
+}  // namespace weftlight::gl

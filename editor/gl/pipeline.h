@@ -1,0 +1,37 @@
+#pragma once
+// Design -> drawdown -> cloth -> maps -> packed maps -> renderer, on a worker thread. Each stage is keyed
+// by its input: what an edit did not touch is not computed again, and a painted cell re-bakes a rectangle.
+// The window shows the last good result and never waits.
+
+#include <memory>
+#include <string>
+
+#include "draft/design.h"
+#include "gl/names.h"
+#include "gl/renderer.h"
+
+namespace weftlight::gl {
+
+class Pipeline {
+ public:
+  Pipeline();
+  ~Pipeline();
+
+  /// From the thread that edits: the newest design wins, those between are skipped.
+  void submit(std::shared_ptr<const Design> design);
+  /// From the thread with the GL context: uploads what is finished (maps, patches, a new mesh).
+  /// True when the picture must be drawn again.
+  bool poll(Renderer& renderer);
+  /// Headless: waits until the last submitted design is ready, then uploads it. Empty: done; else what
+  /// went wrong (a mesh that cannot be read).
+  std::string finish(Renderer& renderer);
+  /// Problem of the last design, if any (shown by the window).
+  std::string problem() const;
+  bool busy() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace weftlight::gl

@@ -1,0 +1,438 @@
+#include "gl/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <map>
+
+#include "gl/average.h"
+#include "gl/gpu_cloth.h"
+#include "gl/gpu_hairs.h"
+#include "gl/gpu_mesh.h"
+#include "gl/ground_light.h"
+#include "gl/shader_program.h"
+#include "gl/sun_shadow.h"
+#include "gl/target.h"
+#include "light/formulas.h"
+#include "light/ladder.h"
+#include "upload/camera.h"
+#include "upload/light_rig.h"
+#include "upload/rung_shares.h"
+#include "upload/shipped_ladder.h"
+
+namespace weftlight::gl {
+namespace {
+
+constexpr int kFullTaps = 12, kQuickTaps = 4;
+// Rungs that a program of `auto` holds.
+constexpr int kYarnRung = 1, kCellRung = 2, kRepeatRung = 4, kAllRungs = 15;
+constexpr float kFullRadius = 2.2f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
+
+interop::vec4 vec(glm::vec3 v, float w) { return {v.x, v.y, v.z, w}; }
+
+struct DrawnFrame {
+  Scene scene;
+  Look look;
+  Frame frame;
+  int rungs = kAllRungs;
+  bool gaps = false;  // what is behind shows
+};
+
+/// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
+Method drawn_method(Method asked) { return asked == Method::kReference ? Method::kAuto : asked; }
+
+std::string define_of(Method method) {
+  std::string name = "METHOD_";
+  for (const char c : method_name(method)) name += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  return name;
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  GpuMesh mesh, patch;
+  GpuCloth cloth;
+  LightRig rig;
+  SunShadow sun;
+  GroundLight ground;
+  GpuHairs hairs;
+  Target screen{false}, linear{true};
+  Average average;
+  GlBuffer frame_block;
+  GlVertexArray nothing;  // for shapes that the vertex shader makes
+  std::map<std::array<int, 3>, GlProgram> cloth_programs;
+  GlProgram backdrop, body;
+  GlQuery timer, samples, hair_timer;
+  bool queried = false, hairs_queried = false, software = false;
+  double software_ms = 0, software_hair_ms = 0;
+  FrameStats stats;
+  DrawnFrame last;
+  Ladder ladder = shipped_ladder();
+
+  bool build(std::string& error);
+  GLuint cloth_program(Method method, int taps, int rungs, std::string& error);
+  int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
+  void tell_rungs(const RungShares& shares);
+  std::array<float, 3> edges_of(const DrawnFrame& drawn) const;
+  interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
+                                const GpuMesh& on) const;
+  void upload_frame(const interop::FrameData& data);
+  void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
+  void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
+  void draw_hairs(const DrawnFrame& drawn, const Camera& camera);
+  void draw_patch(const FlatPatch& patch, const Look& look);
+  std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
+  void draw_around(const DrawnFrame& drawn, const Camera& camera);
+  /// Share of the key light that the cloth keeps from what is behind it.
+  float opacity() const { return std::min(1.0f, cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1]); }
+  float ground_opacity = -1;
+  bool has_gaps() const;
+  void take_queries(bool wait);
+};
+
+bool Renderer::Parts::build(std::string& error) {
+  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  software = name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
+  rig = load_light_rig("studio", error);
+  if (!error.empty()) return false;
+  const std::vector<std::string> taps{"SHADOW_TAPS " + std::to_string(kFullTaps)};
+  backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
+  if (!error.empty()) return false;
+  body = build_program("body.vert", "body.frag", taps, error);
+  if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error))
+    return false;
+  return cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung, error) != 0;
+}
+
+/// Where one rung gives way to the next, yarns a pixel. A picture that will not get all samples of the threads in its
+/// time gives way at as many samples a yarn, which leaves the same noise.
+std::array<float, 3> Renderer::Parts::edges_of(const DrawnFrame& drawn) const {
+  constexpr float kMoving = 2;  // a picture of one sample, seen for a moment
+  std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
+  const float taken = drawn.frame.render_scale < 1 ? kMoving : static_cast<float>(drawn.frame.all_samples);
+  const float share = std::sqrt(std::clamp(taken / static_cast<float>(formulas::kMostYarnSamples), 0.0f, 1.0f));
+  const bool straight_to_repeat = edges[1] <= edges[0];
+  edges[0] *= cloth.has_threads() ? share : 0;
+  if (straight_to_repeat) edges[1] = edges[0];
+  // One answer for all the cloth holds only where its pattern is no longer seen.
+  edges[2] = std::max(edges[2], cloth.data().even[0]);
+  return edges;
+}
+
+GLuint Renderer::Parts::cloth_program(Method method, int taps, int rungs, std::string& error) {
+  GlProgram& program = cloth_programs[{static_cast<int>(method), taps, rungs}];
+  if (!program.peek()) {
+    std::vector<std::string> defines{define_of(method), "SHADOW_TAPS " + std::to_string(taps),
+                                     "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
+                                     "RUNGS " + std::to_string(rungs)};
+    if (taps == kQuickTaps) defines.push_back("QUICK");
+    program = build_program("cloth.vert", "cloth.frag", defines, error);
+  }
+  return program.peek();
+}
+
+interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
+                                               const GpuMesh& on) const {
+  const Scene& scene = drawn.scene;
+  const PreparedMesh& prepared = on.prepared();
+  interop::FrameData data{};
+  std::memcpy(data.world_to_clip.data(), glm::value_ptr(camera.world_to_clip), sizeof data.world_to_clip);
+  std::memcpy(data.world_to_shadow.data(), glm::value_ptr(sun.world_to_shadow()), sizeof data.world_to_shadow);
+  data.eye = vec(camera.eye, drawn.frame.front == Face::kFront ? 1.0f : -1.0f);
+  data.light = vec(direction_of(scene.light_azimuth, scene.light_elevation), kKeyRadius);
+  data.light_color = vec(rig.key * (kKeyIrradiance * scene.light_strength), std::exp2(drawn.look.exposure_ev));
+  for (size_t i = 0; i < rig.sky.size(); ++i) data.sky[i] = vec(rig.sky[i] * scene.sky_strength, 0);
+  const Linear background = linear_from_srgb(scene.background);
+  data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
+  data.picture = {static_cast<float>(drawn.frame.width), static_cast<float>(drawn.frame.height),
+                  linear_out ? 1.0f : 0.0f, 0};
+  data.samples = {static_cast<float>(drawn.frame.first_sample), static_cast<float>(std::max(1, drawn.frame.samples)), 0,
+                  0};
+  const bool quick = drawn.frame.render_scale < 1;
+  data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 2.5f,
+                 opacity()};
+  const std::array<double, 2> period{std::max(1e-6, static_cast<double>(cloth.width_mm())),
+                                     std::max(1e-6, static_cast<double>(cloth.depth_mm()))};
+  for (size_t a = 0; a < 2; ++a) {
+    const double repeats = on.uv_origin_mm()[a] / period[a];
+    data.tile[a] = static_cast<float>(1 / period[a]);
+    data.tile[a + 2] = static_cast<float>(repeats - std::floor(repeats));
+  }
+  const glm::vec3 centre = prepared.bounds.centre();
+  data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
+  const std::array<float, 3> edges = edges_of(drawn);
+  data.rungs = {edges[0], edges[1], edges[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
+  const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
+  data.hair = {static_cast<float>(hair_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0], growth.length_mm[1]};
+  return data;
+}
+
+void Renderer::Parts::upload_frame(const interop::FrameData& data) {
+  glBindBuffer(GL_UNIFORM_BUFFER, frame_block.get());
+  glBufferData(GL_UNIFORM_BUFFER, sizeof data, &data, GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());
+}
+
+/// Now, with all that was asked of a software renderer done: its timer query counts one tile alone.
+std::chrono::steady_clock::time_point Renderer::Parts::clock_here(const Frame& frame) const {
+  if (software && frame.timed) glFinish();
+  return std::chrono::steady_clock::now();
+}
+
+void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
+  if (cloth.empty() || !drawn.frame.cloth) return;
+  cloth.bind();
+  std::string error;
+  Method method = drawn_method(drawn.look.method);
+  if (method == Method::kYarn && !cloth.has_threads()) method = Method::kCell;
+  glUseProgram(cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs, error));
+  drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
+  take_queries(queried);
+  const auto start = clock_here(drawn.frame);
+  glBeginQuery(GL_TIME_ELAPSED, timer.get());
+  glBeginQuery(GL_SAMPLES_PASSED, samples.get());
+  on.draw_cloth();
+  glEndQuery(GL_SAMPLES_PASSED);
+  glEndQuery(GL_TIME_ELAPSED);
+  queried = true;
+  if (software && drawn.frame.timed) {
+    software_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
+  }
+}
+
+/// The rungs of ours have stray fibres; the seed's row and the baselines show what they show. While something moves
+/// there are none: the mesh is a coarser one then, and they would float beside it.
+bool has_hairs(const DrawnFrame& drawn) {
+  const Method method = drawn_method(drawn.look.method);
+  const bool ours = method == Method::kAuto || method == Method::kYarn || method == Method::kCell ||
+                    method == Method::kRepeat || method == Method::kCloth;
+  return ours && drawn.frame.cloth && drawn.frame.render_scale >= 1 && !drawn.frame.false_color_rungs;
+}
+
+/// Over everything else, since what is behind shows between them.
+void Renderer::Parts::draw_hairs(const DrawnFrame& drawn, const Camera& camera) {
+  stats.hairs = 0;
+  if (cloth.empty() || !has_hairs(drawn)) {
+    stats.hair_ms = 0;
+    return;
+  }
+  const auto start = clock_here(drawn.frame);
+  const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
+  hairs.sow(mesh, growth,
+            {camera.world_to_clip, camera.eye, static_cast<float>(drawn.frame.width),
+             static_cast<float>(drawn.frame.height)});
+  stats.hairs = hairs.count();
+  cloth.bind();
+  sun.bind();
+  glBeginQuery(GL_TIME_ELAPSED, hair_timer.get());
+  hairs.draw(hair_pieces(growth, camera.pixel_mm));
+  glEndQuery(GL_TIME_ELAPSED);
+  hairs_queried = true;
+  if (software && drawn.frame.timed) {
+    software_hair_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
+  }
+}
+
+/// Backdrop, ground and what the cloth hangs on.
+void Renderer::Parts::draw_around(const DrawnFrame& drawn, const Camera& camera) {
+  glUseProgram(body.peek());
+  glDisable(GL_BLEND);
+  mesh.draw_body();
+  glBindVertexArray(nothing.get());
+  if (!drawn.frame.transparent) {
+    glUseProgram(backdrop.peek());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
+}
+
+void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out) {
+  const PreparedMesh& prepared = mesh.prepared();
+  const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
+                                     drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
+  stats.method = drawn_method(drawn.look.method);
+  DrawnFrame chosen = drawn;
+  chosen.rungs = rungs_of(drawn, mesh, camera);
+  chosen.gaps = has_gaps();
+  mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack,
+            drawn.frame.render_scale < 1);
+  const bool new_light =
+      sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
+  upload_frame(frame_data(drawn, camera, linear_out, mesh));
+  if (new_light || opacity() != ground_opacity) ground.update(sun.depth(), mesh.ground_sky());
+  ground_opacity = opacity();
+  if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
+  sun.bind();
+  glClearColor(0, 0, 0, 0);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  // What shows through gaps must be there before; otherwise what the cloth hides need not be shaded.
+  if (chosen.gaps) draw_around(drawn, camera);
+  draw_cloth(chosen, mesh);
+  if (!chosen.gaps) draw_around(drawn, camera);
+  draw_hairs(drawn, camera);
+  glBindVertexArray(0);
+  target.end();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  stats.texture_bytes = cloth.bytes();
+  stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
+}
+
+/// Whether what is behind shows: through open cloth, and near by through the pinholes that any weave has, too
+/// small for the maps.
+bool Renderer::Parts::has_gaps() const {
+  constexpr float kFew = 0.01f;
+  if (cloth.data().gaps[3] > 0.5f) return true;
+  return stats.method == Method::kYarn || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
+}
+
+/// Which rungs the program of auto must hold. Without a graphics card both sides of a branch are run, so it holds what
+/// this picture needs; a card has one program, so that no view waits for another.
+int Renderer::Parts::rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
+  const float scale = drawn.frame.render_scale;
+  const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };
+  const std::array<float, 3> edges = edges_of(drawn);
+  const RungShares shares = rung_shares(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
+                                        cloth.mean_spacing_mm(), edges);
+  tell_rungs(shares);
+  if (stats.method != Method::kAuto || shares.yarns_per_pixel <= 0) return kAllRungs;
+  if (scale < 1) {
+    // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
+    constexpr float kFairPart = 0.05f;
+    return shares.of[0] > kFairPart ? kYarnRung : shares.of[1] > kFairPart ? kCellRung : kRepeatRung;
+  }
+  if (!software) return edges[0] < edges[1] ? kAllRungs : kAllRungs & ~kCellRung;
+  int needed = 0;
+  for (size_t k = 0; k < shares.needed.size(); ++k) needed |= shares.needed[k] ? 1 << k : 0;
+  return needed;
+}
+
+/// Shares of the rungs and the error to expect.
+void Renderer::Parts::tell_rungs(const RungShares& shares) {
+  stats.rung_shares = shares.of;
+  stats.estimated_error = 0;
+  if (shares.yarns_per_pixel <= 0) return;
+  if (stats.method != Method::kAuto) {
+    const float error = expected_error(ladder, stats.method, shares.yarns_per_pixel);
+    stats.estimated_error = std::isfinite(error) ? error : 0;
+    return;
+  }
+  constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+  for (size_t k = 0; k < kDrawn.size(); ++k) {
+    const float error = expected_error(ladder, kDrawn[k], shares.yarns_per_pixel);
+    if (std::isfinite(error)) stats.estimated_error += shares.of[k] * error;
+  }
+}
+
+void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
+  patch.upload(patch_mesh(p));
+  const Camera camera = patch_camera(p);
+  DrawnFrame drawn{{}, look, {}};
+  drawn.scene.sky_strength = 0;
+  drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
+  drawn.frame.samples = p.samples;
+  if (!linear.begin(p.width, p.height, 1)) return;
+  interop::FrameData data = frame_data(drawn, camera, true, patch);
+  data.light = vec(p.light_towards, p.light_sine);
+  data.light_color = vec(p.light_irradiance, 1);
+  // Every point falls beyond the border of the shadow map, where it is lit.
+  data.world_to_shadow = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 0, 1};
+  upload_frame(data);
+  sun.bind();
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
+  stats.method = drawn_method(look.method);
+  drawn.rungs = rungs_of(drawn, patch, camera);
+  draw_cloth(drawn, patch);
+  glBindVertexArray(0);
+  linear.end();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  stats.texture_bytes = cloth.bytes();
+}
+
+void Renderer::Parts::take_queries(bool wait) {
+  if (!queried) return;
+  GLuint ready = GL_FALSE;
+  if (!wait) glGetQueryObjectuiv(samples.get(), GL_QUERY_RESULT_AVAILABLE, &ready);
+  if (!wait && !ready) return;
+  GLuint64 ns = 0, passed = 0;
+  glGetQueryObjectui64v(timer.get(), GL_QUERY_RESULT, &ns);
+  glGetQueryObjectui64v(samples.get(), GL_QUERY_RESULT, &passed);
+  stats.gpu_ms = software ? software_ms : static_cast<double>(ns) * 1e-6;
+  stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
+  queried = false;
+  if (!hairs_queried) return;
+  GLuint64 hair_ns = 0;
+  glGetQueryObjectui64v(hair_timer.get(), GL_QUERY_RESULT, &hair_ns);
+  stats.hair_ms = software ? software_hair_ms : static_cast<double>(hair_ns) * 1e-6;
+  hairs_queried = false;
+}
+
+Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
+Renderer::~Renderer() = default;
+
+std::unique_ptr<Renderer> Renderer::create(std::string& error) {
+  if (epoxy_gl_version() < 33) {
+    error = "OpenGL 3.3 is needed: update the graphics driver";
+    return nullptr;
+  }
+  std::unique_ptr<Renderer> made(new Renderer);
+  return made->parts_->build(error) ? std::move(made) : nullptr;
+}
+
+void Renderer::set_mesh(PreparedMesh mesh) {
+  parts_->mesh.upload(std::move(mesh));
+  parts_->sun.forget();
+  parts_->hairs.forget();
+}
+void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
+void Renderer::upload(const std::vector<PackedPatch>& patches) { parts_->cloth.upload(patches); }
+void Renderer::upload_lobes(const std::vector<float>& lobes) { parts_->cloth.upload_lobes(lobes); }
+
+FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
+  parts_->last = {scene, look, frame};
+  Target& screen = parts_->screen;
+  parts_->draw_scene(parts_->last, screen, false);
+  if (frame.pass >= 0)
+    parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.pass);
+  parts_->take_queries(false);
+  return parts_->stats;
+}
+
+FrameStats Renderer::measure() {
+  parts_->take_queries(true);
+  return parts_->stats;
+}
+
+unsigned Renderer::texture() const { return parts_->screen.texture(); }
+
+Image Renderer::read_back(bool linear) const {
+  if (!linear) return parts_->screen.read();
+  parts_->draw_scene(parts_->last, parts_->linear, true);
+  return parts_->linear.read();
+}
+
+void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
+bool Renderer::is_software() const { return parts_->software; }
+
+std::string Renderer::device() const {
+  return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +
+         reinterpret_cast<const char*>(glGetString(GL_VERSION));
+}
+
+void Renderer::draw_patch(const FlatPatch& patch, const Look& look) { parts_->draw_patch(patch, look); }
+Image Renderer::read_patch() const { return parts_->linear.read(); }
+
+}  // namespace weftlight::gl

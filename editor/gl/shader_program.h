@@ -1,0 +1,24 @@
+#pragma once
+// Shaders from shaders/: one level of #include is resolved by text, options become #defines, and the
+// samplers and the uniform block are bound to the slots of shaders/interop.h.
+
+#include <string>
+#include <vector>
+
+#include "gl/gl_objects.h"
+#include "gl/names.h"
+
+namespace weftlight::gl {
+
+/// Folder of shaders: $WEFTLIGHT_SHADERS, beside the program, or the source tree.
+std::string shaders_dir();
+
+/// The text of a shader file with includes resolved (each file once) and defines after #version.
+/// Empty with `error` set when a file is missing.
+std::string shader_text(const std::string& file, const std::vector<std::string>& defines, std::string& error);
+
+/// Compiles and links NAME.vert and NAME.frag of the given names. 0 in peek() with `error` set on failure.
+GlProgram build_program(const std::string& vert, const std::string& frag, const std::vector<std::string>& defines,
+                        std::string& error);
+
+}  // namespace weftlight::gl

@@ -1,0 +1,194 @@
+#include "picture.h"
+#include "upload/camera.h"
+#include "upload/rung_shares.h"
+
+namespace weftlight::gl {
+namespace {
+
+constexpr Rgb kRed{0.8f, 0.1f, 0.1f}, kBlue{0.1f, 0.15f, 0.8f}, kWhite{0.9f, 0.9f, 0.9f};
+
+void expect_finite(const Image& image) {
+  for (const float v : image.texels) {
+    ASSERT_TRUE(std::isfinite(v));
+    ASSERT_GE(v, 0.0f);
+  }
+}
+
+TEST_F(PictureTest, EveryMethodDrawsTheCloth) {
+  Design design = twill(4, 2, kRed, kRed);
+  design.look.method = Method::kVrst03;  // so that its shadow maps and cube maps are made
+  upload(design, square(100));
+  for (const Method method : {Method::kFlat, Method::kVrst03, Method::kYarn, Method::kAuto}) {
+    look.method = method;
+    const Image image = draw(false);
+    const Mean m = middle(image);
+    EXPECT_GT(m.r, 2 * m.b) << static_cast<int>(method);
+    EXPECT_GT(m.r, 0.1) << static_cast<int>(method);
+    const FrameStats stats = renderer->measure();
+    EXPECT_GT(stats.shaded_pixels, 128 * 128 / 8);
+    EXPECT_GT(stats.texture_bytes, 0u);
+  }
+}
+
+TEST_F(PictureTest, ScaleKeepsThePicturesSize) {
+  upload(twill(4, 2, kRed, kBlue), square(100));
+  frame.render_scale = 0.5f;
+  const Image image = draw(false);
+  EXPECT_EQ(image.width, 128);
+  EXPECT_EQ(image.height, 128);
+  EXPECT_GT(middle(image).sum(), 0.1);
+}
+
+TEST_F(PictureTest, EachSideShowsItsFace) {
+  upload(twill(8, 7, kRed, kBlue), square(100));  // warp-faced in front, weft-faced behind
+  const Mean front = middle(draw());
+  scene.view_azimuth = 180, scene.light_azimuth = 150;
+  const Mean back = middle(draw());
+  EXPECT_GT(front.r, 1.5 * front.b);
+  EXPECT_GT(back.b, 1.5 * back.r);
+  scene.view_azimuth = 0, scene.light_azimuth = -30;
+  frame.front = Face::kBack;
+  const Mean turned = middle(draw());
+  EXPECT_GT(turned.b, 1.5 * turned.r);
+}
+
+// Drafts of more crossings than the graphics card is given have no threads to draw near by.
+TEST_F(PictureTest, AClothWithoutThreadsOnTheCardIsDrawnFromItsMaps) {
+  Stages stages;
+  stages.update(std::make_shared<const Design>(twill(4, 2, kRed, kRed)));
+  PackedCloth cloth = stages.packed();
+  cloth.crossings.clear();
+  renderer->upload(cloth);
+  renderer->set_mesh(square(100));
+  frame.yarns_per_pixel = 0.125f;
+  for (const Method method : {Method::kAuto, Method::kYarn}) {
+    look.method = method;
+    const Mean m = middle(draw());
+    EXPECT_GT(m.r, 2 * m.b) << static_cast<int>(method);
+    EXPECT_GT(m.r, 0.1) << static_cast<int>(method);
+  }
+}
+
+TEST_F(PictureTest, OnlyTheRungsThatShowAreNeeded) {
+  const PreparedMesh mesh = prepare_mesh(square(100));
+  constexpr float kSpacing = 1, kYarnToRepeat = 1, kRepeatToCloth = 8;
+  constexpr std::array<float, 3> edges{kYarnToRepeat, kYarnToRepeat, kRepeatToCloth};
+  const auto needed = [&](float yarns) {
+    const Camera camera = place_camera(scene, mesh.mesh, mesh.bounds, 64, 64, yarns, kSpacing);
+    return rung_shares(mesh, camera, 64, 64, kSpacing, edges).needed;
+  };
+  using Rungs = std::array<bool, 4>;  // yarn, cell, repeat, cloth
+  EXPECT_EQ(needed(0.25f), (Rungs{true, false, false, false}));
+  EXPECT_EQ(needed(0.85f), (Rungs{true, false, true, false}));
+  EXPECT_EQ(needed(3), (Rungs{false, false, true, false}));
+  EXPECT_EQ(needed(7), (Rungs{false, false, true, true}));
+  EXPECT_EQ(needed(32), (Rungs{false, false, false, true}));
+}
+
+TEST_F(PictureTest, ZoomingOutKeepsTheLight) {
+  // Tolerance 0.1: means of normals and of shadows are filtered apart, their correlation is not kept.
+  constexpr double kTolerance = 0.1;
+  for (const Method method : {Method::kFlat, Method::kYarn}) {
+    look.method = method;
+    upload(twill(4, 2, kWhite, kRed), square(3000));
+    frame.yarns_per_pixel = 0.125f;
+    const double near = middle(draw()).sum();
+    for (const float footprint : {0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f}) {
+      frame.yarns_per_pixel = footprint;
+      EXPECT_NEAR(middle(draw()).sum() / near, 1, kTolerance)
+          << footprint << " yarns a pixel, method " << static_cast<int>(method);
+      EXPECT_NEAR(renderer->measure().yarns_per_pixel, footprint, 0.02f * footprint);
+    }
+  }
+}
+
+TEST_F(PictureTest, ClothFarFromTheOriginOfItsUvKeepsItsColour) {
+  const Design design = twill(4, 2, kWhite, kBlue);
+  Stages stages;
+  stages.update(std::make_shared<const Design>(design));
+  renderer->upload(stages.packed());
+  const float period = stages.packed().width_mm;
+  renderer->set_mesh(square(60));
+  const Mean here = middle(draw());
+  renderer->set_mesh(square(60, {1e5f * period, 1e5f * period}));
+  const Mean far = middle(draw());
+  EXPECT_NEAR(far.r / here.r, 1, 0.02);
+  EXPECT_NEAR(far.g / here.g, 1, 0.02);
+  EXPECT_NEAR(far.b / here.b, 1, 0.02);
+}
+
+TEST_F(PictureTest, SceneLinearHoldsNoNanAtGrazingLightAndView) {
+  Design design = twill(4, 1, kWhite, kBlue);
+  for (const float width : {0.0f, 0.25f, 4.0f}) {
+    design.yarns[0].lobes.along_width = design.yarns[0].lobes.across_width = width;
+    upload(design, square(100));
+    for (const float view : {0.0f, 80.0f, 89.9f, 100.0f}) {
+      for (const float light : {0.0f, 89.9f, 179.0f}) {
+        scene.view_azimuth = view, scene.light_azimuth = light;
+        expect_finite(draw());
+      }
+    }
+  }
+}
+
+TEST_F(PictureTest, GapsLetTheBackgroundThrough) {
+  Design design = twill(2, 1, kRed, kRed);
+  for (float& spacing : design.draft.warp.spacing_mm) spacing = 2.0f;
+  for (float& spacing : design.draft.weft.spacing_mm) spacing = 2.0f;
+  for (float& thickness : design.draft.warp.thickness_mm) thickness = 0.4f;
+  for (float& thickness : design.draft.weft.thickness_mm) thickness = 0.4f;
+  upload(design, square(100));
+  frame.transparent = true;
+  const Image image = draw();
+  double alpha = 0;
+  const int y = image.height / 2;
+  for (int x = image.width / 4; x < image.width * 3 / 4; ++x) {
+    alpha += static_cast<double>(image.texels[(static_cast<size_t>(y) * image.width + x) * 4 + 3]) / (image.width / 2);
+  }
+  EXPECT_GT(alpha, 0.15);
+  EXPECT_LT(alpha, 0.75);
+}
+
+TEST_F(PictureTest, PatchesGiveThePictureOfAWholeUpload) {
+  const Design before = twill(8, 4, kRed, kBlue);
+  Design after = before;
+  after.draft.liftplan.set(3, 2, !after.draft.liftplan.get(3, 2));
+  Stages stages;
+  stages.update(std::make_shared<const Design>(before));
+  renderer->upload(stages.packed());
+  renderer->set_mesh(square(30));
+  const StageResult edit = stages.update(std::make_shared<const Design>(after));
+  ASSERT_FALSE(edit.all_maps);
+  ASSERT_FALSE(edit.patches.empty());
+  renderer->upload(edit.patches);
+  renderer->upload_lobes(edit.lobes);
+  const Image patched = draw(false);
+  upload(after, square(30));
+  const Image whole = draw(false);
+  EXPECT_EQ(patched.texels, whole.texels);
+}
+
+TEST_F(PictureTest, NewestDesignWinsInThePipeline) {
+  Pipeline pipeline;
+  Design design = twill(4, 2, kRed, kRed);
+  design.scene.mesh = "";
+  pipeline.submit(std::make_shared<const Design>(design));
+  design.draft.palette = {kBlue, kBlue};
+  pipeline.submit(std::make_shared<const Design>(design));
+  pipeline.finish(*renderer);
+  renderer->set_mesh(square(100));
+  const Mean m = middle(draw());
+  EXPECT_GT(m.b, 2 * m.r);
+  EXPECT_FALSE(pipeline.busy());
+}
+
+TEST_F(PictureTest, AMeshThatIsNotThereIsAProblemAndTheClothIsDrawnAllTheSame) {
+  Pipeline pipeline;
+  Design design = twill(4, 2, kRed, kRed);
+  design.scene.mesh = "no/such/file.glb";
+  pipeline.submit(std::make_shared<const Design>(design));
+  EXPECT_NE(pipeline.finish(*renderer).find("no/such/file.glb"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weftlight::gl

@@ -1,0 +1,142 @@
+// Rungs `yarn`, `repeat` and `cloth` against the threads ray traced as bodies, on one repeat of a twill.
+
+#include "draft/drawdown.h"
+#include "gate.h"
+#include "reference/picture.h"
+
+namespace weftlight::gl {
+namespace {
+
+struct Pair {
+  glm::vec3 light, view;
+};
+
+class Truth : public Gate {
+ protected:
+  void SetUp() override {
+    Gate::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    lay(1);
+    const BitMatrix cells = drawdown(design.draft);
+    tubes = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {}, error);
+    ASSERT_TRUE(tubes) << error;
+  }
+  /// As patch(), traced.
+  Image traced(float yarns, int pixels, int rays_a_pixel, const Pair& pair) {
+    const FlatPatch like;
+    FlatPicture p;
+    p.width = p.height = pixels, p.spp = rays_a_pixel;
+    p.step_x_mm = {yarns * kSpacing, 0}, p.step_y_mm = {0, yarns * kSpacing};
+    p.view = pair.view;
+    p.around.light_towards = pair.light;
+    p.around.light_irradiance = like.light_irradiance;
+    const TracedImage image = trace_flat(*tubes, p, {});
+    Image out;
+    out.width = out.height = pixels;
+    for (const glm::vec4& c : image.pixels) out.texels.insert(out.texels.end(), {c.r, c.g, c.b, 1});
+    return out;
+  }
+  Image drawn(Method method, float yarns, int pixels, const Pair& pair) {
+    return patch(method, yarns, pixels, {0, 0}, pair.light, pair.view);
+  }
+
+  std::unique_ptr<TubeScene> tubes;
+};
+
+TEST_F(Truth, MeanBrightnessIsThatOfTheTracedThreads) {
+  const Pair pairs[] = {{towards(0.6f, 0.87f), towards(0, 1.57f)},  {towards(2.1f, 0.6f), towards(0.2f, 1.0f)},
+                        {towards(4.4f, 0.5f), towards(1.7f, 0.6f)}, {towards(0.6f, 0.87f), towards(-1.3f, 0.3f)},
+                        {towards(3.6f, 1.3f), towards(5, 0.8f)},    {towards(1.9f, 0.6f), towards(-1.3f, 0.25f)}};
+  double squares = 0;
+  for (const Pair& pair : pairs) {
+    const double truth = mean(traced(2, 4, 4000, pair));
+    for (const Method method : {Method::kRepeat, Method::kCloth}) {
+      const double ratio = mean(drawn(method, 2, 4, pair)) / truth;
+      // Most where light meets the cloth from the viewer's side: a map of heights has no undersides of threads.
+      EXPECT_NEAR(ratio, 1, 0.12) << method_name(method) << " light " << pair.light.x << ' ' << pair.light.y << " view "
+                                  << pair.view.x << ' ' << pair.view.y;
+      squares += (ratio - 1) * (ratio - 1) / 12;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares), 0.07);
+}
+
+TEST_F(Truth, YarnDrawsTheTracedThreads) {
+  const Pair pairs[] = {{towards(0.6f, 0.87f), towards(0, 1.57f)},
+                        {towards(2.1f, 0.6f), towards(0.2f, 0.6f)},
+                        {towards(-1.9f, 0.5f), towards(1.7f, 0.2f)}};
+  for (const Pair& pair : pairs) {
+    for (const float yarns : {0.125f, 0.5f}) {
+      const int pixels = static_cast<int>(4 / yarns);
+      const Image truth = traced(yarns, pixels, 8000 / pixels, pair);
+      const Image ours = drawn(Method::kYarn, yarns, pixels, pair);
+      const double off = relative_rms(truth, ours);
+      figure("error at " + text(yarns) + " yarns a pixel, an averaged normal",
+             relative_rms(truth, drawn(Method::kEngine, yarns, pixels, pair)), off);
+      EXPECT_LT(off, 0.12) << yarns << " view " << pair.view.z << " light " << pair.light.z;
+      EXPECT_NEAR(mean(ours) / mean(truth), 1, 0.03) << yarns << " view " << pair.view.z << " light " << pair.light.z;
+    }
+  }
+}
+
+TEST_F(Truth, YarnGivesEachThreadItsOwnLobes) {
+  Yarn metal = design.yarns.front();
+  metal.lobes.metallic = true;
+  metal.lobes.along_width = metal.lobes.across_width = 0.2f;
+  design.yarns.push_back(metal);
+  design.draft.warp.yarn.assign(static_cast<size_t>(design.draft.ends()), 0);
+  for (size_t i = 0; i < design.draft.warp.yarn.size(); i += 2)
+    design.draft.warp.yarn[i] = static_cast<int>(design.yarns.size()) - 1;
+  lay(1);
+  const BitMatrix cells = drawdown(design.draft);
+  tubes = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {}, error);
+  ASSERT_TRUE(tubes) << error;
+  const Pair straight{towards(0.1f, 1.3f), towards(0, 1.57f)};
+  const Image truth = traced(0.125f, 32, 200, straight);
+  const double ours = relative_rms(truth, drawn(Method::kYarn, 0.125f, 32, straight));
+  const double mixed = relative_rms(truth, drawn(Method::kCell, 0.125f, 32, straight));
+  figure("error with two yarns in the warp, mean lobes of the system", mixed, ours);
+  EXPECT_LT(ours, 0.12);
+  EXPECT_GT(mixed, 2 * ours);
+}
+
+TEST_F(Truth, RepeatShowsThreadsWhereTheyAre) {
+  const Pair straight{towards(0.6f, 0.87f), towards(0, 1.57f)};
+  // Relative error where a pixel holds half a yarn, one and two: one answer for all the cloth is off by far more.
+  for (const auto& [yarns, holds] : {std::pair{0.5f, 0.15}, {1.0f, 0.12}, {2.0f, 0.07}}) {
+    const int pixels = static_cast<int>(8 / yarns);
+    const Image truth = traced(yarns, pixels, 20000 / pixels, straight);
+    const double ours = relative_rms(truth, drawn(Method::kRepeat, yarns, pixels, straight));
+    figure("error at " + text(yarns) + " yarns a pixel, one answer for all the cloth",
+           relative_rms(truth, drawn(Method::kCloth, yarns, pixels, straight)), ours);
+    EXPECT_LT(ours, holds) << yarns;
+  }
+}
+
+TEST_F(Truth, RepeatIsWhatItsOwnFinerPictureAverages) {
+  const Pair straight{towards(0.6f, 0.87f), towards(0, 1.57f)};
+  constexpr int kFiner = 8;
+  for (const auto& [yarns, holds] : {std::pair{1.3f, 0.12}, {2.6f, 0.09}, {5.2f, 0.05}}) {
+    constexpr int pixels = 8;
+    const Image fine = drawn(Method::kRepeat, yarns / kFiner, pixels * kFiner, straight);
+    Image average = drawn(Method::kRepeat, yarns, pixels, straight);
+    const Image coarse = average;
+    for (int y = 0; y < pixels; ++y) {
+      for (int x = 0; x < pixels; ++x) {
+        for (size_t c = 0; c < 3; ++c) {
+          float sum = 0;
+          for (int k = 0; k < kFiner * kFiner; ++k) {
+            const int fx = x * kFiner + k % kFiner, fy = y * kFiner + k / kFiner;
+            sum += fine.texels[4 * static_cast<size_t>(fy * fine.width + fx) + c];
+          }
+          average.texels[4 * static_cast<size_t>(y * pixels + x) + c] = sum / (kFiner * kFiner);
+        }
+      }
+    }
+    const double off = relative_rms(average, coarse);
+    EXPECT_LT(off, holds) << yarns;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::gl

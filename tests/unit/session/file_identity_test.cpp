@@ -1,0 +1,70 @@
+// Another program's changes of a file are noticed, its touching alone is not taken for one.
+
+#include "session/file_identity.h"
+
+#include <fstream>
+
+#include "scratch.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+using FileIdentityTest = Scratch;
+
+TEST_F(FileIdentityTest, KnowsAFileThatNobodyTouched) {
+  const std::string file = written("a.wif", "one");
+  FileIdentity known = identify(file);
+  EXPECT_TRUE(known.there);
+  EXPECT_EQ(changed_since(file, known), FileChange::kNone);
+}
+
+TEST_F(FileIdentityTest, NoticesAnotherContentOfTheSameSize) {
+  const std::string file = written("a.wif", "one");
+  FileIdentity known = identify(file);
+  written("a.wif", "two");
+  EXPECT_EQ(changed_since(file, known), FileChange::kContent);
+}
+
+TEST_F(FileIdentityTest, NoticesAContentWrittenInPlaceWithTheOldTime) {
+  const std::string file = written("a.wif", "one");
+  const auto time = fs::last_write_time(file);
+  FileIdentity known = identify(file);
+  std::ofstream(file) << "other";
+  fs::last_write_time(file, time);
+  EXPECT_EQ(changed_since(file, known), FileChange::kContent);
+}
+
+TEST_F(FileIdentityTest, AFileThatWasOnlyTouchedIsTheSame) {
+  const std::string file = written("a.wif", "one");
+  FileIdentity known = identify(file);
+  written("a.wif", "one");
+  EXPECT_EQ(changed_since(file, known), FileChange::kNone);
+  EXPECT_EQ(known, identify(file)) << "so that it is not read again the next time";
+}
+
+TEST_F(FileIdentityTest, NoticesWhatIsGoneAndWhatHasCome) {
+  const std::string file = written("a.wif", "one");
+  FileIdentity known = identify(file), none = identify(path("b.wif"));
+  fs::remove(file);
+  EXPECT_EQ(changed_since(file, known), FileChange::kGone);
+  EXPECT_FALSE(none.there);
+  EXPECT_EQ(changed_since(path("b.wif"), none), FileChange::kNone);
+  written("b.wif", "new");
+  EXPECT_EQ(changed_since(path("b.wif"), none), FileChange::kContent);
+}
+
+TEST_F(FileIdentityTest, OneFileByManyNames) {
+  const std::string file = written("a.wif", "one");
+  fs::create_symlink(file, path("link.wif"));
+  fs::create_hard_link(file, path("hard.wif"));
+  EXPECT_TRUE(same_file(file, path("link.wif")));
+  EXPECT_TRUE(same_file(file, path("hard.wif")));
+  EXPECT_TRUE(same_file(file, path("./x/../a.wif")));
+  EXPECT_TRUE(same_file(path("none.wif"), path("./none.wif")));
+  EXPECT_FALSE(same_file(file, path("none.wif")));
+  EXPECT_FALSE(same_file("", ""));
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -1,4 +1,4 @@
-// One picture on its way into a mean of pictures, or the mean out of it (editor/preview/average.h).
+// One picture on its way into a mean of pictures, or the mean out of it (editor/gl/average.h).
 in vec2 at;
 out vec4 out_color;
 

@@ -35,7 +35,8 @@ void Average::add(GLuint texture, GLuint framebuffer, int width, int height, int
   glViewport(0, 0, width, height);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  glEnable(GL_BLEND);
+  // The first pass replaces what was there: fresh memory may hold what is no number, which a weight of nought keeps.
+  pass > 0 ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
   glBlendColor(0, 0, 0, 1.0f / static_cast<float>(pass + 1));
   draw(texture, target_.get(), true);

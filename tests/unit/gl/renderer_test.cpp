@@ -119,6 +119,7 @@ TEST_F(PictureTest, ClothFarFromTheOriginOfItsUvKeepsItsColour) {
 
 TEST_F(PictureTest, SceneLinearHoldsNoNanAtGrazingLightAndView) {
   Design design = twill(4, 1, kWhite, kBlue);
+  frame.width = frame.height = 64, frame.samples = 4;
   for (const float width : {0.0f, 0.25f, 4.0f}) {
     design.yarns[0].lobes.along_width = design.yarns[0].lobes.across_width = width;
     upload(design, square(100));

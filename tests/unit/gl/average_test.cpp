@@ -1,0 +1,70 @@
+#include "gl/average.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "gl/context.h"
+
+namespace weftlight::gl {
+namespace {
+
+constexpr int kSize = 24;  // of no other texture
+
+/// Fills every half-float texture of that size with what is no number, as memory that was another's may be.
+int poison() {
+  const std::vector<float> nan(size_t{4} * kSize * kSize, std::numeric_limits<float>::quiet_NaN());
+  int found = 0;
+  for (GLuint name = 1; name < 1000; ++name) {
+    if (!glIsTexture(name)) continue;
+    GLint width = 0, format = 0;
+    glBindTexture(GL_TEXTURE_2D, name);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    if (width != kSize || format != GL_RGBA16F) continue;
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, nan.data());
+    ++found;
+  }
+  glGetError();  // names that are no two-dimensional textures
+  return found;
+}
+
+/// A picture of one grey, with its framebuffer.
+struct Picture {
+  GlTexture texture;
+  GlFramebuffer framebuffer;
+  Picture() {
+    const std::vector<uint8_t> grey(size_t{4} * kSize * kSize, 128);
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, grey.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);  // as Target does
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
+  }
+  int middle() {
+    std::array<uint8_t, 4> pixel{};
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.get());
+    glReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    return pixel[0];
+  }
+};
+
+// Seen in the window: the cloth went dark when its picture was refined, and stayed so until the window's size changed.
+TEST(Average, KeepsNothingOfWhatItsMemoryHeldBefore) {
+  std::string error;
+  const auto context = HeadlessContext::create(error);
+  if (!context) GTEST_SKIP() << "no graphics: " << error;
+  Average average;
+  ASSERT_TRUE(average.build(error)) << error;
+  Picture picture;
+  average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, 0);
+  ASSERT_EQ(poison(), 1);
+  for (const int pass : {0, 1, 2}) {
+    average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, pass);
+    EXPECT_NEAR(picture.middle(), 128, 2) << pass;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::gl

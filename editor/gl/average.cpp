@@ -9,11 +9,10 @@ bool Average::build(std::string& error) {
   return error.empty();
 }
 
-void Average::draw(GLuint from, GLuint to, bool encoded) {
+void Average::draw(GLuint from, GLuint to) {
   glBindFramebuffer(GL_FRAMEBUFFER, to);
   glUseProgram(program_.peek());
   glUniform1i(glGetUniformLocation(program_.peek(), "pass_map"), 0);
-  glUniform1i(glGetUniformLocation(program_.peek(), "encoded"), encoded ? 1 : 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, from);
   glBindVertexArray(nothing_.get());
@@ -39,11 +38,17 @@ void Average::add(GLuint texture, GLuint framebuffer, int width, int height, int
   pass > 0 ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
   glBlendColor(0, 0, 0, 1.0f / static_cast<float>(pass + 1));
-  draw(texture, target_.get(), true);
+  // texelFetch decodes on some drivers whatever the texture says of it (EXT_texture_sRGB_decode, on texelFetch), so
+  // that it says what is wanted.
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_DECODE_EXT);
+  draw(texture, target_.get());
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
   glDisable(GL_BLEND);
   if (pass > 0) {
     glEnable(GL_FRAMEBUFFER_SRGB);
-    draw(mean_.get(), framebuffer, false);
+    draw(mean_.get(), framebuffer);
     glDisable(GL_FRAMEBUFFER_SRGB);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

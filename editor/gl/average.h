@@ -16,7 +16,7 @@ class Average {
   void add(GLuint texture, GLuint framebuffer, int width, int height, int pass);
 
  private:
-  void draw(GLuint from, GLuint to, bool encoded);
+  void draw(GLuint from, GLuint to);
   GlProgram program_;
   GlVertexArray nothing_;
   GlTexture mean_;  // linear

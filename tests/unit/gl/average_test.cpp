@@ -50,8 +50,8 @@ struct Picture {
   }
 };
 
-// Seen in the window: the cloth went dark when its picture was refined, and stayed so until the window's size changed.
-TEST(Average, KeepsNothingOfWhatItsMemoryHeldBefore) {
+// Seen in the window: the cloth went dark when its picture was refined near the threads.
+TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
   std::string error;
   const auto context = HeadlessContext::create(error);
   if (!context) GTEST_SKIP() << "no graphics: " << error;

@@ -2,10 +2,10 @@
 // next. Those of no weight are not evaluated. RUNGS: which the picture needs at all, by bits (yarn 1, cell 2,
 // repeat 4, cloth 8).
 
-// Vermilion, yellow, bluish green, blue (Okabe, Ito 2008), light enough to show the cloth's shading.
-vec3 rung_color(vec4 weight) {
-  return vec3(0.84, 0.37, 0.0) * weight.x + vec3(0.94, 0.89, 0.26) * weight.y + vec3(0.0, 0.62, 0.45) * weight.z
-       + vec3(0.0, 0.45, 0.70) * weight.w;
+#include "rung_colors.glsl"
+
+vec3 rungs_color(vec4 weight) {
+  return rung_color(0) * weight.x + rung_color(1) * weight.y + rung_color(2) * weight.z + rung_color(3) * weight.w;
 }
 
 // cover: of the prefiltered rungs.
@@ -41,7 +41,7 @@ vec4 shade_auto(Side side, Lights x, Footprint f, float cover) {
 #endif
   color += vec4(far, weight.y + weight.z + weight.w) * cover;
   color.rgb /= max(color.a, 1.0e-4);
-  if (frame.rungs.w > 0.5) color.rgb = rung_color(weight) * (0.15 + 0.85 * sqrt(dot(color.rgb, vec3(0.2126, 0.7152, 0.0722))));
+  if (frame.rungs.w > 0.5) color.rgb = rungs_color(weight) * (0.15 + 0.85 * sqrt(dot(color.rgb, vec3(0.2126, 0.7152, 0.0722))));
   return color;
 #endif
 }

@@ -19,19 +19,20 @@ int rounded(float x) { return static_cast<int>(std::lround(std::clamp(x, -1.0f *
 
 }  // namespace
 
-ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm) {
+ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System system, int thread, float length_mm) {
   using thread_formulas::mix_bits, thread_formulas::unit_of;
+  const Yarn yarn = clamped(any);
   ThreadTexture t{};
   t.radius_mm = std::max(0.25f * (body.width_mm + body.height_mm), 1e-5f);
-  const float fibre_mm = std::clamp(yarn.fibre_um, 1.0f, 2000.0f) * 1e-3f;
+  const float fibre_mm = yarn.fibre_um * 1e-3f;
   t.fibres = std::max(3.0f, std::round(kTwoPi * t.radius_mm / fibre_mm));
   // Z runs like the stroke of the letter: up and to the right along an end (+x across), which is
   // against +y along a pick.
   const float hand = yarn.twist == Twist::kNone                               ? 0.0f
                      : (yarn.twist == Twist::kZ) == (system == System::kWarp) ? -1.0f
                                                                               : 1.0f;
-  const float turns = hand * std::clamp(yarn.turns_per_m, 0.0f, 5000.0f) * 1e-3f * length_mm;
-  t.plies = std::clamp(yarn.plies, 1, 8);
+  const float turns = hand * yarn.turns_per_m * 1e-3f * length_mm;
+  t.plies = yarn.plies;
   if (t.plies > 1) {
     t.ply_advance = rounded(turns * static_cast<float>(t.plies));
     t.ply_relief_mm = kPlyRelief * body.height_mm;
@@ -41,8 +42,8 @@ ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System sy
   t.singles = std::abs(t.advance) * thread_formulas::kFibresABundle;
   t.stray_advance = -rounded(0.35f * static_cast<float>(t.advance) / thread_formulas::kStraySpacing);
   t.nodes = std::max(1, rounded(length_mm / (kToneLength * fibre_mm)));
-  t.depth = std::clamp(yarn.groove_depth, 0.0f, 1.0f);
-  t.hair = std::clamp(yarn.hairiness, 0.0f, 1.0f);
+  t.depth = yarn.groove_depth;
+  t.hair = yarn.hairiness;
   t.seed = mix_bits(static_cast<uint32_t>(thread), system == System::kWarp ? 0x51u : 0xA7u);
   t.phase = unit_of(mix_bits(t.seed, 1)) * 64.0f;
   t.ply_phase = unit_of(mix_bits(t.seed, 2));

@@ -3,44 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draft/yarn_fields.h"
+
 namespace weftlight::draft {
 namespace {
 
-void bound(float& value, float low, float high, float fallback) {
-  value = std::isnan(value) ? fallback : std::clamp(value, low, high);
+float held(float value, float low, float high, float fallback) {
+  return std::isnan(value) ? fallback : std::clamp(value, low, high);
 }
 
-void bound_unit(Rgb& c) {
-  bound(c.r, 0, 1, 1);
-  bound(c.g, 0, 1, 1);
-  bound(c.b, 0, 1, 1);
-}
+Rgb held_unit(Rgb c) { return {held(c.r, 0, 1, 1), held(c.g, 0, 1, 1), held(c.b, 0, 1, 1)}; }
 
-void bound(Lobes& lobes) {
-  const Lobes usual;
-  bound(lobes.specular, 0, 1, usual.specular);
-  bound_unit(lobes.specular_tint);
-  bound(lobes.ior, 1, 3, usual.ior);
-  bound(lobes.along_width, 0, 4, usual.along_width);
-  bound(lobes.across_width, 0, 4, usual.across_width);
-  bound(lobes.body, 0, 1, usual.body);
-  bound(lobes.fuzz, 0, 1, usual.fuzz);
-  bound(lobes.fuzz_width, 0.05f, 1, usual.fuzz_width);
-  bound(lobes.transmission, 0, 1, usual.transmission);
+template <class T, size_t N>
+void hold(T& value, const std::array<YarnField<T>, N>& fields) {
+  const T usual;
+  for (const YarnField<T>& f : fields)
+    value.*f.member = held(value.*f.member, f.facts.low, f.facts.high, usual.*f.member);
 }
 
 }  // namespace
 
+Lobes clamped(Lobes lobes) {
+  hold(lobes, kLobeFields);
+  lobes.specular_tint = held_unit(lobes.specular_tint);
+  return lobes;
+}
+
 Yarn clamped(Yarn yarn) {
-  const Yarn usual;
-  bound(yarn.diameter_mm, 0, 50, usual.diameter_mm);
-  bound(yarn.turns_per_m, 0, 5000, usual.turns_per_m);
-  yarn.plies = std::clamp(yarn.plies, 1, 8);
-  bound(yarn.fibre_um, 1, 2000, usual.fibre_um);
-  bound(yarn.groove_depth, 0, 1, usual.groove_depth);
-  bound(yarn.hairiness, 0, 1, usual.hairiness);
-  bound(yarn.flattening, 0.3f, 1, usual.flattening);
-  bound(yarn.lobes);
+  hold(yarn, kYarnFields);
+  yarn.plies = std::clamp(yarn.plies, static_cast<int>(kPliesFacts.low), static_cast<int>(kPliesFacts.high));
+  yarn.lobes = clamped(yarn.lobes);
   return yarn;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // A yarn: what a thread is spun from and how it meets the light. WIF has no place for
-// these, so they live in its private sections. Every number has a range, a default and,
-// in presets/yarns, a source.
+// these, so they live in its private sections. Every number has its default here and its
+// range, unit, words and source in yarn_fields.h.
 
 #include <cstdint>
 #include <string>
@@ -15,37 +15,37 @@ enum class Twist : uint8_t { kNone, kS, kZ };
 /// The four ways light leaves a yarn (shaders/lobes.glsl holds the formulas).
 struct Lobes {
   // Specular along the fibre: Gaussian of micro-slopes, RMS along and across the fibre.
-  float specular = 1.0f;       // 0..1 scale of the Fresnel reflectance
+  float specular = 1.0f;       // scale of the Fresnel reflectance
   Rgb specular_tint{1, 1, 1};  // 1 for dielectrics; the metal's colour for metallic yarns
-  float ior = 1.53f;           // 1..3, index of refraction (cellulose 1.53)
-  float along_width = 0.25f;   // 0..4, RMS slope along the fibre
-  float across_width = 0.45f;  // 0..4, RMS slope across the fibre
+  float ior = 1.53f;           // index of refraction
+  float along_width = 0.25f;   // RMS slope along the fibre
+  float across_width = 0.45f;  // RMS slope across the fibre
   // Body: light that entered and came out diffusely; times the thread's colour.
-  float body = 1.0f;  // 0..1
+  float body = 1.0f;
   // Fuzz: fibres that stand off the yarn, seen at grazing angles and silhouettes.
-  float fuzz = 0.15f;       // 0..1
-  float fuzz_width = 0.5f;  // 0.05..1, roughness of the sheen
+  float fuzz = 0.15f;       // share of the area
+  float fuzz_width = 0.5f;  // roughness of the sheen
   // Transmission: light from behind through the body (gaps are apart, in coverage).
-  float transmission = 0.1f;  // 0..1 of the body part
+  float transmission = 0.1f;  // of the body part
   bool metallic = false;      // specular takes the thread's colour, no body
   bool operator==(const Lobes&) const = default;
 };
 
 struct Yarn {
   std::string name = "Cotton";
-  float diameter_mm = 0.5f;  // 0..50, used where the draft gives no thickness
+  float diameter_mm = 0.5f;  // used where the draft gives no thickness
   Twist twist = Twist::kZ;
-  float turns_per_m = 550.0f;  // 0..5000, twist tightness
-  int plies = 1;               // 1..8
-  float fibre_um = 60.0f;      // 1..2000, width of the fibre bundles seen as grooves ("thickness", VRST 2003 fig. 3)
-  float groove_depth = 0.45f;  // 0..1, darkness of the grooves
-  float hairiness = 0.35f;     // 0..1, noise of stray fibres
-  float flattening = 0.8f;     // 0.3..1, height over width of the cross-section in the cloth
+  float turns_per_m = 550.0f;  // twist tightness
+  int plies = 1;
+  float fibre_um = 60.0f;      // width of the fibre bundles seen as grooves
+  float groove_depth = 0.45f;  // darkness of the grooves
+  float hairiness = 0.35f;     // noise of stray fibres
+  float flattening = 0.8f;     // height over width of the cross-section in the cloth
   Lobes lobes;
   bool operator==(const Yarn&) const = default;
 };
 
-/// The yarn with every number inside the range stated beside it; what is not a number becomes the default.
+/// The yarn with every number inside its range (yarn_fields.h); what is not a number becomes the default.
 Yarn clamped(Yarn yarn);
 
 }  // namespace weftlight::draft

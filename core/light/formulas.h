@@ -35,6 +35,7 @@ inline float exp(float x) {
 #include "shaders/hair.glsl"
 #include "shaders/horizon.glsl"
 #include "shaders/lobes.glsl"
+#include "shaders/rung_colors.glsl"
 #include "shaders/rungs.glsl"
 #include "shaders/tone.glsl"
 #include "shaders/vrst03.glsl"

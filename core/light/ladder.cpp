@@ -9,17 +9,6 @@
 namespace weftlight::light {
 namespace {
 
-struct Named {
-  Method method;
-  std::string_view name;
-};
-constexpr Named kNames[] = {
-    {Method::kAuto, "auto"},   {Method::kFlat, "flat"},     {Method::kVrst03, "vrst03"},
-    {Method::kCloth, "cloth"}, {Method::kRepeat, "repeat"}, {Method::kCell, "cell"},
-    {Method::kYarn, "yarn"},   {Method::kEngine, "engine"}, {Method::kReference, "reference"},
-};
-constexpr Method kRungs[] = {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};  // fine to coarse
-
 float error_of(const LadderPoint& p) { return std::max(p.filtering_error, p.model_error); }
 float cost_of(const LadderPoint& p) { return p.cost_ns; }
 
@@ -76,24 +65,6 @@ void gather(Gathering& all, const LadderPoint& p) {
 }
 
 }  // namespace
-
-std::string_view method_name(Method method) {
-  for (const Named& n : kNames)
-    if (n.method == method) return n.name;
-  return "auto";
-}
-
-std::optional<Method> method_from_name(std::string_view name) {
-  for (const Named& n : kNames)
-    if (n.name == name) return n.method;
-  return std::nullopt;
-}
-
-std::vector<std::string_view> method_names() {
-  std::vector<std::string_view> names;
-  for (const Named& n : kNames) names.push_back(n.name);
-  return names;
-}
 
 Ladder default_ladder() {
   // Each rung holds its band (1/4, 2, 8 yarns a pixel are the borders) and doubles its error an octave

@@ -1,21 +1,16 @@
 #pragma once
-// The ladder of methods: names, and the choice of the cheapest rung that holds a tolerance at a
+// The ladder of methods: the choice of the cheapest rung that holds a tolerance at a
 // footprint, from measured costs and errors (`weftlight chart` writes them).
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "draft/design.h"
+#include "draft/methods.h"
 #include "light/names.h"
 
 namespace weftlight::light {
-
-std::string_view method_name(Method method);
-std::optional<Method> method_from_name(std::string_view name);
-std::vector<std::string_view> method_names();  // in the order of the ladder, auto first
 
 /// One measured point, over scenes and views.
 struct LadderPoint {

@@ -42,19 +42,25 @@ struct Source {
   }
 };
 
+void read_float(const Source& s, const WifSection& section, const std::string& name, float low, float high,
+                float& out) {
+  const WifKey* key = section.find(name);
+  if (!key) return;
+  const std::optional<float> value = as_float(key->value);
+  if (value && std::isfinite(*value)) out = std::clamp(*value, low, high);
+  else s.unusable(*key);
+}
+
+template <class T, size_t N>
+void read_fields(const Source& s, const WifSection& section, const FloatField<T> (&fields)[N], T& out) {
+  for (const FloatField<T>& f : fields) read_float(s, section, f.key, f.low, f.high, out.*f.member);
+}
+
 template <class T, size_t N>
 void read_fields(const Source& s, const WifSection& section, const std::string& prefix,
-                 const FloatField<T> (&fields)[N], T& out) {
-  for (const FloatField<T>& field : fields) {
-    const WifKey* key = section.find(prefix + field.key);
-    if (!key) continue;
-    const std::optional<float> value = as_float(key->value);
-    if (value && std::isfinite(*value)) {
-      out.*field.member = std::clamp(*value, field.low, field.high);
-    } else {
-      s.unusable(*key);
-    }
-  }
+                 const std::array<YarnField<T>, N>& fields, T& out) {
+  for (const YarnField<T>& f : fields)
+    read_float(s, section, prefix + f.facts.key, f.facts.low, f.facts.high, out.*f.member);
 }
 
 void read_color(const Source& s, const WifSection& section, const std::string& name, Rgb& out) {
@@ -66,12 +72,18 @@ void read_color(const Source& s, const WifSection& section, const std::string& n
   out = {c[0], c[1], c[2]};
 }
 
-template <size_t N>
-int name_index(const char* const (&names)[N], std::string_view value, int otherwise) {
-  for (size_t i = 0; i < N; ++i) {
-    if (same_word(names[i], value)) return static_cast<int>(i);
+Twist as_twist(std::string_view value, Twist otherwise) {
+  for (size_t i = 0; i < kTwistNames.size(); ++i) {
+    if (same_word(kTwistNames[i], value)) return static_cast<Twist>(i);
   }
   return otherwise;
+}
+
+Method as_method(std::string_view value) {
+  for (const MethodFacts& m : kMethods) {
+    if (same_word(m.name, value)) return m.method;
+  }
+  return Method::kAuto;
 }
 
 std::string words(const Source& s, const WifKey& key) { return unescaped(to_utf8(key.value, s.text.encoding)); }
@@ -81,17 +93,17 @@ Yarn read_yarn(const Source& s, const WifSection& section, const std::string& pr
   if (const WifKey* key = section.find(prefix + "Name")) yarn.name = words(s, *key);
   else yarn.name.clear();
   if (const WifKey* key = section.find(prefix + "Twist")) {
-    yarn.twist = static_cast<Twist>(name_index(kTwistNames, key->value, static_cast<int>(yarn.twist)));
+    yarn.twist = as_twist(key->value, yarn.twist);
   }
-  if (const WifKey* key = section.find(prefix + "Plies")) {
-    yarn.plies = std::clamp(leading_int(key->value).value_or(1), 1, 8);
+  if (const WifKey* key = section.find(prefix + kPliesFacts.key)) {
+    yarn.plies = leading_int(key->value).value_or(yarn.plies);
   }
   if (const WifKey* key = section.find(prefix + "Metallic"))
     yarn.lobes.metallic = word_as_bool(key->value).value_or(false);
-  read_fields(s, section, prefix, kYarnFloats, yarn);
-  read_fields(s, section, prefix, kLobeFloats, yarn.lobes);
+  read_fields(s, section, prefix, kYarnFields, yarn);
+  read_fields(s, section, prefix, kLobeFields, yarn.lobes);
   read_color(s, section, prefix + "Tint", yarn.lobes.specular_tint);
-  return yarn;
+  return clamped(std::move(yarn));
 }
 
 void read_yarns(const Source& s, Design& design) {
@@ -119,12 +131,11 @@ void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads&
 
 void read_look_and_scene(const Source& s, Design& design) {
   if (const WifSection* look = private_section(s.text, "LOOK")) {
-    read_fields(s, *look, "", kLookFloats, design.look);
-    if (const WifKey* key = look->find("Method"))
-      design.look.method = static_cast<Method>(name_index(kMethodNames, key->value, 0));
+    read_fields(s, *look, kLookFloats, design.look);
+    if (const WifKey* key = look->find("Method")) design.look.method = as_method(key->value);
   }
   if (const WifSection* scene = private_section(s.text, "SCENE")) {
-    read_fields(s, *scene, "", kSceneFloats, design.scene);
+    read_fields(s, *scene, kSceneFloats, design.scene);
     read_color(s, *scene, "Background", design.scene.background);
     const WifKey* mesh = scene->find("Mesh");
     design.scene.mesh = mesh ? words(s, *mesh) : std::string{};

@@ -28,6 +28,12 @@ void add_fields(WifEntries& section, const std::string& prefix, const FloatField
   for (const FloatField<T>& field : fields) add(section, prefix + field.key, shortest(value.*field.member));
 }
 
+template <class T, size_t N>
+void add_fields(WifEntries& section, const std::string& prefix, const std::array<YarnField<T>, N>& fields,
+                const T& value) {
+  for (const YarnField<T>& field : fields) add(section, prefix + field.facts.key, shortest(value.*field.member));
+}
+
 WifEntries yarns_of(const Design& design) {
   WifEntries section{"YARNS", {}};
   if (design.yarns == std::vector<Yarn>{Yarn{}}) return section;
@@ -37,9 +43,9 @@ WifEntries yarns_of(const Design& design) {
     const std::string prefix = std::to_string(i + 1) + " ";
     if (!yarn.name.empty()) add(section, prefix + "Name", escaped(yarn.name), true);
     add(section, prefix + "Twist", kTwistNames[static_cast<size_t>(yarn.twist)]);
-    add(section, prefix + "Plies", std::to_string(yarn.plies));
-    add_fields(section, prefix, kYarnFloats, yarn);
-    add_fields(section, prefix, kLobeFloats, yarn.lobes);
+    add(section, prefix + kPliesFacts.key, std::to_string(yarn.plies));
+    add_fields(section, prefix, kYarnFields, yarn);
+    add_fields(section, prefix, kLobeFields, yarn.lobes);
     add(section, prefix + "Tint", color_text(yarn.lobes.specular_tint));
     add(section, prefix + "Metallic", yarn.lobes.metallic ? "true" : "false");
   }
@@ -58,7 +64,7 @@ WifEntries thread_yarns_of(const char* name, const Threads& threads) {
 WifEntries look_of(const Look& look) {
   WifEntries section{"LOOK", {}};
   if (look == Look{}) return section;
-  add(section, "Method", kMethodNames[static_cast<size_t>(look.method)]);
+  add(section, "Method", std::string(method_name(look.method)));
   add_fields(section, "", kLookFloats, look);
   return section;
 }

@@ -295,7 +295,6 @@ double ChartBench::instructions(const ChartRow& cell) {
   // The rungs that it mixes where a pixel is so large.
   const std::array<float, 3> edges = rung_edges(ladder_, Look{}.tolerance);
   const glm::vec4 weights = formulas::rung_weights(static_cast<float>(yarns), glm::vec3(edges[0], edges[1], edges[2]));
-  constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
     if (weights[k] > kUnseenWeight)

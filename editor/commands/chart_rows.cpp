@@ -61,9 +61,6 @@ bool read_row(std::string_view line, ChartRow& row) {
   return good;
 }
 
-/// The rungs that auto chooses among.
-constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
-
 double cosine(int view_deg) { return std::cos(view_deg * std::numbers::pi / 180); }
 
 /// The rows of one method on one scene and view, at the footprints that the shaders measure.

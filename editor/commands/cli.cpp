@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "commands/commands.h"
+#include "draft/methods.h"
 #include "light/formulas.h"
 
 namespace weftlight::commands {
@@ -43,13 +44,19 @@ void add_face(CLI::App* verb, std::string& face) {
   verb->add_option("--face", face, "Which face of the cloth")->check(CLI::IsMember({"front", "back"}));
 }
 
+std::vector<std::string> drawn_methods() {
+  std::vector<std::string> names;
+  for (const MethodFacts& m : kMethods)
+    if (m.drawn) names.emplace_back(m.name);
+  return names;
+}
+
 void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
   verb->add_option("-o,--output", o.out, "Picture: .png or .exr")->required();
   verb->add_option("--mesh", o.mesh, "A shipped drape or a .glb/.gltf file");
   verb->add_option("--size", t.size, "Pixels, WxH")->check(pair_of('x', "WxH"));
-  verb->add_option("--method", o.method, "Rung of the ladder")
-      ->check(CLI::IsMember({"auto", "flat", "vrst03", "cloth", "repeat", "cell", "yarn", "engine"}));
+  verb->add_option("--method", o.method, "Rung of the ladder")->check(CLI::IsMember(drawn_methods()));
   verb->add_option("--yarns-per-pixel", o.yarns_per_pixel, "Footprint at the middle of the picture")
       ->check(CLI::PositiveNumber);
   verb->add_option("--view", t.view, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));

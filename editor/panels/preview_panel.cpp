@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "cloth/cloth.h"
+#include "draft/methods.h"
+#include "light/formulas.h"
 #include "panels/scene_panel.h"
 #include "panels/widgets.h"
 
@@ -12,15 +14,6 @@ namespace {
 
 constexpr const char* kHint =
     "Drag to turn the cloth, Shift+drag to move it, wheel to come nearer, right drag (or L) to move the light";
-/// The colours of shaders/rung_auto.glsl as the screen shows them.
-struct RungRow {
-  const char* word;
-  ImU32 color;
-};
-const RungRow kRungs[] = {{"yarn", to_u32(srgb_from_linear({0.84f, 0.37f, 0.0f}))},
-                          {"cell", to_u32(srgb_from_linear({0.94f, 0.89f, 0.26f}))},
-                          {"repeat", to_u32(srgb_from_linear({0.0f, 0.62f, 0.45f}))},
-                          {"cloth", to_u32(srgb_from_linear({0.0f, 0.45f, 0.70f}))}};
 constexpr float kDegreesAPixel = 0.35f;
 constexpr float kNearest = 0.01f, kFurthest = 8.0f;
 
@@ -70,7 +63,7 @@ std::string shares_text(const std::array<float, 4>& shares) {
   for (size_t i = 0; i < shares.size(); ++i) {
     if (shares[i] < 0.005f) continue;
     text.append(text.empty() ? "" : ", ")
-        .append(kRungs[i].word)
+        .append(method_name(kRungs[i]))
         .append(" ")
         .append(fixed(100 * shares[i], 0))
         .append("%");
@@ -79,7 +72,7 @@ std::string shares_text(const std::array<float, 4>& shares) {
 }
 
 std::string stats_line(const PreviewPicture& p) {
-  std::string line = method_label(p.stats.method);
+  std::string line = method_facts(p.stats.method).label;
   const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
   if (p.stats.method == Method::kAuto) say(shares_text(p.stats.rung_shares));
   if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
@@ -102,11 +95,12 @@ void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
   const float width = box + c.style.px(6) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, "repeat").x;
   dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
                     with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
-  for (const RungRow& rung : kRungs) {
+  for (size_t rung = 0; rung < kRungs.size(); ++rung) {
     const float y = at.y + (line - box) / 2;
-    dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, rung.color, 2);
+    const glm::vec3 k = formulas::rung_color(static_cast<int>(rung));
+    dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, to_u32(srgb_from_linear({k.r, k.g, k.b})), 2);
     dl->AddText(font, font->FontSize, {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
-                rung.word);
+                method_facts(kRungs[rung]).label);
     at.y += line;
   }
 }

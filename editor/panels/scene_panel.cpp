@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "draft/methods.h"
 #include "drape/mesh.h"
 #include "panels/widgets.h"
 
@@ -22,10 +23,6 @@ const SceneSpec kLight[] = {
     {{"scene.light_strength", "Light", 0, 4, "%.2f", "Strength of the key light"}, &Scene::light_strength},
     {{"scene.sky_strength", "Sky", 0, 4, "%.2f", "Strength of the soft light from all around"}, &Scene::sky_strength},
 };
-
-// Methods that the picture in the window can be drawn with; the reference is ray traced headless.
-constexpr Method kMethods[] = {Method::kAuto,   Method::kFlat, Method::kVrst03, Method::kCloth,
-                               Method::kRepeat, Method::kCell, Method::kYarn,   Method::kEngine};
 
 template <class Apply>
 Edit scene_edit(const char* label, Apply apply) {
@@ -55,11 +52,12 @@ MaybeEdit draw_method(PanelContext& c) {
             "How the threads are shaded. Automatic takes the cheapest that is good enough at the distance");
   ImGui::SetNextItemWidth(-FLT_MIN);
   MaybeEdit edit;
-  if (begin_combo(c, "look.method", method_label(c.design.look.method))) {
-    for (Method m : kMethods) {
-      if (ImGui::Selectable(method_label(m), m == c.design.look.method))
-        edit = scene_edit("Choose method", [m](Design& d) { d.look.method = m; });
-      c.map.add_item(std::string("method:") + method_label(m));
+  if (begin_combo(c, "look.method", method_facts(c.design.look.method).label)) {
+    for (const MethodFacts& m : kMethods) {
+      if (!m.drawn) continue;  // the reference is ray traced
+      if (ImGui::Selectable(m.label, m.method == c.design.look.method))
+        edit = scene_edit("Choose method", [&m](Design& d) { d.look.method = m.method; });
+      c.map.add_item(std::string("method:") + m.label);
     }
     end_combo();
   }
@@ -67,12 +65,6 @@ MaybeEdit draw_method(PanelContext& c) {
 }
 
 }  // namespace
-
-const char* method_label(Method method) {
-  constexpr const char* kLabels[] = {"automatic", "flat", "vrst03", "cloth",    "repeat",
-                                     "cell",      "yarn", "engine", "reference"};
-  return kLabels[static_cast<int>(method)];
-}
 
 MaybeEdit draw_scene(PanelContext& c) {
   if (!section(c, "section.scene", "Cloth in the light")) return {};

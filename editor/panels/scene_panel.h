@@ -8,7 +8,4 @@ namespace weftlight::panels {
 
 MaybeEdit draw_scene(PanelContext& c);
 
-/// Names of the methods as shown, in the order of Method.
-const char* method_label(Method method);
-
 }  // namespace weftlight::panels

@@ -70,8 +70,10 @@ bool figure(const PanelContext& c, const SliderSpec& spec, bool mixed, FigureAli
   const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
   if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
   take_focus(c, spec.id);
-  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, spec.min, spec.max,
-                                        spec.format, ImGuiSliderFlags_AlwaysClamp);
+  const bool wider = spec.figure_min < spec.figure_max;
+  const float low = wider ? spec.figure_min : spec.min, high = wider ? spec.figure_max : spec.max;
+  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, low, high, spec.format,
+                                        ImGuiSliderFlags_AlwaysClamp);
   if (!typing) {
     ImGui::PopStyleColor();
     char text[48];

@@ -12,10 +12,11 @@ namespace weftlight::panels {
 struct SliderSpec {
   const char* id;  // name in the --ui-map, "yarn.turns_per_m"
   const char* label;
-  float min, max;
+  float min, max;      // of the track, and of the figure unless the next say more
   const char* format;  // with the unit, "%.0f /m"
   const char* tip;
   bool logarithmic = false;
+  float figure_min = 0, figure_max = 0;  // what can be typed, where that is more than the track spans
 };
 
 /// Label, track and figure in a row. True while it changes `value`. A click on the figure types a number.

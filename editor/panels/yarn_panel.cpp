@@ -4,7 +4,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "draft/yarn_fields.h"
 #include "draft/yarn_presets.h"
 #include "panels/icons.h"
 #include "panels/lobes_plot.h"
@@ -16,47 +18,22 @@ namespace {
 
 constexpr float kStripHeight = 84;  // pixels at 96 dpi
 
-struct FieldSpec {
-  SliderSpec slider;
-  float Yarn::*field;
-};
-struct LobeSpec {
-  SliderSpec slider;
-  float Lobes::*field;
-};
+/// A field's slider. True while it changes `value`.
+bool field_slider(const PanelContext& c, const FieldFacts& f, float& value) {
+  const std::string id = std::string("yarn.").append(f.id);
+  const std::string unit = *f.unit ? std::string(" ").append(f.unit) : std::string();
+  const std::string format = "%." + std::to_string(f.decimals) + "f" + unit;
+  return slider(c, {id.c_str(), f.label, f.from, f.to, format.c_str(), f.tip, f.logarithmic, f.low, f.high}, value);
+}
 
-// Ranges as in draft/yarn.h.
-const FieldSpec kBody[] = {
-    {{"yarn.diameter_mm", "Thickness", 0.05f, 5, "%.2f mm", "Diameter, where the draft itself gives none", true},
-     &Yarn::diameter_mm},
-    {{"yarn.turns_per_m", "Twist", 0, 2000, "%.0f /m", "Turns in a metre: how steep the fibres wind"},
-     &Yarn::turns_per_m},
-    {{"yarn.fibre_um", "Fibre bundles", 5, 500, "%.0f \xC2\xB5m",
-      "Width of the bundles seen between the grooves of the twist", true},
-     &Yarn::fibre_um},
-    {{"yarn.groove_depth", "Grooves", 0, 1, "%.2f", "How dark the grooves between the fibres are"},
-     &Yarn::groove_depth},
-    {{"yarn.hairiness", "Hairiness", 0, 1, "%.2f", "Stray fibres: noise along the thread"}, &Yarn::hairiness},
-    {{"yarn.flattening", "Roundness", 0.3f, 1, "%.2f", "Height over width of the thread in the cloth: 1 is round"},
-     &Yarn::flattening},
-};
-const LobeSpec kLight[] = {
-    {{"yarn.specular", "Shine", 0, 1, "%.2f", "Strength of the light mirrored along the fibres"}, &Lobes::specular},
-    {{"yarn.along_width", "Spread along", 0.02f, 2, "%.2f", "RMS slope along the fibre: small is glossy, large is dull",
-      true},
-     &Lobes::along_width},
-    {{"yarn.across_width", "Spread across", 0.02f, 2, "%.2f", "RMS slope across the fibre", true},
-     &Lobes::across_width},
-    {{"yarn.ior", "Refraction", 1, 3, "%.2f", "Index of refraction: cotton 1.53, silk 1.56, polyester 1.6"},
-     &Lobes::ior},
-    {{"yarn.body", "Body", 0, 1, "%.2f", "Light that entered the thread and leaves it in the thread's colour"},
-     &Lobes::body},
-    {{"yarn.fuzz", "Fuzz", 0, 1, "%.2f", "Fibres that stand off, seen at grazing angles and at the edge"},
-     &Lobes::fuzz},
-    {{"yarn.fuzz_width", "Fuzz spread", 0.05f, 1, "%.2f", "Roughness of the fuzz"}, &Lobes::fuzz_width},
-    {{"yarn.transmission", "Translucence", 0, 1, "%.2f", "Share of the body's light that passes through from behind"},
-     &Lobes::transmission},
-};
+/// The label of the field that was changed, or null.
+template <class T, size_t N>
+const char* field_sliders(const PanelContext& c, const std::array<YarnField<T>, N>& fields, T& value) {
+  const char* label = nullptr;
+  for (const YarnField<T>& field : fields)
+    if (field_slider(c, field.facts, value.*field.member)) label = field.facts.label;
+  return label;
+}
 
 MaybeEdit changed(int index, const Yarn& yarn, const std::string& what) {
   return Edit{std::string("Yarn: ").append(what), [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
@@ -123,6 +100,13 @@ bool draw_twist(PanelContext& c, Yarn& yarn) {
   return true;
 }
 
+bool draw_plies(PanelContext& c, Yarn& yarn) {
+  float plies = static_cast<float>(yarn.plies);
+  if (!field_slider(c, kPliesFacts, plies) || std::lround(plies) == yarn.plies) return false;
+  yarn.plies = static_cast<int>(std::lround(plies));
+  return true;
+}
+
 /// A thread of the yarn in the colour in hand.
 void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip) {
   const float width = ImGui::GetContentRegionAvail().x, height = c.style.px(kStripHeight);
@@ -141,8 +125,7 @@ MaybeEdit draw_light(PanelContext& c, Yarn yarn, YarnStrip& strip) {
   // Kept free: drawn last, so that they show what the sliders have just become.
   ImGui::Dummy({width, c.style.px(kStripHeight) + lobes_plot_height(c, width) + 2 * ImGui::GetStyle().ItemSpacing.y});
   MaybeEdit edit;
-  for (const LobeSpec& spec : kLight)
-    if (slider(c, spec.slider, yarn.lobes.*spec.field)) edit = changed(c.work.yarn, yarn, spec.slider.label);
+  if (const char* what = field_sliders(c, kLobeFields, yarn.lobes)) edit = changed(c.work.yarn, yarn, what);
   row_label(c, "Metallic", "Lurex and metal threads: the shine takes the thread's colour, and there is no body");
   if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.work.yarn, yarn, "Metallic");
   c.map.add_item("yarn.metallic");
@@ -165,8 +148,8 @@ MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
     if (edit) return edit;
     if (draw_name(c, yarn)) edit = changed(c.work.yarn, yarn, "Name");
     if (draw_twist(c, yarn)) edit = changed(c.work.yarn, yarn, "Twist");
-    for (const FieldSpec& spec : kBody)
-      if (slider(c, spec.slider, yarn.*spec.field)) edit = changed(c.work.yarn, yarn, spec.slider.label);
+    if (draw_plies(c, yarn)) edit = changed(c.work.yarn, yarn, kPliesFacts.label);
+    if (const char* what = field_sliders(c, kYarnFields, yarn)) edit = changed(c.work.yarn, yarn, what);
   }
   if (MaybeEdit light = draw_light(c, yarn, strip)) edit = std::move(light);
   return edit;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "draft/yarn_fields.h"
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
 #include "sampling.h"
@@ -281,6 +282,13 @@ TEST(YarnLobes, KeepWithinTheirRanges) {
   EXPECT_EQ(y.fuzz, 0);
   const glm::vec3 f = formulas::yarn_reflect(y, at_degrees(20, 0), at_degrees(20, 180));
   EXPECT_TRUE(std::isfinite(f.x) && std::isfinite(f.z) && f.x >= 0);
+}
+
+// A width that the file would hold at 4 was drawn as it was: the picture changed when the design was saved.
+TEST(YarnLobes, AreHeldWhereTheFileHoldsThem) {
+  Lobes wide;
+  wide.along_width = 900;
+  EXPECT_EQ(yarn_lobes(wide, {1, 1, 1}).slope_cov, yarn_lobes(clamped(wide), {1, 1, 1}).slope_cov);
 }
 
 TEST(YarnLobes, MetalHasTheThreadsColourAndNoBody) {

@@ -7,8 +7,6 @@
 #include "wif/wif.h"
 
 namespace weftlight::session {
-namespace {
-
 namespace fs = std::filesystem;
 
 FileIdentity facts_of(const std::string& path) {
@@ -29,12 +27,9 @@ FileIdentity facts_of(const std::string& path) {
   return id;
 }
 
-}  // namespace
-
-uint64_t content_hash(std::string_view bytes) {
-  uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
+uint64_t content_hash(std::string_view bytes, uint64_t from) {
+  for (const char c : bytes) from = (from ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return from;
 }
 
 FileIdentity identify(const std::string& path, std::string_view bytes) {

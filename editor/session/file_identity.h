@@ -10,8 +10,9 @@
 
 namespace weftlight::session {
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo 1991): tells contents apart, and keeps nobody out.
-uint64_t content_hash(std::string_view bytes);
+/// FNV-1a of 64 bits (Fowler, Noll, Vo 1991): tells contents apart, and keeps nobody out. Of several pieces: each
+/// `from` the hash of those before.
+uint64_t content_hash(std::string_view bytes, uint64_t from = 0xcbf29ce484222325u);
 
 struct FileIdentity {
   bool there = false;
@@ -21,6 +22,8 @@ struct FileIdentity {
   bool operator==(const FileIdentity&) const = default;
 };
 
+/// All but the hash, without reading the file.
+FileIdentity facts_of(const std::string& path);
 /// Of the file at `path` as it is now, through symbolic links; reads all of it. Not `there`: none that can be read.
 FileIdentity identify(const std::string& path);
 /// The same, of a file whose content is known to be `bytes`.

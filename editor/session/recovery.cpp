@@ -1,0 +1,168 @@
+#include "session/recovery.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <utility>
+
+#include "wif/wif.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kLock = "lock";
+constexpr const char* kJournal = ".journal";
+
+/// 64 random bits as 16 hexadecimal digits: no two sessions draw the same.
+std::string random_name() {
+  std::random_device random;
+  std::string name;
+  for (int digit = 0; digit < 16; ++digit) name += "0123456789abcdef"[random() % 16];
+  return name;
+}
+
+bool is_session_name(const std::string& name) {
+  return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+int64_t written_ns(const fs::path& path) { return facts_of(path.string()).modified_ns; }
+
+std::vector<fs::path> sessions_in(const fs::path& root) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(root, error))
+    if (is_session_name(entry.path().filename().string()) && entry.is_directory(error)) found.push_back(entry.path());
+  return found;
+}
+
+std::vector<fs::path> journals_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == kJournal) found.push_back(entry.path());
+  return found;
+}
+
+/// With all that a session writes into it, as long as there is no journal.
+void remove_session(const fs::path& folder) {
+  std::error_code ignored;
+  if (journals_in(folder).empty()) fs::remove_all(folder, ignored);
+}
+
+}  // namespace
+
+std::string state_folder() {
+  if (const char* given = std::getenv("XDG_STATE_HOME"); given != nullptr && *given == '/')
+    return (fs::path(given) / "weftlight").string();
+  const char* home = std::getenv("HOME");
+  return (fs::path(home != nullptr ? home : ".") / ".local/state/weftlight").string();
+}
+
+FileLock::~FileLock() {
+  if (file_ >= 0) ::close(file_);
+}
+
+FileLock::FileLock(FileLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(file_, other.file_);
+  return *this;
+}
+
+FileLock FileLock::take(const std::string& path, int how) {
+  FileLock lock;
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) return lock;
+  int result = 0;
+  while ((result = ::flock(file, how)) != 0 && errno == EINTR) {
+  }
+  if (result == 0) lock.file_ = file;
+  else ::close(file);
+  return lock;
+}
+
+FileLock FileLock::take(const std::string& path) { return take(path, LOCK_EX | LOCK_NB); }
+FileLock FileLock::wait_for(const std::string& path) { return take(path, LOCK_EX); }
+
+bool FileLock::stands_at(const std::string& path) const {
+  struct stat held {
+  }, there{};
+  return file_ >= 0 && ::fstat(file_, &held) == 0 && ::stat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
+         held.st_ino == there.st_ino;
+}
+
+Recovery::Recovery(std::string root) : root_(std::move(root)), folder_((fs::path(root_) / random_name()).string()) {}
+
+Recovery::~Recovery() {
+  if (lock_.held()) remove_session(folder_);
+}
+
+std::string Recovery::open() {
+  const std::lock_guard mine(mutex_);
+  const std::string path = (fs::path(folder_) / kLock).string();
+  if (lock_.stands_at(path)) return {};
+  std::error_code error;
+  fs::create_directories(root_, error);
+  // Whoever looks for crashed sessions waits: a folder without its lock would be taken for one.
+  const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
+  if (!error) fs::create_directories(folder_, error);
+  if (error) return folder_ + ": " + error.message();
+  lock_ = FileLock::take(path);
+  return lock_.held() ? std::string() : path + ": " + std::strerror(errno);
+}
+
+std::string Recovery::journal_path(uint64_t document) const {
+  return (fs::path(folder_) / (std::to_string(document) + kJournal)).string();
+}
+
+std::vector<LeftWork> Recovery::left_behind() {
+  const std::lock_guard mine(mutex_);
+  std::vector<LeftWork> found;
+  std::error_code error;
+  if (!fs::is_directory(root_, error)) return found;
+  const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
+  for (const fs::path& folder : sessions_in(root_)) {
+    if (folder == folder_) continue;
+    FileLock& lock = crashed_[folder.string()];
+    if (!lock.held()) lock = FileLock::take((folder / kLock).string());
+    if (!lock.held()) continue;  // it lives
+    for (const fs::path& journal : journals_in(folder)) {
+      LeftWork left{journal.string(), {}, written_ns(journal)};
+      if (const std::optional<JournalEntry> last = read_left(left)) {
+        left.note = last->note;
+        found.push_back(std::move(left));
+      }
+    }
+    remove_session(folder);
+  }
+  std::erase_if(crashed_, [](const auto& session) { return !session.second.held(); });
+  std::sort(found.begin(), found.end(),
+            [](const LeftWork& a, const LeftWork& b) { return a.written_ns > b.written_ns; });
+  return found;
+}
+
+void Recovery::discard(const LeftWork& left) {
+  const std::lock_guard mine(mutex_);
+  std::error_code ignored;
+  fs::remove(left.journal, ignored);
+  const fs::path folder = fs::path(left.journal).parent_path();
+  remove_session(folder);
+  if (!fs::exists(folder, ignored)) crashed_.erase(folder.string());
+}
+
+std::optional<JournalEntry> read_left(const LeftWork& left) {
+  if (facts_of(left.journal).size > 2 * kMostJournalText) return {};
+  const FileBytes file = read_file(left.journal);
+  return file.error.empty() ? read_journal(file.bytes) : std::nullopt;
+}
+
+}  // namespace weftlight::session

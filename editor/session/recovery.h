@@ -1,0 +1,77 @@
+#pragma once
+// The folder of unsaved work: a folder of its own for each session, with a journal of each document. The session's
+// folder holds a lock for as long as the session lives, so that a crashed one is told from one that runs by nothing
+// that could repeat, as the numbers of processes do.
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "session/journal_format.h"
+#include "session/names.h"
+
+namespace weftlight::session {
+
+/// $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight.
+std::string state_folder();
+
+/// A document with unsaved work whose session is no more.
+struct LeftWork {
+  std::string journal;  // its file
+  DocumentNote note;
+  int64_t written_ns = 0;  // when its last entry was, since 1970
+};
+
+/// An open file with a lock that ends with the process, however it ends.
+class FileLock {
+ public:
+  FileLock() = default;
+  ~FileLock();
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
+  /// Makes the file where it is not there. Not held: another has it, or it cannot be made.
+  static FileLock take(const std::string& path);
+  /// The same, waiting for it.
+  static FileLock wait_for(const std::string& path);
+  bool held() const { return file_ >= 0; }
+  /// Whether `path` still leads to the locked file.
+  bool stands_at(const std::string& path) const;
+
+ private:
+  static FileLock take(const std::string& path, int how);
+  int file_ = -1;
+};
+
+/// For any thread.
+class Recovery {
+ public:
+  /// In `root`, which is made when it is needed: $XDG_STATE_HOME/weftlight/recovery.
+  explicit Recovery(std::string root);
+  /// Takes the session's folder with it when no journal is left in it.
+  ~Recovery();
+  Recovery(const Recovery&) = delete;
+  Recovery& operator=(const Recovery&) = delete;
+
+  /// Makes the session's folder and its lock, anew when somebody took them away; what went wrong, or empty.
+  std::string open();
+  std::string journal_path(uint64_t document) const;
+
+  /// What crashed sessions left, newest first. Their locks are held from now on, so that no other window offers the
+  /// same. Folders with nothing in them go.
+  std::vector<LeftWork> left_behind();
+  /// Removes the journal, and its session's folder with the last one.
+  void discard(const LeftWork& left);
+
+ private:
+  std::string root_, folder_;
+  FileLock lock_;
+  std::mutex mutex_;
+  std::map<std::string, FileLock> crashed_;  // by folder
+};
+
+/// The last whole entry of a journal that was left; none: it cannot be read.
+std::optional<JournalEntry> read_left(const LeftWork& left);
+
+}  // namespace weftlight::session

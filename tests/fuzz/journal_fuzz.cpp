@@ -1,0 +1,54 @@
+// Any bytes as a journal, and journals that were torn or changed anywhere: reading never crashes, and gives an entry
+// that was written or none.
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "session/journal_format.h"
+
+using namespace weftlight::session;
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+/// The lines of the input as what the document said, one state after the other.
+std::vector<std::string> states_of(std::string_view input) {
+  std::vector<std::string> states(1);
+  for (const char c : input) {
+    if (c == '\n') states.push_back(states.back());
+    else states.back() += c;
+  }
+  return states;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string_view input(reinterpret_cast<const char*>(data), size);
+  (void)read_journal(input);
+  const std::vector<std::string> states = states_of(input.substr(0, 400));
+  const DocumentNote note{states.front(), states.back(), {}};
+  std::string journal = journal_start({note, states.front()});
+  for (size_t i = 1; i < states.size(); ++i) journal += journal_entry(states[i - 1], states[i]);
+  const auto whole = read_journal(journal);
+  require(whole && whole->text == states.back() && whole->note == note, "what was written comes back");
+  // Torn, then one byte changed, where the input says.
+  const size_t dice = size > 1 ? static_cast<size_t>(data[0]) << 8 | data[1] : 0;
+  std::string torn = journal.substr(0, journal.size() - dice % journal.size());
+  torn[dice % torn.size()] = static_cast<char>(torn[dice % torn.size()] ^ (1 + dice % 255));
+  if (const auto read = read_journal(torn)) {
+    bool written = false;
+    for (const std::string& state : states) written |= state == read->text;
+    require(written, "only what was written is read");
+  }
+  return 0;
+}

@@ -1,0 +1,177 @@
+// What a journal keeps, and what is left of it when it is torn, the disk full, or its folder gone.
+
+#include "session/journal.h"
+
+#include <fstream>
+#include <random>
+
+#include "scratch.h"
+#include "session/journal_format.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+DocumentNote note(const std::string& name) { return {"/some where/" + name, name, {true, 1, 2, 3, -4, 5}}; }
+
+TEST(JournalFormat, GivesTheLastEntryBack) {
+  std::string bytes = journal_start({note("caf\xe9\n.wif"), "one two three"});
+  EXPECT_EQ(read_journal(bytes)->note, note("caf\xe9\n.wif"));
+  EXPECT_EQ(read_journal(bytes)->text, "one two three");
+  std::string before = "one two three";
+  for (const std::string now : {"one three", "one three", "", "new", "one new and two newer", "newer"}) {
+    bytes += journal_entry(before, now);
+    EXPECT_EQ(read_journal(bytes)->text, now);
+    before = now;
+  }
+}
+
+TEST(JournalFormat, APaintedCellTakesFewBytes) {
+  std::string before;
+  for (int i = 1; i < 5000; ++i)
+    before.append(std::to_string(i)).append("=").append(std::to_string(i % 16)).append("\r\n");
+  std::string now = before;
+  now[now.find("\n2500=") + 6] = '7';
+  EXPECT_LT(journal_entry(before, now).size(), 64u);
+}
+
+TEST(JournalFormat, CutAnywhereItGivesTheEntriesBefore) {
+  const std::vector<std::string> texts{"first", "first and second", "third", "third and a last one"};
+  std::string bytes = journal_start({note("a.wif"), texts[0]});
+  std::vector<size_t> ends{bytes.size()};
+  for (size_t i = 1; i < texts.size(); ++i) {
+    bytes += journal_entry(texts[i - 1], texts[i]);
+    ends.push_back(bytes.size());
+  }
+  for (size_t cut = 0; cut <= bytes.size(); ++cut) {
+    const std::optional<JournalEntry> read = read_journal(bytes.substr(0, cut));
+    size_t whole = 0;
+    while (whole < ends.size() && ends[whole] <= cut) ++whole;
+    ASSERT_EQ(read.has_value(), whole > 0) << cut;
+    if (read) {
+      EXPECT_EQ(read->text, texts[whole - 1]) << cut;
+    }
+  }
+}
+
+TEST(JournalFormat, AChangedByteCostsWhatFollowsAndNothingElse) {
+  const std::vector<std::string> texts{"first", "first and second", "third"};
+  const std::string bytes =
+      journal_start({note("a.wif"), texts[0]}) + journal_entry(texts[0], texts[1]) + journal_entry(texts[1], texts[2]);
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    std::string odd = bytes;
+    odd[at] = static_cast<char>(odd[at] ^ 0x20);
+    const std::optional<JournalEntry> read = read_journal(odd);
+    if (read) {
+      EXPECT_TRUE(read->text == texts[0] || read->text == texts[1]) << at;
+    }
+  }
+}
+
+class JournalTest : public Scratch {
+ protected:
+  std::string root() const { return path("state/recovery"); }
+  /// What a start after a crash would find.
+  static std::vector<LeftWork> left_in(const std::string& root) { return Recovery(root).left_behind(); }
+};
+
+TEST_F(JournalTest, KeepsTheNewestOfEachDocument) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  const uint64_t a = journal.new_document(), b = journal.new_document();
+  for (int i = 0; i < 1000; ++i) {
+    journal.keep(a, note("a.wif"), [i] { return std::string(static_cast<size_t>(i), 'a'); });
+    journal.keep(b, note("b.wif"), [i] { return std::string(static_cast<size_t>(i), 'b'); });
+  }
+  journal.settle();
+  EXPECT_EQ(journal.problem(), "");
+  EXPECT_EQ(read_left({recovery.journal_path(a), {}, 0})->text, std::string(999, 'a'));
+  EXPECT_EQ(read_left({recovery.journal_path(b), {}, 0})->text, std::string(999, 'b'));
+  EXPECT_TRUE(left_in(root()).empty()) << "the session lives";
+  journal.forget(a);
+  journal.settle();
+  EXPECT_FALSE(fs::exists(recovery.journal_path(a)));
+  EXPECT_TRUE(fs::exists(recovery.journal_path(b)));
+}
+
+TEST_F(JournalTest, LeavesNothingWhenAllIsSaved) {
+  {
+    Recovery recovery(root());
+    Journal journal(recovery);
+    journal.keep(1, note("a.wif"), [] { return "text"; });
+    journal.settle();
+    journal.forget(1);
+  }
+  for (const auto& entry : fs::directory_iterator(root())) EXPECT_EQ(entry.path().filename(), "lock");
+}
+
+TEST_F(JournalTest, IsBegunAnewWhenItHasGrown) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  std::string text(3 << 20, 'a');
+  for (int i = 0; i < 6; ++i) {
+    text.assign(text.size(), static_cast<char>('a' + i));
+    journal.keep(1, note("a.wif"), [text] { return text; });
+    journal.settle();
+  }
+  EXPECT_LE(fs::file_size(recovery.journal_path(1)), 10u << 20);
+  EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, text);
+}
+
+TEST_F(JournalTest, ItsFolderMayVanish) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  journal.keep(1, note("a.wif"), [] { return "one"; });
+  journal.settle();
+  fs::remove_all(path("state"));
+  journal.keep(1, note("a.wif"), [] { return "two"; });
+  journal.settle();
+  EXPECT_EQ(journal.problem(), "");
+  EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, "two");
+  EXPECT_TRUE(left_in(root()).empty()) << "and it still lives";
+}
+
+TEST_F(JournalTest, ARefusalStandsUntilItSucceedsAndNamesFileAndCause) {
+  written("state", "a file where the folder should be");
+  Recovery recovery(root());
+  Journal journal(recovery);
+  journal.keep(1, note("a.wif"), [] { return "one"; });
+  journal.settle();
+  EXPECT_NE(journal.problem().find("a.wif"), std::string::npos) << journal.problem();
+  EXPECT_NE(journal.problem().find(path("state")), std::string::npos) << journal.problem();
+  EXPECT_TRUE(journal.busy());
+  fs::remove(path("state"));
+  // Without another change.
+  for (int i = 0; i < 300 && !journal.problem().empty(); ++i) usleep(10'000);
+  EXPECT_EQ(journal.problem(), "");
+  EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, "one");
+}
+
+TEST_F(JournalTest, WhatWasLeftGoesOnlyWhenTheNewOneStands) {
+  const std::string old = path("state/recovery/0123456789abcdef");
+  fs::create_directories(old);
+  written("state/recovery/0123456789abcdef/1.journal", journal_start({note("a.wif"), "left"}));
+  Recovery recovery(root());
+  std::vector<LeftWork> left = recovery.left_behind();
+  ASSERT_EQ(left.size(), 1u);
+  Journal journal(recovery);
+  bool fails = true;
+  const auto text = [&fails]() -> std::string {
+    if (fails) throw std::bad_alloc();
+    return "left and more";
+  };
+  journal.keep(1, note("a.wif"), text);
+  journal.replace(left[0], 1);
+  journal.settle();
+  EXPECT_FALSE(journal.problem().empty());
+  EXPECT_TRUE(fs::exists(left[0].journal));
+  journal.keep(1, note("a.wif"), [] { return "left and more"; });
+  for (int i = 0; i < 300 && journal.busy(); ++i) usleep(10'000);
+  EXPECT_EQ(journal.problem(), "");
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, "left and more");
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -1,0 +1,130 @@
+// Which sessions crashed is told by their locks; what they left is offered, newest first, once.
+
+#include "session/recovery.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <thread>
+
+#include "scratch.h"
+#include "session/journal.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecoveryTest : public Scratch {
+ protected:
+  std::string root() const { return path("recovery"); }
+
+  /// A session in a process of its own that is killed with these documents unsaved.
+  void crash(const std::vector<std::string>& names) const {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Recovery recovery(root());
+      Journal journal(recovery);
+      usleep(20'000);  // file times tell sessions apart
+      for (const std::string& name : names)
+        journal.keep(journal.new_document(), {path(name), name, {}}, [name] { return "text of " + name; });
+      journal.settle();
+      kill(getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+
+  static std::vector<std::string> names(const std::vector<LeftWork>& left) {
+    std::vector<std::string> found;
+    for (const LeftWork& one : left) found.push_back(one.note.name);
+    return found;
+  }
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(RecoveryTest, OffersEveryCrashedSessionNewestFirst) {
+  crash({"first.wif"});
+  crash({"second.wif", "Untitled"});
+  crash({"third.wif"});
+  Recovery now(root());
+  const std::vector<LeftWork> left = now.left_behind();
+  ASSERT_EQ(left.size(), 4u);
+  EXPECT_EQ(left.front().note.name, "third.wif");
+  EXPECT_EQ(left.back().note.name, "first.wif");
+  for (const LeftWork& one : left) EXPECT_EQ(read_left(one)->text, "text of " + one.note.name);
+}
+
+TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSame) {
+  crash({"a.wif"});
+  Recovery one(root());
+  EXPECT_EQ(one.left_behind().size(), 1u);
+  EXPECT_TRUE(Recovery(root()).left_behind().empty());
+  EXPECT_EQ(one.left_behind().size(), 1u) << "the same window may ask again";
+}
+
+TEST_F(RecoveryTest, WhatWasPutOffIsOfferedTheNextTime) {
+  crash({"a.wif"});
+  { Recovery(root()).left_behind(); }
+  EXPECT_EQ(names(Recovery(root()).left_behind()), Names{"a.wif"});
+}
+
+TEST_F(RecoveryTest, ALivingSessionIsLeftAlone) {
+  Recovery living(root());
+  Journal journal(living);
+  journal.keep(1, {"", "Untitled", {}}, [] { return "text"; });
+  journal.settle();
+  Recovery other(root());
+  EXPECT_TRUE(other.left_behind().empty());
+  EXPECT_TRUE(fs::exists(living.journal_path(1)));
+}
+
+TEST_F(RecoveryTest, DiscardsOneOfSeveralThenTheFolder) {
+  crash({"a.wif", "b.wif"});
+  Recovery now(root());
+  std::vector<LeftWork> left = now.left_behind();
+  ASSERT_EQ(left.size(), 2u);
+  const fs::path folder = fs::path(left[0].journal).parent_path();
+  now.discard(left[0]);
+  EXPECT_TRUE(fs::exists(left[1].journal));
+  now.discard(left[1]);
+  EXPECT_FALSE(fs::exists(folder));
+  EXPECT_TRUE(now.left_behind().empty());
+}
+
+TEST_F(RecoveryTest, WhatCannotBeReadStaysAndIsNotOffered) {
+  crash({"a.wif"});
+  fs::create_directories(path("recovery/00000000000000ff"));
+  written("recovery/00000000000000ff/1.journal", "not a journal");
+  fs::create_directories(path("recovery/0000000000000000"));  // nothing in it
+  fs::create_directories(path("recovery/mine"));
+  Recovery now(root());
+  EXPECT_EQ(names(now.left_behind()), Names{"a.wif"});
+  EXPECT_TRUE(fs::exists(path("recovery/00000000000000ff/1.journal")));
+  EXPECT_FALSE(fs::exists(path("recovery/0000000000000000")));
+  EXPECT_TRUE(fs::exists(path("recovery/mine")));
+}
+
+TEST_F(RecoveryTest, StartsAtTheSameMomentDoNotTakeEachOtherForCrashed) {
+  std::vector<std::thread> starts;
+  std::atomic<int> taken{0};
+  for (int t = 0; t < 8; ++t)
+    starts.emplace_back([&] {
+      for (int i = 0; i < 20; ++i) {
+        Recovery session(root());
+        EXPECT_EQ(session.open(), "");
+        EXPECT_EQ(write_file_atomically(session.journal_path(1), journal_start({{}, "text"})), "");
+        taken += static_cast<int>(session.left_behind().size());
+        EXPECT_TRUE(fs::exists(session.journal_path(1)));
+        fs::remove(session.journal_path(1));
+      }
+    });
+  for (std::thread& t : starts) t.join();
+  EXPECT_EQ(taken, 0);
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -1,0 +1,81 @@
+// --live-export and --ui-map replace what they wrote themselves, and nothing else.
+
+#include "session/own_output.h"
+
+#include "scratch.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OwnOutput : public Scratch {
+ protected:
+  LiveExport live() const { return {path("live.wif"), path("state")}; }
+};
+
+TEST_F(OwnOutput, LiveExportGoesWhereNothingIsAndToWhatItWrote) {
+  const std::string draft = written("draft.wif", "a draft");
+  EXPECT_EQ(live().refusal(draft), "");
+  for (const char* bytes : {"one", "two", "three"}) {
+    LiveExport again = live();
+    EXPECT_EQ(again.refusal(draft), "") << bytes;
+    EXPECT_EQ(again.write(bytes), "");
+    EXPECT_EQ(again.write(std::string(bytes) + " more"), "");
+  }
+  EXPECT_EQ(live().refusal(""), "");
+}
+
+TEST_F(OwnOutput, LiveExportRefusesAnothersFile) {
+  written("live.wif", "somebody's draft");
+  EXPECT_NE(live().refusal(""), "");
+  fs::remove(path("live.wif"));
+  EXPECT_EQ(live().write("mine"), "");
+  EXPECT_EQ(live().refusal(""), "");
+  written("live.wif", "edited by another program since");
+  EXPECT_NE(live().refusal(""), "");
+}
+
+TEST_F(OwnOutput, LiveExportRefusesTheDraftByAnyName) {
+  const std::string draft = written("draft.wif", "a draft");
+  fs::create_symlink(draft, path("live.wif"));
+  EXPECT_NE(live().refusal(draft), "");
+  EXPECT_NE(LiveExport(path("./draft.wif"), path("state")).refusal(draft), "");
+  EXPECT_NE(LiveExport(dir_.string(), path("state")).refusal(draft), "") << "a folder";
+}
+
+TEST_F(OwnOutput, LiveExportTakesAnEmptyFileAndACopyOfTheDraft) {
+  const std::string draft = written("draft.wif", "a draft");
+  written("live.wif", "");
+  EXPECT_EQ(live().refusal(draft), "");
+  written("live.wif", "a draft");
+  EXPECT_EQ(live().refusal(draft), "");
+}
+
+TEST_F(OwnOutput, LiveExportIsKnownWheneverItsProcessEnded) {
+  LiveExport one = live();
+  EXPECT_EQ(one.write("first"), "");
+  // The record is written before the file: as if killed in between.
+  fs::rename(path("live.wif"), path("kept.wif"));
+  fs::create_directory(path("live.wif"));
+  EXPECT_NE(one.write("second"), "");
+  fs::remove(path("live.wif"));
+  fs::rename(path("kept.wif"), path("live.wif"));
+  EXPECT_EQ(live().refusal(""), "");
+}
+
+TEST_F(OwnOutput, UiMapIsToldByWhatItSays) {
+  const std::string draft = written("draft.wif", "[WIF]\n");
+  EXPECT_EQ(ui_map_refusal(path("map.json"), draft), "");
+  written("map.json", R"({"frame": 3, "controls": [], "grids": []})");
+  EXPECT_EQ(ui_map_refusal(path("map.json"), draft), "");
+  for (const char* other : {"{}", "not JSON", R"({"frame": 3})", "[1, 2]", "\xff\xfe"}) {
+    written("map.json", other);
+    EXPECT_NE(ui_map_refusal(path("map.json"), draft), "") << other;
+  }
+  EXPECT_NE(ui_map_refusal(draft, draft), "");
+  EXPECT_NE(ui_map_refusal(dir_.string(), draft), "");
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -41,6 +41,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       options_(options),
       settings_(load_settings()),
       document_(first_document()),
+      preview_(Window::wake),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
   work_.end1_right = settings_.end1_right;

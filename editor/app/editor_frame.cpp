@@ -66,7 +66,7 @@ void Editor::run() {
 double Editor::sleep_s() {
   if (frames_due_ > 0) return 0;
   const double now = Window::seconds();
-  double sleep = preview_.next_s(now);
+  double sleep = -1;
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
@@ -78,17 +78,16 @@ void Editor::frame() {
   const double now = Window::seconds();
   const bool cloth_changed = preview_.poll() | take_export_news();
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
-  const double preview_due = preview_.next_s(now);
-  const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || preview_due == 0 || ImGui::GetIO().WantTextInput;
+  const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;
   frames_due_ = std::max(0, frames_due_ - 1);
   if (tip_due) tip_at_s_ = -1;
   if (restyle_ || now == 0) window_.use_style(style_);
   restyle_ = false;
   const float ratio = window_.pixel_ratio();
-  preview_.draw({with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
-                 static_cast<int>(pane_.y * ratio), work_.show_rungs, work_.compare},
-                moving_, now);
+  preview_.ask({with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
+                static_cast<int>(pane_.y * ratio), work_.show_rungs, work_.compare},
+               moving_);
   if (std::string error = writer_.take_error(); !error.empty()) say(std::move(error));
   window_.begin_frame();
   take_input();

@@ -1,187 +1,128 @@
 #include "app/preview_pane.h"
 
-#include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <utility>
 
-#include "light/formulas.h"
+#include "gl/context.h"
 
 namespace weftlight::app {
 namespace {
 
-constexpr double kRestS = 0.15;         // still for so long: draw every pixel
-constexpr double kBusyRestS = 2;        // while the worker makes a better cloth: its picture would not stand long
-constexpr double kBusyPollS = 0.01;     // how often the worker is asked
-constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
-constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
-constexpr int kMostAPass = 8;
-constexpr double kPassMs = 30;      // the next pass takes more samples below, fewer above twice it
-constexpr double kRefineMs = 4000;  // for all passes of one picture
-constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
+using Clock = std::chrono::steady_clock;
+
+double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
-PreviewPane::PreviewPane() : renderer_(Renderer::create(problem_)) {
-  if (!renderer_) problem_ = "The cloth cannot be shown: " + problem_;
+PreviewPane::PreviewPane(std::function<void()> wake) : wake_window_(std::move(wake)), thread_([this] { work(); }) {}
+
+PreviewPane::~PreviewPane() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
 }
 
 void PreviewPane::submit(std::shared_ptr<const Design> design) {
-  design_ = design;
-  pipeline_.submit(std::move(design));
-  tracer_.stop();
-  traced_ = false;
+  submitted_ = design;
+  {
+    const std::lock_guard lock(mutex_);
+    design_ = std::move(design);
+    new_design_ = true;
+  }
+  wake_.notify_one();
+}
+
+void PreviewPane::ask(const PictureRequest& request, bool moving) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (request_ == request && moving_ == moving) return;
+    request_ = request;
+    moving_ = moving;
+    new_request_ = true;
+  }
+  wake_.notify_one();
 }
 
 bool PreviewPane::poll() {
-  if (!renderer_) return false;
-  // Asked before the upload: what is finished in between is taken up by the next poll.
-  const bool busy = pipeline_.busy();
-  const bool changed = pipeline_.poll(*renderer_);
-  if (changed) has_cloth_ = dirty_ = true;
-  if (std::optional<Comparison> made = tracer_.take()) {
-    comparison_ = std::move(*made);
-    show_comparison();
-    return true;
+  std::optional<News> news;
+  {
+    const std::lock_guard lock(mutex_);
+    news = std::exchange(news_, std::nullopt);
   }
-  return changed || std::exchange(busy_, busy) != busy;
-}
-
-float PreviewPane::moving_scale() const {
-  constexpr float kFirstOnSoftware = 0.5f;  // nothing has been timed, and a program is being compiled
-  if (full_ms_ <= 0 && moving_ms_ <= 0 && renderer_->is_software()) return kFirstOnSoftware;
-  // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
-  const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
-  if ((full_ms_ > 0 ? full_ms_ : all_pixels_ms) <= kMovingBudgetMs) return 1;
-  return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kLeastScale, kMostMovingScale);
-}
-
-Frame PreviewPane::frame_of(const PreviewRequest& request) const {
-  Frame frame;
-  frame.width = request.width;
-  frame.height = request.height;
-  frame.false_color_rungs = request.show_rungs;
-  return frame;
-}
-
-void PreviewPane::draw(const PreviewRequest& request, bool moving, double now_s) {
-  if (!renderer_ || !has_cloth_ || request.width < 8 || request.height < 8) return;
-  PreviewRequest picture = request;
-  picture.compare = drawn_.compare;  // does not change what is drawn
-  const bool other = !(picture == drawn_);
-  const bool changed = dirty_ || other;
-  // The last of the worker's cloths is drawn at every pixel at once.
-  if (changed && (moving || other || pipeline_.busy())) moved_s_ = now_s;
-  const bool resting = now_s - moved_s_ >= rest_s();
-  const float scale = resting ? 1.0f : moving_scale();
-  if (changed || drawn_scale_ < scale) {
-    passes_ = samples_ = 0;
-    spent_ms_ = 0;
-    draw_pass(request, scale);
-    dirty_ = false;
-  } else if (can_refine()) {
-    draw_pass(request, scale);
-  }
-  drawn_ = request;
-  follow_reference(request, changed);
-}
-
-double PreviewPane::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRestS; }
-
-bool PreviewPane::can_refine() const {
-  const bool threads =
-      stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
-  return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
-}
-
-/// One more pass of a resting picture, or the picture of what moves.
-void PreviewPane::draw_pass(const PreviewRequest& request, float scale) {
-  Frame frame = frame_of(request);
-  frame.render_scale = scale;
-  frame.timed = true;
-  if (passes_ == 0 && ms_a_sample_ > 0)
-    all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
-  frame.samples = samples_a_pass_;
-  frame.all_samples = all_samples_;
-  if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
-  stats_ = renderer_->draw(request.scene, request.look, frame);
-  if (scale == 1) stats_ = renderer_->measure();
-  if (stats_.gpu_ms > 0 && passes_ == 0)
-    (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
-  drawn_scale_ = scale;
-  if (scale < 1) return;
-  constexpr float kMostlyThreads = 0.3f;
-  if (stats_.gpu_ms > 0 && stats_.rung_shares[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples_a_pass_;
-  ++passes_;
-  samples_ += samples_a_pass_;
-  spent_ms_ += stats_.gpu_ms;
-  if (stats_.gpu_ms < kPassMs) samples_a_pass_ = std::min(kMostAPass, 2 * samples_a_pass_);
-  if (stats_.gpu_ms > 2 * kPassMs) samples_a_pass_ = std::max(1, samples_a_pass_ / 2);
-}
-
-void PreviewPane::follow_reference(const PreviewRequest& request, bool changed) {
-  if (changed || request.compare == Compare::kOff) {
-    if (traced_ || !comparison_.reference.empty()) tracer_.stop();
-    traced_ = false;
-    comparison_ = {};
-    shown_ = request.compare;
-  }
-  if (request.compare == Compare::kOff) return;
-  if (!traced_ && drawn_scale_ == 1 && !can_refine() && !pipeline_.busy()) {
-    tracer_.start(job_of(request));
-    traced_ = true;
-  }
-  if (shown_ != request.compare) {
-    shown_ = request.compare;
-    show_comparison();
-  }
-}
-
-/// The picture that is shown is made anew afterwards.
-TraceJob PreviewPane::job_of(const PreviewRequest& request) {
-  TraceJob job{design_, request.scene, request.look.exposure_ev, {}, {}};
-  Frame frame = frame_of(request);
-  if (request.show_rungs) {
-    frame.false_color_rungs = false;
-    frame.samples = samples_a_pass_, frame.all_samples = all_samples_;
-    renderer_->draw(request.scene, request.look, frame);
-  }
-  job.preview = renderer_->read_back();
-  frame.cloth = false;
-  renderer_->draw(request.scene, request.look, frame);
-  job.around = renderer_->read_back();
-  passes_ = samples_ = 0;
-  draw_pass(request, 1);
-  return job;
-}
-
-void PreviewPane::show_comparison() {
-  const Comparison& c = comparison_;
-  if (c.reference.empty() || shown_ == Compare::kOff) return;
-  reference_texture_.set(c.width, c.height, shown_ == Compare::kSplit ? c.reference : c.difference);
-}
-
-double PreviewPane::next_s(double now_s) const {
-  if (!renderer_) return -1;
-  double next = busy_ || pipeline_.busy() ? kBusyPollS : -1;
-  const auto sooner = [&next](double s) { next = next < 0 ? s : std::min(next, s); };
-  if (tracer_.busy()) sooner(kTracePollS);
-  if (can_refine()) sooner(0);
-  if (drawn_scale_ > 0 && drawn_scale_ < 1) {
-    sooner(std::max(0.0, moved_s_ + rest_s() - now_s));
-  }
-  return next;
+  if (!news) return false;
+  if (!news->pixels.empty()) texture_.set(news->width, news->height, news->pixels);
+  if (!news->reference.empty()) reference_texture_.set(news->reference_width, news->reference_height, news->reference);
+  picture_ = std::move(news->picture);
+  shown_ = std::move(news->made);
+  return true;
 }
 
 PreviewPicture PreviewPane::picture() const {
-  PreviewPicture p;
-  p.texture = renderer_ && drawn_scale_ > 0 ? renderer_->texture() : 0;
-  p.stats = stats_;
-  p.problem = !problem_.empty() ? problem_ : pipeline_.problem();
-  p.busy = renderer_ && pipeline_.busy();
-  p.reference = {comparison_.reference.empty() ? 0 : reference_texture_.name(), comparison_.samples,
-                 comparison_.relative_error, !comparison_.finished, comparison_.problem};
+  PreviewPicture p = picture_;
+  p.texture = texture_.name();
+  if (p.reference.texture != 0) p.reference.texture = reference_texture_.name();
+  p.busy = p.problem.empty() && (p.busy || shown_ != submitted_);
   if (p.texture == 0 && p.problem.empty()) p.problem = "Weaving the cloth\xE2\x80\xA6";
   return p;
+}
+
+void PreviewPane::work() {
+  std::string error;
+  const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
+  if (!context) {
+    const std::lock_guard lock(mutex_);
+    news_.emplace().picture.problem = "The cloth cannot be shown: " + error;
+    return wake_window_();
+  }
+  PictureMaker maker;
+  hand_over(maker, {}, false);
+  double next_s = 0;
+  std::unique_lock lock(mutex_);
+  while (!leaving_) {
+    const auto asked = [this] { return leaving_ || new_design_ || new_request_; };
+    if (next_s < 0) wake_.wait(lock, asked);
+    else wake_.wait_for(lock, std::chrono::duration<double>(next_s), asked);
+    if (leaving_) return;
+    const std::shared_ptr<const Design> design = std::exchange(new_design_, false) ? design_ : nullptr;
+    new_request_ = false;
+    const std::optional<PictureRequest> request = request_;
+    const bool moving = moving_;
+    lock.unlock();
+    if (design) maker.submit(design);
+    if (request) make(maker, *request, moving);
+    next_s = maker.next_s(seconds());
+    lock.lock();
+  }
+}
+
+void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool moving) {
+  const bool told = maker.poll(), drawn = maker.draw(request, moving, seconds());
+  if (told || drawn) hand_over(maker, request, drawn);
+}
+
+void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
+  News made;
+  if (drawn) maker.read(made.width, made.height, made.pixels);
+  const Comparison& c = maker.comparison();
+  const bool compared = request.compare != Compare::kOff && !c.reference.empty();
+  if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
+  made.reference_width = c.width, made.reference_height = c.height;
+  made.picture.stats = maker.stats();
+  made.picture.problem = maker.problem();
+  made.picture.busy = maker.busy();
+  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, c.problem};
+  if (!made.picture.busy) made.made = maker.design();
+  {
+    const std::lock_guard lock(mutex_);
+    // What was not taken yet and is not made anew still holds.
+    if (news_ && made.pixels.empty())
+      made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height;
+    news_ = std::move(made);
+  }
+  wake_window_();
 }
 
 }  // namespace weftlight::app

@@ -1,75 +1,67 @@
 #pragma once
-// Keeps the picture of the cloth in step with the design: hands designs to the pipeline, draws only when
-// something changed, with fewer pixels while it moves and all of them when it rests. A comparison with the
-// ray-traced picture starts when it rests and is given up at every change.
+// The picture of the cloth as the window sees it. It is made on a thread of its own, with a GL context of its own, so
+// that no stroke waits for it: the window says what it wants to see and is woken when there is something new to show.
 
+#include <condition_variable>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "app/names.h"
-#include "app/reference_tracer.h"
-#include "gl/pipeline.h"
-#include "gl/renderer.h"
+#include "app/picture_maker.h"
 #include "panels/pixel_texture.h"
 #include "panels/preview_panel.h"
 
 namespace weftlight::app {
 
-struct PreviewRequest {
-  Scene scene;
-  Look look;
-  int width = 0, height = 0;  // pixels
-  bool show_rungs = false;
-  Compare compare = Compare::kOff;
-  bool operator==(const PreviewRequest&) const = default;
-};
-
 class PreviewPane {
  public:
-  /// Needs the window's GL context.
-  PreviewPane();
+  /// `wake`: called on the other thread when poll() has something.
+  explicit PreviewPane(std::function<void()> wake);
+  /// Waits for the picture that is being drawn.
+  ~PreviewPane();
+  PreviewPane(const PreviewPane&) = delete;
+  PreviewPane& operator=(const PreviewPane&) = delete;
 
   void submit(std::shared_ptr<const Design> design);
-  /// Takes what the worker finished. True when there is something new to draw.
+  /// The newest request is the one that counts.
+  void ask(const PictureRequest& request, bool moving);
+  /// Takes what is new; true when there is something to show. Needs the window's GL context.
   bool poll();
-  /// Draws if anything changed since the last time.
-  void draw(const PreviewRequest& request, bool moving, double now_s);
-  /// Seconds until poll or draw has something to do; negative: only after an event.
-  double next_s(double now_s) const;
   PreviewPicture picture() const;
 
  private:
-  Frame frame_of(const PreviewRequest& request) const;
-  void draw_pass(const PreviewRequest& request, float scale);
-  /// Whether more samples of the threads would make the resting picture finer.
-  bool can_refine() const;
-  float moving_scale() const;
-  /// Still for so long: every pixel is drawn.
-  double rest_s() const;
-  void follow_reference(const PreviewRequest& request, bool changed);
-  TraceJob job_of(const PreviewRequest& request);
-  void show_comparison();
+  /// What the thread hands over. Pixels are left out where they are those of before.
+  struct News {
+    int width = 0, height = 0;
+    std::vector<uint32_t> pixels;
+    std::vector<uint32_t> reference;  // of the comparison that is shown
+    int reference_width = 0, reference_height = 0;
+    PreviewPicture picture;              // but for its textures
+    std::shared_ptr<const Design> made;  // nothing of it is still to come
+  };
 
-  std::string problem_;  // filled while the renderer is made
-  std::unique_ptr<Renderer> renderer_;
-  Pipeline pipeline_;
+  void work();
+  void make(class PictureMaker& maker, const PictureRequest& request, bool moving);
+  void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
+
+  std::function<void()> wake_window_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  // Guarded by the mutex.
   std::shared_ptr<const Design> design_;
-  bool has_cloth_ = false, dirty_ = false, busy_ = false;
-  PreviewRequest drawn_;
-  float drawn_scale_ = 0;
-  double moved_s_ = -1e9;
-  int passes_ = 0, samples_ = 0;              // of the resting picture, so far
-  int samples_a_pass_ = 2, all_samples_ = 8;  // the first picture tells what it costs
-  double spent_ms_ = 0;                       // on its passes
-  double ms_a_sample_ = 0;                    // of a picture mostly of threads
-  double full_ms_ = 0, moving_ms_ = 0;        // the cloth's cost at every pixel, at rest and by the moving programs
-  FrameStats stats_;
-
-  ReferenceTracer tracer_;
-  bool traced_ = false;  // the tracer was given the picture that is drawn
-  Comparison comparison_;
-  Compare shown_ = Compare::kOff;
-  PixelTexture reference_texture_;
+  bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
+  std::optional<PictureRequest> request_;
+  std::optional<News> news_;
+  // The window's.
+  std::shared_ptr<const Design> submitted_, shown_;
+  PreviewPicture picture_;
+  PixelTexture texture_, reference_texture_;
+  std::thread thread_;
 };
 
 }  // namespace weftlight::app

@@ -324,5 +324,6 @@ std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shor
 
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
 double Window::seconds() { return glfwGetTime(); }
+void Window::wake() { glfwPostEmptyEvent(); }
 
 }  // namespace weftlight::app

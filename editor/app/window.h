@@ -44,6 +44,8 @@ class Window {
   /// Size in window units.
   void size(int& width, int& height) const;
   static double seconds();
+  /// From any thread: wait() returns.
+  static void wake();
 
  private:
   Window();

@@ -424,6 +424,8 @@ Image Renderer::read_back(bool linear) const {
   return parts_->linear.read();
 }
 
+void Renderer::read_pixels(std::vector<uint32_t>& pixels) const { parts_->screen.read(pixels); }
+
 void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
 bool Renderer::is_software() const { return parts_->software; }
 

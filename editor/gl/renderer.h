@@ -70,6 +70,8 @@ class Renderer {
   unsigned texture() const;
   /// The last picture, row 0 on top: sRGB-encoded RGBA (linear: scene-linear before tone mapping).
   Image read_back(bool linear = false) const;
+  /// The last picture's bytes as the screen takes them: sRGB-encoded RGBA8, row 0 at the bottom.
+  void read_pixels(std::vector<uint32_t>& pixels) const;
 
   /// What rung auto chooses by; the shipped ladder until then.
   void set_ladder(const Ladder& ladder);

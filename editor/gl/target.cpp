@@ -90,4 +90,12 @@ Image Target::read() const {
   return image;
 }
 
+void Target::read(std::vector<uint32_t>& pixels) const {
+  pixels.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+  if (!picture_.framebuffer.peek()) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.peek());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+}
+
 }  // namespace weftlight::gl

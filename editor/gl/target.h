@@ -22,6 +22,8 @@ class Target {
   GLuint framebuffer() const { return picture_.framebuffer.peek(); }
   /// Row 0 on top.
   Image read() const;
+  /// Bytes of a target of 8 bits, row 0 at the bottom.
+  void read(std::vector<uint32_t>& pixels) const;
 
  private:
   struct Resolved {

@@ -1,0 +1,172 @@
+#include "app/picture_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "light/formulas.h"
+
+namespace weftlight::app {
+namespace {
+
+constexpr double kRestS = 0.15;         // still for so long: draw every pixel
+constexpr double kBusyRestS = 2;        // while the worker makes a better cloth: its picture would not stand long
+constexpr double kBusyPollS = 0.01;     // how often the worker is asked
+constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
+constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
+constexpr int kMostAPass = 8;
+constexpr double kPassMs = 30;      // the next pass takes more samples below, fewer above twice it
+constexpr double kRefineMs = 4000;  // for all passes of one picture
+constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
+
+}  // namespace
+
+PictureMaker::PictureMaker() : renderer_(Renderer::create(problem_)) {
+  if (!renderer_) problem_ = "The cloth cannot be shown: " + problem_;
+}
+
+void PictureMaker::submit(std::shared_ptr<const Design> design) {
+  design_ = design;
+  pipeline_.submit(std::move(design));
+  tracer_.stop();
+  traced_ = false;
+}
+
+bool PictureMaker::poll() {
+  if (!renderer_) return false;
+  // Asked before the upload: what is finished in between is taken up by the next poll.
+  const bool busy = pipeline_.busy();
+  const bool changed = pipeline_.poll(*renderer_);
+  if (changed) has_cloth_ = dirty_ = true;
+  if (std::optional<Comparison> made = tracer_.take()) {
+    comparison_ = std::move(*made);
+    return true;
+  }
+  return changed || std::exchange(busy_, busy) != busy;
+}
+
+float PictureMaker::moving_scale() const {
+  constexpr float kFirstOnSoftware = 0.5f;  // nothing has been timed, and a program is being compiled
+  if (full_ms_ <= 0 && moving_ms_ <= 0 && renderer_->is_software()) return kFirstOnSoftware;
+  // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
+  const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
+  if ((full_ms_ > 0 ? full_ms_ : all_pixels_ms) <= kMovingBudgetMs) return 1;
+  return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kLeastScale, kMostMovingScale);
+}
+
+Frame PictureMaker::frame_of(const PictureRequest& request) const {
+  Frame frame;
+  frame.width = request.width;
+  frame.height = request.height;
+  frame.false_color_rungs = request.show_rungs;
+  return frame;
+}
+
+bool PictureMaker::draw(const PictureRequest& request, bool moving, double now_s) {
+  if (!renderer_ || !has_cloth_ || request.width < 8 || request.height < 8) return false;
+  PictureRequest picture = request;
+  picture.compare = drawn_.compare;  // does not change what is drawn
+  const bool other = !(picture == drawn_);
+  const bool changed = dirty_ || other;
+  // The last of the worker's cloths is drawn at every pixel at once.
+  if (changed && (moving || other || pipeline_.busy())) moved_s_ = now_s;
+  const bool resting = now_s - moved_s_ >= rest_s();
+  const float scale = resting ? 1.0f : moving_scale();
+  const bool anew = changed || drawn_scale_ < scale, finer = !anew && can_refine();
+  if (anew) {
+    passes_ = samples_ = 0;
+    spent_ms_ = 0;
+    draw_pass(request, scale);
+    dirty_ = false;
+  } else if (finer) {
+    draw_pass(request, scale);
+  }
+  const bool other_comparison = drawn_.compare != request.compare;
+  drawn_ = request;
+  follow_reference(request, changed);
+  return anew || finer || other_comparison;
+}
+
+double PictureMaker::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRestS; }
+
+bool PictureMaker::can_refine() const {
+  const bool threads =
+      stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
+  return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
+}
+
+/// One more pass of a resting picture, or the picture of what moves.
+void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
+  Frame frame = frame_of(request);
+  frame.render_scale = scale;
+  frame.timed = true;
+  if (passes_ == 0 && ms_a_sample_ > 0)
+    all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
+  frame.samples = samples_a_pass_;
+  frame.all_samples = all_samples_;
+  if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
+  stats_ = renderer_->draw(request.scene, request.look, frame);
+  if (scale == 1) stats_ = renderer_->measure();
+  if (stats_.gpu_ms > 0 && passes_ == 0)
+    (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
+  drawn_scale_ = scale;
+  if (scale < 1) return;
+  constexpr float kMostlyThreads = 0.3f;
+  if (stats_.gpu_ms > 0 && stats_.rung_shares[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples_a_pass_;
+  ++passes_;
+  samples_ += samples_a_pass_;
+  spent_ms_ += stats_.gpu_ms;
+  if (stats_.gpu_ms < kPassMs) samples_a_pass_ = std::min(kMostAPass, 2 * samples_a_pass_);
+  if (stats_.gpu_ms > 2 * kPassMs) samples_a_pass_ = std::max(1, samples_a_pass_ / 2);
+}
+
+void PictureMaker::follow_reference(const PictureRequest& request, bool changed) {
+  if (changed || request.compare == Compare::kOff) {
+    if (traced_ || !comparison_.reference.empty()) tracer_.stop();
+    traced_ = false;
+    comparison_ = {};
+  }
+  if (request.compare == Compare::kOff) return;
+  if (!traced_ && drawn_scale_ == 1 && !can_refine() && !pipeline_.busy()) {
+    tracer_.start(job_of(request));
+    traced_ = true;
+  }
+}
+
+/// The picture that is shown is made anew afterwards.
+TraceJob PictureMaker::job_of(const PictureRequest& request) {
+  TraceJob job{design_, request.scene, request.look.exposure_ev, {}, {}};
+  Frame frame = frame_of(request);
+  if (request.show_rungs) {
+    frame.false_color_rungs = false;
+    frame.samples = samples_a_pass_, frame.all_samples = all_samples_;
+    renderer_->draw(request.scene, request.look, frame);
+  }
+  job.preview = renderer_->read_back();
+  frame.cloth = false;
+  renderer_->draw(request.scene, request.look, frame);
+  job.around = renderer_->read_back();
+  passes_ = samples_ = 0;
+  draw_pass(request, 1);
+  return job;
+}
+
+double PictureMaker::next_s(double now_s) const {
+  if (!renderer_) return -1;
+  double next = busy_ || pipeline_.busy() ? kBusyPollS : -1;
+  const auto sooner = [&next](double s) { next = next < 0 ? s : std::min(next, s); };
+  if (tracer_.busy()) sooner(kTracePollS);
+  if (can_refine()) sooner(0);
+  if (drawn_scale_ > 0 && drawn_scale_ < 1) {
+    sooner(std::max(0.0, moved_s_ + rest_s() - now_s));
+  }
+  return next;
+}
+
+void PictureMaker::read(int& width, int& height, std::vector<uint32_t>& pixels) const {
+  width = drawn_.width, height = drawn_.height;
+  if (renderer_ && drawn_scale_ > 0) renderer_->read_pixels(pixels);
+  else pixels.clear();
+}
+
+}  // namespace weftlight::app

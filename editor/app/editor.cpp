@@ -204,6 +204,13 @@ void Editor::say(std::string text) {
   said_at_s_ = Window::seconds();
 }
 
+std::string Editor::clipboard() const {
+  const char* text = ImGui::GetClipboardText();
+  return text != nullptr ? text : "";
+}
+
+void Editor::set_clipboard(const std::string& text) { ImGui::SetClipboardText(text.c_str()); }
+
 void Editor::report(std::vector<Diagnostic> remarks, const std::string& path) {
   remarks_ = std::move(remarks);
   remarks_open_ = true;
@@ -251,7 +258,7 @@ void Editor::offer_recovery() {
                {"Bring back", "Later", "Discard"}},
       [this, one](int button) {
         if (button == 0) restore(one);
-        if (button == 2) Recovery::discard(writer_, one);
+        if (button == 2) ProcessRecovery::discard(writer_, one);
       });
 }
 
@@ -264,7 +271,7 @@ void Editor::restore(const LeftBehind& left) {
   commit({"Bring back unsaved work", [design = copy.document->now()](Design) { return design; }});
   camera_ = orbit_of(document_.now().scene);
   work_.pitch = 0;
-  Recovery::discard(writer_, left);
+  ProcessRecovery::discard(writer_, left);
 }
 
 void Editor::update_title() {

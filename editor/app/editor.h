@@ -6,55 +6,56 @@
 #include <string>
 #include <vector>
 
-#include "app/actions.h"
-#include "app/background_writer.h"
-#include "app/document.h"
+#include "actions/actions.h"
+#include "actions/desk.h"
 #include "app/file_dialog.h"
 #include "app/names.h"
 #include "app/preview_pane.h"
 #include "app/ui_map_file.h"
-#include "app/user_files.h"
 #include "app/window.h"
 #include "commands/commands.h"
-#include "panels/dialogs.h"
-#include "panels/draft_panel.h"
-#include "panels/yarn_strip.h"
+#include "session/background_writer.h"
+#include "session/document.h"
+#include "session/user_files.h"
+#include "views/dialogs/dialogs.h"
+#include "views/draft/draft_panel.h"
+#include "views/inspector/yarn_strip.h"
+#include "views/shell/action_list.h"
 
 namespace weftlight::app {
 
-class Editor {
+class Editor : public Desk {
  public:
   Editor(Window& window, const EditorOptions& options);
   void run();
 
-  // What the actions do.
-  void new_draft();
-  void open();
-  void open_path(const std::string& path);
-  /// As a new, unnamed draft: a shipped one is never overwritten.
-  void open_copy(const std::string& path);
-  void save();
-  void save_as();
-  void save_for_others();
-  void export_textures();
-  void quit();
-  void undo();
-  void redo();
-  void commit(const Edit& edit);
-  void ask_size();
-  void ask_notes();
-  void show_commands();
-  /// In the status line, for a while.
-  void say(std::string text);
-  void show_remarks() { remarks_open_ = true; }
-  void toggle_keys() { keys_open_ = !keys_open_; }
-  void toggle_theme();
-  void keep_view();
-  void reset_view() { camera_ = orbit_of(document_.now().scene); }
-  const Document& document() const { return document_; }
-  Workspace& work() { return work_; }
-  const Workspace& work() const { return work_; }
-  const Settings& settings() const { return settings_; }
+  // What the actions do (actions/desk.h).
+  const Document& document() const override { return document_; }
+  Workspace& work() override { return work_; }
+  const Workspace& work() const override { return work_; }
+  void commit(const Edit& edit) override;
+  void undo() override;
+  void redo() override;
+  void new_draft() override;
+  void open() override;
+  void open_path(const std::string& path) override;
+  void open_copy(const std::string& path) override;
+  void save() override;
+  void save_as() override;
+  void save_for_others() override;
+  void export_textures() override;
+  void quit() override;
+  void ask_size() override;
+  void ask_notes() override;
+  void show_commands() override;
+  void show_remarks() override { remarks_open_ = true; }
+  void toggle_keys() override { keys_open_ = !keys_open_; }
+  void toggle_theme() override;
+  void keep_view() override;
+  void reset_view() override { camera_ = orbit_of(document_.now().scene); }
+  void say(std::string text) override;
+  std::string clipboard() const override;
+  void set_clipboard(const std::string& text) override;
 
  private:
   void frame();
@@ -96,7 +97,7 @@ class Editor {
   std::vector<Action> actions_;
   BackgroundWriter writer_;
   BackgroundWriter exporter_;  // apart, since it takes long
-  Recovery recovery_;
+  ProcessRecovery recovery_;
   FileDialog file_dialog_;
   PreviewPane preview_;
   CellTexture cell_texture_;

@@ -5,14 +5,14 @@
 #include <variant>
 
 #include "app/editor.h"
-#include "panels/draft_layout.h"
-#include "panels/draft_panel.h"
-#include "panels/palette_panel.h"
-#include "panels/scene_panel.h"
-#include "panels/status_bar.h"
-#include "panels/threads_panel.h"
-#include "panels/widgets.h"
-#include "panels/yarn_panel.h"
+#include "ui/widgets.h"
+#include "views/draft/draft_layout.h"
+#include "views/draft/draft_panel.h"
+#include "views/inspector/palette_panel.h"
+#include "views/inspector/scene_panel.h"
+#include "views/inspector/threads_panel.h"
+#include "views/inspector/yarn_panel.h"
+#include "views/shell/status_bar.h"
 
 namespace weftlight::app {
 namespace {
@@ -128,7 +128,7 @@ void Editor::take_input() {
 
 void Editor::draw_window() {
   map_.clear();
-  PanelContext c{document_.now(), document_.cells(), document_.revision(), style_, map_, work_};
+  PanelContext c{{style_, map_, work_.focus}, document_.now(), document_.cells(), document_.revision(), work_};
   // Edits replace the design that the panels look at: the snapshot keeps it until they are through.
   const auto design = document_.snapshot();
   ImGui::PushFont(style_.font.text);

@@ -13,7 +13,10 @@ namespace reference {}
 namespace upload {}
 namespace gl {}
 namespace commands {}
-namespace panels {}
+namespace session {}
+namespace actions {}
+namespace ui {}
+namespace views {}
 namespace app {
 using namespace draft;
 using namespace wif;
@@ -26,6 +29,9 @@ using namespace reference;
 using namespace upload;
 using namespace gl;
 using namespace commands;
-using namespace panels;
+using namespace session;
+using namespace actions;
+using namespace ui;
+using namespace views;
 }  // namespace app
 }  // namespace weftlight

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/names.h"
-#include "app/reference_tracer.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
-#include "panels/panel.h"
+#include "session/reference_tracer.h"
+#include "session/workspace.h"
 
 namespace weftlight::app {
 

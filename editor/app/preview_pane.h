@@ -13,8 +13,8 @@
 
 #include "app/names.h"
 #include "app/picture_maker.h"
-#include "panels/pixel_texture.h"
-#include "panels/preview_panel.h"
+#include "ui/pixel_texture.h"
+#include "views/cloth/preview_panel.h"
 
 namespace weftlight::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/names.h"
-#include "panels/ui_map.h"
+#include "ui/ui_map.h"
 
 namespace weftlight::app {
 

@@ -13,8 +13,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/fonts.h"
-#include "app/input_queue.h"
+#include "session/input_queue.h"
+#include "ui/fonts.h"
 
 namespace weftlight::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/names.h"
-#include "panels/style.h"
+#include "ui/style.h"
 
 struct GLFWwindow;
 struct GLFWcursor;

@@ -4,8 +4,20 @@
 namespace weftlight {
 namespace draft {}
 namespace wif {}
+namespace cloth {}
+namespace light {}
+namespace drape {}
+namespace files {}
+namespace reference {}
+namespace upload {}
 namespace session {
 using namespace draft;
 using namespace wif;
+using namespace cloth;
+using namespace light;
+using namespace drape;
+using namespace files;
+using namespace reference;
+using namespace upload;
 }  // namespace session
 }  // namespace weftlight

@@ -1,0 +1,44 @@
+#pragma once
+// How the rows of the table of actions are written; for the files that fill it.
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "actions/actions.h"
+#include "actions/names.h"
+
+namespace weftlight::actions {
+
+using Actions = std::vector<Action>;
+
+inline Action& add(Actions& all, const char* menu, const char* id, const char* label, const char* shortcut,
+                   std::function<void(Desk&)> run) {
+  Action& a = all.emplace_back();
+  a.item.id = id;
+  a.item.menu = menu;
+  a.item.label = label;
+  a.item.shortcut = shortcut;
+  a.run = std::move(run);
+  return a;
+}
+
+inline Action& new_group(Action& a) {
+  a.item.group = true;
+  return a;
+}
+
+// One a file, in the order of the menus.
+void add_file_actions(Actions& all, const std::vector<std::string>& recent);
+void add_edit_actions(Actions& all);
+/// Clipboard, moves, turns, repeats, whole threads, and the tools; under Edit.
+void add_selection_actions(Actions& all);
+void add_draft_actions(Actions& all);
+/// Choosing ends and picks for the Threads panel, and its rows; under Draft.
+void add_thread_actions(Actions& all);
+void add_view_actions(Actions& all);
+void add_cloth_actions(Actions& all);
+void add_library_actions(Actions& all);
+void add_help_actions(Actions& all);
+
+}  // namespace weftlight::actions

@@ -1,0 +1,29 @@
+#include "actions/actions.h"
+
+#include "actions/action_parts.h"
+
+namespace weftlight::actions {
+
+std::vector<Action> make_actions(const std::vector<std::string>& recent) {
+  Actions all;
+  add_file_actions(all, recent);
+  add_edit_actions(all);
+  add_draft_actions(all);
+  add_view_actions(all);
+  add_cloth_actions(all);
+  add_library_actions(all);
+  add_help_actions(all);
+  return all;
+}
+
+std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& desk) {
+  std::vector<ActionItem> items;
+  for (const Action& a : actions) {
+    items.push_back(a.item);
+    items.back().enabled = !a.enabled || a.enabled(desk);
+    items.back().checked = a.checked && a.checked(desk);
+  }
+  return items;
+}
+
+}  // namespace weftlight::actions

@@ -1,0 +1,26 @@
+#pragma once
+// The one table of what can be done: it feeds the menus, the keys, the toolbar and the command palette.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "actions/desk.h"
+#include "actions/names.h"
+#include "session/action_item.h"
+
+namespace weftlight::actions {
+
+struct Action {
+  ActionItem item;  // `enabled` and `checked` are filled in by show()
+  std::function<void(Desk&)> run;
+  std::function<bool(const Desk&)> enabled = nullptr;  // null: always
+  std::function<bool(const Desk&)> checked = nullptr;  // null: never
+};
+
+/// `recent`: files offered under File.
+std::vector<Action> make_actions(const std::vector<std::string>& recent);
+/// The table as the panels show it, with what holds now.
+std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& desk);
+
+}  // namespace weftlight::actions

@@ -1,0 +1,31 @@
+// The cloth: what it hangs over, and what is laid beside its picture.
+
+#include "actions/action_parts.h"
+#include "drape/mesh.h"
+
+namespace weftlight::actions {
+
+void add_cloth_actions(Actions& all) {
+  for (const std::string& name : drape_names()) {
+    Action& a = add(all, "Cloth", ("drape." + name).c_str(), ("Drape: " + name).c_str(), "", [name](Desk& e) {
+      e.commit({"Choose drape", [name](Design d) {
+                  d.scene.mesh = name;
+                  return d;
+                }});
+    });
+    a.checked = [name](const Desk& e) { return e.document().now().scene.mesh == name; };
+  }
+  Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6",
+                      [](Desk& e) { e.work().show_rungs = !e.work().show_rungs; });
+  rungs.item.group = true;
+  rungs.checked = [](const Desk& e) { return e.work().show_rungs; };
+  const auto comparison = [&all](const char* id, const char* label, const char* key, Compare to) {
+    Action& a = add(all, "Cloth", id, label, key,
+                    [to](Desk& e) { e.work().compare = e.work().compare == to ? Compare::kOff : to; });
+    a.checked = [to](const Desk& e) { return e.work().compare == to; };
+  };
+  comparison("compare", "Compare with the ray-traced threads", "F7", Compare::kSplit);
+  comparison("difference", "Difference from the ray-traced threads", "F8", Compare::kDifference);
+}
+
+}  // namespace weftlight::actions

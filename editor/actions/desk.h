@@ -1,0 +1,50 @@
+#pragma once
+// What the actions work on: the open document and its view, and what needs a window, a file dialog or the
+// clipboard. The editor is one; a test brings its own, without a window.
+
+#include <string>
+
+#include "actions/names.h"
+#include "session/document.h"
+#include "session/workspace.h"
+
+namespace weftlight::actions {
+
+class Desk {
+ public:
+  virtual ~Desk() = default;
+
+  virtual const Document& document() const = 0;
+  virtual Workspace& work() = 0;
+  virtual const Workspace& work() const = 0;
+  virtual void commit(const Edit& edit) = 0;
+  virtual void undo() = 0;
+  virtual void redo() = 0;
+
+  virtual void new_draft() = 0;
+  virtual void open() = 0;
+  virtual void open_path(const std::string& path) = 0;
+  /// As a new, unnamed draft: a shipped one is never overwritten.
+  virtual void open_copy(const std::string& path) = 0;
+  virtual void save() = 0;
+  virtual void save_as() = 0;
+  virtual void save_for_others() = 0;
+  virtual void export_textures() = 0;
+  virtual void quit() = 0;
+
+  virtual void ask_size() = 0;
+  virtual void ask_notes() = 0;
+  virtual void show_commands() = 0;
+  virtual void show_remarks() = 0;
+  virtual void toggle_keys() = 0;
+  virtual void toggle_theme() = 0;
+  virtual void keep_view() = 0;
+  virtual void reset_view() = 0;
+  /// In the status line, for a while.
+  virtual void say(std::string text) = 0;
+
+  virtual std::string clipboard() const = 0;
+  virtual void set_clipboard(const std::string& text) = 0;
+};
+
+}  // namespace weftlight::actions

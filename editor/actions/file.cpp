@@ -1,0 +1,52 @@
+// Files: new, open, save, export, the library of shipped drafts.
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+#include "actions/action_parts.h"
+#include "files/files.h"
+
+namespace weftlight::actions {
+namespace {
+
+/// "twill_2_2" -> "Twill 2 2".
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+}  // namespace
+
+void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
+  add(all, "File", "new", "New draft\xE2\x80\xA6", "Ctrl+N", [](Desk& e) { e.new_draft(); });
+  add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });
+  new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); }));
+  add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); });
+  add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Desk& e) { e.save_for_others(); });
+  new_group(add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Desk& e) { e.export_textures(); }));
+  bool first = true;
+  for (const std::string& path : recent) {
+    Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().c_str(), "",
+                    [path](Desk& e) { e.open_path(path); });
+    a.item.group = std::exchange(first, false);
+  }
+  new_group(add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); }));
+}
+
+void add_library_actions(Actions& all) {
+  std::vector<std::filesystem::path> drafts;
+  std::error_code missing;  // no presets, no library
+  for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + "/drafts", missing))
+    if (entry.path().extension() == ".wif") drafts.push_back(entry.path());
+  std::sort(drafts.begin(), drafts.end());
+  for (const auto& path : drafts) {
+    const std::string name = path.stem().string();
+    add(all, "Library", ("library." + name).c_str(), spoken(name).c_str(), "",
+        [file = path.string()](Desk& e) { e.open_copy(file); });
+  }
+}
+
+}  // namespace weftlight::actions

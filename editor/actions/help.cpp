@@ -1,0 +1,11 @@
+// What helps.
+
+#include "actions/action_parts.h"
+
+namespace weftlight::actions {
+
+void add_help_actions(Actions& all) {
+  add(all, "Help", "keys", "Keys and mouse", "F1", [](Desk& e) { e.toggle_keys(); });
+}
+
+}  // namespace weftlight::actions

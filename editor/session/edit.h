@@ -1,0 +1,22 @@
+#pragma once
+// What changes a design: a function of it and the words that undo shows. Panels and actions make edits; the
+// document alone commits them.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "draft/design.h"
+#include "session/names.h"
+
+namespace weftlight::session {
+
+struct Edit {
+  std::string label;
+  std::function<Design(Design)> apply;
+  uint64_t stroke = 0;  // edits with the same one are one step of undo; 0: those of one drag are
+};
+using MaybeEdit = std::optional<Edit>;
+
+}  // namespace weftlight::session

@@ -1,0 +1,23 @@
+#pragma once
+// The camera around the cloth, as the weaver turns it; not part of the design until it is kept.
+
+#include "draft/design.h"
+#include "session/names.h"
+
+namespace weftlight::session {
+
+/// Scene::view_* and pan_* as the weaver turned them, not yet part of the design.
+struct Orbit {
+  float azimuth = 0, elevation = 0, distance = 1, pan_x = 0, pan_y = 0;
+  bool operator==(const Orbit&) const = default;
+};
+Orbit orbit_of(const Scene& scene);
+Scene with_orbit(Scene scene, const Orbit& camera);
+
+/// Drag by (dx, dy) and zoom about (x, y), all in pane widths and heights from the middle, y up.
+Orbit orbited(Orbit camera, float dx_px, float dy_px, float degrees_a_px);
+Orbit zoomed(Orbit camera, float steps, float x, float y);
+/// -180 to 180.
+float wrapped_degrees(float degrees);
+
+}  // namespace weftlight::session

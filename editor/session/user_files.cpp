@@ -1,0 +1,125 @@
+#include "session/user_files.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "wif/wif.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr size_t kMostRecent = 10;
+
+/// $VARIABLE/weftlight, or ~/fallback/weftlight.
+fs::path user_folder(const char* variable, const char* fallback) {
+  if (const char* given = std::getenv(variable); given != nullptr && *given == '/')
+    return fs::path(given) / "weftlight";
+  const char* home = std::getenv("HOME");
+  return fs::path(home != nullptr ? home : ".") / fallback / "weftlight";
+}
+
+fs::path settings_path() { return user_folder("XDG_CONFIG_HOME", ".config") / "settings.json"; }
+
+template <class T>
+void take(const nlohmann::json& json, const char* key, T& value) {
+  const auto at = json.find(key);
+  if (at == json.end()) return;
+  if (at->type() == nlohmann::json(value).type() || (at->is_number() && nlohmann::json(value).is_number()))
+    value = at->get<T>();
+}
+
+bool is_running(const std::string& process) {
+  int id = 0;
+  if (std::from_chars(process.data(), process.data() + process.size(), id).ec != std::errc() || id <= 0) return true;
+  return kill(id, 0) == 0 || errno == EPERM;
+}
+
+}  // namespace
+
+Settings load_settings() {
+  Settings s;
+  const FileBytes file = read_file(settings_path().string());
+  const nlohmann::json json = nlohmann::json::parse(file.bytes, nullptr, false);
+  if (!json.is_object()) return s;
+  take(json, "dark", s.dark);
+  take(json, "end1_right", s.end1_right);
+  take(json, "drawdown_style", s.drawdown_style);
+  take(json, "per_inch", s.per_inch);
+  take(json, "split", s.split);
+  take(json, "width", s.width);
+  take(json, "height", s.height);
+  if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
+    for (const auto& path : *recent)
+      if (path.is_string() && s.recent.size() < kMostRecent) s.recent.push_back(path.get<std::string>());
+  s.drawdown_style = std::clamp(s.drawdown_style, 0, 2);
+  if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
+  s.width = std::clamp(s.width, 640, 16384);
+  s.height = std::clamp(s.height, 480, 16384);
+  return s;
+}
+
+void save_settings(const Settings& s) {
+  const nlohmann::json json = {
+      {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", s.drawdown_style},
+      {"per_inch", s.per_inch}, {"split", s.split},           {"width", s.width},
+      {"height", s.height},     {"recent", s.recent}};
+  std::error_code ignored;  // a home that cannot be written to is no reason to stop
+  fs::create_directories(settings_path().parent_path(), ignored);
+  write_file_atomically(settings_path().string(), json.dump(1) + "\n");
+}
+
+void remember(Settings& settings, const std::string& path) {
+  std::error_code error;
+  const fs::path full = fs::absolute(path, error);
+  const std::string text = error ? path : full.string();
+  std::erase(settings.recent, text);
+  settings.recent.insert(settings.recent.begin(), text);
+  if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
+}
+
+ProcessRecovery::ProcessRecovery() {
+  const fs::path folder = user_folder("XDG_STATE_HOME", ".local/state") / "recovery";
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  folder_ = folder.string();
+  const std::string process = std::to_string(getpid());
+  copy_ = (folder / (process + ".wif")).string();
+  name_ = (folder / (process + ".path")).string();
+}
+
+void ProcessRecovery::keep(BackgroundWriter& writer, const Document& document) const {
+  if (document.is_saved()) return forget(writer);
+  writer.write(name_, [path = document.path()] { return path; });
+  writer.write(copy_, document.writer());
+}
+
+void ProcessRecovery::forget(BackgroundWriter& writer) const {
+  writer.remove(copy_);
+  writer.remove(name_);
+}
+
+std::vector<LeftBehind> ProcessRecovery::left_behind() const {
+  std::vector<LeftBehind> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    const fs::path& path = entry.path();
+    if (path.extension() != ".wif" || is_running(path.stem().string())) continue;
+    found.push_back({path.string(), read_file(fs::path(path).replace_extension(".path").string()).bytes});
+  }
+  return found;
+}
+
+void ProcessRecovery::discard(BackgroundWriter& writer, const LeftBehind& left) {
+  writer.remove(left.copy);
+  writer.remove(fs::path(left.copy).replace_extension(".path").string());
+}
+
+}  // namespace weftlight::session

@@ -1,0 +1,30 @@
+#pragma once
+// A GL texture that the CPU fills.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <span>
+
+#include "ui/names.h"
+
+namespace weftlight::ui {
+
+class PixelTexture {
+ public:
+  PixelTexture() = default;
+  ~PixelTexture();
+  PixelTexture(const PixelTexture&) = delete;
+  PixelTexture& operator=(const PixelTexture&) = delete;
+
+  /// width x height pixels as ImGui packs them, row 0 on top.
+  void set(int width, int height, std::span<const ImU32> pixels);
+  bool empty() const { return name_ == 0; }
+  unsigned name() const { return name_; }
+  ImTextureID id() const { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(name_)); }
+
+ private:
+  unsigned name_ = 0;
+};
+
+}  // namespace weftlight::ui

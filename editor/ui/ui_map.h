@@ -1,0 +1,37 @@
+#pragma once
+// Where the controls and grids are, in window pixels: collected while a frame is drawn, so that tests
+// and assistive programs can find them (`--ui-map`).
+
+#include <string>
+#include <vector>
+
+#include "ui/names.h"
+
+namespace weftlight::ui {
+
+struct UiControl {
+  std::string name;
+  float x = 0, y = 0, w = 0, h = 0;
+  bool operator==(const UiControl&) const = default;
+};
+
+/// Cell (a, b), both from 1, has its middle at origin + (a - 1) step_a + (b - 1) step_b.
+struct UiGrid {
+  std::string name;
+  float origin[2] = {0, 0}, step_a[2] = {0, 0}, step_b[2] = {0, 0};
+  int count_a = 0, count_b = 0;
+  bool operator==(const UiGrid&) const = default;
+};
+
+struct UiMap {
+  std::vector<UiControl> controls;
+  std::vector<UiGrid> grids;
+
+  void clear();
+  void add(std::string name, float x, float y, float w, float h);
+  /// The ImGui item drawn last.
+  void add_item(std::string name);
+  bool operator==(const UiMap&) const = default;
+};
+
+}  // namespace weftlight::ui

@@ -1,0 +1,308 @@
+#include "ui/widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace weftlight::ui {
+namespace {
+
+constexpr float kLabelColumn = 104, kFigureColumn = 70, kRest = 0.45f;
+
+float share_of(const SliderSpec& spec, float value) {
+  const float share = (value - spec.min) / (spec.max - spec.min);
+  return std::clamp(spec.logarithmic ? std::log1p(std::max(share, 0.0f) * 20) / std::log1p(20.0f) : share, 0.0f, 1.0f);
+}
+
+/// One value: a filled track with a knob. Several: their span between two smaller ones.
+void draw_track(const Context& c, const SliderSpec& spec, const SliderSpan& span, ImVec2 a, ImVec2 b, bool lit) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const Colors& k = c.style.color;
+  const bool mixed = span.low != span.high;
+  const float y = static_cast<float>(static_cast<int>((a.y + b.y) / 2)), r = c.style.px(lit ? 7 : 6), h = c.style.px(2);
+  const auto at = [&](float value) { return a.x + r + (b.x - a.x - 2 * r) * share_of(spec, value); };
+  const float low = at(span.low), high = at(span.high);
+  const ImU32 fill = span.inherited ? blend(k.panel, k.accent, 0.45f) : k.accent;
+  dl->AddRectFilled({a.x, y - h}, {b.x, y + h}, blend(k.panel, k.text, 0.14f), h);
+  dl->AddRectFilled({mixed ? low : a.x, y - h}, {high, y + h}, fill, h);
+  for (const float x : {low, high}) {
+    const float radius = mixed ? r - c.style.px(2) : r;
+    dl->AddCircleFilled({x, y}, radius, c.style.dark ? k.text : k.raised);
+    dl->AddCircle({x, y}, radius, lit ? k.accent : k.line_strong, 0, 1.2f);
+    if (!mixed) break;
+  }
+}
+
+/// The slider's place along its track, 0..1, as draw_track shows it, and back.
+float value_at(const SliderSpec& s, float share) {
+  share = std::clamp(share, 0.0f, 1.0f);
+  if (s.logarithmic) share = std::expm1(share * std::log1p(20.0f)) / 20.0f;
+  return s.min + (s.max - s.min) * share;
+}
+
+bool drag_track(const Context& c, const SliderSpec& spec, ImVec2 a, ImVec2 b, float& value) {
+  if (!ImGui::IsItemActive()) return false;
+  const float r = c.style.px(6);
+  const float next = value_at(spec, (ImGui::GetIO().MousePos.x - a.x - r) / std::max(1.0f, b.x - a.x - 2 * r));
+  if (next == value || (!ImGui::IsItemActivated() && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))) return false;
+  value = next;
+  return true;
+}
+
+enum class FigureAlign { kRight, kMiddle };
+
+void draw_figure(const char* text, FigureAlign align, ImU32 color) {
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text);
+  const float x = align == FigureAlign::kRight ? b.x - size.x : (a.x + b.x - size.x) / 2;
+  ImGui::GetWindowDrawList()->AddText(
+      {static_cast<float>(static_cast<int>(x)), static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))}, color,
+      text);
+}
+
+/// The figure: drag it, or click to type. Its text is drawn here, since ImGui would centre it and
+/// knows nothing of several values.
+bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign align, ImU32 color, float& value) {
+  ImGui::PushFont(c.style.font.mono_small);
+  float typed = value;
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
+  if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
+  take_focus(c, spec.id);
+  const bool wider = spec.figure_min < spec.figure_max;
+  const float low = wider ? spec.figure_min : spec.min, high = wider ? spec.figure_max : spec.max;
+  const bool changed = ImGui::DragFloat("##figure", &typed, (spec.max - spec.min) / 400, low, high, spec.format,
+                                        ImGuiSliderFlags_AlwaysClamp);
+  if (!typing) {
+    ImGui::PopStyleColor();
+    char text[48];
+    std::snprintf(text, sizeof text, spec.format, static_cast<double>(typed));
+    draw_figure(mixed && !changed ? "mixed" : text, align, color);
+  }
+  ImGui::PopFont();
+  if (changed) value = typed;
+  return changed;
+}
+
+/// In the column of figures, up to `room_after` pixels from the end.
+bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
+  ImGui::SetNextItemWidth(span.room_after > 0 ? -span.room_after : -FLT_MIN);
+  const bool mixed = span.low != span.high;
+  const ImU32 color = mixed || span.inherited ? c.style.color.muted : c.style.color.text;
+  const bool changed = figure(c, spec, mixed, FigureAlign::kRight, color, value);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  return changed;
+}
+
+}  // namespace
+
+bool span_slider(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
+  ImGui::PushID(spec.id);
+  row_label(c, spec.label, spec.tip);
+  const float width =
+      std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn) - span.room_after);
+  ImGui::InvisibleButton("track", {width, ImGui::GetFrameHeight()});
+  c.map.add_item(spec.id);
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+  bool changed = drag_track(c, spec, a, b, value);
+  const SliderSpan shown = changed ? SliderSpan{value, value, false, span.room_after} : span;
+  draw_track(c, spec, shown, a, b, ImGui::IsItemHovered() || ImGui::IsItemActive());
+  tooltip(c, spec.tip);
+  ImGui::SameLine();
+  changed |= column_figure(c, spec, shown, value);
+  c.map.add_item(std::string(spec.id) + ":figure");
+  ImGui::PopID();
+  return changed;
+}
+
+bool slider(const Context& c, const SliderSpec& spec, float& value) {
+  return span_slider(c, spec, {value, value, false, 0}, value);
+}
+
+bool number_field(const Context& c, const SliderSpec& spec, bool mixed, float width, float& value) {
+  ImGui::PushID(spec.id);
+  ImGui::SetNextItemWidth(width);
+  const bool changed =
+      figure(c, spec, mixed, FigureAlign::kMiddle, mixed ? c.style.color.muted : c.style.color.text, value);
+  c.map.add_item(spec.id);
+  tooltip(c, spec.tip);
+  ImGui::PopID();
+  return changed;
+}
+
+void draw_swatch(const Context& c, ImVec2 a, ImVec2 b, ImU32 color, bool chosen) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float r = c.style.px(4);
+  dl->AddRectFilled(a, b, color, r);
+  dl->AddRect(a, b, with_alpha(c.style.color.text, 0.25f), r);
+  if (chosen) dl->AddRect({a.x - 2, a.y - 2}, {b.x + 2, b.y + 2}, c.style.color.accent, r + 2, 0, 2);
+}
+
+void take_focus(const Context& c, const char* id) {
+  if (c.focus != id) return;
+  ImGui::SetKeyboardFocusHere();
+  c.focus.clear();
+}
+
+void row_label(const Context& c, const char* label, const char* tip) {
+  ImGui::AlignTextToFramePadding();
+  const float x = ImGui::GetCursorPosX();
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::TextUnformatted(label);
+  ImGui::PopStyleColor();
+  tooltip(c, tip);
+  ImGui::SameLine(x + c.style.px(kLabelColumn));
+}
+
+bool begin_combo(const Context& c, const char* id, const char* shown) {
+  ImGui::PushID(id);
+  const bool open = ImGui::BeginCombo("##combo", shown, ImGuiComboFlags_NoArrowButton);
+  if (!open) {
+    c.map.add_item(id);
+    const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+    const float r = c.style.px(4), x = b.x - c.style.px(14), y = (a.y + b.y) / 2;
+    const ImU32 frame = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg);
+    ImDrawList* dl = ImGui::GetWindowDrawList();
+    dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // a long name ends here
+    dl->AddTriangleFilled({x - r, y - r / 2}, {x + r, y - r / 2}, {x, y + r * 0.7f}, c.style.color.muted);
+    ImGui::PopID();
+  }
+  return open;
+}
+
+void end_combo() {
+  ImGui::EndCombo();
+  ImGui::PopID();
+}
+
+bool segmented(const Context& c, const char* id, std::span<const char* const> labels, int& chosen, float width) {
+  const auto count = static_cast<int>(labels.size());
+  if (width <= 0) width = ImGui::GetContentRegionAvail().x;
+  const float h = ImGui::GetFrameHeight(),
+              each = static_cast<float>(static_cast<int>(width / static_cast<float>(count)));
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float r = ImGui::GetStyle().FrameRounding;
+  dl->AddRectFilled(at, {at.x + each * static_cast<float>(count), at.y + h},
+                    blend(c.style.color.panel, c.style.color.text, 0.08f), r);
+  bool changed = false;
+  ImGui::PushID(id);
+  for (int i = 0; i < count; ++i) {
+    const ImVec2 a{at.x + each * static_cast<float>(i), at.y}, b{a.x + each, a.y + h};
+    ImGui::SetCursorScreenPos(a);
+    if (ImGui::InvisibleButton(labels[static_cast<size_t>(i)], {each, h}) && chosen != i) {
+      chosen = i;
+      changed = true;
+    }
+    c.map.add_item(std::string(id) + ":" + labels[static_cast<size_t>(i)]);
+    const bool on = chosen == i;
+    if (on) {
+      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
+      dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
+    }
+    const ImVec2 size = ImGui::CalcTextSize(labels[static_cast<size_t>(i)]);
+    dl->AddText({static_cast<float>(static_cast<int>((a.x + b.x - size.x) / 2)),
+                 static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))},
+                on || ImGui::IsItemHovered() ? c.style.color.text : c.style.color.muted,
+                labels[static_cast<size_t>(i)]);
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+void open_section(const char* id) { ImGui::GetStateStorage()->SetBool(ImGui::GetID(id), true); }
+
+bool section(const Context& c, const char* id, const char* label, bool open_at_first) {
+  ImGuiStorage* memory = ImGui::GetStateStorage();
+  const ImGuiID key = ImGui::GetID(id);
+  bool open = memory->GetBool(key, open_at_first);
+  ImGui::Dummy({0, c.style.px(2)});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, h = ImGui::GetFrameHeight();
+  if (ImGui::InvisibleButton(id, {width, h})) memory->SetBool(key, open = !open);
+  c.map.add_item(id);
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  dl->AddRectFilled({at.x, at.y - c.style.px(3)}, {at.x + width, at.y - c.style.px(3) + 1}, c.style.color.line);
+  ImFont* font = c.style.font.bold;
+  const float x = at.x + c.style.px(14);
+  dl->AddText(font, font->FontSize, {x, at.y + (h - font->FontSize) / 2}, c.style.color.text, label);
+  // A small triangle that points right when shut and down when open.
+  const float r = c.style.px(4);
+  const ImVec2 m{at.x + r + 1, at.y + h / 2};
+  if (open)
+    dl->AddTriangleFilled({m.x - r, m.y - r / 2}, {m.x + r, m.y - r / 2}, {m.x, m.y + r * 0.7f}, c.style.color.muted);
+  else
+    dl->AddTriangleFilled({m.x - r / 2, m.y - r}, {m.x - r / 2, m.y + r}, {m.x + r * 0.7f, m.y}, c.style.color.muted);
+  return open;
+}
+
+bool icon_button(const Context& c, const char* id, const char* icon, const char* word, const char* tip, bool enabled) {
+  ImGui::PushID(id);
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  const bool glyph = c.style.font.icons;
+  const float side = ImGui::GetFrameHeight();
+  const bool pressed = ImGui::Button(glyph ? icon : word, glyph ? ImVec2{side + c.style.px(4), side} : ImVec2{0, 0});
+  ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  ImGui::PopID();
+  c.map.add_item(id);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(c, tip);
+  return pressed;
+}
+
+bool text_button(const Context& c, const char* id, const char* label, const char* tip) {
+  ImGui::PushID(id);
+  const bool pressed = ImGui::Button(label);
+  ImGui::PopID();
+  c.map.add_item(id);
+  tooltip(c, tip);
+  return pressed;
+}
+
+void tooltip(const Context& c, const char* tip) {
+  if (tip == nullptr || *tip == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (ImGui::IsItemActive() || GImGui->HoveredIdTimer < kRest) {
+    // Text has no id and so no timer: it answers at once.
+    if (ImGui::IsItemActive() || GImGui->HoveredId != 0) return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
+  ImGui::PushFont(c.style.font.small);
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(c.style.px(280));
+  ImGui::TextUnformatted(tip);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopFont();
+  ImGui::PopStyleVar();
+}
+
+std::string fitted(const std::string& text, float width) {
+  constexpr const char* kDots = "\xE2\x80\xA6";
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  std::string start = text;
+  while (!start.empty() && ImGui::CalcTextSize((start + kDots).c_str()).x > width) {
+    // Whole characters: the bytes of one that go on begin with the bits 10.
+    while (start.size() > 1 && (static_cast<unsigned char>(start.back()) & 0xC0) == 0x80) start.pop_back();
+    start.pop_back();
+  }
+  return start + kDots;
+}
+
+void muted_text(const Context& c, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+std::string fixed(float value, int decimals) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", decimals, static_cast<double>(value));
+  return text;
+}
+
+}  // namespace weftlight::ui

@@ -1,0 +1,198 @@
+#include "views/cloth/preview_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/cloth.h"
+#include "draft/methods.h"
+#include "light/formulas.h"
+#include "session/reference_tracer.h"
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+namespace {
+
+constexpr const char* kHint =
+    "Drag to turn the cloth, Shift+drag to move it, wheel to come nearer, right drag (or L) to move the light";
+constexpr float kDegreesAPixel = 0.35f;
+
+Edit move_light(ImVec2 by, float degrees_a_px) {
+  return {"Move light", [=](Design d) {
+            d.scene.light_azimuth = wrapped_degrees(d.scene.light_azimuth + by.x * degrees_a_px);
+            d.scene.light_elevation = std::clamp(d.scene.light_elevation - by.y * degrees_a_px, 0.0f, 90.0f);
+            return d;
+          }};
+}
+
+bool light_key_down() {
+  // ImGui 1.86 knows keys by the window system's codes; GLFW's for a letter is its capital.
+  return ImGui::IsKeyDown('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
+}
+
+MaybeEdit drag(const PanelContext& c, Orbit& camera, ImVec2 size) {
+  const ImVec2 by = ImGui::GetIO().MouseDelta;
+  if (by.x == 0 && by.y == 0) return {};
+  const float per_px = kDegreesAPixel / c.style.scale;
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down())) return move_light(by, per_px);
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift)) {
+    camera.pan_x += by.x / size.x;
+    camera.pan_y -= by.y / size.x;
+  } else if (left) {
+    camera = orbited(camera, by.x, by.y, per_px);
+  }
+  return {};
+}
+
+void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
+  ImFont* font = c.style.font.small;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float x = c.style.px(8), y = c.style.px(4);
+  dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y},
+                    with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
+  dl->AddText(font, font->FontSize, at, c.style.color.muted, text.c_str());
+}
+
+/// "yarn 80%, cell 20%".
+std::string shares_text(const std::array<float, 4>& shares) {
+  std::string text;
+  for (size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] < 0.005f) continue;
+    text.append(text.empty() ? "" : ", ")
+        .append(method_name(kRungs[i]))
+        .append(" ")
+        .append(fixed(100 * shares[i], 0))
+        .append("%");
+  }
+  return text;
+}
+
+std::string stats_line(const PreviewPicture& p) {
+  std::string line = method_facts(p.stats.method).label;
+  const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
+  if (p.stats.method == Method::kAuto) say(shares_text(p.stats.rung_shares));
+  if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
+  if (p.stats.yarns_per_pixel > 0) {
+    const bool near_by = p.stats.yarns_per_pixel < 1;
+    say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn"
+                : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
+  }
+  if (p.stats.estimated_error > 0) say("error about " + fixed(100 * p.stats.estimated_error, 0) + "%");
+  if (p.busy) say("weaving\xE2\x80\xA6");
+  return line;
+}
+
+/// Which colour is which rung, under each other.
+void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
+  if (method != Method::kAuto) return draw_note(c, at, "Only the automatic method mixes others");
+  ImFont* font = c.style.font.small;
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float line = font->FontSize + c.style.px(4), box = c.style.px(10), pad = c.style.px(8);
+  const float width = box + c.style.px(6) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, "repeat").x;
+  dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
+                    with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
+  for (size_t rung = 0; rung < kRungs.size(); ++rung) {
+    const float y = at.y + (line - box) / 2;
+    const glm::vec3 k = formulas::rung_color(static_cast<int>(rung));
+    dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, to_u32(srgb_from_linear({k.r, k.g, k.b})), 2);
+    dl->AddText(font, font->FontSize, {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
+                method_facts(kRungs[rung]).label);
+    at.y += line;
+  }
+}
+
+std::string reference_line(const ReferencePicture& r, Compare compare) {
+  if (!r.problem.empty()) return r.problem;
+  if (r.texture == 0) return "Tracing the threads\xE2\x80\xA6";
+  std::string line = compare == Compare::kSplit ? "ray traced" : "difference \xC3\x97 " + fixed(kDifferenceScale, 0);
+  line += r.samples == 0   ? "   coarse"
+          : r.samples == 1 ? "   1 sample a pixel"
+                           : "   " + std::to_string(r.samples) + " samples a pixel";
+  if (r.samples > 0) line += "   apart by " + fixed(100 * r.difference, 1) + "%";
+  return r.tracing ? line + "\xE2\x80\xA6" : line;
+}
+
+/// The handle of the comparison, before the view below it, so that it takes the pointer first.
+void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
+  const float half = c.style.px(7), x = a.x + pane.x * c.work.compare_split;
+  ImGui::SetCursorScreenPos({x - half, a.y});
+  ImGui::InvisibleButton("compare", {2 * half, pane.y});
+  c.map.add_item("view.compare");
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    c.work.hint = "Drag: the preview is on the left, the ray-traced threads on the right";
+  }
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated())
+    c.work.compare_split = std::clamp((ImGui::GetIO().MousePos.x - a.x) / pane.x, 0.02f, 0.98f);
+  ImGui::SetCursorScreenPos(a);
+}
+
+void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a, ImVec2 b) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const float x = std::floor(a.x + (b.x - a.x) * c.work.compare_split);
+  if (r.texture != 0) {
+    dl->PushClipRect({x, a.y}, b, true);
+    dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(r.texture)), a, b);
+    dl->PopClipRect();
+    c.map.add(r.samples > 0 ? "view.reference" : "view.reference.coarse", x, a.y, b.x - x, b.y - a.y);
+  }
+  const float grip = c.style.px(9), y = (a.y + b.y) / 2;
+  dl->AddRectFilled({x - 1, a.y}, {x + 1, b.y}, c.style.color.raised);
+  dl->AddRectFilled({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.raised,
+                    c.style.px(4));
+  dl->AddRect({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.line_strong,
+              c.style.px(4));
+  const std::string text = reference_line(r, c.work.compare);
+  ImFont* font = c.style.font.small;
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  draw_note(c, {b.x - width - c.style.px(16), a.y + c.style.px(14)}, text);
+}
+
+void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& text) {
+  const float width = std::min(b.x - a.x - c.style.px(48), c.style.px(420));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  ImGui::GetWindowDrawList()->AddText(c.style.font.text, c.style.font.text->FontSize,
+                                      {(a.x + b.x - size.x) / 2, (a.y + b.y - size.y) / 2}, c.style.color.muted,
+                                      text.c_str(), nullptr, width);
+}
+
+}  // namespace
+
+MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& camera, ImVec2& pane) {
+  const ImVec2 a = ImGui::GetCursorScreenPos();
+  pane = ImGui::GetContentRegionAvail();
+  const ImVec2 b{a.x + pane.x, a.y + pane.y};
+  if (pane.x < 8 || pane.y < 8) return {};
+  const bool comparing = c.work.compare != Compare::kOff;
+  if (comparing) drag_split(c, a, pane);
+  ImGui::InvisibleButton(
+      "view", pane,
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  c.map.add_item("view");
+  MaybeEdit edit;
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) edit = drag(c, camera, pane);
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.work.hint = kHint;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+    camera = zoomed(camera, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
+                    ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) camera = orbit_of(c.design.scene);
+
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  if (picture.texture != 0) {
+    dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.texture)), a, b, {0, 1}, {1, 0});
+    if (comparing) draw_comparison(c, picture.reference, a, b);
+    if (c.work.show_rungs) draw_rung_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
+    draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, stats_line(picture));
+    c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
+  } else {
+    dl->AddRectFilled(a, b, to_u32(c.design.scene.background));
+  }
+  if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);
+  if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);
+  else if (!picture.problem.empty()) draw_note(c, {a.x + c.style.px(16), a.y + c.style.px(12)}, picture.problem);
+  return edit;
+}
+
+}  // namespace weftlight::views

@@ -1,0 +1,36 @@
+#pragma once
+// The lit cloth: shows the renderer's last picture and turns drags into a view, or a light.
+
+#include <array>
+#include <string>
+
+#include "gl/renderer.h"
+#include "session/orbit.h"
+#include "views/common/names.h"
+#include "views/common/panel.h"
+
+namespace weftlight::views {
+
+/// What stands behind the slider of the comparison.
+struct ReferencePicture {
+  unsigned texture = 0;  // of Compare::kSplit or kDifference, row 0 on top; 0: none yet
+  int samples = 0;       // a pixel; 0: a coarse first picture
+  float difference = 0;  // relative RMSE of the preview against it, over the cloth
+  bool tracing = false;  // a better one is on its way
+  std::string problem;
+};
+
+/// What there is to show.
+struct PreviewPicture {
+  unsigned texture = 0;  // 0: none yet
+  FrameStats stats;
+  std::string problem;  // why there is none, or what is wrong with the mesh
+  bool busy = false;    // the newest edit is still being worked on
+  ReferencePicture reference;
+};
+
+/// Fills the rest of the current window; changes `camera` as the weaver drags. An edit moves the light.
+/// `pane` receives the size of the picture in pixels of the window.
+MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& camera, ImVec2& pane);
+
+}  // namespace weftlight::views

@@ -1,0 +1,9 @@
+#include "views/common/panel.h"
+
+#include <imgui.h>
+
+namespace weftlight::views {
+
+ImU32 to_u32(Rgb c, float alpha) { return ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, alpha)); }
+
+}  // namespace weftlight::views

@@ -1,0 +1,67 @@
+#include "views/dialogs/dialog_parts.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+namespace {
+
+bool enter_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false); }
+
+bool primary_button(PanelContext& c, const char* id, const char* label) {
+  ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, blend(c.style.color.accent, c.style.color.text, 0.3f));
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.paper);
+  const bool pressed = text_button(c, id, label, nullptr);
+  ImGui::PopStyleColor(4);
+  return pressed;
+}
+
+}  // namespace
+
+int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first) {
+  const ImGuiStyle& s = ImGui::GetStyle();
+  float width = -s.ItemSpacing.x;
+  for (const std::string& l : labels)
+    width += ImGui::CalcTextSize(l.c_str()).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
+  ImGui::Dummy({0, c.style.px(6)});
+  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+  int pressed = -1;
+  for (int i = static_cast<int>(labels.size()) - 1; i >= 0; --i) {
+    const std::string id = "dialog:" + labels[static_cast<size_t>(i)];
+    const char* label = labels[static_cast<size_t>(i)].c_str();
+    if (i == 0 ? primary_button(c, id.c_str(), label) : text_button(c, id.c_str(), label, nullptr)) pressed = i;
+    if (i > 0) ImGui::SameLine();
+  }
+  return pressed < 0 && enter_presses_first && enter_pressed() ? 0 : pressed;
+}
+
+DialogAnswer answered(int button, int leave_button) {
+  if (button < 0) return {};
+  return {button == leave_button ? Answer::kLeft : Answer::kDone, button};
+}
+
+void heading(PanelContext& c, const std::string& text) {
+  ImGui::PushFont(c.style.font.bold);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+  ImGui::Dummy({0, c.style.px(2)});
+}
+
+void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max) {
+  row_label(c, label, nullptr);
+  ImGui::PushFont(c.style.font.mono);
+  ImGui::SetNextItemWidth(c.style.px(140));
+  ImGui::PushID(id);
+  ImGui::InputInt("##n", &value, 1, 10);
+  ImGui::PopID();
+  ImGui::PopFont();
+  c.map.add_item(id);
+  value = std::clamp(value, min, max);
+}
+
+}  // namespace weftlight::views

@@ -1,0 +1,22 @@
+#pragma once
+// What the dialogs are made of.
+
+#include <string>
+#include <vector>
+
+#include "views/common/names.h"
+#include "views/dialogs/dialogs.h"
+
+namespace weftlight::views {
+
+void heading(PanelContext& c, const std::string& text);
+/// A labelled whole number with steps of one and ten.
+void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max);
+/// The buttons at the lower right, the first the primary one and outermost. Index pressed or -1.
+int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first);
+/// What draw_buttons gave as an answer.
+DialogAnswer answered(int button, int leave_button = 1);
+
+DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
+
+}  // namespace weftlight::views

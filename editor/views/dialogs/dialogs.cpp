@@ -1,0 +1,112 @@
+#include "views/dialogs/dialogs.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "ui/widgets.h"
+#include "views/dialogs/dialog_parts.h"
+
+namespace weftlight::views {
+namespace {
+
+bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+
+DialogAnswer draw(PanelContext&, std::monostate&) { return {}; }
+
+DialogAnswer draw(PanelContext& c, Question& q) {
+  heading(c, q.title);
+  ImGui::PushTextWrapPos(c.style.px(440));
+  ImGui::TextUnformatted(q.text.c_str());
+  ImGui::PopTextWrapPos();
+  return answered(draw_buttons(c, q.buttons, true), -2);
+}
+
+DialogAnswer draw(PanelContext& c, PathPrompt& p) {
+  heading(c, p.title);
+  ImGui::SetNextItemWidth(c.style.px(520));
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool enter = ImGui::InputText("##path", &p.path, ImGuiInputTextFlags_EnterReturnsTrue);
+  c.map.add_item("dialog.path");
+  const int button = draw_buttons(c, {p.button, "Cancel"}, false);
+  return answered(enter ? 0 : button);
+}
+
+DialogAnswer draw(PanelContext& c, SizePrompt& p) {
+  heading(c, p.title);
+  number(c, "size.ends", "Ends", p.ends, 1, kMaxThreads);
+  number(c, "size.picks", "Picks", p.picks, 1, kMaxThreads);
+  number(c, "size.shafts", "Shafts", p.shafts, 1, kMaxShafts);
+  number(c, "size.treadles", "Treadles", p.treadles, 1, kMaxShafts);
+  return answered(draw_buttons(c, {p.button, "Cancel"}, true));
+}
+
+DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
+  heading(c, "Title and notes");
+  const auto field = [&](const char* id, const char* label, std::string& text) {
+    row_label(c, label, nullptr);
+    ImGui::SetNextItemWidth(c.style.px(420));
+    ImGui::PushID(id);
+    ImGui::InputText("##text", &text);
+    ImGui::PopID();
+    c.map.add_item(id);
+  };
+  field("notes.title", "Title", p.title);
+  field("notes.author", "Author", p.author);
+  row_label(c, "Notes", nullptr);
+  ImGui::InputTextMultiline("##notes", &p.notes, {c.style.px(420), c.style.px(220)});
+  c.map.add_item("notes.text");
+  return answered(draw_buttons(c, {"Keep", "Cancel"}, false));
+}
+
+DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
+
+DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
+  heading(c, "Export textures");
+  row_label(c, "For", "Which program reads them: names, packing and normals are made for it");
+  ImGui::SetNextItemWidth(c.style.px(280));
+  if (begin_combo(c, "export.target", p.targets[static_cast<size_t>(p.target)].c_str())) {
+    for (int i = 0; i < static_cast<int>(p.targets.size()); ++i) {
+      if (ImGui::Selectable(p.targets[static_cast<size_t>(i)].c_str(), i == p.target)) p.target = i;
+      c.map.add_item("export.target:" + p.targets[static_cast<size_t>(i)]);
+    }
+    end_combo();
+  }
+  row_label(c, "Size", "Texels of the longer side of one repeat");
+  constexpr const char* kSizes[] = {"512", "1024", "2048", "4096"};
+  int step = 0;
+  while (step < 3 && (512 << step) < p.size) ++step;
+  segmented(c, "export.size", kSizes, step, c.style.px(280));
+  p.size = 512 << step;
+  return answered(draw_buttons(c, {"Choose folder\xE2\x80\xA6", "Cancel"}, true));
+}
+
+}  // namespace
+
+DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
+  if (std::holds_alternative<std::monostate>(dialog)) return {};
+  constexpr const char* kName = "###dialog";
+  if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y * 0.4f},
+                          ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
+  // A dialog lies higher than the panels: its fields stand out from its own ground.
+  const Colors& color = c.style.color;
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, blend(color.raised, color.text, 0.08f));
+  ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, blend(color.raised, color.text, 0.12f));
+  ImGui::PushStyleColor(ImGuiCol_Button, blend(color.raised, color.text, 0.08f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(color.raised, color.text, 0.14f));
+  DialogAnswer answer;
+  if (ImGui::BeginPopupModal(
+          kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
+    answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
+    if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1};
+    if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleColor(4);
+  ImGui::PopStyleVar();
+  return answer;
+}
+
+}  // namespace weftlight::views

@@ -1,0 +1,54 @@
+#pragma once
+// Questions in the middle of the window. One is open at a time; the answer comes back once.
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "session/weaves.h"
+#include "views/common/names.h"
+#include "views/common/panel.h"
+
+namespace weftlight::views {
+
+/// A question with up to three buttons; the answer is the index of the one pressed (-1: left by Escape).
+struct Question {
+  std::string title, text;
+  std::vector<std::string> buttons;  // the first is the one that Enter presses
+};
+/// A path typed in the window, where the system has no file dialog.
+struct PathPrompt {
+  std::string title, path, button;
+};
+struct SizePrompt {
+  std::string title, button;
+  int ends = 0, picks = 0, shafts = 0, treadles = 0;
+};
+/// The weave of a new draft (weaves.h), seen while it is chosen.
+struct WeavePrompt {
+  int weave = 0;
+  std::array<int, kWeaveNumbers> numbers{};
+  int ends = 64, picks = 64;
+};
+/// What is asked before textures are exported.
+struct ExportPrompt {
+  std::vector<std::string> targets;
+  int target = 0;
+  int size = 1024;  // texels of the longer side
+};
+struct NotesPrompt {
+  std::string title, author, notes;  // notes: one a line
+};
+using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, NotesPrompt, WeavePrompt, ExportPrompt>;
+
+/// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
+enum class Answer { kNone, kDone, kLeft };
+struct DialogAnswer {
+  Answer answer = Answer::kNone;
+  int button = -1;
+};
+/// Draws the open dialog, whose fields hold what was typed.
+DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);
+
+}  // namespace weftlight::views

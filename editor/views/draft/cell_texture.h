@@ -1,0 +1,27 @@
+#pragma once
+// A GL texture that holds the drawdown's pixels and is made again only when what it shows has changed.
+
+#include "ui/pixel_texture.h"
+#include "views/common/names.h"
+#include "views/draft/draft_layout.h"
+
+namespace weftlight::views {
+
+class CellTexture {
+ public:
+  ImTextureID of(const PanelContext& c, const GridPane& drawdown);
+
+ private:
+  struct Key {
+    uint64_t revision = 0;
+    Face face = Face::kFront;
+    DrawdownStyle look = DrawdownStyle::kColor;
+    bool dark = false, reversed = false;
+    float pitch = 0, scroll_x = 0, scroll_y = 0, width = 0, height = 0;
+    bool operator==(const Key&) const = default;
+  };
+  PixelTexture texture_;
+  Key key_;
+};
+
+}  // namespace weftlight::views

@@ -1,0 +1,119 @@
+#include "views/draft/draft_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weftlight::views {
+namespace {
+
+// Pixels at 96 dpi.
+constexpr float kMargin = 14, kBar = 16, kGap = 8, kShaftNumbers = 26, kEndRuler = 18, kPickRuler = 38,
+                kTreadleNumbers = 16, kScrollbar = 12;
+constexpr float kSmallestLoomPitch = 9, kLargestLoomPitch = 28;  // shafts and treadles stay clickable
+constexpr float kLargestFit = 28, kSmallestFit = 4;              // a first pitch lies between
+constexpr float kThreadingShare = 0.42f, kLiftShare = 0.38f;     // of the pane, at most
+
+struct Room {
+  float width, height;  // for the drawdown and what is beside and above it
+};
+
+Room room_of(const Style& s, ImVec2 min, ImVec2 max) {
+  return {max.x - min.x - s.px(kMargin) * 2 - s.px(kShaftNumbers) - s.px(kGap) - s.px(kBar) - s.px(kPickRuler),
+          max.y - min.y - s.px(kMargin) - s.px(kEndRuler) - s.px(kBar) - s.px(kGap) * 2 - s.px(kScrollbar)};
+}
+
+float loom_pitch(const Style& s, float pitch) {
+  return std::clamp(std::round(pitch), s.px(kSmallestLoomPitch), s.px(kLargestLoomPitch));
+}
+
+int lift_columns(const Draft& d) { return d.drive == Drive::kLiftplan ? d.shafts : d.treadles; }
+
+/// What the draft takes of a room at a pitch, where the shafts and treadles have all the room they want.
+Room taken(const Draft& d, const Style& s, float pitch, Room room) {
+  const float loom = loom_pitch(s, pitch);
+  const float lift = std::min(static_cast<float>(lift_columns(d)) * loom, room.width * kLiftShare);
+  const float shafts = std::min(static_cast<float>(d.shafts) * loom, room.height * kThreadingShare);
+  return {pitch * static_cast<float>(d.ends()) + lift, pitch * static_cast<float>(d.picks()) + shafts};
+}
+
+/// Whole pixels. Below the smallest, cells would be hard to see: the draft is scrolled instead.
+float fitting_pitch(const Draft& d, const Style& s, Room room) {
+  float pitch = s.px(kLargestFit);
+  const auto fits = [&] {
+    const Room t = taken(d, s, pitch, room);
+    return t.width <= room.width && t.height <= room.height;
+  };
+  while (pitch > s.px(kSmallestFit) && !fits()) pitch -= 1;
+  return pitch;
+}
+
+Axis axis(float start, float room, float pitch, float& scroll, int count, bool reversed) {
+  Axis a{start, 0, pitch, 0, count, reversed};
+  a.length = std::max(0.0f, std::min(std::ceil(a.extent()), std::floor(room)));
+  scroll = clamp_scroll(a, scroll);
+  a.scroll = scroll;
+  return a;
+}
+
+Axis single(float start, float length) { return {start, length, length, 0, 1, false}; }
+
+}  // namespace
+
+std::vector<const GridPane*> DraftLayout::panes() const {
+  std::vector<const GridPane*> all{&warp_bar, &threading, &drawdown, &lift, &weft_bar};
+  if (lift.id == GridId::kTreadling) all.push_back(&tieup);
+  return all;
+}
+
+float fitting_width(const Draft& d, const Style& s, float least, float most, float height) {
+  const Room room = room_of(s, {0, 0}, {most, height});
+  const float width = taken(d, s, fitting_pitch(d, s, room), room).width + most - room.width;
+  return std::clamp(width, least, most);
+}
+
+DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec2 min, ImVec2 max) {
+  const Room room = room_of(s, min, max);
+  if (work.pitch <= 0) work.pitch = fitting_pitch(d, s, room);
+  const float loom = loom_pitch(s, work.pitch);
+
+  DraftLayout l;
+  l.min = min;
+  l.max = max;
+  const float x0 = min.x + s.px(kMargin), y0 = min.y;
+  const float bar_y = y0 + s.px(kEndRuler), threading_y = bar_y + s.px(kBar) + s.px(kGap);
+  const Axis shafts = axis(threading_y, room.height * kThreadingShare, loom, work.scroll_shaft, d.shafts, true);
+  const float drawdown_y = threading_y + shafts.length + s.px(kGap);
+  Axis picks = axis(drawdown_y, room.height - shafts.length, work.pitch, work.scroll_pick, d.picks(), false);
+
+  const float lift_width = std::min(static_cast<float>(lift_columns(d)) * loom, std::floor(room.width * kLiftShare));
+  Axis ends = axis(x0, room.width - lift_width, work.pitch, work.scroll_end, d.ends(), work.end1_right);
+  const float lift_x = x0 + ends.length + s.px(kShaftNumbers);
+  const Axis treadles = axis(lift_x, lift_width, loom, work.scroll_treadle, lift_columns(d), false);
+  const float weft_x = lift_x + treadles.length + s.px(kGap);
+
+  const bool plan = d.drive == Drive::kLiftplan;
+  l.warp_bar = {GridId::kWarpColors, ends, single(bar_y, s.px(kBar))};
+  l.threading = {GridId::kThreading, ends, shafts};
+  l.tieup = {GridId::kTieup, treadles, shafts};
+  l.drawdown = {GridId::kDrawdown, ends, picks};
+  l.lift = {plan ? GridId::kLiftplan : GridId::kTreadling, treadles, picks};
+  l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
+  l.warp_heads = {GridId::kWarpColors, ends, single(y0, s.px(kEndRuler))};
+  l.weft_heads = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
+  l.scroll_ends = ends.extent() > ends.length + 1;
+  l.scroll_picks = picks.extent() > picks.length + 1;
+  return l;
+}
+
+UiGrid map_of(const GridPane& pane) {
+  const auto middle = [](const Axis& a) { return (a.low(0) + a.high(0)) / 2; };
+  const auto step = [](const Axis& a) { return a.reversed ? -a.pitch : a.pitch; };
+  UiGrid grid{grid_name(pane.id), {}, {}, {}, pane.x.count, pane.y.count};
+  grid.origin[0] = middle(pane.x);
+  grid.origin[1] = middle(pane.y);
+  grid.step_a[0] = step(pane.x);
+  grid.step_b[1] = step(pane.y);
+  return grid;
+}
+
+}  // namespace weftlight::views

@@ -1,0 +1,267 @@
+#include "views/draft/grid_draw.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "session/paint.h"
+#include "views/common/cell_image.h"
+
+namespace weftlight::views {
+namespace {
+
+constexpr float kLinesFrom = 5;     // pixels a cell from which hairlines help rather than hide
+constexpr float kNumbersFrom = 15;  // from which a number fits
+constexpr float kGapsFrom = 8;      // from which a gap parts threads without darkening them
+
+void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
+  const Colors& k = c.style.color;
+  const ImVec2 a = pane.min(), b = pane.max();
+  const auto color = [&](int i) { return i % 5 == 0 ? k.line_strong : k.line; };
+  if (pane.x.pitch >= kLinesFrom)
+    for (int i = pane.x.first_visible(); i <= pane.x.end_visible(); ++i) {
+      const float x = pane.x.reversed ? pane.x.high(i) : pane.x.low(i);
+      if (x >= a.x && x <= b.x) dl->AddRectFilled({x, a.y}, {x + 1, b.y}, color(i));
+    }
+  if (pane.y.pitch >= kLinesFrom)
+    for (int i = pane.y.first_visible(); i <= pane.y.end_visible(); ++i) {
+      const float y = pane.y.reversed ? pane.y.high(i) : pane.y.low(i);
+      if (y >= a.y && y <= b.y) dl->AddRectFilled({a.x, y}, {b.x, y + 1}, color(i));
+    }
+  dl->AddRect({a.x, a.y}, {b.x + 1, b.y + 1}, k.line_strong);
+}
+
+void draw_centered(ImDrawList* dl, ImFont* font, ImVec2 middle, ImU32 color, const std::string& text) {
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  dl->AddText(font, font->FontSize,
+              {static_cast<float>(static_cast<int>(middle.x - size.x / 2 + 0.5f)),
+               static_cast<float>(static_cast<int>(middle.y - size.y / 2 + 0.5f))},
+              color, text.c_str());
+}
+
+struct Box {
+  ImVec2 min, max;
+  ImVec2 middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
+};
+
+/// The inside of a cell, at least a pixel wide.
+Box box_of(const GridPane& p, int a, int b) {
+  const float gap_x = p.x.pitch >= kLinesFrom ? 1.0f : 0.0f, gap_y = p.y.pitch >= kLinesFrom ? 1.0f : 0.0f;
+  Box box{{p.x.low(a) + gap_x, p.y.low(b) + gap_y}, {p.x.high(a), p.y.high(b)}};
+  box.max.x = std::max(box.max.x, box.min.x + 1);
+  box.max.y = std::max(box.max.y, box.min.y + 1);
+  return box;
+}
+
+void draw_tie(ImDrawList* dl, const PanelContext& c, const Box& box) {
+  const ImVec2 m = box.middle();
+  const float r = (box.max.x - box.min.x) * 0.30f, thick = std::max(1.5f, r * 0.42f);
+  if (c.design.draft.rising) {
+    dl->AddCircle(m, r, c.style.color.ink, 0, thick);
+  } else {
+    dl->AddLine({m.x - r, m.y - r}, {m.x + r, m.y + r}, c.style.color.ink, thick);
+    dl->AddLine({m.x - r, m.y + r}, {m.x + r, m.y - r}, c.style.color.ink, thick);
+  }
+}
+
+void draw_bit(ImDrawList* dl, const PanelContext& c, const GridPane& p, int a, int b) {
+  const Box box = box_of(p, a, b);
+  if (p.id == GridId::kTieup) return draw_tie(dl, c, box);
+  dl->AddRectFilled(box.min, box.max, c.style.color.ink);
+  if (std::min(p.x.pitch, p.y.pitch) >= c.style.px(kNumbersFrom)) {
+    const int number = p.id == GridId::kThreading ? b : a;
+    draw_centered(dl, c.style.font.mono_small, box.middle(), c.style.color.paper, std::to_string(number + 1));
+  }
+}
+
+/// A thread seen from above: body, and the darker flanks that part it from its neighbour.
+void draw_thread(ImDrawList* dl, Box box, ImU32 color, bool upright) {
+  const float width = upright ? box.max.x - box.min.x : box.max.y - box.min.y;
+  dl->AddRectFilled(box.min, box.max, color);
+  if (width < 7) return;
+  const float edge = std::max(1.0f, static_cast<float>(static_cast<int>(width * 0.16f)));
+  const ImU32 dark = blend(color, IM_COL32(0, 0, 0, 255), 0.22f),
+              light = blend(color, IM_COL32(255, 255, 255, 255), 0.16f);
+  if (upright) {
+    dl->AddRectFilled(box.min, {box.min.x + edge, box.max.y}, light);
+    dl->AddRectFilled({box.max.x - edge, box.min.y}, box.max, dark);
+  } else {
+    dl->AddRectFilled(box.min, {box.max.x, box.min.y + edge}, light);
+    dl->AddRectFilled({box.min.x, box.max.y - edge}, box.max, dark);
+  }
+}
+
+/// The first, then every step-th, but none crowding the first.
+bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4 >= step * 3); }
+
+struct ThreadLook {
+  std::vector<ImU32> warp, weft;
+  float gap;                                  // pixels between threads
+  std::vector<float> warp_inset, weft_inset;  // pixels that a thinner thread leaves free at each side; none: 0
+  float inset(System s, int thread) const {
+    const auto& all = s == System::kWarp ? warp_inset : weft_inset;
+    return all.empty() ? 0.0f : all[static_cast<size_t>(thread)];
+  }
+};
+
+/// Beside the thickest thread of its system, a thread of no thickness would keep this much of its cell.
+constexpr float kThinnest = 0.3f;
+
+/// Empty where all threads are equally thick.
+std::vector<float> insets(const Design& d, System system, float pitch) {
+  const Threads& t = d.draft.threads(system);
+  std::vector<float> thickness, out;
+  float most = 0, least = 1e9f;
+  for (size_t i = 0; i < t.color.size(); ++i) {
+    thickness.push_back(t.thickness_mm[i] >= 0 ? t.thickness_mm[i]
+                                               : d.yarns[static_cast<size_t>(t.yarn[i])].diameter_mm);
+    most = std::max(most, thickness.back());
+    least = std::min(least, thickness.back());
+  }
+  if (!(least < most)) return out;
+  for (const float mm : thickness)
+    out.push_back(static_cast<float>(static_cast<int>(0.5f * pitch * (1 - kThinnest) * (1 - mm / most) + 0.5f)));
+  return out;
+}
+
+ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
+  const Draft& d = c.design.draft;
+  if (c.work.drawdown_style == DrawdownStyle::kStructure)
+    return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
+            std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper),
+            0,
+            {},
+            {}};
+  const bool threads = c.work.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
+  if (!threads) return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 0, {}, {}};
+  return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 1,
+          insets(c.design, System::kWarp, p.x.pitch), insets(c.design, System::kWeft, p.y.pitch)};
+}
+
+/// Each end's warp floats, drawn as one piece each over the picks.
+void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadLook& look, int end) {
+  const int last = p.y.end_visible();
+  const float inset = look.inset(System::kWarp, end);
+  for (int pick = p.y.first_visible(); pick < last;) {
+    int stop = pick;
+    while (stop < last && warp_on_top(c.cells, c.work.face, end, stop)) ++stop;
+    if (stop > pick) {
+      const Box box{{p.x.low(end) + look.gap + inset, p.y.low(pick)}, {p.x.high(end) - inset, p.y.high(stop - 1)}};
+      const ImU32 color = look.warp[static_cast<size_t>(end)];
+      look.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
+    }
+    pick = stop + 1;
+  }
+}
+
+}  // namespace
+
+void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+  const ImVec2 a = p.min(), b = p.max();
+  dl->PushClipRect(a, {b.x + 1, b.y + 1}, true);
+  dl->AddRectFilled(a, b, c.style.color.paper);
+  draw_lines(dl, c, p);
+  std::vector<float> drawn(static_cast<size_t>(p.x.count > p.y.count ? p.y.count : p.x.count), -1e9f);
+  const bool along_x = p.x.count > p.y.count;
+  for (int i = p.x.first_visible(); i < p.x.end_visible(); ++i)
+    for (int j = p.y.first_visible(); j < p.y.end_visible(); ++j) {
+      if (!is_on(c.design.draft, c.cells, p.id, {i, j})) continue;
+      // Cells below a pixel fall together; one mark a pixel is enough.
+      float& before = drawn[static_cast<size_t>(along_x ? j : i)];
+      const float at = along_x ? p.x.low(i) : p.y.low(j);
+      if (at == before && (along_x ? p.x.pitch : p.y.pitch) < 1) continue;
+      before = at;
+      draw_bit(dl, c, p, i, j);
+    }
+  dl->PopClipRect();
+}
+
+void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, System system) {
+  const bool warp = system == System::kWarp;
+  const Axis& axis = warp ? p.x : p.y;
+  const Threads& threads = c.design.draft.threads(system);
+  const ImVec2 a = p.min(), b = p.max();
+  dl->PushClipRect(a, {b.x + 1, b.y + 1}, true);
+  float drawn = -1e9f;
+  for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
+    if (axis.low(i) == drawn && axis.pitch < 1) continue;
+    drawn = axis.low(i);
+    const ImU32 color = to_u32(c.design.draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(i)])]);
+    const Box box = warp ? box_of(p, i, 0) : box_of(p, 0, i);
+    dl->AddRectFilled(box.min, box.max, color);
+    if (c.work.bar_paint == BarPaint::kYarn && axis.pitch >= c.style.px(10))
+      draw_centered(dl, c.style.font.mono_small, box.middle(), reading_color(color),
+                    std::to_string(threads.yarn[static_cast<size_t>(i)] + 1));
+  }
+  dl->AddRect(a, {b.x + 1, b.y + 1}, c.style.color.line_strong);
+  dl->PopClipRect();
+}
+
+bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
+
+void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+  const ImVec2 a = p.min(), b = p.max();
+  const ThreadLook look = thread_look(c, p);
+  dl->PushClipRect(a, b, true);
+  dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
+  for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {
+    const float inset = look.inset(System::kWeft, pick);
+    const Box box{{a.x, p.y.low(pick) + look.gap + inset}, {b.x, p.y.high(pick) - inset}};
+    const ImU32 color = look.weft[static_cast<size_t>(pick)];
+    look.gap > 0 ? draw_thread(dl, box, color, false) : dl->AddRectFilled(box.min, box.max, color);
+  }
+  for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) draw_warp_floats(dl, c, p, look, end);
+  dl->PopClipRect();
+  if (c.work.drawdown_style == DrawdownStyle::kStructure) draw_lines(dl, c, p);
+  dl->AddRect({a.x - 1, a.y - 1}, {b.x + 1, b.y + 1}, c.style.color.line_strong);
+}
+
+void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, float top, float height, int lit) {
+  const int step = label_step(axis.pitch, c.style.px(30));
+  for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
+    if (!has_label(i, step) && i != lit) continue;
+    const float x = (axis.low(i) + axis.high(i)) / 2;
+    if (x < axis.start || x > axis.start + axis.length) continue;
+    if (i != lit && lit >= 0 && std::abs(static_cast<float>(i - lit)) * axis.pitch < c.style.px(24)) continue;
+    draw_centered(dl, c.style.font.mono_small, {x, top + height / 2},
+                  i == lit ? c.style.color.accent : c.style.color.muted, std::to_string(i + 1));
+  }
+}
+
+void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, int lit) {
+  const int step = label_step(axis.pitch, c.style.px(16));
+  ImFont* font = c.style.font.mono_small;
+  for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
+    if (!has_label(i, step) && i != lit) continue;
+    const float y = (axis.low(i) + axis.high(i)) / 2;
+    if (y < axis.start || y > axis.start + axis.length) continue;
+    if (i != lit && lit >= 0 && std::abs(static_cast<float>(i - lit)) * axis.pitch < c.style.px(13)) continue;
+    dl->AddText(font, font->FontSize, {left, static_cast<float>(static_cast<int>(y - font->FontSize / 2))},
+                i == lit ? c.style.color.accent : c.style.color.muted, std::to_string(i + 1).c_str());
+  }
+}
+
+void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+  if (!c.work.hover.valid()) return;
+  const auto shares = [](const Axis& a, const Axis& b) { return a.start == b.start && a.count == b.count; };
+  const ImU32 band = with_alpha(c.style.color.accent, 0.16f);
+  const GridPane* over = nullptr;
+  for (const GridPane* p : l.panes())
+    if (p->id == c.work.hover_grid) over = p;
+  if (over == nullptr) return;
+  const bool bar_x = over->id == GridId::kWarpColors, bar_y = over->id == GridId::kWeftColors;
+  for (const GridPane* p : l.panes()) {
+    const ImVec2 a = p->min(), b = p->max();
+    dl->PushClipRect(a, b, true);
+    if (!bar_y && shares(p->x, over->x))
+      dl->AddRectFilled({p->x.low(c.work.hover.a), a.y}, {p->x.high(c.work.hover.a) + 1, b.y}, band);
+    if (!bar_x && shares(p->y, over->y))
+      dl->AddRectFilled({a.x, p->y.low(c.work.hover.b)}, {b.x, p->y.high(c.work.hover.b) + 1}, band);
+    dl->PopClipRect();
+  }
+  const GridPane& o = *over;
+  dl->AddRect({o.x.low(c.work.hover.a), o.y.low(c.work.hover.b)},
+              {o.x.high(c.work.hover.a) + 1, o.y.high(c.work.hover.b) + 1}, c.style.color.accent, 0, 0, 1.5f);
+}
+
+}  // namespace weftlight::views

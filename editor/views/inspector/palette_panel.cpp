@@ -1,0 +1,90 @@
+#include "views/inspector/palette_panel.h"
+
+#include <algorithm>
+
+#include "session/paint.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+namespace {
+
+/// All swatches in rows; a click takes a colour in hand. Large palettes scroll.
+void draw_swatches(PanelContext& c) {
+  const auto& palette = c.design.draft.palette;
+  const float side = c.style.px(24), gap = c.style.px(6);
+  const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap - 4) / (side + gap)));
+  const int rows = (static_cast<int>(palette.size()) + columns - 1) / columns;
+  const float height = std::min(static_cast<float>(rows), 5.0f) * (side + gap) + gap;
+  ImGui::BeginChild("swatches", {0, height}, false);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
+    const ImVec2 a{origin.x + 3 + static_cast<float>(i % columns) * (side + gap),
+                   origin.y + 3 + static_cast<float>(i / columns) * (side + gap)};
+    ImGui::SetCursorScreenPos(a);
+    ImGui::PushID(i);
+    if (ImGui::InvisibleButton("swatch", {side, side})) {
+      c.work.color = i;
+      c.work.bar_paint = BarPaint::kColor;
+    }
+    ImGui::PopID();
+    if (!ImGui::IsItemVisible()) continue;
+    const std::string name = "palette:" + std::to_string(i + 1);
+    c.map.add_item(name);
+    tooltip(c, ("Colour " + std::to_string(i + 1)).c_str());
+    draw_swatch(c, a, {a.x + side, a.y + side}, to_u32(palette[static_cast<size_t>(i)]), i == c.work.color);
+  }
+  ImGui::EndChild();
+}
+
+MaybeEdit draw_color_in_hand(PanelContext& c) {
+  const int index = c.work.color;
+  Rgb color = c.design.draft.palette[static_cast<size_t>(index)];
+  float rgb[3] = {color.r, color.g, color.b};
+  row_label(c, ("Colour " + std::to_string(index + 1)).c_str(),
+            "The colour in hand: click the swatch to mix it, or type its hex value");
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - c.style.px(8));
+  ImGui::PushFont(c.style.font.mono);
+  const bool changed =
+      ImGui::ColorEdit3("##rgb", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
+  ImGui::PopFont();
+  c.map.add_item("palette.color");
+  ImGui::SameLine();
+  if (icon_button(c, "palette.add", icon::kPlus, "+", "Add a colour like this one to the palette")) {
+    c.work.color = static_cast<int>(c.design.draft.palette.size());
+    return Edit{"Add colour", [color](Design d) { return with_new_palette_color(std::move(d), color); }};
+  }
+  if (!changed) return {};
+  const Rgb next{rgb[0], rgb[1], rgb[2]};
+  return Edit{"Mix colour", [=](Design d) { return with_palette_color(std::move(d), index, next); }};
+}
+
+MaybeEdit paint_all(PanelContext& c) {
+  const bool color = c.work.bar_paint == BarPaint::kColor;
+  const int index = color ? c.work.color : c.work.yarn;
+  const Draft& d = c.design.draft;
+  if (text_button(c, "paint.warp", "Whole warp", "Every end takes the colour, or the yarn, in hand"))
+    return bar_edit(GridId::kWarpColors, {0, 0}, {d.ends() - 1, 0}, c.work.bar_paint, index);
+  ImGui::SameLine();
+  if (text_button(c, "paint.weft", "Whole weft", "Every pick takes the colour, or the yarn, in hand"))
+    return bar_edit(GridId::kWeftColors, {0, 0}, {0, d.picks() - 1}, c.work.bar_paint, index);
+  return {};
+}
+
+}  // namespace
+
+MaybeEdit draw_palette(PanelContext& c) {
+  if (!section(c, "section.palette", "Colours")) return {};
+  c.work.color = std::clamp(c.work.color, 0, static_cast<int>(c.design.draft.palette.size()) - 1);
+  draw_swatches(c);
+  MaybeEdit edit = draw_color_in_hand(c);
+  row_label(c, "Bars paint", "What a drag along the colour bars of warp and weft sets: a thread's colour, or its yarn");
+  constexpr const char* kWhat[] = {"Colour", "Yarn"};
+  int what = static_cast<int>(c.work.bar_paint);
+  if (segmented(c, "bars", kWhat, what)) c.work.bar_paint = static_cast<BarPaint>(what);
+  row_label(c, "", "");
+  if (MaybeEdit all = paint_all(c)) edit = std::move(all);
+  return edit;
+}
+
+}  // namespace weftlight::views

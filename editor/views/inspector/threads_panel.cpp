@@ -1,0 +1,340 @@
+#include "views/inspector/threads_panel.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "draft/edits.h"
+#include "draft/yarn_presets.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+namespace {
+
+constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link to the yarn
+constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
+
+/// What the rows of the panel speak of.
+struct Subject {
+  System system;
+  std::vector<int> threads;
+  SharedThreads shared;
+};
+
+struct LengthSpec {
+  SliderSpec slider;
+  const char* what;  // in the label of undo
+  const char* link;  // control that gives it back to the yarn
+  SharedLength SharedThreads::*shared;
+  Design (*set)(Design, System, std::span<const int>, float);
+};
+const LengthSpec kThickness = {
+    {"threads.thickness", "Thickness", 0.02f, 10, "%.2f mm", "Diameter of the threads", true},
+    "Thickness",
+    "threads.thickness:yarn",
+    &SharedThreads::thickness,
+    with_thread_thickness};
+const LengthSpec kSpacing = {
+    {"threads.spacing", "Spacing", 0.05f, 20, "%.2f mm", "From the middle of a thread to the middle of the next", true},
+    "Spacing",
+    "threads.spacing:yarn",
+    &SharedThreads::spacing,
+    with_thread_spacing};
+
+template <class Apply>
+Edit edit_of(const Subject& s, const char* what, Apply apply) {
+  return {thread_label(what, s.system, s.threads.size()),
+          [apply, system = s.system, threads = s.threads](Design d) { return apply(std::move(d), system, threads); }};
+}
+
+/// How many are chosen, at the end of the field drawn last, where its text leaves room.
+void draw_count(const PanelContext& c, const ThreadChoice& choice) {
+  const std::string count =
+      std::to_string(choice.threads.size()) + " " + thread_word(choice.system, choice.threads.size());
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), padding = ImGui::GetStyle().FramePadding;
+  const float x = b.x - padding.x - ImGui::CalcTextSize(count.c_str()).x;
+  if (x < a.x + 2 * padding.x + ImGui::CalcTextSize(c.work.choice_words.c_str()).x) return;
+  ImGui::GetWindowDrawList()->AddText({x, a.y + padding.y}, c.style.color.muted, count.c_str());
+}
+
+/// Which threads: a text that names them, at its end how many they are.
+void draw_which(PanelContext& c, const Draft& d) {
+  ThreadChoice& choice = c.work.chosen;
+  const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(10);
+  const std::string all =
+      "all " + std::to_string(d.threads(choice.system).size()) + " " + thread_word(choice.system, 2);
+  const bool typing = ImGui::GetActiveID() == ImGui::GetID("##which");
+  if (!typing) c.work.choice_words = words_of_threads(choice.threads);
+  take_focus(c, "threads.which");
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
+  std::optional<std::vector<int>> named = threads_of_words(c.work.choice_words, d.threads(choice.system).size());
+  if (!named) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
+  const bool typed = ImGui::InputTextWithHint("##which", all.c_str(), &c.work.choice_words);
+  if (!named) ImGui::PopStyleColor();
+  c.map.add_item("threads.which");
+  if (!typing && !choice.threads.empty()) draw_count(c, choice);
+  tooltip(c,
+          "Which threads: 3-7, 12, 20-40/2 for every other one, odd or even; empty for all. Or drag along "
+          "the numbers beside the colour bars");
+  if (typed) named = threads_of_words(c.work.choice_words, d.threads(choice.system).size());
+  if (typed && named) choice.threads = std::move(*named);
+  if (clear <= 0) return;
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  if (icon_button(c, "threads.none", icon::kClear, "x", "Choose none: the panel then speaks of all threads   Esc"))
+    choice.threads.clear();
+  ImGui::PopStyleColor();
+}
+
+void draw_whose(PanelContext& c) {
+  ThreadChoice& choice = c.work.chosen;
+  constexpr const char* kSystems[] = {"Warp", "Weft"};
+  int system = choice.system == System::kWarp ? 0 : 1;
+  const ImVec2 at = ImGui::GetCursorPos();
+  if (segmented(c, "threads.system", kSystems, system, c.style.px(96)))
+    choice = {system == 0 ? System::kWarp : System::kWeft, {}, -1, {}, false, false};
+  ImGui::SetCursorPos(at);
+  row_label(c, "", "");
+  draw_which(c, c.design.draft);
+}
+
+std::string yarn_title(const Design& d, int index) {
+  return std::to_string(index + 1).append("  ").append(d.yarns[static_cast<size_t>(index)].name);
+}
+
+/// "S, 97 turns a metre".
+std::string twist_words(const Yarn& yarn) {
+  if (yarn.twist == Twist::kNone) return "no twist";
+  return (yarn.twist == Twist::kS ? "S twist, " : "Z twist, ") + fixed(yarn.turns_per_m, 0) + " turns a metre";
+}
+
+/// "S 97/m".
+std::string twist_mark(const Yarn& yarn) {
+  if (yarn.twist == Twist::kNone) return {};
+  return (yarn.twist == Twist::kS ? "S " : "Z ") + fixed(yarn.turns_per_m, 0) + "/m";
+}
+
+Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
+  c.work.yarn = yarn;
+  return edit_of(s, "Yarn", [yarn](Design d, System system, const std::vector<int>& threads) {
+    return with_thread_yarn(std::move(d), system, threads, yarn);
+  });
+}
+
+/// A yarn that is not yet in the draft, for these threads alone.
+Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
+  const auto index = static_cast<int>(c.design.yarns.size());
+  c.work.yarn = index;
+  return edit_of(s, "Yarn", [yarn, index](Design d, System system, const std::vector<int>& threads) {
+    return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
+  });
+}
+
+MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
+  row_label(c, "Yarn", "What the threads are spun from, and how they are twisted. Its twist and light are set below");
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const SharedIndex& yarn = s.shared.yarn;
+  const std::string shown = yarn.mixed() ? "mixed" : yarn_title(c.design, yarn.value);
+  if (!begin_combo(c, "threads.yarn", shown.c_str())) {
+    if (!yarn.mixed()) tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(yarn.value)]).c_str());
+    return {};
+  }
+  MaybeEdit edit;
+  for (int i = 0; i < static_cast<int>(c.design.yarns.size()); ++i) {
+    ImGui::PushID(i);
+    const std::string twisted = yarn_title(c.design, i) + "   " + twist_mark(c.design.yarns[static_cast<size_t>(i)]);
+    if (ImGui::Selectable(twisted.c_str(), !yarn.mixed() && i == yarn.value)) edit = give_yarn(c, s, i);
+    ImGui::PopID();
+    c.map.add_item("threads.yarn:" + std::to_string(i + 1));
+    tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(i)]).c_str());
+  }
+  ImGui::Separator();
+  const Yarn& like = c.design.yarns[static_cast<size_t>(yarn.value)];
+  if (ImGui::Selectable("A yarn of their own, like this one")) edit = give_new_yarn(c, s, like);
+  c.map.add_item("threads.yarn:own");
+  tooltip(c, "A copy for these threads alone, so that their twist can be changed");
+  for (const Yarn& ready : yarn_presets()) {
+    if (ImGui::Selectable(("New: " + ready.name).c_str())) edit = give_new_yarn(c, s, ready);
+    c.map.add_item("threads.yarn:" + ready.name);
+  }
+  end_combo();
+  return edit;
+}
+
+/// The colours that the threads have, over a drop-down's frame from `a` to `b`.
+void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 a, ImVec2 b) {
+  const float side = c.style.px(18), step = c.style.px(21),
+              top = static_cast<float>(static_cast<int>((a.y + b.y - side) / 2));
+  float x = a.x + c.style.px(6);
+  const auto swatch = [&](int index) {
+    draw_swatch(c, {x, top}, {x + side, top + side}, to_u32(c.design.draft.palette[static_cast<size_t>(index)]));
+    x += step;
+  };
+  swatch(color.value);
+  for (size_t i = 0; i < color.others.size() && x + step < b.x - c.style.px(24); ++i) swatch(color.others[i]);
+  if (color.mixed()) return;
+  const std::string name = "Colour " + std::to_string(color.value + 1);
+  ImGui::GetWindowDrawList()->AddText({x + c.style.px(5), a.y + ImGui::GetStyle().FramePadding.y}, c.style.color.text,
+                                      name.c_str());
+}
+
+MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
+  const auto& palette = c.design.draft.palette;
+  const float side = c.style.px(24), gap = c.style.px(6);
+  MaybeEdit edit;
+  for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
+    if (i % 6 != 0) ImGui::SameLine(0, gap);
+    const ImVec2 a = ImGui::GetCursorScreenPos();
+    ImGui::PushID(i);
+    if (ImGui::InvisibleButton("color", {side, side})) {
+      edit = edit_of(s, "Colour", [i](Design d, System system, const std::vector<int>& threads) {
+        return with_thread_color(std::move(d), system, threads, i);
+      });
+      c.work.color = i;
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::PopID();
+    c.map.add_item("threads.color:" + std::to_string(i + 1));
+    if (ImGui::IsItemVisible())
+      draw_swatch(c, a, {a.x + side, a.y + side}, to_u32(palette[static_cast<size_t>(i)]),
+                  !s.shared.color.mixed() && i == s.shared.color.value);
+    tooltip(c, ("Colour " + std::to_string(i + 1)).c_str());
+  }
+  ImGui::Dummy({0, c.style.px(2)});
+  if (ImGui::Selectable("A new colour")) {
+    const auto index = static_cast<int>(palette.size());
+    const Rgb like = palette[static_cast<size_t>(s.shared.color.value)];
+    edit = edit_of(s, "Colour", [like, index](Design d, System system, const std::vector<int>& threads) {
+      return with_thread_color(with_new_palette_color(std::move(d), like), system, threads, index);
+    });
+    c.work.color = index;
+  }
+  c.map.add_item("threads.color:new");
+  tooltip(c, "Added to the palette for these threads, and in hand above to be mixed");
+  return edit;
+}
+
+MaybeEdit draw_color(PanelContext& c, const Subject& s) {
+  row_label(c, "Colour", "The threads' colour from the palette");
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const ImVec2 a = ImGui::GetCursorScreenPos(),
+               b{a.x + ImGui::GetContentRegionAvail().x, a.y + ImGui::GetFrameHeight()};
+  const bool open = begin_combo(c, "threads.color", "");
+  MaybeEdit edit;
+  if (open) {
+    edit = draw_color_choices(c, s);
+    end_combo();
+  }
+  draw_shared_colors(c, s.shared.color, a, b);
+  return edit;
+}
+
+/// A hundredth of a millimetre is finer than any yarn is known.
+float rounded(float mm) { return std::round(mm * 100) / 100; }
+
+/// Shows whether the yarn decides, and gives it back to the yarn.
+bool draw_link(PanelContext& c, const LengthSpec& spec, const SharedLength& length) {
+  ImGui::SameLine(0, c.style.px(4));
+  const bool own = length.own > 0;
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  const bool pressed =
+      icon_button(c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? "own" : "yarn",
+                  own ? "Set for these threads. Click to leave it to their yarn again" : "Follows the yarn", own);
+  ImGui::PopStyleColor();
+  return pressed;
+}
+
+MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec) {
+  const SharedLength& length = s.shared.*spec.shared;
+  // Of several, a figure that nobody types: whatever is typed is then a change.
+  float mm = length.mixed() ? (length.low + length.high) / 2 * 1.0001f : length.low;
+  MaybeEdit edit;
+  if (span_slider(c, spec.slider, {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)}, mm))
+    edit = edit_of(s, spec.what,
+                   [set = spec.set, mm = rounded(mm)](Design d, System system, const std::vector<int>& threads) {
+                     return set(std::move(d), system, threads, mm);
+                   });
+  if (draw_link(c, spec, length))
+    edit = edit_of(s, spec.what, [set = spec.set](Design d, System system, const std::vector<int>& threads) {
+      return set(std::move(d), system, threads, kFromYarn);
+    });
+  return edit;
+}
+
+/// The spacing as weavers count it: threads in a centimetre or an inch.
+MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
+  const bool warp = s.system == System::kWarp;
+  const char* tip = warp ? "The sett: how many ends there are in a centimetre or an inch"
+                         : "How many picks there are in a centimetre or an inch";
+  row_label(c, warp ? "Ends" : "Picks", tip);
+  const float unit = c.work.per_inch ? kMmPerInch : kMmPerCm;
+  const SharedLength& spacing = s.shared.spacing;
+  float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
+  const SliderSpec field{"threads.sett", "", 0.5f, c.work.per_inch ? 500.0f : 200.0f, "%.2f", tip};
+  const float width = c.style.px(66);
+  MaybeEdit edit;
+  if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
+    edit = edit_of(s, "Spacing", [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
+      return with_thread_spacing(std::move(d), system, threads, mm);
+    });
+  ImGui::SameLine();
+  muted_text(c, "per");
+  ImGui::SameLine();
+  constexpr const char* kUnits[] = {"cm", "inch"};
+  int chosen = c.work.per_inch ? 1 : 0;
+  if (segmented(c, "threads.per", kUnits, chosen)) c.work.per_inch = chosen == 1;
+  return edit;
+}
+
+std::string in_unit(const SharedLength& length, double unit_mm) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", static_cast<double>(length.low) / unit_mm);
+  return length.mixed() ? "mixed" : text;
+}
+
+/// The measures as a file says them that counts neither in centimetres nor in millimetres.
+void draw_file_words(const PanelContext& c, const Subject& s) {
+  const WifUnit& unit = s.system == System::kWarp ? c.work.warp_unit : c.work.weft_unit;
+  if (unit.mm == static_cast<double>(kMmPerCm)) return;
+  std::string text;
+  const auto add = [&](const char* what, const SharedLength& length) {
+    if (length.own > 0) text += (text.empty() ? "" : ", ") + std::string(what) + " " + in_unit(length, unit.mm);
+  };
+  add("thickness", s.shared.thickness);
+  add("spacing", s.shared.spacing);
+  if (text.empty()) return;
+  ImGui::PushFont(c.style.font.small);
+  row_label(c, unit.name.c_str(), "The measures in the file's own unit, in which they are saved again");
+  muted_text(c, text);
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+MaybeEdit draw_threads(PanelContext& c) {
+  if (c.work.focus.starts_with("threads.")) open_section("section.threads");
+  if (!section(c, "section.threads", "Threads")) return {};
+  limit_choice(c.work.chosen, c.design.draft);
+  draw_whose(c);
+  Subject s{c.work.chosen.system, concerned(c.work.chosen, c.design.draft), {}};
+  if (s.threads.empty()) return {};
+  s.shared = shared_by(c.design, s.system, s.threads);
+  MaybeEdit edit;
+  const auto take = [&edit](MaybeEdit made) {
+    if (made) edit = std::move(made);
+  };
+  take(draw_yarn(c, s));
+  take(draw_color(c, s));
+  take(draw_length(c, s, kThickness));
+  take(draw_length(c, s, kSpacing));
+  take(draw_sett(c, s));
+  draw_file_words(c, s);
+  return edit;
+}
+
+}  // namespace weftlight::views

@@ -1,0 +1,34 @@
+#pragma once
+// A piece of thread in the light: a round thread with its twist, grooves and stray fibres, shaded on the CPU
+// by the formulas of the cloth.
+
+#include <vector>
+
+#include "ui/pixel_texture.h"
+#include "views/common/names.h"
+#include "views/common/panel.h"
+
+namespace weftlight::views {
+
+/// width x height pixels, row 0 on top, transparent beside the thread. The light is `light_deg` off the
+/// normal, towards the right, and a little above.
+std::vector<ImU32> yarn_strip(const Yarn& yarn, Rgb colour, float light_deg, int width, int height);
+
+/// The strip as a texture, shaded again only when what it shows has changed.
+class YarnStrip {
+ public:
+  ImTextureID of(const Yarn& yarn, Rgb colour, float light_deg, int width, int height);
+
+ private:
+  struct Key {
+    Yarn yarn;
+    Rgb colour;
+    float light_deg = 0;
+    int width = 0, height = 0;
+    bool operator==(const Key&) const = default;
+  };
+  PixelTexture texture_;
+  Key key_;
+};
+
+}  // namespace weftlight::views

@@ -1,0 +1,39 @@
+#pragma once
+// The actions as menu, toolbar and command palette show them. All three only name the action that was
+// chosen; the editor's one table runs it.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "session/action_item.h"
+#include "views/common/names.h"
+#include "views/common/panel.h"
+
+namespace weftlight::views {
+
+/// The row at the top: menus, then the toolbar's icons, the title in the middle. Id of the action or "".
+std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title);
+
+/// The items one below the other, submenus too; for an open menu. Named `prefix` + id in the map.
+std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);
+/// The menu of a right click on the selection, when Workspace::select wants it or it stands open.
+std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items);
+
+/// What the mouse does, and every action that has a key, in a window of their own.
+void draw_keys_window(const PanelContext& c, std::span<const ActionItem> items, bool& open);
+
+struct CommandPalette {
+  bool open = false;
+  bool appearing = false;
+  std::string typed;
+  int chosen = 0;
+};
+/// A list over the window, narrowed by typing; Enter runs the chosen one. Id of the action or "".
+std::string draw_command_palette(const PanelContext& c, std::span<const ActionItem> items, CommandPalette& palette);
+
+/// True when every letter of `typed` occurs in `label` in order, whatever the case; a better match scores
+/// higher (runs and starts of words count more).
+bool matches(const std::string& label, const std::string& typed, int& score);
+
+}  // namespace weftlight::views

@@ -1,0 +1,102 @@
+// How the grids of a draft are laid out and drawn, and how commands are found.
+
+#include <gtest/gtest.h>
+
+#include "views/common/cell_image.h"
+#include "views/draft/draft_layout.h"
+#include "views/shell/action_list.h"
+
+namespace weftlight::views {
+namespace {
+
+Design twill() {
+  Design d;
+  d.draft = blank_draft(6, 5, 4, 4);
+  for (int i = 0; i < 6; ++i) d.draft.threading.set(i, i % 4, true);
+  for (int i = 0; i < 5; ++i) d.draft.treadling.set(i, i % 4, true);
+  for (int i = 0; i < 4; ++i) d.draft.tieup.set(i, i, true), d.draft.tieup.set(i, (i + 1) % 4, true);
+  return d;
+}
+
+TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
+  Design d = twill();
+  d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
+  BitMatrix cells(5, 6);
+  cells.set(0, 0, true);
+  const Axis ends{0, 12, 2, 0, 6, false}, picks{0, 10, 2, 0, 5, false};
+  const CellImage image = cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
+  ASSERT_EQ(image.pixels.size(), 120u);
+  EXPECT_EQ(image.pixels[0], IM_COL32(0, 0, 0, 255)) << "the warp is black and on top at end 1, pick 1";
+  EXPECT_EQ(image.pixels[2], IM_COL32(255, 255, 255, 255));
+  const CellImage back = cell_image(d.draft, cells, Face::kBack, DrawdownStyle::kColor, light_colors(), ends, picks);
+  EXPECT_EQ(back.pixels[0], IM_COL32(255, 255, 255, 255));
+
+  d.draft = blank_draft(400, 400, 2, 2);
+  d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
+  BitMatrix plain(400, 400);
+  for (int pick = 0; pick < 400; ++pick)
+    for (int end = pick % 2; end < 400; end += 2) plain.set(pick, end, true);
+  const Axis small{0, 100, 0.25f, 0, 400, true};
+  const CellImage mean = cell_image(d.draft, plain, Face::kFront, DrawdownStyle::kColor, light_colors(), small, small);
+  for (ImU32 pixel : mean.pixels)
+    EXPECT_NEAR(static_cast<double>(pixel & 255), 127, 1) << "plain weave is grey from afar";
+}
+
+TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
+  const Design d = twill();
+  Workspace work;
+  const Style style;
+  const DraftLayout l = lay_out_draft(d.draft, work, style, {0, 0}, {800, 600});
+  EXPECT_EQ(l.threading.x.start, l.drawdown.x.start);
+  EXPECT_EQ(l.tieup.y.start, l.threading.y.start);
+  EXPECT_EQ(l.tieup.x.start, l.lift.x.start);
+  EXPECT_EQ(l.weft_bar.y.start, l.drawdown.y.start);
+  const UiGrid grid = map_of(l.threading);
+  for (int end = 0; end < 6; ++end)
+    for (int shaft = 0; shaft < 4; ++shaft) {
+      const ImVec2 at{grid.origin[0] + static_cast<float>(end) * grid.step_a[0],
+                      grid.origin[1] + static_cast<float>(shaft) * grid.step_b[1]};
+      EXPECT_EQ(l.threading.at(at), (Cell{end, shaft}));
+    }
+}
+
+TEST(Layout, TenThousandThreadsStayInThePane) {
+  const Draft d = blank_draft(10000, 10000, 32, 32);
+  for (float pitch : {0.0f, 0.02f, 1.0f, 20.0f}) {
+    Workspace work;
+    work.pitch = pitch;
+    work.scroll_end = 1e9f;
+    const DraftLayout l = lay_out_draft(d, work, Style{}, {0, 0}, {640, 800});
+    EXPECT_LE(l.weft_bar.max().x, 640);
+    EXPECT_LE(l.drawdown.max().y, 800);
+    EXPECT_LE(work.scroll_end, 10000);
+  }
+}
+
+TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
+  const Style style;
+  const Draft d = blank_draft(16, 16, 4, 4);
+  Workspace work;
+  const float width = fitting_width(d, style, 400, 700, 800);
+  const DraftLayout l = lay_out_draft(d, work, style, {0, 0}, {width, 800});
+  EXPECT_GE(work.pitch, 24);
+  EXPECT_LE(work.pitch, 28);
+  EXPECT_EQ(work.pitch, static_cast<float>(static_cast<int>(work.pitch))) << "whole pixels";
+  EXPECT_FALSE(l.scroll_ends || l.scroll_picks);
+  EXPECT_EQ(fitting_width(blank_draft(1, 1, 1, 1), style, 400, 700, 800), 400);
+  EXPECT_EQ(fitting_width(blank_draft(2000, 2000, 8, 8), style, 400, 700, 800), 700);
+}
+
+TEST(Commands, TypingNarrowsAndTheBestMatchLeads) {
+  int score = 0, better = 0;
+  EXPECT_TRUE(matches("Save as", "sa", score));
+  EXPECT_TRUE(matches("Larger cells", "lc", score));
+  EXPECT_FALSE(matches("Save", "xs", score));
+  EXPECT_TRUE(matches("Undo", "", score));
+  ASSERT_TRUE(matches("Save", "save", better));
+  ASSERT_TRUE(matches("Slide a vase", "save", score));
+  EXPECT_GT(better, score);
+}
+
+}  // namespace
+}  // namespace weftlight::views

@@ -96,7 +96,7 @@ Footprint footprint_here() {
   f.axis = along * inversesqrt(max(dot(along, along), 1e-20)) * sqrt(major2) / texels;
   // By area: at grazing views a pixel is long, but as fine as ever across.
   // Nor does it get finer than its length allows: where the cloth is seen edge-on derivatives are rough.
-  f.yarns = sqrt(max(area, major2 / 256.0) / max(texels.x * texels.y, 1.0) * cloth.size.x * cloth.size.y) / cloth.size.z;
+  f.yarns = sqrt(max(area, major2 / 256.0) / max(texels.x * texels.y, 1.0) * cloth.width_mm * cloth.depth_mm) / cloth.spacing_mm;
   return f;
 }
 
@@ -134,24 +134,24 @@ System fetch_system(Side s, Footprint f, int which) {
 
 // Colour of the threads, without the gaps.
 vec3 thread_color(Side s, vec4 warp, vec4 weft) {
-  vec3 mean = cloth.systems[s.face * 2].mean.rgb * cloth.systems[s.face * 2].extra.y
-            + cloth.systems[s.face * 2 + 1].mean.rgb * cloth.systems[s.face * 2 + 1].extra.y;
+  vec3 mean = cloth.systems[s.face * 2].color.rgb * cloth.systems[s.face * 2].coverage
+            + cloth.systems[s.face * 2 + 1].color.rgb * cloth.systems[s.face * 2 + 1].coverage;
   return (warp.rgb + weft.rgb + mean * 0.004) / (warp.a + weft.a + 0.004);
 }
 
 vec3 system_color(vec4 color, SystemData data) {
-  return min((color.rgb + data.mean.rgb * 0.004) / (color.a + 0.004), vec3(1.0));
+  return min((color.rgb + data.color.rgb * 0.004) / (color.a + 0.004), vec3(1.0));
 }
 
 // Share of the sky that the threads around leave.
 float sky_left(Side s, Footprint f) {
-  float layer = cloth.size.w + float(s.face) * (cloth.size.w + 1.0);
+  float layer = cloth.azimuths + float(s.face) * (cloth.azimuths + 1.0);
   return textureLod(horizon_map, vec3(f.at, layer), f.level - 1.0).r;
 }
 
 // Share of the key light (x) and of the sky (y) that the threads around leave.
 vec2 thread_light(Side s, Footprint f, vec3 l) {
-  int count = int(cloth.size.w);
+  int count = int(cloth.azimuths);
   float base = float(s.face * (count + 1));
   HorizonTaps taps = horizon_taps(atan(l.y, l.x), count);
   vec2 a = textureLod(horizon_map, vec3(f.at, base + float(taps.at.y)), f.level - 1.0).rg;
@@ -175,6 +175,15 @@ struct Seen {
 
 Seen seen_systems(int face, vec3 v) {
   vec2 c = response_coord(v);
-  vec4 s = textureLod(seen_map, vec2((c.x * 32.0 + 0.5) / 33.0, (float(face) * 8.0 + c.y + 0.5) / 16.0), 0.0);
+  const float around = float(RESPONSE_VIEWS_AROUND);
+  const float up = float(RESPONSE_ELEVATIONS);
+  vec4 s = textureLod(seen_map, vec2((c.x * around + 0.5) / (around + 1.0), (float(face) * up + c.y + 0.5) / (2.0 * up)), 0.0);
   return Seen(vec2(s.x, 1.0 - s.x), s.zw, s.y);
+}
+
+// Share of the pixel that threads fill, of the prefiltered rungs.
+float cover_of(Side side, Lights x, Footprint f) {
+  if (cloth.open < 0.5) return 1.0;
+  float coverage = min(fetch_color(side, f, 0).a + fetch_color(side, f, 1).a, 1.0);
+  return coverage_by_view(coverage, vec2(cloth.gap_u_mm, cloth.gap_v_mm), cloth.rim_mm, x.v);
 }

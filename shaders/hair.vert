@@ -57,18 +57,18 @@ Fibre fibre_at(float t, vec3 n, float mean_length, float least_length, inout uin
 
 // Dye of the yarn under the root, and what the cloth there sends back.
 vec3 dye_beneath(int face, vec2 tile, out vec3 body) {
-  float level = max(log2(float(textureSize(color_map, 0).x) * cloth.size.z / cloth.size.x) - 1.0, 0.0);
+  float level = max(log2(float(textureSize(color_map, 0).x) * cloth.spacing_mm / cloth.width_mm) - 1.0, 0.0);
   vec3 sum = vec3(0.0);
   vec3 sent = vec3(0.0);
   float weight = 0.0;
   float cover = 0.0;
   for (int i = 0; i < 2; ++i) {
     SystemData data = cloth.systems[face * 2 + i];
-    vec4 c = textureLod(color_map, vec3(tile, float(face * 2 + i)), level) + vec4(data.mean.rgb, 1.0) * (0.004 * data.mean.w);
-    float share = hair_share(data.weights.z);
+    vec4 c = textureLod(color_map, vec3(tile, float(face * 2 + i)), level) + vec4(data.color.rgb, 1.0) * (0.004 * data.share);
+    float share = hair_share(data.yarn.fuzz);
     sum += c.rgb * share;
     weight += c.a * share;
-    sent += c.rgb * (data.weights.y * (1.0 - data.tint.w));
+    sent += c.rgb * (data.yarn.body * (1.0 - data.yarn.tint.w));
     cover += c.a;
   }
   body = clamp(sent / max(cover, 1e-4), 0.0, 1.0);

@@ -1,22 +1,38 @@
-// What C++ and GLSL agree on: texture slots, layers, and the two uniform blocks (std140, made of vec4 and
-// mat4 alone so that both sides lay them out alike). Read by C++ and, through the shader loader, by GLSL.
+// What C++ and GLSL agree on: sizes, texture slots, and the two uniform blocks. Read by C++ and, through the shader
+// loader, by GLSL. The blocks are std140, made of vec4, mat4 and whole fours of floats alone, so that both sides lay
+// them out alike; the end of the file asserts it.
 #ifdef __cplusplus
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 namespace weftlight {
 namespace interop {
-using vec4 = std::array<float, 4>;
-using mat4 = std::array<float, 16>;
+using glm::mat4;
+using glm::vec4;
 #endif
 
 #define SH_COEFFICIENTS 9
 
-// Of the tables of threads (editor/preview/thread_block.h).
+// Texels of the map of threads (thread_records.glsl): its width, its head, a thread, a yarn. Where in a thread's
+// texels its body, its colour and its pattern begin. Crossings lie in square blocks so many texels wide.
 #define THREAD_MAP_WIDTH 1024
+#define THREAD_HEAD_TEXELS 4
 #define THREAD_TEXELS 6
+#define THREAD_BODY 0
+#define THREAD_COLOR 1
+#define THREAD_PATTERN 2
 #define YARN_TEXELS 4
 #define CROSSING_BLOCK 4096
+
+// Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights;
+// bins of slope angles.
+#define RESPONSE_ELEVATIONS 8
+#define RESPONSE_VIEWS_AROUND 32
+#define RESPONSE_LIGHTS_AROUND 16
+#define RESPONSE_SLOPES 64
 
 struct FrameData {
   mat4 world_to_clip;
@@ -37,27 +53,53 @@ struct FrameData {
                               // mesh's front and back, mm
 };
 
+// The lobes of a yarn as the shaders take them (yarn_of() of rungs.glsl), or means of several yarns.
+struct YarnData {
+  float along_width;  // RMS slopes
+  float across_width;
+  float specular;
+  float body;
+  float fuzz;
+  float fuzz_width;
+  float fuzz_depth;  // optical
+  float transmission;
+  vec4 tint;          // rgb of the specular, linear; w: 1 metallic
+  float reflectance;  // at normal incidence
+  float spare_a;      // for further numbers of a yarn; 0
+  float spare_b;
+  float spare_c;
+};
+
 // One thread system of one face: index face * 2 + system (0 warp, 1 weft).
 struct SystemData {
-  vec4 widths;   // along, across (RMS slopes); z: tan of the fibre's angle; w: fuzz width
-  vec4 weights;  // specular, body, fuzz, transmission
-  vec4 tint;     // rgb of the specular; w: 1 metallic
-  vec4 extra;    // x: reflectance at normal incidence; y: mean coverage; z: fuzz depth;
-                 // w: mean height over the other system, in mean spacings
-  vec4 mean;     // rgb: mean colour; w: share of the cover
-  vec4 facets;   // means of the unit normal's x, y and of their squares
+  YarnData yarn;    // mean over its threads
+  float fibre_tan;  // of the mean angle between fibre and thread
+  float coverage;   // mean over the cloth
+  float share;      // of the cover
+  float spare;
+  vec4 color;   // rgb: mean
+  vec4 facets;  // means of the unit normal's x, y and of their squares
 };
 
 struct ClothData {
   SystemData systems[4];
-  vec4 size;    // width, depth mm; z: mean spacing of yarns mm; w: azimuths of the horizon
-  vec4 gaps;    // xy: mean gap along u and v, mm; z: height of the threads at its rim, mm;
-                // w: 1 where the cloth has gaps at all
-  vec4 relief;  // zw: mean share of the sky that threads leave, front and back
-  vec4 even;    // x: yarns a pixel from which on the period's colour is even
+  float width_mm;
+  float depth_mm;
+  float spacing_mm;  // mean, of yarns
+  float azimuths;    // of the horizon
+  float gap_u_mm;    // mean gaps along u and v
+  float gap_v_mm;
+  float rim_mm;     // height of the threads at a gap's rim
+  float open;       // 1 where the cloth has gaps at all
+  float front_sky;  // mean share of the sky that threads leave
+  float back_sky;
+  float even_yarns;  // yarns a pixel from which on the period's colour is even
+  float spare;
 };
 
 #ifdef __cplusplus
+/// Bit for bit.
+inline bool operator==(const ClothData& a, const ClothData& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 }  // namespace interop
 
 inline constexpr int kFrameBinding = 0, kClothBinding = 1;
@@ -97,7 +139,13 @@ inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{"in_po
                                                                           "in_uv_mm",    "in_sky",    "in_hair"};
 
 static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 8)) * sizeof(float));
-static_assert(sizeof(interop::SystemData) == 24 * sizeof(float));
-static_assert(offsetof(interop::ClothData, size) == 96 * sizeof(float));
+static_assert(offsetof(interop::FrameData, background) == (32 + 4 * (3 + SH_COEFFICIENTS)) * sizeof(float));
+static_assert(sizeof(interop::YarnData) == YARN_TEXELS * sizeof(glm::vec4));
+static_assert(offsetof(interop::YarnData, tint) == 2 * sizeof(glm::vec4));
+static_assert(offsetof(interop::SystemData, fibre_tan) == sizeof(interop::YarnData));
+static_assert(offsetof(interop::SystemData, color) == sizeof(interop::YarnData) + sizeof(glm::vec4));
+static_assert(sizeof(interop::SystemData) == sizeof(interop::YarnData) + 3 * sizeof(glm::vec4));
+static_assert(offsetof(interop::ClothData, width_mm) == 4 * sizeof(interop::SystemData));
+static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 3 * sizeof(glm::vec4));
 }  // namespace weftlight
 #endif

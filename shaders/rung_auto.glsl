@@ -2,22 +2,25 @@
 // next. Those of no weight are not evaluated. RUNGS: which the picture needs at all, by bits (yarn 1, cell 2,
 // repeat 4, cloth 8).
 
+#include "rung_cell.glsl"
 #include "rung_colors.glsl"
+#include "rung_repeat.glsl"
+#include "rung_yarn.glsl"
 
 vec3 rungs_color(vec4 weight) {
   return rung_color(0) * weight.x + rung_color(1) * weight.y + rung_color(2) * weight.z + rung_color(3) * weight.w;
 }
 
-// cover: of the prefiltered rungs.
-vec4 shade_auto(Side side, Lights x, Footprint f, float cover) {
+vec4 shade_auto(Side side, Lights x, Footprint f) {
+  float cover = cover_of(side, x, f);   // of the prefiltered rungs
 #if defined(QUICK)
   // While the view moves: one rung for the whole picture, the nearer of two.
 #if (RUNGS & 1) != 0
   return shade_yarn(side, x, f);
 #elif (RUNGS & 2) != 0
-  return vec4(shade_cell(side, x, f), cover);
+  return vec4(cell_light(side, x, f), cover);
 #else
-  return vec4(shade_repeat(side, x, f), cover);
+  return vec4(repeat_light(side, x, f), cover);
 #endif
 #else
   vec4 weight = rung_weights(f.yarns, frame.rungs.xyz) * vec4(RUNGS & 1, (RUNGS >> 1) & 1, (RUNGS >> 2) & 1, RUNGS >> 3);
@@ -31,13 +34,13 @@ vec4 shade_auto(Side side, Lights x, Footprint f, float cover) {
 #endif
   vec3 far = vec3(0.0);
 #if (RUNGS & 2) != 0
-  if (weight.y > 0.0) far += weight.y * shade_cell(side, x, f);
+  if (weight.y > 0.0) far += weight.y * cell_light(side, x, f);
 #endif
 #if (RUNGS & 4) != 0
-  if (weight.z > 0.0) far += weight.z * shade_repeat(side, x, f);
+  if (weight.z > 0.0) far += weight.z * repeat_light(side, x, f);
 #endif
 #if (RUNGS & 8) != 0
-  if (weight.w > 0.0) far += weight.w * shade_cloth(side, x);
+  if (weight.w > 0.0) far += weight.w * cloth_light(side, x);
 #endif
   color += vec4(far, weight.y + weight.z + weight.w) * cover;
   color.rgb /= max(color.a, 1.0e-4);

@@ -6,14 +6,17 @@
 vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 i = response_coord(l);
   vec2 o = response_coord(v);
-  vec2 at = vec2((i.x * 16.0 + 0.5) / 17.0, (float(table) * 32.0 + float(system) * 8.0 + i.y + 0.5) / 64.0);
-  o.x *= 32.0;
-  vec2 cell = min(floor(o), vec2(31.0, 6.0));
+  const float lights = float(RESPONSE_LIGHTS_AROUND);
+  const float views = float(RESPONSE_VIEWS_AROUND);
+  const float up = float(RESPONSE_ELEVATIONS);
+  vec2 at = vec2((i.x * lights + 0.5) / (lights + 1.0), ((float(table) * 4.0 + float(system)) * up + i.y + 0.5) / (8.0 * up));
+  o.x *= views;
+  vec2 cell = min(floor(o), vec2(views - 1.0, up - 2.0));
   vec2 t = o - cell;
-  float layer = cell.y * 32.0 + cell.x;
-  float next = cell.x > 30.5 ? cell.y * 32.0 : layer + 1.0;
+  float layer = cell.y * views + cell.x;
+  float next = cell.x > views - 1.5 ? cell.y * views : layer + 1.0;
   vec4 near = mix(textureLod(response_map, vec3(at, layer), 0.0), textureLod(response_map, vec3(at, next), 0.0), t.x);
-  vec4 far = mix(textureLod(response_map, vec3(at, layer + 32.0), 0.0), textureLod(response_map, vec3(at, next + 32.0), 0.0), t.x);
+  vec4 far = mix(textureLod(response_map, vec3(at, layer + views), 0.0), textureLod(response_map, vec3(at, next + views), 0.0), t.x);
   return mix(near, far, t.y);
 }
 
@@ -22,9 +25,9 @@ Answer answer_from_afar(Side side, Lights x, int which, vec2 slopes, vec3 color)
   SystemData data = cloth.systems[system];
   vec2 d = vec2(textureLod(slopes_map, vec2(slopes.x, (float(system) * 2.0 + 0.5) / 8.0), 0.0).r,
                 textureLod(slopes_map, vec2(slopes.y, (float(system) * 2.0 + 1.5) / 8.0), 0.0).r);
-  YarnLobes y = yarn_of(data.widths, data.weights, data.tint, data.extra, color);
-  float sky = side.face == 0 ? cloth.relief.z : cloth.relief.w;
-  return system_answer(y, response_at(0, system, x.l, x.v), d, data.mean.w, sky, x.l, x.v);
+  YarnLobes y = yarn_of(data.yarn, color);
+  float sky = side.face == 0 ? cloth.front_sky : cloth.back_sky;
+  return system_answer(y, response_at(0, system, x.l, x.v), d, data.share, sky, x.l, x.v);
 }
 
 vec2 half_slope_coords(Lights x) {
@@ -61,7 +64,7 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
   float level = f.level - 1.0 - row;
-  float wide = max(level, log2(4.0 * texels.x * cloth.size.z / cloth.size.x));   // mips of four yarns, read between texels
+  float wide = max(level, log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm));   // mips of four yarns, read between texels
   for (int i = 0; i < 4; ++i) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;
@@ -83,13 +86,13 @@ Answer leaned_answer(Side side, Lights x, Local y, int which, vec2 slopes) {
   return a;
 }
 
-vec3 shade_repeat(Side side, Lights x, Footprint f) {
+vec3 repeat_light(Side side, Lights x, Footprint f) {
   Seen seen = seen_systems(side.face, x.v);
   // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
-  vec2 towards = x.v.xy / (x.v.z * cloth.size.xy);
+  vec2 towards = x.v.xy / (x.v.z * vec2(cloth.width_mm, cloth.depth_mm));
   Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
   Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
-  vec2 share = vec2(cloth.systems[side.face * 2].mean.w, cloth.systems[side.face * 2 + 1].mean.w);
+  vec2 share = vec2(cloth.systems[side.face * 2].share, cloth.systems[side.face * 2 + 1].share);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(share, vec2(1e-3));
   vec2 region = vec2(warp.around, weft.around) / max(share * (warp.around + weft.around), vec2(1e-3));
   vec2 rise = seen.rise * share / max(seen.share, vec2(1e-3)) - 1.0;
@@ -100,9 +103,12 @@ vec3 shade_repeat(Side side, Lights x, Footprint f) {
   return mixed_light(side, x, mixed_answer(a, b, relative, seen.share));
 }
 
-vec3 shade_cloth(Side side, Lights x) {
+vec3 cloth_light(Side side, Lights x) {
   vec2 slopes = half_slope_coords(x);
-  Answer a = answer_from_afar(side, x, 0, slopes, cloth.systems[side.face * 2].mean.rgb);
-  Answer b = answer_from_afar(side, x, 1, slopes, cloth.systems[side.face * 2 + 1].mean.rgb);
+  Answer a = answer_from_afar(side, x, 0, slopes, cloth.systems[side.face * 2].color.rgb);
+  Answer b = answer_from_afar(side, x, 1, slopes, cloth.systems[side.face * 2 + 1].color.rgb);
   return mixed_light(side, x, mixed_answer(a, b, vec2(1.0), vec2(0.5)));
 }
+
+vec4 shade_repeat(Side side, Lights x, Footprint f) { return vec4(repeat_light(side, x, f), cover_of(side, x, f)); }
+vec4 shade_cloth(Side side, Lights x, Footprint f) { return vec4(cloth_light(side, x), cover_of(side, x, f)); }

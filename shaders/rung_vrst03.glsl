@@ -31,11 +31,12 @@ float thread_shadow(int face, vec3 l) {
   return texture(thread_shadow_map, vec3(tile, layer)).r;
 }
 
-vec3 shade_vrst03(Side side, Lights x, Footprint f) {
+vec4 shade_vrst03(Side side, Lights x, Footprint f) {
   vec3 color = thread_color(side, fetch_color(side, f, 0), fetch_color(side, f, 1));
   SystemData a = cloth.systems[side.face * 2];
   SystemData b = cloth.systems[side.face * 2 + 1];
-  vec3 mean = (a.mean.rgb * a.extra.y + b.mean.rgb * b.extra.y) / max(a.extra.y + b.extra.y, 1e-3);
+  vec3 mean = (a.color.rgb * a.coverage + b.color.rgb * b.coverage) / max(a.coverage + b.coverage, 1e-3);
   vec3 brdf = separable_brdf(side.face, x.l, x.v) * (color / max(mean, vec3(0.02)));
-  return x.key * brdf * (max(x.l.z, 0.0) * thread_shadow(side.face, x.l)) + color * sky_diffuse(side.n) * side.sky;
+  vec3 light = x.key * brdf * (max(x.l.z, 0.0) * thread_shadow(side.face, x.l)) + color * sky_diffuse(side.n) * side.sky;
+  return vec4(light, cover_of(side, x, f));
 }

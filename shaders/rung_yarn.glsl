@@ -35,7 +35,7 @@ vec3 light_sample(vec3 l, int i) {
 
 // 1 or -1 where the horizons of a place leave no doubt that the light reaches it or does not; else 0.
 float surely_lit(int face, vec2 at, float level, vec3 l) {
-  int count = int(cloth.size.w);
+  int count = int(cloth.azimuths);
   float base = float(face * (count + 1));
   float turn = atan(l.y, l.x) * 0.15915494;
   float bin = (turn - floor(turn)) * float(count);

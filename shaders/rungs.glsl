@@ -12,6 +12,8 @@
 //   geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals); Walter et al. 2007
 //   and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017 (sheen).
 
+#include "interop.h"
+
 #ifndef FORMULA
 #define FORMULA
 #endif
@@ -30,19 +32,19 @@ FORMULA int yarn_samples(float yarns, int most) {
   return min(int(clamp(ceil(yarns * yarns * 192.0f), float(kLeastYarnSamples), float(kMostYarnSamples))), most);
 }
 
-// Lobes from the numbers of a yarn or of a mean of yarns (interop.h, SystemData).
-FORMULA YarnLobes yarn_of(vec4 widths, vec4 weights, vec4 tint, vec4 extra, vec3 color) {
+// Lobes of a yarn, or of a mean of yarns, on a thread of that colour.
+FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   YarnLobes y;
-  float metal = tint.w;
-  vec3 body = color * (weights.y * (1.0f - metal));
-  y.slope_cov = vec3(widths.x * widths.x, 0.0f, widths.y * widths.y);
-  y.f90 = weights.x;
-  y.f0 = vec3(tint) * weights.x * mix(vec3(extra.x), color, metal);
-  y.body = body * (1.0f - weights.w);
-  y.through = body * weights.w;
-  y.fuzz_colour = sqrt(color);
-  y.fuzz = weights.z;
-  y.fuzz_depth = extra.z;
+  float metal = data.tint.w;
+  vec3 body = color * (data.body * (1.0f - metal));
+  y.slope_cov = vec3(data.along_width * data.along_width, 0.0f, data.across_width * data.across_width);
+  y.f90 = data.specular;
+  y.f0 = vec3(data.tint) * data.specular * mix(vec3(data.reflectance), color, metal);
+  y.body = body * (1.0f - data.transmission);
+  y.through = body * data.transmission;
+  y.fuzz_colour = sqrt(color);   // light leaves a lone fibre after fewer meetings with the dye
+  y.fuzz = data.fuzz;
+  y.fuzz_depth = data.fuzz_depth;
   return y;
 }
 
@@ -66,10 +68,10 @@ FORMULA Answer facet_answer(YarnLobes yarn, vec3 n, float gather, vec3 fibre, ve
   return a;
 }
 
-// Coordinates of a direction in the response tables: azimuth 0..1 (wraps), elevation 0..7.
+// Coordinates of a direction in the response tables: azimuth 0..1 (wraps), elevation in nodes.
 FORMULA vec2 response_coord(vec3 w) {
   float turn = atan(w.y, w.x) * 0.15915494f;
-  return vec2(turn - floor(turn), sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * 7.0f);
+  return vec2(turn - floor(turn), sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * float(RESPONSE_ELEVATIONS - 1));
 }
 
 // Coordinate 0..1 of a slope in the tables of slopes.

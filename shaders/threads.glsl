@@ -1,5 +1,5 @@
 // Threads as bodies: elliptic sections, swept at right angles along centre lines that climb over each other, and
-// rays among them. GLSL 3.30 and C++20 (core/cloth/thread_table.h). Cloth space: x along the weft, y along the
+// rays among them. GLSL 3.30 and C++20 (core/cloth/thread_scene.h). Cloth space: x along the weft, y along the
 // warp, z out of the face that is seen; millimetres. Systems: 0 warp, 1 weft.
 //
 //   Crossing c = crossing_near(grid, at)           the two strands over and under a place
@@ -22,6 +22,7 @@
 const float kStepsInTop = 5.0f;
 const int kLeastStepsInCell = 4;
 const int kMostStepsInCell = 10;
+const int kMostHalvings = 24;   // among 2^24 threads
 
 struct ThreadGrid {
   ivec2 count;      // ends, picks
@@ -106,14 +107,18 @@ FORMULA float strand_near(Strand s, float across, float along, float z) {
   return (sqrt(x * x + y * y) - 1.0f) * s.half_height;
 }
 
+// The first thread that reaches past a place of 0..period.
 FORMULA int thread_at(ThreadGrid g, int system, float place) {
   if (g.even[system] > 0.0f) return clamp(int(place / g.even[system]), 0, g.count[system] - 1);
   int bin = clamp(int(place / g.period[system] * float(g.bins[system])), 0, g.bins[system] - 1);
   int thread = thread_bin(system, bin);
-  for (int k = 0; k < 6; ++k) {
-    vec4 body = thread_body(system, thread);
-    if (body.x + body.y > place || thread + 1 >= g.count[system]) break;
-    ++thread;
+  int last = bin + 1 < g.bins[system] ? thread_bin(system, bin + 1) : g.count[system] - 1;
+  // Most bins hold one border at most; those of the finest threads among coarse ones, thousands.
+  for (int k = 0; k < kMostHalvings && thread < last; ++k) {
+    int middle = (thread + last) / 2;
+    vec4 body = thread_body(system, middle);
+    if (body.x + body.y > place) last = middle;
+    else thread = middle + 1;
   }
   return thread;
 }

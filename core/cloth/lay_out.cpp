@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "cloth/cloth.h"
+#include "cloth/srgb.h"
 #include "draft/analysis.h"
 
 namespace weftlight::cloth {
@@ -22,15 +23,8 @@ constexpr float kTallest = 1.5f;
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
 
-float channel_to_linear(float c) {
-  c = std::clamp(c, 0.0f, 1.0f);
-  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-}
-
-float channel_to_srgb(float c) {
-  c = std::clamp(c, 0.0f, 1.0f);
-  return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
-}
+float channel_to_linear(float c) { return srgb_decoded(std::clamp(c, 0.0f, 1.0f)); }
+float channel_to_srgb(float c) { return srgb_encoded(std::clamp(c, 0.0f, 1.0f)); }
 
 template <class T>
 T entry(const std::vector<T>& table, int i, T missing) {

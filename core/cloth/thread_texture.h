@@ -1,28 +1,38 @@
 #pragma once
 // The fine pattern on a thread, as the formulas of shaders/thread_texture.glsl read it: grooves, plies and tone
-// over (around, along), periodic with the tile.
+// over (around, along), periodic with the tile; and the records of threads of shaders/thread_records.glsl.
 
 #include <cstdint>
 #include <glm/glm.hpp>
 
 #include "cloth/cloth.h"
 #include "cloth/names.h"
+#include "shaders/interop.h"
 
 namespace weftlight::cloth {
 
 namespace thread_formulas {
 using glm::uint;
+using interop::YarnData;
 using namespace glm;
 #define FORMULA inline
 #include "shaders/thread_curve.glsl"
-#include "shaders/thread_texture.glsl"
+#include "shaders/thread_records.glsl"
 #undef FORMULA
 }  // namespace thread_formulas
+
+static_assert(sizeof(thread_formulas::ThreadHead) == THREAD_HEAD_TEXELS * sizeof(glm::uvec4));
+static_assert(sizeof(thread_formulas::ThreadRecord) == THREAD_TEXELS * sizeof(glm::uvec4));
+static_assert(offsetof(thread_formulas::ThreadRecord, body) == THREAD_BODY * sizeof(glm::uvec4));
+static_assert(offsetof(thread_formulas::ThreadRecord, color) == THREAD_COLOR * sizeof(glm::uvec4));
+static_assert(offsetof(thread_formulas::ThreadRecord, pattern) == THREAD_PATTERN * sizeof(glm::uvec4));
 
 using thread_formulas::contrast_left;
 using thread_formulas::Texel;
 using thread_formulas::texture_at;
 using thread_formulas::TexturePoint;
+using thread_formulas::ThreadHead;
+using thread_formulas::ThreadRecord;
 using thread_formulas::ThreadTexture;
 
 /// `length_mm` is the period along the thread.

@@ -12,7 +12,7 @@ namespace weftlight::draft {
 
 struct MethodFacts {
   Method method;
-  std::string_view name;  // in files, verbs and tables; in shaders as METHOD_ and this in capitals
+  std::string_view name;  // in files, verbs and tables, and of its shader: rung_NAME.glsl
   const char* label;      // in the panels
   bool drawn;             // by the renderer, for the window and `render`
 };

@@ -12,8 +12,8 @@
 
 namespace weftlight::light {
 
-inline constexpr int kResponseSamples = 2048;  // means then hold 4 percent on the charts' cloths
-inline constexpr int kSlopeBins = 64;          // even in the slope's angle, -90 to 90 degrees
+inline constexpr int kResponseSamples = 2048;       // means then hold 4 percent on the charts' cloths
+inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // even in the slope's angle, -90 to 90 degrees
 
 struct SystemResponse {
   // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()

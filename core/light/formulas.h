@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "shaders/interop.h"
+
 namespace weftlight::formulas {
 
 using glm::ivec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+using interop::YarnData;
 using namespace glm;
 
 vec4 albedo_table(float opening, float along, float across);

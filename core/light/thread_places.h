@@ -13,8 +13,9 @@ namespace weftlight::light {
 
 // Directions on a grid: elevation-major, azimuth 0 along the weft, 90 degrees along the warp. Views twice as close:
 // where threads hide behind each other, what is seen turns sharply about the threads' own directions.
-inline constexpr int kResponseElevations = 8;  // node k: cosine (k / 7)^2, the lowest a little above 0
-inline constexpr int kViewAzimuths = 32, kLightAzimuths = 16;
+inline constexpr int kResponseElevations =
+    RESPONSE_ELEVATIONS;  // node k: cosine (k / 7)^2, the lowest a little above 0
+inline constexpr int kViewAzimuths = RESPONSE_VIEWS_AROUND, kLightAzimuths = RESPONSE_LIGHTS_AROUND;
 inline constexpr int kResponseViews = kResponseElevations * kViewAzimuths;
 inline constexpr int kResponseLights = kResponseElevations * kLightAzimuths;
 

@@ -10,6 +10,9 @@
 
 namespace weftlight::light {
 
+/// The numbers of a yarn as the shaders take them. Out-of-range values are clamped; never NaN.
+interop::YarnData yarn_data(const Lobes& lobes);
+
 /// Lobes of a thread of this colour. Out-of-range values are clamped; never NaN.
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour);
 

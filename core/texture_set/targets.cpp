@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/srgb.h"
 #include "texture_set/rows.h"
 
 namespace weftlight::texture_set {
@@ -93,11 +94,7 @@ constexpr TargetRow kTargets[] = {
 
 const TargetRow& target_row(Target target) { return kTargets[static_cast<size_t>(target)]; }
 
-float encoded(float linear, bool srgb) {
-  if (!srgb) return linear;
-  const float v = std::clamp(linear, 0.0f, 1.0f);
-  return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
-}
+float encoded(float linear, bool srgb) { return srgb ? srgb_encoded(std::clamp(linear, 0.0f, 1.0f)) : linear; }
 
 float half_range(float v) { return 0.5f + 0.5f * v; }
 

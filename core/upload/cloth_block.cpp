@@ -1,8 +1,11 @@
 #include "upload/cloth_block.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+
+#include "light/yarn_lobes.h"
 
 namespace weftlight::upload {
 namespace {
@@ -11,22 +14,20 @@ namespace {
 constexpr float kClosed = 0.985f;
 
 /// The lobes of a system: means over its threads.
-interop::SystemData mean_lobes(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
-  interop::SystemData s{};
+interop::YarnData mean_lobes(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
+  using Numbers = std::array<float, sizeof(interop::YarnData) / sizeof(float)>;
+  Numbers mean{};
   const float share = threads.empty() ? 0 : 1.0f / static_cast<float>(threads.size());
   for (const ThreadBody& thread : threads) {
-    const std::array<interop::vec4, 4> numbers = yarn_numbers(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes);
-    for (size_t i = 0; i < 4; ++i) {
-      s.widths[i] += numbers[0][i] * share, s.weights[i] += numbers[1][i] * share;
-      s.tint[i] += numbers[2][i] * share, s.extra[i] += numbers[3][i] * share;
-    }
+    const Numbers numbers = std::bit_cast<Numbers>(yarn_data(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes));
+    for (size_t i = 0; i < mean.size(); ++i) mean[i] += numbers[i] * share;
   }
-  return s;
+  return std::bit_cast<interop::YarnData>(mean);
 }
 
 /// Sums over sparse texels of one system, one at a random place of each step: threads are as regular as a grid.
 struct Sums {
-  double covered = 0, across = 0, along = 0, height = 0;
+  double covered = 0, across = 0, along = 0;
   std::array<double, 3> color{};
   int count = 0;
 };
@@ -50,7 +51,6 @@ Sums sum_system(const Maps& maps, int system) {
       const float sign = a < 0 ? -1.0f : 1.0f;
       sums.covered += w;
       sums.along += w * static_cast<double>(a * sign), sums.across += w * static_cast<double>(b * sign);
-      sums.height += w * static_cast<double>(maps.height_mm.at(x, y));
       sums.color[0] += shade * static_cast<double>(c.r), sums.color[1] += shade * static_cast<double>(c.g);
       sums.color[2] += shade * static_cast<double>(c.b);
     }
@@ -58,21 +58,16 @@ Sums sum_system(const Maps& maps, int system) {
   return sums;
 }
 
-/// Mean coverage, colour and height of both systems, and the angle of their fibres to the thread's axis.
-void add_means(interop::SystemData* systems, const Maps& maps, float spacing_mm) {
-  const std::array<Sums, 2> sums{sum_system(maps, 0), sum_system(maps, 1)};
-  std::array<double, 2> height{};
-  for (size_t i = 0; i < 2; ++i) {
-    const Sums& s = sums[i];
+/// Mean coverage and colour of both systems, and the angle of their fibres to the thread's axis.
+void add_means(interop::SystemData* systems, const Maps& maps) {
+  for (int system = 0; system < 2; ++system) {
+    const Sums s = sum_system(maps, system);
     const double weight = std::max(s.covered, 1e-9);
-    height[i] = s.height / weight;
-    systems[i].widths[2] = s.along > 0 ? static_cast<float>(s.across / s.along) : 0;
-    systems[i].extra[1] = s.count ? static_cast<float>(s.covered / s.count) : 0;
-    for (size_t c = 0; c < 3; ++c) systems[i].mean[c] = static_cast<float>(s.color[c] / weight);
+    interop::SystemData& data = systems[system];
+    data.fibre_tan = s.along > 0 ? static_cast<float>(s.across / s.along) : 0;
+    data.coverage = s.count ? static_cast<float>(s.covered / s.count) : 0;
+    for (int c = 0; c < 3; ++c) data.color[c] = static_cast<float>(s.color[static_cast<size_t>(c)] / weight);
   }
-  const bool both = sums[0].covered > 0 && sums[1].covered > 0;
-  const float lift = both ? static_cast<float>(height[0] - height[1]) / std::max(spacing_mm, 1e-3f) : 0;
-  systems[0].extra[3] = lift, systems[1].extra[3] = -lift;
 }
 
 float mean_gap_mm(const std::vector<ThreadBody>& threads) {
@@ -89,42 +84,29 @@ float mean_height_mm(const std::vector<ThreadBody>& threads) {
 
 }  // namespace
 
-std::array<interop::vec4, 4> yarn_numbers(const Lobes& l) {
-  const Linear tint = linear_from_srgb(l.specular_tint);
-  const float f = (l.ior - 1) / (l.ior + 1);
-  return {{{l.along_width, l.across_width, 0, l.fuzz_width},
-           {l.specular, l.body, l.fuzz, l.transmission},
-           {tint.r, tint.g, tint.b, l.metallic ? 1.0f : 0.0f},
-           {f * f, 0, l.fuzz_width * l.fuzz_width, 0}}};
-}
-
 float mean_spacing_mm(const Cloth& cloth) {
   const float ends = static_cast<float>(std::max<size_t>(1, cloth.ends.size()));
   const float picks = static_cast<float>(std::max<size_t>(1, cloth.picks.size()));
   return 0.5f * (cloth.width_mm / ends + cloth.depth_mm / picks);
 }
 
-std::vector<float> cloth_block(const FaceInput& front, const FaceInput& back) {
+interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
   interop::ClothData data{};
   const FaceInput* faces[] = {&front, &back};
   for (size_t face = 0; face < 2; ++face) {
-    for (int system = 0; system < 2; ++system) {
-      const Cloth& cloth = faces[face]->cloth;
-      interop::SystemData& s = data.systems[face * 2 + static_cast<size_t>(system)];
-      s = mean_lobes(cloth, system ? cloth.picks : cloth.ends);
-    }
-    add_means(&data.systems[face * 2], faces[face]->maps, mean_spacing_mm(faces[face]->cloth));
+    const Cloth& cloth = faces[face]->cloth;
+    data.systems[face * 2].yarn = mean_lobes(cloth, cloth.ends);
+    data.systems[face * 2 + 1].yarn = mean_lobes(cloth, cloth.picks);
+    add_means(&data.systems[face * 2], faces[face]->maps);
   }
-  data.size = {front.cloth.width_mm, front.cloth.depth_mm, mean_spacing_mm(front.cloth),
-               static_cast<float>(front.maps.azimuths)};
-  const float covered = data.systems[0].extra[1] + data.systems[1].extra[1];
-  data.gaps = {mean_gap_mm(front.cloth.ends), mean_gap_mm(front.cloth.picks),
-               0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks)),
-               covered < kClosed ? 1.0f : 0.0f};
-  data.relief = {0, 0, 1, 1};
-  std::vector<float> block(sizeof data / sizeof(float));
-  std::memcpy(block.data(), &data, sizeof data);
-  return block;
+  data.width_mm = front.cloth.width_mm, data.depth_mm = front.cloth.depth_mm;
+  data.spacing_mm = mean_spacing_mm(front.cloth);
+  data.azimuths = static_cast<float>(front.maps.azimuths);
+  data.gap_u_mm = mean_gap_mm(front.cloth.ends), data.gap_v_mm = mean_gap_mm(front.cloth.picks);
+  data.rim_mm = 0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks));
+  data.open = data.systems[0].coverage + data.systems[1].coverage < kClosed ? 1.0f : 0.0f;
+  data.front_sky = data.back_sky = 1;
+  return data;
 }
 
 }  // namespace weftlight::upload

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include "cloth/srgb.h"
+
 namespace weftlight::upload {
 namespace {
 
@@ -22,12 +24,10 @@ struct SrgbTables {
 SrgbTables make_tables() {
   SrgbTables t;
   for (int i = 0; i < 256; ++i) {
-    const float c = static_cast<float>(i) / 255.0f;
-    t.decode[static_cast<size_t>(i)] = c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+    t.decode[static_cast<size_t>(i)] = srgb_decoded(static_cast<float>(i) / 255.0f);
   }
   for (int i = 0; i <= kEncodeSteps; ++i) {
-    const float l = static_cast<float>(i) / kEncodeSteps;
-    const float c = l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
+    const float c = srgb_encoded(static_cast<float>(i) / kEncodeSteps);
     t.encode[static_cast<size_t>(i)] = static_cast<uint8_t>(c * 255.0f + 0.5f);
   }
   return t;
@@ -221,7 +221,7 @@ void fill_rect(PackedFace& face, const Maps& maps, const TexelRect& rect) {
 
 PackedPatch copy_patch(const PackedFace& face, Face which, PackedKind kind, int level, const TexelRect& r) {
   const PackedTexture& t = face.textures[static_cast<size_t>(kind)];
-  PackedPatch patch{which, static_cast<int>(kind), level, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0, {}};
+  PackedPatch patch{which, kind, level, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0, {}};
   const size_t bytes = static_cast<size_t>(patch.width) * t.channels;
   patch.texels.reserve(bytes * patch.height * t.layers);
   for (int layer = 0; layer < t.layers; ++layer) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "cloth/maps.h"
 #include "draft/drawdown.h"
+#include "shaders/interop.h"
 #include "upload/names.h"
 
 namespace weftlight::upload {
@@ -45,6 +47,9 @@ struct PackedTexture {
   }
 };
 
+/// Height and slope of the warp, of the weft, as half floats.
+using HalfCrossing = std::array<uint16_t, 4>;
+
 struct PackedFace {
   std::array<PackedTexture, kPackedKinds> textures;  // by PackedKind; kShadow is empty unless asked for
   // Rung vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
@@ -52,27 +57,55 @@ struct PackedFace {
   std::vector<float> half_cube, difference_cube;
 };
 
+/// The answer to light from afar, as textures (response_block.h); empty until it was measured.
+struct ResponseTables {
+  std::vector<glm::vec4> broad;  // [view][answer, lean][face * 2 + system][elevation][azimuth of the light]
+  std::vector<float> slopes;     // [face * 2 + system][axis][slope]: density of the facets' slope angles
+  std::vector<glm::vec4> seen;   // [face][elevation][azimuth]: share of the warp, its rise, mean heights of both
+  bool empty() const { return broad.empty(); }
+  size_t bytes() const { return (broad.size() + seen.size()) * sizeof(glm::vec4) + slopes.size() * sizeof(float); }
+  bool operator==(const ResponseTables&) const = default;
+};
+
+/// What an edit of the yarns' light changes.
+struct ClothLobes {
+  interop::ClothData data{};
+  ResponseTables response;
+  // The threads one by one (thread_block.h), whole rows of THREAD_MAP_WIDTH texels; empty where there are too many.
+  std::vector<glm::uvec4> threads;
+  bool operator==(const ClothLobes&) const = default;
+};
+
 /// Everything of a design that the renderer needs beside mesh, scene and look.
 struct PackedCloth {
   float width_mm = 0, depth_mm = 0;
   float mean_spacing_mm = 0;  // of a yarn, both systems: what "yarns a pixel" counts
   PackedFace front, back;
-  // The threads one by one (thread_block.h): records, and crossings of the front; empty where there are too many.
+  // Where the threads of the front cross (thread_block.h); empty where there are too many.
   int ends = 0, picks = 0;
-  std::vector<uint32_t> threads;
-  std::vector<uint16_t> crossings;
-  std::vector<float> lobes;  // interop::ClothData, then the tables of response_block.h
+  std::vector<HalfCrossing> crossings;
+  ClothLobes lobes;
 };
-
-/// Patches of the threads, beside those of the maps: crossings of a rectangle of cells; all the records.
-inline constexpr int kCrossingPatch = kPackedKinds, kThreadPatch = kPackedKinds + 1;
 
 /// A rectangle of one level of one texture of one face.
 struct PackedPatch {
   Face face = Face::kFront;
-  int texture = 0, level = 0;  // PackedKind, or one of the two above
+  PackedKind kind = PackedKind::kColor;
+  int level = 0;
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<uint8_t> texels;  // all layers, layer by layer
+};
+
+/// Crossings of a rectangle of cells, a row a pick.
+struct CrossingPatch {
+  CellRect cells;
+  std::vector<HalfCrossing> texels;
+};
+
+struct ClothPatches {
+  std::vector<PackedPatch> maps;
+  std::vector<CrossingPatch> crossings;
+  bool empty() const { return maps.empty() && crossings.empty(); }
 };
 
 /// The directions of vrst03's boolean shadow maps: kShadowAzimuths around, at each of these elevations.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
 #include <thread>
 
 namespace weftlight::upload {
@@ -12,38 +12,53 @@ namespace {
 using Faces = std::array<ClothResponse, 2>;
 
 /// Rows of all faces and systems, of values of [view][light], for one view.
-void append_rows(std::vector<float>& out, const Faces& faces, size_t view, std::vector<float> SystemResponse::*values) {
+void append_rows(std::vector<glm::vec4>& out, const Faces& faces, size_t view,
+                 std::vector<float> SystemResponse::*values) {
   for (const ClothResponse& face : faces) {
     for (const SystemResponse& system : face.systems) {
       for (size_t e = 0; e < kResponseElevations; ++e) {
         for (size_t a = 0; a < kResponseWidth; ++a) {
           const size_t light = e * kLightAzimuths + a % kLightAzimuths;
           const float* at = &(system.*values)[4 * (view * kResponseLights + light)];
-          out.insert(out.end(), at, at + 4);
+          out.push_back(glm::make_vec4(at));
         }
       }
     }
   }
 }
 
-void append_broad(std::vector<float>& out, const Faces& faces) {
+std::vector<glm::vec4> broad_of(const Faces& faces) {
+  std::vector<glm::vec4> out;
+  out.reserve(size_t{kResponseWidth} * kResponseHeight * kResponseViews);
   for (size_t view = 0; view < kResponseViews; ++view) {
     append_rows(out, faces, view, &SystemResponse::broad);
     append_rows(out, faces, view, &SystemResponse::lean);
   }
+  return out;
 }
 
-void append_seen(std::vector<float>& out, const Faces& faces) {
+std::vector<float> slopes_of(const Faces& faces) {
+  std::vector<float> out;
+  for (const ClothResponse& face : faces) {
+    for (const SystemResponse& system : face.systems) {
+      for (const auto& axis : system.slopes) out.insert(out.end(), axis.begin(), axis.end());
+    }
+  }
+  return out;
+}
+
+std::vector<glm::vec4> seen_of(const Faces& faces) {
+  std::vector<glm::vec4> out;
   for (const ClothResponse& face : faces) {
     for (size_t e = 0; e < kResponseElevations; ++e) {
       for (size_t a = 0; a < kSeenWidth; ++a) {
         const size_t view = e * kViewAzimuths + a % kViewAzimuths;
-        out.push_back(face.systems[0].broad[4 * view * kResponseLights + 3]);
-        out.push_back(face.seen_rise[view]);
-        for (const SystemResponse& system : face.systems) out.push_back(system.height_mm[view]);
+        out.push_back({face.systems[0].broad[4 * view * kResponseLights + 3], face.seen_rise[view],
+                       face.systems[0].height_mm[view], face.systems[1].height_mm[view]});
       }
     }
   }
+  return out;
 }
 
 /// Relative RMS of a level's colours about their mean.
@@ -67,15 +82,13 @@ float contrast(const PackedTexture& color, int level) {
 
 }  // namespace
 
-void keep_response(std::vector<float>& block, const std::vector<float>& earlier) {
-  interop::ClothData data, kept;
-  std::memcpy(&data, block.data(), sizeof data);
-  std::memcpy(&kept, earlier.data(), sizeof kept);
-  data.relief[2] = kept.relief[2], data.relief[3] = kept.relief[3];
-  for (size_t s = 0; s < 4; ++s)
-    data.systems[s].mean = kept.systems[s].mean, data.systems[s].facets = kept.systems[s].facets;
-  std::memcpy(block.data(), &data, sizeof data);
-  block.insert(block.end(), earlier.end() - static_cast<ptrdiff_t>(kResponseFloats), earlier.end());
+void keep_response(interop::ClothData& data, const interop::ClothData& earlier) {
+  data.front_sky = earlier.front_sky, data.back_sky = earlier.back_sky;
+  for (size_t s = 0; s < 4; ++s) {
+    data.systems[s].color = earlier.systems[s].color;
+    data.systems[s].share = earlier.systems[s].share;
+    data.systems[s].facets = earlier.systems[s].facets;
+  }
 }
 
 float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) {
@@ -88,30 +101,21 @@ float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) 
   return texels * width_mm / std::max(spacing_mm, 1e-6f);
 }
 
-void append_response(std::vector<float>& block, const FaceInput& front, const FaceInput& back, int samples) {
+ResponseTables response_tables(interop::ClothData& data, const FaceInput& front, const FaceInput& back, int samples) {
   Faces faces;
   std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps, samples); });
   faces[0] = cloth_response(front.cloth, front.maps, samples);
   beside.join();
-  interop::ClothData data;
-  std::memcpy(&data, block.data(), sizeof data);
-  data.relief[2] = faces[0].sky, data.relief[3] = faces[1].sky;
+  data.front_sky = faces[0].sky, data.back_sky = faces[1].sky;
   for (size_t f = 0; f < 2; ++f) {
     for (size_t s = 0; s < 2; ++s) {
-      const Linear& c = faces[f].systems[s].colour;
-      data.systems[f * 2 + s].mean = {c.r, c.g, c.b, faces[f].systems[s].share};
-      data.systems[f * 2 + s].facets = faces[f].systems[s].facets;
+      const SystemResponse& system = faces[f].systems[s];
+      data.systems[f * 2 + s].color = {system.colour.r, system.colour.g, system.colour.b, 0};
+      data.systems[f * 2 + s].share = system.share;
+      data.systems[f * 2 + s].facets = glm::make_vec4(system.facets.data());
     }
   }
-  std::memcpy(block.data(), &data, sizeof data);
-  block.reserve(block.size() + kResponseFloats);
-  append_broad(block, faces);
-  for (const ClothResponse& face : faces) {
-    for (const SystemResponse& system : face.systems) {
-      for (const auto& axis : system.slopes) block.insert(block.end(), axis.begin(), axis.end());
-    }
-  }
-  append_seen(block, faces);
+  return {broad_of(faces), slopes_of(faces), seen_of(faces)};
 }
 
 }  // namespace weftlight::upload

@@ -1,9 +1,7 @@
 #include "upload/stages.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "cloth/thread_scene.h"
 #include "drape/mesh.h"
@@ -57,12 +55,6 @@ bool same_layout(const Cloth& a, const Cloth& b) {
 int power_of_two(double v) {
   const double floor2 = std::exp2(std::floor(std::log2(std::max(1.0, v)) + 0.5));
   return static_cast<int>(std::min<double>(kLongest, floor2));
-}
-
-template <class T>
-std::vector<uint8_t> bytes_of(const std::vector<T>& values) {
-  const auto* at = reinterpret_cast<const uint8_t*>(values.data());
-  return {at, at + values.size() * sizeof(T)};
 }
 
 /// Texels across one thread that the budget allows.
@@ -154,12 +146,11 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
 void Stages::take_threads() {
   const Cloth& cloth = front_.cloth;
   packed_.ends = static_cast<int>(cloth.ends.size()), packed_.picks = static_cast<int>(cloth.picks.size());
-  packed_.crossings.clear(), packed_.threads.clear();
+  packed_.crossings.clear(), packed_.lobes.threads.clear();
   if (int64_t{packed_.ends} * packed_.picks > kMostCrossings) return;
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, {0, packed_.ends, 0, packed_.picks});
   top_mm_ = highest_thread(cloth, crossings);
   packed_.crossings = packed_crossings(crossings);
-  packed_.threads = thread_records(cloth, top_mm_);
 }
 
 void Stages::take_crossings(const CellRect& dirty, StageResult& result) {
@@ -169,14 +160,13 @@ void Stages::take_crossings(const CellRect& dirty, StageResult& result) {
   const CellRect cells = period_ == Period::kRepeat ? all : touched_crossings(cloth, dirty);
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
   top_mm_ = std::max(top_mm_, highest_thread(cloth, crossings));
-  const std::vector<uint16_t> texels = packed_crossings(crossings);
-  const size_t row = static_cast<size_t>(cells.end1 - cells.end0) * 4;
+  std::vector<HalfCrossing> texels = packed_crossings(crossings);
+  const std::ptrdiff_t row = cells.end1 - cells.end0;
   for (int p = cells.pick0; p < cells.pick1; ++p) {
-    std::copy_n(texels.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(p - cells.pick0) * row), row,
-                packed_.crossings.begin() + (static_cast<std::ptrdiff_t>(p) * packed_.ends + cells.end0) * 4);
+    std::copy_n(texels.begin() + (p - cells.pick0) * row, row,
+                packed_.crossings.begin() + static_cast<std::ptrdiff_t>(p) * packed_.ends + cells.end0);
   }
-  result.patches.push_back({Face::kFront, kCrossingPatch, 0, cells.end0, cells.pick0, cells.end1 - cells.end0,
-                            cells.pick1 - cells.pick0, bytes_of(texels)});
+  result.patches.crossings.push_back({cells, std::move(texels)});
 }
 
 bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result) {
@@ -195,8 +185,8 @@ bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effo
     if (face == Face::kFront && !dirty.empty()) take_crossings(dirty, result);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     std::vector<PackedPatch> patches = repack(packed, face, state.maps, rects);
-    result.patches.insert(result.patches.end(), std::make_move_iterator(patches.begin()),
-                          std::make_move_iterator(patches.end()));
+    result.patches.maps.insert(result.patches.maps.end(), std::make_move_iterator(patches.begin()),
+                               std::make_move_iterator(patches.end()));
   }
   return true;
 }
@@ -207,26 +197,16 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
       state->cloth.yarns[i].lobes = design.yarns[i].lobes;
     }
   }
-  if (!packed_.crossings.empty()) {
-    packed_.threads = thread_records(front_.cloth, top_mm_);
-    const int rows = static_cast<int>(packed_.threads.size()) / (4 * THREAD_MAP_WIDTH);
-    if (!result.all_maps) {
-      result.patches.push_back(
-          {Face::kFront, kThreadPatch, 0, 0, 0, THREAD_MAP_WIDTH, rows, bytes_of(packed_.threads)});
-    }
-  }
-  std::vector<float> block = cloth_block({front_.cloth, front_.maps}, {back_.cloth, back_.maps});
-  interop::ClothData data;
-  std::memcpy(&data, block.data(), sizeof data);
-  data.even[0] = even_from_yarns(packed_.front, packed_.width_mm, packed_.mean_spacing_mm);
-  std::memcpy(block.data(), &data, sizeof data);
+  const FaceInput front{front_.cloth, front_.maps}, back{back_.cloth, back_.maps};
+  ClothLobes& lobes = packed_.lobes;
+  if (!packed_.crossings.empty()) lobes.threads = thread_records(front_.cloth, top_mm_);
+  interop::ClothData data = cloth_block(front, back);
+  data.even_yarns = even_from_yarns(packed_.front, packed_.width_mm, packed_.mean_spacing_mm);
   old_response_ = effort == Effort::kQuick;
-  if (old_response_ && !packed_.lobes.empty()) keep_response(block, packed_.lobes);
-  else
-    append_response(block, {front_.cloth, front_.maps}, {back_.cloth, back_.maps},
-                    old_response_ ? kQuickSamples : kResponseSamples);
-  packed_.lobes = std::move(block);
-  result.lobes = packed_.lobes;
+  if (old_response_ && !lobes.response.empty()) keep_response(data, lobes.data);
+  else lobes.response = response_tables(data, front, back, old_response_ ? kQuickSamples : kResponseSamples);
+  lobes.data = data;
+  result.lobes = lobes;
 }
 
 StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
@@ -258,7 +238,7 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
       same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) && shadows == shadows_;
   const bool too_coarse = coarse_ && effort == Effort::kFull;
   if (!same_look || too_coarse || !bake_cells(*design, dirty, effort, result)) {
-    result.patches.clear();
+    result.patches = {};
     bake_all(*design, shadows, effort);
     result.all_maps = true;
   }

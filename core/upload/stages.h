@@ -19,8 +19,8 @@ namespace weftlight::upload {
 struct StageResult {
   std::optional<PreparedMesh> mesh;
   bool all_maps = false;  // packed() is new as a whole
-  std::vector<PackedPatch> patches;
-  std::vector<float> lobes;
+  ClothPatches patches;
+  std::optional<ClothLobes> lobes;
   std::string problem;
 };
 

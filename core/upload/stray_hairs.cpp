@@ -261,14 +261,14 @@ void sow(Sower& sower, const PreparedMesh& p, const std::vector<Hem>& hems, std:
 
 HairGrowth hair_growth(const interop::ClothData& cloth, Face front) {
   HairGrowth growth;
-  growth.hem_mm = 0.5f * cloth.size[2];
+  growth.hem_mm = 0.5f * cloth.spacing_mm;
   for (size_t side = 0; side < 2; ++side) {
     const size_t face = front == Face::kFront ? side : 1 - side;
     float standing = 0, deep = 0;
     for (size_t system = 0; system < 2; ++system) {
       const interop::SystemData& s = cloth.systems[face * 2 + system];
-      const float share = std::clamp(s.extra[1], 0.0f, 1.0f) * formulas::hair_share(s.weights[2]);
-      standing += share, deep += share * s.extra[2];
+      const float share = std::clamp(s.coverage, 0.0f, 1.0f) * formulas::hair_share(s.yarn.fuzz);
+      standing += share, deep += share * s.yarn.fuzz_depth;
     }
     if (!(standing > 0)) continue;
     growth.per_mm2[side] = standing * formulas::kHairsPerMm2;

@@ -14,11 +14,12 @@ namespace weftlight::upload {
 /// Drafts with more crossings than this are not drawn thread by thread: 128 MB.
 inline constexpr int64_t kMostCrossings = int64_t{1} << 24;
 
-/// `top_mm`: the crossings' bound, kept by the caller, since an edit knows a few of them alone.
-std::vector<uint32_t> thread_records(const Cloth& front, float top_mm);
+/// Texels of shaders/thread_records.glsl. `top_mm`: the crossings' bound, kept by the caller, since an edit knows a few
+/// of them alone.
+std::vector<glm::uvec4> thread_records(const Cloth& front, float top_mm);
 
-/// Half floats, four a crossing, a row a pick.
-std::vector<uint16_t> packed_crossings(const std::vector<glm::vec4>& crossings);
+/// A row a pick.
+std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossings);
 
 /// Crossings that a change of the cells in `dirty` can touch, cut to the period.
 CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty);

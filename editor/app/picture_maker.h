@@ -45,7 +45,9 @@ class PictureMaker {
   /// Of Compare::kSplit or kDifference; empty while nothing is traced.
   const Comparison& comparison() const { return comparison_; }
   /// Why there is no picture, or what is wrong with the mesh.
-  std::string problem() const { return !problem_.empty() ? problem_ : pipeline_.problem(); }
+  std::string problem() const {
+    return !problem_.empty() ? problem_ : !stats_.problem.empty() ? stats_.problem : pipeline_.problem();
+  }
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// The newest design is still being worked on.
   bool busy() const { return renderer_ && pipeline_.busy(); }

@@ -101,10 +101,11 @@ double method_bytes(const PackedCloth& cloth, Method method) {
   if (method == Method::kVrst03) {
     bytes += 2 * (floats(cloth.front.half_cube) + floats(cloth.front.difference_cube));
   } else if (method != Method::kFlat) {
-    bytes += floats(cloth.lobes);
+    bytes += static_cast<double>(sizeof cloth.lobes.data + cloth.lobes.response.bytes());
   }
   if (method == Method::kYarn || method == Method::kAuto) {
-    bytes += static_cast<double>(cloth.crossings.size() * sizeof(uint16_t) + cloth.threads.size() * sizeof(uint32_t));
+    bytes += static_cast<double>(cloth.crossings.size() * sizeof(HalfCrossing) +
+                                 cloth.lobes.threads.size() * sizeof(glm::uvec4));
   }
   return bytes;
 }

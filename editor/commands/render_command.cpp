@@ -33,6 +33,7 @@ int render_command(const PictureOptions& o) {
   frame.timed = !o.stats.empty();
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
+  if (!stats.problem.empty()) return fail(kNoGraphics, stats.problem);
   if (asked != Method::kAuto && asked != stats.method) {
     std::fprintf(stderr, "weftlight: drawn by %s, the nearest method that is there\n",
                  std::string(method_name(stats.method)).c_str());

@@ -1,7 +1,6 @@
 #include "gl/gpu_cloth.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "light/tables.h"
 #include "upload/response_block.h"
@@ -115,15 +114,14 @@ void GpuCloth::upload(const PackedCloth& cloth) {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings.data());
-    upload_threads(cloth.threads.data(), cloth.threads.size());
-    bytes_ += cloth.crossings.size() * sizeof(uint16_t) + cloth.threads.size() * sizeof(uint32_t);
+    upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings);
+    bytes_ += cloth.crossings.size() * sizeof(HalfCrossing) + cloth.lobes.threads.size() * sizeof(glm::uvec4);
   }
   upload_lobes(cloth.lobes);
 }
 
 /// Cells of a rectangle, block by block of the crossing map.
-void GpuCloth::upload_crossings(const CellRect& cells, const uint16_t* texels) {
+void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels) {
   glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
   const int row = cells.end1 - cells.end0;
   glPixelStorei(GL_UNPACK_ROW_LENGTH, row);
@@ -135,34 +133,26 @@ void GpuCloth::upload_crossings(const CellRect& cells, const uint16_t* texels) {
           static_cast<size_t>(p - cells.pick0) * static_cast<size_t>(row) + static_cast<size_t>(e - cells.end0);
       glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, e % CROSSING_BLOCK, p % CROSSING_BLOCK,
                       p / CROSSING_BLOCK * crossing_blocks_ + e / CROSSING_BLOCK, ends, picks, 1, GL_RGBA,
-                      GL_HALF_FLOAT, texels + 4 * first);
+                      GL_HALF_FLOAT, texels.data() + first);
     }
   }
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void GpuCloth::upload_threads(const uint32_t* records, size_t count) {
+void GpuCloth::upload_threads(const std::vector<glm::uvec4>& records) {
   glBindTexture(GL_TEXTURE_2D, threads_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH,
-               static_cast<GLsizei>(count / (size_t{4} * THREAD_MAP_WIDTH)), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
-               records);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH, static_cast<GLsizei>(records.size() / THREAD_MAP_WIDTH),
+               0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, records.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void GpuCloth::upload(const std::vector<PackedPatch>& patches) {
+void GpuCloth::upload(const ClothPatches& patches) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (const PackedPatch& p : patches) {
-    if (p.texture == kThreadPatch) {
-      upload_threads(reinterpret_cast<const uint32_t*>(p.texels.data()), p.texels.size() / sizeof(uint32_t));
-      continue;
-    }
-    if (p.texture == kCrossingPatch) {
-      upload_crossings({p.x, p.x + p.width, p.y, p.y + p.height}, reinterpret_cast<const uint16_t*>(p.texels.data()));
-      continue;
-    }
-    const size_t k = static_cast<size_t>(p.texture);
+  for (const CrossingPatch& p : patches.crossings) upload_crossings(p.cells, p.texels);
+  for (const PackedPatch& p : patches.maps) {
+    const size_t k = static_cast<size_t>(p.kind);
     if (!layers_[k] || p.width <= 0 || p.height <= 0) continue;
     glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, p.level, p.x, p.y, p.face == Face::kFront ? 0 : layers_[k], p.width, p.height,
@@ -170,28 +160,24 @@ void GpuCloth::upload(const std::vector<PackedPatch>& patches) {
   }
 }
 
-void GpuCloth::upload_lobes(const std::vector<float>& lobes) {
-  data_ = {};
-  std::memcpy(&data_, lobes.data(), std::min(sizeof data_, lobes.size() * sizeof(float)));
+void GpuCloth::upload_lobes(const ClothLobes& lobes) {
+  data_ = lobes.data;
   glBindBuffer(GL_UNIFORM_BUFFER, block_.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof data_, &data_, GL_DYNAMIC_DRAW);
-  upload_response(std::span<const float>(lobes).subspan(std::min(lobes.size(), sizeof data_ / sizeof(float))));
+  if (!lobes.threads.empty()) upload_threads(lobes.threads);
+  if (!lobes.response.empty()) upload_response(lobes.response);
 }
 
-void GpuCloth::upload_response(std::span<const float> tables) {
-  if (tables.size() < kResponseFloats) return;
-  const float* at = tables.data();
+void GpuCloth::upload_response(const ResponseTables& tables) {
   glBindTexture(GL_TEXTURE_2D_ARRAY, response_.get());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kResponseWidth, kResponseHeight, kResponseViews, 0, GL_RGBA,
-               GL_FLOAT, at);
+               GL_FLOAT, tables.broad.data());
   clamp_to_edge(GL_TEXTURE_2D_ARRAY);
-  at += kBroadFloats;
   glBindTexture(GL_TEXTURE_2D, slopes_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, kSlopeBins, kSlopeRows, 0, GL_RED, GL_FLOAT, at);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, kSlopeBins, kSlopeRows, 0, GL_RED, GL_FLOAT, tables.slopes.data());
   clamp_to_edge(GL_TEXTURE_2D);
-  at += kSlopeFloats;
   glBindTexture(GL_TEXTURE_2D, seen_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSeenWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, at);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSeenWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, tables.seen.data());
   clamp_to_edge(GL_TEXTURE_2D);
 }
 

@@ -2,7 +2,6 @@
 // The packed maps of both faces on the GPU: one texture array a kind, the front's layers before the back's.
 
 #include <array>
-#include <span>
 
 #include "gl/gl_objects.h"
 #include "gl/names.h"
@@ -14,8 +13,8 @@ namespace weftlight::gl {
 class GpuCloth {
  public:
   void upload(const PackedCloth& cloth);
-  void upload(const std::vector<PackedPatch>& patches);
-  void upload_lobes(const std::vector<float>& lobes);
+  void upload(const ClothPatches& patches);
+  void upload_lobes(const ClothLobes& lobes);
   /// Binds the textures to their slots and the block of lobes.
   void bind();
 
@@ -31,9 +30,9 @@ class GpuCloth {
 
  private:
   void upload_tables();
-  void upload_response(std::span<const float> tables);
-  void upload_crossings(const CellRect& cells, const uint16_t* texels);
-  void upload_threads(const uint32_t* records, size_t count);
+  void upload_response(const ResponseTables& tables);
+  void upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels);
+  void upload_threads(const std::vector<glm::uvec4>& records);
   std::array<GlTexture, kPackedKinds> textures_;
   std::array<int, kPackedKinds> layers_{};  // of one face
   std::array<GlTexture, 4> cubes_;          // front half, front difference, back half, back difference

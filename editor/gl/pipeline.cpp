@@ -7,6 +7,14 @@
 #include "upload/stages.h"
 
 namespace weftlight::gl {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T> more) {
+  to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
 
 struct Pipeline::Parts {
   // Guards all below but `stages`, which is the worker's; its packed maps are read by the thread with the
@@ -19,8 +27,8 @@ struct Pipeline::Parts {
   std::optional<PreparedMesh> mesh;
   bool all_maps = false;                  // stages.packed() is new as a whole
   std::optional<PackedCloth> quick_maps;  // or this is; patches come after it
-  std::vector<PackedPatch> patches;
-  std::vector<float> lobes;
+  ClothPatches patches;
+  std::optional<ClothLobes> lobes;
   std::string problem;
   Stages stages;
   std::thread worker;
@@ -67,13 +75,13 @@ void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> c
   if (result.all_maps) {
     quick_maps = std::move(copy);
     all_maps = !quick_maps;
-    patches.clear();
-    lobes.clear();
+    patches = {};
+    lobes.reset();
   }
   if (!all_maps) {
-    patches.insert(patches.end(), std::make_move_iterator(result.patches.begin()),
-                   std::make_move_iterator(result.patches.end()));
-    if (!result.all_maps && !result.lobes.empty()) lobes = std::move(result.lobes);
+    append(patches.maps, std::move(result.patches.maps));
+    append(patches.crossings, std::move(result.patches.crossings));
+    if (!result.all_maps && result.lobes) lobes = std::move(result.lobes);
   }
   problem = std::move(result.problem);
 }
@@ -84,17 +92,17 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
   if (wait) hold.lock();
   std::unique_lock lock(mutex);
   if (all_maps && !wait && !hold.try_lock()) return false;
-  const bool changed = mesh || all_maps || quick_maps || !patches.empty() || !lobes.empty();
+  const bool changed = mesh || all_maps || quick_maps || !patches.empty() || lobes;
   if (mesh) renderer.set_mesh(std::move(*mesh));
   mesh.reset();
   if (all_maps) renderer.upload(stages.packed());
   if (quick_maps) renderer.upload(*quick_maps);
   if (!patches.empty()) renderer.upload(patches);
-  if (!lobes.empty()) renderer.upload_lobes(lobes);
+  if (lobes) renderer.upload_lobes(*lobes);
   all_maps = false;
   quick_maps.reset();
-  patches.clear();
-  lobes.clear();
+  patches = {};
+  lobes.reset();
   return changed;
 }
 

@@ -44,12 +44,6 @@ struct DrawnFrame {
 /// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
 Method drawn_method(Method asked) { return asked == Method::kReference ? Method::kAuto : asked; }
 
-std::string define_of(Method method) {
-  std::string name = "METHOD_";
-  for (const char c : method_name(method)) name += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  return name;
-}
-
 }  // namespace
 
 struct Renderer::Parts {
@@ -63,7 +57,12 @@ struct Renderer::Parts {
   Average average;
   GlBuffer frame_block;
   GlVertexArray nothing;  // for shapes that the vertex shader makes
-  std::map<std::array<int, 3>, GlProgram> cloth_programs;
+  /// Compiled when a picture first needs it; one that does not compile is not tried again.
+  struct ClothProgram {
+    GlProgram program;
+    std::string problem;
+  };
+  std::map<std::array<int, 3>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, hair_timer;
   bool queried = false, hairs_queried = false, software = false;
@@ -73,7 +72,7 @@ struct Renderer::Parts {
   Ladder ladder = shipped_ladder();
 
   bool build(std::string& error);
-  GLuint cloth_program(Method method, int taps, int rungs, std::string& error);
+  const ClothProgram& cloth_program(Method method, int taps, int rungs);
   int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
   void tell_rungs(const RungShares& shares);
   std::array<float, 3> edges_of(const DrawnFrame& drawn) const;
@@ -87,7 +86,7 @@ struct Renderer::Parts {
   std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
   void draw_around(const DrawnFrame& drawn, const Camera& camera);
   /// Share of the key light that the cloth keeps from what is behind it.
-  float opacity() const { return std::min(1.0f, cloth.data().systems[0].extra[1] + cloth.data().systems[1].extra[1]); }
+  float opacity() const { return std::min(1.0f, cloth.data().systems[0].coverage + cloth.data().systems[1].coverage); }
   float ground_opacity = -1;
   bool has_gaps() const;
   void take_queries(bool wait);
@@ -104,7 +103,8 @@ bool Renderer::Parts::build(std::string& error) {
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error))
     return false;
-  return cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung, error) != 0;
+  error = cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung).problem;
+  return error.empty();
 }
 
 /// Where one rung gives way to the next, yarns a pixel. A picture that will not get all samples of the threads in its
@@ -118,20 +118,22 @@ std::array<float, 3> Renderer::Parts::edges_of(const DrawnFrame& drawn) const {
   edges[0] *= cloth.has_threads() ? share : 0;
   if (straight_to_repeat) edges[1] = edges[0];
   // One answer for all the cloth holds only where its pattern is no longer seen.
-  edges[2] = std::max(edges[2], cloth.data().even[0]);
+  edges[2] = std::max(edges[2], cloth.data().even_yarns);
   return edges;
 }
 
-GLuint Renderer::Parts::cloth_program(Method method, int taps, int rungs, std::string& error) {
-  GlProgram& program = cloth_programs[{static_cast<int>(method), taps, rungs}];
-  if (!program.peek()) {
-    std::vector<std::string> defines{define_of(method), "SHADOW_TAPS " + std::to_string(taps),
+const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs) {
+  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, rungs}];
+  if (!made.program.peek() && made.problem.empty()) {
+    const std::string name(method_name(method));
+    std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
                                      "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
                                      "RUNGS " + std::to_string(rungs)};
     if (taps == kQuickTaps) defines.push_back("QUICK");
-    program = build_program("cloth.vert", "cloth.frag", defines, error);
+    made.program = build_program("cloth.vert", "cloth.frag", defines, made.problem);
+    if (!made.problem.empty()) made.problem = name + ": " + made.problem;
   }
-  return program.peek();
+  return made;
 }
 
 interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
@@ -139,8 +141,8 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   const Scene& scene = drawn.scene;
   const PreparedMesh& prepared = on.prepared();
   interop::FrameData data{};
-  std::memcpy(data.world_to_clip.data(), glm::value_ptr(camera.world_to_clip), sizeof data.world_to_clip);
-  std::memcpy(data.world_to_shadow.data(), glm::value_ptr(sun.world_to_shadow()), sizeof data.world_to_shadow);
+  data.world_to_clip = camera.world_to_clip;
+  data.world_to_shadow = sun.world_to_shadow();
   data.eye = vec(camera.eye, drawn.frame.front == Face::kFront ? 1.0f : -1.0f);
   data.light = vec(direction_of(scene.light_azimuth, scene.light_elevation), kKeyRadius);
   data.light_color = vec(rig.key * (kKeyIrradiance * scene.light_strength), std::exp2(drawn.look.exposure_ev));
@@ -158,8 +160,8 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
                                      std::max(1e-6, static_cast<double>(cloth.depth_mm()))};
   for (size_t a = 0; a < 2; ++a) {
     const double repeats = on.uv_origin_mm()[a] / period[a];
-    data.tile[a] = static_cast<float>(1 / period[a]);
-    data.tile[a + 2] = static_cast<float>(repeats - std::floor(repeats));
+    data.tile[static_cast<int>(a)] = static_cast<float>(1 / period[a]);
+    data.tile[static_cast<int>(a) + 2] = static_cast<float>(repeats - std::floor(repeats));
   }
   const glm::vec3 centre = prepared.bounds.centre();
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
@@ -183,12 +185,15 @@ std::chrono::steady_clock::time_point Renderer::Parts::clock_here(const Frame& f
 }
 
 void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
+  stats.problem.clear();
   if (cloth.empty() || !drawn.frame.cloth) return;
   cloth.bind();
-  std::string error;
   Method method = drawn_method(drawn.look.method);
   if (method == Method::kYarn && !cloth.has_threads()) method = Method::kCell;
-  glUseProgram(cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs, error));
+  const ClothProgram& with = cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs);
+  stats.problem = with.problem;
+  if (!with.problem.empty()) return;
+  glUseProgram(with.program.peek());
   drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
   const auto start = clock_here(drawn.frame);
@@ -290,7 +295,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
 /// small for the maps.
 bool Renderer::Parts::has_gaps() const {
   constexpr float kFew = 0.01f;
-  if (cloth.data().gaps[3] > 0.5f) return true;
+  if (cloth.data().open > 0.5f) return true;
   return stats.method == Method::kYarn || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
 }
 
@@ -344,7 +349,8 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   data.light = vec(p.light_towards, p.light_sine);
   data.light_color = vec(p.light_irradiance, 1);
   // Every point falls beyond the border of the shadow map, where it is lit.
-  data.world_to_shadow = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 0, 1};
+  data.world_to_shadow = glm::mat4(0.0f);
+  data.world_to_shadow[3] = {2, 2, 0, 1};
   upload_frame(data);
   sun.bind();
   glClearColor(0, 0, 0, 0);
@@ -398,8 +404,8 @@ void Renderer::set_mesh(PreparedMesh mesh) {
   parts_->hairs.forget();
 }
 void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
-void Renderer::upload(const std::vector<PackedPatch>& patches) { parts_->cloth.upload(patches); }
-void Renderer::upload_lobes(const std::vector<float>& lobes) { parts_->cloth.upload_lobes(lobes); }
+void Renderer::upload(const ClothPatches& patches) { parts_->cloth.upload(patches); }
+void Renderer::upload_lobes(const ClothLobes& lobes) { parts_->cloth.upload_lobes(lobes); }
 
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
   parts_->last = {scene, look, frame};

@@ -46,6 +46,7 @@ struct FrameStats {
   double hair_ms = 0;                  // stray fibres, beside gpu_ms
   size_t hairs = 0;                    // of them drawn
   float estimated_error = 0;           // by the ladder, of what was drawn, at the mean footprint
+  std::string problem;                 // why the cloth is not there; empty: it is
 };
 
 class Renderer {
@@ -59,8 +60,8 @@ class Renderer {
   void set_mesh(const Mesh& mesh) { set_mesh(prepare_mesh(mesh)); }
   /// New maps of both faces, or patches of the maps that are there (packed_maps.h).
   void upload(const PackedCloth& cloth);
-  void upload(const std::vector<PackedPatch>& patches);
-  void upload_lobes(const std::vector<float>& lobes);
+  void upload(const ClothPatches& patches);
+  void upload_lobes(const ClothLobes& lobes);
 
   /// Draws into the renderer's own target; texture() holds sRGB-encoded RGBA8 until the next draw.
   /// Costs in the result are those of the last frame whose queries are done, so that nothing waits.

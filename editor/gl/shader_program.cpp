@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "shaders/interop.h"
 
@@ -13,26 +14,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool append_file(const fs::path& file, std::set<std::string>& seen, std::string& out, std::string& error) {
-  if (!seen.insert(file.filename().string()).second) return true;
-  std::ifstream in(file);
-  if (!in) {
-    error = file.string() + ": shader file missing; set WEFTLIGHT_SHADERS to the folder of shaders";
-    return false;
-  }
-  std::string line;
-  while (std::getline(in, line)) {
+constexpr std::string_view kMethodWord = "METHOD";
+
+struct Loader {
+  fs::path folder;
+  std::string method;  // for METHOD in an included name
+  std::set<std::string> seen;
+  std::string error;
+
+  std::string file(const std::string& name);
+  std::string resolved(std::istream& in);
+};
+
+/// The file with what it includes, each once.
+std::string Loader::file(const std::string& name) {
+  if (!seen.insert(name).second) return {};
+  std::ifstream in(folder / name);
+  if (in) return resolved(in);
+  error = (folder / name).string() + ": shader file missing; set WEFTLIGHT_SHADERS to the folder of shaders";
+  return {};
+}
+
+std::string Loader::resolved(std::istream& in) {
+  std::string line, out;
+  while (error.empty() && std::getline(in, line)) {
     if (line.rfind("#pragma once", 0) == 0) continue;
     if (line.rfind("#include \"", 0) == 0) {
-      const size_t end = line.find('"', 10);
-      const std::string name = fs::path(line.substr(10, end - 10)).filename().string();
-      if (!append_file(file.parent_path() / name, seen, out, error)) return false;
+      std::string name = line.substr(10, line.find('"', 10) - 10);
+      if (const size_t at = name.find(kMethodWord); at != std::string::npos)
+        name.replace(at, kMethodWord.size(), method);
+      out += file(name);
       continue;
     }
     out += line;
     out += '\n';
   }
-  return true;
+  return out;
+}
+
+/// Of the define that cloth.frag is built with, "METHOD yarn".
+std::string method_of(const std::vector<std::string>& defines) {
+  for (const std::string& define : defines)
+    if (define.rfind(std::string(kMethodWord) + " ", 0) == 0) return define.substr(kMethodWord.size() + 1);
+  return {};
 }
 
 GLuint compile(GLenum stage, const std::string& name, const std::string& text, std::string& error) {
@@ -56,10 +80,18 @@ void bind_slots(GLuint program) {
     const GLint at = glGetUniformLocation(program, kSamplerNames[slot]);
     if (at >= 0) glUniform1i(at, slot);
   }
-  const GLuint frame = glGetUniformBlockIndex(program, "FrameBlock");
-  if (frame != GL_INVALID_INDEX) glUniformBlockBinding(program, frame, kFrameBinding);
-  const GLuint cloth = glGetUniformBlockIndex(program, "ClothBlock");
-  if (cloth != GL_INVALID_INDEX) glUniformBlockBinding(program, cloth, kClothBinding);
+}
+
+/// The other side of the asserts in interop.h: what the driver lays out is what is uploaded. Empty: it is.
+std::string bind_block(GLuint program, const char* name, GLuint binding, size_t bytes) {
+  const GLuint block = glGetUniformBlockIndex(program, name);
+  if (block == GL_INVALID_INDEX) return {};
+  glUniformBlockBinding(program, block, binding);
+  GLint size = 0;
+  glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+  if (static_cast<size_t>(size) == bytes) return {};
+  return std::string(name) + ": the driver lays it out in " + std::to_string(size) + " bytes, the program in " +
+         std::to_string(bytes) + "; update the graphics driver";
 }
 
 }  // namespace
@@ -73,12 +105,22 @@ std::string shaders_dir() {
   return WEFTLIGHT_SOURCE_DIR "/shaders";
 }
 
+std::string with_includes(const std::string& text, std::string& error) {
+  Loader loader{shaders_dir(), {}, {}, {}};
+  std::istringstream in(text);
+  const std::string resolved = loader.resolved(in);
+  error = loader.error;
+  return error.empty() ? resolved : std::string();
+}
+
 std::string shader_text(const std::string& file, const std::vector<std::string>& defines, std::string& error) {
   std::string text = "#version 330 core\n";
   for (const std::string& define : defines) text += "#define " + define + "\n";
-  std::set<std::string> seen;
-  if (!append_file(fs::path(shaders_dir()) / file, seen, text, error)) return {};
-  return text;
+  Loader loader{shaders_dir(), method_of(defines), {}, {}};
+  text += loader.file(file);
+  if (loader.error.empty()) return text;
+  error = loader.error;
+  return {};
 }
 
 GlProgram build_program(const std::string& vert, const std::string& frag, const std::vector<std::string>& defines,
@@ -111,6 +153,9 @@ GlProgram build_program(const std::string& vert, const std::string& frag, const 
     return {};
   }
   bind_slots(program.get());
+  error = bind_block(program.get(), "FrameBlock", kFrameBinding, sizeof(interop::FrameData));
+  if (error.empty()) error = bind_block(program.get(), "ClothBlock", kClothBinding, sizeof(interop::ClothData));
+  if (!error.empty()) return {};
   return program;
 }
 

@@ -13,8 +13,11 @@ namespace weftlight::gl {
 /// Folder of shaders: $WEFTLIGHT_SHADERS, beside the program, or the source tree.
 std::string shaders_dir();
 
-/// The text of a shader file with includes resolved (each file once) and defines after #version.
-/// Empty with `error` set when a file is missing.
+/// `text` with its includes resolved, each file once. Empty with `error` set when a file is missing.
+std::string with_includes(const std::string& text, std::string& error);
+
+/// The text of a shader file with includes resolved and defines after #version. Where a define says "METHOD name",
+/// METHOD in an included file's name is that name. Empty with `error` set when a file is missing.
 std::string shader_text(const std::string& file, const std::vector<std::string>& defines, std::string& error);
 
 /// Compiles and links NAME.vert and NAME.frag of the given names. 0 in peek() with `error` set on failure.

@@ -45,7 +45,7 @@ bool SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_b
   texel_mm_ = 2 * r / kSize;
 
   interop::FrameData data{};
-  std::memcpy(data.world_to_shadow.data(), glm::value_ptr(matrix_), sizeof data.world_to_shadow);
+  data.world_to_shadow = matrix_;
   glBindBuffer(GL_UNIFORM_BUFFER, frame_block.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof data, &data, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());

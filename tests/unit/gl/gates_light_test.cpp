@@ -60,7 +60,7 @@ TEST_F(Gate, AnyRoughnessStaysANumberAndIsNotBlack) {
   lay(1);
   for (const float width : {0.0f, 1e-3f, 30.0f, 1e6f}) {
     design.yarns[0].lobes.along_width = design.yarns[0].lobes.across_width = width;
-    renderer->upload_lobes(stages.update(std::make_shared<const Design>(design)).lobes);
+    renderer->upload_lobes(*stages.update(std::make_shared<const Design>(design)).lobes);
     for (const Method method : kRungs) {
       const Image image = patch(method, 0.7f, 8);
       for (const float v : image.texels) ASSERT_TRUE(std::isfinite(v) && v >= 0) << method_name(method) << " " << width;

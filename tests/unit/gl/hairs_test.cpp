@@ -188,14 +188,14 @@ TEST(StrayHairs, AreNoMoreThanCanBeSeenOrDrawn) {
 
 TEST(StrayHairs, GrowByTheFuzzThatShows) {
   interop::ClothData cloth{};
-  for (interop::SystemData& s : cloth.systems) s.extra[1] = 0.5f, s.extra[2] = 0.4f, s.weights[2] = 0.02f;
+  for (interop::SystemData& s : cloth.systems) s.coverage = 0.5f, s.yarn.fuzz_depth = 0.4f, s.yarn.fuzz = 0.02f;
   EXPECT_EQ(hair_growth(cloth, Face::kFront).per_mm2[0], 0);
-  cloth.systems[1].weights[2] = 0.35f;  // the front's weft
+  cloth.systems[1].yarn.fuzz = 0.35f;  // the front's weft
   const HairGrowth front = hair_growth(cloth, Face::kFront), turned = hair_growth(cloth, Face::kBack);
   EXPECT_GT(front.per_mm2[0], 0);
   EXPECT_EQ(front.per_mm2[1], 0);
   EXPECT_EQ(turned.per_mm2[1], front.per_mm2[0]);
-  cloth.systems[0].weights[2] = 0.35f;
+  cloth.systems[0].yarn.fuzz = 0.35f;
   EXPECT_FLOAT_EQ(hair_growth(cloth, Face::kFront).per_mm2[0], 2 * front.per_mm2[0]);
 }
 

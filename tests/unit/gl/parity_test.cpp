@@ -7,16 +7,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "gl/context.h"
 #include "gl/gpu_cloth.h"
-#include "gl/shader_program.h"
 #include "light/cloth_brdf.h"
 #include "light/formulas.h"
+#include "pixel_program.h"
 
 namespace weftlight::gl {
 namespace {
@@ -34,10 +32,6 @@ enum Input { kLight, kView, kSpecular, kBody, kThrough, kFuzz, kSeedShares, kSee
 using Case = std::array<vec4, kInputs>;
 
 constexpr const char* kMain = R"(
-uniform sampler2D cases;
-out vec4 out_color;
-vec4 given(int row) { return texelFetch(cases, ivec2(int(gl_FragCoord.x), row), 0); }
-void main() {
   vec3 wi = given(0).xyz, wo = given(1).xyz;
   YarnLobes y;
   float a = given(0).w, b = given(1).w;
@@ -52,15 +46,13 @@ void main() {
   vec4 p = given(6), q = given(7), c = given(8);
   Vrst03 v = Vrst03(p.x, 1.0 - p.x, p.y, p.z, q.x, q.y, p.w, y.f0, y.body);
   vec3 r = vec3(0.0);
-  int row = int(gl_FragCoord.y);
   if (row == 0) r = yarn_reflect(y, wi, wo);
   if (row == 1) r = yarn_transmit(y, vec3(wi.x, wi.y, -wi.z), wo);
   if (row == 2) r = yarn_albedo(y, wo);
   if (row == 3) r = vrst03_brdf(v, q.z, q.w, wi, wo);
   if (row == 4) r = vec3(horizon_visibility(wi.z, wo.z, c.x, c.y), coverage_by_view(c.z, c.xw, c.y, wo), 0.0);
   if (row == 5) r = tone_map(given(9).rgb);
-  out_color = vec4(r, 1.0);
-}
+  answer = vec4(r, 1.0);
 )";
 
 formulas::YarnLobes lobes_of(const Case& c) {
@@ -130,96 +122,16 @@ std::vector<Case> grid() {
   return cases;
 }
 
-GLuint compiled(GLenum stage, const std::string& text) {
-  const GLuint shader = glCreateShader(stage);
-  const char* source = text.c_str();
-  glShaderSource(shader, 1, &source, nullptr);
-  glCompileShader(shader);
-  char log[2048] = "";
-  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  GLint ok = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  EXPECT_TRUE(ok) << log;
-  return shader;
-}
-
-/// The shared files with the main function above, sampler slots as the preview's.
-GlProgram parity_program() {
-  std::string text = "#version 330 core\n", error;
-  for (const char* file : {"tables.glsl", "lobes.glsl", "vrst03.glsl", "horizon.glsl", "filter.glsl", "tone.glsl"}) {
-    const std::string part = shader_text(file, {}, error);
-    EXPECT_EQ(error, "");
-    text += part.substr(part.find('\n') + 1);  // its #version
-  }
-  GlProgram program;
-  const GLuint vert = compiled(GL_VERTEX_SHADER,
-                               "#version 330 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, "
-                               "gl_VertexID == 2 ? 3 : -1, 0, 1); }\n");
-  const GLuint frag = compiled(GL_FRAGMENT_SHADER, text + kMain);
-  glAttachShader(program.get(), vert);
-  glAttachShader(program.get(), frag);
-  glLinkProgram(program.get());
-  glDeleteShader(vert);
-  glDeleteShader(frag);
-  GLint ok = GL_FALSE;
-  glGetProgramiv(program.get(), GL_LINK_STATUS, &ok);
-  EXPECT_TRUE(ok);
-  glUseProgram(program.get());
-  for (int slot = 0; slot < kSamplerCount; ++slot)
-    glUniform1i(glGetUniformLocation(program.get(), kSamplerNames[static_cast<size_t>(slot)]), slot);
-  glUniform1i(glGetUniformLocation(program.get(), "cases"), kSamplerCount);
-  return program;
-}
-
-void make_plane(GlTexture& texture, int width, int height, const float* values) {
-  glBindTexture(GL_TEXTURE_2D, texture.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, values);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
-/// kResults rows of a pixel a case.
 std::vector<vec4> on_gpu(const std::vector<Case>& cases) {
-  const int width = static_cast<int>(cases.size());
   GpuCloth tables;
-  PackedCloth none;
-  none.lobes.resize(sizeof(interop::ClothData) / sizeof(float));
-  tables.upload(none);
+  tables.upload(PackedCloth{});
   tables.bind();
-
-  std::vector<vec4> rows;
-  for (size_t row = 0; row < kInputs; ++row)
-    for (const Case& c : cases) rows.push_back(c[row]);
-  GlTexture input, output;
-  glActiveTexture(GL_TEXTURE0 + kSamplerCount);
-  make_plane(input, width, kInputs, &rows[0].x);
-  glActiveTexture(GL_TEXTURE0 + kSamplerCount + 1);
-  make_plane(output, width, kResults, nullptr);
-  GlFramebuffer frame;
-  glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output.get(), 0);
-  EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-
-  const GlProgram program = parity_program();
-  GlVertexArray array;
-  glBindVertexArray(array.get());
-  glViewport(0, 0, width, kResults);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  std::vector<vec4> results(cases.size() * kResults);
-  glReadPixels(0, 0, width, kResults, GL_RGBA, GL_FLOAT, &results[0].x);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-  return results;
+  const GlProgram program =
+      pixel_program({"tables.glsl", "lobes.glsl", "vrst03.glsl", "horizon.glsl", "filter.glsl", "tone.glsl"}, kMain);
+  return run_pixels(program, cases, kResults);
 }
 
-class Parity : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string error;
-    context_ = HeadlessContext::create(error);
-    if (!context_) GTEST_SKIP() << "no graphics: " << error;
-  }
-  std::unique_ptr<HeadlessContext> context_;
-};
+using Parity = PixelTest;
 
 TEST_F(Parity, GpuAgreesWithCpu) {
   // Texture units may weigh neighbours in 1/256. With weights so rounded the C++ results move by up to 4.4e-3

@@ -1,3 +1,8 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "gl/shader_program.h"
 #include "picture.h"
 #include "upload/camera.h"
 #include "upload/rung_shares.h"
@@ -162,11 +167,51 @@ TEST_F(PictureTest, PatchesGiveThePictureOfAWholeUpload) {
   ASSERT_FALSE(edit.all_maps);
   ASSERT_FALSE(edit.patches.empty());
   renderer->upload(edit.patches);
-  renderer->upload_lobes(edit.lobes);
+  renderer->upload_lobes(*edit.lobes);
   const Image patched = draw(false);
   upload(after, square(30));
   const Image whole = draw(false);
   EXPECT_EQ(patched.texels, whole.texels);
+}
+
+/// The shaders, one of them spoilt, for as long as it lives.
+class SpoiltShader {
+ public:
+  explicit SpoiltShader(const std::string& name) : folder_(testing::TempDir() + "spoilt_shaders") {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::copy(shaders_dir(), folder_, std::filesystem::copy_options::recursive);
+    std::ofstream(folder_ + "/" + name, std::ios::app) << "\nvec3 not_a_formula = no_such_thing;\n";
+    setenv("WEFTLIGHT_SHADERS", folder_.c_str(), 1);
+  }
+  ~SpoiltShader() {
+    unsetenv("WEFTLIGHT_SHADERS");
+    std::filesystem::remove_all(folder_);
+  }
+
+ private:
+  std::string folder_;
+};
+
+// Most programs are compiled when a picture first needs them. One that failed then left a cloth of nothing, and no
+// word.
+TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
+  const std::unique_ptr<Renderer> fresh = Renderer::create(error);
+  ASSERT_TRUE(fresh) << error;
+  Stages stages;
+  stages.update(std::make_shared<const Design>(twill(4, 2, kRed, kRed)));
+  fresh->upload(stages.packed());
+  fresh->set_mesh(square(30));
+  look.method = Method::kFlat;
+  {
+    const SpoiltShader spoilt("rung_flat.glsl");
+    const std::string problem = fresh->draw(scene, look, frame).problem;
+    EXPECT_NE(problem.find("flat: cloth.frag does not compile"), std::string::npos) << problem;
+    EXPECT_NE(problem.find("no_such_thing"), std::string::npos) << problem;
+  }
+  EXPECT_NE(fresh->draw(scene, look, frame).problem, "") << "nor is it forgotten";
+  look.method = Method::kCell;
+  EXPECT_EQ(fresh->draw(scene, look, frame).problem, "");
+  EXPECT_GT(middle(fresh->read_back(true)).r, 0.01);
 }
 
 TEST_F(PictureTest, NewestDesignWinsInThePipeline) {

@@ -65,7 +65,7 @@ TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
   expect_caught_up();
 
   d.yarns[0].lobes.along_width = 0.6f;
-  EXPECT_FALSE(stages.update(keep(d), Effort::kQuick).lobes.empty());
+  EXPECT_TRUE(stages.update(keep(d), Effort::kQuick).lobes.has_value());
   expect_caught_up();
   d.yarns[0].turns_per_m = 900;
   stages.update(keep(d), Effort::kQuick);

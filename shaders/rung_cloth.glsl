@@ -1,0 +1,2 @@
+// Rung `cloth`: the answer of the whole period; it stands beside that of `repeat`, whose tables it reads.
+#include "rung_repeat.glsl"

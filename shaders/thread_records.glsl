@@ -1,0 +1,105 @@
+// The threads as texels of four whole numbers each: how the records lie in them, and how each is taken out again.
+// GLSL 3.30 and C++20 (core/upload/thread_block.h fills them from these same structs; interop.h has their sizes).
+//
+//   a head; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the yarns' lobes
+
+#include "interop.h"
+#include "thread_texture.glsl"
+
+#ifndef FORMULA
+#define FORMULA
+#endif
+
+struct ThreadHead {
+  ivec2 count;          // ends, picks
+  ivec2 bins;
+  vec2 period;          // mm
+  float spacing;        // mean of both systems, mm
+  float top;            // no thread is higher, mm
+  ivec2 threads;        // first texels of the ends' records, of the picks'
+  ivec2 first;          // of their bins
+  int yarns;            // first texel of the yarns
+  int crossing_blocks;  // from one row of blocks of crossings to the next
+  vec2 even;            // the room of each thread where a system's are alike, else 0
+};
+
+struct ThreadRecord {
+  vec4 body;            // centre, half its room, half width, half height, mm
+  vec3 color;           // linear
+  int yarn;
+  ThreadTexture pattern;
+  uint unused;
+};
+
+FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+  ThreadHead h;
+  h.count = ivec2(int(a.x), int(a.y));
+  h.bins = ivec2(int(a.z), int(a.w));
+  h.period = vec2(uintBitsToFloat(b.x), uintBitsToFloat(b.y));
+  h.spacing = uintBitsToFloat(b.z);
+  h.top = uintBitsToFloat(b.w);
+  h.threads = ivec2(int(c.x), int(c.y));
+  h.first = ivec2(int(c.z), int(c.w));
+  h.yarns = int(d.x);
+  h.crossing_blocks = int(d.y);
+  h.even = vec2(uintBitsToFloat(d.z), uintBitsToFloat(d.w));
+  return h;
+}
+
+// From THREAD_BODY.
+FORMULA vec4 record_body(uvec4 a) { return uintBitsToFloat(a); }
+
+// From THREAD_COLOR: linear colour; its yarn in w.
+FORMULA vec4 record_look(uvec4 a) {
+  return vec4(uintBitsToFloat(a.x), uintBitsToFloat(a.y), uintBitsToFloat(a.z), float(int(a.w)));
+}
+
+// From THREAD_PATTERN.
+FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+  ThreadTexture x;
+  x.fibres = uintBitsToFloat(a.x);
+  x.advance = int(a.y);
+  x.fibre_tan = uintBitsToFloat(a.z);
+  x.plies = int(a.w);
+  x.ply_advance = int(b.x);
+  x.ply_relief_mm = uintBitsToFloat(b.y);
+  x.phase = uintBitsToFloat(b.z);
+  x.ply_phase = uintBitsToFloat(b.w);
+  x.singles = int(c.x);
+  x.stray_advance = int(c.y);
+  x.nodes = int(c.z);
+  x.depth = uintBitsToFloat(c.w);
+  x.hair = uintBitsToFloat(d.x);
+  x.radius_mm = uintBitsToFloat(d.y);
+  x.seed = d.z;
+  return x;
+}
+
+// The same thread on the back: it is mapped as the front and seen mirrored, so its twist runs the other way there to
+// be the same in space. side: 1 front, -1 back.
+FORMULA ThreadTexture pattern_on(ThreadTexture x, float side) {
+  int hand = side < 0.0f ? -1 : 1;
+  x.advance *= hand;
+  x.fibre_tan *= side;
+  x.ply_advance *= hand;
+  x.stray_advance *= hand;
+  return x;
+}
+
+FORMULA YarnData record_yarn(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+  YarnData y;
+  y.along_width = uintBitsToFloat(a.x);
+  y.across_width = uintBitsToFloat(a.y);
+  y.specular = uintBitsToFloat(a.z);
+  y.body = uintBitsToFloat(a.w);
+  y.fuzz = uintBitsToFloat(b.x);
+  y.fuzz_width = uintBitsToFloat(b.y);
+  y.fuzz_depth = uintBitsToFloat(b.z);
+  y.transmission = uintBitsToFloat(b.w);
+  y.tint = uintBitsToFloat(c);
+  y.reflectance = uintBitsToFloat(d.x);
+  y.spare_a = uintBitsToFloat(d.y);
+  y.spare_b = uintBitsToFloat(d.z);
+  y.spare_c = uintBitsToFloat(d.w);
+  return y;
+}

@@ -1,0 +1,328 @@
+// The heavy shared text on the GPU against the same text in C++: threads as bodies, their pattern, their records to and
+// fro, what the rungs make of them, stray fibres. The cloth is uploaded as the renderer's own.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+#include <random>
+
+#include "../upload/designs.h"
+#include "cloth/thread_scene.h"
+#include "gl/gpu_cloth.h"
+#include "light/yarn_lobes.h"
+#include "pixel_program.h"
+#include "upload/cloth_block.h"
+#include "upload/thread_block.h"
+
+namespace weftlight::cloth::thread_formulas {
+
+/// The threads as the GPU fetches them (shaders/thread_fetch.glsl), from what is uploaded.
+class PackedThreads {
+ public:
+  PackedThreads(const upload::PackedCloth& cloth, float side)
+      : cloth_(cloth), head_(thread_head(texel(0), texel(1), texel(2), texel(3))), side_(side) {}
+
+  uvec4 texel(int i) const { return cloth_.lobes.threads[static_cast<size_t>(i)]; }
+  int record_at(int system, int thread) const { return head_.threads[system] + thread * THREAD_TEXELS; }
+  vec4 thread_body(int system, int thread) const { return record_body(texel(record_at(system, thread) + THREAD_BODY)); }
+  int thread_bin(int system, int bin) const { return static_cast<int>(texel(head_.first[system] + bin / 4)[bin & 3]); }
+  vec4 crossing_at(int end, int pick) const {
+    const upload::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * head_.count.x + end)];
+    return {glm::unpackHalf1x16(h[0]), glm::unpackHalf1x16(h[1]), glm::unpackHalf1x16(h[2]), glm::unpackHalf1x16(h[3])};
+  }
+#define FORMULA
+#include "shaders/threads.glsl"
+#undef FORMULA
+  ThreadGrid grid() const {
+    return {head_.count, head_.bins, head_.period, head_.spacing, head_.top, side_, head_.even};
+  }
+  vec4 look(int system, int thread) const { return record_look(texel(record_at(system, thread) + THREAD_COLOR)); }
+  ThreadTexture pattern(int system, int thread) const {
+    const int i = record_at(system, thread) + THREAD_PATTERN;
+    return pattern_on(record_pattern(texel(i), texel(i + 1), texel(i + 2), texel(i + 3)), side_);
+  }
+  YarnData yarn(int yarn) const {
+    const int i = head_.yarns + yarn * YARN_TEXELS;
+    return record_yarn(texel(i), texel(i + 1), texel(i + 2), texel(i + 3));
+  }
+
+ private:
+  const upload::PackedCloth& cloth_;
+  ThreadHead head_;
+  float side_;
+};
+
+}  // namespace weftlight::cloth::thread_formulas
+
+namespace weftlight::gl {
+namespace {
+
+using cloth::thread_formulas::PackedThreads;
+using formulas::Answer;
+using glm::vec3;
+using glm::vec4;
+
+/// A 2/2 twill of two yarns, plied and twisted, with two thick ends: rooms differ, so that bins are asked.
+Cloth uneven_twill() {
+  Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
+  d.yarns.push_back(d.yarns[0]);
+  d.yarns[0].twist = Twist::kZ, d.yarns[0].plies = 2;
+  d.yarns[1].twist = Twist::kS, d.yarns[1].lobes.along_width = 0.1f, d.yarns[1].lobes.fuzz = 0.3f;
+  std::fill(d.draft.weft.yarn.begin(), d.draft.weft.yarn.end(), 1);
+  d.draft.warp.spacing_mm.assign(d.draft.warp.color.size(), 0.6f);
+  d.draft.warp.spacing_mm[1] = 1.7f;
+  return lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft);
+}
+
+PackedCloth packed(const Cloth& cloth) {
+  PackedCloth p;
+  p.width_mm = cloth.width_mm, p.depth_mm = cloth.depth_mm, p.mean_spacing_mm = upload::mean_spacing_mm(cloth);
+  p.ends = static_cast<int>(cloth.ends.size()), p.picks = static_cast<int>(cloth.picks.size());
+  const std::vector<vec4> crossings = thread_crossings(cloth, {0, p.ends, 0, p.picks});
+  p.crossings = upload::packed_crossings(crossings);
+  p.lobes.threads = upload::thread_records(cloth, highest_thread(cloth, crossings));
+  return p;
+}
+
+TEST(ThreadRecords, ComeBackAsTheyWentIn) {
+  const Cloth cloth = uneven_twill();
+  const PackedCloth p = packed(cloth);
+  const PackedThreads back(p, 1);
+  for (const System system : {System::kWarp, System::kWeft}) {
+    const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
+    const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
+    const int s = system == System::kWarp ? 0 : 1;
+    for (int i = 0; i < static_cast<int>(threads.size()); ++i) {
+      const ThreadBody& body = threads[static_cast<size_t>(i)];
+      EXPECT_EQ(back.thread_body(s, i),
+                vec4(body.centre_mm, 0.5f * body.spacing_mm, 0.5f * body.width_mm, 0.5f * body.height_mm));
+      EXPECT_EQ(back.look(s, i), vec4(body.colour.r, body.colour.g, body.colour.b, body.yarn));
+      ThreadRecord in{}, out{};
+      in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);
+      out.pattern = back.pattern(s, i);
+      EXPECT_EQ(std::memcmp(&in, &out, sizeof in), 0) << "thread " << i << " of system " << s;
+    }
+  }
+  // A yarn's numbers, each another, so that none lies in another's place.
+  interop::YarnData in{};
+  std::array<float, sizeof in / sizeof(float)> numbers;
+  for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<float>(i) + 0.5f;
+  std::memcpy(&in, numbers.data(), sizeof in);
+  std::array<glm::uvec4, YARN_TEXELS> texels;
+  std::memcpy(texels.data(), &in, sizeof in);
+  const interop::YarnData out = cloth::thread_formulas::record_yarn(texels[0], texels[1], texels[2], texels[3]);
+  EXPECT_EQ(std::memcmp(&in, &out, sizeof in), 0);
+  const interop::YarnData second = yarn_data(cloth.yarns[1].lobes), fetched = back.yarn(1);
+  EXPECT_EQ(std::memcmp(&second, &fetched, sizeof second), 0);
+}
+
+using RayCase = std::array<vec4, 3>;  // place, side; towards the eye; towards the light, sample's cycles
+
+constexpr const char* kRayMain = R"(
+  ThreadGrid g = thread_grid(given(0).w > 0.0 ? 0 : 1);
+  vec3 v = given(1).xyz;
+  vec3 l = given(2).xyz;
+  ThreadHit hit = first_thread(g, given(0).xy, v, 48);
+  answer = vec4(-1.0);
+  if (hit.system >= 0) {
+    int thread = hit.strand.thread;
+    float length_mm = hit.system == 0 ? g.period.y : g.period.x;
+    ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
+    ThreadTexture x = thread_pattern(hit.system, thread, g.side);
+    Texel t = texture_at(x, texture_point(x, fract(p.along / length_mm), p.turn, given(2).w, 1.0));
+    vec4 look = thread_look(hit.system, thread);
+    YarnLobes y = thread_lobes(int(look.w), look.rgb);
+    if (row == 0) answer = vec4(float(hit.system), float(thread), hit.at.z, 0.0);
+    if (row == 1) answer = vec4(threads_block(g, hit.at, l, 24, hit.system, thread) ? 1.0 : 0.0);
+    if (row == 2) answer = vec4(p.normal, p.turn);
+    if (row == 3) answer = vec4(p.axis, p.along);
+    if (row == 4) answer = vec4(t.groove, t.tone, t.ply, x.fibre_tan);
+    if (row == 5) answer = vec4(ply_normal(p, x, t.ply, length_mm), 0.0);
+    if (row == 6) answer = vec4(facet_answer(y, p.normal, 1.0, p.axis + p.around * x.fibre_tan, vec3(0.0), l, v).key, 0.0);
+  }
+)";
+constexpr int kRayRows = 7;
+constexpr std::array<const char*, kRayRows> kRayNames{"first_thread", "threads_block", "normal, turn", "axis, along",
+                                                      "texture_at",   "ply_normal",    "facet_answer"};
+
+vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
+  using namespace cloth::thread_formulas;
+  const PackedThreads::ThreadGrid g = t.grid();
+  const vec3 v(c[1]), l(c[2]);
+  const PackedThreads::ThreadHit hit = t.first_thread(g, glm::vec2(c[0]), v, 48);
+  if (hit.system < 0) return vec4(-1);
+  const int thread = hit.strand.thread;
+  const float length = hit.system == 0 ? g.period.y : g.period.x;
+  const PackedThreads::ThreadPoint p = t.thread_point(hit.system, hit.strand, hit.at);
+  const ThreadTexture x = t.pattern(hit.system, thread);
+  const Texel texel = texture_at(x, texture_point(x, glm::fract(p.along / length), p.turn, c[2].w, 1.0f));
+  const vec4 look = t.look(hit.system, thread);
+  switch (row) {
+    case 0:
+      return {hit.system, thread, hit.at.z, 0};
+    case 1:
+      return vec4(t.threads_block(g, hit.at, l, 24, hit.system, thread) ? 1.0f : 0.0f);
+    case 2:
+      return {p.normal, p.turn};
+    case 3:
+      return {p.axis, p.along};
+    case 4:
+      return {texel.groove, texel.tone, texel.ply, x.fibre_tan};
+    case 5:
+      return {t.ply_normal(p, x, texel.ply, length), 0};
+    default: {
+      const formulas::YarnLobes y = formulas::yarn_of(t.yarn(static_cast<int>(look.w)), vec3(look));
+      return {formulas::facet_answer(y, p.normal, 1, p.axis + p.around * x.fibre_tan, vec3(0), l, v).key, 0};
+    }
+  }
+}
+
+vec3 slanted(float cosine, float turn) {
+  const float s = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+  return {s * std::cos(turn), s * std::sin(turn), cosine};
+}
+
+/// Share of the cases whose numbers are further off than `most`, relative to 1 or to the number if it is larger.
+double share_off(const std::vector<vec4>& gpu, const std::vector<vec4>& cpu, float most) {
+  size_t off = 0;
+  for (size_t k = 0; k < gpu.size(); ++k) {
+    bool good = true;
+    for (int i = 0; i < 4; ++i) good &= std::abs(gpu[k][i] - cpu[k][i]) <= most * std::max(1.0f, std::abs(cpu[k][i]));
+    off += !good;
+  }
+  return static_cast<double>(off) / static_cast<double>(gpu.size());
+}
+
+using ThreadsParity = PixelTest;
+
+TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
+  // A ray that grazes an edge may go either way by its last bit, and a fibre's border falls on either side. On llvmpipe
+  // none of these does.
+  constexpr double kEdges = 0.01;
+  constexpr float kTolerance = 2e-3f;
+  const PackedCloth p = packed(uneven_twill());
+  GpuCloth gpu_cloth;
+  gpu_cloth.upload(p);
+  gpu_cloth.bind();
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<float> u(0, 1);
+  std::vector<RayCase> cases;
+  for (int k = 0; k < 2000; ++k) {
+    const float side = k % 4 == 3 ? -1.0f : 1.0f;
+    cases.push_back({vec4(u(rng) * p.width_mm, u(rng) * p.depth_mm, 0, side),
+                     vec4(slanted(0.15f + 0.85f * u(rng), 6.2831853f * u(rng)), 0),
+                     vec4(slanted(0.1f + 0.9f * u(rng), 6.2831853f * u(rng)), 0.3f * u(rng))});
+  }
+  const std::vector<vec4> all = run_pixels(
+      pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_fetch.glsl"}, kRayMain), cases, kRayRows);
+  PackedThreads front(p, 1), back(p, -1);
+  for (int row = 0; row < kRayRows; ++row) {
+    std::vector<vec4> cpu;
+    for (const RayCase& c : cases) cpu.push_back(ray_on_cpu(c[0].w > 0 ? front : back, c, row));
+    const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
+    const double off = share_off({from, from + static_cast<std::ptrdiff_t>(cases.size())}, cpu, kTolerance);
+    EXPECT_LE(off, kEdges) << kRayNames[static_cast<size_t>(row)];
+    const auto lit = std::count_if(cpu.begin(), cpu.end(), [](const vec4& c) { return c.x > 0; });
+    EXPECT_GT(lit, 100) << kRayNames[static_cast<size_t>(row)];
+    std::printf("  %s: %g of the cases are off\n", kRayNames[static_cast<size_t>(row)], off);
+  }
+}
+
+using RungCase = std::array<vec4, 8>;
+
+constexpr const char* kRungMain = R"(
+  vec3 l = given(0).xyz;
+  vec3 v = given(1).xyz;
+  vec4 a = given(2);
+  vec4 b = given(3);
+  vec4 c = given(4);
+  vec4 d = given(5);
+  YarnData data = record_yarn(floatBitsToUint(a), floatBitsToUint(b), floatBitsToUint(c), floatBitsToUint(d));
+  vec3 color = given(6).rgb;
+  YarnLobes y = yarn_of(data, color);
+  vec4 e = given(7);
+  if (row == 0) answer = vec4(facet_answer(y, normalize(vec3(e.xy - 0.5, 1.0)), 0.9, vec3(1.0, e.z, 0.0), vec3(e.x, 0.0, e.y), l, v).key, 0.0);
+  if (row == 1) answer = vec4(facet_answer(y, vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0, 1.0, 0.0), vec3(0.0), l, v).soft, 0.0);
+  if (row == 2) answer = vec4(system_answer(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, e.w, l, v).key, 0.0);
+  if (row == 3) answer = vec4(response_coord(v), half_slopes(l, v));
+  if (row == 4) {
+    EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), e.x);
+    answer = vec4(engine_answer(m, lobe_frame(normalize(vec3(e.xy - 0.5, 1.0)), vec3(1.0, 0.0, 0.0)), l, v).key, 0.0);
+  }
+  if (row == 5) answer = vec4(lean_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), float(yarn_samples(e.x, 48)));
+  if (row == 6) answer = vec4(hair_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), hair_share(e.w));
+  if (row == 7) answer = vec4(hair_soft(color, color * e.x), 0.0);
+)";
+constexpr int kRungRows = 8;
+constexpr std::array<const char*, kRungRows> kRungNames{
+    "facet_answer, key", "facet_answer, soft",  "system_answer", "response_coord, half_slopes",
+    "engine_answer",     "lean, region, slope", "hair_key",      "hair_soft"};
+
+vec4 rung_on_cpu(const RungCase& given, int row) {
+  using namespace formulas;
+  const vec3 l(given[0]), v(given[1]), color(given[6]);
+  const vec4 e = given[7];
+  YarnData data{};
+  std::memcpy(&data, &given[2], sizeof data);
+  const YarnLobes y = yarn_of(data, color);
+  const vec3 n = normalize(vec3(e.x - 0.5f, e.y - 0.5f, 1));
+  switch (row) {
+    case 0:
+      return {facet_answer(y, n, 0.9f, vec3(1, e.z, 0), vec3(e.x, 0, e.y), l, v).key, 0};
+    case 1:
+      return {facet_answer(y, vec3(0, 0, 1), 1, vec3(0, 1, 0), vec3(0), l, v).soft, 0};
+    case 2:
+      return {system_answer(y, e, {0.5f + e.x, 0.5f + e.y}, e.z, e.w, l, v).key, 0};
+    case 3:
+      return {response_coord(v), half_slopes(l, v)};
+    case 4: {
+      const EngineMaterial m{color, data.tint.w, color * e.x, 0.1f + e.y, {0.1f + e.z, 0.1f + e.w}, e.x};
+      return {engine_answer(m, lobe_frame(n, vec3(1, 0, 0)), l, v).key, 0};
+    }
+    case 5:
+      return {lean_factor(given[2], given[3], e), region_factor(e.x, e.y + 0.1f), slope_coord(l.x / l.z),
+              static_cast<float>(yarn_samples(e.x, 48))};
+    case 6:
+      return {hair_key(color, color * e.x, normalize(vec3(e) - 0.5f), vec3(0, 0, 1), l, v), hair_share(e.w)};
+    default:
+      return {hair_soft(color, color * e.x), 0};
+  }
+}
+
+TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
+  constexpr float kTolerance = 6e-3f;  // tables read by texture units (parity_test.cpp)
+  GpuCloth tables;
+  tables.upload(PackedCloth{});
+  tables.bind();
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<float> u(0, 1);
+  const auto four = [&] { return vec4(u(rng), u(rng), u(rng), u(rng)); };
+  std::vector<RungCase> cases;
+  for (int k = 0; k < 1500; ++k) {
+    vec4 widths = four() + vec4(0.05f, 0.05f, 0, 0), tint = four();
+    tint.w = k % 5 == 0 ? 1.0f : 0.0f;
+    cases.push_back({vec4(slanted(0.05f + 0.95f * u(rng), 6.2831853f * u(rng)), 0),
+                     vec4(slanted(0.05f + 0.95f * u(rng), 6.2831853f * u(rng)), 0), widths,
+                     four() + vec4(0, 0.05f, 0.05f, 0), tint, vec4(0.02f + 0.1f * u(rng), 0, 0, 0), four(), four()});
+  }
+  const std::vector<vec4> all = run_pixels(
+      pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_records.glsl", "hair.glsl"}, kRungMain), cases,
+      kRungRows);
+  for (int row = 0; row < kRungRows; ++row) {
+    std::vector<vec4> cpu;
+    for (const RungCase& c : cases) cpu.push_back(rung_on_cpu(c, row));
+    const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
+    const double off = share_off({from, from + static_cast<std::ptrdiff_t>(cases.size())}, cpu, kTolerance);
+    // A whole number of samples turns over at a bit.
+    EXPECT_LE(off, row == 5 ? 2e-3 : 0.0) << kRungNames[static_cast<size_t>(row)];
+    EXPECT_GT(std::count_if(cpu.begin(), cpu.end(), [](const vec4& c) { return c.x != 0; }), 1000);
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::gl

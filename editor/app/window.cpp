@@ -90,7 +90,7 @@ std::string glfw_problem() {
 }  // namespace
 
 struct Window::Inbox {
-  bool happened = true;
+  bool happened = true, exposed = true;
   InputQueue input;
   std::vector<std::string> dropped;
   std::vector<std::string> shortcuts;                     // of the frame
@@ -163,7 +163,7 @@ void Window::listen(GLFWwindow* w) {
   glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
   glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
   glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { Inbox::of(at); });
-  glfwSetWindowRefreshCallback(w, [](GLFWwindow* at) { Inbox::of(at); });
+  glfwSetWindowRefreshCallback(w, [](GLFWwindow* at) { Inbox::of(at).exposed = true; });
   glfwSetWindowCloseCallback(w, [](GLFWwindow* at) { Inbox::of(at); });
 }
 
@@ -244,11 +244,13 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& error) 
   ImGui::GetIO().ConfigDragClickToInputText = true;
   ImGui_ImplGlfw_InitForOpenGL(w->window_, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
+  w->redraw_ = std::make_unique<ui::Redraw>();
   return w;
 }
 
 Window::~Window() {
   if (window_ != nullptr) {
+    redraw_.reset();
     if (ImGui::GetCurrentContext() != nullptr) {
       ImGui_ImplOpenGL3_Shutdown();
       ImGui_ImplGlfw_Shutdown();
@@ -296,6 +298,7 @@ void Window::use_style(Style& style) {
     fonts_for_ = scale;
   }
   apply(style);
+  redraw_->forget();
 }
 
 void Window::begin_frame() {
@@ -309,15 +312,8 @@ void Window::end_frame(ImU32 background) {
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
-  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(background);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glClearColor(c.x, c.y, c.z, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  glfwSwapBuffers(window_);
+  const bool exposed = std::exchange(inbox_->exposed, false);
+  if (redraw_->draw(*ImGui::GetDrawData(), width, height, background, exposed)) glfwSwapBuffers(window_);
 }
 
 std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shortcuts, {}); }

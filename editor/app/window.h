@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/names.h"
+#include "ui/redraw.h"
 #include "ui/style.h"
 
 struct GLFWwindow;
@@ -58,6 +59,7 @@ class Window {
   void give_input();
 
   std::unique_ptr<Inbox> inbox_;
+  std::unique_ptr<ui::Redraw> redraw_;
   float fonts_for_ = 0;
   GLFWcursor* crosshair_ = nullptr;
 };

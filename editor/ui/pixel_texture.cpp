@@ -5,12 +5,14 @@
 namespace weftlight::ui {
 
 PixelTexture::~PixelTexture() {
-  if (name_ != 0) glDeleteTextures(1, &name_);
+  for (const unsigned name : names_)
+    if (name != 0) glDeleteTextures(1, &name);
 }
 
 void PixelTexture::set(int width, int height, std::span<const ImU32> pixels) {
-  if (name_ == 0) glGenTextures(1, &name_);
-  glBindTexture(GL_TEXTURE_2D, name_);
+  shown_ = 1 - shown_;
+  if (name() == 0) glGenTextures(1, &names_[shown_]);
+  glBindTexture(GL_TEXTURE_2D, name());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

@@ -17,14 +17,15 @@ class PixelTexture {
   PixelTexture(const PixelTexture&) = delete;
   PixelTexture& operator=(const PixelTexture&) = delete;
 
-  /// width x height pixels as ImGui packs them, row 0 on top.
+  /// width x height pixels as ImGui packs them, row 0 on top. Other pixels have another name (Damage asks for it).
   void set(int width, int height, std::span<const ImU32> pixels);
-  bool empty() const { return name_ == 0; }
-  unsigned name() const { return name_; }
-  ImTextureID id() const { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(name_)); }
+  bool empty() const { return name() == 0; }
+  unsigned name() const { return names_[shown_]; }
+  ImTextureID id() const { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(name())); }
 
  private:
-  unsigned name_ = 0;
+  unsigned names_[2] = {0, 0};
+  int shown_ = 0;
 };
 
 }  // namespace weftlight::ui

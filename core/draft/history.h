@@ -32,6 +32,8 @@ class History {
   std::string undo_label() const;
   std::string redo_label() const;
   void mark_saved();
+  /// No step is what was saved.
+  void mark_unsaved();
   bool is_saved() const;
 
  private:

@@ -30,6 +30,9 @@ class Desk {
   virtual void save_as() = 0;
   virtual void save_for_others() = 0;
   virtual void export_textures() = 0;
+  /// Unsaved work that crashed sessions left.
+  virtual void offer_recovery() = 0;
+  virtual bool has_left_work() const = 0;
   virtual void quit() = 0;
 
   virtual void ask_size() = 0;

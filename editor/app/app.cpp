@@ -5,10 +5,36 @@
 
 #include "app/editor.h"
 #include "app/window.h"
+#include "session/file_identity.h"
+#include "session/own_output.h"
+#include "session/user_folders.h"
 
 namespace weftlight::app {
+namespace {
+
+/// The flag that would replace what is not its own, and why; empty: all may be written.
+std::string refused_flag(const EditorOptions& o) {
+  const auto refusal = [](const char* flag, const std::string& path, const std::string& why) {
+    return why.empty() ? why : std::string(flag) + " " + path + ": " + why;
+  };
+  std::string refused;
+  if (!o.live_export.empty())
+    refused = refusal("--live-export", o.live_export,
+                      session::LiveExport(o.live_export, session::state_folder()).refusal(o.file));
+  if (refused.empty() && !o.ui_map.empty())
+    refused = refusal("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
+  if (refused.empty() && session::same_file(o.ui_map, o.live_export))
+    refused = refusal("--ui-map", o.ui_map, "--live-export writes there; give two files");
+  return refused;
+}
+
+}  // namespace
 
 int run_editor(const EditorOptions& options) {
+  if (const std::string refused = refused_flag(options); !refused.empty()) {
+    std::fprintf(stderr, "weftlight: %s\n", refused.c_str());
+    return kUsage;
+  }
   const Settings settings = load_settings();
   std::string error;
   const auto window = Window::open(settings.width, settings.height, error);

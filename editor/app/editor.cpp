@@ -6,6 +6,7 @@
 
 #include "draft/edits.h"
 #include "files/files.h"
+#include "session/user_folders.h"
 
 namespace weftlight::app {
 namespace {
@@ -16,6 +17,12 @@ Document first_document() {
   // Unnamed, so that saving asks where.
   Document& d = *starter.document;
   return Document(d.now());
+}
+
+/// Where a save is asked to begin.
+std::string first_path(const Document& document) {
+  if (!document.path().empty()) return document.path();
+  return document.name() == "Untitled" ? "untitled.wif" : document.name();
 }
 
 std::string joined(const std::vector<std::string>& lines) {
@@ -41,6 +48,9 @@ Editor::Editor(Window& window, const EditorOptions& options)
       options_(options),
       settings_(load_settings()),
       document_(first_document()),
+      recovery_(state_folder() + "/recovery"),
+      journal_(recovery_),
+      live_export_(std::make_shared<LiveExport>(options.live_export, state_folder())),
       preview_(Window::wake),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
@@ -49,6 +59,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
   actions_ = make_actions(settings_.recent);
   if (!options.file.empty()) open_path(options.file);
   if (document_.path().empty()) show_document();
+  left_ = recovery_.left_behind();
   offer_recovery();
 }
 
@@ -78,12 +89,14 @@ void Editor::open_copy(const std::string& path) {
 
 void Editor::save() {
   if (document_.path().empty()) return save_as();
-  save_to(document_.path(), nullptr);
+  save_own(nullptr);
 }
 
 void Editor::save_as() {
-  const std::string start = document_.path().empty() ? "untitled.wif" : document_.path();
-  ask_path(FileAsk::kSave, "Save the draft as", start, [this](const std::string& path) { save_to(path, nullptr); });
+  ask_path(FileAsk::kSave, "Save the draft as", first_path(document_), [this](const std::string& path) {
+    if (same_file(path, document_.path())) save_own(nullptr);
+    else save_to(path, nullptr);
+  });
 }
 
 void Editor::save_for_others() {
@@ -96,7 +109,8 @@ void Editor::save_for_others() {
 }
 
 void Editor::save_to(const std::string& path, std::function<void()> then) {
-  const std::string problem = write_file_atomically(path, document_.writer()());
+  const std::string bytes = document_.writer()();
+  const std::string problem = write_file_atomically(path, bytes);
   if (!problem.empty()) {
     return ask(Question{"The draft was not saved",
                         problem + "\n\nYour work is still here; choose another place.",
@@ -105,8 +119,9 @@ void Editor::save_to(const std::string& path, std::function<void()> then) {
                  if (button == 0) save_as();
                });
   }
-  document_.mark_saved(path);
-  recovery_.forget(writer_);
+  document_.mark_saved(path, bytes);
+  keep_unsaved();
+  keep_live_export();
   remember(settings_, path);
   actions_ = make_actions(settings_.recent);
   say("Saved " + document_.name());
@@ -186,15 +201,17 @@ void Editor::show_document() {
   constexpr double kMmPerCm = 10;
   work_.per_inch = settings_.per_inch || work_.warp_unit.mm != kMmPerCm;
   camera_ = orbit_of(document_.now().scene);
-  recovery_.forget(writer_);
+  // What was open before is saved or not wanted.
+  journal_.forget(journalled_);
+  journalled_ = journal_.new_document();
   edited();
 }
 
 /// After every change of the design, whatever made it.
 void Editor::edited() {
   preview_.submit(document_.snapshot());
-  if (!options_.live_export.empty()) writer_.write(options_.live_export, document_.writer());
-  recovery_.keep(writer_, document_);
+  keep_unsaved();
+  keep_live_export();
   work_.color = std::clamp(work_.color, 0, static_cast<int>(document_.now().draft.palette.size()) - 1);
   frames_due_ = std::max(frames_due_, 3);
 }
@@ -230,8 +247,8 @@ void Editor::unless_unsaved(std::function<void()> then) {
       [this, then = std::move(then)](int button) {
         if (button == 1) then();
         if (button != 0) return;
-        if (!document_.path().empty()) return save_to(document_.path(), then);
-        ask_path(FileAsk::kSave, "Save the draft as", "untitled.wif",
+        if (!document_.path().empty()) return save_own(then);
+        ask_path(FileAsk::kSave, "Save the draft as", first_path(document_),
                  [this, then](const std::string& path) { save_to(path, then); });
       });
 }
@@ -240,38 +257,19 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
                       std::function<void(const std::string&)> chosen) {
   if (FileDialog::is_there()) return file_dialog_.ask(what, title, start, std::move(chosen));
   constexpr const char* kButtons[] = {"Open", "Save", "Export"};
-  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]}, [this, chosen = std::move(chosen)](int) {
+  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]}, [this, what, chosen = std::move(chosen)](int) {
     const std::string path = std::get<PathPrompt>(dialog_).path;
     dialog_ = {};
-    if (!path.empty()) chosen(path);
+    if (path.empty()) return;
+    std::error_code ignored;
+    if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
+    ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",
+                 path + " is there already. What is in it would be lost.",
+                 {"Replace", "Cancel"}},
+        [chosen, path](int button) {
+          if (button == 0) chosen(path);
+        });
   });
-}
-
-void Editor::offer_recovery() {
-  std::vector<LeftBehind> left = recovery_.left_behind();
-  if (left.empty()) return;
-  const LeftBehind one = left.front();
-  const std::string name =
-      one.path.empty() ? "a draft that was never saved" : std::filesystem::path(one.path).filename().string();
-  ask(Question{"Bring back unsaved work?",
-               "Weftlight ended before changes to " + name + " were saved.",
-               {"Bring back", "Later", "Discard"}},
-      [this, one](int button) {
-        if (button == 0) restore(one);
-        if (button == 2) ProcessRecovery::discard(writer_, one);
-      });
-}
-
-void Editor::restore(const LeftBehind& left) {
-  OpenResult copy = open_document(left.copy);
-  if (!copy.document) return report(std::move(copy.remarks), left.copy);
-  if (!left.path.empty())
-    if (OpenResult original = open_document(left.path); original.document) replace(std::move(*original.document));
-  // On top of the saved draft, so that undo goes back to it.
-  commit({"Bring back unsaved work", [design = copy.document->now()](Design) { return design; }});
-  camera_ = orbit_of(document_.now().scene);
-  work_.pitch = 0;
-  ProcessRecovery::discard(writer_, left);
 }
 
 void Editor::update_title() {

@@ -16,6 +16,9 @@
 #include "commands/commands.h"
 #include "session/background_writer.h"
 #include "session/document.h"
+#include "session/journal.h"
+#include "session/own_output.h"
+#include "session/recovery.h"
 #include "session/user_files.h"
 #include "views/dialogs/dialogs.h"
 #include "views/draft/draft_panel.h"
@@ -44,6 +47,8 @@ class Editor : public Desk {
   void save_as() override;
   void save_for_others() override;
   void export_textures() override;
+  void offer_recovery() override;
+  bool has_left_work() const override { return !left_.empty(); }
   void quit() override;
   void ask_size() override;
   void ask_notes() override;
@@ -67,6 +72,7 @@ class Editor : public Desk {
   void draw_splitter(PanelContext& c, float x, float top, float height);
   void draw_question(PanelContext& c);
   void take_input();
+  void take_waiting_input();
   bool take_export_news();
   void run_action(const std::string& id);
   double sleep_s();
@@ -83,9 +89,19 @@ class Editor : public Desk {
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen);
   void start_export(const std::string& folder, const ExportPrompt& prompt);
-  void offer_recovery();
-  void restore(const LeftBehind& left);
   void update_title();
+
+  // editor_files.cpp
+  /// To the document's own file; asks when another program changed it.
+  void save_own(std::function<void()> then);
+  /// Where the window has come back to: asks when another program changed the file meanwhile.
+  void look_at_file();
+  void ask_about_change(std::function<void()> then);
+  void bring_back(size_t left);
+  void keep_unsaved();
+  void keep_live_export();
+  /// What could not be written, until it is.
+  std::string trouble() const;
 
   Window& window_;
   EditorOptions options_;
@@ -95,9 +111,14 @@ class Editor : public Desk {
   Document document_;
   std::vector<Diagnostic> remarks_;
   std::vector<Action> actions_;
-  BackgroundWriter writer_;
+  BackgroundWriter writer_;    // of the live export
   BackgroundWriter exporter_;  // apart, since it takes long
-  ProcessRecovery recovery_;
+  Recovery recovery_;
+  Journal journal_;
+  uint64_t journalled_ = 0;     // the document's number there
+  std::vector<LeftWork> left_;  // by crashed sessions, newest first
+  std::shared_ptr<LiveExport> live_export_;
+  std::string live_problem_, trouble_;
   FileDialog file_dialog_;
   PreviewPane preview_;
   CellTexture cell_texture_;

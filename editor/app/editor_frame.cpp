@@ -23,6 +23,8 @@ constexpr double kMessageS = 10;      // then hints take its place again
 constexpr double kTipS = 0.5;         // a frame when a tooltip is due
 constexpr double kCaretS = 0.4;       // a text field's caret blinks
 constexpr double kDialogPollS = 0.05;
+constexpr double kTroublePollS = 0.25;  // whether what was refused has succeeded, or the other way round
+constexpr double kInputS = 0.1;         // of waiting input is taken before a picture is drawn
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                     ImGuiWindowFlags_NoNavFocus;
@@ -46,6 +48,11 @@ void Editor::run() {
       tip_at_s_ = Window::seconds() + kTipS;
     }
     file_dialog_.poll();
+    if (window_.take_focus()) look_at_file();
+    if (std::string now = trouble(); now != trouble_) {
+      trouble_ = std::move(now);
+      frames_due_ = kFramesAfterEvent;
+    }
     if (window_.wants_close()) {
       window_.set_wants_close(false);
       quit();
@@ -60,7 +67,7 @@ void Editor::run() {
   settings_.drawdown_style = static_cast<int>(work_.drawdown_style);
   if (work_.warp_unit.mm == 10) settings_.per_inch = work_.per_inch;
   save_settings(settings_);
-  recovery_.forget(writer_);
+  journal_.forget(journalled_);
 }
 
 double Editor::sleep_s() {
@@ -71,6 +78,7 @@ double Editor::sleep_s() {
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
   if (file_dialog_.waiting() || exporter_.busy()) sooner(kDialogPollS);
+  if (journal_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
 }
 
@@ -84,17 +92,30 @@ void Editor::frame() {
   if (tip_due) tip_at_s_ = -1;
   if (restyle_ || now == 0) window_.use_style(style_);
   restyle_ = false;
+  take_waiting_input();
   const float ratio = window_.pixel_ratio();
   preview_.ask({with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
                 static_cast<int>(pane_.y * ratio), work_.show_rungs, work_.compare},
                moving_);
-  if (std::string error = writer_.take_error(); !error.empty()) say(std::move(error));
   window_.begin_frame();
   take_input();
   draw_window();
   window_.end_frame(style_.color.window);
   map_file_.frame(map_);
   update_title();
+}
+
+/// However long a picture takes, what the hand did meanwhile is edited and journalled first: a frame of input after
+/// the other, without drawing any.
+void Editor::take_waiting_input() {
+  const double until = Window::seconds() + kInputS;
+  while (window_.has_input() && Window::seconds() < until && !leaving_) {
+    window_.begin_frame();
+    take_input();
+    draw_window();
+    Window::drop_frame();
+    window_.wait(0);
+  }
 }
 
 /// True when there is something to show.
@@ -178,7 +199,7 @@ void Editor::draw_panels(PanelContext& c) {
   ImGui::End();
 
   begin_fixed("Status", {x, y + height}, {view->WorkSize.x, status}, {style_.px(14), style_.px(6)});
-  if (draw_status_bar(c, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
+  if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
     remarks_open_ = !remarks_open_;
   ImGui::End();
   if (edit) commit(*edit);

@@ -90,7 +90,7 @@ std::string glfw_problem() {
 }  // namespace
 
 struct Window::Inbox {
-  bool happened = true, exposed = true;
+  bool happened = true, exposed = true, focused = false;
   InputQueue input;
   std::vector<std::string> dropped;
   std::vector<std::string> shortcuts;                     // of the frame
@@ -155,7 +155,7 @@ void Window::listen(GLFWwindow* w) {
     if (!entered && !in.dragging()) in.input.add({Kind::kMove, kOutside, kOutside});
   });
   glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int focused) {
-    Inbox::of(at);
+    Inbox::of(at).focused |= focused != 0;
     ImGui_ImplGlfw_WindowFocusCallback(at, focused);
   });
   glfwSetDropCallback(
@@ -220,6 +220,8 @@ void Window::use_crosshair(bool on) {
   if (on) glfwSetCursor(window_, crosshair_);
   flags = on ? flags | ImGuiConfigFlags_NoMouseCursorChange : flags & ~ImGuiConfigFlags_NoMouseCursorChange;
 }
+
+bool Window::take_focus() { return std::exchange(inbox_->focused, false); }
 
 bool Window::has_input() const { return !inbox_->input.empty(); }
 
@@ -315,6 +317,8 @@ void Window::end_frame(ImU32 background) {
   const bool exposed = std::exchange(inbox_->exposed, false);
   if (redraw_->draw(*ImGui::GetDrawData(), width, height, background, exposed)) glfwSwapBuffers(window_);
 }
+
+void Window::drop_frame() { ImGui::EndFrame(); }
 
 std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shortcuts, {}); }
 

@@ -32,12 +32,16 @@ class Window {
   void use_style(Style& style);
   void begin_frame();
   void end_frame(ImU32 background);
+  /// Ends a frame that nobody sees.
+  static void drop_frame();
 
   /// Keys pressed in this frame, as shortcuts are written: "Ctrl+Shift+S".
   std::vector<std::string> take_keys();
   std::vector<std::string> take_dropped_files();
   /// The pointer is a cross that draws rectangles, else what ImGui asks for.
   void use_crosshair(bool on);
+  /// True once after the window got the keys again.
+  bool take_focus();
   /// Something that the hand did waits for the next frame.
   bool has_input() const;
   /// Framebuffer pixels a window unit (2 on a Retina display, else 1).

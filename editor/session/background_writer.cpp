@@ -1,11 +1,24 @@
 #include "session/background_writer.h"
 
-#include <filesystem>
+#include <algorithm>
+#include <exception>
 #include <utility>
 
-#include "wif/wif.h"
-
 namespace weftlight::session {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kRetry{1};
+
+std::string run_safely(const std::function<std::string()>& job) {
+  try {
+    return job();
+  } catch (const std::exception& e) {  // no memory
+    return e.what();
+  }
+}
+
+}  // namespace
 
 BackgroundWriter::BackgroundWriter() : thread_([this] { work(); }) {}
 
@@ -18,28 +31,30 @@ BackgroundWriter::~BackgroundWriter() {
   thread_.join();
 }
 
-void BackgroundWriter::write(const std::string& path, std::function<std::string()> make_bytes) {
-  post(path, [path, make = std::move(make_bytes)] { return write_file_atomically(path, make()); });
+void BackgroundWriter::keep(const std::string& path, std::function<std::string()> job) {
+  post(path, {std::move(job), true});
 }
 
-void BackgroundWriter::remove(const std::string& path) {
-  post(path, [path] {
-    std::error_code ignored;  // it need not be there
-    std::filesystem::remove(path, ignored);
-    return std::string();
-  });
+void BackgroundWriter::drop(const std::string& path) {
+  post(path, {[] { return std::string(); }, false});  // in the place of what waits, and of what is refused meanwhile
 }
 
 void BackgroundWriter::run(const std::string& path, std::string done, std::function<std::string()> job) {
-  post(path, [this, done = std::move(done), job = std::move(job)] {
-    std::string problem = job();
-    const std::lock_guard lock(mutex_);
-    if (problem.empty()) message_ = done;
-    return problem;
-  });
+  post(path, {[this, done = std::move(done), job = std::move(job)] {
+                std::string problem = job();
+                const std::lock_guard lock(mutex_);
+                if (problem.empty()) message_ = done;
+                return problem;
+              },
+              false});
 }
 
-bool BackgroundWriter::busy() {
+std::string BackgroundWriter::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problems_.empty() ? std::string() : problems_.begin()->second;
+}
+
+bool BackgroundWriter::busy() const {
   const std::lock_guard lock(mutex_);
   return working_ || !waiting_.empty() || !message_.empty() || !error_.empty();
 }
@@ -62,18 +77,36 @@ void BackgroundWriter::post(const std::string& path, Job job) {
   wake_.notify_one();
 }
 
+std::map<std::string, BackgroundWriter::Job>::iterator BackgroundWriter::due() {
+  const bool now = leaving_ || Clock::now() >= retry_;
+  return std::find_if(waiting_.begin(), waiting_.end(),
+                      [&](const auto& job) { return now || !problems_.contains(job.first); });
+}
+
 void BackgroundWriter::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
-    if (waiting_.empty()) return;
-    auto job = waiting_.extract(waiting_.begin());
+    if (waiting_.empty()) wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
+    else wake_.wait_until(lock, retry_, [this] { return leaving_ || due() != waiting_.end(); });
+    if (waiting_.empty() && leaving_) return;
+    const auto next = due();
+    if (next == waiting_.end()) continue;
+    auto job = waiting_.extract(next);
     working_ = true;
     lock.unlock();
-    std::string problem = job.mapped()();
+    std::string problem = run_safely(job.mapped().run);
     lock.lock();
     working_ = false;
-    if (!problem.empty()) error_ = std::move(problem);
+    problems_.erase(job.key());
+    if (problem.empty()) continue;
+    if (!job.mapped().again) {
+      error_ = std::move(problem);
+      continue;
+    }
+    if (leaving_) continue;  // tried once more, and no longer
+    retry_ = Clock::now() + kRetry;
+    problems_[job.key()] = std::move(problem);
+    waiting_.insert(std::move(job));  // unless a newer one waits
   }
 }
 

@@ -10,15 +10,17 @@ namespace weftlight::session {
 
 Document::Document(Design design) : history_(std::move(design)), cells_(drawdown(now().draft)) {}
 
-Document::Document(WifFile file, std::vector<Diagnostic> remarks, std::string path)
+Document::Document(WifFile file, std::vector<Diagnostic> remarks, std::string path, FileIdentity identity)
     : opened_(std::make_shared<const WifFile>(std::move(file))),
       remarks_(std::move(remarks)),
       path_(std::move(path)),
+      file_(identity),
       history_(opened_->design),
       cells_(drawdown(now().draft)) {}
 
 std::string Document::name() const {
-  return path_.empty() ? "Untitled" : std::filesystem::path(path_).filename().string();
+  if (!path_.empty()) return std::filesystem::path(path_).filename().string();
+  return old_name_.empty() ? "Untitled" : old_name_;
 }
 
 WifUnit Document::unit(System system) const {
@@ -51,9 +53,25 @@ bool Document::redo() {
   return follow(before);
 }
 
-void Document::mark_saved(std::string path) {
+void Document::mark_saved(std::string path, std::string_view bytes) {
   path_ = std::move(path);
+  file_ = identify(path_, bytes);
   history_.mark_saved();
+}
+
+void Document::without_file(std::string name) {
+  path_.clear();
+  file_ = {};
+  old_name_ = std::move(name);
+  history_.mark_unsaved();
+}
+
+DocumentNote Document::note() const {
+  if (path_.empty()) return {{}, name(), {}};
+  // The next session may start in another folder.
+  std::error_code error;
+  const std::filesystem::path full = std::filesystem::absolute(path_, error);
+  return {error ? path_ : full.string(), name(), file_};
 }
 
 std::function<std::string()> Document::writer() const {
@@ -61,12 +79,15 @@ std::function<std::string()> Document::writer() const {
 }
 
 OpenResult open_document(const std::string& path) {
+  // Before the bytes: what is written in between is then noticed.
+  FileIdentity identity = facts_of(path);
   FileBytes file = read_file(path);
   if (!file.error.empty())
     return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
   WifRead read = read_wif(file.bytes);
   if (!read.file) return {{}, std::move(read.diagnostics)};
-  return {Document(std::move(*read.file), std::move(read.diagnostics), path), {}};
+  identity.hash = content_hash(file.bytes);
+  return {Document(std::move(*read.file), std::move(read.diagnostics), path, identity), {}};
 }
 
 }  // namespace weftlight::session

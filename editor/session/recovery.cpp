@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <random>
@@ -34,8 +33,6 @@ bool is_session_name(const std::string& name) {
   return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-int64_t written_ns(const fs::path& path) { return facts_of(path.string()).modified_ns; }
-
 std::vector<fs::path> sessions_in(const fs::path& root) {
   std::vector<fs::path> found;
   std::error_code error;
@@ -52,6 +49,18 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
   return found;
 }
 
+std::optional<JournalEntry> read_entry(const std::string& journal) {
+  if (facts_of(journal).size > 2 * kMostJournalText) return {};
+  const FileBytes file = read_file(journal);
+  return file.error.empty() ? read_journal(file.bytes) : std::nullopt;
+}
+
+/// The session ended after its file was written and before its journal went.
+bool stands_saved(const JournalEntry& last) {
+  if (last.note.path.empty() || facts_of(last.note.path).size != last.text.size()) return false;
+  return identify(last.note.path).hash == content_hash(last.text);
+}
+
 /// With all that a session writes into it, as long as there is no journal.
 void remove_session(const fs::path& folder) {
   std::error_code ignored;
@@ -59,13 +68,6 @@ void remove_session(const fs::path& folder) {
 }
 
 }  // namespace
-
-std::string state_folder() {
-  if (const char* given = std::getenv("XDG_STATE_HOME"); given != nullptr && *given == '/')
-    return (fs::path(given) / "weftlight").string();
-  const char* home = std::getenv("HOME");
-  return (fs::path(home != nullptr ? home : ".") / ".local/state/weftlight").string();
-}
 
 FileLock::~FileLock() {
   if (file_ >= 0) ::close(file_);
@@ -136,11 +138,10 @@ std::vector<LeftWork> Recovery::left_behind() {
     if (!lock.held()) lock = FileLock::take((folder / kLock).string());
     if (!lock.held()) continue;  // it lives
     for (const fs::path& journal : journals_in(folder)) {
-      LeftWork left{journal.string(), {}, written_ns(journal)};
-      if (const std::optional<JournalEntry> last = read_left(left)) {
-        left.note = last->note;
-        found.push_back(std::move(left));
-      }
+      const std::optional<JournalEntry> last = read_entry(journal.string());
+      if (!last) continue;
+      if (stands_saved(*last)) fs::remove(journal, error);
+      else found.push_back(LeftWork{journal.string(), last->note, facts_of(journal.string()).modified_ns});
     }
     remove_session(folder);
   }
@@ -159,10 +160,6 @@ void Recovery::discard(const LeftWork& left) {
   if (!fs::exists(folder, ignored)) crashed_.erase(folder.string());
 }
 
-std::optional<JournalEntry> read_left(const LeftWork& left) {
-  if (facts_of(left.journal).size > 2 * kMostJournalText) return {};
-  const FileBytes file = read_file(left.journal);
-  return file.error.empty() ? read_journal(file.bytes) : std::nullopt;
-}
+std::optional<JournalEntry> read_left(const LeftWork& left) { return read_entry(left.journal); }
 
 }  // namespace weftlight::session

@@ -14,9 +14,6 @@
 
 namespace weftlight::session {
 
-/// $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight.
-std::string state_folder();
-
 /// A document with unsaved work whose session is no more.
 struct LeftWork {
   std::string journal;  // its file
@@ -47,7 +44,7 @@ class FileLock {
 /// For any thread.
 class Recovery {
  public:
-  /// In `root`, which is made when it is needed: $XDG_STATE_HOME/weftlight/recovery.
+  /// In `root`, which is made when it is needed: state_folder()/recovery.
   explicit Recovery(std::string root);
   /// Takes the session's folder with it when no journal is left in it.
   ~Recovery();

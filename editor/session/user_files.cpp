@@ -1,15 +1,10 @@
 #include "session/user_files.h"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "session/user_folders.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
@@ -18,15 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr size_t kMostRecent = 10;
 
-/// $VARIABLE/weftlight, or ~/fallback/weftlight.
-fs::path user_folder(const char* variable, const char* fallback) {
-  if (const char* given = std::getenv(variable); given != nullptr && *given == '/')
-    return fs::path(given) / "weftlight";
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : ".") / fallback / "weftlight";
-}
-
-fs::path settings_path() { return user_folder("XDG_CONFIG_HOME", ".config") / "settings.json"; }
+fs::path settings_path() { return fs::path(config_folder()) / "settings.json"; }
 
 template <class T>
 void take(const nlohmann::json& json, const char* key, T& value) {
@@ -34,12 +21,6 @@ void take(const nlohmann::json& json, const char* key, T& value) {
   if (at == json.end()) return;
   if (at->type() == nlohmann::json(value).type() || (at->is_number() && nlohmann::json(value).is_number()))
     value = at->get<T>();
-}
-
-bool is_running(const std::string& process) {
-  int id = 0;
-  if (std::from_chars(process.data(), process.data() + process.size(), id).ec != std::errc() || id <= 0) return true;
-  return kill(id, 0) == 0 || errno == EPERM;
 }
 
 }  // namespace
@@ -83,43 +64,6 @@ void remember(Settings& settings, const std::string& path) {
   std::erase(settings.recent, text);
   settings.recent.insert(settings.recent.begin(), text);
   if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
-}
-
-ProcessRecovery::ProcessRecovery() {
-  const fs::path folder = user_folder("XDG_STATE_HOME", ".local/state") / "recovery";
-  std::error_code ignored;
-  fs::create_directories(folder, ignored);
-  folder_ = folder.string();
-  const std::string process = std::to_string(getpid());
-  copy_ = (folder / (process + ".wif")).string();
-  name_ = (folder / (process + ".path")).string();
-}
-
-void ProcessRecovery::keep(BackgroundWriter& writer, const Document& document) const {
-  if (document.is_saved()) return forget(writer);
-  writer.write(name_, [path = document.path()] { return path; });
-  writer.write(copy_, document.writer());
-}
-
-void ProcessRecovery::forget(BackgroundWriter& writer) const {
-  writer.remove(copy_);
-  writer.remove(name_);
-}
-
-std::vector<LeftBehind> ProcessRecovery::left_behind() const {
-  std::vector<LeftBehind> found;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_, error)) {
-    const fs::path& path = entry.path();
-    if (path.extension() != ".wif" || is_running(path.stem().string())) continue;
-    found.push_back({path.string(), read_file(fs::path(path).replace_extension(".path").string()).bytes});
-  }
-  return found;
-}
-
-void ProcessRecovery::discard(BackgroundWriter& writer, const LeftBehind& left) {
-  writer.remove(left.copy);
-  writer.remove(fs::path(left.copy).replace_extension(".path").string());
 }
 
 }  // namespace weftlight::session

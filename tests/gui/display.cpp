@@ -101,6 +101,10 @@ bool Process::is_running() {
   return false;
 }
 
+void Process::kill_now() {
+  if (id_ != 0) kill(id_, SIGKILL);
+}
+
 int Process::wait() {
   comes_true([this] { return !is_running(); });
   return status_;

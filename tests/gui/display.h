@@ -28,6 +28,8 @@ class Process {
   Process(Process&& other) noexcept { *this = std::move(other); }
   Process& operator=(Process&& other) noexcept;
   bool is_running();
+  /// As kill -9 does.
+  void kill_now();
   /// Waits for its end; the exit status, or -1 when it was killed or does not end.
   int wait();
 

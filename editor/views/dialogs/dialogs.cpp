@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
@@ -78,6 +80,35 @@ DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
   segmented(c, "export.size", kSizes, step, c.style.px(280));
   p.size = 512 << step;
   return answered(draw_buttons(c, {"Choose folder\xE2\x80\xA6", "Cancel"}, true));
+}
+
+DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
+  constexpr int kMostRows = 8;
+  heading(c, "Bring back unsaved work?");
+  muted_text(c, p.rows.size() == 1 ? "Weftlight ended before this was saved."
+                                   : "Weftlight ended before these were saved; the newest first.");
+  const float width = c.style.px(480), when = c.style.px(230);
+  const float line = 2 * ImGui::GetTextLineHeightWithSpacing() + c.style.px(4);
+  const int shown = std::min(static_cast<int>(p.rows.size()), kMostRows);
+  ImGui::BeginChild("##left", {width, static_cast<float>(shown) * (line + ImGui::GetStyle().ItemSpacing.y)});
+  for (int i = 0; i < static_cast<int>(p.rows.size()); ++i) {
+    const RecoveryPrompt::Row& row = p.rows[static_cast<size_t>(i)];
+    ImGui::PushID(i);
+    const ImVec2 at = ImGui::GetCursorPos();
+    if (ImGui::Selectable("##row", i == p.chosen, 0, {0, line})) p.chosen = i;
+    c.map.add_item("recovery:" + std::to_string(i + 1));
+    const ImVec2 next = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({at.x + c.style.px(6), at.y + c.style.px(2)});
+    ImGui::TextUnformatted(fitted(row.name, when - c.style.px(16)).c_str());
+    ImGui::SameLine(when);
+    muted_text(c, row.when);
+    ImGui::SetCursorPosX(at.x + c.style.px(6));
+    muted_text(c, fitted(row.where, width - c.style.px(20)));
+    ImGui::SetCursorPos(next);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  return answered(draw_buttons(c, {"Bring back", "Later", "Discard"}, true));
 }
 
 }  // namespace

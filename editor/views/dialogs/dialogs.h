@@ -40,7 +40,16 @@ struct ExportPrompt {
 struct NotesPrompt {
   std::string title, author, notes;  // notes: one a line
 };
-using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, NotesPrompt, WeavePrompt, ExportPrompt>;
+/// Unsaved work that was left, a row each: name, when, where.
+struct RecoveryPrompt {
+  struct Row {
+    std::string name, when, where;
+  };
+  std::vector<Row> rows;
+  int chosen = 0;
+};
+using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, NotesPrompt, WeavePrompt, ExportPrompt,
+                            RecoveryPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };

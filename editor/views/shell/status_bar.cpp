@@ -60,6 +60,15 @@ std::string status_text(const PanelContext& c, const std::string& message) {
   return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.work.hint;
 }
 
+void draw_trouble(const PanelContext& c, const std::string& trouble) {
+  const float room = ImGui::GetWindowContentRegionMax().x * 0.6f;
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
+  ImGui::TextUnformatted(fitted((c.style.font.icons ? std::string(icon::kWarning) + " " : "") + trouble, room).c_str());
+  ImGui::PopStyleColor();
+  c.map.add_item("trouble");
+  tooltip(c, trouble.c_str());
+}
+
 }  // namespace
 
 std::string summary(const Draft& d) {
@@ -69,9 +78,11 @@ std::string summary(const Draft& d) {
   return text + "   " + (d.rising ? "rising" : "sinking") + " shed";
 }
 
-bool draw_status_bar(PanelContext& c, const std::string& message, std::span<const Diagnostic> remarks) {
+bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
+                     std::span<const Diagnostic> remarks) {
   ImGui::PushFont(c.style.font.small);
-  ImGui::TextUnformatted(status_text(c, message).c_str());
+  if (trouble.empty()) ImGui::TextUnformatted(status_text(c, message).c_str());
+  else draw_trouble(c, trouble);
   const std::string facts = summary(c.design.draft);
   const float remark_room = remarks.empty() ? 0 : c.style.px(110);
   ImGui::SameLine(std::max(c.style.px(400),

@@ -9,8 +9,10 @@
 
 namespace weftlight::views {
 
-/// `message` is shown for a while after something was done ("Saved"). True when the remarks were clicked.
-bool draw_status_bar(PanelContext& c, const std::string& message, std::span<const Diagnostic> remarks);
+/// `trouble` (empty: none) is what could not be written, and stands before all else; `message` is shown for a while
+/// after something was done ("Saved"). True when the remarks were clicked.
+bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
+                     std::span<const Diagnostic> remarks);
 /// "48 ends x 60 picks, 4 shafts, 6 treadles, rising".
 std::string summary(const Draft& draft);
 

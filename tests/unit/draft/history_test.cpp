@@ -97,6 +97,17 @@ TEST(History, SaveWithinADragIsNotTheDragsEnd) {
   EXPECT_FALSE(h.is_saved());
 }
 
+TEST(History, MarkedUnsavedNoStepIsTheSavedOne) {
+  History h(called("a"));
+  h.commit(called("b"), "to b");
+  h.mark_unsaved();
+  EXPECT_FALSE(h.is_saved());
+  h.undo();
+  EXPECT_FALSE(h.is_saved());
+  h.mark_saved();
+  EXPECT_TRUE(h.is_saved());
+}
+
 TEST(History, MemoryIsBoundedByDroppingTheOldest) {
   Design big;
   big.draft = blank_draft(10, 20000, 4096, 10);  // a liftplan of about 10 MB

@@ -1,0 +1,13 @@
+#pragma once
+// Where the user's own files lie, by the XDG base directory specification.
+
+#include <string>
+
+namespace weftlight::session {
+
+/// $XDG_CONFIG_HOME/weftlight, or ~/.config/weftlight: settings.
+std::string config_folder();
+/// $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight: unsaved work, what --live-export wrote.
+std::string state_folder();
+
+}  // namespace weftlight::session

@@ -1,0 +1,199 @@
+// The window is killed at random moments while a hand paints: nothing older than half a second is lost, nothing is
+// half-written, and all of it is offered and brought back at the next start.
+// WEFTLIGHT_KILLS=100 kills a hundred times; a few in the ordinary run.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "display.h"
+#include "draft/edits.h"
+#include "wif/wif.h"
+
+namespace weftlight::gui {
+
+using namespace draft;
+using namespace wif;
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr int kEnds = 24, kShafts = 8;
+constexpr auto kMostLost = 500ms;
+constexpr unsigned kSeed = 1;
+
+std::string straight_draft() {
+  Design d;
+  d.draft = blank_draft(kEnds, kEnds, kShafts, kShafts);
+  for (int i = 0; i < kEnds; ++i) {
+    d.draft.threading.set(i, i % kShafts, true);
+    d.draft.treadling.set(i, i % kShafts, true);
+  }
+  for (int i = 0; i < kShafts; ++i)
+    for (int k = 0; k < kShafts / 2; ++k) d.draft.tieup.set(i, (i + k) % kShafts, true);
+  d.scene.mesh = "plane";
+  return write_new_wif(d);
+}
+
+Design design_of(const std::string& bytes) {
+  const WifRead read = read_wif(bytes);
+  return read.file ? read.file->design : Design{};
+}
+
+/// One xdotool that is told what to do as it goes along, so that the time of each event is known.
+class Hand {
+ public:
+  explicit Hand(const Display& display)
+      : pipe_(popen(("DISPLAY=" + display.name() + " xdotool - >/dev/null 2>&1").c_str(), "w")) {}
+  ~Hand() {
+    release();
+    pclose(pipe_);
+  }
+  Hand(const Hand&) = delete;
+  Hand& operator=(const Hand&) = delete;
+  void move(Point to) {
+    say("mousemove " + std::to_string(std::lround(to.x)) + " " + std::to_string(std::lround(to.y)));
+  }
+  void press() { say("mousedown 1"); }
+  void release() { say("mouseup 1"); }
+
+ private:
+  void say(const std::string& words) {
+    std::fputs((words + "\n").c_str(), pipe_);
+    std::fflush(pipe_);
+  }
+  FILE* pipe_;
+};
+
+/// What was painted: the design after each cell, and when the hand was there.
+struct Painted {
+  std::vector<Design> states;  // the first: before the hand came
+  std::vector<Clock::time_point> when;
+};
+
+class KillTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << reason;
+    ASSERT_TRUE(display_.is_up()) << "Xvfb did not start";
+    char name[] = "/tmp/weftlight_kill_XXXXXX";
+    folder_ = mkdtemp(name);
+    draft_ = folder_ / "straight.wif";
+    fs::create_directories(folder_ / "config/weftlight");
+    std::ofstream(folder_ / "config/weftlight/settings.json") << R"({"width": 1280, "height": 800})";
+    std::ofstream(draft_, std::ios::binary) << straight_draft();
+  }
+  void TearDown() override {
+    if (!folder_.empty()) fs::remove_all(folder_);
+  }
+
+  int roll(int from, int to) { return std::uniform_int_distribution<int>(from, to)(dice_); }
+
+  void paint(const Window& w, Painted& painted, Clock::time_point until);
+  void take_up(const Window& w, const Painted& before, Clock::time_point killed, Painted& painted);
+
+  const Display display_{1280, 800};
+  std::mt19937 dice_{kSeed};
+  fs::path folder_, draft_;
+  double most_lost_s_ = 0;
+};
+
+/// Clicks and drags in the threading, slow or fast, until it is time.
+void KillTest::paint(const Window& w, Painted& painted, Clock::time_point until) {
+  Hand hand(display_);
+  const bool fast = roll(0, 1) == 1;
+  const auto rest = [&] { std::this_thread::sleep_for(fast ? 25ms : 150ms); };
+  const Point origin = w.cell("threading", 1, 1), far = w.cell("threading", 2, 2);
+  const auto cell = [&](int end, int shaft) {
+    return Point{origin.x + end * (far.x - origin.x), origin.y + shaft * (far.y - origin.y)};
+  };
+  const auto paint_cell = [&](int end, int shaft) {
+    painted.states.push_back(with_threading(painted.states.back(), end, shaft, true));
+    painted.when.push_back(Clock::now());
+  };
+  while (Clock::now() < until) {
+    const Draft& now = painted.states.back().draft;
+    const int first = roll(0, kEnds - 7), last = roll(0, 2) == 0 ? first + roll(1, 6) : first;
+    const int shaft = (now.threading.first(first) + roll(1, kShafts - 1)) % kShafts;
+    hand.move(cell(first, shaft));
+    rest();
+    hand.press();
+    paint_cell(first, shaft);
+    for (int end = first + 1; end <= last; ++end) {
+      rest();
+      hand.move(cell(end, shaft));
+      paint_cell(end, shaft);
+    }
+    rest();
+    hand.release();
+    rest();
+  }
+}
+
+/// Brings back what the killed window held; `painted` then begins with it.
+void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point killed, Painted& painted) {
+  // Nothing that was painted half a second before the end may be missing.
+  size_t least = 0;
+  while (least + 1 < before.states.size() && before.when[least] + kMostLost < killed) ++least;
+  if (least == 0 && before.states.front() == design_of(bytes_of(draft_))) {
+    // Too short to be sure of an offer.
+    std::this_thread::sleep_for(1s);
+    if (!w.has("dialog:Bring back")) {
+      painted.states = {before.states.front()};
+      return;
+    }
+  }
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Bring back"); })) << "nothing was offered";
+  display_.click(w.middle_of("dialog:Bring back"));
+  const std::string original = bytes_of(draft_);
+  ASSERT_TRUE(comes_true([&] { return w.live() != original && !w.has("dialog:Bring back"); }));
+  const Design back = design_of(w.live());
+  const auto state = std::find(before.states.rbegin(), before.states.rend(), back);
+  ASSERT_NE(state, before.states.rend()) << "what came back was never painted";
+  const auto kept = static_cast<size_t>(before.states.rend() - state) - 1;
+  if (kept + 1 < before.states.size())
+    most_lost_s_ = std::max(most_lost_s_, std::chrono::duration<double>(killed - before.when[kept]).count());
+  EXPECT_GE(kept, least) << "lost " << before.states.size() - 1 - kept << " cells, the first painted "
+                         << std::chrono::duration<double>(killed - before.when[kept]).count() << " s before the end";
+  painted.states = {back};
+}
+
+TEST_F(KillTest, NothingOlderThanHalfASecondIsLost) {
+  const char* wanted = std::getenv("WEFTLIGHT_KILLS");
+  const int kills = wanted != nullptr ? std::atoi(wanted) : 3;
+  const std::string original = bytes_of(draft_);
+  Painted before{{design_of(original)}, {}};
+  Clock::time_point killed = Clock::now();
+  for (int kill = 0; kill <= kills; ++kill) {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    Painted painted;
+    ASSERT_NO_FATAL_FAILURE(take_up(w, before, killed, painted)) << "after kill " << kill;
+    if (kill == kills) break;
+    if (roll(0, 1) == 1) comes_true([&] { return w.has("view.picture") && !w.has("view.busy"); });
+    const auto end = Clock::now() + std::chrono::milliseconds(roll(300, 4000));
+    std::thread killer([&] {
+      std::this_thread::sleep_until(end);
+      killed = Clock::now();
+      w.process().kill_now();
+    });
+    paint(w, painted, end);
+    killer.join();
+    before = std::move(painted);
+    // The draft as it was, and nothing beside it but what the flags and the settings ask for.
+    ASSERT_EQ(bytes_of(draft_), original);
+  }
+  RecordProperty("most_lost_ms", static_cast<int>(1000 * most_lost_s_));
+  std::printf("%d kills; the oldest cell that was lost was painted %.2f s before\n", kills, most_lost_s_);
+}
+
+}  // namespace
+}  // namespace weftlight::gui

@@ -1,0 +1,88 @@
+// What is kept on the disk is tried again until it stands there, and said until then.
+
+#include "session/background_writer.h"
+
+#include <atomic>
+
+#include "scratch.h"
+
+namespace weftlight::session {
+namespace {
+
+class BackgroundWriterTest : public Scratch {
+ protected:
+  template <class Holds>
+  static bool comes_true(Holds holds) {
+    for (int i = 0; i < 500; ++i) {
+      if (holds()) return true;
+      usleep(10'000);
+    }
+    return false;
+  }
+};
+
+TEST_F(BackgroundWriterTest, TriesAgainUntilTheFolderIsThere) {
+  BackgroundWriter writer;
+  const std::string file = path("folder/live.wif");
+  writer.keep(file, [file] { return write_file_atomically(file, "draft"); });
+  ASSERT_TRUE(comes_true([&] { return !writer.problem().empty(); }));
+  EXPECT_NE(writer.problem().find(file), std::string::npos) << writer.problem();
+  EXPECT_TRUE(writer.busy());
+  std::filesystem::create_directory(path("folder"));
+  EXPECT_TRUE(comes_true([&] { return writer.problem().empty() && !writer.busy(); }));
+  EXPECT_EQ(read_file(file).bytes, "draft");
+}
+
+TEST_F(BackgroundWriterTest, OnePathsTroubleHoldsUpNoOther) {
+  BackgroundWriter writer;
+  writer.keep("a", [] { return "no"; });
+  ASSERT_TRUE(comes_true([&] { return writer.problem() == "no"; }));
+  std::atomic<bool> done{false};
+  writer.keep("b", [&done] {
+    done = true;
+    return "";
+  });
+  EXPECT_TRUE(comes_true([&] { return done.load(); }));
+  EXPECT_EQ(writer.problem(), "no");
+  writer.drop("a");
+  EXPECT_TRUE(comes_true([&] { return writer.problem().empty(); }));
+}
+
+TEST_F(BackgroundWriterTest, TheNewestWinsAndIsFinishedAtTheEnd) {
+  std::atomic<int> last{0};
+  {
+    BackgroundWriter writer;
+    for (int i = 1; i <= 1000; ++i)
+      writer.keep("a", [&last, i] {
+        last = i;
+        return "";
+      });
+  }
+  EXPECT_EQ(last, 1000);
+}
+
+TEST_F(BackgroundWriterTest, ARefusalAtTheEndDoesNotHoldItUp) {
+  std::atomic<int> tries{0};
+  {
+    BackgroundWriter writer;
+    writer.keep("a", [&tries]() -> std::string {
+      ++tries;
+      throw std::bad_alloc();
+    });
+    ASSERT_TRUE(comes_true([&] { return tries > 0; }));
+  }
+  EXPECT_LE(tries, 3);
+}
+
+TEST_F(BackgroundWriterTest, WhatIsDoneOnceSaysSo) {
+  BackgroundWriter writer;
+  writer.run("a", "done", [] { return ""; });
+  EXPECT_TRUE(comes_true([&] { return writer.take_message() == "done"; }));
+  writer.run("a", "done", [] { return "went wrong"; });
+  EXPECT_TRUE(comes_true([&] { return writer.take_error() == "went wrong"; }));
+  EXPECT_TRUE(comes_true([&] { return !writer.busy(); }));
+  EXPECT_EQ(writer.take_message(), "");
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -1,0 +1,211 @@
+// A hundred thousand random actions, as no weaver would do them: the draft stays whole, every step is taken back and
+// brought again exactly, and memory stays bounded.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <random>
+
+#include "actions/actions.h"
+#include "draft/edits.h"
+#include "session/journal_format.h"
+#include "session/paint.h"
+#include "session/selection.h"
+
+namespace weftlight::actions {
+namespace {
+
+constexpr int kActions = 100'000, kMostThreadsHere = 160;
+constexpr unsigned kSeed = 20260;
+
+/// A desk without a window: what needs one does nothing.
+class BareDesk : public Desk {
+ public:
+  explicit BareDesk(Design design) : document_(std::move(design)) {}
+  const Document& document() const override { return document_; }
+  Workspace& work() override { return work_; }
+  const Workspace& work() const override { return work_; }
+  void commit(const Edit& edit) override { document_.commit(edit, edit.stroke); }
+  void undo() override { document_.undo(); }
+  void redo() override { document_.redo(); }
+  void new_draft() override {}
+  void open() override {}
+  void open_path(const std::string&) override {}
+  void open_copy(const std::string&) override {}
+  void save() override {}
+  void save_as() override {}
+  void save_for_others() override {}
+  void export_textures() override {}
+  void offer_recovery() override {}
+  bool has_left_work() const override { return false; }
+  void quit() override {}
+  void ask_size() override {}
+  void ask_notes() override {}
+  void show_commands() override {}
+  void show_remarks() override {}
+  void toggle_keys() override {}
+  void toggle_theme() override {}
+  void keep_view() override {}
+  void reset_view() override {}
+  void say(std::string) override {}
+  std::string clipboard() const override { return clipboard_; }
+  void set_clipboard(const std::string& text) override { clipboard_ = text; }
+
+ private:
+  Document document_;
+  Workspace work_;
+  std::string clipboard_;
+};
+
+Design first_design() {
+  Design d;
+  d.draft = blank_draft(24, 24, 6, 6);
+  for (int i = 0; i < 24; ++i) {
+    d.draft.threading.set(i, i % 6, true);
+    d.draft.treadling.set(i, i % 6, true);
+  }
+  return d;
+}
+
+size_t resident_bytes() {
+  size_t pages = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> pages >> resident;
+  return resident * static_cast<size_t>(sysconf(_SC_PAGESIZE));
+}
+
+class RandomActions : public testing::Test {
+ protected:
+  int roll(int below) { return static_cast<int>(dice_() % static_cast<unsigned>(std::max(below, 1))); }
+  const Draft& draft() const { return desk_.document().now().draft; }
+
+  void act();
+  void paint();
+  void select();
+  void edit_threads();
+  /// Steps back and forth again, each exactly.
+  void walk(int steps);
+
+  std::mt19937 dice_{kSeed};
+  BareDesk desk_{first_design()};
+  std::vector<Action> actions_ = make_actions({});
+};
+
+void RandomActions::paint() {
+  constexpr GridId kGrids[] = {GridId::kThreading, GridId::kTieup,      GridId::kTreadling, GridId::kLiftplan,
+                               GridId::kDrawdown,  GridId::kWarpColors, GridId::kWeftColors};
+  const GridId grid = kGrids[roll(7)];
+  const auto cell = [&] { return Cell{roll(draft().ends() + 2) - 1, roll(draft().picks() + 2) - 1}; };
+  const Cell from = cell(), to = cell();
+  if (grid == GridId::kWarpColors || grid == GridId::kWeftColors)
+    return desk_.commit(bar_edit(grid, from, to, roll(2) == 0 ? BarPaint::kColor : BarPaint::kYarn, roll(4)));
+  Edit edit = paint_edit(grid, from, to, roll(3) != 0, roll(2) == 0);
+  edit.stroke = static_cast<uint64_t>(roll(3));  // some join the one before
+  desk_.commit(edit);
+}
+
+void RandomActions::select() {
+  constexpr BitGrid kGrids[] = {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kLiftplan,
+                                BitGrid::kDrawdown};
+  const BitGrid grid = kGrids[roll(5)];
+  const int columns = columns_of(draft(), grid), rows = rows_of(draft(), grid);
+  if (!is_shown(draft(), grid) || columns == 0 || rows == 0) return;
+  select_cells(desk_.work().select, selection_between(grid, {roll(columns), roll(rows)}, {roll(columns), roll(rows)}));
+}
+
+void RandomActions::edit_threads() {
+  const System system = roll(2) == 0 ? System::kWarp : System::kWeft;
+  const int threads = draft().threads(system).size(), thread = roll(threads);
+  const int kind = roll(6);
+  const float mm = roll(3) == 0 ? kFromYarn : 0.1f * static_cast<float>(1 + roll(30));
+  const int ends = 1 + roll(60), picks = 1 + roll(60), shafts = 1 + roll(10), treadles = 1 + roll(10);
+  desk_.commit({"threads", [=](Design d) {
+                  switch (kind) {
+                    case 0:
+                      return with_thread_thickness(std::move(d), system, thread, mm);
+                    case 1:
+                      return with_thread_spacing(std::move(d), system, thread, mm);
+                    case 2:
+                      return with_new_palette_color(std::move(d), {0.1f, 0.2f, 0.3f});
+                    case 3:
+                      return d.yarns.size() < 8 ? with_new_yarn(std::move(d), Yarn{}) : d;
+                    case 4:
+                      return d.draft.palette.size() > 64 ? first_design() : d;
+                    default:
+                      return with_size(std::move(d), ends, picks, shafts, treadles);
+                  }
+                }});
+}
+
+void RandomActions::act() {
+  // What grows without end is cut back, as a step like the others.
+  if (std::max(draft().ends(), draft().picks()) > kMostThreadsHere || draft().shafts > 40 || draft().treadles > 40)
+    return desk_.commit({"cut", [](Design d) { return with_size(std::move(d), 24, 24, 6, 6); }});
+  const int kind = roll(100);
+  if (kind < 25) return paint();
+  if (kind < 40) return select();
+  if (kind < 50) return edit_threads();
+  if (kind < 56) return desk_.undo();
+  if (kind < 60) return desk_.redo();
+  const Action& action = actions_[static_cast<size_t>(roll(static_cast<int>(actions_.size())))];
+  const auto run = action.run;
+  if (!action.enabled || action.enabled(desk_)) run(desk_);
+}
+
+void RandomActions::walk(int steps) {
+  std::vector<std::shared_ptr<const Design>> passed{desk_.document().snapshot()};
+  while (static_cast<int>(passed.size()) <= steps && desk_.document().history().can_undo()) {
+    desk_.undo();
+    passed.push_back(desk_.document().snapshot());
+  }
+  for (size_t i = passed.size() - 1; i-- > 0;) {
+    desk_.redo();
+    ASSERT_EQ(desk_.document().snapshot(), passed[i]) << "the very step that was taken back";
+  }
+  ASSERT_EQ(desk_.document().cells(), drawdown(draft()));
+}
+
+TEST_F(RandomActions, LeaveTheDraftWholeAndAreAllTakenBack) {
+  const size_t before = resident_bytes();
+  std::string text = write_new_wif(desk_.document().now());
+  JournalEntry first;
+  first.text = text;
+  std::string journal = journal_start(first);
+  int changes = 0;
+  for (int i = 0; i < kActions; ++i) {
+    const auto was = desk_.document().snapshot();
+    const bool back = desk_.document().history().can_redo();
+    act();
+    changes += desk_.document().snapshot() != was;
+    follow_design(desk_.work().select, desk_.document().now(), desk_.document().revision());
+    ASSERT_TRUE(is_consistent(desk_.document().now())) << "after action " << i;
+    if (i % 16 == 0) {
+      ASSERT_EQ(desk_.document().cells(), drawdown(draft())) << "after action " << i;
+    }
+    // A new step, joined to none: undo gives the very design of before.
+    const History& history = desk_.document().history();
+    if (desk_.document().snapshot() != was && !back && !history.can_redo() && history.undo_label() == "threads") {
+      desk_.undo();
+      ASSERT_EQ(desk_.document().snapshot(), was) << "after action " << i;
+      desk_.redo();
+    }
+    if (i % 1000 == 0) {
+      ASSERT_NO_FATAL_FAILURE(walk(50)) << "after action " << i;
+    }
+    if (i % 500 == 0) {
+      const std::string now = write_new_wif(desk_.document().now());
+      ASSERT_EQ(read_wif(now).file->design, desk_.document().now()) << "after action " << i;
+      journal += journal_entry(text, now);
+      text = now;
+    }
+  }
+  EXPECT_GT(changes, kActions / 4) << "most do something";
+  EXPECT_EQ(read_journal(journal)->text, text);
+  ASSERT_NO_FATAL_FAILURE(walk(1'000'000));
+  const size_t after = resident_bytes();
+  EXPECT_LT(after, before + 2 * kMaxHistoryBytes) << "bytes, and at the beginning " << before;
+  RecordProperty("megabytes", static_cast<int>(after >> 20));
+}
+
+}  // namespace
+}  // namespace weftlight::actions

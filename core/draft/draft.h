@@ -5,8 +5,8 @@
 // Orientation and index base, stated here once: indices in memory are 0-based
 // everywhere; WIF's are 1-based and are converted in core/wif alone. End 0 is WIF's
 // end 1, pick 0 is WIF's pick 1. In cloth space u grows with the end (along the weft),
-// v grows with the pick (along the warp), both in millimetres. Which corner end 1 is
-// drawn in is a matter of the window, not of the draft.
+// v grows with the pick (along the warp), both in millimetres. A face is shown with end 1 at
+// the right, pick 1 at the top: in grids (there by choice mirrored), pictures, cloth, textures.
 
 #include <string>
 #include <vector>

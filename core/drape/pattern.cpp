@@ -53,6 +53,7 @@ Mesh to_mesh(const Pattern& pattern, const std::string& name) {
   Mesh mesh;
   mesh.name = name;
   mesh.uv_mm = pattern.uv_mm;
+  for (Vec2& uv : mesh.uv_mm) uv = {-uv[0], -uv[1]};  // end 1 at the right and pick 1 at the top of a hanging piece
   mesh.index = pattern.index;
   mesh.position_mm.reserve(pattern.particle.size());
   for (const uint32_t particle : pattern.particle) mesh.position_mm.push_back(pattern.position_mm[particle]);

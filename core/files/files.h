@@ -20,10 +20,16 @@ enum class PixelType { kU8, kU16, kHalf, kFloat };
 
 /// Writes .png, .exr, .tif, .jpg by extension, beside the target and renamed into place. 8- and 16-bit
 /// values are taken as they are (0..1): the caller encodes sRGB. Empty string: done; else what went wrong.
-std::string write_image(const std::string& path, const Image& image, PixelType type);
+/// `channels`: names for an .exr, one a channel or none; other formats have no place for them.
+std::string write_image(const std::string& path, const Image& image, PixelType type,
+                        const std::vector<std::string>& channels = {});
 /// Writes a tiled EXR that holds a whole mip chain; each level halves the one before, down to 1 x 1 or
 /// wherever `levels` ends. Values of `type` kHalf or kFloat.
-std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type);
+std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
+                                const std::vector<std::string>& channels = {});
+/// Names of the channels of an image file, in the order of the texels that read_image() gives; empty: it cannot be
+/// read.
+std::vector<std::string> channel_names(const std::string& path);
 struct ReadImage {
   std::optional<Image> image;
   std::string error;

@@ -380,7 +380,7 @@ void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::
     out.mesh.position_mm.push_back(p);
     // glTF's second coordinate runs down the image, v runs up the warp.
     out.mesh.uv_mm.push_back(
-        {finite(uv.value(i, 0), "texture coordinate"), -finite(uv.value(i, 1), "texture coordinate")});
+        {-finite(uv.value(i, 0), "texture coordinate"), finite(uv.value(i, 1), "texture coordinate")});
     out.mesh.normal.push_back(normal_at >= 0 ? turned(turn, normal, i) : Vec3{});
   }
   const double determinant = m[0] * turn[0] + m[1] * turn[1] + m[2] * turn[2];

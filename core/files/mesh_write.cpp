@@ -1,8 +1,8 @@
 // Writes a mesh with its material as glTF 2.0, one .glb or a .gltf with files beside it.
 //
-// Texture coordinates are stored in millimetres, (u, -v), since glTF's second coordinate runs down the
-// image: textures whose top row is the largest v then stand upright, and +Y of a normal map is +v. The
-// material turns millimetres into repeats by KHR_texture_transform.
+// Texture coordinates are stored in millimetres, (-u, v): glTF's run right and down the image, and images show the
+// cloth as the editor does, with end 1 at the right and pick 1 at the top (core/draft/draft.h). The material turns
+// millimetres into repeats by KHR_texture_transform.
 
 #include <cmath>
 #include <cstring>
@@ -99,7 +99,7 @@ json add_attributes(Document& doc, const Mesh& mesh, bool tangents) {
   std::vector<Vec2> uv(mesh.uv_mm);
   for (Vec3& p : position) p = {p[0] * kMetresPerMm, p[1] * kMetresPerMm, p[2] * kMetresPerMm};
   for (Vec3& n : normal) n = unit_or(n, {0, 1, 0});
-  for (Vec2& t : uv) t[1] = -t[1];
+  for (Vec2& t : uv) t[0] = -t[0];
   json attributes{{"POSITION", add_vectors(doc, position, true)}, {"NORMAL", add_vectors(doc, normal, false)}};
   if (tangents) {
     std::vector<std::array<float, 4>> tangent(mesh.tangent.size());
@@ -107,7 +107,7 @@ json add_attributes(Document& doc, const Mesh& mesh, bool tangents) {
       const Vec3& n = normal[i];
       const Vec3 any = unit_or(cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
       const Vec3 t = unit_or(mesh.tangent[i], any);
-      tangent[i] = {t[0], t[1], t[2], 1.0f};  // normal x tangent is +v: the cloth's frame is right-handed
+      tangent[i] = {-t[0], -t[1], -t[2], 1.0f};  // right in the image; normal x tangent is up in it
     }
     attributes["TANGENT"] = add_vectors(doc, tangent, false);
   }

@@ -24,7 +24,7 @@ Three unit(const Three& v) {
 
 /// Diffuse, a wide highlight of the texel's anisotropic GGX, and a soft sky; for show, not for measure.
 Linear lit(const SurfaceTexel& t) {
-  static const Three light = unit({-0.55f, 0.55f, 0.63f}), eye{0, 0, 1};
+  static const Three light = unit({0.55f, -0.55f, 0.63f}), eye{0, 0, 1};
   static const Three half = unit({light[0] + eye[0], light[1] + eye[1], light[2] + eye[2]});
   const GgxAlphas a = ggx_alphas(t);
   const float wide = std::max(a.wide, 0.05f), narrow = std::max(a.narrow, 0.05f);
@@ -136,9 +136,9 @@ Image lit_swatch(const Surface& surface, int width, int height, float repeats_ac
       Linear sum;
       for (int j = 0; j < taps; ++j) {
         for (int i = 0; i < taps; ++i) {
-          const float fx = (static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(taps)) * step_x;
-          const float fy =
-              (static_cast<float>(height - 1 - y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps)) * step_y;
+          const float fx =
+              (static_cast<float>(width - 1 - x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(taps)) * step_x;
+          const float fy = (static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps)) * step_y;
           const Linear& c = radiance.at(static_cast<int>(fx) % w, static_cast<int>(fy) % h);
           sum.r += c.r, sum.g += c.g, sum.b += c.b;
         }

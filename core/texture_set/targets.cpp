@@ -139,17 +139,17 @@ float value(Channel channel, const SurfaceTexel& t, bool srgb) {
     case kRoughnessAcross:
       return std::sqrt(ggx_along_across(t)[1]);
     case kNormalX:
-      return half_range(t.normal[0]);
+      return half_range(-t.normal[0]);
     case kNormalY:
-      return half_range(t.normal[1]);
+      return half_range(-t.normal[1]);
     case kNormalZ:
       return half_range(t.normal[2]);
     case kNormalYDown:
-      return half_range(-t.normal[1]);
+      return half_range(t.normal[1]);
     case kFibreX:
-      return half_range(t.fibre[0]);
+      return half_range(-t.fibre[0]);
     case kFibreY:
-      return half_range(t.fibre[1]);
+      return half_range(-t.fibre[1]);
     case kFibreZ:
       return half_range(t.fibre[2]);
     case kWideX:
@@ -285,6 +285,31 @@ const char* channel_words(Channel channel) {
   return "";
 }
 
+const char* exr_name(Channel channel) {
+  switch (channel) {
+    case kBaseR:
+      return "R";
+    case kBaseG:
+      return "G";
+    case kBaseB:
+      return "B";
+    case kHeightMm:
+      return "height.mm";
+    case kNormalX:
+      return "N.X";
+    case kNormalY:
+      return "N.Y";
+    case kNormalZ:
+      return "N.Z";
+    case kRoughnessAlong:
+      return "roughness.along";
+    case kRoughnessAcross:
+      return "roughness.across";
+    default:
+      return "";
+  }
+}
+
 Image pack(const ImageRow& row, const Surface& surface) {
   const int width = surface.texels.width, height = surface.texels.height;
   const auto end = std::find(row.channels.begin(), row.channels.end(), kNone);
@@ -293,9 +318,9 @@ Image pack(const ImageRow& row, const Surface& surface) {
       width, height, channels,
       std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
   for_rows(height, [&](int y) {
-    const SurfaceTexel* texel = surface.texels.row(height - 1 - y);
+    const SurfaceTexel* texel = surface.texels.row(y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
-    for (int x = 0; x < width; ++x) {
+    for (int x = width - 1; x >= 0; --x) {
       for (int c = 0; c < channels; ++c) *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], row.srgb);
     }
   });
@@ -307,9 +332,10 @@ Image pack_planes(const std::vector<Plane<float>>& planes) {
   const int width = planes[0].width, height = planes[0].height, channels = static_cast<int>(planes.size());
   Image image{width, height, channels, {}};
   image.texels.reserve(static_cast<size_t>(width) * static_cast<size_t>(height) * planes.size());
-  for (int y = height - 1; y >= 0; --y) {
-    for (int x = 0; x < width; ++x) {
-      for (const Plane<float>& plane : planes) image.texels.push_back(plane.at(x, y));
+  const size_t turned = planes.size() / 2;  // half a turn: azimuths are those of the image
+  for (int y = 0; y < height; ++y) {
+    for (int x = width - 1; x >= 0; --x) {
+      for (size_t k = 0; k < planes.size(); ++k) image.texels.push_back(planes[(k + turned) % planes.size()].at(x, y));
     }
   }
   return image;

@@ -32,7 +32,7 @@ enum class Channel {
   kRoughnessAcross,  // of the fibre
   kNormalX,
   kNormalY,
-  kNormalZ,      // -1..1 as 0..1; x along the weft, y along the warp, up the image
+  kNormalZ,      // -1..1 as 0..1; x right, y up the image
   kNormalYDown,  // the same for engines whose green runs down
   kFibreX,
   kFibreY,
@@ -74,10 +74,13 @@ const char* target_name(Target target);
 const char* normal_convention(Target target);
 /// Words for texture_set.json.
 const char* channel_words(Channel channel);
+/// Name of the channel in an .exr.
+const char* exr_name(Channel channel);
 
-/// The row's image of a surface. Its top row is the largest v, so that the warp stands upright.
+/// The row's image of a surface, as the editor shows the cloth: u runs to the left, v down (core/draft/draft.h).
+/// Directions in it are those of the image: x right, y up.
 Image pack(const ImageRow& row, const Surface& surface);
-/// Mean or spread of the horizon, a channel an azimuth; likewise upright.
+/// Mean or spread of the horizon, a channel an azimuth (of an even number of them); likewise.
 Image pack_planes(const std::vector<Plane<float>>& planes);
 
 }  // namespace weftlight::texture_set

@@ -1,7 +1,5 @@
 #include "texture_set/texture_set.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "files/atomic_file.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
+#include "texture_set/set_folder.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -60,7 +59,7 @@ const char* type_words(PixelType type) {
 
 /// A set while it is written: what the sheet and the list will say.
 struct Writing {
-  std::string folder;
+  std::string folder, place;
   const TextureSetOptions& options;
   json maps = json::array();
   std::vector<SheetEntry> sheet;
@@ -78,11 +77,21 @@ void record(Writing& set, const std::string& file, const char* face, const char*
                       {"channels", std::move(channels)}});
 }
 
+/// Of an .exr, which has names for its channels; else none.
+std::vector<std::string> names_of(const ImageRow& row) {
+  std::vector<std::string> out;
+  if (std::string_view(row.extension) != ".exr") return out;
+  for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c)
+    out.emplace_back(exr_name(row.channels[c]));
+  return out;
+}
+
 json channel_list(const ImageRow& row) {
   constexpr const char* kLetters[] = {"R", "G", "B", "A"};
+  const std::vector<std::string> names = names_of(row);
   json out = json::object();
   for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c)
-    out[kLetters[c]] = channel_words(row.channels[c]);
+    out[names.empty() ? kLetters[c] : names[c]] = channel_words(row.channels[c]);
   return out;
 }
 
@@ -113,7 +122,7 @@ void write_row(Writing& set, const ImageRow& row, const Surface& surface, const 
   if (!set.problem.empty()) return;
   const std::string file = row.prefix + set.options.name + face_suffix + row.suffix + row.extension;
   const Image image = pack(row, surface);
-  set.problem = write_image(set.folder + "/" + file, image, row.type);
+  set.problem = write_image(set.folder + "/" + file, image, row.type, names_of(row));
   record(set, file, face, row.srgb ? "sRGB" : "linear", row.type, image, channel_list(row));
   set.sheet.push_back({std::string(row.suffix + 1) + face_suffix, shown(row, surface, image)});
 }
@@ -132,11 +141,13 @@ void write_mips(Writing& set, const Surface& surface, const char* face, const st
     level = half_of(level);
   }
   const std::string file = set.options.name + face_suffix + "_mips.exr";
-  set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf);
+  std::vector<std::string> names;
   json channels;
-  for (int k = 0; k < 5; ++k)
-    channels["c00" + std::to_string(k)] =
-        channel_words(k < 3 ? kNormal[static_cast<size_t>(k)] : kRough[static_cast<size_t>(k - 3)]);
+  for (const Channel c : {kNormal[0], kNormal[1], kNormal[2], kRough[0], kRough[1]}) {
+    names.emplace_back(exr_name(c));
+    channels[names.back()] = channel_words(c);
+  }
+  set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
   record(set, file, face, "linear", PixelType::kHalf, levels[0], std::move(channels));
   set.maps.back()["mip_levels"] = levels.size();
 }
@@ -146,12 +157,15 @@ void write_horizon(Writing& set, const std::vector<Plane<float>>& planes, const 
   if (!set.problem.empty() || planes.empty()) return;
   const std::string file = set.options.name + face_suffix + "_horizon_" + what + ".exr";
   const Image image = pack_planes(planes);
-  set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf);
   json channels = json::object();
+  std::vector<std::string> names;
   for (int k = 0; k < image.channels; ++k) {
-    channels[std::to_string(k)] = "sine of the horizon's elevation, " + what + ", towards azimuth " +
-                                  std::to_string(360.0 * k / image.channels) + " degrees from u to v";
+    char name[32];
+    std::snprintf(name, sizeof name, "azimuth.%05.1f", 360.0 * k / image.channels);
+    names.emplace_back(name);
+    channels[name] = "sine of the horizon's elevation, " + what + ", towards this azimuth in degrees, from right to up";
   }
+  set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf, names);
   record(set, file, face, "linear", PixelType::kHalf, image, std::move(channels));
   set.sheet.push_back({"horizon_" + what + face_suffix, thumbnail(image)});
 }
@@ -177,8 +191,19 @@ std::string readme(const Surface& s, const TextureSetOptions& o) {
   return o.name + ": one seamless repeat of " + o.source + ", " + size_words(s) + " (" +
          std::to_string(s.texels.width) + " x " + std::to_string(s.texels.height) + " texels), for " +
          target_name(o.target) + ".\n" + "Tile it once every " + size_words(s) + "; normal maps are " +
-         normal_convention(o.target) + ", u runs along the weft, v up along the warp.\n" +
+         normal_convention(o.target) + "; end 1 is at the right, pick 1 at the top, as in the editor.\n" +
          "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n";
+}
+
+/// What the set consists of, beside its list.
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> out;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with('.')) out.push_back(name);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 std::string list_of(const Writing& set, const Design& design, const Cloth& cloth, const Surface& s,
@@ -187,6 +212,7 @@ std::string list_of(const Writing& set, const Design& design, const Cloth& cloth
             {"format_version", 1},
             {"program", "weftlight " + set.options.program_version},
             {"source", set.options.source},
+            {"draft", draft_from(set.place, set.options.draft_path)},
             {"title", design.title},
             {"name", set.options.name},
             {"target", target_name(set.options.target)},
@@ -197,6 +223,7 @@ std::string list_of(const Writing& set, const Design& design, const Cloth& cloth
             {"alpha", has_gaps(s) ? "mask" : "opaque"},
             {"maps", set.maps}};
   if (!material.empty()) root["material"] = material;
+  root["files"] = files_in(set.folder);
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -221,12 +248,13 @@ void finish(Writing& set, const Design& design, const Cloth& cloth, const Surfac
     set.problem = write_text(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
 }
 
-std::string write_into(const std::string& folder, const Design& design, const Mesh& mesh,
+/// Writes into `folder` what will stand in `place`.
+std::string write_into(const std::string& folder, const std::string& place, const Design& design, const Mesh& mesh,
                        const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
   const bool raw = options.target == Target::kRaw;
-  Writing set{folder, options, json::array(), {}, {}};
+  Writing set{folder, place, options, json::array(), {}, {}};
   const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kRepeat);
   const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   const Surface front = surface_of(cloth, size, raw);
@@ -241,26 +269,8 @@ std::string write_into(const std::string& folder, const Design& design, const Me
   return set.problem;
 }
 
-bool may_replace(const fs::path& folder) {
-  std::error_code ec;
-  if (!fs::exists(fs::symlink_status(folder, ec))) return true;
-  return fs::is_directory(folder, ec) && (fs::is_empty(folder, ec) || fs::exists(folder / "texture_set.json", ec));
-}
-
-/// Puts `made` in the place of `folder`; on failure what was there before is there again.
-std::string put_in_place(const fs::path& made, const fs::path& folder) {
-  std::error_code ec;
-  const fs::path aside = made.string() + "-old";
-  const bool had = fs::exists(folder, ec);
-  if (had) fs::rename(folder, aside, ec);
-  if (!ec) fs::rename(made, folder, ec);
-  if (ec) {
-    std::string problem = folder.string() + ": " + ec.message();
-    if (had && fs::exists(aside)) fs::rename(aside, folder, ec);
-    return problem;
-  }
-  if (had) fs::remove_all(aside, ec);
-  return {};
+SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options) {
+  return {draft_from(folder, options.draft_path), options.source, target_name(options.target)};
 }
 
 }  // namespace
@@ -288,21 +298,23 @@ TextureSize texture_size(float width_mm, float depth_mm, int size) {
   return {side(width_mm), side(depth_mm)};
 }
 
+std::string who_is_there(const std::string& folder, const TextureSetOptions& options) {
+  return in_the_way(folder, identity_of(folder, options));
+}
+
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
                               const TextureSetOptions& options) {
-  const fs::path target(folder);
-  if (!may_replace(target)) return folder + ": there is something else there; choose another folder";
-  std::error_code ec;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), ec);
-  const fs::path made = temporary_beside(folder);
-  if (!fs::create_directory(made, ec)) return folder + ": cannot be made: " + ec.message();
-  std::string problem;
+  std::string problem = options.force ? std::string{} : who_is_there(folder, options);
+  if (!problem.empty()) return problem;
+  const fs::path made = make_staging(folder, problem);
+  if (!problem.empty()) return problem;
   try {
-    problem = write_into(made.string(), design, mesh, options);
+    problem = write_into(made.string(), folder, design, mesh, options);
   } catch (const std::bad_alloc&) {
     problem = "not enough memory; export a smaller --size";
   }
-  if (problem.empty()) problem = put_in_place(made, target);
+  if (problem.empty()) problem = put_in_place(made, folder, identity_of(folder, options), options.force);
+  std::error_code ec;
   fs::remove_all(made, ec);
   return problem;
 }

@@ -139,6 +139,8 @@ CommandLine run_command_line(int argc, char** argv) {
   export_verb->add_option("--mesh", texture.mesh, "Drape for the .glb");
   export_verb->add_option("--jobs", texture.jobs, "Drafts at a time")->check(CLI::Range(1, 64));
 
+  export_verb->add_flag("--force", texture.force, "Write among files of others, over those of the same names");
+
   ChartOptions chart;
   auto* chart_verb = app.add_subcommand("chart", "Speed against accuracy, measured");
   chart_verb->add_option("-o,--output", chart.out, "Folder")->required();

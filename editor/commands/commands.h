@@ -47,6 +47,7 @@ struct ExportOptions {
   std::vector<std::string> files;
   std::string target = "gltf", out, mesh = "plane";
   int size = 1024, jobs = 1;
+  bool force = false;
 };
 struct ChartOptions {
   std::string out;

@@ -1,5 +1,5 @@
 // `drawdown`: one line a pick (pick 1 first), one character an end (end 1 first), 1 where the warp is on
-// top; or the coloured drawdown as a picture, laid out the same way.
+// top; or the coloured drawdown as a picture, as the editor shows it: end 1 at the right, pick 1 at the top.
 
 #include <algorithm>
 #include <cstdio>
@@ -33,7 +33,7 @@ Image as_image(const BitMatrix& cells, const Draft& draft) {
   for (int y = 0; y < image.height; ++y) {
     const int pick = y / size;
     for (int x = 0; x < image.width; ++x) {
-      const int end = x / size;
+      const int end = cells.cols() - 1 - x / size;
       const int color = cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)]
                                              : draft.weft.color[static_cast<size_t>(pick)];
       const Rgb& c = draft.palette[static_cast<size_t>(color)];

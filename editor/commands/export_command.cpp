@@ -32,7 +32,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, Target target) {
     for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
     jobs.push_back({file,
                     (std::filesystem::path(options.out) / name).string(),
-                    {target, name, path.filename().string(), WEFTLIGHT_VERSION, options.size}});
+                    {target, name, path.filename().string(), file, WEFTLIGHT_VERSION, options.size, options.force}});
   }
   return jobs;
 }

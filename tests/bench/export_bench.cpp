@@ -56,7 +56,7 @@ void WholeSet(benchmark::State& state, Target target) {
   const Mesh mesh = simulate_drape("plane");
   const std::string folder = scratch("weftlight_bench_set");
   for (auto _ : state) {
-    benchmark::DoNotOptimize(write_texture_set(folder, design, mesh, {target, "bench", "bench.wif", "0", 1024}));
+    benchmark::DoNotOptimize(write_texture_set(folder, design, mesh, {target, "bench", "bench.wif", "", "0", 1024}));
   }
   std::filesystem::remove_all(folder);
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "files/files.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
@@ -22,6 +23,28 @@ TEST_F(DraftVerbs, drawdown_text_of_both_faces) {
 TEST_F(DraftVerbs, drawdown_picture) {
   EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path("cloth.png"), Face::kFront}), kDone);
   EXPECT_EQ(read_file(path("cloth.png")).bytes.substr(1, 3), "PNG");
+}
+
+TEST_F(DraftVerbs, drawdown_picture_is_the_way_up_of_the_editor) {
+  Design design = open_design(fixture_path("twill.wif")).design;
+  Draft& d = design.draft;
+  d.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+  d.warp.color.assign(d.warp.color.size(), 0), d.weft.color.assign(d.weft.color.size(), 0);
+  d.warp.color[1] = 1, d.weft.color[2] = 2;  // end 2 white, pick 3 red
+  ASSERT_EQ(write_file_atomically(path("odd.wif"), write_new_wif(design)), "");
+  ASSERT_EQ(drawdown_command({path("odd.wif"), path("odd.png"), Face::kFront}), kDone);
+  const Image image = *read_image(path("odd.png")).image;
+  const BitMatrix cells = drawdown(d);
+  for (int pick = 0; pick < d.picks(); ++pick) {
+    for (int end = 0; end < d.ends(); ++end) {
+      const int x = (d.ends() - 1 - end) * image.width / d.ends(), y = pick * image.height / d.picks();
+      const float* t = &image.texels[static_cast<size_t>((y * image.width + x) * image.channels)];
+      const int shown = t[1] > 0.5f ? 1 : t[0] > 0.5f ? 2 : 0;
+      const int wanted =
+          cells.get(pick, end) ? d.warp.color[static_cast<size_t>(end)] : d.weft.color[static_cast<size_t>(pick)];
+      EXPECT_EQ(shown, wanted) << "end " << end + 1 << " pick " << pick + 1;
+    }
+  }
 }
 
 TEST_F(DraftVerbs, info_as_json) {

@@ -130,11 +130,11 @@ TEST(MeshFile, ReadsAllIndexTypesMetresAndScalesForeignUv) {
     const Mesh& mesh = *read.mesh;
     EXPECT_EQ(mesh.index, (std::vector<uint32_t>{0, 1, 2}));
     EXPECT_EQ(mesh.position_mm[1], (Vec3{2000, 0, 0}));
-    // 2 m of surface along each unit of UV; v grows upwards.
-    EXPECT_NEAR(mesh.uv_mm[1][0] - mesh.uv_mm[0][0], 2000, 0.1);
-    EXPECT_NEAR(mesh.uv_mm[2][1] - mesh.uv_mm[0][1], 2000, 0.1);
+    // 2 m of surface along each unit of UV; end 1 is at the right of an image, pick 1 at its top.
+    EXPECT_NEAR(mesh.uv_mm[1][0] - mesh.uv_mm[0][0], -2000, 0.1);
+    EXPECT_NEAR(mesh.uv_mm[2][1] - mesh.uv_mm[0][1], -2000, 0.1);
     EXPECT_NEAR(mesh.normal[0][2], 1, 1e-5);
-    EXPECT_NEAR(mesh.tangent[0][0], 1, 1e-5);
+    EXPECT_NEAR(mesh.tangent[0][0], -1, 1e-5);
   }
 }
 
@@ -148,7 +148,7 @@ TEST(MeshFile, AppliesNodeTransforms) {
   ASSERT_TRUE(read.mesh) << read.error;
   EXPECT_NEAR(read.mesh->position_mm[1][0], 0, 0.01);
   EXPECT_NEAR(read.mesh->position_mm[1][1], 5000, 0.01);
-  EXPECT_NEAR(read.mesh->tangent[0][1], 1, 1e-4);
+  EXPECT_NEAR(read.mesh->tangent[0][1], -1, 1e-4);
 }
 
 TEST(MeshFile, MirroredNodesKeepTheFrontInFront) {

@@ -1,6 +1,8 @@
 #include "texture_set/texture_set.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -38,7 +40,9 @@ Mesh sheet() {
   return mesh;
 }
 
-TextureSetOptions options_for(Target target, int size = 128) { return {target, "sample", "sample.wif", "1.2.3", size}; }
+TextureSetOptions options_for(Target target, int size = 128) {
+  return {target, "sample", "sample.wif", "drafts/sample.wif", "1.2.3", size};
+}
 
 json list_of(const std::string& folder) { return json::parse(std::ifstream(folder + "/texture_set.json")); }
 
@@ -247,22 +251,119 @@ TEST(TextureSet, FoldersOfOthersAreLeftAlone) {
   fs::create_directories(scratch / "mine");
   std::ofstream(scratch / "mine/letter.txt") << "dear";
   EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "mine"), {}), 1);
+  TextureSetOptions force = options_for(Target::kGltf, 32);
+  force.force = true;
+  EXPECT_EQ(write_texture_set(scratch / "mine", sample_design(), sheet(), force), "");
   EXPECT_TRUE(fs::exists(scratch / "mine/letter.txt"));
-  // An older set is replaced whole.
+}
+
+TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
+  const Scratch scratch("same");
+  const TextureSetOptions options = options_for(Target::kGltf, 32);
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+  // An artist's own work stands beside it; an older version of the set had an image more.
+  std::ofstream(scratch / "set/scene.blend") << "work";
+  json list = list_of(scratch / "set");
+  std::ofstream(scratch / "set/sample_old.png") << "old";
+  list["files"].push_back("sample_old.png");
+  std::ofstream(scratch / "set/texture_set.json") << list;
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+  EXPECT_TRUE(fs::exists(scratch / "set/scene.blend"));
+  EXPECT_FALSE(fs::exists(scratch / "set/sample_old.png"));
+  // What was not listed is another's, whatever its name.
+  list = list_of(scratch / "set");
+  list["files"].erase(std::find(list["files"].begin(), list["files"].end(), "sample_orm.png"));
+  std::ofstream(scratch / "set/texture_set.json") << list;
+  std::ofstream(scratch / "set/sample_orm.png") << "painted over";
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+  EXPECT_EQ(fs::file_size(scratch / "set/sample_orm.png"), 12u);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "something temporary was left";
+}
+
+TEST(TextureSet, SetsOfOthersAreNotReplaced) {
+  const Scratch scratch("sets");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
+  EXPECT_NE(who_is_there(scratch / "set", options_for(Target::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  TextureSetOptions namesake = options_for(Target::kUnreal, 32);
+  namesake.draft_path = "other/sample.wif";
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
+  namesake.force = true;
+  EXPECT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
+}
+
+TEST(TextureSet, WhatAKilledExportLeftGoes) {
+  const Scratch scratch("killed");
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  ASSERT_GT(child, 0);
+  waitpid(child, nullptr, 0);  // now no process has its number
+  const std::string left = scratch / ("set.part-" + std::to_string(child) + "-0");
+  fs::create_directories(left);
+  std::ofstream(left + "/.weftlight_texture_set");
+  std::ofstream(left + "/sample_orm.png") << "half";
+  fs::create_directories(scratch / "set.part-time");
+  const std::string living = scratch / ("set.part-" + std::to_string(getpid()) + "-77");
+  fs::create_directories(living);
+  std::ofstream(living + "/.weftlight_texture_set");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
-  EXPECT_FALSE(fs::exists(scratch / "set/T_sample_BC.png"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 2);
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(scratch / "set.part-time"));
 }
 
 TEST(TextureSet, FailureLeavesTheOldSet) {
   const Scratch scratch("failure");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
   Mesh broken = sheet();
   broken.index[0] = 1000;
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), broken, options_for(Target::kGltf, 32)), "");
-  EXPECT_EQ(list_of(scratch / "set")["target"], "unreal");
+  TextureSetOptions larger = options_for(Target::kGltf, 64);
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), broken, larger), "");
+  EXPECT_EQ(list_of(scratch / "set")["size_texels"][0], 32);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1);
+}
+
+/// Plain weave with one white end in black, and one red pick: neither half turn nor mirror is the same.
+Design asymmetric_design() {
+  Design design = plain({8, 8});
+  design.draft.palette = {{0.05f, 0.05f, 0.05f}, {1, 1, 1}, {1, 0, 0}};
+  design.draft.warp.color.assign(8, 0);
+  design.draft.weft.color.assign(8, 0);
+  design.draft.warp.color[1] = 1;  // end 2
+  design.draft.weft.color[2] = 2;  // pick 3
+  return design;
+}
+
+TEST(TextureSet, EndOneIsAtTheRightAndPickOneAtTheTop) {
+  const Scratch scratch("way_up");
+  ASSERT_EQ(write_texture_set(scratch / "set", asymmetric_design(), {}, options_for(Target::kUnityUrp, 128)), "");
+  const Image image = *read_image(scratch / "set/sample_BaseMap.png").image;
+  std::vector<double> white(8), red(8);
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const float* t = &image.texels[static_cast<size_t>((y * 128 + x) * image.channels)];
+      white[static_cast<size_t>(x / 16)] += static_cast<double>(t[1]);
+      red[static_cast<size_t>(y / 16)] += static_cast<double>(t[0] - t[1]);
+    }
+  }
+  EXPECT_EQ(std::max_element(white.begin(), white.end()) - white.begin(), 6) << "end 2 is second from the right";
+  EXPECT_EQ(std::max_element(red.begin(), red.end()) - red.begin(), 2) << "pick 3 is third from the top";
+}
+
+TEST(TextureSet, ChannelsOfExrHaveNames) {
+  const Scratch scratch("names_of_channels");
+  ASSERT_EQ(write_texture_set(scratch / "raw", sample_design(), {}, options_for(Target::kRaw, 32)), "");
+  const json list = list_of(scratch / "raw");
+  for (const json& map : list["maps"]) {
+    const std::string file = map["file"];
+    if (!file.ends_with(".exr")) continue;
+    std::set<std::string> listed;
+    for (const auto& [name, words] : map["channels"].items()) listed.insert(name);
+    const std::vector<std::string> found = channel_names(scratch / ("raw/" + file));
+    EXPECT_EQ(listed, std::set<std::string>(found.begin(), found.end())) << file;
+  }
+  EXPECT_EQ(channel_names(scratch / "raw/sample_front_height.exr"), std::vector<std::string>{"height.mm"});
 }
 
 TEST(TextureSet, EmptyDraftIsAnError) {

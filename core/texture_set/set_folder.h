@@ -1,0 +1,33 @@
+#pragma once
+// Whose the files of a folder are, and how a finished set comes into it: only what an earlier set of the
+// same draft and target lists as its own is replaced or taken away; the rest is never touched.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "texture_set/names.h"
+
+namespace weftlight::texture_set {
+
+/// What a set is of. `draft`: the way from the set's folder to the draft's file; empty: never saved.
+struct SetIdentity {
+  std::string draft, source, target;
+};
+std::string draft_from(const std::filesystem::path& folder, const std::string& draft_path);
+
+/// Empty where a set may be written, else what is there instead and what to do. A folder that does not exist, an empty
+/// one and one that holds a set of the same identity are free.
+std::string in_the_way(const std::filesystem::path& folder, const SetIdentity& identity);
+
+/// A new, empty folder beside `folder`; those that killed programs left there for the same set go. Empty path:
+/// `problem` says why there is none.
+std::filesystem::path make_staging(const std::filesystem::path& folder, std::string& problem);
+
+/// Moves the files of `made` into `folder` and removes `made`; texture_set.json, which lists them all, last. Files that
+/// the set there listed and this one lacks go. A file of another's with the name of a new one is refused, unless
+/// `force`. Empty: done; else what went wrong.
+std::string put_in_place(const std::filesystem::path& made, const std::filesystem::path& folder,
+                         const SetIdentity& identity, bool force);
+
+}  // namespace weftlight::texture_set

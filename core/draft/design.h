@@ -3,6 +3,7 @@
 // scene; drawdown, maps, meshes and pictures are derived from it, never stored in it.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "draft/draft.h"
@@ -34,6 +35,27 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
+/// Which grids rule and which follow: the threading with what lifts its shafts, the threading with the liftplan
+/// alone, or the drawdown, from which threading and lifts are found.
+enum class Authority { kThreading, kLiftplan, kDrawdown };
+
+/// How a draft is worked, and on what loom.
+struct Loom {
+  Authority authority = Authority::kThreading;
+  bool locked = false;           // what follows cannot be painted
+  int shafts = 0, treadles = 0;  // 0..kMaxShafts that the loom has; 0: not said
+  int next_pick = 0;             // the pick that is woven next, 0..kMaxThreads
+  bool operator==(const Loom&) const = default;
+};
+
+/// A weave that was generated, and its numbers, so that they can be changed afterwards.
+struct WeaveUse {
+  std::string weave;                                        // its id (generators.h)
+  std::vector<std::pair<std::string, std::string>> values;  // id of a number -> value as text; by id
+  int first_end = 0, ends = 0, first_pick = 0, picks = 0;   // the threads that it made
+  bool operator==(const WeaveUse&) const = default;
+};
+
 struct Design {
   std::string title, author;
   std::vector<std::string> notes;
@@ -41,6 +63,8 @@ struct Design {
   std::vector<Yarn> yarns{Yarn{}};  // never empty
   Look look;
   Scene scene;
+  Loom loom;
+  std::vector<WeaveUse> weaves;  // the last is the latest
   bool operator==(const Design&) const = default;
 };
 

@@ -7,6 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "draft/crossings.h"
+#include "draft/factor.h"
+#include "draft/skeleton.h"
+
 namespace weftlight::draft {
 namespace {
 
@@ -59,12 +63,15 @@ void lengthen(Threads& t, int n, int new_color) {
   }
 }
 
+int marked(const BitMatrix& m, int row) {
+  int sum = 0;
+  for (const uint64_t word : m.row(row)) sum += std::popcount(word);
+  return sum;
+}
+
 bool single_treadled(const BitMatrix& treadling) {
-  for (int p = 0; p < treadling.rows(); ++p) {
-    int treadles = 0;
-    for (const uint64_t word : treadling.row(p)) treadles += std::popcount(word);
-    if (treadles > 1) return false;
-  }
+  for (int p = 0; p < treadling.rows(); ++p)
+    if (marked(treadling, p) > 1) return false;
   return true;
 }
 
@@ -72,41 +79,35 @@ bool single_treadled(const BitMatrix& treadling) {
 
 Design with_threading(Design design, int end, int shaft, bool on, bool only) {
   Draft& d = design.draft;
+  if (!may_paint(design, BitGrid::kThreading)) return design;
   if (within(end, d.ends()) && within(shaft, d.shafts)) mark(d.threading, end, shaft, on, only);
   return design;
 }
 
 Design with_tieup(Design design, int treadle, int shaft, bool on) {
   Draft& d = design.draft;
+  if (!may_paint(design, BitGrid::kTieup)) return design;
   if (within(treadle, d.treadles) && within(shaft, d.shafts)) d.tieup.set(treadle, shaft, on);
   return design;
 }
 
 Design with_treadling(Design design, int pick, int treadle, bool on, bool only) {
   Draft& d = design.draft;
+  if (!may_paint(design, BitGrid::kTreadling)) return design;
   if (within(pick, d.picks()) && within(treadle, d.treadles)) mark(d.treadling, pick, treadle, on, only);
   return design;
 }
 
 Design with_liftplan(Design design, int pick, int shaft, bool on) {
   if (!within(pick, design.draft.picks()) || !within(shaft, design.draft.shafts)) return design;
+  if (!may_paint(design, BitGrid::kLiftplan)) return design;
   design = to_liftplan(std::move(design));
   design.draft.liftplan.set(pick, shaft, on);
   return design;
 }
 
 Design with_drawdown_cell(Design design, int end, int pick, bool up) {
-  if (!within(end, design.draft.ends()) || !within(pick, design.draft.picks())) return design;
-  if (design.draft.threading.first(end) < 0) return design;
-  const auto shafts = design.draft.threading.row(end);
-  Design lifted = to_liftplan(design);
-  const auto lift = lifted.draft.liftplan.row(pick);
-  bool named = false;
-  for (size_t w = 0; w < lift.size(); ++w) named |= (shafts[w] & lift[w]) != 0;
-  const bool want_named = up == design.draft.rising;
-  if (named == want_named) return design;
-  for (size_t w = 0; w < lift.size(); ++w) lift[w] = want_named ? lift[w] | shafts[w] : lift[w] & ~shafts[w];
-  return lifted;
+  return painted_cell(std::move(design), end, pick, up).design;
 }
 
 Design with_thread_color(Design design, System system, int thread, int color) {
@@ -198,28 +199,40 @@ Design to_liftplan(Design design) {
   return design;
 }
 
-Design to_treadling(Design design) {
+Design to_treadling(Design design, int most_treadles) {
   Draft& d = design.draft;
   if (d.drive == Drive::kTreadling && single_treadled(d.treadling)) return design;
   const BitMatrix lift = lifts(d);
-  const std::vector<int> first = first_equal_rows(lift);
-  std::vector<int> treadle(first.size(), -1), pick_of;  // pick_of: the first pick of each treadle
-  for (int p = 0; p < lift.rows(); ++p) {
-    if (lift.first(p) < 0) continue;  // nothing to lift needs no treadle
-    treadle[p] = first[p] == p ? static_cast<int>(pick_of.size()) : treadle[first[p]];
-    if (first[p] == p) pick_of.push_back(p);
+  Draft like = d;
+  like.drive = Drive::kTreadling;
+  for (int p = 0; p < d.picks(); ++p)
+    if (marked(like.treadling, p) > 1) std::ranges::fill(like.treadling.row(p), 0);
+  if (like.treadling.count() == 0) {
+    like.treadles = 0;
+    like.tieup = BitMatrix(0, d.shafts);
+    like.treadling = BitMatrix(d.picks(), 0);
   }
-  if (pick_of.size() > static_cast<size_t>(kMaxShafts)) return design;
-  d.treadles = std::max(1, static_cast<int>(pick_of.size()));
-  d.tieup = BitMatrix(d.treadles, d.shafts);
-  d.treadling = BitMatrix(d.picks(), d.treadles);
-  for (int t = 0; t < static_cast<int>(pick_of.size()); ++t) {
-    std::ranges::copy(lift.row(pick_of[t]), d.tieup.row(t).begin());
+  Factored factored = with_lifts(like, lift, std::max(most_treadles, like.treadles));
+  if (!factored.done()) return design;
+  d = std::move(factored.draft);
+  if (d.treadles == 0) {
+    d.treadles = 1;
+    d.tieup.resize(1, d.shafts);
+    d.treadling.resize(d.picks(), 1);
   }
-  for (int p = 0; p < lift.rows(); ++p) {
-    if (treadle[p] >= 0) d.treadling.set(p, treadle[p], true);
-  }
+  if (design.loom.authority == Authority::kLiftplan) design.loom.authority = Authority::kThreading;
+  return design;
+}
+
+Design to_skeleton(Design design, int feet) {
+  Draft& d = design.draft;
+  Skeleton skeleton = skeleton_tieup(lifts(d), feet);
+  if (skeleton.tieup.rows() < 1 || skeleton.tieup.rows() > kMaxShafts) return design;
+  d.treadles = skeleton.tieup.rows();
+  d.tieup = std::move(skeleton.tieup);
+  d.treadling = std::move(skeleton.treadling);
   d.drive = Drive::kTreadling;
+  if (design.loom.authority == Authority::kLiftplan) design.loom.authority = Authority::kThreading;
   return design;
 }
 

@@ -15,8 +15,7 @@ Design with_tieup(Design design, int treadle, int shaft, bool on);
 Design with_treadling(Design design, int pick, int treadle, bool on, bool only = true);
 /// Painting a liftplan of a treadled draft first turns it into a liftplan draft.
 Design with_liftplan(Design design, int pick, int shaft, bool on);
-/// Paints a crossing where the threading allows it: lifts (or lowers) the end's shafts in that pick's
-/// liftplan. Every end on the same shaft changes with it, as on the loom.
+/// A crossing as painted_cell (crossings.h) makes it; unchanged where the loom cannot.
 Design with_drawdown_cell(Design design, int end, int pick, bool up);
 
 Design with_thread_color(Design design, System system, int thread, int color);
@@ -40,8 +39,11 @@ Design with_rising(Design design, bool rising);
 
 /// Same drawdown, driven by the liftplan; tie-up and treadling stay as they are.
 Design to_liftplan(Design design);
-/// Same drawdown, driven by treadles: the fewest treadles that single-treadle the lifts, by first use.
-/// Unchanged when it is treadled so already, or when more than kMaxShafts treadles would be needed.
-Design to_treadling(Design design);
+/// Same drawdown, driven by treadles, one a pick. Treadles that it was driven by before keep their numbers where
+/// their picks still lift alike; else the fewest, by first use. Unchanged when it is treadled so already, or when
+/// more than `most_treadles` would be needed (treadles_needed in factor.h tells beforehand).
+Design to_treadling(Design design, int most_treadles = kMaxShafts);
+/// Same drawdown with a skeleton tie-up (skeleton.h): up to `feet` treadles a pick, fewer treadles in all.
+Design to_skeleton(Design design, int feet);
 
 }  // namespace weftlight::draft

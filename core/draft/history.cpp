@@ -14,6 +14,10 @@ size_t bytes(const Design& design) {
   const Draft& d = design.draft;
   size_t sum = sizeof(Design) + bytes(d.threading) + bytes(d.tieup) + bytes(d.treadling) + bytes(d.liftplan) +
                bytes(d.warp) + bytes(d.weft) + d.palette.size() * sizeof(Rgb) + design.yarns.size() * sizeof(Yarn);
+  for (const WeaveUse& use : design.weaves) {
+    sum += sizeof(WeaveUse);
+    for (const auto& [id, value] : use.values) sum += 2 * sizeof(std::string) + value.size();
+  }
   for (const std::string& note : design.notes) sum += sizeof(std::string) + note.size();
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "draft/crossings.h"
 #include "draft/drawdown.h"
 #include "draft/edits.h"
 
@@ -72,32 +73,6 @@ void write_bits(BitMatrix& m, const Selection& s, int a, int b, const BitMatrix&
     }
 }
 
-bool meets(std::span<const uint64_t> x, std::span<const uint64_t> y) {
-  for (size_t w = 0; w < x.size(); ++w)
-    if (x[w] & y[w]) return true;
-  return false;
-}
-
-/// Brings an end up or down in a pick; true when that changed the lift.
-bool lift_end(std::span<uint64_t> lift, std::span<const uint64_t> shafts, bool named) {
-  if (meets(shafts, lift) == named) return false;
-  for (size_t w = 0; w < lift.size(); ++w) lift[w] = named ? lift[w] | shafts[w] : lift[w] & ~shafts[w];
-  return true;
-}
-
-Design with_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
-  Design lifted = to_liftplan(design);
-  Draft& d = lifted.draft;
-  bool changed = false;
-  for (int pick = s.b0; pick < s.b1; ++pick)
-    for (int end = s.a0; end < s.a1; ++end) {
-      const bool up = cells.get(pick - b, end - a);
-      if ((!up && write == Write::kAdd) || d.threading.first(end) < 0) continue;
-      changed |= lift_end(d.liftplan.row(pick), d.threading.row(end), up == d.rising);
-    }
-  return changed ? lifted : design;  // nothing to do does not change the drive
-}
-
 }  // namespace
 
 int columns_of(const Draft& d, BitGrid grid) {
@@ -141,7 +116,8 @@ BitMatrix cells_of(const Draft& d, const Selection& selection) {
 Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write) {
   const Selection s = place_of(design.draft, grid, a, b, cells);
   if (s.empty()) return design;
-  if (grid == BitGrid::kDrawdown) return with_crossings(std::move(design), s, a, b, cells, write);
+  if (grid == BitGrid::kDrawdown) return painted_crossings(std::move(design), s, a, b, cells, write).design;
+  if (!may_paint(design, grid)) return design;
   if (grid == BitGrid::kLiftplan) design = to_liftplan(std::move(design));
   write_bits(stored(design.draft, grid), s, a, b, cells, write);
   return design;

@@ -42,9 +42,9 @@ Selection clipped(const Selection& selection, const Draft& draft);
 
 /// The cells of a selection (clipped). Of the drawdown: those crossings alone are computed.
 BitMatrix cells_of(const Draft& draft, const Selection& selection);
-/// The block with its first cell at (a, b); what lies outside the grid is left out. A liftplan or drawdown
-/// block turns a treadled draft into one driven by its liftplan. A crossing takes along every end on its
-/// shafts, as on the loom; where a block asks such ends for different things, the last end has its way.
+/// The block with its first cell at (a, b); what lies outside the grid is left out. A liftplan block turns a
+/// treadled draft into one driven by its liftplan; crossings are painted as crossings.h says. A grid that is locked
+/// stays as it is.
 Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write);
 
 /// How many cells of a block the design does not show at that place (of those inside the grid).

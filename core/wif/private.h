@@ -41,6 +41,12 @@ inline constexpr FloatField<Look> kLookFloats[] = {
     {"Tolerance", &Look::tolerance, -kAny, kAny},
     {"Exposure", &Look::exposure_ev, -kAny, kAny},
 };
+/// Generated weaves that a file may name, and what stands before the id of each of their numbers.
+inline constexpr int kMaxWeaveUses = 1000;
+inline constexpr std::string_view kWeaveNumber = "Number ";
+
+/// By value of the enum Authority.
+inline constexpr const char* kAuthorityNames[] = {"threading", "liftplan", "drawdown"};
 
 /// A channel as WIF holds it: a whole number of low..high, rounded half up.
 inline int channel_number(float channel, int low, int high) {

@@ -142,6 +142,46 @@ void read_look_and_scene(const Source& s, Design& design) {
   }
 }
 
+int count_of(const WifSection& section, const char* name, int most) {
+  const WifKey* key = section.find(name);
+  return key ? std::clamp(leading_int(key->value).value_or(0), 0, most) : 0;
+}
+
+void read_loom(const Source& s, Loom& loom) {
+  const WifSection* section = private_section(s.text, "LOOM");
+  if (!section) return;
+  if (const WifKey* key = section->find("Authority"))
+    for (size_t i = 0; i < std::size(kAuthorityNames); ++i)
+      if (same_word(kAuthorityNames[i], key->value)) loom.authority = static_cast<Authority>(i);
+  if (const WifKey* key = section->find("Locked")) loom.locked = word_as_bool(key->value).value_or(false);
+  loom.shafts = count_of(*section, "Shafts", kMaxShafts);
+  loom.treadles = count_of(*section, "Treadles", kMaxShafts);
+  loom.next_pick = count_of(*section, "Next Pick", kMaxThreads);
+}
+
+void read_weaves(const Source& s, std::vector<WeaveUse>& weaves) {
+  const WifSection* section = private_section(s.text, "WEAVES");
+  if (!section) return;
+  weaves.resize(static_cast<size_t>(count_of(*section, "Weaves", kMaxWeaveUses)));
+  std::vector<int> place;
+  for (const WifKey& key : section->keys) {
+    const int number = leading_int(key.key).value_or(0);
+    const size_t blank = key.key.find(' ');
+    if (number < 1 || static_cast<size_t>(number) > weaves.size() || blank == std::string_view::npos) continue;
+    WeaveUse& use = weaves[static_cast<size_t>(number) - 1];
+    const std::string_view name = key.key.substr(blank + 1);
+    if (same_word(name, "Weave")) use.weave = words(s, key);
+    else if (name.starts_with(kWeaveNumber)) use.values.emplace_back(name.substr(kWeaveNumber.size()), words(s, key));
+    if (!same_word(name, "Place")) continue;
+    leading_ints(key.value, place);
+    place.resize(4, 0);
+    for (int& i : place) i = std::clamp(i, 0, kMaxThreads);
+    use.first_end = std::max(place[0] - 1, 0), use.ends = place[1];
+    use.first_pick = std::max(place[2] - 1, 0), use.picks = place[3];
+  }
+  for (WeaveUse& use : weaves) std::ranges::sort(use.values);
+}
+
 void restore_text(const Source& s, const WifSection& section, const std::string& name, std::string& text) {
   const WifKey* key = section.find(name);
   if (!key) return;
@@ -208,6 +248,8 @@ void read_private_sections(const WifText& text, const WifHabits& habits, Finding
   read_thread_yarns(s, "WARP YARNS", design.yarns.size(), design.draft.warp);
   read_thread_yarns(s, "WEFT YARNS", design.yarns.size(), design.draft.weft);
   read_look_and_scene(s, design);
+  read_loom(s, design.loom);
+  read_weaves(s, design.weaves);
   read_exact_text(s, design);
   read_exact_colors(s, habits, design.draft);
   read_exact_measures(s, "WARP SPACING", design.draft.warp.spacing_mm);

@@ -78,6 +78,34 @@ WifEntries scene_of(const Scene& scene) {
   return section;
 }
 
+WifEntries loom_of(const Loom& loom) {
+  WifEntries section{"LOOM", {}};
+  if (loom == Loom{}) return section;
+  add(section, "Authority", kAuthorityNames[static_cast<size_t>(loom.authority)]);
+  add(section, "Locked", loom.locked ? "true" : "false");
+  add(section, "Shafts", std::to_string(loom.shafts));
+  add(section, "Treadles", std::to_string(loom.treadles));
+  add(section, "Next Pick", std::to_string(loom.next_pick));
+  return section;
+}
+
+WifEntries weaves_of(const std::vector<WeaveUse>& weaves) {
+  WifEntries section{"WEAVES", {}};
+  if (weaves.empty()) return section;
+  add(section, "Weaves", std::to_string(weaves.size()));
+  for (size_t i = 0; i < weaves.size(); ++i) {
+    const WeaveUse& use = weaves[i];
+    const std::string prefix = std::to_string(i + 1) + " ";
+    add(section, prefix + "Weave", escaped(use.weave), true);
+    std::string place = std::to_string(use.first_end + 1);
+    for (const int number : {use.ends, use.first_pick + 1, use.picks}) place.append(",").append(std::to_string(number));
+    add(section, prefix + "Place", place);
+    for (const auto& [id, value] : use.values)
+      add(section, prefix + std::string(kWeaveNumber) + id, escaped(value), true);
+  }
+  return section;
+}
+
 void add_exact(WifEntries& section, std::string key, const std::string& text) {
   if (one_line(text) != text) add(section, std::move(key), escaped(text), true);
 }
@@ -131,6 +159,8 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   push_if_any(out, thread_yarns_of("WEFT YARNS", draft.weft));
   push_if_any(out, look_of(design.look));
   push_if_any(out, scene_of(design.scene));
+  push_if_any(out, loom_of(design.loom));
+  push_if_any(out, weaves_of(design.weaves));
   push_if_any(out, exact_text_of(design));
   push_if_any(out, exact_colors_of(draft.palette, habits));
   push_if_any(out, exact_measures_of("WARP SPACING", draft.warp.spacing_mm));

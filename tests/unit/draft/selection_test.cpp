@@ -58,7 +58,7 @@ TEST(Selection, CrossingsFollowTheLoomAndSayWhatTheyCannot) {
   Design d = twill_design();
   // Ends 1 and 5 share shaft 1.
   const Design up = with_block(d, BitGrid::kDrawdown, 0, 2, matrix_of({"1"}), Write::kInside);
-  EXPECT_EQ(up.draft.drive, Drive::kLiftplan);
+  EXPECT_EQ(up.draft.drive, Drive::kTreadling);
   Rows expected = cloth(d);
   EXPECT_EQ(expected[2][0], '0');
   expected[2][0] = expected[2][4] = '1';
@@ -157,7 +157,7 @@ TEST(SelectionEdits, RepeatsFillTheRestOrAll) {
   EXPECT_EQ(text_of(with_repeated(twill_design(), {BitGrid::kTieup, 0, 2, 0, 2}, Reach::kAll).draft.tieup),
             (Rows{"1111", "0101", "1111", "0101"}));
   const Design plain = with_repeated(twill_design(), {BitGrid::kDrawdown, 0, 2, 0, 2}, Reach::kToEnd);
-  EXPECT_EQ(plain.draft.drive, Drive::kLiftplan);
+  EXPECT_EQ(plain.draft.drive, Drive::kTreadling);
 }
 
 TEST(SelectionEdits, APlainWeaveTiledOverTheDrawdown) {

@@ -102,6 +102,11 @@ Design random_design(unsigned seed) {
     design.scene.pan_x = dice.between(-1, 1);
     design.scene.background = {0.1f, 0.2f, dice.between(0, 1)};
   }
+  if (dice.coin()) {
+    design.loom = {static_cast<Authority>(dice.upto(2)), dice.coin(), dice.upto(8), dice.upto(8), dice.upto(99)};
+    for (int i = dice.upto(2); i > 0; --i)
+      design.weaves.push_back({"twill", {{"lean", random_text(dice)}, {"ratio", "2/2"}}, dice.upto(9), 4, 0, 7});
+  }
   return design;
 }
 

@@ -1,0 +1,121 @@
+#include "draft/crossings.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "draft/drawdown.h"
+#include "draft/edits.h"
+
+namespace weftlight::draft {
+namespace {
+
+bool meets(std::span<const uint64_t> x, std::span<const uint64_t> y) {
+  for (size_t w = 0; w < x.size(); ++w)
+    if (x[w] & y[w]) return true;
+  return false;
+}
+
+// Brings an end up or down in a pick; true when that changed the lift.
+bool lift_end(std::span<uint64_t> lift, std::span<const uint64_t> shafts, bool named) {
+  if (meets(shafts, lift) == named) return false;
+  for (size_t w = 0; w < lift.size(); ++w) lift[w] = named ? lift[w] | shafts[w] : lift[w] & ~shafts[w];
+  return true;
+}
+
+// Each crossing of the block that is to be written, as write(end, pick, up).
+template <class Visit>
+void for_each_crossing(const Selection& s, int a, int b, const BitMatrix& cells, Write write, Visit visit) {
+  for (int pick = s.b0; pick < s.b1; ++pick)
+    for (int end = s.a0; end < s.a1; ++end) {
+      const bool up = cells.get(pick - b, end - a);
+      if (up || write != Write::kAdd) visit(end, pick, up);
+    }
+}
+
+Painted taken(Design design, Factored factored) {
+  if (!factored.done()) return {std::move(design), std::move(factored.why)};
+  design.draft = std::move(factored.draft);
+  return {std::move(design), {}};
+}
+
+Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+  const Draft& d = design.draft;
+  BitMatrix lift = lifts(d);
+  bool changed = false, bare = false;
+  for_each_crossing(s, a, b, cells, write, [&](int end, int pick, bool up) {
+    if (d.threading.first(end) < 0) bare |= up;
+    else changed |= lift_end(lift.row(pick), d.threading.row(end), up == d.rising);
+  });
+  if (!changed) return {std::move(design), bare ? "an end on no shaft cannot be lifted" : ""};
+  Factored factored = with_lifts(d, lift, loom_size(design).treadles);
+  return taken(std::move(design), std::move(factored));
+}
+
+Painted woven(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+  BitMatrix all = drawdown(design.draft);
+  bool changed = false;
+  for_each_crossing(s, a, b, cells, write, [&](int end, int pick, bool up) {
+    changed |= all.get(pick, end) != up;
+    all.set(pick, end, up);
+  });
+  if (!changed) return {std::move(design), {}};
+  Factored factored = with_drawdown(design.draft, all, loom_size(design));
+  return taken(std::move(design), std::move(factored));
+}
+
+}  // namespace
+
+Painted painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+  if (std::string why = why_locked(design, BitGrid::kDrawdown); !why.empty())
+    return {std::move(design), std::move(why)};
+  const bool alone = design.loom.authority == Authority::kDrawdown;
+  return alone ? woven(std::move(design), s, a, b, cells, write) : lifted(std::move(design), s, a, b, cells, write);
+}
+
+Painted painted_cell(Design design, int end, int pick, bool up) {
+  const Selection s = clipped({BitGrid::kDrawdown, end, end + 1, pick, pick + 1}, design.draft);
+  if (end < 0 || pick < 0 || s.empty()) return {std::move(design), {}};
+  BitMatrix cell(1, 1);
+  cell.set(0, 0, up);
+  return painted_crossings(std::move(design), s, end, pick, cell, Write::kInside);
+}
+
+LoomSize loom_size(const Design& design) {
+  const auto most = [](int loom, int has) { return std::max(loom > 0 ? loom : kUnasked, has); };
+  return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
+}
+
+std::string why_locked(const Design& design, BitGrid grid) {
+  if (!design.loom.locked) return {};
+  const bool drawdown_rules = design.loom.authority == Authority::kDrawdown;
+  if (drawdown_rules == (grid == BitGrid::kDrawdown)) {
+    const bool treadles = grid == BitGrid::kTieup || grid == BitGrid::kTreadling;
+    if (design.loom.authority != Authority::kLiftplan || !treadles) return {};
+    return "tie-up and treadling follow the liftplan and are locked";
+  }
+  return drawdown_rules ? "this follows the drawdown and is locked" : "the drawdown follows and is locked";
+}
+
+Design with_authority(Design design, Authority authority) {
+  if (authority == Authority::kLiftplan) design = to_liftplan(std::move(design));
+  design.loom.authority = authority;
+  return design;
+}
+
+Design with_lock(Design design, bool locked) {
+  design.loom.locked = locked;
+  return design;
+}
+
+Design with_loom_size(Design design, int shafts, int treadles) {
+  design.loom.shafts = std::clamp(shafts, 0, kMaxShafts);
+  design.loom.treadles = std::clamp(treadles, 0, kMaxShafts);
+  return design;
+}
+
+Design with_next_pick(Design design, int pick) {
+  design.loom.next_pick = std::clamp(pick, 0, design.draft.picks());
+  return design;
+}
+
+}  // namespace weftlight::draft

@@ -1,0 +1,274 @@
+// From drawdowns and lifts back to threading, tie-up and treadling.
+
+#include "draft/factor.h"
+
+#include <gtest/gtest.h>
+
+#include "draft/crossings.h"
+#include "draft/edits.h"
+#include "draft/generators.h"
+#include "draft/skeleton.h"
+#include "hand_drafts.h"
+
+namespace weftlight::draft {
+namespace {
+
+Draft bare_loom(const BitMatrix& cells, bool rising = true) {
+  Draft d = blank_draft(cells.cols(), cells.rows(), 1, 1);
+  d.rising = rising;
+  return d;
+}
+
+Design two_two_twill(int ends, int picks) { return twill({2, 2}, Lean::kRight, {ends, picks}); }
+
+int most_feet(const BitMatrix& treadling) {
+  int most = 0;
+  for (int p = 0; p < treadling.rows(); ++p) {
+    int feet = 0;
+    for (int t = 0; t < treadling.cols(); ++t) feet += treadling.get(p, t);
+    most = std::max(most, feet);
+  }
+  return most;
+}
+
+TEST(Factor, APlainWeaveTakesTwoShaftsAndTwoTreadles) {
+  const BitMatrix cells = matrix_of({"1010", "0101", "1010", "0101"});
+  const Factored f = with_drawdown(bare_loom(cells), cells, {2, 2});
+  ASSERT_TRUE(f.done()) << f.why;
+  EXPECT_EQ(f.draft.shafts, 2);
+  EXPECT_EQ(f.draft.treadles, 2);
+  EXPECT_EQ(text_of(f.draft.threading), (Rows{"10", "01", "10", "01"}));
+  EXPECT_EQ(text_of(f.draft.treadling), (Rows{"10", "01", "10", "01"}));
+  EXPECT_EQ(drawdown(f.draft), cells);
+}
+
+TEST(Factor, FewestShaftsAndTreadlesOfAnyDrawdown) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 200; ++round) {
+    const Draft d = random_draft(random, 25, 20, 5, 4);
+    const BitMatrix cells = drawdown(d);
+    const LoomSize fewest = fewest_for(cells);
+    for (const bool rising : {true, false}) {
+      const Factored f = with_drawdown(bare_loom(cells, rising), cells, {});
+      ASSERT_TRUE(f.done());
+      ASSERT_EQ(drawdown(f.draft), cells);
+      ASSERT_LE(f.draft.shafts, fewest.shafts) << "ends that are never up need none";
+      if (rising) {
+        ASSERT_LE(f.draft.treadles, std::max(fewest.treadles, 1));
+      }
+    }
+  }
+}
+
+TEST(Factor, ItsOwnDrawdownLeavesADraftAsItIs) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 300; ++round) {
+    const Draft d = random_draft(random, 18, 16, 6, 5);
+    const Factored f = with_drawdown(d, drawdown(d), {6, 5});
+    ASSERT_TRUE(f.done()) << f.why;
+    ASSERT_EQ(f.draft.threading, d.threading);
+    ASSERT_EQ(f.draft.treadling, d.treadling);
+    ASSERT_EQ(drawdown(f.draft), drawdown(d));
+  }
+}
+
+TEST(Factor, AnyChangeOfTheDrawdownIsWovenAndMostNumbersStay) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    Draft d = random_draft(random, 18, 16, 6, 5);
+    BitMatrix cells = drawdown(d);
+    const int end = static_cast<int>(random() % 18), pick = static_cast<int>(random() % 16);
+    cells.set(pick, end, !cells.get(pick, end));
+    const Factored f = with_drawdown(d, cells, {});
+    ASSERT_TRUE(f.done());
+    Design made;
+    made.draft = f.draft;
+    ASSERT_TRUE(is_consistent(made));
+    ASSERT_EQ(drawdown(f.draft), cells);
+    for (int e = 0; e < 18; ++e) {
+      if (e == end) continue;
+      for (int s = 0; s < d.shafts; ++s) ASSERT_EQ(f.draft.threading.get(e, s), d.threading.get(e, s));
+    }
+  }
+}
+
+TEST(Factor, SaysWhatIsWantingAndOffersTheNearest) {
+  // Eight ends of an 8-shaft satin and a loom with four.
+  const Draft satin8 = satin(8, 3, Face::kBack, {16, 16}).draft;
+  const BitMatrix cells = drawdown(satin8);
+  const Factored f = with_drawdown(bare_loom(cells), cells, {4, 8});
+  EXPECT_FALSE(f.done());
+  EXPECT_EQ(f.why, "this takes 8 shafts, and the loom has 4");
+  const Factored near = nearest_drawdown(bare_loom(cells), cells, {4, 8});
+  EXPECT_LE(near.draft.shafts, 4);
+  EXPECT_LE(near.draft.treadles, 8);
+  int64_t wrong = 0;
+  const BitMatrix shown = drawdown(near.draft);
+  for (int p = 0; p < 16; ++p)
+    for (int e = 0; e < 16; ++e) wrong += shown.get(p, e) != cells.get(p, e);
+  EXPECT_EQ(near.wrong, wrong);
+  EXPECT_EQ(near.wrong, 32) << "each of four kinds of two ends is woven as another: four crossings an end";
+}
+
+TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    Draft d = random_draft(random, 30, 24, 9, 9);
+    BitMatrix cells(24, 30);
+    fill_randomly(cells, random, 0.5);
+    const Factored near = nearest_drawdown(d, cells, {9, 9});
+    ASSERT_LE(near.draft.shafts, 9);
+    ASSERT_TRUE(near.draft.drive == Drive::kLiftplan || near.draft.treadles <= 9);
+    Design made;
+    made.draft = near.draft;
+    ASSERT_TRUE(is_consistent(made));
+  }
+}
+
+// The fault that a weaver met: a click in the drawdown turned the tie-up into a liftplan, and going back numbered
+// all treadles anew.
+TEST(PaintedDrawdown, KeepsTheTieUp) {
+  const Design d = two_two_twill(16, 16);
+  const Design next = with_drawdown_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
+  EXPECT_EQ(next.draft.drive, Drive::kTreadling);
+  EXPECT_EQ(next.draft.treadles, 5) << "one treadle more, for that pick";
+  for (int t = 0; t < 4; ++t) EXPECT_EQ(text_of(next.draft.tieup)[t], text_of(d.draft.tieup)[t]);
+  for (int p = 0; p < 16; ++p) EXPECT_EQ(next.draft.treadling.first(p), p == 5 ? 4 : p % 4);
+  const Design back = with_drawdown_cell(next, 2, 5, drawdown(d.draft).get(5, 2));
+  EXPECT_EQ(drawdown(back.draft), drawdown(d.draft));
+  EXPECT_EQ(back.draft.treadling.first(5), 1) << "the pick is on its treadle again";
+  EXPECT_EQ(text_of(back.draft.tieup)[4], "0000") << "and the new one free for the next";
+}
+
+TEST(PaintedDrawdown, ATreadleOfOnePickAloneIsTiedAnew) {
+  const Design d = two_two_twill(4, 4);
+  const Design next = with_drawdown_cell(d, 0, 0, false);
+  EXPECT_EQ(next.draft.treadles, 4);
+  EXPECT_EQ(text_of(next.draft.treadling), text_of(d.draft.treadling));
+  EXPECT_NE(text_of(next.draft.tieup)[0], text_of(d.draft.tieup)[0]);
+}
+
+TEST(PaintedDrawdown, SaysWhatTheLoomCannot) {
+  Design d = with_loom_size(two_two_twill(16, 16), 4, 4);
+  const Painted painted = painted_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
+  EXPECT_EQ(painted.design, d);
+  EXPECT_EQ(painted.why, "this takes 5 treadles, and the loom has 4");
+}
+
+TEST(PaintedDrawdown, WhereTheDrawdownRulesOneCrossingChangesAlone) {
+  const Design d = with_authority(two_two_twill(16, 16), Authority::kDrawdown);
+  BitMatrix cells = drawdown(d.draft);
+  cells.set(5, 2, !cells.get(5, 2));
+  const Design next = with_drawdown_cell(d, 2, 5, cells.get(5, 2));
+  EXPECT_EQ(drawdown(next.draft), cells);
+  EXPECT_EQ(next.draft.shafts, 5);
+  EXPECT_EQ(next.draft.drive, Drive::kTreadling);
+  for (int e = 0; e < 16; ++e) EXPECT_EQ(next.draft.threading.first(e), e == 2 ? 4 : e % 4);
+}
+
+TEST(PaintedDrawdown, ALockKeepsWhatFollows) {
+  const Design d = with_lock(two_two_twill(8, 8), true);
+  EXPECT_EQ(with_drawdown_cell(d, 0, 0, false), d);
+  EXPECT_FALSE(painted_cell(d, 0, 0, false).why.empty());
+  EXPECT_NE(with_tieup(d, 0, 3, true), d);
+  const Design free = with_lock(with_authority(two_two_twill(8, 8), Authority::kDrawdown), true);
+  EXPECT_EQ(with_threading(free, 0, 3, true), free);
+  EXPECT_EQ(with_tieup(free, 0, 3, true), free);
+  EXPECT_NE(with_drawdown_cell(free, 0, 0, false), free);
+  const Design plan = with_lock(with_authority(two_two_twill(8, 8), Authority::kLiftplan), true);
+  EXPECT_EQ(with_drawdown_cell(plan, 0, 0, false), plan);
+  EXPECT_NE(with_liftplan(plan, 0, 3, true), plan);
+}
+
+TEST(PaintedDrawdown, OfAnyDraftShowsWhatWasPainted) {
+  std::mt19937 random(19);
+  for (int round = 0; round < 400; ++round) {
+    Design d;
+    d.draft = random_draft(random, 12, 9, 5, 4);
+    d.loom.authority = random() % 2 ? Authority::kDrawdown : Authority::kThreading;
+    const int end = static_cast<int>(random() % 12), pick = static_cast<int>(random() % 9);
+    const bool up = random() % 2 == 0;
+    const Painted painted = painted_cell(d, end, pick, up);
+    ASSERT_TRUE(is_consistent(painted.design));
+    ASSERT_EQ(painted.design.draft.drive, d.draft.drive);
+    if (d.loom.authority == Authority::kDrawdown) {
+      BitMatrix cells = drawdown(d.draft);
+      cells.set(pick, end, up);
+      ASSERT_EQ(drawdown(painted.design.draft), cells);
+    } else if (d.draft.threading.first(end) >= 0) {
+      ASSERT_EQ(drawdown(painted.design.draft).get(pick, end), up);
+    }
+  }
+}
+
+TEST(Drive, GoingToTheLiftplanAndBackKeepsTheTreadles) {
+  Design d = two_two_twill(8, 8);
+  // The weaver's own order: tabby on treadles 1 and 2, the twill on 3 to 6.
+  d.draft = treadled({"1000", "0100", "0010", "0001"}, {"1010", "0101", "1100", "0110", "0011", "1001"},
+                     {"001000", "000100", "000010", "000001", "001000", "000100"});
+  const Draft same = to_treadling(to_liftplan(d)).draft;
+  EXPECT_EQ(same.tieup, d.draft.tieup);
+  EXPECT_EQ(same.treadling, d.draft.treadling);
+  const Design painted = with_liftplan(d, 5, 3, true);
+  const Design back = to_treadling(painted);
+  EXPECT_EQ(drawdown(back.draft), drawdown(painted.draft));
+  EXPECT_EQ(back.draft.treadles, 7);
+  for (int t = 0; t < 6; ++t)
+    if (t != 3) {
+      EXPECT_EQ(text_of(back.draft.tieup)[t], text_of(d.draft.tieup)[t]);
+    }
+  for (int p = 0; p < 5; ++p) EXPECT_EQ(back.draft.treadling.first(p), d.draft.treadling.first(p));
+}
+
+TEST(Drive, MoreTreadlesThanAskedForChangesNothing) {
+  Design d;
+  std::mt19937 random(2);
+  d.draft = random_draft(random, 10, 60, 8, 2);
+  d.draft.drive = Drive::kLiftplan;
+  EXPECT_GT(treadles_needed(d.draft), 40);
+  EXPECT_EQ(to_treadling(d, 40), d);
+  EXPECT_EQ(to_treadling(d).draft.treadles, treadles_needed(d.draft));
+}
+
+TEST(Skeleton, FourShaftsAndTwoFeet) {
+  // All fourteen sheds of four shafts from the four shafts alone would take up to three feet; with two feet six
+  // treadles make the six sheds of two shafts and the four of one.
+  const BitMatrix lifts = matrix_of({"1000", "0100", "0010", "0001", "1100", "0110", "0011", "1001", "1010", "0101"});
+  const Skeleton s = skeleton_tieup(lifts, 2);
+  EXPECT_EQ(s.tieup.rows(), 4);
+  EXPECT_TRUE(s.fewest);
+  EXPECT_EQ(text_of(skeleton_tieup(lifts, 1).tieup), text_of(lifts));
+}
+
+TEST(Skeleton, WeavesTheSameWithAsManyFeetAsAllowed) {
+  std::mt19937 random(29);
+  for (int round = 0; round < 60; ++round) {
+    Design d;
+    d.draft = random_draft(random, 12, 20, 6, 5);
+    const int feet = 1 + static_cast<int>(random() % 3);
+    const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 20000);
+    ASSERT_LE(most_feet(s.treadling), feet);
+    ASSERT_LE(s.at_least, s.tieup.rows());
+    ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));
+    const Design next = to_skeleton(d, feet);
+    ASSERT_TRUE(is_consistent(next));
+    ASSERT_EQ(drawdown(next.draft), drawdown(d.draft));
+  }
+}
+
+TEST(Skeleton, FindsTheTreadlesThatLiftsWereMadeFrom) {
+  std::mt19937 random(31);
+  for (int round = 0; round < 20; ++round) {
+    BitMatrix treadles(5, 12);
+    fill_randomly(treadles, random, 0.3);
+    BitMatrix lifts(10, 12);
+    int row = 0;
+    for (int a = 0; a < 5; ++a)
+      for (int b = a + 1; b < 5; ++b, ++row)
+        for (int s = 0; s < 12; ++s) lifts.set(row, s, treadles.get(a, s) || treadles.get(b, s));
+    EXPECT_LE(skeleton_tieup(lifts, 2).tieup.rows(), 5);
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::draft

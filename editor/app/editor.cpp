@@ -141,7 +141,9 @@ void Editor::redo() {
 }
 
 void Editor::commit(const Edit& edit) {
-  if (document_.commit(edit, edit.stroke != 0 ? edit.stroke : moving_ ? stroke_ : 0)) edited();
+  if (document_.commit(edit, edit.stroke != 0 ? edit.stroke : moving_ ? stroke_ : 0)) return edited();
+  if (!edit.why) return;
+  if (std::string why = edit.why(document_.now()); !why.empty()) say(std::move(why));
 }
 
 void Editor::ask_size() {

@@ -16,6 +16,7 @@ struct Edit {
   std::string label;
   std::function<Design(Design)> apply;
   uint64_t stroke = 0;  // edits with the same one are one step of undo; 0: those of one drag are
+  std::function<std::string(const Design&)> why = {};  // why the design stays as it is, when it does
 };
 using MaybeEdit = std::optional<Edit>;
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "draft/crossings.h"
+
 namespace weftlight::session {
 namespace {
 
@@ -107,10 +109,18 @@ Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
 }
 
 Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only) {
-  return {std::string("Paint ") + grid_name(grid), [=](Design design) {
-            for (const Cell& at : line_of_cells(from, to)) design = with_cell(std::move(design), grid, at, on, only);
-            return design;
-          }};
+  Edit edit{std::string("Paint ") + grid_name(grid), [=](Design design) {
+              for (const Cell& at : line_of_cells(from, to)) design = with_cell(std::move(design), grid, at, on, only);
+              return design;
+            }};
+  edit.why = [=](const Design& design) {
+    constexpr BitGrid kGrids[] = {BitGrid::kThreading, BitGrid::kThreading, BitGrid::kTieup,
+                                  BitGrid::kTreadling, BitGrid::kLiftplan,  BitGrid::kDrawdown};
+    if (grid == GridId::kDrawdown) return painted_cell(design, to.a, to.b, on).why;
+    if (grid == GridId::kNone || grid > GridId::kDrawdown) return std::string();
+    return why_locked(design, kGrids[static_cast<int>(grid)]);
+  };
+  return edit;
 }
 
 Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index) {

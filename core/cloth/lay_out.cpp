@@ -9,7 +9,7 @@
 
 #include "cloth/cloth.h"
 #include "cloth/srgb.h"
-#include "draft/analysis.h"
+#include "draft/repeat.h"
 
 namespace weftlight::cloth {
 namespace {

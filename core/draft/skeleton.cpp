@@ -18,7 +18,8 @@ namespace {
 using Set = std::vector<uint64_t>;  // of shafts
 
 constexpr size_t kMostCandidates = 1024;
-constexpr size_t kMostWays = 256;  // of making one lift
+constexpr size_t kMostLifts = 256;  // that are tried in pairs; of more each has a treadle of its own
+constexpr size_t kMostWays = 256;   // of making one lift
 
 bool within(const Set& a, const Set& b) {
   for (size_t w = 0; w < a.size(); ++w)
@@ -116,10 +117,11 @@ struct Search {
     }
   }
   // The lift that most needs a decision: one that costs nothing, or else the one with the fewest ways.
-  int next_lift() const {
+  int next_lift() {
     int next = -1;
     for (size_t i = 0; i < ways.size(); ++i) {
       if (chosen[i] >= 0) continue;
+      steps -= static_cast<int>(ways[i].size());
       for (const Way& way : ways[i])
         if (new_treadles(way) == 0) return static_cast<int>(i);
       if (next < 0 || ways[i].size() < ways[static_cast<size_t>(next)].size()) next = static_cast<int>(i);
@@ -168,6 +170,7 @@ Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps) {
     }
     lift_of[p] = lift_of[first[p]];
   }
+  if (distinct.size() > kMostLifts) feet = 1;
   const std::vector<Set> all = feet > 1 ? candidates_of(distinct) : distinct;
   Search search;
   bool all_ways = all.size() < kMostCandidates;

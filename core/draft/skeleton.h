@@ -11,8 +11,8 @@ struct Skeleton {
   bool fewest = false;         // the search was finished: there is none with fewer
 };
 
-/// Treadles for `lifts` (picks x shafts), at most `feet` (1..4) a pick. Sought through up to `steps` tries;
-/// never more treadles than distinct lifts.
-Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps = 200000);
+/// Treadles for `lifts` (picks x shafts), at most `feet` (1..4) a pick. Looks at `steps` ways of making a lift
+/// at the most; never more treadles than distinct lifts.
+Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps = 10000000);
 
 }  // namespace weftlight::draft

@@ -65,6 +65,21 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("--stats", o.stats, "Write costs as JSON");
 }
 
+void add_analysis_options(CLI::App* verb, AnalyseOptions& o) {
+  constexpr double kLongest = 1e7;  // mm
+  verb->add_option("file", o.file, "Draft")->required();
+  verb->add_flag("--json", o.json, "Machine-readable");
+  verb->add_option("--floats", o.float_limit, "List floats of more threads than this")
+      ->check(CLI::Range(0, kMaxThreads));
+  verb->add_option("--length", o.plan.length_mm, "Finished cloth in mm; as drafted unless said")
+      ->check(CLI::Range(0.0, kLongest));
+  verb->add_option("--width", o.plan.width_mm, "Finished cloth in mm; as drafted unless said")
+      ->check(CLI::Range(0.0, kLongest));
+  verb->add_option("--waste", o.plan.loom_waste_mm, "Warp that stays on the loom, mm")
+      ->check(CLI::Range(0.0, kLongest));
+  verb->add_option("--shrinkage", o.plan.warp_shrinkage, "In the wash, 0.1 for a tenth")->check(CLI::Range(0.0, 0.9));
+}
+
 bool take_picture_text(PictureOptions& o, const PictureText& t) {
   float w = 0, h = 0;
   parse_pair(t.size, 'x', w, h);
@@ -96,6 +111,15 @@ CommandLine run_command_line(int argc, char** argv) {
   auto* info_verb = app.add_subcommand("info", "Counts, floats, repeat and warnings of a draft");
   info_verb->add_option("file", info.file, "Draft (.wif)")->required();
   info_verb->add_flag("--json", info.json, "Machine-readable");
+
+  AnalyseOptions analyse;
+  auto* analyse_verb = app.add_subcommand("analyse", "Floats, layers, repeat, heddles, sett and yarn of a draft");
+  add_analysis_options(analyse_verb, analyse);
+
+  DiffOptions diff;
+  auto* diff_verb = app.add_subcommand("diff", "What differs between two drafts");
+  diff_verb->add_option("a", diff.a, "Draft")->required();
+  diff_verb->add_option("b", diff.b, "Draft")->required();
 
   DrawdownOptions drawdown;
   std::string drawdown_face = "front";
@@ -164,6 +188,7 @@ CommandLine run_command_line(int argc, char** argv) {
     result.exit_code = kUsage;
     return result;
   }
+  analyse.plan.weft_shrinkage = analyse.plan.warp_shrinkage;
   if (info_verb->parsed()) result.exit_code = info_command(info);
   else if (drawdown_verb->parsed()) result.exit_code = drawdown_command(drawdown);
   else if (convert_verb->parsed()) result.exit_code = convert_command(convert);
@@ -172,6 +197,8 @@ CommandLine run_command_line(int argc, char** argv) {
   else if (export_verb->parsed()) result.exit_code = export_command(texture);
   else if (chart_verb->parsed()) result.exit_code = chart_command(chart);
   else if (drape_verb->parsed()) result.exit_code = drape_command(drape);
+  else if (analyse_verb->parsed()) result.exit_code = analyse_command(analyse);
+  else if (diff_verb->parsed()) result.exit_code = diff_command(diff);
   else result.open_editor = true;
   return result;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/threads.h"
 #include "commands/names.h"
 #include "draft/design.h"
 #include "draft/drawdown.h"
@@ -57,6 +58,16 @@ struct DrapeOptions {
   std::string name, out;  // name "all": every shipped drape into the folder `out`
 };
 
+struct AnalyseOptions {
+  std::string file;
+  bool json = false;
+  int float_limit = 7;
+  ClothPlan plan;
+};
+struct DiffOptions {
+  std::string a, b;
+};
+
 int info_command(const InfoOptions&);
 int drawdown_command(const DrawdownOptions&);
 int convert_command(const ConvertOptions&);
@@ -65,6 +76,8 @@ int reference_command(const PictureOptions&);
 int export_command(const ExportOptions&);
 int chart_command(const ChartOptions&);
 int drape_command(const DrapeOptions&);
+int analyse_command(const AnalyseOptions&);
+int diff_command(const DiffOptions&);
 
 /// What the command line asks for.
 struct EditorOptions {

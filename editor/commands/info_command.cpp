@@ -3,8 +3,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "analysis/floats.h"
 #include "commands/commands.h"
-#include "draft/analysis.h"
+#include "draft/repeat.h"
 
 namespace weftlight::commands {
 namespace {

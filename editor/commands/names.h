@@ -3,6 +3,7 @@
 
 namespace weftlight {
 namespace draft {}
+namespace analysis {}
 namespace wif {}
 namespace cloth {}
 namespace light {}
@@ -14,6 +15,7 @@ namespace upload {}
 namespace gl {}
 namespace commands {
 using namespace draft;
+using namespace analysis;
 using namespace wif;
 using namespace cloth;
 using namespace light;

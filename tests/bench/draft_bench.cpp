@@ -5,14 +5,18 @@
 #include <cstring>
 #include <random>
 
-#include "draft/analysis.h"
+#include "analysis/floats.h"
+#include "analysis/layers.h"
 #include "draft/drawdown.h"
 #include "draft/edits.h"
+#include "draft/factor.h"
 #include "draft/generators.h"
+#include "draft/repeat.h"
 
 namespace {
 
 using namespace weftlight::draft;
+using namespace weftlight::analysis;
 
 constexpr int kLarge = 10000;
 constexpr int kShafts = 32;
@@ -98,5 +102,31 @@ void repeat_10000(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(structure_repeat(cells));
 }
 BENCHMARK(repeat_10000)->Unit(benchmark::kMillisecond);
+
+void long_floats_10000(benchmark::State& state) {
+  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  for (auto _ : state) benchmark::DoNotOptimize(long_floats(cells, 4));
+}
+BENCHMARK(long_floats_10000)->Unit(benchmark::kMillisecond);
+
+void float_overlay_10000(benchmark::State& state) {
+  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  for (auto _ : state) benchmark::DoNotOptimize(crossings_in_floats(cells, 4, Face::kFront));
+}
+BENCHMARK(float_overlay_10000)->Unit(benchmark::kMillisecond);
+
+void layers_10000(benchmark::State& state) {
+  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  for (auto _ : state) benchmark::DoNotOptimize(layers(cells));
+}
+BENCHMARK(layers_10000)->Unit(benchmark::kMillisecond);
+
+void factor_a_painted_cell_1285_x_3058(benchmark::State& state) {
+  const Draft d = twill({3, 2, 1, 2, 5, 3, 4, 3}, Lean::kRight, {1285, 3058}).draft;
+  BitMatrix cells = drawdown(d);
+  cells.set(100, 100, !cells.get(100, 100));
+  for (auto _ : state) benchmark::DoNotOptimize(with_drawdown(d, cells, {}));
+}
+BENCHMARK(factor_a_painted_cell_1285_x_3058)->Unit(benchmark::kMillisecond);
 
 }  // namespace

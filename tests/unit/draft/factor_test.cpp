@@ -246,7 +246,7 @@ TEST(Skeleton, WeavesTheSameWithAsManyFeetAsAllowed) {
     Design d;
     d.draft = random_draft(random, 12, 20, 6, 5);
     const int feet = 1 + static_cast<int>(random() % 3);
-    const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 20000);
+    const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 500000);
     ASSERT_LE(most_feet(s.treadling), feet);
     ASSERT_LE(s.at_least, s.tieup.rows());
     ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "draft/analysis.h"
+#include "analysis/floats.h"
 #include "draft/yarn_presets.h"
 #include "hand_drafts.h"
 
@@ -30,7 +30,7 @@ TEST(Generators, HerringboneBreaksCleanly) {
 
 TEST(Generators, FloatsStayShort) {
   const auto longest = [](const Design& d) {
-    const LongestFloats f = longest_floats(drawdown(d.draft));
+    const analysis::LongestFloats f = analysis::longest_floats(drawdown(d.draft));
     return std::max({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
   };
   EXPECT_EQ(longest(waffle(4, {60, 60})), 5);

@@ -7,14 +7,17 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "draft/analysis.h"
-#include "draft/layers.h"
+#include "analysis/floats.h"
+#include "analysis/layers.h"
+#include "draft/repeat.h"
 #include "paths.h"
 #include "recipes.h"
 #include "wif/wif.h"
 
 namespace weftlight::wif {
 namespace {
+
+using namespace analysis;
 
 std::string presets_path(const std::string& path) {
   return (std::filesystem::path(WEFTLIGHT_TESTS_DIR).parent_path() / "presets" / path).string();

@@ -8,13 +8,13 @@
 // determining when a fabric hangs together, 1984.
 // Differs: all cuts are listed, not the first found, so that every layer is named.
 
-#include "draft/layers.h"
+#include "analysis/layers.h"
 
 #include <algorithm>
 #include <bit>
 #include <numeric>
 
-namespace weftlight::draft {
+namespace weftlight::analysis {
 namespace {
 
 // Threads of one system, those most often on top first.
@@ -85,4 +85,4 @@ std::vector<Layer> layers(const BitMatrix& cells) {
 
 bool hangs_together(const BitMatrix& cells) { return layers(cells).size() <= 1; }
 
-}  // namespace weftlight::draft
+}  // namespace weftlight::analysis

@@ -1,10 +1,10 @@
-#include "draft/layers.h"
+#include "analysis/layers.h"
 
 #include <gtest/gtest.h>
 
-#include "hand_drafts.h"
+#include "../draft/hand_drafts.h"
 
-namespace weftlight::draft {
+namespace weftlight::analysis {
 namespace {
 
 TEST(Layers, PlainAndTwillHangTogether) {
@@ -78,4 +78,4 @@ TEST(Layers, AgreeWithReachabilityOnRandomCloth) {
 }
 
 }  // namespace
-}  // namespace weftlight::draft
+}  // namespace weftlight::analysis

@@ -1,17 +1,10 @@
 #pragma once
-// What a weaver wants to know of a drawdown: floats and repeats. The cloth is taken to
-// repeat in both directions, so that a float may run over the edge.
+// The repeat of a drawdown, and of all that makes a cloth look as it does.
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::draft {
-
-/// Longest float, in threads crossed, of each system on each face.
-struct LongestFloats {
-  int warp_front = 0, warp_back = 0, weft_front = 0, weft_back = 0;
-};
-LongestFloats longest_floats(const BitMatrix& cells);
 
 /// Smallest period in ends and in picks (each divides the count, or is the count itself).
 struct Repeat {

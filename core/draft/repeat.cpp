@@ -1,57 +1,10 @@
-// Floats and repeats of a drawdown that repeats in both directions.
-//
-// Longest run of ones down the columns: P_k has a one where k ones follow one another, so
-// P_(k+j)[r] = P_k[r] & P_k[r + j] for j <= k. Doubling k until nothing is left, then halving the step,
-// finds the longest in log2(run) passes over whole words, however the floats lie.
-
-#include "draft/analysis.h"
+#include "draft/repeat.h"
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 
 namespace weftlight::draft {
 namespace {
-
-bool any(const BitMatrix& m) {
-  for (int r = 0; r < m.rows(); ++r) {
-    for (const uint64_t word : m.row(r)) {
-      if (word) return true;
-    }
-  }
-  return false;
-}
-
-// m[r] & m[r + step], rows cyclic.
-BitMatrix joined(const BitMatrix& m, int step) {
-  BitMatrix out = BitMatrix::unset(m.rows(), m.cols());
-  for (int r = 0; r < m.rows(); ++r) {
-    const auto a = m.row(r), b = m.row((r + step) % m.rows());
-    const auto to = out.row(r);
-    for (size_t w = 0; w < to.size(); ++w) to[w] = a[w] & b[w];
-  }
-  return out;
-}
-
-int longest_run_down(BitMatrix m) {
-  if (!any(m)) return 0;
-  int run = 1;
-  while (run < m.rows()) {
-    const int step = std::min(run, m.rows() - run);
-    BitMatrix next = joined(m, step);
-    if (!any(next)) break;
-    m = std::move(next);
-    run += step;
-  }
-  for (int step = run; step > 0; step /= 2) {
-    if (run + step > m.rows()) continue;
-    BitMatrix next = joined(m, step);
-    if (!any(next)) continue;
-    m = std::move(next);
-    run += step;
-  }
-  return run;
-}
 
 // Smallest divisor d of n for which each thread is alike to the one d before.
 int smallest_period(int n, const std::function<bool(int, int)>& alike) {
@@ -75,12 +28,6 @@ bool same_thread(const Design& design, const Threads& t, int a, int b) {
 }
 
 }  // namespace
-
-LongestFloats longest_floats(const BitMatrix& cells) {
-  const BitMatrix turned = transposed(cells);
-  return {longest_run_down(cells), longest_run_down(complement(cells)), longest_run_down(complement(turned)),
-          longest_run_down(turned)};
-}
 
 Repeat structure_repeat(const BitMatrix& cells) {
   const BitMatrix turned = transposed(cells);

@@ -3,9 +3,10 @@
 
 #include <vector>
 
+#include "analysis/names.h"
 #include "draft/bit_matrix.h"
 
-namespace weftlight::draft {
+namespace weftlight::analysis {
 
 /// Threads that cannot be parted without cutting. One end alone or one pick alone is a loose thread.
 struct Layer {
@@ -20,4 +21,4 @@ std::vector<Layer> layers(const BitMatrix& cells);
 /// True when the cloth is a single layer.
 bool hangs_together(const BitMatrix& cells);
 
-}  // namespace weftlight::draft
+}  // namespace weftlight::analysis

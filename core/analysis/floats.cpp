@@ -1,0 +1,157 @@
+// Longest run of ones down the columns: P_k has a one where k ones follow one another, so
+// P_(k+j)[r] = P_k[r] & P_k[r + j] for j <= k. Doubling k until nothing is left, then halving the step,
+// finds the longest in log2(run) passes over whole words, however the floats lie. The same doubling with OR
+// spreads the beginnings of long runs over their whole length.
+
+#include "analysis/floats.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace weftlight::analysis {
+namespace {
+
+bool any(const BitMatrix& m) {
+  for (int r = 0; r < m.rows(); ++r) {
+    for (const uint64_t word : m.row(r)) {
+      if (word) return true;
+    }
+  }
+  return false;
+}
+
+// m[r] & m[r + step], rows cyclic.
+BitMatrix joined(const BitMatrix& m, int step) {
+  BitMatrix out = BitMatrix::unset(m.rows(), m.cols());
+  for (int r = 0; r < m.rows(); ++r) {
+    const auto a = m.row(r), b = m.row((r + step) % m.rows());
+    const auto to = out.row(r);
+    for (size_t w = 0; w < to.size(); ++w) to[w] = a[w] & b[w];
+  }
+  return out;
+}
+
+// m[r] | m[r - step], rows cyclic.
+BitMatrix spread(const BitMatrix& m, int step) {
+  BitMatrix out = BitMatrix::unset(m.rows(), m.cols());
+  for (int r = 0; r < m.rows(); ++r) {
+    const auto a = m.row(r), b = m.row((r + m.rows() - step) % m.rows());
+    const auto to = out.row(r);
+    for (size_t w = 0; w < to.size(); ++w) to[w] = a[w] | b[w];
+  }
+  return out;
+}
+
+int longest_run_down(BitMatrix m) {
+  if (!any(m)) return 0;
+  int run = 1;
+  while (run < m.rows()) {
+    const int step = std::min(run, m.rows() - run);
+    BitMatrix next = joined(m, step);
+    if (!any(next)) break;
+    m = std::move(next);
+    run += step;
+  }
+  for (int step = run; step > 0; step /= 2) {
+    if (run + step > m.rows()) continue;
+    BitMatrix next = joined(m, step);
+    if (!any(next)) continue;
+    m = std::move(next);
+    run += step;
+  }
+  return run;
+}
+
+// Where `run` ones follow one another downwards, 1 <= run <= rows.
+BitMatrix beginnings_of_runs(BitMatrix m, int run) {
+  for (int have = 1; have < run;) {
+    const int step = std::min(have, run - have);
+    m = joined(m, step);
+    have += step;
+  }
+  return m;
+}
+
+// Every cell of the runs that are longer than `limit`; empty when there are none.
+BitMatrix cells_of_long_runs(const BitMatrix& m, int limit) {
+  const int run = std::max(limit, 0) + 1;
+  if (run > m.rows()) return BitMatrix(m.rows(), m.cols());
+  BitMatrix cells = beginnings_of_runs(m, run);
+  for (int have = 1; have < run;) {
+    const int step = std::min(have, run - have);
+    cells = spread(cells, step);
+    have += step;
+  }
+  return cells;
+}
+
+void or_into(BitMatrix& to, const BitMatrix& from) {
+  for (int r = 0; r < to.rows(); ++r)
+    for (size_t w = 0; w < to.row(r).size(); ++w) to.row(r)[w] |= from.row(r)[w];
+}
+
+// Bits a (of `threads`, a row a thread) where a run begins: it is set and the one before it is not.
+template <class Visit>
+void for_each_run(const BitMatrix& threads, Visit visit) {
+  const int n = threads.cols();
+  for (int t = 0; t < threads.rows(); ++t) {
+    const auto row = threads.row(t);
+    if (threads.first(t) < 0) continue;
+    int64_t ones = 0;
+    for (const uint64_t word : row) ones += std::popcount(word);
+    if (ones == n) {
+      visit(t, 0, n);
+      continue;
+    }
+    uint64_t before = threads.get(t, n - 1);
+    for (size_t w = 0; w < row.size(); ++w) {
+      for (uint64_t starts = row[w] & ~(row[w] << 1 | before); starts; starts &= starts - 1) {
+        const int first = static_cast<int>(w) * 64 + std::countr_zero(starts);
+        int length = 1;
+        while (threads.get(t, (first + length) % n)) ++length;
+        visit(t, first, length);
+      }
+      before = row[w] >> 63;
+    }
+  }
+}
+
+// Runs of `down` (columns are threads of `system`) longer than the limit.
+void list_runs(const BitMatrix& down, System system, Face face, int limit, LongFloats& out) {
+  const BitMatrix long_cells = cells_of_long_runs(down, limit);
+  if (!any(long_cells)) return;
+  for_each_run(transposed(long_cells), [&](int thread, int first, int length) {
+    out.listed.push_back({system, face, thread, first, length});
+  });
+}
+
+}  // namespace
+
+LongestFloats longest_floats(const BitMatrix& cells) {
+  const BitMatrix turned = transposed(cells);
+  return {longest_run_down(cells), longest_run_down(complement(cells)), longest_run_down(complement(turned)),
+          longest_run_down(turned)};
+}
+
+LongFloats long_floats(const BitMatrix& cells, int limit, int most) {
+  LongFloats out;
+  const BitMatrix turned = transposed(cells);
+  list_runs(cells, System::kWarp, Face::kFront, limit, out);
+  list_runs(complement(cells), System::kWarp, Face::kBack, limit, out);
+  list_runs(complement(turned), System::kWeft, Face::kFront, limit, out);
+  list_runs(turned, System::kWeft, Face::kBack, limit, out);
+  out.count = static_cast<int64_t>(out.listed.size());
+  std::ranges::stable_sort(out.listed, [](const Float& a, const Float& b) { return a.length > b.length; });
+  if (out.count > most) out.listed.resize(static_cast<size_t>(std::max(most, 0)));
+  return out;
+}
+
+BitMatrix crossings_in_floats(const BitMatrix& cells, int limit, Face face) {
+  const BitMatrix warp_up = face == Face::kFront ? cells : complement(cells);
+  BitMatrix out = cells_of_long_runs(warp_up, limit);
+  or_into(out, transposed(cells_of_long_runs(complement(transposed(warp_up)), limit)));
+  return out;
+}
+
+}  // namespace weftlight::analysis

@@ -1,0 +1,53 @@
+// Two layers woven at once. Ends of the upper layer are the odd ones, of the lower the even ones; a pick of the
+// upper layer leaves all lower ends down, a pick of the lower lifts all upper ends out of its way.
+
+#include <algorithm>
+
+#include "draft/generators/families.h"
+
+namespace weftlight::draft {
+namespace {
+
+// Which of `n` ends of a layer are up on each of its n picks.
+BitMatrix layer_weave(const OverUnder& order) {
+  const Draft d = twill(order, Lean::kRight, {1, 1}).draft;
+  BitMatrix up(d.treadles, d.shafts);
+  for (int t = 0; t < d.treadles; ++t)
+    for (int s = 0; s < d.shafts; ++s) up.set(t, s, d.tieup.get(t, s));
+  return up;
+}
+
+// A treadle of the upper or lower layer. The lower layer is seen from below: what is up there is under its weft.
+std::vector<int> treadle(const BitMatrix& weave, int pick, bool upper) {
+  std::vector<int> shafts;
+  const int n = weave.cols();
+  for (int s = 0; s < n; ++s) {
+    const bool up = weave.get(pick, s);
+    if (!upper || up) shafts.push_back(2 * s);
+    if (!upper && !up) shafts.push_back(2 * s + 1);
+  }
+  return shafts;
+}
+
+}  // namespace
+
+Design double_cloth(DoubleCloth kind, const OverUnder& order, ClothSize size) {
+  const OverUnder ratio = order.empty() ? OverUnder{1, 1} : order;
+  const BitMatrix weave = layer_weave(ratio);
+  const int n = weave.cols();
+  Recipe recipe{2 * n, {}, {}, {}};
+  for (int s = 0; s < 2 * n; ++s) recipe.threading.push_back(s);
+  for (int p = 0; p < n; ++p) {
+    recipe.tieup.push_back(treadle(weave, p, true));
+    recipe.tieup.push_back(treadle(weave, p, false));
+  }
+  // The shuttle's way: above and below in turn, or above, below, below, above, so that it turns at one side only
+  // and a fold joins the layers at the other.
+  for (int p = 0; p < 4 * n; ++p) {
+    const bool below_first = kind == DoubleCloth::kDoubleWidth && p / 2 % 2 == 1;
+    recipe.treadling.push_back(2 * (p / 2 % n) + ((p % 2 == 1) != below_first ? 1 : 0));
+  }
+  return make_design(recipe, size);
+}
+
+}  // namespace weftlight::draft

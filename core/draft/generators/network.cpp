@@ -1,0 +1,22 @@
+#include <algorithm>
+
+#include "draft/generators/families.h"
+
+namespace weftlight::draft {
+
+std::vector<int> network_threading(const std::vector<int>& initial, const std::vector<int>& line, int shafts) {
+  const int rows = static_cast<int>(initial.size());
+  std::vector<int> threading;
+  if (rows == 0 || shafts < 1) return threading;
+  for (size_t end = 0; end < line.size(); ++end) {
+    // The network has a shaft every `rows` shafts; the first at or above the line, round the top if need be.
+    const int foot = initial[end % initial.size()] % rows;
+    const int height = std::max(line[end], 0);
+    int shaft = height - height % rows + foot;
+    if (shaft < height) shaft += rows;
+    threading.push_back(shaft % shafts);
+  }
+  return threading;
+}
+
+}  // namespace weftlight::draft

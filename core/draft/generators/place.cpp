@@ -1,0 +1,100 @@
+// A generated weave over a whole draft, or over some of its threads.
+
+#include <algorithm>
+#include <utility>
+
+#include "draft/crossings.h"
+#include "draft/drawdown.h"
+#include "draft/factor.h"
+#include "draft/generators/table.h"
+
+namespace weftlight::draft {
+namespace {
+
+bool overlaps(const WeaveUse& a, const WeaveUse& b) {
+  return a.first_end < b.first_end + b.ends && b.first_end < a.first_end + a.ends &&
+         a.first_pick < b.first_pick + b.picks && b.first_pick < a.first_pick + a.picks;
+}
+
+/// What is woven over is not generated any more.
+void remember(Design& design, const WeaveUse& use) {
+  std::erase_if(design.weaves, [&](const WeaveUse& old) { return overlaps(old, use); });
+  design.weaves.push_back(use);
+}
+
+void take_structure(Draft& d, Draft made) {
+  d.shafts = made.shafts;
+  d.treadles = made.treadles;
+  d.threading = std::move(made.threading);
+  d.tieup = std::move(made.tieup);
+  d.treadling = std::move(made.treadling);
+  d.liftplan = std::move(made.liftplan);
+  if (!d.rising)
+    for (int t = 0; t < d.treadles; ++t)
+      for (int s = 0; s < d.shafts; ++s) d.tieup.set(t, s, !d.tieup.get(t, s));
+  const bool plan = d.drive == Drive::kLiftplan;
+  d.drive = Drive::kTreadling;
+  if (!plan) return;
+  d.liftplan = lifts(d);
+  d.drive = Drive::kLiftplan;
+}
+
+}  // namespace
+
+Made with_weave(Design design, const WeaveUse& asked) {
+  const WeaveKind* kind = find_weave(asked.weave);
+  const Draft& d = design.draft;
+  WeaveUse use = asked;
+  use.first_end = std::clamp(use.first_end, 0, d.ends());
+  use.first_pick = std::clamp(use.first_pick, 0, d.picks());
+  use.ends = std::clamp(use.ends, 0, d.ends() - use.first_end);
+  use.picks = std::clamp(use.picks, 0, d.picks() - use.first_pick);
+  if (!kind) return {std::move(design), "there is no weave named '" + asked.weave + "'"};
+  if (use.ends == 0 || use.picks == 0) return {std::move(design), "no threads are chosen"};
+  use.values = complete_values(*kind, asked.values);
+  Made made = kind->make(use.values, {use.ends, use.picks});
+  if (use.ends == d.ends() && use.picks == d.picks()) {
+    if (kind->has_colors) {
+      design.draft.palette = made.design.draft.palette;
+      design.draft.warp.color = made.design.draft.warp.color;
+      design.draft.weft.color = made.design.draft.weft.color;
+    }
+    take_structure(design.draft, std::move(made.design.draft));
+  } else {
+    const BitMatrix part = drawdown(made.design.draft);
+    BitMatrix cells = drawdown(d);
+    for (int p = 0; p < use.picks; ++p)
+      for (int e = 0; e < use.ends; ++e) cells.set(use.first_pick + p, use.first_end + e, part.get(p, e));
+    Factored factored = with_drawdown(d, cells, loom_size(design));
+    if (!factored.done()) return {std::move(design), std::move(factored.why)};
+    design.draft = std::move(factored.draft);
+  }
+  remember(design, use);
+  return {std::move(design), std::move(made.why)};
+}
+
+ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {
+  // Twice as long shows whether the period was cut: the shortest start that comes again.
+  constexpr int kLongest = 2048;
+  const Design design = kind.make(complete_values(kind, values), {kLongest, kLongest}).design;
+  const auto period = [](const std::vector<int>& first) {
+    const int n = static_cast<int>(first.size());
+    std::vector<int> border(first.size() + 1, 0);
+    for (int i = 1, k = 0; i < n; ++i) {
+      while (k > 0 && first[static_cast<size_t>(i)] != first[static_cast<size_t>(k)])
+        k = border[static_cast<size_t>(k)];
+      if (first[static_cast<size_t>(i)] == first[static_cast<size_t>(k)]) ++k;
+      border[static_cast<size_t>(i) + 1] = k;
+    }
+    return n - border[first.size()];
+  };
+  const auto kinds = [](const BitMatrix& m, const std::vector<int>& colors) {
+    std::vector<int> of = first_equal_rows(m);
+    for (size_t i = 0; i < of.size(); ++i) of[i] = of[i] * 4096 + colors[i] % 4096;
+    return of;
+  };
+  const Draft& d = design.draft;
+  return {period(kinds(d.threading, d.warp.color)), period(kinds(lifts(d), d.weft.color))};
+}
+
+}  // namespace weftlight::draft

@@ -1,0 +1,219 @@
+// `analyse` and `diff`: what a draft is as a weave and on a loom, and what two drafts differ in.
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "analysis/difference.h"
+#include "analysis/floats.h"
+#include "analysis/layers.h"
+#include "analysis/threads.h"
+#include "commands/commands.h"
+#include "draft/factor.h"
+#include "draft/repeat.h"
+
+namespace weftlight::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Findings {
+  Repeat structure, design;
+  LongestFloats longest;
+  LongFloats floats;
+  std::vector<Layer> layers;
+  LoomUse loom;
+  LoomSize fewest;
+  Interlacing interlacings;
+  double warp_share = 0;
+  YarnReport yarn;
+};
+
+Findings findings_of(const Design& design, const AnalyseOptions& options) {
+  const BitMatrix cells = drawdown(design.draft);
+  return {structure_repeat(cells), design_repeat(design, cells),
+          longest_floats(cells),   long_floats(cells, options.float_limit),
+          layers(cells),           loom_use(design.draft),
+          fewest_for(cells),       interlacing(cells),
+          warp_up_share(cells),    yarn_report(design, options.plan)};
+}
+
+const char* name_of(System system) { return system == System::kWarp ? "warp" : "weft"; }
+const char* name_of(Face face) { return face == Face::kFront ? "front" : "back"; }
+
+std::vector<int> from_one(std::vector<int> threads) {
+  for (int& thread : threads) ++thread;
+  return threads;
+}
+
+const Rgb& color_of(const Design& design, const YarnNeed& need) {
+  return design.draft.palette[static_cast<size_t>(need.color)];
+}
+
+Json floats_json(const Findings& f, int limit) {
+  Json listed = Json::array();
+  for (const Float& x : f.floats.listed)
+    listed.push_back({{"system", name_of(x.system)},
+                      {"face", name_of(x.face)},
+                      {"thread", x.thread + 1},
+                      {"first", x.first + 1},
+                      {"length", x.length}});
+  return {{"limit", limit},
+          {"longest",
+           {{"warp_front", f.longest.warp_front},
+            {"warp_back", f.longest.warp_back},
+            {"weft_front", f.longest.weft_front},
+            {"weft_back", f.longest.weft_back}}},
+          {"count", f.floats.count},
+          {"listed", listed}};
+}
+
+Json layers_json(const Findings& f) {
+  Json list = Json::array();
+  for (const Layer& layer : f.layers)
+    list.push_back({{"loose", layer.loose()}, {"ends", from_one(layer.ends)}, {"picks", from_one(layer.picks)}});
+  return list;
+}
+
+Json yarn_json(const Design& design, const YarnReport& yarn) {
+  Json needs = Json::array();
+  for (const YarnNeed& need : yarn.needs) {
+    const Rgb& c = color_of(design, need);
+    Json one = {{"system", name_of(need.system)}, {"yarn", design.yarns[static_cast<size_t>(need.yarn)].name},
+                {"color", {c.r, c.g, c.b}},       {"threads", need.threads},
+                {"length_m", need.length_m},      {"weight_g", need.weight_g}};
+    if (need.cost >= 0) one["cost"] = need.cost;
+    needs.push_back(one);
+  }
+  return {{"ends", yarn.ends},
+          {"picks", yarn.picks},
+          {"ends_per_cm", yarn.ends_per_cm},
+          {"picks_per_cm", yarn.picks_per_cm},
+          {"loom_width_mm", yarn.loom_width_mm},
+          {"warp_length_mm", yarn.warp_length_mm},
+          {"warp_m", yarn.warp_m},
+          {"weft_m", yarn.weft_m},
+          {"weight_g", yarn.weight_g},
+          {"g_per_m2", yarn.g_per_m2},
+          {"needs", needs}};
+}
+
+std::string as_json(const Design& design, const Findings& f, const AnalyseOptions& options) {
+  const Json json = {{"repeat",
+                      {{"ends", f.structure.ends},
+                       {"picks", f.structure.picks},
+                       {"with_colors", {{"ends", f.design.ends}, {"picks", f.design.picks}}}}},
+                     {"floats", floats_json(f, options.float_limit)},
+                     {"layers", layers_json(f)},
+                     {"hangs_together", f.layers.size() <= 1},
+                     {"heddles", f.loom.heddles},
+                     {"lifts", f.loom.lifts},
+                     {"treads", f.loom.treads},
+                     {"unthreaded_ends", f.loom.unthreaded_ends},
+                     {"empty_picks", f.loom.empty_picks},
+                     {"fewest", {{"shafts", f.fewest.shafts}, {"treadles", f.fewest.treadles}}},
+                     {"balance",
+                      {{"warp_on_top", f.warp_share},
+                       {"warp_interlacing", f.interlacings.warp},
+                       {"weft_interlacing", f.interlacings.weft}}},
+                     {"yarn", yarn_json(design, f.yarn)}};
+  // Names come from files and may be cut anywhere.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+void print_layers(const Findings& f) {
+  if (f.layers.size() <= 1) return void(std::printf("hangs together  yes\n"));
+  std::printf("hangs together  no: %zu layers, front to back\n", f.layers.size());
+  for (const Layer& layer : f.layers) {
+    const char* kind = !layer.loose() ? "layer" : layer.ends.empty() ? "loose pick" : "loose end";
+    std::printf("  %s:", kind);
+    if (!layer.ends.empty()) std::printf(" ends %s;", listed(layer.ends).c_str());
+    if (!layer.picks.empty()) std::printf(" picks %s", listed(layer.picks).c_str());
+    std::printf("\n");
+  }
+}
+
+void print_floats(const Findings& f, int limit) {
+  std::printf("longest float   warp %d front, %d back; weft %d front, %d back\n", f.longest.warp_front,
+              f.longest.warp_back, f.longest.weft_front, f.longest.weft_back);
+  std::printf("floats over %-3d %lld\n", limit, static_cast<long long>(f.floats.count));
+  constexpr size_t kShown = 20;
+  for (size_t i = 0; i < f.floats.listed.size() && i < kShown; ++i) {
+    const Float& x = f.floats.listed[i];
+    std::printf("  %s %d, %s, from %s %d: %d\n", x.system == System::kWarp ? "end" : "pick", x.thread + 1,
+                name_of(x.face), x.system == System::kWarp ? "pick" : "end", x.first + 1, x.length);
+  }
+  if (f.floats.listed.size() > kShown) std::printf("  ... all with --json\n");
+}
+
+void print_loom(const Findings& f) {
+  std::printf("heddles         ");
+  for (size_t s = 0; s < f.loom.heddles.size(); ++s)
+    std::printf("%s%zu: %d", s > 0 ? ", " : "", s + 1, f.loom.heddles[s]);
+  std::printf("\nfewest          %d shafts, %d treadles\n", f.fewest.shafts, f.fewest.treadles);
+  if (f.loom.unthreaded_ends > 0) std::printf("on no shaft     %d ends\n", f.loom.unthreaded_ends);
+  if (f.loom.empty_picks > 0) std::printf("nothing lifted  %d picks\n", f.loom.empty_picks);
+  std::printf("balance         warp on top %.0f %%; interlacing warp %.2f, weft %.2f\n", f.warp_share * 100,
+              f.interlacings.warp, f.interlacings.weft);
+}
+
+void print_yarn(const Design& design, const Findings& f) {
+  const YarnReport& y = f.yarn;
+  std::printf("sett            %.1f ends/cm, %.1f picks/cm\n", y.ends_per_cm, y.picks_per_cm);
+  for (size_t i = 0; i < design.yarns.size(); ++i) {
+    const double wraps = wraps_per_cm(design.yarns[i].diameter_mm);
+    std::printf("  from wraps    %s: %.1f wraps/cm, sett %.1f/cm\n", design.yarns[i].name.c_str(), wraps,
+                sett_per_cm(wraps, f.interlacings.weft));
+  }
+  std::printf("on the loom     %lld ends, %.0f mm wide, warp %.2f m long; %lld picks\n", static_cast<long long>(y.ends),
+              y.loom_width_mm, y.warp_length_mm / 1000, static_cast<long long>(y.picks));
+  std::printf("yarn            warp %.1f m, weft %.1f m, %.1f g; %.0f g/m2 finished\n", y.warp_m, y.weft_m, y.weight_g,
+              y.g_per_m2);
+  for (const YarnNeed& need : y.needs) {
+    const Rgb& c = color_of(design, need);
+    const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
+    std::printf("  %s %-16s #%02x%02x%02x %6lld threads %9.1f m %8.1f g\n", name_of(need.system),
+                design.yarns[static_cast<size_t>(need.yarn)].name.c_str(), byte(c.r), byte(c.g), byte(c.b),
+                static_cast<long long>(need.threads), need.length_m, need.weight_g);
+  }
+}
+
+}  // namespace
+
+int analyse_command(const AnalyseOptions& options) {
+  const OpenedDesign opened = open_design(options.file);
+  if (!opened.ok) return kBadInput;
+  const Findings f = findings_of(opened.design, options);
+  if (options.json) {
+    std::printf("%s\n", as_json(opened.design, f, options).c_str());
+    return kDone;
+  }
+  std::printf("repeat          %d ends, %d picks; with colours %d ends, %d picks\n", f.structure.ends,
+              f.structure.picks, f.design.ends, f.design.picks);
+  print_floats(f, options.float_limit);
+  print_layers(f);
+  print_loom(f);
+  print_yarn(opened.design, f);
+  return kDone;
+}
+
+int diff_command(const DiffOptions& options) {
+  const OpenedDesign a = open_design(options.a), b = open_design(options.b);
+  if (!a.ok || !b.ok) return kBadInput;
+  const Comparison c = compare(a.design, b.design);
+  for (const Difference& d : c.differences) {
+    if (!d.threads.empty()) std::printf("%-15s %s\n", d.what.c_str(), listed(d.threads).c_str());
+    else if (d.a.empty() && d.b.empty()) std::printf("%-15s differ\n", d.what.c_str());
+    else std::printf("%-15s '%s' and '%s'\n", d.what.c_str(), d.a.c_str(), d.b.c_str());
+  }
+  if (c.same_cloth) {
+    std::printf(c.differences.empty() ? "the drafts are the same\n" : "the cloth is the same\n");
+  } else if (c.crossings > 0) {
+    std::printf("%-15s %lld crossings, in ends %d-%d and picks %d-%d\n", "drawdown",
+                static_cast<long long>(c.crossings), c.where.end0 + 1, c.where.end1, c.where.pick0 + 1, c.where.pick1);
+  } else {
+    std::printf("%-15s the same where both have threads\n", "drawdown");
+  }
+  return kDone;
+}
+
+}  // namespace weftlight::commands

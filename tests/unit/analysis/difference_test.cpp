@@ -1,0 +1,63 @@
+#include "analysis/difference.h"
+
+#include <gtest/gtest.h>
+
+#include "../draft/hand_drafts.h"
+#include "draft/edits.h"
+
+namespace weftlight::analysis {
+namespace {
+
+Design twill_design() {
+  Design design;
+  design.draft =
+      treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
+  return design;
+}
+
+TEST(Compare, TheSameIsTheSame) {
+  const Comparison c = compare(twill_design(), twill_design());
+  EXPECT_TRUE(c.differences.empty());
+  EXPECT_TRUE(c.same_cloth);
+}
+
+TEST(Compare, ALiftplanOfTheSameClothDiffersInItsDriveAlone) {
+  const Comparison c = compare(twill_design(), to_liftplan(twill_design()));
+  ASSERT_EQ(c.differences.size(), 1u);
+  EXPECT_EQ(c.differences[0].what, "driven by");
+  EXPECT_TRUE(c.same_cloth);
+}
+
+TEST(Compare, NamesThreadsAndCrossings) {
+  const Design a = twill_design();
+  Design b = with_threading(a, 2, 0, true);
+  b.draft.palette.push_back({1, 0, 0});
+  b.draft.weft.color[1] = 2;
+  b.title = "Other";
+  const Comparison c = compare(a, b);
+  ASSERT_EQ(c.differences.size(), 3u);
+  EXPECT_EQ(c.differences[0].what, "title");
+  EXPECT_EQ(c.differences[1].what, "threading");
+  EXPECT_EQ(c.differences[1].threads, (std::vector<int>{2}));
+  EXPECT_EQ(c.differences[2].what, "weft colours");
+  EXPECT_EQ(c.differences[2].threads, (std::vector<int>{1}));
+  EXPECT_EQ(c.crossings, 4) << "end 3 weaves the opposite of before";
+  EXPECT_EQ(c.where, (CellRect{2, 3, 0, 4}));
+}
+
+TEST(Compare, SizesThatDiffer) {
+  const Design a = twill_design(), b = with_size(a, 70, 5, 4, 4);
+  const Comparison c = compare(a, b);
+  EXPECT_FALSE(c.same_cloth);
+  EXPECT_EQ(c.crossings, 0);
+  EXPECT_EQ(c.differences[0].what, "ends");
+  EXPECT_EQ(c.differences[0].b, "70");
+}
+
+TEST(Compare, ListsThreadsAsPeopleDo) {
+  EXPECT_EQ(listed({0, 1, 2, 5, 7, 8}), "1-3, 6, 8, 9");
+  EXPECT_EQ(listed({}), "");
+}
+
+}  // namespace
+}  // namespace weftlight::analysis

@@ -1,5 +1,6 @@
 #include "app/app.h"
 
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -35,6 +36,8 @@ int run_editor(const EditorOptions& options) {
     std::fprintf(stderr, "weftlight: %s\n", refused.c_str());
     return kUsage;
   }
+  // A file that may not grow is an error to be told, and no end of the window.
+  std::signal(SIGXFSZ, SIG_IGN);
   const Settings settings = load_settings();
   std::string error;
   const auto window = Window::open(settings.width, settings.height, error);

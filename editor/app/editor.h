@@ -96,7 +96,7 @@ class Editor : public Desk {
   void save_own(std::function<void()> then);
   /// Where the window has come back to: asks when another program changed the file meanwhile.
   void look_at_file();
-  void ask_about_change(std::function<void()> then);
+  void ask_about_change(bool saving, std::function<void()> then);
   void bring_back(size_t left);
   void keep_unsaved();
   void keep_live_export();

@@ -58,7 +58,7 @@ std::string Editor::trouble() const {
 
 void Editor::save_own(std::function<void()> then) {
   if (document_.look_at_file() != FileChange::kContent) return save_to(document_.path(), std::move(then));
-  ask_about_change(std::move(then));
+  ask_about_change(true, std::move(then));
 }
 
 void Editor::look_at_file() {
@@ -67,7 +67,7 @@ void Editor::look_at_file() {
     case FileChange::kNone:
       return;
     case FileChange::kContent:
-      return ask_about_change(nullptr);
+      return ask_about_change(false, nullptr);
     case FileChange::kGone:
       document_.accept_file();
       document_.mark_unsaved();
@@ -76,18 +76,18 @@ void Editor::look_at_file() {
   }
 }
 
-void Editor::ask_about_change(std::function<void()> then) {
+void Editor::ask_about_change(bool saving, std::function<void()> then) {
   const std::string lost = document_.is_saved() ? "" : "\n\nReloading it gives up what you did since the last save.";
   ask(Question{document_.name() + " was changed by another program",
                document_.path() + " is not what was opened or saved here." + lost,
                {"Save beside\xE2\x80\xA6", "Keep mine", "Reload", "Cancel"}},
-      [this, then = std::move(then)](int button) {
+      [this, saving, then = std::move(then)](int button) {
         const std::string path = document_.path();
         if (button == 0)
           ask_path(FileAsk::kSave, "Save your draft beside it", free_name_beside(path),
                    [this, then](const std::string& beside) { save_to(beside, then); });
-        if (button == 1 && then) save_to(path, then);
-        if (button == 1 && !then) {
+        if (button == 1 && saving) save_to(path, then);
+        if (button == 1 && !saving) {
           document_.accept_file();
           document_.mark_unsaved();
           edited();

@@ -143,6 +143,10 @@ void Display::click_holding(const std::string& key, Point where) const {
        pause());
 }
 
+void Display::focus() const { hand("windowfocus 1 sleep 0.2 search --onlyvisible --class weftlight windowfocus"); }
+
+void Display::type(const std::string& text) const { hand("type --delay 40 '" + text + "'"); }
+
 void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 60 " + keys); }
 
 std::string Display::picture(Point where, Point size) const {
@@ -151,15 +155,20 @@ std::string Display::picture(Point where, Point size) const {
   return output_of("import -display " + name_ + " -window root -crop " + crop + " +repage ppm:- 2>/dev/null");
 }
 
-Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft)
+Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
+               const std::vector<std::string>& more)
     : map_(folder / "map.json"), live_(folder / "live.wif") {
   std::filesystem::remove(map_);
   std::filesystem::remove(live_);
   const std::string own = folder.string();
-  process_ =
-      Process({WEFTLIGHT_BINARY, draft.string(), "--ui-map", map_.string(), "--live-export", live_.string()},
-              {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY=", "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",
-               "XDG_CONFIG_HOME=" + own + "/config", "LIBGL_ALWAYS_SOFTWARE=1"});
+  std::vector<std::string> words{WEFTLIGHT_BINARY, "--ui-map", map_.string(), "--live-export", live_.string()};
+  if (!draft.empty()) words.push_back(draft.string());
+  std::vector<std::string> environment = more;  // the first of a name counts
+  for (const std::string& variable :
+       {"DISPLAY=" + display.name(), std::string("WAYLAND_DISPLAY="), "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",
+        "XDG_CONFIG_HOME=" + own + "/config", std::string("LIBGL_ALWAYS_SOFTWARE=1")})
+    environment.push_back(variable);
+  process_ = Process(std::move(words), std::move(environment));
 }
 
 nlohmann::json Window::map() const { return nlohmann::json::parse(bytes_of(map_), nullptr, false); }

@@ -30,6 +30,7 @@ class Process {
   bool is_running();
   /// As kill -9 does.
   void kill_now();
+  pid_t id() const { return id_; }
   /// Waits for its end; the exit status, or -1 when it was killed or does not end.
   int wait();
 
@@ -53,6 +54,9 @@ class Display {
   /// With a key held down: "shift", "ctrl".
   void click_holding(const std::string& key, Point at) const;
   void key(const std::string& keys) const;
+  void type(const std::string& text) const;
+  /// The window gets the keys, as when a weaver comes back to it.
+  void focus() const;
   /// Pixels of a rectangle, as a PPM's bytes.
   std::string picture(Point at, Point size) const;
 
@@ -65,7 +69,9 @@ class Display {
 /// The window with its --ui-map and --live-export.
 class Window {
  public:
-  Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft);
+  /// `draft` empty: none is opened. `more`: NAME=value of the environment.
+  Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
+         const std::vector<std::string>& more = {});
   bool is_ready() const;
   /// Middle of a cell of a grid; both from 1.
   Point cell(const std::string& grid, int a, int b) const;

@@ -8,13 +8,10 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <random>
 #include <thread>
 
-#include "display.h"
-#include "draft/edits.h"
-#include "wif/wif.h"
+#include "on_display.h"
 
 namespace weftlight::gui {
 
@@ -22,31 +19,12 @@ using namespace draft;
 using namespace wif;
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr int kEnds = 24, kShafts = 8;
 constexpr auto kMostLost = 500ms;
 constexpr unsigned kSeed = 1;
-
-std::string straight_draft() {
-  Design d;
-  d.draft = blank_draft(kEnds, kEnds, kShafts, kShafts);
-  for (int i = 0; i < kEnds; ++i) {
-    d.draft.threading.set(i, i % kShafts, true);
-    d.draft.treadling.set(i, i % kShafts, true);
-  }
-  for (int i = 0; i < kShafts; ++i)
-    for (int k = 0; k < kShafts / 2; ++k) d.draft.tieup.set(i, (i + k) % kShafts, true);
-  d.scene.mesh = "plane";
-  return write_new_wif(d);
-}
-
-Design design_of(const std::string& bytes) {
-  const WifRead read = read_wif(bytes);
-  return read.file ? read.file->design : Design{};
-}
 
 /// One xdotool that is told what to do as it goes along, so that the time of each event is known.
 class Hand {
@@ -79,30 +57,14 @@ struct Painted {
   std::vector<Clock::time_point> when;
 };
 
-class KillTest : public testing::Test {
+class KillTest : public OnDisplay {
  protected:
-  void SetUp() override {
-    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << reason;
-    ASSERT_TRUE(display_.is_up()) << "Xvfb did not start";
-    char name[] = "/tmp/weftlight_kill_XXXXXX";
-    folder_ = mkdtemp(name);
-    draft_ = folder_ / "straight.wif";
-    fs::create_directories(folder_ / "config/weftlight");
-    std::ofstream(folder_ / "config/weftlight/settings.json") << R"({"width": 1280, "height": 800})";
-    std::ofstream(draft_, std::ios::binary) << straight_draft();
-  }
-  void TearDown() override {
-    if (!folder_.empty()) fs::remove_all(folder_);
-  }
-
   int roll(int from, int to) { return std::uniform_int_distribution<int>(from, to)(dice_); }
 
   void paint(const Window& w, Painted& painted, Clock::time_point until);
   void take_up(const Window& w, const Painted& before, Clock::time_point killed, Painted& painted);
 
-  const Display display_{1280, 800};
   std::mt19937 dice_{kSeed};
-  fs::path folder_, draft_;
   double most_lost_s_ = 0;
 };
 

@@ -1,0 +1,214 @@
+// Files that are not as the window left them: changed or gone meanwhile, refused, somebody else's.
+
+#include <sys/resource.h>
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+
+using namespace draft;
+using namespace wif;
+namespace {
+
+namespace fs = std::filesystem;
+
+class FilesTest : public OnDisplay {
+ protected:
+  /// Where no zenity is, so that the window asks itself.
+  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
+
+  /// End 1 goes to shaft 3, and the window knows.
+  void paint(const Window& w, int end = 1) const {
+    const std::string before = w.live();
+    display_.click(w.cell("threading", end, 3));
+    ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
+  }
+  void press(const Window& w, const std::string& button) const {
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "was not asked: " << button;
+    display_.click(w.middle_of("dialog:" + button));
+    ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
+  }
+  /// What stands in the recovery folder once the window is gone without a word.
+  void kill(Window& w) const {
+    usleep(600'000);
+    w.process().kill_now();
+    w.process().wait();
+  }
+};
+
+TEST_F(FilesTest, AnotherProgramsChangesAreNotSavedOver) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  const std::string mine = w.live(), theirs = straight_draft(30, 4);
+  put(draft_, theirs);
+  display_.key("ctrl+s");
+  ASSERT_NO_FATAL_FAILURE(press(w, "Save beside\xE2\x80\xA6"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return bytes_of(folder_ / "straight-2.wif") == mine; }));
+  EXPECT_EQ(bytes_of(draft_), theirs);
+}
+
+TEST_F(FilesTest, AnotherProgramsChangesCanBeTakenOrReplaced) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  const std::string mine = w.live(), theirs = straight_draft(30, 4);
+  put(draft_, theirs);
+  display_.key("ctrl+s");
+  ASSERT_NO_FATAL_FAILURE(press(w, "Keep mine"));
+  EXPECT_TRUE(comes_true([&] { return bytes_of(draft_) == mine; }));
+  // Noticed when the weaver comes back, too.
+  put(draft_, theirs);
+  display_.focus();
+  ASSERT_NO_FATAL_FAILURE(press(w, "Reload"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == theirs; }));
+}
+
+TEST_F(FilesTest, TwoWindowsOnOneFile) {
+  const fs::path other = folder_ / "other";
+  fs::create_directories(other / "config/weftlight");
+  Window one(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return one.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(paint(one));
+  put(draft_, straight_draft(26, 8));  // as the other window would
+  const std::string theirs = bytes_of(draft_);
+  display_.key("ctrl+s");
+  ASSERT_TRUE(comes_true([&] { return one.has("dialog:Reload"); }));
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !one.has("dialog:Reload"); }));
+  EXPECT_EQ(bytes_of(draft_), theirs) << "leaving the question saves nothing";
+}
+
+TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
+  const fs::path taken = folder_ / "taken.wif";
+  put(taken, "somebody's work");
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const auto save_as = [&] {
+    display_.key("ctrl+shift+s");
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+    display_.key("ctrl+a");
+    display_.type(taken.string());
+    display_.key("Return");
+  };
+  ASSERT_NO_FATAL_FAILURE(save_as());
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Replace"); })) << "replaced without a question";
+  ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
+  EXPECT_EQ(bytes_of(taken), "somebody's work");
+  ASSERT_NO_FATAL_FAILURE(save_as());
+  ASSERT_NO_FATAL_FAILURE(press(w, "Replace"));
+  EXPECT_TRUE(comes_true([&] { return bytes_of(taken) == w.live(); }));
+}
+
+TEST_F(FilesTest, SavesThroughALink) {
+  const fs::path link = folder_ / "link.wif";
+  fs::create_symlink(draft_, link);
+  Window w(display_, folder_, link, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  display_.key("ctrl+s");
+  EXPECT_TRUE(comes_true([&] { return bytes_of(draft_) == w.live(); }));
+  EXPECT_TRUE(fs::is_symlink(link));
+}
+
+TEST_F(FilesTest, RecoveredWorkThatWasNeverSavedTakesNobodysFile) {
+  const std::string original = bytes_of(draft_);
+  std::string lost;
+  {
+    Window w(display_, folder_, {});
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    ASSERT_NO_FATAL_FAILURE(paint(w));
+    lost = w.live();
+    kill(w);
+  }
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back"));
+  ASSERT_TRUE(comes_true([&] { return design_of(w.live()) == design_of(lost); }));
+  display_.key("ctrl+s");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); })) << "saved without asking where";
+  EXPECT_EQ(bytes_of(draft_), original);
+}
+
+TEST_F(FilesTest, RecoveredWorkWhoseFileIsAnotherNowAsksWhereTo) {
+  std::string lost;
+  {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    ASSERT_NO_FATAL_FAILURE(paint(w));
+    lost = w.live();
+    kill(w);
+  }
+  const std::string theirs = straight_draft(30, 4);
+  put(draft_, theirs);
+  Window w(display_, folder_, {}, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back"));
+  ASSERT_TRUE(comes_true([&] { return w.live() == lost; }));
+  display_.key("ctrl+s");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  EXPECT_EQ(bytes_of(draft_), theirs);
+}
+
+TEST_F(FilesTest, WhatCannotBeWrittenIsSaidUntilItIs) {
+  const fs::path folder = folder_ / "live";
+  fs::create_directory(folder);
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_FALSE(w.has("trouble"));
+  // A file in the place of the folder of unsaved work.
+  fs::remove_all(folder_ / "state");
+  put(folder_ / "state", "in the way");
+  display_.click(w.cell("threading", 1, 3));
+  ASSERT_TRUE(comes_true([&] { return w.has("trouble"); })) << "nothing was said";
+  fs::remove(folder_ / "state");
+  EXPECT_TRUE(comes_true([&] { return !w.has("trouble"); })) << "it is still said";
+  EXPECT_TRUE(fs::exists(folder_ / "state/weftlight/recovery"));
+}
+
+TEST_F(FilesTest, AFullDiskLosesNothingThatWasThere) {
+  const std::string original = bytes_of(draft_);
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  const std::string kept = w.live();
+  usleep(600'000);
+  // No file may grow past some bytes from now on.
+  const rlimit full{100, 100};
+  ASSERT_EQ(prlimit(w.process().id(), RLIMIT_FSIZE, &full, nullptr), 0);
+  display_.click(w.cell("threading", 2, 3));
+  usleep(600'000);
+  ASSERT_TRUE(w.process().is_running()) << "a full disk ends no window";
+  display_.key("ctrl+s");
+  usleep(1'000'000);
+  EXPECT_TRUE(w.process().is_running());
+  EXPECT_EQ(bytes_of(draft_), original);
+  w.process().kill_now();
+  w.process().wait();
+  Window again(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(press(again, "Bring back"));
+  EXPECT_TRUE(comes_true([&] { return again.live() == kept; })) << "what stood before the disk was full";
+}
+
+TEST_F(FilesTest, FlagsRefuseWhatIsNotTheirs) {
+  const auto code = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> words{WEFTLIGHT_BINARY, draft_.string()};
+    words.insert(words.end(), flags.begin(), flags.end());
+    return Process(words, {"DISPLAY=" + display_.name(), "XDG_STATE_HOME=" + (folder_ / "state").string()}).wait();
+  };
+  const std::string original = bytes_of(draft_);
+  put(folder_ / "other.wif", "somebody's");
+  EXPECT_EQ(code({"--live-export", draft_.string()}), 2);
+  EXPECT_EQ(code({"--live-export", (folder_ / "other.wif").string()}), 2);
+  EXPECT_EQ(code({"--ui-map", draft_.string()}), 2);
+  EXPECT_EQ(code({"--ui-map", (folder_ / "other.wif").string()}), 2);
+  EXPECT_EQ(code({"--ui-map", "/tmp/weftlight_same", "--live-export", "/tmp/weftlight_same"}), 2);
+  EXPECT_EQ(bytes_of(draft_), original);
+  EXPECT_EQ(bytes_of(folder_ / "other.wif"), "somebody's");
+}
+
+}  // namespace
+}  // namespace weftlight::gui

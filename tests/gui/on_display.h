@@ -1,0 +1,59 @@
+#pragma once
+// A test of the window: a display, a folder of its own, a draft in it.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "display.h"
+#include "draft/edits.h"
+#include "wif/wif.h"
+
+namespace weftlight::gui {
+
+/// Ends, picks, shafts and treadles in a straight draw on a flat cloth.
+inline std::string straight_draft(int threads = 24, int shafts = 8) {
+  draft::Design d;
+  d.draft = draft::blank_draft(threads, threads, shafts, shafts);
+  for (int i = 0; i < threads; ++i) {
+    d.draft.threading.set(i, i % shafts, true);
+    d.draft.treadling.set(i, i % shafts, true);
+  }
+  for (int i = 0; i < shafts; ++i)
+    for (int k = 0; k < shafts / 2; ++k) d.draft.tieup.set(i, (i + k) % shafts, true);
+  d.scene.mesh = "plane";
+  return wif::write_new_wif(d);
+}
+
+inline draft::Design design_of(const std::string& bytes) {
+  const wif::WifRead read = wif::read_wif(bytes);
+  return read.file ? read.file->design : draft::Design{};
+}
+
+class OnDisplay : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << reason;
+    ASSERT_TRUE(display_.is_up()) << "Xvfb did not start";
+    char name[] = "/tmp/weftlight_gui_XXXXXX";
+    folder_ = mkdtemp(name);
+    draft_ = folder_ / "straight.wif";
+    std::filesystem::create_directories(folder_ / "config/weftlight");
+    std::ofstream(folder_ / "config/weftlight/settings.json") << R"({"width": 1280, "height": 800})";
+    put(draft_, straight_draft());
+  }
+  void TearDown() override {
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+  static void put(const std::filesystem::path& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+  }
+
+  const Display display_{1280, 800};
+  std::filesystem::path folder_, draft_;
+};
+
+}  // namespace weftlight::gui

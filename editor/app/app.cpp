@@ -7,6 +7,7 @@
 #include "app/editor.h"
 #include "app/window.h"
 #include "session/file_identity.h"
+#include "session/leftovers.h"
 #include "session/own_output.h"
 #include "session/user_folders.h"
 
@@ -39,6 +40,7 @@ int run_editor(const EditorOptions& options) {
   // A file that may not grow is an error to be told, and no end of the window.
   std::signal(SIGXFSZ, SIG_IGN);
   const Settings settings = load_settings();
+  for (const std::string& file : {options.live_export, options.ui_map}) session::sweep_leftovers(file);
   std::string error;
   const auto window = Window::open(settings.width, settings.height, error);
   if (!window) {

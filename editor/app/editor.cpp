@@ -6,6 +6,7 @@
 
 #include "draft/edits.h"
 #include "files/files.h"
+#include "session/leftovers.h"
 #include "session/user_folders.h"
 
 namespace weftlight::app {
@@ -71,6 +72,7 @@ void Editor::open() {
 
 void Editor::open_path(const std::string& path) {
   unless_unsaved([this, path] {
+    sweep_leftovers(path);
     OpenResult result = open_document(path);
     if (!result.document) return report(std::move(result.remarks), path);
     remember(settings_, path);

@@ -21,9 +21,9 @@ constexpr auto kRetry = 1s;
 /// A journal is begun anew when it has grown so far: reading goes through all of it.
 constexpr size_t kMostEntries = 500, kMostAppended = size_t{4} << 20;
 
-/// Appends to a file that is there; what went wrong, or empty.
-std::string append(const std::string& path, std::string_view bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+/// Appends to a file that is there, or (`how`: O_CREAT | O_EXCL) that is not; what went wrong, or empty.
+std::string append(const std::string& path, std::string_view bytes, int how = 0) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | how, 0600);
   if (file < 0) return path + ": " + std::strerror(errno);
   std::string problem;
   while (!bytes.empty() && problem.empty()) {
@@ -31,14 +31,27 @@ std::string append(const std::string& path, std::string_view bytes) {
     if (n < 0 && errno != EINTR) problem = path + ": " + std::strerror(errno);
     if (n > 0) bytes.remove_prefix(static_cast<size_t>(n));
   }
-  if (problem.empty() && ::fsync(file) != 0) problem = path + ": " + std::strerror(errno);
-  ::close(file);
+  if (::close(file) != 0 && problem.empty()) problem = path + ": " + std::strerror(errno);
   return problem;
+}
+
+/// The file and its name are on the disk; what went wrong, or empty. One that is not there any more is not wanted.
+std::string flushed(const std::string& path) {
+  for (const std::string& what : {path, std::filesystem::path(path).parent_path().string()}) {
+    const int file = ::open(what.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) continue;
+    const bool done = ::fsync(file) == 0 || errno == EINVAL;
+    const int cause = errno;
+    ::close(file);
+    if (!done) return "Recovery copy not on the disk (" + path + "): " + std::strerror(cause);
+  }
+  return {};
 }
 
 }  // namespace
 
-Journal::Journal(Recovery& recovery) : recovery_(recovery), thread_([this] { work(); }) {}
+Journal::Journal(Recovery& recovery)
+    : recovery_(recovery), thread_([this] { work(); }), flusher_([this] { flush(); }) {}
 
 Journal::~Journal() {
   {
@@ -47,6 +60,12 @@ Journal::~Journal() {
   }
   wake_.notify_one();
   thread_.join();
+  {
+    const std::lock_guard lock(mutex_);
+    written_all_ = true;
+  }
+  flush_.notify_one();
+  flusher_.join();
 }
 
 /// The newest of what is asked of a document wins.
@@ -76,20 +95,43 @@ void Journal::discard(const LeftWork& left) { replace(left, 0); }
 
 std::string Journal::problem() const {
   const std::lock_guard lock(mutex_);
-  return problems_.empty() ? std::string() : problems_.begin()->second;
+  return problems_.empty() ? flush_problem_ : problems_.begin()->second;
 }
 
 bool Journal::busy() const {
   const std::lock_guard lock(mutex_);
-  return working_ || !waiting_.empty();
+  return working_ || !waiting_.empty() || flushing_ || !unflushed_.empty();
 }
 
 void Journal::settle() {
   std::unique_lock lock(mutex_);
-  settled_.wait(lock, [this] { return !working_ && (waiting_.empty() || !problems_.empty()); });
+  settled_.wait(lock, [this] {
+    const bool flushed = !flushing_ && unflushed_.empty();
+    return !working_ && flushed && (waiting_.empty() || !problems_.empty());
+  });
+}
+
+void Journal::flush() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    flush_.wait(lock, [this] { return written_all_ || !unflushed_.empty(); });
+    if (unflushed_.empty()) return;
+    const auto journals = std::exchange(unflushed_, {});
+    flushing_ = true;
+    lock.unlock();
+    std::string problem;
+    for (const std::string& path : journals)
+      if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
+    lock.lock();
+    flushing_ = false;
+    begin_anew_ |= !problem.empty();
+    flush_problem_ = std::move(problem);
+    settled_.notify_all();
+  }
 }
 
 void Journal::work() {
+  recovery_.open();  // ahead of the first entry, which says what is wrong
   std::unique_lock lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
@@ -136,6 +178,7 @@ std::string Journal::perform(uint64_t document, const Task& task) {
     if (error && error != std::errc::not_a_directory)
       problem = recovery_.journal_path(document) + ": " + error.message();
   }
+  if (problem.empty() && !task.then.empty()) problem = flushed(recovery_.journal_path(document));
   if (problem.empty())
     for (const LeftWork& left : task.then) recovery_.discard(left);
   return problem;
@@ -145,22 +188,32 @@ std::string Journal::write(uint64_t document, const State& state) {
   Written& written = written_[document];
   const std::string path = recovery_.journal_path(document);
   std::string text = state.make_text();
+  std::unique_lock lock(mutex_);
+  if (std::exchange(begin_anew_, false))
+    for (auto& [other, journal] : written_) journal.whole = false;
+  lock.unlock();
+  bool done = false;
   if (written.whole && written.note == state.note && written.entries < kMostEntries &&
       written.appended < kMostAppended) {
     const std::string entry = journal_entry(written.text, text);
-    if (append(path, entry).empty()) {
-      written.text = std::move(text);
-      ++written.entries;
-      written.appended += entry.size();
-      return {};
-    }
-    // Torn, or taken away: begun anew beside it.
-    written.whole = false;
+    done = append(path, entry).empty();
+    ++written.entries;
+    written.appended += entry.size();
   }
-  std::string problem = recovery_.open();
-  if (problem.empty()) problem = write_file_atomically(path, journal_start({state.note, text}));
-  if (!problem.empty()) return "No recovery copy of " + state.note.name + " (" + path + "): " + problem;
-  written = {state.note, std::move(text), 0, 0, true};
+  if (!done) {
+    // The first, or what is there is torn, or has grown.
+    written.whole = false;
+    std::string problem = recovery_.open();
+    if (!problem.empty()) return "No recovery copy of " + state.note.name + ": " + problem;
+    const std::string start = journal_start({state.note, text});
+    if (!append(path, start, O_CREAT | O_EXCL).empty()) problem = write_file_atomically(path, start);
+    if (!problem.empty()) return "No recovery copy of " + state.note.name + " (" + path + "): " + problem;
+    written = {state.note, {}, 0, 0, true};
+  }
+  written.text = std::move(text);
+  lock.lock();
+  unflushed_.insert(path);
+  flush_.notify_one();
   return {};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Keeps unsaved work on the disk, on a thread of its own: what the hand did stands there a tenth of a second later,
-// however busy the window is. Of several states that wait for the disk the newest wins.
+// Keeps unsaved work on the disk, on threads of its own: what the hand did is in its file a tenth of a second later,
+// however busy the window is. Of several states that wait the newest wins. One thread writes, another flushes: a busy
+// disk takes half a second to flush, and nothing that is written meanwhile may wait for that.
 
 #include <chrono>
 #include <condition_variable>
@@ -8,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -61,6 +63,7 @@ class Journal {
   };
   void post(uint64_t document, Task task);
   void work();
+  void flush();
   std::string perform(uint64_t document, const Task& task);
   std::string write(uint64_t document, const State& state);
 
@@ -68,12 +71,15 @@ class Journal {
   uint64_t documents_ = 0;
   std::map<uint64_t, Written> written_;  // of the thread
   mutable std::mutex mutex_;
-  std::condition_variable wake_, settled_;
+  std::condition_variable wake_, flush_, settled_;
   std::map<uint64_t, Task> waiting_;  // by document; of 0: what no document waits for
   std::map<uint64_t, std::string> problems_;
   std::chrono::steady_clock::time_point next_{};  // no entry before
-  bool leaving_ = false, working_ = false;
-  std::thread thread_;
+  std::set<std::string> unflushed_;               // journals
+  std::string flush_problem_;
+  bool leaving_ = false, working_ = false, written_all_ = false, flushing_ = false;
+  bool begin_anew_ = false;  // what was not flushed may be lost
+  std::thread thread_, flusher_;
 };
 
 }  // namespace weftlight::session

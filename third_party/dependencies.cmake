@@ -45,6 +45,7 @@ weftlight_pkg(FREETYPE freetype2 libfreetype-dev)
 weftlight_pkg(EPOXY epoxy libepoxy-dev)
 weftlight_pkg(EGL egl libegl-dev)
 weftlight_pkg(CAIRO cairo libcairo2-dev)
+weftlight_pkg(SERIALPORT libserialport libserialport-dev)
 # OpenImageIO's CMake targets on Debian 12 name an OpenCV folder that need not exist;
 # its pkg-config file does not.
 weftlight_pkg(OIIO OpenImageIO libopenimageio-dev)

@@ -31,6 +31,7 @@ struct WifUnit {
 struct WifFile {
   std::string bytes;
   Design design;
+  std::string format = "wif";  // what it was read from: a wif is saved where it was, others as a new wif
   // What is read but not edited (info shows it).
   std::string source_program, source_version, version, date;
   bool rising_stated = false, has_liftplan = false, has_treadling = false, has_tieup = false;

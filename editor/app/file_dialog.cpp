@@ -58,7 +58,9 @@ void FileDialog::ask(FileAsk what, const std::string& title, const std::string& 
   if (what == FileAsk::kFolder) {
     words.push_back("--directory");
   } else {
-    words.push_back("--file-filter=Weaving drafts (*.wif) | *.wif *.WIF");
+    if (what != FileAsk::kSave)
+      words.push_back("--file-filter=Weaving drafts | *.wif *.WIF *.wifw *.dtx *.DTX *.wpo *.WPO");
+    words.push_back("--file-filter=WIF drafts (*.wif) | *.wif *.WIF");
     words.push_back("--file-filter=All files | *");
   }
   if (!start.empty()) words.push_back("--filename=" + start);

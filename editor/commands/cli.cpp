@@ -116,6 +116,24 @@ CommandLine run_command_line(int argc, char** argv) {
   auto* analyse_verb = app.add_subcommand("analyse", "Floats, layers, repeat, heddles, sett and yarn of a draft");
   add_analysis_options(analyse_verb, analyse);
 
+  PrintCommand print;
+  std::string paper = "a4";
+  auto* print_verb = app.add_subcommand("print", "The draft on paper: grids, lists for the loom, swatch");
+  print_verb->add_option("file", print.file, "Draft")->required();
+  print_verb->add_option("-o,--output", print.out, "A .pdf, .svg or .png")->required();
+  print_verb->add_option("--paper", paper, "Size of a sheet")->check(CLI::IsMember({"a4", "letter"}));
+  print_verb->add_option("--scale", print.cell_mm, "Side of a cell in mm; as fits unless said")
+      ->check(CLI::Range(0.5, 20.0));
+
+  WeaveOptions weave;
+  auto* weave_verb = app.add_subcommand("weave", "A draft from the table of weaves");
+  weave_verb->add_option("weave", weave.weave, "Its id, of --list");
+  weave_verb->add_option("-o,--output", weave.out, "New .wif");
+  weave_verb->add_option("--set", weave.set, "A number of the weave, ID=VALUE");
+  weave_verb->add_option("--ends", weave.ends, "Ends")->check(CLI::Range(1, kMaxThreads));
+  weave_verb->add_option("--picks", weave.picks, "Picks")->check(CLI::Range(1, kMaxThreads));
+  weave_verb->add_flag("--list", weave.list, "Every weave with its numbers");
+
   DiffOptions diff;
   auto* diff_verb = app.add_subcommand("diff", "What differs between two drafts");
   diff_verb->add_option("a", diff.a, "Draft")->required();
@@ -125,6 +143,8 @@ CommandLine run_command_line(int argc, char** argv) {
   std::string drawdown_face = "front";
   auto* drawdown_verb = app.add_subcommand("drawdown", "The drawdown as text, or as a coloured picture");
   drawdown_verb->add_option("file", drawdown.file, "Draft (.wif)")->required();
+  drawdown_verb->add_flag("--points", drawdown.points,
+                          "Picture with a pixel a crossing, black where the warp is on top");
   drawdown_verb->add_option("-o,--output", drawdown.out, "Text file, or .png for the coloured drawdown");
   add_face(drawdown_verb, drawdown_face);
 
@@ -188,6 +208,7 @@ CommandLine run_command_line(int argc, char** argv) {
     result.exit_code = kUsage;
     return result;
   }
+  print.letter = paper == "letter";
   analyse.plan.weft_shrinkage = analyse.plan.warp_shrinkage;
   if (info_verb->parsed()) result.exit_code = info_command(info);
   else if (drawdown_verb->parsed()) result.exit_code = drawdown_command(drawdown);
@@ -198,6 +219,8 @@ CommandLine run_command_line(int argc, char** argv) {
   else if (chart_verb->parsed()) result.exit_code = chart_command(chart);
   else if (drape_verb->parsed()) result.exit_code = drape_command(drape);
   else if (analyse_verb->parsed()) result.exit_code = analyse_command(analyse);
+  else if (weave_verb->parsed()) result.exit_code = weave_command(weave);
+  else if (print_verb->parsed()) result.exit_code = print_command(print);
   else if (diff_verb->parsed()) result.exit_code = diff_command(diff);
   else result.open_editor = true;
   return result;

@@ -23,6 +23,7 @@ struct InfoOptions {
 struct DrawdownOptions {
   std::string file, out;
   Face face = Face::kFront;
+  bool points = false;  // a picture with a pixel a crossing, as Jacquard machines read
 };
 enum class ConvertDrive { kAsIs, kLiftplan, kTreadling };
 struct ConvertOptions {
@@ -64,6 +65,17 @@ struct AnalyseOptions {
   int float_limit = 7;
   ClothPlan plan;
 };
+struct PrintCommand {
+  std::string file, out;
+  bool letter = false;
+  double cell_mm = 0;  // 0: as fits
+};
+struct WeaveOptions {
+  std::string weave, out;
+  std::vector<std::string> set;  // ID=VALUE
+  int ends = 64, picks = 64;
+  bool list = false;
+};
 struct DiffOptions {
   std::string a, b;
 };
@@ -78,6 +90,8 @@ int chart_command(const ChartOptions&);
 int drape_command(const DrapeOptions&);
 int analyse_command(const AnalyseOptions&);
 int diff_command(const DiffOptions&);
+int print_command(const PrintCommand&);
+int weave_command(const WeaveOptions&);
 
 /// What the command line asks for.
 struct EditorOptions {

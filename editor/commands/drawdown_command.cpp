@@ -43,6 +43,15 @@ Image as_image(const BitMatrix& cells, const Draft& draft) {
   return image;
 }
 
+/// Black where the warp is on top, laid out as the coloured one.
+Image as_points(const BitMatrix& cells) {
+  Image image{cells.cols(), cells.rows(), 3, {}};
+  for (int pick = 0; pick < cells.rows(); ++pick)
+    for (int end = cells.cols() - 1; end >= 0; --end)
+      image.texels.insert(image.texels.end(), 3, cells.get(pick, end) ? 0.0f : 1.0f);
+  return image;
+}
+
 }  // namespace
 
 int drawdown_command(const DrawdownOptions& options) {
@@ -56,14 +65,16 @@ int drawdown_command(const DrawdownOptions& options) {
                                                                                                        : kNotWritten;
   }
   constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
-  const bool picture = options.out.ends_with(".png");
+  const bool picture = options.out.ends_with(".png") || options.out.ends_with(".tif") || options.points;
   if (picture && int64_t{cells.rows()} * cells.cols() > kMaxPixels) {
     std::fprintf(stderr, "%s: %d by %d crossings are too many for a picture; write text instead\n", options.out.c_str(),
                  cells.cols(), cells.rows());
     return kNotWritten;
   }
-  const std::string error = picture ? write_image(options.out, as_image(cells, opened.design.draft), PixelType::kU8)
-                                    : write_file_atomically(options.out, as_text(cells));
+  const std::string error =
+      picture ? write_image(options.out, options.points ? as_points(cells) : as_image(cells, opened.design.draft),
+                            PixelType::kU8)
+              : write_file_atomically(options.out, as_text(cells));
   if (error.empty()) return kDone;
   std::fprintf(stderr, "%s: %s; choose another place\n", options.out.c_str(), error.c_str());
   return kNotWritten;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "draft/edits.h"
+#include "wif/other_formats.h"
 
 namespace weftlight::session {
 
@@ -84,10 +85,15 @@ OpenResult open_document(const std::string& path) {
   FileBytes file = read_file(path);
   if (!file.error.empty())
     return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
-  WifRead read = read_wif(file.bytes);
+  WifRead read = read_draft(file.bytes);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   identity.hash = content_hash(file.bytes);
-  return {Document(std::move(*read.file), std::move(read.diagnostics), path, identity), {}};
+  if (read.file->format == "wif")
+    return {Document(std::move(*read.file), std::move(read.diagnostics), path, identity), {}};
+  // Another program's file stays as it is: saving asks for a name.
+  Document document(std::move(*read.file), std::move(read.diagnostics), {});
+  document.without_file(std::filesystem::path(path).stem().string() + ".wif");
+  return {std::move(document), {}};
 }
 
 }  // namespace weftlight::session

@@ -1,0 +1,9 @@
+#pragma once
+// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+
+namespace weftlight {
+namespace draft {}
+namespace loom {
+using namespace draft;
+}  // namespace loom
+}  // namespace weftlight

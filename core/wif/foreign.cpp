@@ -1,0 +1,63 @@
+#include "wif/foreign.h"
+
+#include <algorithm>
+
+#include "wif/encoding.h"
+
+namespace weftlight::wif {
+
+std::string quoted(std::string_view text) {
+  std::string out(1, '\'');
+  return out.append(text).append("'");
+}
+
+Rgb color_of_bytes(int r, int g, int b, int most) {
+  const auto channel = [most](int value) {
+    return static_cast<float>(std::clamp(value, 0, most)) / static_cast<float>(most);
+  };
+  return {channel(r), channel(g), channel(b)};
+}
+
+std::string text_of_foreign(std::string_view text) {
+  constexpr size_t kLongest = 1000;
+  const Encoding encoding = scan_wif(text).encoding;
+  return one_line(to_utf8(text.substr(0, kLongest), encoding));
+}
+
+WifRead foreign_file(std::optional<WifFile> file, const char* format, Findings& findings) {
+  WifRead out;
+  if (file && !findings.has_error()) {
+    file->bytes = write_new_wif(file->design);
+    file->format = format;
+    file->has_liftplan = file->design.draft.drive == Drive::kLiftplan;
+    file->has_tieup = file->has_treadling = !file->has_liftplan;
+    file->rising_stated = true;
+    out.file = std::move(file);
+  }
+  out.diagnostics = findings.take();
+  return out;
+}
+
+DraftFormat format_of(std::string_view bytes) {
+  // .wpo: 123, a version, then 100, 101 or 102.
+  if (bytes.size() > 3 && bytes[0] == 123 && static_cast<unsigned char>(bytes[1]) < 32 && bytes[2] >= 100 &&
+      bytes[2] <= 102)
+    return DraftFormat::kWpo;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  while (!bytes.empty() && (bytes.front() == '\r' || bytes.front() == '\n' || bytes.front() == ' '))
+    bytes.remove_prefix(1);
+  return bytes.starts_with("@@") ? DraftFormat::kDtx : DraftFormat::kWif;
+}
+
+WifRead read_draft(std::string_view bytes) {
+  switch (format_of(bytes)) {
+    case DraftFormat::kDtx:
+      return read_dtx(bytes);
+    case DraftFormat::kWpo:
+      return read_wpo(bytes);
+    default:
+      return read_wif(bytes);
+  }
+}
+
+}  // namespace weftlight::wif

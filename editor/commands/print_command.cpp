@@ -1,0 +1,51 @@
+// `print`: the draft on paper, as PDF, SVG or PNG; a sheet a file where the format holds one.
+
+#include <cstdio>
+#include <filesystem>
+
+#include "commands/commands.h"
+#include "print/print.h"
+
+namespace weftlight::commands {
+namespace {
+
+/// OUT.svg of one sheet; of several OUT-1.svg, OUT-2.svg ...
+std::string name_of(const std::string& out, size_t sheet, size_t sheets) {
+  if (sheets == 1) return out;
+  std::filesystem::path path(out);
+  path.replace_filename(path.stem().string() + "-" + std::to_string(sheet + 1) + path.extension().string());
+  return path.string();
+}
+
+}  // namespace
+
+int print_command(const PrintCommand& options) {
+  const bool pdf = options.out.ends_with(".pdf"), svg = options.out.ends_with(".svg");
+  if (!pdf && !svg && !options.out.ends_with(".png")) {
+    std::fprintf(stderr, "%s: this cannot be printed to; give a name that ends in .pdf, .svg or .png\n",
+                 options.out.c_str());
+    return kUsage;
+  }
+  const OpenedDesign opened = open_design(options.file);
+  if (!opened.ok) return kBadInput;
+  print::PrintOptions o;
+  o.paper = options.letter ? print::kLetter : print::kA4;
+  o.cell_mm = options.cell_mm;
+  const auto format = pdf ? print::PrintFormat::kPdf : svg ? print::PrintFormat::kSvg : print::PrintFormat::kPng;
+  const print::Printed printed = print::printed(opened.design, format, o);
+  if (!printed.why.empty()) {
+    std::fprintf(stderr, "%s: %s\n", options.file.c_str(), printed.why.c_str());
+    return kBadInput;
+  }
+  for (size_t i = 0; i < printed.files.size(); ++i) {
+    const std::string path = name_of(options.out, i, printed.files.size());
+    const std::string error = write_file_atomically(path, printed.files[i]);
+    if (error.empty()) continue;
+    std::fprintf(stderr, "%s: %s; choose another place\n", path.c_str(), error.c_str());
+    return kNotWritten;
+  }
+  std::printf("%d sheets\n", printed.sheets);
+  return kDone;
+}
+
+}  // namespace weftlight::commands

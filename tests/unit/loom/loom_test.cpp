@@ -1,0 +1,212 @@
+// Weaving at a mock loom: over a line of text alone, and over TCP with a line that breaks off.
+
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "../draft/hand_drafts.h"
+#include "loom/line.h"
+#include "loom/weaving.h"
+
+namespace weftlight::loom {
+namespace {
+
+Draft four_picks() {
+  return treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
+}
+
+TEST(Protocol, CommandsAsTheLoomsWantThem) {
+  EXPECT_EQ(raise_command(Protocol::kPlain, 0x1f), "C0000001f\n");
+  EXPECT_EQ(raise_command(Protocol::kSeguin, 0x80000000u), "=C80000000\n");
+  EXPECT_EQ(raise_command(Protocol::kToikaEs, 0x01020304), std::string("\x01\x02\x03\x04"));
+  EXPECT_EQ(direction_command(Protocol::kPlain, true), "U0\n");
+  EXPECT_EQ(direction_command(Protocol::kSeguin, false), "=U1\n");
+}
+
+TEST(Protocol, ReportsComeInPiecesAndAmongRubbish) {
+  LoomReader reader;
+  EXPECT_TRUE(reader.take("c0000").empty());
+  auto reports = reader.take("000f\r\np\nu1\nm1\nhello\n\n");
+  ASSERT_EQ(reports.size(), 5u);
+  EXPECT_EQ(reports[0].kind, LoomReport::kShaftsRaised);
+  EXPECT_EQ(reports[0].shafts, 15u);
+  EXPECT_EQ(reports[1].kind, LoomReport::kPickWanted);
+  EXPECT_EQ(reports[2].kind, LoomReport::kDirection);
+  EXPECT_FALSE(reports[2].on);
+  EXPECT_TRUE(reports[3].on);
+  EXPECT_EQ(reports[4].kind, LoomReport::kUnknown);
+  EXPECT_EQ(reports[4].text, "hello");
+  EXPECT_TRUE(reader.take(std::string(5000, 'x')).empty());
+  EXPECT_TRUE(reader.take("\n").empty()) << "a line that is too long is no report";
+  EXPECT_EQ(reader.take("p\n").size(), 1u);
+}
+
+TEST(Protocol, ASinkingShedRaisesTheOthers) {
+  Draft d = four_picks();
+  EXPECT_EQ(raised_shafts(d, lifts(d), 0), 0b0011u);
+  d.rising = false;
+  EXPECT_EQ(raised_shafts(d, lifts(d), 0), 0b1100u);
+  EXPECT_FALSE(raised_shafts(d, lifts(d), 4));
+  EXPECT_FALSE(raised_shafts(blank_draft(2, 2, 33, 2), BitMatrix(2, 33), 0)) << "a line names 32 shafts";
+}
+
+/// The few lines of a loom: asks, raises, answers.
+struct MockLoom {
+  std::vector<uint32_t> raised;
+  bool weaving = true;
+  std::string hear(std::string_view words) {
+    std::string said;
+    while (!words.empty()) {
+      const std::string line(words.substr(0, words.find('\n')));
+      words.remove_prefix(std::min(line.size() + 1, words.size()));
+      if (line[0] == 'U') weaving = line[1] == '0';
+      if (line[0] != 'C') continue;
+      raised.push_back(static_cast<uint32_t>(std::stoul(line.substr(1), nullptr, 16)));
+      said.append("c").append(line, 1).append("\n");
+    }
+    return said;
+  }
+};
+
+/// What the program does with what came.
+void hear(const Weaving& w, LoomReader& reader, Place& place, std::string_view words, std::string& send) {
+  for (const LoomReport& report : reader.take(words)) {
+    const Answer a = answer(w, place, report);
+    place = a.place;
+    send += a.send;
+    EXPECT_EQ(a.remark, "");
+  }
+}
+
+TEST(Weaving, PicksAreRaisedInTheirOrderAndUnwovenBackwards) {
+  const Draft d = four_picks();
+  const BitMatrix lift = lifts(d);
+  const Weaving w{d, lift, {}};
+  MockLoom loom;
+  LoomReader reader;
+  Place place;
+  std::string said = "p\n";
+  for (int i = 0; i < 6; ++i) {
+    std::string send;
+    hear(w, reader, place, said, send);
+    said = loom.hear(send) + "p\n";
+  }
+  EXPECT_EQ(loom.raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6}));
+  EXPECT_EQ(place.next_pick, 1);
+  EXPECT_EQ(place.woven, 5);
+  // The loom is turned: the next pick wanted is the one before.
+  std::string send;
+  hear(w, reader, place, "u1\np\n", send);
+  EXPECT_EQ(send, "C00000003\n");
+  EXPECT_EQ(place.woven, 4);
+}
+
+TEST(Weaving, ASectionIsWovenOverAndOver) {
+  const Draft d = four_picks();
+  const BitMatrix lift = lifts(d);
+  const Weaving w{d, lift, {1, 3}};
+  Place place = jumped({}, w.section, 4, 0);
+  EXPECT_EQ(place.next_pick, 1);
+  std::vector<int> picks;
+  for (int i = 0; i < 5; ++i) {
+    const Answer a = step_by_hand(w, place, true);
+    place = a.place;
+    picks.push_back(place.next_pick);
+  }
+  EXPECT_EQ(picks, (std::vector<int>{1, 2, 1, 2, 1}));
+}
+
+TEST(Weaving, SaysWhenTheLoomRaisedOtherShafts) {
+  const Draft d = four_picks();
+  const BitMatrix lift = lifts(d);
+  const Weaving w{d, lift, {}};
+  const Place up = answer(w, {}, {LoomReport::kPickWanted}).place;
+  EXPECT_FALSE(answer(w, up, {LoomReport::kShaftsRaised, 1}).remark.empty());
+  EXPECT_TRUE(answer(w, up, {LoomReport::kShaftsRaised, 3}).remark.empty());
+  EXPECT_FALSE(answer(w, up, {LoomReport::kUnknown, 0, false, "?"}).remark.empty());
+}
+
+/// A port on this machine that one loom listens on.
+class Port {
+ public:
+  Port() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in at{};
+    at.sin_family = AF_INET;
+    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof at;
+    if (::bind(socket_, reinterpret_cast<sockaddr*>(&at), size) != 0 || ::listen(socket_, 1) != 0) return;
+    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&at), &size);
+    number_ = ntohs(at.sin_port);
+  }
+  ~Port() { ::close(socket_); }
+  int number() const { return number_; }
+  int accepted() const { return ::accept(socket_, nullptr, nullptr); }
+
+ private:
+  int socket_, number_ = 0;
+};
+
+std::string read_some(int socket) {
+  pollfd waits{socket, POLLIN, 0};
+  if (::poll(&waits, 1, 5000) <= 0) return {};
+  char buffer[256];
+  const ssize_t got = ::read(socket, buffer, sizeof buffer);
+  return got > 0 ? std::string(buffer, static_cast<size_t>(got)) : std::string();
+}
+
+void write_all(int socket, std::string_view words) {
+  ASSERT_EQ(::write(socket, words.data(), words.size()), static_cast<ssize_t>(words.size()));
+}
+
+TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
+  const Draft d = four_picks();
+  const BitMatrix lift = lifts(d);
+  const Weaving w{d, lift, {}};
+  Port port;
+  const std::string address = std::string("tcp:127.0.0.1:").append(std::to_string(port.number()));
+  Place place;
+  std::vector<uint32_t> raised;
+  for (int connection = 0; connection < 3; ++connection) {
+    LineOpened opened = open_line(address);
+    ASSERT_TRUE(opened.line) << opened.why;
+    const int loom = port.accepted();
+    MockLoom mock;
+    LoomReader reader;
+    ASSERT_TRUE(opened.line->send(on_connected(w, place).send));
+    mock.hear(read_some(loom));
+    if (connection > 0) {
+      // The pick that was on its way is raised again, and no other.
+      ASSERT_EQ(mock.raised, (std::vector<uint32_t>{raised.back()}));
+    }
+    for (int pick = 0; pick < 3; ++pick) {
+      write_all(loom, "p\n");
+      std::string send;
+      hear(w, reader, place, opened.line->receive(5000), send);
+      ASSERT_TRUE(opened.line->send(send));
+      mock.raised.clear();
+      mock.hear(read_some(loom));
+      ASSERT_EQ(mock.raised.size(), 1u);
+      raised.push_back(mock.raised[0]);
+    }
+    ::close(loom);
+    opened.line->receive(1000);
+    EXPECT_TRUE(opened.line->broken());
+  }
+  EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "none twice, none left out";
+}
+
+TEST(LoomLine, SaysWhyThereIsNone) {
+  EXPECT_FALSE(open_line("loom").why.empty());
+  EXPECT_FALSE(open_line("serial:/dev/there-is-no-such-loom").why.empty());
+  Port closed;
+  int number = closed.number();
+  EXPECT_GT(number, 0);
+  EXPECT_FALSE(open_line("tcp:127.0.0.1:1", 500).why.empty());
+}
+
+}  // namespace
+}  // namespace weftlight::loom

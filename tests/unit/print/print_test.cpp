@@ -1,0 +1,64 @@
+// Printed drafts: how many sheets, what they are, and that odd drafts print too.
+
+#include "print/print.h"
+
+#include <gtest/gtest.h>
+
+#include "draft/edits.h"
+#include "draft/generators.h"
+
+namespace weftlight::print {
+namespace {
+
+Design overshot_design(int ends, int picks) {
+  Design d = overshot({0, 1, 2, 3, 2, 1}, 4, {ends, picks});
+  d.title = "Rose \xC3\xA4";
+  return d;
+}
+
+TEST(Print, APdfOfASmallDraftIsADraftSheetAndLists) {
+  const Printed p = printed(overshot_design(40, 40), PrintFormat::kPdf, {});
+  ASSERT_EQ(p.why, "");
+  ASSERT_EQ(p.files.size(), 1u);
+  EXPECT_TRUE(p.files[0].starts_with("%PDF"));
+  EXPECT_EQ(p.sheets, 2);
+}
+
+TEST(Print, SvgAndPngAreAFileASheet) {
+  const Printed svg = printed(overshot_design(40, 40), PrintFormat::kSvg, {});
+  ASSERT_EQ(svg.files.size(), static_cast<size_t>(svg.sheets));
+  EXPECT_NE(svg.files[0].find("<svg"), std::string::npos);
+  EXPECT_NE(svg.files[0].find("210mm"), std::string::npos) << "as large as the paper";
+  PrintOptions coarse;
+  coarse.png_dpi = 40;
+  const Printed png = printed(overshot_design(40, 40), PrintFormat::kPng, coarse);
+  ASSERT_EQ(png.files.size(), static_cast<size_t>(png.sheets));
+  EXPECT_EQ(png.files[0].substr(1, 3), "PNG");
+}
+
+TEST(Print, ALargeScaleTakesMoreSheetsAndTooManyAreRefused) {
+  PrintOptions large;
+  large.cell_mm = 5;
+  const int one = printed(overshot_design(96, 96), PrintFormat::kPdf, {}).sheets;
+  EXPECT_GT(printed(overshot_design(96, 96), PrintFormat::kPdf, large).sheets, one);
+  large.cell_mm = 20;
+  const Printed refused = printed(overshot_design(900, 900), PrintFormat::kPdf, large);
+  EXPECT_TRUE(refused.files.empty());
+  EXPECT_NE(refused.why.find("give a smaller scale"), std::string::npos);
+}
+
+TEST(Print, OddDraftsPrintToo) {
+  Design d = with_size(Design{}, 1, 1, 1, 1);
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, {}).why, "");
+  d = to_liftplan(overshot_design(30, 30));
+  d.draft.warp.spacing_mm[3] = 0;
+  PrintOptions letter;
+  letter.paper = kLetter;
+  letter.end1_right = true;
+  letter.heavy_lines = 0;
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, letter).why, "");
+  EXPECT_EQ(printed(with_size(Design{}, 40, 40, 300, 40), PrintFormat::kPdf, {}).why, "") << "more shafts than a sheet";
+}
+
+}  // namespace
+}  // namespace weftlight::print

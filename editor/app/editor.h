@@ -20,6 +20,7 @@
 #include "session/own_output.h"
 #include "session/recovery.h"
 #include "session/user_files.h"
+#include "views/analysis/analysis_panel.h"
 #include "views/dialogs/dialogs.h"
 #include "views/draft/draft_panel.h"
 #include "views/inspector/yarn_strip.h"
@@ -123,6 +124,7 @@ class Editor : public Desk {
   PreviewPane preview_;
   CellTexture cell_texture_;
   YarnStrip strip_;
+  AnalysisState analysis_;
   UiMap map_;
   UiMapFile map_file_;
   Orbit camera_;

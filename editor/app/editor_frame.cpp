@@ -196,6 +196,7 @@ void Editor::draw_panels(PanelContext& c) {
   take(draw_threads(c));
   take(draw_yarns(c, strip_));
   take(draw_scene(c));
+  draw_analysis(c, analysis_);
   ImGui::End();
 
   begin_fixed("Status", {x, y + height}, {view->WorkSize.x, status}, {style_.px(14), style_.px(6)});

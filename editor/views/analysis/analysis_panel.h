@@ -1,0 +1,31 @@
+#pragma once
+// What the draft is as a weave and on a loom: floats over a limit with a jump to each, layers, heddles, balance, yarn.
+
+#include "analysis/floats.h"
+#include "analysis/layers.h"
+#include "analysis/threads.h"
+#include "draft/factor.h"
+#include "views/common/panel.h"
+
+namespace weftlight::views {
+
+/// Derived from one revision of the design; found anew when that changes and the section is open.
+struct AnalysisState {
+  uint64_t revision = 0;  // 0: nothing was found yet
+  int limit = 7;          // floats of more threads are listed
+  int shown = -1;         // which of them was jumped to last
+  analysis::LongestFloats longest;
+  analysis::LongFloats floats;
+  std::vector<analysis::Layer> layers;
+  analysis::LoomUse loom;
+  LoomSize fewest;
+  analysis::Interlacing interlacings;
+  analysis::YarnReport yarn;
+};
+
+/// Drafts of up to kLiveCrossings are analysed at every edit, larger ones when asked.
+inline constexpr int64_t kLiveCrossings = int64_t{1} << 22;
+
+void draw_analysis(PanelContext& c, AnalysisState& state);
+
+}  // namespace weftlight::views

@@ -1,0 +1,99 @@
+// analyse, diff, print, weave, and drafts that are not WIF.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "scratch_folder.h"
+
+namespace weftlight::commands {
+namespace {
+
+using WeaverVerbs = ScratchFolder;
+
+std::string said(int (*verb)(const AnalyseOptions&), const AnalyseOptions& options) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(verb(options), kDone);
+  return ::testing::internal::GetCapturedStdout();
+}
+
+std::string drawdown_of(const std::string& path) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(drawdown_command({path, "", Face::kFront, false}), kDone);
+  return ::testing::internal::GetCapturedStdout();
+}
+
+TEST_F(WeaverVerbs, analyse_as_json) {
+  AnalyseOptions options;
+  options.file = fixture_path("twill.wif");
+  options.json = true;
+  options.float_limit = 1;
+  const auto json = nlohmann::json::parse(said(analyse_command, options));
+  EXPECT_EQ(json["repeat"]["ends"], 4);
+  EXPECT_EQ(json["floats"]["longest"]["warp_front"], 2);
+  EXPECT_GT(json["floats"]["count"], 0);
+  EXPECT_EQ(json["floats"]["listed"][0]["length"], 2);
+  EXPECT_EQ(json["hangs_together"], true);
+  EXPECT_EQ(json["fewest"]["shafts"], 4);
+  EXPECT_DOUBLE_EQ(json["balance"]["warp_on_top"], 0.5);
+  int heddles = 0;
+  for (const int shaft : json["heddles"]) heddles += shaft;
+  EXPECT_EQ(heddles, json["yarn"]["ends"]);
+  options.json = false;
+  EXPECT_NE(said(analyse_command, options).find("hangs together  yes"), std::string::npos);
+}
+
+TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(diff_command({fixture_path("twill.wif"), fixture_path("twill.wif")}), kDone);
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "the drafts are the same\n");
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(diff_command({fixture_path("twill.wif"), fixture_path("sinking.wif")}), kDone);
+  EXPECT_NE(::testing::internal::GetCapturedStdout().find("shed"), std::string::npos);
+  EXPECT_EQ(diff_command({fixture_path("twill.wif"), path("none.wif")}), kBadInput);
+}
+
+TEST_F(WeaverVerbs, print_writes_what_its_name_says_or_refuses) {
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.pdf"), false, 0}), kDone);
+  EXPECT_TRUE(read_file(path("a.pdf")).bytes.starts_with("%PDF"));
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.svg"), true, 5}), kDone);
+  EXPECT_NE(read_file(path("a-1.svg")).bytes.find("<svg"), std::string::npos);
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.docx"), false, 0}), kUsage);
+  EXPECT_EQ(print_command({path("none.wif"), path("b.pdf"), false, 0}), kBadInput);
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("no/folder/b.pdf"), false, 0}), kNotWritten);
+}
+
+TEST_F(WeaverVerbs, weave_keeps_its_numbers_in_the_file) {
+  EXPECT_EQ(weave_command({"twill", path("t.wif"), {"ratio=3/1"}, 8, 8, false}), kDone);
+  const OpenedDesign opened = open_design(path("t.wif"));
+  ASSERT_TRUE(opened.ok);
+  ASSERT_EQ(opened.design.weaves.size(), 1u);
+  EXPECT_EQ(opened.design.weaves[0].weave, "twill");
+  EXPECT_EQ(opened.design.draft.shafts, 4);
+  EXPECT_EQ(weave_command({"twill", path("t.wif"), {"color=red"}, 8, 8, false}), kUsage);
+  EXPECT_EQ(weave_command({"nonsense", path("t.wif"), {}, 8, 8, false}), kUsage);
+  EXPECT_EQ(weave_command({"twill", "", {}, 8, 8, false}), kUsage);
+}
+
+TEST_F(WeaverVerbs, another_programs_draft_becomes_a_wif) {
+  const std::string dtx =
+      "@@StartDTX\n@@Info\n%%shafts 2\n@@Threading\n1 2 1 2\n@@Tieup\n01\n10\n@@Treadling\n1 2\n@@EndDTX\n";
+  ASSERT_EQ(write_file_atomically(path("plain.dtx"), dtx), "");
+  EXPECT_EQ(drawdown_of(path("plain.dtx")), "1010\n0101\n");
+  EXPECT_EQ(convert_command({path("plain.dtx"), path("plain.wif"), false, ConvertDrive::kAsIs}), kDone);
+  EXPECT_TRUE(read_file(path("plain.wif")).bytes.starts_with("[WIF]"));
+  EXPECT_EQ(drawdown_of(path("plain.wif")), "1010\n0101\n");
+}
+
+TEST_F(WeaverVerbs, a_picture_of_points_comes_back_as_the_same_drawdown) {
+  const std::string cloth = drawdown_of(fixture_path("twill.wif"));
+  for (const char* name : {"points.png", "points.tif"}) {
+    EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path(name), Face::kFront, true}), kDone);
+    EXPECT_EQ(drawdown_of(path(name)), cloth) << name;
+  }
+  ASSERT_EQ(write_file_atomically(path("bad.png"), "no picture"), "");
+  EXPECT_FALSE(open_design(path("bad.png")).ok);
+}
+
+}  // namespace
+}  // namespace weftlight::commands

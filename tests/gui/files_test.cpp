@@ -68,14 +68,24 @@ TEST_F(FilesTest, AnotherProgramsChangesCanBeTakenOrReplaced) {
 
 TEST_F(FilesTest, TwoWindowsOnOneFile) {
   const fs::path other = folder_ / "other";
-  fs::create_directories(other / "config/weftlight");
+  fs::create_directory(other);
   Window one(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return one.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(paint(one));
-  put(draft_, straight_draft(26, 8));  // as the other window would
-  const std::string theirs = bytes_of(draft_);
+  std::string theirs;
+  {
+    const Display beside(1280, 800);
+    Window two(beside, other, draft_);
+    ASSERT_TRUE(comes_true([&] { return two.is_ready(); }));
+    const std::string before = two.live();
+    beside.click(two.cell("threading", 2, 5));
+    ASSERT_TRUE(comes_true([&] { return two.live() != before; }));
+    theirs = two.live();
+    beside.key("ctrl+s");
+    ASSERT_TRUE(comes_true([&] { return bytes_of(draft_) == theirs; }));
+  }
   display_.key("ctrl+s");
-  ASSERT_TRUE(comes_true([&] { return one.has("dialog:Reload"); }));
+  ASSERT_TRUE(comes_true([&] { return one.has("dialog:Reload"); })) << "saved over the other window's work";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !one.has("dialog:Reload"); }));
   EXPECT_EQ(bytes_of(draft_), theirs) << "leaving the question saves nothing";

@@ -58,15 +58,15 @@ struct YarnData {
   float along_width;  // RMS slopes
   float across_width;
   float specular;
-  float body;
+  float body;         // none of a metal
   float fuzz;
   float fuzz_width;
   float fuzz_depth;  // optical
   float transmission;
-  vec4 tint;          // rgb of the specular, linear; w: 1 metallic
-  float reflectance;  // at normal incidence
-  float spare_a;      // for further numbers of a yarn; 0
-  float spare_b;
+  vec4 tint;          // rgb of the specular, linear; w: share of it in the thread's colour (metal: all)
+  float reflectance;  // of the clear fibres at normal incidence
+  float pile;         // that over one layer's
+  float spare_b;      // for further numbers of a yarn; 0
   float spare_c;
 };
 

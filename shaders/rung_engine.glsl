@@ -21,7 +21,9 @@ vec4 shade_engine(Side side, Lights x, Footprint f) {
   vec2 variance = (warp.variance + micro_variance(a, vec3(a.fibre_tan, 1.0, 0.0)) + da * da) * share.x
                 + (weft.variance + micro_variance(b, vec3(1.0, b.fibre_tan, 0.0)) + db * db) * share.y;
   EngineMaterial m;
-  m.base = thread_color(side, warp.color, weft.color) * (a.yarn.body * share.x + b.yarn.body * share.y);
+  // What the mirrored light takes of the colour an engine asks of its base.
+  m.base = thread_color(side, warp.color, weft.color)
+         * (mix(a.yarn.body, 1.0, a.yarn.tint.w) * share.x + mix(b.yarn.body, 1.0, b.yarn.tint.w) * share.y);
   m.metal = a.yarn.tint.w * share.x + b.yarn.tint.w * share.y;
   m.sheen = sqrt(thread_color(side, warp.color, weft.color)) * (a.yarn.fuzz * share.x + b.yarn.fuzz * share.y);
   m.sheen_roughness = a.yarn.fuzz_width * share.x + b.yarn.fuzz_width * share.y;

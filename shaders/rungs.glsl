@@ -35,11 +35,11 @@ FORMULA int yarn_samples(float yarns, int most) {
 // Lobes of a yarn, or of a mean of yarns, on a thread of that colour.
 FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   YarnLobes y;
-  float metal = data.tint.w;
-  vec3 body = color * (data.body * (1.0f - metal));
+  vec3 body = color * data.body;
   y.slope_cov = vec3(data.along_width * data.along_width, 0.0f, data.across_width * data.across_width);
   y.f90 = data.specular;
-  y.f0 = vec3(data.tint) * data.specular * mix(vec3(data.reflectance), color, metal);
+  y.pile = data.pile;
+  y.f0 = vec3(data.tint) * data.specular * mix(vec3(data.reflectance), color, data.tint.w);
   y.body = body * (1.0f - data.transmission);
   y.through = body * data.transmission;
   y.fuzz_colour = sqrt(color);   // light leaves a lone fibre after fewer meetings with the dye
@@ -96,8 +96,7 @@ FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, 
   float length2 = max(dot(sum, sum), 1.0e-6f);
   float d = facet_density(slopes, half_slopes(l, v));
   float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
-  float k2 = k * k;
-  vec3 fresnel = y.f0 + (y.f90 - y.f0) * (k2 * k2 * k);
+  vec3 fresnel = y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k);
   vec3 hair = y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f);
   Answer a;
   a.key = l.z > 0.0f ? y.body * broad.x + fresnel * (d * share * broad.y) + hair * broad.z

@@ -28,7 +28,6 @@ struct ThreadRecord {
   vec3 color;           // linear
   int yarn;
   ThreadTexture pattern;
-  uint unused;
 };
 
 FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
@@ -72,6 +71,7 @@ FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   x.hair = uintBitsToFloat(d.x);
   x.radius_mm = uintBitsToFloat(d.y);
   x.seed = d.z;
+  x.melange = uintBitsToFloat(d.w);
   return x;
 }
 
@@ -98,7 +98,7 @@ FORMULA YarnData record_yarn(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   y.transmission = uintBitsToFloat(b.w);
   y.tint = uintBitsToFloat(c);
   y.reflectance = uintBitsToFloat(d.x);
-  y.spare_a = uintBitsToFloat(d.y);
+  y.pile = uintBitsToFloat(d.y);
   y.spare_b = uintBitsToFloat(d.z);
   y.spare_c = uintBitsToFloat(d.w);
   return y;

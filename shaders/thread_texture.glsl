@@ -14,6 +14,7 @@ const float kStraySpacing = 2.5f;    // stray fibres are this much sparser than 
 const float kThreadTone = 0.05f;     // a thread is this much lighter or darker than its neighbours
 const float kFibreTone = 0.55f;      // contrasts at hairiness 1
 const float kStrayTone = 0.35f;
+const float kMelangeTone = 1.7f;     // contrasts at melange 1
 const float kStrayShare = 0.35f;     // of the places for a stray fibre, at hairiness 1
 const float kWander = 1.3f;          // grooves, at hairiness 1
 const int kFibresABundle = 4;
@@ -35,6 +36,7 @@ struct ThreadTexture {
   float hair;
   float radius_mm;
   uint seed;
+  float melange;         // how unlike neighbouring fibres are in colour
 };
 
 // Place on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length + wander).
@@ -125,7 +127,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
       stray = (1.0f - aside * aside) * 4.0f * p.blend * (1.0f - p.blend);
     }
     const float kMeanOfStray = 2.0f / 15.0f * 2.0f / 3.0f;
-    made.tone += fade * (kFibreTone * x.hair * tone + kStrayTone * (stray - share * kMeanOfStray));
+    made.tone += fade * ((kFibreTone * x.hair + kMelangeTone * x.melange) * tone + kStrayTone * (stray - share * kMeanOfStray));
     // The single fibres of a bundle, each of its own tone.
     float fine = contrast_left(float(kFibresABundle) * p.cycles);
     if (fine > 0.0f) {
@@ -136,7 +138,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
       if (x.singles > 0) own -= int(floor(index / float(x.singles))) * x.singles;
       float rounded_off = 2.0f * (single - index) - 1.0f;  // darker to its sides; square's mean 1/3
       float own_tone = fibre_value(x.seed ^ 0xC2B2AE35u, own, 0) - 0.5f;
-      made.tone += fine * (0.06f + 0.3f * x.hair) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
+      made.tone += fine * (0.06f + 0.3f * x.hair + 0.6f * x.melange) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
     }
   }
   if (x.plies > 1) {
@@ -146,6 +148,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
     made.groove *= 1.0f - x.depth * (1.0f / 7.0f + p.ply_fade * (furrow - 1.0f / 7.0f));
     made.ply *= p.ply_fade;
   }
+  made.tone = max(made.tone, 0.05f);
   made.groove = clamp(made.groove, 0.0f, 1.0f);
   return made;
 }

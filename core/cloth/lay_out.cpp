@@ -9,6 +9,7 @@
 
 #include "cloth/cloth.h"
 #include "cloth/srgb.h"
+#include "cloth/thread_texture.h"
 #include "draft/repeat.h"
 
 namespace weftlight::cloth {
@@ -59,13 +60,29 @@ float diameter_of(const Design& design, const Threads& threads, int i) {
   return is_given(thickness) ? thickness : std::max(0.0f, yarn_of(design, threads, i).diameter_mm);
 }
 
-std::vector<ThreadBody> bodies(const Design& design, const Threads& threads, int count, float& period) {
+/// Spun yarn is thick and thin: a factor for each thread, the same every time, between a third and thrice.
+float thickness_factor(const Yarn& yarn, System system, int thread) {
+  const float spread = std::isnan(yarn.irregularity) ? 0 : std::clamp(yarn.irregularity, 0.0f, 0.6f);
+  if (spread <= 0) return 1;
+  using thread_formulas::mix_bits, thread_formulas::unit_of;
+  const uint32_t seed = mix_bits(static_cast<uint32_t>(thread), system == System::kWarp ? 0x7Bu : 0xC5u);
+  // The sum of three even numbers is nearly normal; its standard deviation is 1/2.
+  const float sum = unit_of(mix_bits(seed, 1)) + unit_of(mix_bits(seed, 2)) + unit_of(mix_bits(seed, 3)) - 1.5f;
+  return std::clamp(1 + 2 * spread * sum, 1 / 3.0f, 3.0f);
+}
+
+std::vector<ThreadBody> bodies(const Design& design, System system, int count, float& period) {
+  const Threads& threads = design.draft.threads(system);
   std::vector<ThreadBody> out;
   out.reserve(static_cast<size_t>(count));
   double edge = 0;
   for (int i = 0; i < count; ++i) {
     const Yarn& yarn = yarn_of(design, threads, i);
-    ThreadBody body = body_of(diameter_of(design, threads, i), entry(threads.spacing_mm, i, kFromYarn), yarn);
+    const float even = diameter_of(design, threads, i), spacing = entry(threads.spacing_mm, i, kFromYarn);
+    const float factor = thickness_factor(yarn, system, i);
+    ThreadBody body = body_of(even * factor, spacing, yarn);
+    // A thread has the room that its even yarn would have: the reed does not know where it is thick.
+    if (factor != 1) body.spacing_mm = body_of(even, spacing, yarn).spacing_mm;
     body.yarn = static_cast<int>(&yarn - design.yarns.data());
     body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
     body.centre_mm = static_cast<float>(edge + 0.5 * static_cast<double>(body.spacing_mm));
@@ -106,8 +123,8 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   Cloth cloth;
   cloth.yarns = design.yarns.empty() ? std::vector<Yarn>{Yarn{}} : design.yarns;
   cloth.up = top_left(cells, size.picks, size.ends, face == Face::kBack);
-  cloth.ends = bodies(design, design.draft.warp, size.ends, cloth.width_mm);
-  cloth.picks = bodies(design, design.draft.weft, size.picks, cloth.depth_mm);
+  cloth.ends = bodies(design, System::kWarp, size.ends, cloth.width_mm);
+  cloth.picks = bodies(design, System::kWeft, size.picks, cloth.depth_mm);
   return cloth;
 }
 

@@ -12,14 +12,17 @@ namespace weftlight::draft {
 
 enum class Twist : uint8_t { kNone, kS, kZ };
 
-/// The four ways light leaves a yarn (shaders/lobes.glsl holds the formulas).
+/// The ways light leaves a yarn (shaders/lobes.glsl holds the formulas).
 struct Lobes {
-  // Specular along the fibre: Gaussian of micro-slopes, RMS along and across the fibre.
+  // Specular along the fibre: Gaussian of micro-slopes, RMS along and across the fibre. A yarn is a bundle: light that
+  // passes one clear fibre is mirrored by those below it.
   float specular = 1.0f;       // scale of the Fresnel reflectance
   Rgb specular_tint{1, 1, 1};  // 1 for dielectrics; the metal's colour for metallic yarns
   float ior = 1.53f;           // index of refraction
   float along_width = 0.25f;   // RMS slope along the fibre
   float across_width = 0.45f;  // RMS slope across the fibre
+  float layers = 1.0f;         // of fibres that mirror, untinted
+  float inner = 0.0f;          // share of it that went through fibres and left near the same cone, dyed
   // Body: light that entered and came out diffusely; times the thread's colour.
   float body = 1.0f;
   // Fuzz: fibres that stand off the yarn, seen at grazing angles and silhouettes.
@@ -41,6 +44,8 @@ struct Yarn {
   float groove_depth = 0.45f;  // darkness of the grooves
   float hairiness = 0.35f;     // noise of stray fibres
   float flattening = 0.8f;     // height over width of the cross-section in the cloth
+  float irregularity = 0;      // standard deviation of the thickness between threads, over its mean
+  float melange = 0;           // how unlike the colours of neighbouring fibres are
   Lobes lobes;
   bool operator==(const Yarn&) const = default;
 };

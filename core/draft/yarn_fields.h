@@ -40,7 +40,7 @@ inline constexpr FieldFacts kPliesFacts{"Plies",
                                         "Singles twisted together into the thread",
                                         "weaving yarns are singles to four plies, cords up to eight"};
 
-inline constexpr std::array<YarnField<Yarn>, 6> kYarnFields{{
+inline constexpr std::array<YarnField<Yarn>, 8> kYarnFields{{
     {{"Diameter", "diameter_mm", "Thickness", "mm", 2, 0, 50, 0.05f, 5, true,
       "Diameter, where the draft itself gives none", "cotton Ne 8/2 rounded up; to 50 mm for rope"},
      &Yarn::diameter_mm},
@@ -60,9 +60,16 @@ inline constexpr std::array<YarnField<Yarn>, 6> kYarnFields{{
     {{"Flattening", "flattening", "Roundness", "", 2, 0.3f, 1, 0.3f, 1, false,
       "Height over width of the thread in the cloth: 1 is round", "Peirce 1937: 0.6 to 0.8 in cotton cloth"},
      &Yarn::flattening},
+    {{"Irregularity", "irregularity", "Thick and thin", "", 2, 0, 0.6f, 0, 0.4f, false,
+      "How unevenly the yarn is spun: spread of the threads' thickness",
+      "standard deviation over mean: filament 0.01, combed cotton 0.05, woollen 0.1, slub yarn 0.2 and more"},
+     &Yarn::irregularity},
+    {{"Melange", "melange", "Melange", "", 2, 0, 1, 0, 1, false,
+      "Fibres of unlike colours spun together: heather and flannel", "0: dyed as yarn or piece; by eye"},
+     &Yarn::melange},
 }};
 
-inline constexpr std::array<YarnField<Lobes>, 8> kLobeFields{{
+inline constexpr std::array<YarnField<Lobes>, 10> kLobeFields{{
     {{"Specular", "specular", "Shine", "", 2, 0, 1, 0, 1, false, "Strength of the light mirrored along the fibres",
       "1: all that Fresnel's equations mirror"},
      &Lobes::specular},
@@ -77,6 +84,14 @@ inline constexpr std::array<YarnField<Lobes>, 8> kLobeFields{{
     {{"Across", "across_width", "Spread across", "", 2, 0, 4, 0.02f, 2, true, "RMS slope across the fibre",
       "spread of fibres within a thread's surface; range as along"},
      &Lobes::across_width},
+    {{"Layers", "layers", "Fibre layers", "", 1, 1, 16, 1, 10, false,
+      "Layers of clear fibres that mirror, one below the other: more is brighter, without colour",
+      "Stokes 1862 (pile of plates); fitted to measured cloths, docs/measured.md"},
+     &Lobes::layers},
+    {{"Inner", "inner", "Inner glow", "", 2, 0, 1, 0, 1, false,
+      "Share of the shine that went through the fibres and has the thread's colour",
+      "Sadeghi et al. 2013 (volume scattering); fitted to measured cloths"},
+     &Lobes::inner},
     {{"Body", "body", "Body", "", 2, 0, 1, 0, 1, false,
       "Light that entered the thread and leaves it in the thread's colour", "1: the colour picked is what is seen"},
      &Lobes::body},

@@ -17,13 +17,13 @@
 // Flattening: what loom and press leave: Peirce 1937 saw 0.6-0.8 in cotton; low twist spreads more.
 // Index: mean of the two of the fibre: cotton 1.578/1.532, flax 1.596/1.528, silk 1.591/1.538, wool
 //   1.556/1.547, viscose 1.539/1.519, polyester 1.725/1.537 (Morton and Hearle, ch. 24).
-// Widths along the fibre: tangent of the widths that I. Sadeghi, O. Bisker, J. De Deken, H. W. Jensen, A
-//   Practical Microcylinder Appearance Model for Cloth Rendering, 2013, measured on threads: linen 12, silk
-//   5-18, polyester satin 2.5-30 degrees. Cotton is a twisted ribbon, hence wider than linen; mercerising
-//   swells it round and smooth; wool has scales. Across: the spread of fibres within the thread's surface,
-//   wider the less parallel they lie.
-// Body, fuzz, transmission: by eye, in the order of the fibres' lustre and hair; delustred fibre scatters
-//   most inside.
+// Light of cotton, linen, silk and polyester filament: widths, layers, inner light and fuzz were fitted to measured
+//   cloths (tests/measured, docs/measured.md): cotton to denim and twill, linen to a plain weave, silk to charmeuse,
+//   polyester to satin charmeuse. They lie near the tangents of the widths that I. Sadeghi, O. Bisker, J. De Deken,
+//   H. W. Jensen, A Practical Microcylinder Appearance Model for Cloth Rendering, 2013, give for threads: linen 12
+//   (clear light) and 24 (what went through), silk 5 and 10, polyester satin 2.5 and 5 degrees.
+// Of the rest by rank: mercerising swells cotton round and smooth; viscose is filament like silk; wool has scales.
+// Translucence: by eye, in the order of the fibres' lustre; delustred fibre scatters most inside.
 // Metallic: aluminium under a clear lacquer on a slit film of about 1/69 inch (the common count), wound or
 //   laid flat: a ribbon, mirror-like along, no body. The index is the lacquer's.
 
@@ -38,7 +38,7 @@ namespace {
 constexpr Rgb kWhite{1, 1, 1};
 
 std::array<Yarn, 8> make_presets() {
-  // Lobes: specular, tint, index, along, across, body, fuzz, fuzz width, transmission, metallic.
+  // Lobes: specular, tint, index, along, across, layers, inner, body, fuzz, fuzz width, transmission, metallic.
   return {{
       // Ne 8/2 ring-spun, 148 tex, phi 0.6; 22 degrees.
       {"Cotton",
@@ -50,7 +50,9 @@ std::array<Yarn, 8> make_presets() {
        0.45f,
        0.35f,
        0.70f,
-       {0.8f, kWhite, 1.55f, 0.35f, 0.55f, 1.0f, 0.18f, 0.55f, 0.12f, false}},
+       0,
+       0,
+       {1.0f, kWhite, 1.55f, 0.30f, 0.20f, 3, 0.10f, 0.9f, 0.12f, 0.55f, 0.12f, false}},
       // Ne 10/2 gassed, 118 tex, phi 0.65; 20 degrees.
       {"Mercerised cotton",
        0.39f,
@@ -61,7 +63,9 @@ std::array<Yarn, 8> make_presets() {
        0.35f,
        0.10f,
        0.75f,
-       {1.0f, kWhite, 1.55f, 0.18f, 0.45f, 0.9f, 0.06f, 0.45f, 0.12f, false}},
+       0,
+       0,
+       {1.0f, kWhite, 1.55f, 0.16f, 0.30f, 4, 0.12f, 0.9f, 0.06f, 0.45f, 0.12f, false}},
       // Lea 16/2 wet-spun, 207 tex, phi 0.65; 16 degrees.
       {"Linen",
        0.52f,
@@ -72,7 +76,9 @@ std::array<Yarn, 8> make_presets() {
        0.55f,
        0.22f,
        0.75f,
-       {0.9f, kWhite, 1.56f, 0.21f, 0.50f, 0.95f, 0.10f, 0.50f, 0.14f, false}},
+       0,
+       0,
+       {1.0f, kWhite, 1.56f, 0.38f, 0.30f, 4.4f, 0.40f, 0.9f, 0.02f, 0.50f, 0.14f, false}},
       // Nm 30/2 spun, 67 tex, phi 0.6; 14 degrees.
       {"Silk",
        0.33f,
@@ -83,7 +89,9 @@ std::array<Yarn, 8> make_presets() {
        0.25f,
        0.06f,
        0.65f,
-       {1.0f, kWhite, 1.56f, 0.12f, 0.40f, 0.85f, 0.05f, 0.40f, 0.18f, false}},
+       0,
+       0,
+       {0.95f, kWhite, 1.56f, 0.087f, 0.89f, 4.5f, 0.09f, 0.9f, 0.012f, 0.40f, 0.14f, false}},
       // Nm 28/2 worsted, 71 tex, phi 0.5; 18 degrees.
       {"Wool",
        0.37f,
@@ -94,7 +102,9 @@ std::array<Yarn, 8> make_presets() {
        0.40f,
        0.65f,
        0.75f,
-       {0.7f, kWhite, 1.55f, 0.42f, 0.60f, 1.0f, 0.35f, 0.65f, 0.10f, false}},
+       0,
+       0,
+       {0.7f, kWhite, 1.55f, 0.42f, 0.60f, 2, 0.10f, 1.0f, 0.35f, 0.65f, 0.10f, false}},
       // 300 den filament, 33 tex, phi 0.6; 5 degrees.
       {"Viscose",
        0.22f,
@@ -105,7 +115,9 @@ std::array<Yarn, 8> make_presets() {
        0.18f,
        0.04f,
        0.60f,
-       {1.0f, kWhite, 1.53f, 0.11f, 0.38f, 0.85f, 0.03f, 0.40f, 0.20f, false}},
+       0,
+       0,
+       {1.0f, kWhite, 1.53f, 0.10f, 0.60f, 4, 0.10f, 0.9f, 0.02f, 0.40f, 0.20f, false}},
       // 150 den filament, 17 tex, phi 0.6; 4 degrees.
       {"Polyester filament",
        0.16f,
@@ -116,7 +128,9 @@ std::array<Yarn, 8> make_presets() {
        0.12f,
        0.02f,
        0.60f,
-       {1.0f, kWhite, 1.63f, 0.07f, 0.32f, 0.80f, 0.02f, 0.35f, 0.22f, false}},
+       0,
+       0,
+       {0.95f, kWhite, 1.63f, 0.06f, 0.69f, 8, 0.02f, 0.9f, 0.004f, 0.35f, 0.12f, false}},
       // Slit film 0.37 mm wide, folded round its core to about 0.25 mm.
       {"Metallic",
        0.25f,
@@ -127,7 +141,9 @@ std::array<Yarn, 8> make_presets() {
        0.05f,
        0.0f,
        0.45f,
-       {1.0f, kWhite, 1.50f, 0.06f, 0.22f, 0.0f, 0.0f, 0.30f, 0.0f, true}},
+       0,
+       0,
+       {1.0f, kWhite, 1.50f, 0.06f, 0.22f, 1, 0, 0.0f, 0.0f, 0.30f, 0.0f, true}},
   }};
 }
 

@@ -46,7 +46,7 @@ struct Point {
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
   float peak = 0;              // density of those slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
-  float tone = 0, f0 = 0, f90 = 0, hair = 0;  // green, of the colours that the table leaves out
+  float tone = 0, f0 = 0, f90 = 0, pile = 1, hair = 0;  // green, of the colours that the table leaves out
 };
 
 void take_light(Point& p, size_t i, size_t view, float cosine) {
@@ -65,7 +65,7 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   p.above = place.area * std::max(place.side.z, 0.0f) * place.open[kV - 1];
   p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = place.groove;
-  p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90;
+  p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.pile = lobes.pile;
   p.hair = lobes.fuzz > 0 ? lobes.fuzz_colour.g : p.f0 / std::max(p.f90, 1e-3f);
   p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
@@ -153,7 +153,8 @@ void add(Sums& sums, const Point& p, const std::vector<float>& grazing, size_t v
   }
   const float* graze = &grazing[view * kL];
   for (size_t i = 0; i < kL; ++i) {
-    sent[i] = scattered[i] * p.tone + mirrored[i] * (p.f0 + (p.f90 - p.f0) * graze[i]) + combed[i] * p.hair;
+    const float rising = p.pile * graze[i] / (1 + (p.pile - 1) * graze[i]);
+    sent[i] = scattered[i] * p.tone + mirrored[i] * (p.f0 + (p.f90 - p.f0) * rising) + combed[i] * p.hair;
   }
   const auto accumulate = [view](std::vector<float>& to, const PerLight& row_of, float scale) {
     float* row = &to[view * kL];

@@ -24,6 +24,7 @@ YarnLobes white_mirror(float along, float across) {
   y.fuzz_colour = glm::vec3(1);
   y.fuzz = 0;
   y.fuzz_depth = 0.25f;
+  y.pile = 1;
   return y;
 }
 
@@ -66,6 +67,21 @@ TEST(Furnace, YarnsReturnAllLight) {
       EXPECT_NEAR(r.low, 1, 0.01) << a << " " << b;
       EXPECT_NEAR(r.high, 1, 0.01) << a << " " << b;
     }
+}
+
+// Layers of fibres: their reflectance bends with the angle, so that means over facets are fitted, not stored.
+TEST(Furnace, PilesOfFibresReturnAllLight) {
+  for (const float layers : {2.0f, 4.0f, 8.0f}) {
+    for (const float width : {0.05f, 0.2f, 0.45f, 0.8f}) {
+      Lobes lobes;
+      lobes.layers = layers, lobes.inner = 0.2f, lobes.along_width = 0.6f * width, lobes.across_width = width;
+      lobes.fuzz = lobes.transmission = 0, lobes.body = 1;
+      const Range r = furnace_range(yarn_lobes(lobes, {1, 1, 1}));
+      const double tolerance = layers <= 4 ? 0.02 : 0.035;
+      EXPECT_GT(r.low, 1 - tolerance) << layers << ' ' << width;
+      EXPECT_LT(r.high, 1 + tolerance) << layers << ' ' << width;
+    }
+  }
 }
 
 TEST(Furnace, LongMirrorsStayWithinTheTableError) {
@@ -289,6 +305,31 @@ TEST(YarnLobes, AreHeldWhereTheFileHoldsThem) {
   Lobes wide;
   wide.along_width = 900;
   EXPECT_EQ(yarn_lobes(wide, {1, 1, 1}).slope_cov, yarn_lobes(clamped(wide), {1, 1, 1}).slope_cov);
+}
+
+// n r / (1 + (n - 1) r), at any angle that r stands for.
+TEST(YarnLobes, LayersMirrorAsAPileOfPlates) {
+  Lobes lobes;
+  const float once = mirror_shares(lobes).clear;
+  EXPECT_NEAR(once, 0.0439f, 1e-4f);
+  for (const float n : {1.0f, 2.0f, 5.0f, 16.0f}) {
+    lobes.layers = n;
+    const YarnLobes y = yarn_lobes(lobes, {0, 0, 0});
+    for (const float cosine : {1.0f, 0.7f, 0.3f, 0.05f}) {
+      const float one = once + (1 - once) * std::pow(1 - cosine, 5.0f);
+      const float pile = y.f0.x + (y.f90 - y.f0.x) * formulas::pile_grazing(y.pile, 1 - cosine);
+      EXPECT_NEAR(pile, n * one / (1 + (n - 1) * one), 1e-5f) << n << ' ' << cosine;
+    }
+  }
+}
+
+TEST(YarnLobes, WhatWentThroughTheFibresTakesTheirColour) {
+  Lobes lobes;
+  lobes.layers = 3, lobes.inner = 0.25f;
+  const float clear = mirror_shares(lobes).clear;
+  const YarnLobes y = yarn_lobes(lobes, {0.8f, 0.1f, 0});
+  EXPECT_NEAR(y.f0.x, 0.75f * clear + 0.25f * 0.8f, 1e-6f);
+  EXPECT_NEAR(y.f0.z, 0.75f * clear, 1e-6f);
 }
 
 TEST(YarnLobes, MetalHasTheThreadsColourAndNoBody) {

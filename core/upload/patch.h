@@ -3,6 +3,7 @@
 // (core/reference/picture.h) defines it, so that a rung can be held against the truth.
 // World here is cloth space: x along the weft, y along the warp, z out of the front, mm.
 
+#include "draft/drawdown.h"
 #include "light/formulas.h"
 #include "upload/ambient.h"
 #include "upload/names.h"
@@ -18,6 +19,7 @@ struct FlatPatch {
   float light_sine = 0;                      // half angle of the light's disc, as a sine
   glm::vec3 light_irradiance{3.14159265f};   // on a surface that faces it
   int samples = formulas::kMostYarnSamples;  // a pixel of rung yarn, at the most
+  Face face = Face::kFront;                  // which face of the cloth lies up, x along the weft on both
 };
 
 /// The patch and a margin around it as two triangles that face the eye.

@@ -74,18 +74,6 @@ MapsSize maps_size(const Cloth& cloth) {
   return size;
 }
 
-/// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so its yarns are
-/// handed the other way there to be handed the same way in space.
-Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period) {
-  Cloth cloth = lay_out(design, cells, face, period);
-  if (face == Face::kBack) {
-    for (Yarn& yarn : cloth.yarns) {
-      yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
-    }
-  }
-  return cloth;
-}
-
 std::vector<float> cube_texels(const CubeMap& cube) {
   std::vector<float> texels;
   for (const std::vector<glm::vec3>& face : cube.faces) {
@@ -112,6 +100,16 @@ ReadMesh find_mesh(const std::string& name) {
 }
 
 }  // namespace
+
+Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period) {
+  Cloth cloth = lay_out(design, cells, face, period);
+  if (face == Face::kBack) {
+    for (Yarn& yarn : cloth.yarns) {
+      yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
+    }
+  }
+  return cloth;
+}
 
 Period choose_period(const Design& design, const BitMatrix& cells) {
   const double whole = per_thread(lay_out(design, cells, Face::kFront, Period::kWholeDraft));

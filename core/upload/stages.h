@@ -27,6 +27,10 @@ struct StageResult {
 /// What the maps hold: the whole draft where its threads get enough texels, else one repeat.
 Period choose_period(const Design& design, const BitMatrix& cells);
 
+/// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so its yarns are handed the other
+/// way there to be handed the same way in space.
+Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period);
+
 /// kQuick: the next frame's answer. Whole bakes are made with few texels; painted cells reach the front alone; light
 /// from afar keeps the answer that it had. kFull brings all of it up to date.
 enum class Effort { kQuick, kFull };

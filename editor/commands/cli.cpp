@@ -1,6 +1,7 @@
 // The command line of the contract, read once here (CLI11 is slow to compile).
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -36,10 +37,6 @@ CLI::Validator pair_of(char between, const std::string& form) {
       form);
 }
 
-struct PictureText {
-  std::string size = "1280x800", view, light, face = "front";
-};
-
 void add_face(CLI::App* verb, std::string& face) {
   verb->add_option("--face", face, "Which face of the cloth")->check(CLI::IsMember({"front", "back"}));
 }
@@ -50,6 +47,69 @@ std::vector<std::string> drawn_methods() {
     if (m.drawn) names.emplace_back(m.name);
   return names;
 }
+
+/// Degrees from the normal, as text: "0,30,60" or, from first to last by steps, "-80:80:5".
+constexpr double kSteepest = 89.9;
+constexpr size_t kMostAngles = 10000;
+
+std::string parse_angles(const std::string& text, std::vector<double>& out) {
+  out.clear();
+  const bool range = text.find(':') != std::string::npos;
+  std::vector<double> numbers;
+  size_t at = 0;
+  while (at <= text.size()) {
+    const size_t end = std::min(text.find(range ? ':' : ',', at), text.size());
+    try {
+      size_t used = 0;
+      numbers.push_back(std::stod(text.substr(at, end - at), &used));
+      if (used != end - at || !std::isfinite(numbers.back())) return "'" + text + "' is not a list of angles";
+    } catch (const std::exception&) {
+      return "'" + text + "' is not a list of angles";
+    }
+    at = end + 1;
+  }
+  if (range) {
+    if (numbers.size() != 3 || numbers[2] <= 0 || numbers[1] < numbers[0])
+      return "'" + text + "' is not of the form FROM:TO:STEP, upwards";
+    const double count = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-9) + 1;
+    if (count > static_cast<double>(kMostAngles)) return "'" + text + "': too many angles; take a wider step";
+    for (int k = 0; k < static_cast<int>(count); ++k) out.push_back(numbers[0] + k * numbers[2]);
+  } else {
+    out = numbers;
+  }
+  if (out.size() > kMostAngles) return "'" + text + "': too many angles";
+  const bool inside = std::all_of(out.begin(), out.end(), [](double a) { return std::abs(a) <= kSteepest; });
+  return inside ? std::string{} : "'" + text + "': angles lie between -89.9 and 89.9 degrees";
+}
+
+/// Reads the text into `out` as it checks it.
+CLI::Validator angles_into(std::vector<double>& out) {
+  return CLI::Validator([&out](const std::string& text) { return parse_angles(text, out); }, "A,B,..|FROM:TO:STEP");
+}
+
+std::vector<std::string> all_methods() {
+  std::vector<std::string> names;
+  for (const MethodFacts& m : kMethods) names.emplace_back(m.name);
+  return names;
+}
+
+void add_response_options(CLI::App* verb, ResponseOptions& o, std::string& views, std::string& lights,
+                          std::string& face) {
+  verb->add_option("file", o.file, "Draft (.wif)")->required();
+  verb->add_option("-o,--output", o.out, "Table (.csv)")->required();
+  verb->add_option("--method", o.method, "Rung of the ladder, or reference")->check(CLI::IsMember(all_methods()));
+  verb->add_option("--plane", o.plane, "What the plane of incidence holds beside the normal")
+      ->check(CLI::IsMember({"warp", "weft", "both"}));
+  verb->add_option("--views", views, "Degrees from the normal; 0,30,60")->check(angles_into(o.views_deg));
+  verb->add_option("--lights", lights, "Degrees from the normal; -80:80:5")->check(angles_into(o.lights_deg));
+  add_face(verb, face);
+  verb->add_option("--spp", o.spp, "Reference: rays in each of 1,024 places of the repeat")
+      ->check(CLI::Range(1, 1 << 16));
+}
+
+struct PictureText {
+  std::string size = "1280x800", view, light, face = "front";
+};
 
 void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
@@ -190,6 +250,11 @@ CommandLine run_command_line(int argc, char** argv) {
   chart_verb->add_option("-o,--output", chart.out, "Folder")->required();
   chart_verb->add_flag("--quick", chart.quick, "Within a minute");
 
+  ResponseOptions response;
+  std::string response_views, response_lights, response_face = "front";
+  auto* response_verb = app.add_subcommand("response", "What the flat cloth sends back from afar, as a table");
+  add_response_options(response_verb, response, response_views, response_lights, response_face);
+
   DrapeOptions drape;
   auto* drape_verb = app.add_subcommand("drape", "Simulate a shipped drape again");
   drape_verb->add_option("name", drape.name, "plane, sphere, tablecloth, curtain, skirt, tunic or all")->required();
@@ -203,6 +268,8 @@ CommandLine run_command_line(int argc, char** argv) {
   }
 
   drawdown.face = drawdown_face == "back" ? Face::kBack : Face::kFront;
+  response.face = response_face == "back" ? Face::kBack : Face::kFront;
+  if (response.lights_deg.empty()) parse_angles("-80:80:5", response.lights_deg);
   convert.drive = to_lifts ? ConvertDrive::kLiftplan : to_treadles ? ConvertDrive::kTreadling : ConvertDrive::kAsIs;
   if ((render_verb->parsed() || reference_verb->parsed()) && !take_picture_text(picture, picture_text)) {
     result.exit_code = kUsage;
@@ -217,6 +284,7 @@ CommandLine run_command_line(int argc, char** argv) {
   else if (reference_verb->parsed()) result.exit_code = reference_command(picture);
   else if (export_verb->parsed()) result.exit_code = export_command(texture);
   else if (chart_verb->parsed()) result.exit_code = chart_command(chart);
+  else if (response_verb->parsed()) result.exit_code = response_command(response);
   else if (drape_verb->parsed()) result.exit_code = drape_command(drape);
   else if (analyse_verb->parsed()) result.exit_code = analyse_command(analyse);
   else if (weave_verb->parsed()) result.exit_code = weave_command(weave);

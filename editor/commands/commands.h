@@ -55,6 +55,12 @@ struct ChartOptions {
   std::string out;
   bool quick = false;
 };
+struct ResponseOptions {
+  std::string file, out, method = "cloth", plane = "both";  // plane: warp, weft or both
+  std::vector<double> views_deg{0, 30, 60}, lights_deg;     // from the normal, within 90
+  Face face = Face::kFront;
+  int spp = 16;  // reference only: rays in each of a thousand places of the repeat
+};
 struct DrapeOptions {
   std::string name, out;  // name "all": every shipped drape into the folder `out`
 };
@@ -87,6 +93,7 @@ int render_command(const PictureOptions&);
 int reference_command(const PictureOptions&);
 int export_command(const ExportOptions&);
 int chart_command(const ChartOptions&);
+int response_command(const ResponseOptions&);
 int drape_command(const DrapeOptions&);
 int analyse_command(const AnalyseOptions&);
 int diff_command(const DiffOptions&);

@@ -344,6 +344,7 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   drawn.scene.sky_strength = 0;
   drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
   drawn.frame.samples = p.samples;
+  drawn.frame.front = p.face;
   if (!linear.begin(p.width, p.height, 1)) return;
   interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);

@@ -1,0 +1,25 @@
+#pragma once
+// What rung `cloth` draws of one face, worked out on the processor from the numbers that the card is sent: the radiance
+// that a flat cloth sends to an eye far off under one light and no sky.
+
+#include <glm/glm.hpp>
+
+#include "light/cloth_response.h"
+#include "shaders/interop.h"
+#include "upload/names.h"
+
+namespace weftlight::upload {
+
+struct FarAnswer {
+  interop::ClothData numbers{};  // the first face alone
+  ClothResponse response;
+};
+
+/// Of the face that the cloth is; about a tenth of a second. Cloth without threads answers nothing.
+FarAnswer far_answer(const Cloth& cloth, int samples = kResponseSamples);
+
+/// Radiance along `view` per unit irradiance on a plane perpendicular to the beam that comes from `light`; gaps send
+/// nothing. Unit vectors: x along the weft, y along the warp, z out of the face; view.z > 0.
+glm::vec3 radiance_from_afar(const FarAnswer& answer, const glm::vec3& light, const glm::vec3& view);
+
+}  // namespace weftlight::upload

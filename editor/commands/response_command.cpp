@@ -1,0 +1,155 @@
+// `weftlight response`: what the flat cloth sends back from afar under one directional light, as a table. `cloth` is
+// worked out on the processor, `reference` by tracing rays, the other methods are drawn as patches.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "commands/commands.h"
+#include "commands/picture_setup.h"
+#include "draft/methods.h"
+#include "files/files.h"
+#include "gl/context.h"
+#include "gl/renderer.h"
+#include "reference/picture.h"
+#include "upload/far_answer.h"
+#include "upload/stages.h"
+
+namespace weftlight::commands {
+namespace {
+
+constexpr int kTracedPixels = 32;  // along a side of the period, each with `spp` rays
+constexpr int kDrawnPixels = 8;    // along a side of a patch
+constexpr float kDrawnYarns = 8;   // across a pixel, at the least
+
+struct Directions {
+  bool warp = true;  // the plane of incidence holds the warp
+  double view_deg = 0, light_deg = 0;
+};
+
+std::vector<Directions> directions_of(const ResponseOptions& o) {
+  std::vector<Directions> out;
+  for (const bool warp : {true, false}) {
+    if (o.plane != "both" && (o.plane == "warp") != warp) continue;
+    for (const double view : o.views_deg)
+      for (const double light : o.lights_deg) out.push_back({warp, view, light});
+  }
+  return out;
+}
+
+glm::vec3 unit(bool warp, double degrees) {
+  const double a = degrees * std::numbers::pi / 180;
+  const float side = static_cast<float>(std::sin(a)), up = static_cast<float>(std::cos(a));
+  return warp ? glm::vec3(0, side, up) : glm::vec3(side, 0, up);
+}
+
+/// One value a direction; none with `error` set.
+using Radiances = std::vector<glm::vec3>;
+
+Cloth one_face(const Design& design, Face face) {
+  const BitMatrix cells = drawdown(design.draft);
+  return face_cloth(design, cells, face, Period::kRepeat);
+}
+
+Radiances worked_out(const Cloth& cloth, const std::vector<Directions>& directions) {
+  const FarAnswer answer = far_answer(cloth);
+  Radiances out;
+  for (const Directions& d : directions)
+    out.push_back(radiance_from_afar(answer, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
+  return out;
+}
+
+Radiances traced(const Cloth& cloth, const ResponseOptions& o, const std::vector<Directions>& directions,
+                 std::string& error) {
+  const std::unique_ptr<TubeScene> tubes = TubeScene::build(cloth, {}, error);
+  Radiances out;
+  if (!tubes) return out;
+  FlatPicture picture;
+  picture.width = picture.height = kTracedPixels;
+  picture.spp = o.spp;
+  picture.step_x_mm = {cloth.width_mm / kTracedPixels, 0}, picture.step_y_mm = {0, cloth.depth_mm / kTracedPixels};
+  picture.around.light_irradiance = glm::vec3(1);
+  for (const Directions& d : directions) {
+    picture.view = unit(d.warp, d.view_deg), picture.around.light_towards = unit(d.warp, d.light_deg);
+    glm::vec3 sum(0);
+    for (const glm::vec4& p : trace_flat(*tubes, picture, {}).pixels) sum += glm::vec3(p);
+    out.push_back(sum / static_cast<float>(kTracedPixels * kTracedPixels));
+  }
+  return out;
+}
+
+FlatPatch far_patch(const PackedCloth& packed, Face face) {
+  FlatPatch patch;
+  patch.width = patch.height = kDrawnPixels;
+  const float least = kDrawnYarns * packed.mean_spacing_mm;
+  // Whole periods, so that no part of one counts twice.
+  const auto side = [&](float period) { return period * std::max(1.0f, std::ceil(least * kDrawnPixels / period)); };
+  patch.step_x_mm = {side(packed.width_mm) / kDrawnPixels, 0};
+  patch.step_y_mm = {0, side(packed.depth_mm) / kDrawnPixels};
+  patch.face = face;
+  patch.light_irradiance = glm::vec3(1);
+  return patch;
+}
+
+Radiances drawn(const Design& design, const ResponseOptions& o, const std::vector<Directions>& directions,
+                std::string& error) {
+  Radiances out;
+  const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
+  const std::unique_ptr<Renderer> renderer = context ? Renderer::create(error) : nullptr;
+  if (!renderer) return out;
+  Design shown = design;
+  shown.look = Look{};
+  shown.look.method = method_from_name(o.method).value_or(Method::kAuto);
+  Stages stages;
+  stages.update(std::make_shared<const Design>(shown));
+  renderer->upload(stages.packed());
+  FlatPatch patch = far_patch(stages.packed(), o.face);
+  for (const Directions& d : directions) {
+    patch.view = unit(d.warp, d.view_deg), patch.light_towards = unit(d.warp, d.light_deg);
+    renderer->draw_patch(patch, shown.look);
+    const Image image = renderer->read_patch();
+    glm::vec3 sum(0);
+    for (size_t i = 0; i + 3 < image.texels.size(); i += 4)
+      sum += glm::vec3(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
+    out.push_back(sum / static_cast<float>(kDrawnPixels * kDrawnPixels));
+  }
+  return out;
+}
+
+std::string as_csv(const std::vector<Directions>& directions, const Radiances& radiances) {
+  std::string text = "plane,view_deg,light_deg,r,g,b\n";
+  for (size_t i = 0; i < directions.size(); ++i) {
+    const Directions& d = directions[i];
+    char row[160];
+    const auto channel = [&](int c) { return static_cast<double>(radiances[i][c]); };
+    std::snprintf(row, sizeof row, "%s,%g,%g,%.6g,%.6g,%.6g\n", d.warp ? "warp" : "weft", d.view_deg, d.light_deg,
+                  channel(0), channel(1), channel(2));
+    text += row;
+  }
+  return text;
+}
+
+}  // namespace
+
+int response_command(const ResponseOptions& o) {
+  const OpenedDesign opened = open_design(o.file);
+  if (!opened.ok) return kBadInput;
+  if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
+    return fail(kBadInput, o.file + ": the draft has no threads: give it at least one end and one pick");
+  }
+  const std::vector<Directions> directions = directions_of(o);
+  std::string error;
+  Radiances radiances;
+  if (o.method == "cloth") radiances = worked_out(one_face(opened.design, o.face), directions);
+  else if (o.method == "reference") radiances = traced(one_face(opened.design, o.face), o, directions, error);
+  else radiances = drawn(opened.design, o, directions, error);
+  if (radiances.size() != directions.size()) {
+    return o.method == "reference" ? fail(kBadInput, o.file + ": " + error)
+                                   : fail(kNoGraphics, "no graphics: " + error);
+  }
+  error = write_file_atomically(o.out, as_csv(directions, radiances));
+  return error.empty() ? kDone : fail(kNotWritten, o.out + ": " + error + "; choose another place");
+}
+
+}  // namespace weftlight::commands

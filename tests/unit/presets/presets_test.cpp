@@ -52,7 +52,7 @@ TEST(Presets, FilesReadWithoutAComplaint) {
 
 TEST(Presets, NoStrayFiles) {
   const auto recipes = preset_recipes();
-  for (const char* folder : {"drafts", "yarns"}) {
+  for (const char* folder : {"drafts", "yarns", "cloths"}) {
     for (const auto& entry : std::filesystem::directory_iterator(presets_path(folder))) {
       const std::string path = std::string(folder) + "/" + entry.path().filename().string();
       EXPECT_TRUE(std::ranges::any_of(recipes, [&](const PresetRecipe& r) { return r.path == path; })) << path;
@@ -75,7 +75,7 @@ TEST(Presets, AreSoundCloth) {
     EXPECT_EQ(d.draft.ends() % r.ends, 0);
     for (const System system : {System::kWarp, System::kWeft}) {
       for (const float mm : d.draft.threads(system).spacing_mm) {
-        EXPECT_GT(mm, 0.1f) << recipe.path;
+        EXPECT_GT(mm, 0.07f) << recipe.path;
         EXPECT_LT(mm, 2.0f) << recipe.path;
       }
     }

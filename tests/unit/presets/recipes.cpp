@@ -223,6 +223,7 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/summer_and_winter.wif", summer_winter()},
   };
   for (const Yarn& preset : yarn_presets()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
+  for (PresetRecipe& cloth : cloth_recipes()) all.push_back(std::move(cloth));
   return all;
 }
 

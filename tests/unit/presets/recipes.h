@@ -14,5 +14,7 @@ struct PresetRecipe {
   Design design;
 };
 std::vector<PresetRecipe> preset_recipes();
+/// Those of presets/cloths, which are among them.
+std::vector<PresetRecipe> cloth_recipes();
 
 }  // namespace weftlight::wif

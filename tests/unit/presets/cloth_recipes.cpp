@@ -1,0 +1,340 @@
+// Whole cloths: weave, sett of the finished cloth, yarns by count. presets/cloths holds what these give.
+//
+// Setts and counts are customary constructions. Denim 14 oz: Ne 7 by Ne 6, 66 by 43 threads an inch; chambray: Ne 30,
+// 112 by 90; oxford: two ends of Ne 32 by Ne 10, 2 x 53 by 63; gabardine: Nm 60/2, 2 : 1 (J. J. Pizzuto, Fabric
+// Science; S. Adanur, Handbook of Weaving, 2001). Tweed: Nm 5.6 woollen, 8 ends a centimetre (Harris). Flannel: Nm 14
+// woollen. Duchesse satin, taffeta, organza, crepe de chine, charmeuse: raw silk of 20/22 denier, so many threads
+// together (the trade's descriptions of 14 to 22 momme cloth). Linen: lea 25 and 14; table damask on five shafts,
+// lea 40.
+
+#include <cmath>
+
+#include "draft/count.h"
+#include "draft/generators.h"
+#include "draft/yarn_presets.h"
+#include "recipes.h"
+
+namespace weftlight::wif {
+namespace {
+
+Rgb hex(unsigned rgb) {
+  const auto channel = [rgb](int shift) { return static_cast<float>((rgb >> shift) & 255u) / 255.0f; };
+  return {channel(16), channel(8), channel(0)};
+}
+
+std::vector<Rgb> palette(std::initializer_list<unsigned> colors) {
+  std::vector<Rgb> out;
+  for (const unsigned color : colors) out.push_back(hex(color));
+  return out;
+}
+
+/// Density, g/cm3, and share of the thread that is fibre (yarn_presets.cpp has their sources).
+struct Substance {
+  double density, packing;
+};
+constexpr Substance kCotton{1.52, 0.6}, kLinen{1.5, 0.62}, kSilk{1.34, 0.6}, kWorsted{1.31, 0.58}, kWoollen{1.31, 0.3};
+
+/// The preset spun to a count; `turns` a metre, of singles.
+Yarn spun(const char* preset, const char* name, const char* count, Substance of, float turns, int plies = 1) {
+  Yarn yarn = yarn_preset(preset);
+  yarn.name = std::string(name) + " " + count;
+  yarn.diameter_mm =
+      static_cast<float>(diameter_from_tex_mm(tex_from_text(count).value_or(30), of.density, of.packing));
+  yarn.diameter_mm = std::round(yarn.diameter_mm * 1000) / 1000;
+  yarn.turns_per_m = turns, yarn.plies = plies;
+  return yarn;
+}
+
+/// Threads of finished cloth a centimetre.
+Design set_at(Design design, float ends_per_cm, float picks_per_cm) {
+  design.draft.warp.spacing_mm.assign(design.draft.warp.color.size(), 10 / ends_per_cm);
+  design.draft.weft.spacing_mm.assign(design.draft.weft.color.size(), 10 / picks_per_cm);
+  return design;
+}
+
+/// Shown on that form.
+Design worn(Design design, const char* mesh, float azimuth, float elevation, float distance = 1) {
+  design.scene.mesh = mesh;
+  design.scene.view_azimuth = azimuth, design.scene.view_elevation = elevation;
+  design.scene.view_distance = distance;
+  return design;
+}
+
+Design titled(Design design, const char* title, std::vector<std::string> notes) {
+  design.title = title, design.author = "Weftlight", design.notes = std::move(notes);
+  return design;
+}
+
+// The measured cloths (tests/measured). Sett, thickness and dye are free within what such cloths have, and were fitted
+// together with the lobes; yarn_presets.cpp keeps the lobes.
+
+/// Linear-light reflectance as the palette holds it.
+Rgb dye(float r, float g, float b) {
+  const auto channel = [](float v) { return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; };
+  // In 255ths, as plain WIF keeps them.
+  const auto whole = [&](float v) { return std::round(255 * channel(v)) / 255; };
+  return {whole(r), whole(g), whole(b)};
+}
+
+Yarn fitted(const char* preset, const char* name, float diameter_mm, float flattening, float turns) {
+  Yarn yarn = yarn_preset(preset);
+  yarn.name = name;
+  yarn.diameter_mm = diameter_mm, yarn.flattening = flattening, yarn.turns_per_m = turns;
+  yarn.plies = 1, yarn.twist = Twist::kZ;
+  return yarn;
+}
+
+/// In two dyes, threads so far apart (mm).
+Design measured(Design d, Rgb warp_dye, Rgb weft_dye, const Yarn& warp, const Yarn& weft, float ends_mm,
+                float picks_mm) {
+  d = with_colors(std::move(d), {warp_dye, weft_dye}, {{0, 1}}, {{1, 1}});
+  d = with_yarns(std::move(d), warp, weft);
+  d.draft.warp.spacing_mm.assign(d.draft.warp.color.size(), ends_mm);
+  d.draft.weft.spacing_mm.assign(d.draft.weft.color.size(), picks_mm);
+  return d;
+}
+
+Design linen_plain() {
+  const Rgb blue = dye(0.103f, 0.28f, 0.36f);
+  const Yarn yarn = fitted("Linen", "Linen 23 lea", 0.254f, 0.5f, 320);
+  return titled(worn(measured(plain({16, 16}), blue, blue, yarn, yarn, 0.36f, 0.36f), "tablecloth", 25, 24),
+                "Linen, measured", {"Plain weave, 28 by 28 a centimetre, as Sadeghi and others 2013 measured it."});
+}
+
+Design crepe_de_chine() {
+  const Rgb gold = dye(0.23f, 0.243f, 0.0039f);
+  Yarn warp = fitted("Silk", "Raw silk 2 x 22 den", 0.092f, 0.35f, 67);
+  warp.lobes.along_width = 0.082f, warp.lobes.across_width = 0.155f, warp.lobes.layers = 9.4f, warp.lobes.inner = 0.48f;
+  Yarn weft = fitted("Silk", "Crepe silk 2 x 22 den", 0.09f, 0.99f, 1075);
+  weft.lobes.along_width = 0.244f, weft.lobes.across_width = 0.171f, weft.lobes.layers = 4.7f,
+  weft.lobes.inner = 0.164f;
+  return titled(worn(measured(plain({16, 16}), gold, gold, warp, weft, 0.13f, 0.28f), "skirt", 15, 12),
+                "Silk crepe de chine, measured",
+                {"Plain weave, flat warp over hard-twisted weft, 77 by 36 a centimetre (Sadeghi and others 2013)."});
+}
+
+Design polyester_charmeuse() {
+  Recipe crowfoot;  // four-shaft satin, warp-faced
+  crowfoot.shafts = 4, crowfoot.threading = {0, 1, 2, 3}, crowfoot.treadling = {0, 1, 3, 2};
+  crowfoot.tieup = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+  const Rgb rose = dye(0.2f, 0.08f, 0.08f);
+  Yarn warp = fitted("Polyester filament", "Polyester 48 den", 0.09f, 0.325f, 29);
+  warp.lobes.specular = 0.8f, warp.lobes.along_width = 0.057f, warp.lobes.across_width = 0.69f, warp.lobes.layers = 16;
+  Yarn weft = fitted("Polyester filament", "Polyester 96 den", 0.127f, 0.61f, 10);
+  weft.lobes.specular = 0.83f, weft.lobes.along_width = 0.038f, weft.lobes.across_width = 0.05f;
+  return titled(worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.3f, 0.35f), "skirt", 15, 12),
+                "Polyester satin charmeuse, measured",
+                {"Warp satin on four shafts, 33 by 29 a centimetre (Sadeghi and others 2013)."});
+}
+
+Design cotton_denim() {
+  const Yarn warp = fitted("Cotton", "Cotton Ne 7.8", 0.325f, 0.55f, 400),
+             weft = fitted("Cotton", "Cotton Ne 5.2", 0.4f, 0.86f, 461);
+  return titled(worn(measured(twill({3, 1}, Lean::kRight, {32, 32}), dye(0.0164f, 0.0213f, 0.0235f),
+                              dye(0.11f, 0.11f, 0.11f), warp, weft, 0.41f, 0.52f),
+                     "skirt", 20, 12),
+                "Cotton denim, measured", {"3/1 twill, 24 by 19 a centimetre (Irawan and Marschner 2012)."});
+}
+
+Design silk_charmeuse() {
+  const Rgb plum = dye(0.012f, 0.012f, 0.012f);
+  const Yarn warp = fitted("Silk", "Silk 3 x 22 den", 0.11f, 0.83f, 60),
+             weft = fitted("Silk", "Silk 2 x 20 den", 0.081f, 0.83f, 33);
+  return titled(
+      worn(measured(satin(8, 3, Face::kFront, {16, 16}), plum, plum, warp, weft, 0.0993f, 0.165f), "skirt", 15, 12),
+      "Silk charmeuse, measured", {"Warp satin on eight shafts, 101 by 61 a centimetre (Irawan and Marschner 2012)."});
+}
+
+Design cotton_twill() {
+  const Rgb dark = dye(0.012f, 0.012f, 0.012f);
+  const Yarn warp = fitted("Cotton", "Cotton Ne 19", 0.208f, 0.55f, 1100),
+             weft = fitted("Cotton", "Cotton Ne 12.5", 0.257f, 0.55f, 1100);
+  return titled(
+      worn(measured(twill({3, 1}, Lean::kRight, {32, 32}), dark, dark, warp, weft, 0.257f, 0.35f), "skirt", -25, 10),
+      "Cotton twill, measured", {"3/1 twill, 39 by 29 a centimetre (Irawan and Marschner 2012)."});
+}
+
+Design denim() {
+  Design d = with_colors(twill({3, 1}, Lean::kRight, {64, 64}), palette({0x2a4380, 0xf2ecde}), {{0, 1}}, {{1, 1}});
+  Yarn warp = spun("Cotton", "Ring-spun cotton", "Ne 7", kCotton, 560),
+       weft = spun("Cotton", "Cotton", "Ne 6", kCotton, 480);
+  warp.twist = weft.twist = Twist::kZ;
+  // Indigo stays on the outside of rope-dyed ends, and wears off where they stand proud: light and dark along and
+  // between.
+  warp.irregularity = 0.13f, warp.melange = 0.45f, warp.fibre_um = 45;
+  weft.irregularity = 0.1f;
+  d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
+  return titled(worn(std::move(d), "skirt", 20, 12), "Denim",
+                {"3/1 right-hand twill, 14 oz: indigo Ne 7 over ecru Ne 6, 26 by 17 a centimetre."});
+}
+
+Design chambray() {
+  Design d = with_colors(plain({64, 64}), palette({0x3f6db0, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Cotton", "Combed cotton", "Ne 30", kCotton, 820);
+  yarn.flattening = 0.6f, yarn.irregularity = 0.1f, yarn.fibre_um = 22, yarn.hairiness = 0.25f;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
+  return titled(worn(std::move(d), "tunic", 20, 8), "Chambray",
+                {"Plain weave, blue warp and white weft, Ne 30, 44 by 36 a centimetre."});
+}
+
+Design oxford() {
+  Recipe pairs;
+  pairs.shafts = 2, pairs.threading = {0, 0, 1, 1}, pairs.tieup = {{0}, {1}}, pairs.treadling = {0, 1};
+  Design d = with_colors(make_design(pairs, {64, 32}), palette({0x8fb2dc, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
+  Yarn warp = spun("Cotton", "Combed cotton", "Ne 32", kCotton, 850),
+       weft = spun("Cotton", "Soft cotton", "Ne 10", kCotton, 380);
+  warp.irregularity = 0.06f, warp.fibre_um = 22, warp.hairiness = 0.2f;
+  weft.irregularity = 0.08f, weft.fibre_um = 30, weft.flattening = 0.75f;
+  d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
+  return titled(worn(std::move(d), "tunic", -20, 8), "Oxford",
+                {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
+                 "Ne 32 by Ne 10, 42 by 25 a centimetre."});
+}
+
+Design gabardine() {
+  Design d = with_colors(twill({2, 2}, Lean::kRight, {32, 32}), palette({0xa5916c, 0x9b8763}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Wool", "Worsted", "Nm 60/2", kWorsted, 620, 2);
+  yarn.twist = Twist::kS, yarn.irregularity = 0.02f, yarn.fibre_um = 24, yarn.hairiness = 0.12f,
+  yarn.groove_depth = 0.3f;
+  // Clear finish: singed, cropped and pressed.
+  yarn.lobes.fuzz = 0.08f, yarn.lobes.along_width = 0.24f, yarn.lobes.layers = 2;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 24);
+  return titled(worn(std::move(d), "skirt", -25, 10), "Gabardine",
+                {"2/2 twill that stands at 63 degrees, for the ends lie twice as close as the picks.",
+                 "Worsted Nm 60/2, 44 by 24 a centimetre, clear finish."});
+}
+
+Design tweed() {
+  Design d = with_colors(herringbone({2, 2}, 10, {80, 40}), palette({0x4a3b2c, 0xc4b291}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Wool", "Woollen", "Nm 5.6", kWoollen, 260);
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.14f, yarn.melange = 0.75f, yarn.fibre_um = 45, yarn.hairiness = 0.9f;
+  yarn.flattening = 0.85f, yarn.lobes.fuzz = 0.5f, yarn.lobes.fuzz_width = 0.7f;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
+  return titled(worn(std::move(d), "tunic", 20, 8), "Herringbone tweed",
+                {"2/2 twill that turns every ten ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
+}
+
+Design flannel() {
+  Design d = with_colors(twill({2, 2}, Lean::kRight, {64, 64}), palette({0x8a8d94, 0x9a9da3}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Wool", "Woollen", "Nm 14", kWoollen, 420);
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.1f, yarn.melange = 1.0f, yarn.fibre_um = 28, yarn.hairiness = 0.9f;
+  yarn.groove_depth = 0.15f, yarn.flattening = 0.7f;
+  // Milled and raised: a nap over the weave.
+  yarn.lobes.fuzz = 0.85f, yarn.lobes.fuzz_width = 0.95f, yarn.lobes.along_width = 0.6f, yarn.lobes.across_width = 0.8f;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
+  return titled(worn(std::move(d), "skirt", 20, 12), "Flannel",
+                {"2/2 twill of grey melange, woollen Nm 14, 19 by 17 a centimetre, milled and raised."});
+}
+
+Design silk_satin() {
+  Design d = with_colors(satin(8, 3, Face::kFront, {16, 16}), palette({0xc9a05c, 0xb98f4e}), {{0, 1}}, {{1, 1}});
+  Yarn warp = spun("Silk", "Organzine", "63 den", kSilk, 120), weft = spun("Silk", "Tram", "126 den", kSilk, 100);
+  d = set_at(with_yarns(std::move(d), warp, weft), 118, 42);
+  return titled(worn(std::move(d), "skirt", 15, 12), "Silk satin",
+                {"Duchesse: warp satin on eight shafts, 118 by 42 a centimetre, raw silk 3 and 6 fold."});
+}
+
+Design taffeta() {
+  Design d = with_colors(plain({16, 16}), palette({0x123a9e, 0xb5122e}), {{0, 1}}, {{1, 1}});
+  Yarn warp = spun("Silk", "Organzine", "84 den", kSilk, 500), weft = spun("Silk", "Tram", "126 den", kSilk, 120);
+  warp.flattening = weft.flattening = 0.5f;
+  d = set_at(with_yarns(std::move(d), warp, weft), 62, 46);
+  return titled(worn(std::move(d), "skirt", 15, 12), "Shot taffeta",
+                {"Blue warp and red weft in plain weave, 62 by 46 a centimetre: the colour turns with the light."});
+}
+
+Design organza() {
+  Design d = with_colors(plain({16, 16}), palette({0xe6dff0, 0xf0eaf6}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Silk", "Gum silk", "21 den", kSilk, 1200);
+  yarn.flattening = 1, yarn.lobes.transmission = 0.35f;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 40);
+  return titled(
+      worn(std::move(d), "curtain", 20, 8), "Organza",
+      {"Plain weave of hard-twisted raw silk in the gum, 21 denier, 44 by 40 a centimetre: sheer and crisp."});
+}
+
+Design linen() {
+  Design d = with_colors(plain({48, 48}), palette({0xcdbf9f, 0xd6c9ab}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Linen", "Wet-spun linen", "14 lea", kLinen, 330);
+  yarn.irregularity = 0.14f, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
+  return titled(worn(std::move(d), "tablecloth", 25, 24), "Linen",
+                {"Plain weave of thick and thin yarn, lea 14, 21 by 20 a centimetre."});
+}
+
+/// Five-shaft satin, warp-faced in one block and weft-faced in the other; `blocks` is the order of units of five.
+Design satin_damask(const std::vector<int>& blocks, int units) {
+  constexpr int kShafts = 5, kStep = 2;
+  Recipe r;
+  r.shafts = 2 * kShafts;
+  for (const int block : blocks)
+    for (int s = 0; s < kShafts; ++s) r.threading.push_back(block * kShafts + s);
+  // Treadle 5 b + t lifts block b in warp satin and the other in weft satin.
+  for (int warp_faced = 0; warp_faced < 2; ++warp_faced) {
+    for (int t = 0; t < kShafts; ++t) {
+      std::vector<int> lifts;
+      for (int block = 0; block < 2; ++block) {
+        for (int s = 0; s < kShafts; ++s) {
+          const bool bound = (s * kStep) % kShafts == t;
+          if (bound != (block == warp_faced)) lifts.push_back(block * kShafts + s);
+        }
+      }
+      r.tieup.push_back(lifts);
+    }
+  }
+  for (const int block : blocks)
+    for (int t = 0; t < kShafts; ++t) r.treadling.push_back(block * kShafts + t);
+  return make_design(r, {units * kShafts, units * kShafts});
+}
+
+Design damask() {
+  std::vector<int> blocks;
+  for (const int block : {0, 0, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 0, 1}) blocks.insert(blocks.end(), 3, block);
+  Design d = with_colors(satin_damask(blocks, static_cast<int>(blocks.size())), palette({0xf3efe4, 0xf3efe4}), {{0, 1}},
+                         {{1, 1}});
+  Yarn yarn = spun("Linen", "Bleached linen", "40 lea", kLinen, 480);
+  yarn.irregularity = 0.06f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
+  // Beetled and calendered: flat threads that shine along themselves.
+  yarn.flattening = 0.5f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
+  return titled(worn(std::move(d), "tablecloth", 25, 24), "Damask",
+                {"Table damask: satin on five shafts, warp-faced against weft-faced, white on white.",
+                 "Lea 40, 30 by 28 a centimetre, beetled."});
+}
+
+Design ottoman() {
+  Design d = with_colors(plain({48, 8}), palette({0x2c4a3e, 0x2a463b}), {{0, 1}}, {{1, 1}});
+  Yarn warp = spun("Silk", "Organzine", "84 den", kSilk, 300),
+       weft = spun("Cotton", "Corded cotton", "Ne 8/4", kCotton, 260, 4);
+  warp.flattening = 0.5f, weft.flattening = 1;
+  d = set_at(with_yarns(std::move(d), warp, weft), 66, 12);
+  return titled(worn(std::move(d), "skirt", 20, 12), "Ottoman",
+                {"Corded: a close silk warp covers thick cotton picks, 66 by 12 a centimetre."});
+}
+
+}  // namespace
+
+std::vector<PresetRecipe> cloth_recipes() {
+  return {
+      {"cloths/linen_plain.wif", linen_plain()},
+      {"cloths/silk_crepe_de_chine.wif", crepe_de_chine()},
+      {"cloths/polyester_satin_charmeuse.wif", polyester_charmeuse()},
+      {"cloths/cotton_denim.wif", cotton_denim()},
+      {"cloths/silk_charmeuse.wif", silk_charmeuse()},
+      {"cloths/cotton_twill.wif", cotton_twill()},
+      {"cloths/denim.wif", denim()},
+      {"cloths/chambray.wif", chambray()},
+      {"cloths/oxford.wif", oxford()},
+      {"cloths/gabardine.wif", gabardine()},
+      {"cloths/tweed.wif", tweed()},
+      {"cloths/flannel.wif", flannel()},
+      {"cloths/silk_satin.wif", silk_satin()},
+      {"cloths/shot_taffeta.wif", taffeta()},
+      {"cloths/organza.wif", organza()},
+      {"cloths/linen.wif", linen()},
+      {"cloths/damask.wif", damask()},
+      {"cloths/ottoman.wif", ottoman()},
+  };
+}
+
+}  // namespace weftlight::wif

@@ -30,8 +30,8 @@ svg() {  # name title free
       s2 = exp(a / n); s3 = exp(b / n)
     }
     low = int(log(peak) / log(10) + 10) - 10 + 1 - 3
-    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"780\" height=\"440\" font-family=\"sans-serif\" font-size=\"11\">"
-    print "<rect width=\"780\" height=\"440\" fill=\"white\"/><text x=\"25\" y=\"18\" font-size=\"14\">" title "</text>"
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-20 0 800 400\" width=\"800\" height=\"400\" font-family=\"sans-serif\" font-size=\"11\">"
+    print "<rect x=\"-20\" width=\"800\" height=\"400\" fill=\"white\"/><text x=\"25\" y=\"18\" font-size=\"14\">" title "</text>"
     print "<text x=\"450\" y=\"18\" fill=\"#111\">measured</text><text x=\"530\" y=\"18\" fill=\"#d55e00\">cloth</text><text x=\"590\" y=\"18\" fill=\"#0072b2\">reference</text>"
     for (p = 0; p < 6; ++p) {
       ox = 260 * (p % 3); oy = 40 + 190 * int(p / 3); i = p * 33 + 1

@@ -117,12 +117,32 @@ void for_each_run(const BitMatrix& threads, Visit visit) {
   }
 }
 
+// The longest of all that are met, and how many there were.
+struct Longest {
+  size_t most;
+  LongFloats out = {};
+  int least = 0;  // what is no longer than this has no place any more
+
+  void add(const Float& f) {
+    ++out.count;
+    if (f.length <= least) return;
+    out.listed.push_back(f);
+    if (out.listed.size() >= 2 * most + 1024) trim();
+  }
+  void trim() {
+    std::ranges::stable_sort(out.listed, [](const Float& a, const Float& b) { return a.length > b.length; });
+    if (out.listed.size() <= most) return;
+    out.listed.resize(most);
+    if (most > 0) least = out.listed.back().length;
+  }
+};
+
 // Runs of `down` (columns are threads of `system`) longer than the limit.
-void list_runs(const BitMatrix& down, System system, Face face, int limit, LongFloats& out) {
+void list_runs(const BitMatrix& down, System system, Face face, int limit, Longest& longest) {
   const BitMatrix long_cells = cells_of_long_runs(down, limit);
   if (!any(long_cells)) return;
   for_each_run(transposed(long_cells), [&](int thread, int first, int length) {
-    out.listed.push_back({system, face, thread, first, length});
+    longest.add({system, face, thread, first, length});
   });
 }
 
@@ -135,16 +155,14 @@ LongestFloats longest_floats(const BitMatrix& cells) {
 }
 
 LongFloats long_floats(const BitMatrix& cells, int limit, int most) {
-  LongFloats out;
+  Longest longest{static_cast<size_t>(std::max(most, 0))};
   const BitMatrix turned = transposed(cells);
-  list_runs(cells, System::kWarp, Face::kFront, limit, out);
-  list_runs(complement(cells), System::kWarp, Face::kBack, limit, out);
-  list_runs(complement(turned), System::kWeft, Face::kFront, limit, out);
-  list_runs(turned, System::kWeft, Face::kBack, limit, out);
-  out.count = static_cast<int64_t>(out.listed.size());
-  std::ranges::stable_sort(out.listed, [](const Float& a, const Float& b) { return a.length > b.length; });
-  if (out.count > most) out.listed.resize(static_cast<size_t>(std::max(most, 0)));
-  return out;
+  list_runs(cells, System::kWarp, Face::kFront, limit, longest);
+  list_runs(complement(cells), System::kWarp, Face::kBack, limit, longest);
+  list_runs(complement(turned), System::kWeft, Face::kFront, limit, longest);
+  list_runs(turned, System::kWeft, Face::kBack, limit, longest);
+  longest.trim();
+  return std::move(longest.out);
 }
 
 BitMatrix crossings_in_floats(const BitMatrix& cells, int limit, Face face) {

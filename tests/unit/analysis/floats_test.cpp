@@ -67,6 +67,20 @@ TEST(LongFloats, AreListedTheLongestFirst) {
   EXPECT_TRUE(long_floats(m, 5).listed.empty());
 }
 
+TEST(LongFloats, OfVeryManyTheLongestAreKept) {
+  // 2/2 twill has floats of 2 in every thread; one end floats over ten picks.
+  BitMatrix m(200, 200);
+  for (int p = 0; p < 200; ++p)
+    for (int e = 0; e < 200; ++e) m.set(p, e, (p + e) % 4 < 2);
+  for (int p = 10; p < 20; ++p) m.set(p, 7, true);
+  const LongFloats few = long_floats(m, 1, 3), all = long_floats(m, 1, 1000000);
+  EXPECT_EQ(few.count, all.count);
+  ASSERT_EQ(few.listed.size(), 3u);
+  EXPECT_EQ(all.listed.size(), static_cast<size_t>(all.count));
+  EXPECT_GE(few.listed[0].length, 10);
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(few.listed[i], all.listed[i]) << i;
+}
+
 TEST(LongFloats, AgreeWithCountingOnRandomCloth) {
   std::mt19937 random(31);
   for (int round = 0; round < 150; ++round) {

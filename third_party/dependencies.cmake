@@ -28,6 +28,8 @@ endif()
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
+weftlight_package(TBB libtbb-dev CONFIG)
+weftlight_pkg(FONTCONFIG fontconfig libfontconfig-dev)
 weftlight_package(glm libglm-dev CONFIG)
 weftlight_package(glfw3 libglfw3-dev 3.3 CONFIG)
 weftlight_package(TinyGLTF libtinygltf-dev CONFIG)

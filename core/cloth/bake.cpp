@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/loops.h"
 #include "cloth/bake_parts.h"
-#include "cloth/bands.h"
 
 namespace weftlight::cloth {
 namespace {
@@ -102,8 +102,8 @@ void sample_texels(const Cloth& cloth, const SampleGrid& grid, const TexelRect& 
 /// Runs over bands of rows.
 template <class Job>
 void for_each_row_band(int rows, int threads, const Job& job) {
-  for_each_band((rows + kBandRows - 1) / kBandRows, threads,
-                [&](int band) { job(band * kBandRows, std::min(rows, (band + 1) * kBandRows)); });
+  for_each_job((rows + kBandRows - 1) / kBandRows, threads,
+               [&](int band) { job(band * kBandRows, std::min(rows, (band + 1) * kBandRows)); });
 }
 
 int width_of(const TexelRect& r) { return r.x1 - r.x0; }
@@ -142,7 +142,7 @@ Maps empty_maps(int w, int h, const MapsSize& size) {
         break;
     }
   };
-  for_each_band(8, size.threads, make);
+  for_each_job(8, size.threads, make);
   return m;
 }
 
@@ -183,7 +183,7 @@ Plane<float> bake_field(Maps& maps, const Cloth& cloth, const SampleGrid& grid, 
     for (int y = r.y0; y < r.y1; y += kBandRows) bands.push_back({r.x0, y, r.x1, std::min(r.y1, y + kBandRows)});
   Plane<float> height(width_of(field), height_of(field));
   const int wx = wrap(window.x0, w), wy = wrap(window.y0, h);
-  for_each_band(static_cast<int>(bands.size()), threads, [&](int i) {
+  for_each_job(static_cast<int>(bands.size()), threads, [&](int i) {
     const TexelRect& r = bands[static_cast<size_t>(i)];
     const int to_x = wrap(r.x0 - field.x0, w) - r.x0, to_y = wrap(r.y0 - field.y0, h) - r.y0;
     sample_texels(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
@@ -255,7 +255,7 @@ Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
   const TexelRect field = field_around(shown, sweeps, w, h);
   Plane<float> height = bake_field(maps, cloth, sample_grid(cloth, w, h), field, shown, whole.threads);
   const Plane<float> turned = maps.azimuths > 0 ? transposed(height) : Plane<float>{};
-  for_each_band(maps.azimuths, whole.threads, [&](int k) {
+  for_each_job(maps.azimuths, whole.threads, [&](int k) {
     Sweep s = sweeps[static_cast<size_t>(k)];
     s.first = s.along_x ? field.x0 : field.y0, s.first_line = s.along_x ? field.y0 : field.x0;
     maps.horizon[static_cast<size_t>(k)] = cut_out(horizon(height, turned, s, shown), field, shown, w, h);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/bands.h"
+#include "base/loops.h"
 #include "cloth/surface.h"
 
 namespace weftlight::cloth {
@@ -62,7 +62,7 @@ MomentLevel finest_level(const Cloth& cloth, int width, int height, int threads)
   const SampleGrid grid = sample_grid(cloth, width, height);
   const int nx = grid.per_texel_x, ny = grid.per_texel_y;
   const float share = 1.0f / static_cast<float>(nx * ny);
-  for_each_band((height + kBandRows - 1) / kBandRows, threads, [&](int band) {
+  for_each_job((height + kBandRows - 1) / kBandRows, threads, [&](int band) {
     const int y0 = band * kBandRows, y1 = std::min(height, y0 + kBandRows);
     SurfaceSampler sampler(cloth, grid, 0, width * nx, y0 * ny, y1 * ny);
     std::vector<SurfaceSample> row(static_cast<size_t>(width * nx));
@@ -82,7 +82,7 @@ MomentLevel finest_level(const Cloth& cloth, int width, int height, int threads)
 /// Runs a job for each of the 18 planes of a level.
 template <class Job>
 void for_each_plane(int threads, const Job& job) {
-  for_each_band(2 * kMomentPlanes, threads, [&](int i) {
+  for_each_job(2 * kMomentPlanes, threads, [&](int i) {
     job(i < kMomentPlanes ? &MomentLevel::warp : &MomentLevel::weft, static_cast<size_t>(i % kMomentPlanes));
   });
 }
@@ -156,8 +156,8 @@ std::vector<MomentLevel> moments(const Cloth& cloth, const Maps& maps, int width
     level.horizon.resize(maps.horizon.size());
     level.horizon_spread.resize(maps.horizon.size());
   }
-  for_each_band(static_cast<int>(maps.horizon.size()), threads,
-                [&](int k) { filter_horizon(maps, static_cast<size_t>(k), levels); });
+  for_each_job(static_cast<int>(maps.horizon.size()), threads,
+               [&](int k) { filter_horizon(maps, static_cast<size_t>(k), levels); });
   return levels;
 }
 

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/loops.h"
 #include "cloth/bake_parts.h"
-#include "cloth/bands.h"
 #include "cloth/texel_cover.h"
 
 namespace weftlight::cloth {
@@ -136,8 +136,8 @@ void rebake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, cons
   int64_t texels = 0;
   for (const TexelRect& r : rects) texels += int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
   const std::vector<TexelRect> parts = parts_of(rects);
-  for_each_band(static_cast<int>(parts.size()), texels < kWorthAThread ? 1 : 0,
-                [&](int i) { bake_surface(maps, cloth, grid, parts[static_cast<size_t>(i)]); });
+  for_each_job(static_cast<int>(parts.size()), texels < kWorthAThread ? 1 : 0,
+               [&](int i) { bake_surface(maps, cloth, grid, parts[static_cast<size_t>(i)]); });
 }
 
 /// Lines of one sweep that read a changed texel: blocks x lines.
@@ -196,7 +196,7 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
   if (maps.azimuths == 0) return cover(touched, kPatchOverhead);
 
   std::vector<std::vector<TexelRect>> swept(static_cast<size_t>(maps.azimuths));
-  for_each_band(maps.azimuths, 0, [&](int k) {
+  for_each_job(maps.azimuths, [&](int k) {
     swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(after, w, h, maps.azimuths, k), k, changed);
   });
   for (const auto& rects : swept)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/resources.h"
 #include "cloth/maps.h"
 #include "drape/mesh.h"
 #include "files/names.h"
@@ -59,8 +60,6 @@ struct GltfMaterial {
 /// Writes a .glb (or .gltf with files beside it) of the mesh; without material when null.
 std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* material);
 
-/// Folder of presets: $WEFTLIGHT_PRESETS, beside the program, or the source tree.
-std::string presets_dir();
 /// A shipped drape by name (presets/meshes/NAME.glb) or a file by path.
 ReadMesh load_drape(const std::string& name_or_path);
 

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "files/atomic_file.h"
+#include "base/files.h"
 #include "files/files.h"
 
 namespace weftlight::files {
@@ -131,21 +131,6 @@ std::string write_levels(const std::string& path, const std::vector<Image>& leve
   return out->close() ? "" : out->geterror();
 }
 
-/// Runs a writer on a file beside the target and renames it into place.
-template <class Write>
-std::string write_beside(const std::string& path, const Write& write) {
-  const std::string temporary = temporary_beside(path);
-  std::string problem;
-  try {
-    problem = write(temporary);
-  } catch (const std::exception& e) {
-    problem = e.what();
-  }
-  if (problem.empty()) return commit_file(temporary, path);
-  std::remove(temporary.c_str());
-  return path + ": " + problem;
-}
-
 /// OpenImageIO does not notice when a disk fills up under a PNG, so its bytes are written here.
 bool is_png(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -180,9 +165,10 @@ std::string write_image(const std::string& path, const Image& image, PixelType t
     return path + ": not every channel has its name";
   if (is_png(path)) {
     const std::vector<unsigned char> bytes = encode_png(image, type);
-    return bytes.empty() ? path + ": cannot be encoded" : write_bytes(path, bytes);
+    if (bytes.empty()) return path + ": cannot be encoded";
+    return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
-  return write_beside(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
+  return write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
 }
 
 std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
@@ -196,7 +182,7 @@ std::string write_mipmapped_exr(const std::string& path, const std::vector<Image
                    levels[i].height == std::max(above.height / 2, 1) && levels[i].channels == above.channels);
     if (!halves) return path + ": a mip level does not halve the one before";
   }
-  return write_beside(path,
+  return write_through(path,
                       [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
 }
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "files/atomic_file.h"
+#include "base/files.h"
 #include "files/files.h"
 
 namespace weftlight::files {
@@ -198,6 +198,8 @@ std::string check_mesh(const Mesh& mesh) {
   return {};
 }
 
+std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
 std::string write_glb(const std::string& path, Document& doc) {
   pad(doc.binary, 0);
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}}});
@@ -215,7 +217,7 @@ std::string write_glb(const std::string& path, Document& doc) {
   append_u32(glb, static_cast<uint32_t>(doc.binary.size()));
   append_u32(glb, kBinChunk);
   glb.insert(glb.end(), doc.binary.begin(), doc.binary.end());
-  return write_bytes(path, glb);
+  return write_file_atomically(path, text_of(glb));
 }
 
 /// The files beside it first, so that the .gltf never names what is not there.
@@ -224,9 +226,10 @@ std::string write_gltf(const std::string& path, Document& doc) {
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}, {"uri", doc.stem + ".bin"}}});
   doc.files.emplace_back(doc.stem + ".bin", std::move(doc.binary));
   for (const auto& [name, bytes] : doc.files) {
-    if (std::string problem = write_bytes((folder / name).string(), bytes); !problem.empty()) return problem;
+    if (std::string problem = write_file_atomically((folder / name).string(), text_of(bytes)); !problem.empty())
+      return problem;
   }
-  return write_text(path, doc.root.dump(1) + "\n");
+  return write_file_atomically(path, doc.root.dump(1) + "\n");
 }
 
 }  // namespace

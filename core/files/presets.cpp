@@ -1,33 +1,12 @@
-#include <cstdlib>
 #include <filesystem>
 
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-#endif
-
+#include "base/resources.h"
 #include "files/files.h"
 
 namespace weftlight::files {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path program_path() {
-  std::error_code ec;
-#ifdef __APPLE__
-  char buffer[4096];
-  uint32_t size = sizeof buffer;
-  return _NSGetExecutablePath(buffer, &size) == 0 ? fs::canonical(buffer, ec) : fs::path();
-#else
-  return fs::read_symlink("/proc/self/exe", ec);
-#endif
-}
-
-/// A presets folder is known by its meshes or drafts, so that another program's folder is not taken.
-bool is_presets(const fs::path& folder) {
-  std::error_code ec;
-  return fs::is_directory(folder / "drafts", ec) || fs::is_directory(folder / "meshes", ec);
-}
 
 std::string names_of_drapes() {
   std::string names;
@@ -36,20 +15,6 @@ std::string names_of_drapes() {
 }
 
 }  // namespace
-
-std::string presets_dir() {
-  if (const char* set = std::getenv("WEFTLIGHT_PRESETS"); set && *set) return set;
-  const fs::path program = program_path();
-  if (const fs::path share = program.parent_path() / "../share/weftlight/presets"; is_presets(share)) {
-    return share.lexically_normal().string();
-  }
-  // From build/release, and from a copy of the program put beside its presets.
-  fs::path folder = program.parent_path();
-  for (int up = 0; up < 4 && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
-    if (is_presets(folder / "presets")) return (folder / "presets").string();
-  }
-  return WEFTLIGHT_SOURCE_DIR "/presets";
-}
 
 ReadMesh load_drape(const std::string& name_or_path) {
   std::error_code ec;

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/loops.h"
 #include "light/formulas.h"
-#include "light/parallel.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
@@ -366,7 +366,7 @@ std::vector<Point> points_of(const std::vector<ThreadPlace>& places, const std::
            });
   };
   std::vector<Point> points(2 * places.size());
-  in_parallel(static_cast<int>(places.size()), 2, [&](int k) {
+  for_each_job(static_cast<int>(places.size()), [&](int k) {
     const size_t i = static_cast<size_t>(k);
     points[2 * i] = measure(places[i], places[i].normal, w);
     if (!turns_away(places[i])) return;
@@ -409,7 +409,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   const std::array<Moments, 2> moments = take_top(out, threads.top);
   const std::vector<float> grazing = grazing_of(w);
   std::array<Sums, 2> sums;
-  in_parallel(kResponseElevations, 2, [&](int e) {
+  for_each_job(kResponseElevations, [&](int e) {
     const int azimuths = e == kResponseElevations - 1 ? 1 : kViewAzimuths;
     for (const Point& p : points)
       for (int a = 0; a < azimuths; ++a)

@@ -2,9 +2,11 @@
 // The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
 
 namespace weftlight {
+namespace base {}
 namespace draft {}
 namespace cloth {}
 namespace light {
+using namespace base;
 using namespace draft;
 using namespace cloth;
 }  // namespace light

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "light/parallel.h"
+#include "base/loops.h"
 
 namespace weftlight::light {
 namespace {
@@ -56,7 +56,7 @@ Matrix tabulate(const ClothBrdf& brdf, Split split, const std::vector<Texel>& te
   Matrix m{n, n, {}, {}};
   m.known.assign(static_cast<size_t>(n) * static_cast<size_t>(n), 0.0f);
   for (auto& c : m.channel) c.assign(m.known.size(), 0.0f);
-  in_parallel(n, threads, [&](int row) {
+  for_each_job(n, threads, [&](int row) {
     for (int col = 0; col < n; ++col) {
       const glm::vec3 &a = texels[static_cast<size_t>(row)].direction, &b = texels[static_cast<size_t>(col)].direction;
       const Pair p = split == Split::kRaw ? Pair{a, b} : from_half_difference(a, b);
@@ -184,7 +184,7 @@ Separable factorise(const ClothBrdf& brdf, Split split, int size, int threads) {
   const Matrix m = tabulate(brdf, split, texels, threads);
   Separable result{split, empty_map(size), empty_map(size), 0};
   std::array<Misfit, 3> errors;
-  in_parallel(3, std::min(threads, 3), [&](int c) {
+  for_each_job(3, threads, [&](int c) {
     const std::vector<float>& f = m.channel[static_cast<size_t>(c)];
     const Product p = rank_one(m, f);
     errors[static_cast<size_t>(c)] = misfit(m, f, p);

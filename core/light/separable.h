@@ -35,7 +35,7 @@ struct Separable {
 
 /// The best product in least squares over all pairs with both directions above the horizon; pairs
 /// that do not exist have no weight. size: texels along a face's edge, 4..64.
-Separable factorise(const ClothBrdf& brdf, Split split, int size = 16, int threads = 2);
+Separable factorise(const ClothBrdf& brdf, Split split, int size = 16, int threads = 0);
 
 /// BRDF from the cube maps; 0 below the horizon.
 glm::vec3 evaluate(const Separable& separable, const glm::vec3& wi, const glm::vec3& wo);

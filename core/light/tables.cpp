@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/loops.h"
 #include "light/formulas.h"
-#include "light/parallel.h"
 
 namespace weftlight::light {
 namespace {
@@ -144,7 +144,7 @@ float fresnel_cosine(const Seen& v, const glm::vec2& albedo) {
 
 Table make_albedo(int threads) {
   Table t(kOpenings, kSpreads, kSpreads, 4);
-  in_parallel(kSpreads * kSpreads, threads, [&t](int row) {
+  for_each_job(kSpreads * kSpreads, threads, [&t](int row) {
     const int y = row % kSpreads, z = row / kSpreads;
     const auto across = slope_row<kAcrossNodes>(0, kGaussianReach, slope_of(coordinate(z, kSpreads)));
     const float slope_along = slope_of(coordinate(y, kSpreads)), slope_across = slope_of(coordinate(z, kSpreads));
@@ -211,7 +211,7 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
 
 Table make_albedo_mean(const Table& albedo, int threads) {
   Table t(kSpreads, kSpreads, 1, 2);
-  in_parallel(kSpreads, threads, [&](int y) {
+  for_each_job(kSpreads, threads, [&](int y) {
     for (int x = 0; x <= y; ++x) {
       const glm::vec2 m = mean_of(albedo, slope_of(coordinate(x, kSpreads)), slope_of(coordinate(y, kSpreads)));
       t.at(x, y)[0] = t.at(y, x)[0] = m.x;
@@ -235,7 +235,7 @@ glm::vec2 fuzz_once(float mu, float tau) {
 
 Table make_fuzz(int threads) {
   Table t(kFuzzOpenings, kFuzzDepths, 1, 4);
-  in_parallel(kFuzzDepths, threads, [&t](int y) {
+  for_each_job(kFuzzDepths, threads, [&t](int y) {
     const float d = coordinate(y, kFuzzDepths), tau = std::clamp(d / std::max(1 - d, 1e-6f), 1e-4f, 1e3f);
     const auto loss = [tau](float mu) {
       const glm::vec2 f = fuzz_once(mu, tau);

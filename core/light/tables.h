@@ -59,8 +59,8 @@ struct LightTables {
   Table fuzz;
 };
 
-/// Computes them, on `threads` threads; the same bits whatever their number.
-LightTables make_light_tables(int threads = 2);
+/// Computes them, on `threads` threads (0: one a core); the same bits whatever their number.
+LightTables make_light_tables(int threads = 0);
 
 /// The tables, made at the first call (thread-safe).
 const LightTables& light_tables();

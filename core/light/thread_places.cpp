@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/loops.h"
 #include "cloth/thread_scene.h"
-#include "light/parallel.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
@@ -232,7 +232,7 @@ ThreadPlaces thread_places(const Cloth& cloth, int count) {
   // One spread over all windows: each takes the points that the one before left.
   for (int w = 0; w < windows; ++w) {
     Placer placer(parts[static_cast<size_t>(w)]);
-    in_parallel(2 * each, 2, [&](int i) {
+    for_each_job(2 * each, [&](int i) {
       out.places[static_cast<size_t>(w * 2 * each + i)] = placer.place(i % 2, w * each + i / 2, windows * each);
     });
     placer.look_down(w * above, above, out);

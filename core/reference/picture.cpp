@@ -4,7 +4,8 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <thread>
+
+#include "base/loops.h"
 
 namespace weftlight::reference {
 namespace {
@@ -13,24 +14,18 @@ constexpr int kMostLayers = 8;  // of cloth behind cloth, through gaps
 
 /// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not
 /// depend on them.
-template <class Row>
-void each_row(int height, int threads, const std::stop_token& stop, const Progress& progress, Row row) {
-  std::atomic<int> next{0}, done{0};
+void each_row(int height, int threads, const std::stop_token& stop, const Progress& progress,
+              const std::function<void(int)>& row) {
+  std::atomic<int> done{0};
   std::mutex telling;
-  const auto work = [&] {
-    for (int y = next++; y < height && !stop.stop_requested(); y = next++) {
-      row(y);
-      const int finished = ++done;
-      if (!progress) continue;
-      const std::lock_guard lock(telling);
-      progress(static_cast<float>(finished) / static_cast<float>(height));
-    }
-  };
-  const unsigned wanted = threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
-  const unsigned count = std::clamp(wanted, 1u, static_cast<unsigned>(std::max(height, 1)));
-  std::vector<std::jthread> others;
-  for (unsigned i = 1; i < count; ++i) others.emplace_back(work);
-  work();
+  for_each_job(height, threads, [&](int y) {
+    if (stop.stop_requested()) return;
+    row(y);
+    const int finished = ++done;
+    if (!progress) return;
+    const std::lock_guard lock(telling);
+    progress(static_cast<float>(finished) / static_cast<float>(height));
+  });
 }
 
 /// Sample k of a pixel: the R2 sequence (Roberts 2018), shifted by pixel.

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "texture_set/rows.h"
+#include "base/loops.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -69,7 +69,7 @@ Image shrunk(const Image& image, const Colour& colour) {
   const int longer = std::max(image.width, image.height);
   const int width = std::max(image.width * kTile / longer, 1), height = std::max(image.height * kTile / longer, 1);
   Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
-  for_rows(height, [&](int y) {
+  for_each_job(height, [&](int y) {
     const int y0 = y * image.height / height, y1 = std::max((y + 1) * image.height / height, y0 + 1);
     for (int x = 0; x < width; ++x) {
       const int x0 = x * image.width / width, x1 = std::max((x + 1) * image.width / width, x0 + 1);
@@ -123,7 +123,7 @@ Image thread_thumbnail(const Image& image) {
 Image lit_swatch(const Surface& surface, int width, int height, float repeats_across) {
   const int w = surface.texels.width, h = surface.texels.height;
   Plane<Linear> radiance(w, h);
-  for_rows(h, [&](int y) {
+  for_each_job(h, [&](int y) {
     for (int x = 0; x < w; ++x) radiance.at(x, y) = lit(surface.texels.at(x, y));
   });
   Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
@@ -131,7 +131,7 @@ Image lit_swatch(const Surface& surface, int width, int height, float repeats_ac
   const float step_x = mm / surface.width_mm * static_cast<float>(w),
               step_y = mm / surface.depth_mm * static_cast<float>(h);
   const int taps = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y))), 2, 8);
-  for_rows(height, [&](int y) {
+  for_each_job(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       Linear sum;
       for (int j = 0; j < taps; ++j) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "files/atomic_file.h"
+#include "base/files.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -168,11 +168,13 @@ MaterialFile write_material(const std::string& folder, const std::string& name, 
     case Target::kGltf:
       return {name + ".glb", write_glb(path + ".glb", name, surface, mesh)};
     case Target::kGodot:
-      return {name + ".tres", write_text(path + ".tres", filled(kGodotMaterial, template_values(name, surface)))};
+      return {name + ".tres",
+              write_file_atomically(path + ".tres", filled(kGodotMaterial, template_values(name, surface)))};
     case Target::kBlender: {
       const std::string problem = write_glb(path + ".glb", name, surface, mesh);
       if (!problem.empty()) return {name + ".glb", problem};
-      return {name + ".py", write_text(path + ".py", filled(kBlenderScript, template_values(name, surface)))};
+      return {name + ".py",
+              write_file_atomically(path + ".py", filled(kBlenderScript, template_values(name, surface)))};
     }
     case Target::kRaw:
     case Target::kUnreal:

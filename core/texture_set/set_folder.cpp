@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "files/atomic_file.h"
+#include "base/files.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr const char* kList = "texture_set.json";
 constexpr const char* kFormat = "weftlight texture set";
-constexpr const char* kPart = ".part-";                    // then the process and a number: files/atomic_file.h
+constexpr const char* kPart = ".part-";                    // then the process and a number: base/files.h
 constexpr uintmax_t kLongestList = uintmax_t{16} << 20;    // bytes
 constexpr const char* kStaged = ".weftlight_texture_set";  // marks a folder that is being written
 
@@ -105,7 +105,7 @@ std::string list_both(const fs::path& made, const fs::path& folder, const std::s
   std::set<std::string> all = old;
   for (const std::string& name : names_in(made)) all.insert(name);
   (*root)["files"] = all;
-  return write_text((folder / kList).string(), root->dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  return write_file_atomically((folder / kList).string(), root->dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 std::string moved(const fs::path& from, const fs::path& to) {

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "texture_set/rows.h"
+#include "base/loops.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -105,7 +105,7 @@ void reduce_horizon(Surface& out, const Maps& maps, int block_x, int block_y) {
   const float share = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
   for (const Plane<uint8_t>& sharp : maps.horizon) {
     Plane<float> mean(width, height), spread(width, height);
-    for_rows(height, [&](int y) {
+    for_each_job(height, [&](int y) {
       for (int x = 0; x < width; ++x) {
         int64_t sum = 0, squares = 0;
         for (int j = 0; j < block_y; ++j) {
@@ -194,7 +194,7 @@ Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height
   assert(block_x * width == maps.colour.width && block_y * height == maps.colour.height);
   Surface out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
   const std::vector<YarnFacts> yarns = facts_of(cloth.yarns);
-  for_rows(height, [&](int y) {
+  for_each_job(height, [&](int y) {
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
     for (int x = 0; x < width; ++x) {
       size_t n = 0;
@@ -212,7 +212,7 @@ Surface half_of(const Surface& fine) {
   const int width = std::max(fine.texels.width / 2, 1), height = std::max(fine.texels.height / 2, 1);
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
   Surface out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
-  for_rows(height, [&](int y) {
+  for_each_job(height, [&](int y) {
     std::array<SurfaceTexel, 4> parts;
     for (int x = 0; x < width; ++x) {
       size_t n = 0;

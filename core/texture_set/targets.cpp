@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/loops.h"
 #include "cloth/srgb.h"
-#include "texture_set/rows.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -317,7 +317,7 @@ Image pack(const ImageRow& row, const Surface& surface) {
   Image image{
       width, height, channels,
       std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
-  for_rows(height, [&](int y) {
+  for_each_job(height, [&](int y) {
     const SurfaceTexel* texel = surface.texels.row(y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
     for (int x = width - 1; x >= 0; --x) {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
-#include "files/atomic_file.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
@@ -243,9 +243,9 @@ void finish(Writing& set, const Design& design, const Cloth& cloth, const Surfac
                             std::to_string(front.texels.height) + " texels";
   set.problem =
       write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, front, set.sheet), PixelType::kU8);
-  if (set.problem.empty()) set.problem = write_text(set.folder + "/README.md", readme(front, set.options));
+  if (set.problem.empty()) set.problem = write_file_atomically(set.folder + "/README.md", readme(front, set.options));
   if (set.problem.empty())
-    set.problem = write_text(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
+    set.problem = write_file_atomically(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
 }
 
 /// Writes into `folder` what will stand in `place`.

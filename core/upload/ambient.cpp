@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "light/parallel.h"
+#include "base/loops.h"
 #include "reference/mesh_scene.h"
 
 namespace weftlight::upload {
@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kDirections = 64, kFewDirections = 16;  // a vertex; of meshes of many
 constexpr size_t kManyVertices = 100'000;
-constexpr int kThreads = 2;
 constexpr int kGroundSize = 96;
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii
 
@@ -82,7 +81,7 @@ std::vector<SkySeen> sky_of(const Mesh& mesh, const Around& around, bool behind)
   const size_t vertices = mesh.position_mm.size();
   const std::vector<glm::vec3> directions = cosine_directions(vertices <= kManyVertices ? kDirections : kFewDirections);
   std::vector<SkySeen> sky(vertices);
-  in_parallel(static_cast<int>(vertices), kThreads, [&](int i) {
+  for_each_job(static_cast<int>(vertices), [&](int i) {
     const size_t v = static_cast<size_t>(i);
     const glm::vec3 p = vec(mesh.position_mm[v]), n = vec(mesh.normal[v]);
     sky[v].front = around.seen(p, n, directions);
@@ -98,7 +97,7 @@ void fill_ground(PreparedMesh& out, const Around& around) {
   out.ground_half_mm = out.bounds.radius() * kGroundReach;
   out.ground_sky.resize(static_cast<size_t>(kGroundSize) * kGroundSize);
   const glm::vec3 c = out.bounds.centre();
-  in_parallel(kGroundSize * kGroundSize, kThreads, [&](int i) {
+  for_each_job(kGroundSize * kGroundSize, [&](int i) {
     const auto across = [](int k) { return (static_cast<float>(k) + 0.5f) / kGroundSize * 2 - 1; };
     const glm::vec3 p{c.x + across(i % kGroundSize) * out.ground_half_mm, out.ground_mm,
                       c.z + across(i / kGroundSize) * out.ground_half_mm};

@@ -2,6 +2,7 @@
 // The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
 
 namespace weftlight {
+namespace base {}
 namespace draft {}
 namespace cloth {}
 namespace light {}
@@ -9,6 +10,7 @@ namespace drape {}
 namespace files {}
 namespace reference {}
 namespace upload {
+using namespace base;
 using namespace draft;
 using namespace cloth;
 using namespace light;

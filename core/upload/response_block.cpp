@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
-#include <thread>
+
+#include "base/loops.h"
 
 namespace weftlight::upload {
 namespace {
@@ -103,9 +104,10 @@ float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) 
 
 ResponseTables response_tables(interop::ClothData& data, const FaceInput& front, const FaceInput& back, int samples) {
   Faces faces;
-  std::thread beside([&] { faces[1] = cloth_response(back.cloth, back.maps, samples); });
-  faces[0] = cloth_response(front.cloth, front.maps, samples);
-  beside.join();
+  for_each_job(2, [&](int f) {
+    const FaceInput& face = f == 0 ? front : back;
+    faces[static_cast<size_t>(f)] = cloth_response(face.cloth, face.maps, samples);
+  });
   data.front_sky = faces[0].sky, data.back_sky = faces[1].sky;
   for (size_t f = 0; f < 2; ++f) {
     for (size_t s = 0; s < 2; ++s) {

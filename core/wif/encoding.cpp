@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/utf8.h"
 #include "wif/numbers.h"
 
 namespace weftlight::wif {
@@ -31,24 +32,7 @@ void append_utf8(std::string& out, uint32_t code) {
 }
 
 /// Size of the valid UTF-8 sequence at `at` (its code point in `code`), or 0.
-size_t sequence(std::string_view text, size_t at, uint32_t& code) {
-  const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
-  const uint8_t first = byte(at);
-  if (first < 0x80) {
-    code = first;
-    return 1;
-  }
-  const size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return 0;
-  code = first & (0x7Fu >> size);
-  for (size_t i = 1; i < size; ++i) {
-    if ((byte(at + i) & 0xC0) != 0x80) return 0;
-    code = (code << 6) | (byte(at + i) & 0x3Fu);
-  }
-  const bool overlong = (size == 3 && code < 0x800) || (size == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return overlong || surrogate || code > 0x10FFFF ? 0 : size;
-}
+size_t sequence(std::string_view text, size_t at, uint32_t& code) { return utf8_sequence(text.substr(at), code); }
 
 int latin1_byte(uint32_t code) {
   if (code < 0x80 || (code >= 0xA0 && code <= 0xFF)) return static_cast<int>(code);
@@ -70,20 +54,6 @@ char plain_char(uint32_t code) {
 }
 
 }  // namespace
-
-bool is_utf8(std::string_view bytes) {
-  uint32_t code = 0;
-  for (size_t at = 0; at < bytes.size();) {
-    if (static_cast<uint8_t>(bytes[at]) < 0x80) {
-      ++at;
-      continue;
-    }
-    const size_t size = sequence(bytes, at, code);
-    if (size == 0) return false;
-    at += size;
-  }
-  return true;
-}
 
 std::string to_utf8(std::string_view bytes, Encoding from) {
   if (from == Encoding::kUtf8) return std::string(bytes);

@@ -12,7 +12,6 @@ namespace weftlight::wif {
 
 enum class Encoding { kUtf8, kLatin1 };
 
-bool is_utf8(std::string_view bytes);
 /// Bytes of the given encoding to UTF-8.
 std::string to_utf8(std::string_view bytes, Encoding from);
 /// UTF-8 to the given encoding; empty when it has no such character.

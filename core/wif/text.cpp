@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "base/utf8.h"
 #include "wif/numbers.h"
 
 namespace weftlight::wif {

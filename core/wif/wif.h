@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files.h"
 #include "draft/design.h"
 #include "wif/names.h"
 
@@ -59,13 +60,5 @@ enum class PlainDrive { kAsIs, kLiftplan, kTreadling };
 /// "Save for other programs": ASCII, CRLF, one-pass section order, no private sections, both a tie-up
 /// and a liftplan.
 std::string write_plain_wif(const Design& design, PlainDrive drive = PlainDrive::kAsIs);
-
-/// File access: whole file in; out through a temporary beside it, fsync, rename. Empty string: done;
-/// otherwise what went wrong.
-struct FileBytes {
-  std::string bytes, error;
-};
-FileBytes read_file(const std::string& path);
-std::string write_file_atomically(const std::string& path, std::string_view bytes);
 
 }  // namespace weftlight::wif

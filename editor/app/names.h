@@ -2,6 +2,7 @@
 // The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
 
 namespace weftlight {
+namespace base {}
 namespace draft {}
 namespace wif {}
 namespace cloth {}
@@ -18,6 +19,7 @@ namespace actions {}
 namespace ui {}
 namespace views {}
 namespace app {
+using namespace base;
 using namespace draft;
 using namespace wif;
 using namespace cloth;

@@ -10,11 +10,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/files.h"
 #include "commands/chart_bench.h"
 #include "commands/chart_figures.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
-#include "files/atomic_file.h"
 
 namespace weftlight::commands {
 namespace {
@@ -103,15 +103,15 @@ class Run {
   }
 
   int save() const {
-    std::string error = write_text(dir_ + "/chart.csv", chart_csv(in_order()));
-    if (error.empty() && rows_.size() == 1) error = write_text(dir_ + "/chart.state", bench_.fingerprint());
+    std::string error = write_file_atomically(dir_ + "/chart.csv", chart_csv(in_order()));
+    if (error.empty() && rows_.size() == 1) error = write_file_atomically(dir_ + "/chart.state", bench_.fingerprint());
     return error.empty() ? kDone : fail(kNotWritten, error);
   }
 
   int finish() {
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%-78s\n", "drawing");
     const std::vector<ChartRow> rows = in_order();
-    std::string error = write_text(dir_ + "/ladder.csv", ladder_csv(ladder_of(rows)));
+    std::string error = write_file_atomically(dir_ + "/ladder.csv", ladder_csv(ladder_of(rows)));
     const std::vector<Brightness> brightness = albedo(error);
     const std::vector<TruthNoise> noise = truth_noise(error);
     if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "files/atomic_file.h"
+#include "base/files.h"
 
 namespace weftlight::commands::plot {
 namespace {
@@ -270,39 +270,35 @@ void draw_figure(cairo_t* c, const Figure& figure) {
   if (!figure.key.empty()) draw_key(c, figure, size.height - kKeyHeight / 2 - kMargin / 4);
 }
 
-std::string finish(cairo_t* c, cairo_surface_t* sheet, const std::string& temporary, const std::string& path) {
+std::string finish(cairo_t* c, cairo_surface_t* sheet) {
   cairo_surface_finish(sheet);
-  if (cairo_status(c) != CAIRO_STATUS_SUCCESS || cairo_surface_status(sheet) != CAIRO_STATUS_SUCCESS) {
-    std::remove(temporary.c_str());
-    return path + ": cannot be written";
-  }
-  return commit_file(temporary, path);
+  const bool whole = cairo_status(c) == CAIRO_STATUS_SUCCESS && cairo_surface_status(sheet) == CAIRO_STATUS_SUCCESS;
+  return whole ? "" : "the drawing failed, or the disk is full";
 }
 
 std::string write_svg(const Figure& figure, const std::string& path) {
-  const Size size = size_of(figure);
-  const std::string temporary = temporary_beside(path);
-  const Sheet sheet(cairo_svg_surface_create(temporary.c_str(), size.width, size.height), cairo_surface_destroy);
-  const Pen pen(cairo_create(sheet.get()), cairo_destroy);
-  draw_figure(pen.get(), figure);
-  return finish(pen.get(), sheet.get(), temporary, path);
+  return write_through(path, [&figure](const std::string& beside) {
+    const Size size = size_of(figure);
+    const Sheet sheet(cairo_svg_surface_create(beside.c_str(), size.width, size.height), cairo_surface_destroy);
+    const Pen pen(cairo_create(sheet.get()), cairo_destroy);
+    draw_figure(pen.get(), figure);
+    return finish(pen.get(), sheet.get());
+  });
 }
 
 std::string write_png(const Figure& figure, const std::string& path) {
-  const Size size = size_of(figure);
-  const std::string temporary = temporary_beside(path);
-  const Sheet sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width * kPngScale),
-                                               static_cast<int>(size.height * kPngScale)),
-                    cairo_surface_destroy);
-  const Pen pen(cairo_create(sheet.get()), cairo_destroy);
-  cairo_scale(pen.get(), kPngScale, kPngScale);
-  draw_figure(pen.get(), figure);
-  cairo_surface_flush(sheet.get());
-  if (cairo_surface_write_to_png(sheet.get(), temporary.c_str()) != CAIRO_STATUS_SUCCESS) {
-    std::remove(temporary.c_str());
-    return path + ": cannot be written";
-  }
-  return finish(pen.get(), sheet.get(), temporary, path);
+  return write_through(path, [&figure](const std::string& beside) -> std::string {
+    const Size size = size_of(figure);
+    const Sheet sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width * kPngScale),
+                                                 static_cast<int>(size.height * kPngScale)),
+                      cairo_surface_destroy);
+    const Pen pen(cairo_create(sheet.get()), cairo_destroy);
+    cairo_scale(pen.get(), kPngScale, kPngScale);
+    draw_figure(pen.get(), figure);
+    cairo_surface_flush(sheet.get());
+    const cairo_status_t status = cairo_surface_write_to_png(sheet.get(), beside.c_str());
+    return status == CAIRO_STATUS_SUCCESS ? finish(pen.get(), sheet.get()) : cairo_status_to_string(status);
+  });
 }
 
 }  // namespace

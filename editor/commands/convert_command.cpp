@@ -32,7 +32,7 @@ int convert_command(const ConvertOptions& options) {
   }
   const std::string error = write_file_atomically(options.out, converted(opened.file, options));
   if (error.empty()) return kDone;
-  std::fprintf(stderr, "%s: %s; choose another place\n", options.out.c_str(), error.c_str());
+  std::fprintf(stderr, "%s; choose another place\n", error.c_str());
   return kNotWritten;
 }
 

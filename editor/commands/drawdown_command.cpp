@@ -76,7 +76,7 @@ int drawdown_command(const DrawdownOptions& options) {
                             PixelType::kU8)
               : write_file_atomically(options.out, as_text(cells));
   if (error.empty()) return kDone;
-  std::fprintf(stderr, "%s: %s; choose another place\n", options.out.c_str(), error.c_str());
+  std::fprintf(stderr, "%s; choose another place\n", error.c_str());
   return kNotWritten;
 }
 

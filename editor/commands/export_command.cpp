@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
 #include <set>
-#include <thread>
 
+#include "base/loops.h"
 #include "commands/commands.h"
 #include "files/files.h"
 #include "texture_set/material_files.h"
@@ -68,21 +67,13 @@ int export_command(const ExportOptions& options) {
     return kBadInput;
   }
   const std::vector<Job> jobs = jobs_of(options, *target);
-  std::atomic<size_t> next{0};
-  std::atomic<int> worst{kDone};
+  std::vector<int> codes(jobs.size(), kDone);
   std::mutex console;
-  auto work = [&] {
-    for (size_t j = next++; j < jobs.size(); j = next++) {
-      const int code = run_job(jobs[j], *mesh.mesh, console);
-      for (int seen = worst; code > seen && !worst.compare_exchange_weak(seen, code);) {
-      }
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int i = 1; i < std::min(options.jobs, static_cast<int>(jobs.size())); ++i) others.emplace_back(work);
-  work();
-  others.clear();  // joins
-  return worst;
+  for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
+    const size_t job = static_cast<size_t>(j);
+    codes[job] = run_job(jobs[job], *mesh.mesh, console);
+  });
+  return *std::max_element(codes.begin(), codes.end());
 }
 
 }  // namespace weftlight::commands

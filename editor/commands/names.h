@@ -2,6 +2,7 @@
 // The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
 
 namespace weftlight {
+namespace base {}
 namespace draft {}
 namespace analysis {}
 namespace wif {}
@@ -14,6 +15,7 @@ namespace reference {}
 namespace upload {}
 namespace gl {}
 namespace commands {
+using namespace base;
 using namespace draft;
 using namespace analysis;
 using namespace wif;

@@ -1,9 +1,8 @@
 #include "gl/pipeline.h"
 
-#include <condition_variable>
 #include <mutex>
-#include <thread>
 
+#include "base/worker.h"
 #include "upload/stages.h"
 
 namespace weftlight::gl {
@@ -21,9 +20,6 @@ struct Pipeline::Parts {
   // GL context under `maps`.
   mutable std::mutex mutex;
   std::mutex maps;
-  std::condition_variable wake, settled;
-  std::shared_ptr<const Design> wanted;
-  bool working = false, stop = false;
   std::optional<PreparedMesh> mesh;
   bool all_maps = false;                  // stages.packed() is new as a whole
   std::optional<PackedCloth> quick_maps;  // or this is; patches come after it
@@ -31,33 +27,12 @@ struct Pipeline::Parts {
   std::optional<ClothLobes> lobes;
   std::string problem;
   Stages stages;
-  std::thread worker;
+  Worker worker;  // the last to be made and the first to go: its jobs use all of the above
 
-  void run();
   void compute(const std::shared_ptr<const Design>& design, Effort effort);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
 };
-
-void Pipeline::Parts::run() {
-  std::unique_lock lock(mutex);
-  while (true) {
-    wake.wait(lock, [&] { return stop || wanted; });
-    if (stop) return;
-    const std::shared_ptr<const Design> design = std::move(wanted);
-    wanted = nullptr;
-    working = true;
-    lock.unlock();
-    compute(design, Effort::kQuick);
-    lock.lock();
-    const bool newest = !wanted && !stop;
-    lock.unlock();
-    if (newest) compute(design, Effort::kFull);
-    lock.lock();
-    working = false;
-    if (!wanted) settled.notify_all();
-  }
-}
 
 /// Quick maps are small: a copy of them is handed over, so that they can be taken up while the full ones are made.
 void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort) {
@@ -106,34 +81,20 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
   return changed;
 }
 
-Pipeline::Pipeline() : parts_(std::make_unique<Parts>()) {
-  parts_->worker = std::thread([parts = parts_.get()] { parts->run(); });
-}
-
-Pipeline::~Pipeline() {
-  {
-    const std::lock_guard lock(parts_->mutex);
-    parts_->stop = true;
-  }
-  parts_->wake.notify_all();
-  parts_->worker.join();
-}
+Pipeline::Pipeline() : parts_(std::make_unique<Parts>()) {}
+Pipeline::~Pipeline() = default;
 
 void Pipeline::submit(std::shared_ptr<const Design> design) {
-  {
-    const std::lock_guard lock(parts_->mutex);
-    parts_->wanted = std::move(design);
-  }
-  parts_->wake.notify_all();
+  parts_->worker.post([parts = parts_.get(), design = std::move(design)](const std::stop_token& stop) {
+    parts->compute(design, Effort::kQuick);
+    if (!stop.stop_requested()) parts->compute(design, Effort::kFull);
+  });
 }
 
 bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false); }
 
 std::string Pipeline::finish(Renderer& renderer) {
-  {
-    std::unique_lock lock(parts_->mutex);
-    parts_->settled.wait(lock, [&] { return !parts_->wanted && !parts_->working; });
-  }
+  parts_->worker.wait();
   parts_->upload(renderer, true);
   return problem();
 }
@@ -143,9 +104,6 @@ std::string Pipeline::problem() const {
   return parts_->problem;
 }
 
-bool Pipeline::busy() const {
-  const std::lock_guard lock(parts_->mutex);
-  return parts_->wanted || parts_->working;
-}
+bool Pipeline::busy() const { return parts_->worker.busy(); }
 
 }  // namespace weftlight::gl

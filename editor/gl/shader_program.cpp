@@ -1,12 +1,12 @@
 #include "gl/shader_program.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string_view>
 
+#include "base/resources.h"
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
@@ -95,15 +95,6 @@ std::string bind_block(GLuint program, const char* name, GLuint binding, size_t 
 }
 
 }  // namespace
-
-std::string shaders_dir() {
-  if (const char* set = std::getenv("WEFTLIGHT_SHADERS")) return set;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path beside = program.parent_path() / "shaders";
-  if (!program.empty() && fs::exists(beside / "cloth.frag", ignored)) return beside.string();
-  return WEFTLIGHT_SOURCE_DIR "/shaders";
-}
 
 std::string with_includes(const std::string& text, std::string& error) {
   Loader loader{shaders_dir(), {}, {}, {}};

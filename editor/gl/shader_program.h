@@ -10,9 +10,6 @@
 
 namespace weftlight::gl {
 
-/// Folder of shaders: $WEFTLIGHT_SHADERS, beside the program, or the source tree.
-std::string shaders_dir();
-
 /// `text` with its includes resolved, each file once. Empty with `error` set when a file is missing.
 std::string with_includes(const std::string& text, std::string& error);
 

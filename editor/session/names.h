@@ -2,6 +2,7 @@
 // The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
 
 namespace weftlight {
+namespace base {}
 namespace draft {}
 namespace wif {}
 namespace cloth {}
@@ -11,6 +12,7 @@ namespace files {}
 namespace reference {}
 namespace upload {}
 namespace session {
+using namespace base;
 using namespace draft;
 using namespace wif;
 using namespace cloth;

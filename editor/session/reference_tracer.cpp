@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/loops.h"
+
 namespace weftlight::session {
 namespace {
 
@@ -29,8 +31,7 @@ void add(TracedImage& mean, const TracedImage& more, int before, int samples) {
 }
 
 int threads_to_use() {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, cores - 1);  // one is left for the window
+  return std::max(1, core_count() - 1);  // one is left for the window
 }
 
 }  // namespace
@@ -58,59 +59,26 @@ Comparison compare(Image around, const Image& preview, const TracedImage& traced
   return c;
 }
 
-ReferenceTracer::ReferenceTracer() : thread_([this] { work(); }) {}
-
-ReferenceTracer::~ReferenceTracer() {
-  {
-    const std::lock_guard lock(mutex_);
-    leaving_ = true;
-    current_.request_stop();
-  }
-  wake_.notify_one();
-  thread_.join();
-}
-
 void ReferenceTracer::start(TraceJob job) {
-  {
-    const std::lock_guard lock(mutex_);
-    current_.request_stop();
-    waiting_ = std::move(job);
-    made_.reset();
-  }
-  wake_.notify_one();
+  const std::lock_guard lock(mutex_);
+  worker_.post([this, job = std::move(job)](const std::stop_token& stop) { trace(job, stop); });
+  made_.reset();
 }
 
 void ReferenceTracer::stop() {
   const std::lock_guard lock(mutex_);
-  current_.request_stop();
-  waiting_.reset();
+  worker_.drop();
   made_.reset();
 }
 
 bool ReferenceTracer::busy() const {
   const std::lock_guard lock(mutex_);
-  return waiting_.has_value() || made_.has_value() || (working_ && !current_.stop_requested());
+  return made_.has_value() || worker_.busy();
 }
 
 std::optional<Comparison> ReferenceTracer::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(made_, std::nullopt);
-}
-
-void ReferenceTracer::work() {
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    wake_.wait(lock, [this] { return leaving_ || waiting_.has_value(); });
-    if (leaving_) return;
-    const TraceJob job = std::move(*std::exchange(waiting_, std::nullopt));
-    current_ = {};
-    const std::stop_token stop = current_.get_token();
-    working_ = true;
-    lock.unlock();
-    trace(job, stop);
-    lock.lock();
-    working_ = false;
-  }
 }
 
 void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {

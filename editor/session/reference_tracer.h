@@ -2,16 +2,15 @@
 // Traces the reference picture of a still view on a thread of its own, at rising samples, and lays it
 // beside the preview.
 
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "base/worker.h"
 #include "files/files.h"
 #include "session/names.h"
 #include "upload/reference_scene.h"
@@ -42,11 +41,6 @@ Comparison compare(Image around, const Image& preview, const TracedImage& traced
 
 class ReferenceTracer {
  public:
-  ReferenceTracer();
-  ~ReferenceTracer();
-  ReferenceTracer(const ReferenceTracer&) = delete;
-  ReferenceTracer& operator=(const ReferenceTracer&) = delete;
-
   /// Leaves what it is at.
   void start(TraceJob job);
   void stop();
@@ -55,18 +49,13 @@ class ReferenceTracer {
   std::optional<Comparison> take();
 
  private:
-  void work();
   void trace(const TraceJob& job, const std::stop_token& stop);
   void publish(Comparison made, const std::stop_token& stop);
 
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  std::optional<TraceJob> waiting_;
+  mutable std::mutex mutex_;  // of what is made
   std::optional<Comparison> made_;
-  std::stop_source current_;
-  bool working_ = false, leaving_ = false;
-  ReferenceScene scene_;
-  std::thread thread_;
+  ReferenceScene scene_;  // the worker's
+  Worker worker_;         // the last to be made and the first to go: its jobs use all of the above
 };
 
 }  // namespace weftlight::session

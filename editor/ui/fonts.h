@@ -1,6 +1,6 @@
 #pragma once
-// Inter for words, JetBrains Mono for figures, Font Awesome for icons: found where Debian and Ubuntu put
-// them; ImGui's own font stands in for what is missing.
+// Inter for words, JetBrains Mono for figures, Font Awesome for icons: found through
+// fontconfig; ImGui's own font stands in for what is missing.
 
 #include "ui/names.h"
 #include "ui/style.h"

@@ -1,6 +1,9 @@
 #pragma once
-// This folder uses no other's names: it knows ImGui and nothing of drafts.
+// This folder uses the names of base alone: it knows ImGui and nothing of drafts.
 
 namespace weftlight {
-namespace ui {}
+namespace base {}
+namespace ui {
+using namespace base;
+}  // namespace ui
 }  // namespace weftlight

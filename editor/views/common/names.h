@@ -2,6 +2,7 @@
 // The folders whose names the views use without saying whose they are: those of their row in the table of rooms.
 
 namespace weftlight {
+namespace base {}
 namespace draft {}
 namespace wif {}
 namespace cloth {}
@@ -12,6 +13,7 @@ namespace gl {}
 namespace session {}
 namespace ui {}
 namespace views {
+using namespace base;
 using namespace draft;
 using namespace wif;
 using namespace cloth;

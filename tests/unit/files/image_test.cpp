@@ -4,7 +4,7 @@
 #include <fstream>
 #include <limits>
 
-#include "files/atomic_file.h"
+#include "base/files.h"
 #include "files/files.h"
 #include "scratch.h"
 
@@ -73,7 +73,7 @@ TEST(Image, EncodesPngInMemory) {
   const Scratch scratch("memory");
   const Image image = ramp(8, 8, 4);
   const std::vector<unsigned char> png = encode_png(image);
-  ASSERT_EQ(write_bytes(scratch / "memory.png", png), "");
+  ASSERT_EQ(write_file_atomically(scratch / "memory.png", {reinterpret_cast<const char*>(png.data()), png.size()}), "");
   const ReadImage back = read_image(scratch / "memory.png");
   ASSERT_TRUE(back.image) << back.error;
   for (size_t i = 0; i < image.texels.size(); ++i) ASSERT_NEAR(back.image->texels[i], image.texels[i], 1e-6f);

@@ -1,0 +1,56 @@
+#include "base/fonts.h"
+
+#include <fontconfig/fontconfig.h>
+
+#include <memory>
+
+namespace weftlight::base {
+namespace {
+
+template <class T, void (*Destroy)(T*)>
+struct Destroys {
+  void operator()(T* it) const { Destroy(it); }
+};
+using Config = std::unique_ptr<FcConfig, Destroys<FcConfig, FcConfigDestroy>>;
+using Pattern = std::unique_ptr<FcPattern, Destroys<FcPattern, FcPatternDestroy>>;
+
+int weight_of(FontWeight weight) {
+  return weight == FontWeight::kSemiBold ? FC_WEIGHT_DEMIBOLD
+         : weight == FontWeight::kMedium ? FC_WEIGHT_MEDIUM
+                                         : FC_WEIGHT_REGULAR;
+}
+
+const FcChar8* text(const char* words) { return reinterpret_cast<const FcChar8*>(words); }
+
+/// fontconfig gives the nearest font of any family: only one of this family's name will do.
+std::string file_of(FcConfig* config, const char* family, FontWeight weight) {
+  const Pattern wanted(FcPatternCreate());
+  FcPatternAddString(wanted.get(), FC_FAMILY, text(family));
+  FcPatternAddInteger(wanted.get(), FC_WEIGHT, weight_of(weight));
+  FcPatternAddInteger(wanted.get(), FC_SLANT, FC_SLANT_ROMAN);
+  FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
+  FcDefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const Pattern found(FcFontMatch(config, wanted.get(), &result));
+  if (!found) return {};
+  FcChar8* name = nullptr;
+  for (int i = 0; FcPatternGetString(found.get(), FC_FAMILY, i, &name) == FcResultMatch; ++i) {
+    FcChar8* file = nullptr;
+    if (FcStrCmpIgnoreCase(name, text(family)) != 0) continue;
+    if (FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
+    return reinterpret_cast<const char*>(file);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string font_file(std::span<const char* const> families, FontWeight weight) {
+  const Config config(FcInitLoadConfigAndFonts());
+  if (!config) return {};
+  for (const char* family : families)
+    if (std::string file = file_of(config.get(), family, weight); !file.empty()) return file;
+  return {};
+}
+
+}  // namespace weftlight::base

@@ -1,0 +1,25 @@
+#include "base/loops.h"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace weftlight::base {
+
+int core_count() { return std::max(1, tbb::info::default_concurrency()); }
+
+void for_each_job(int count, int threads, const std::function<void(int)>& job) {
+  const int most = std::min(threads > 0 ? threads : core_count(), count);
+  if (most <= 1) {
+    for (int i = 0; i < count; ++i) job(i);
+    return;
+  }
+  // An arena of its own: a loop within a job is not held to the threads of the loop around it, and a thread that
+  // waits for its own loop takes up no job of another, whose locks it may hold.
+  tbb::task_arena arena(most);
+  arena.execute([&] { tbb::parallel_for(0, count, job); });
+}
+
+}  // namespace weftlight::base

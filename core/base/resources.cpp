@@ -1,0 +1,52 @@
+#include "base/resources.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
+
+namespace weftlight::base {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Resource {
+  const char *name, *variable;
+  const char* known_by;  // a file or folder in it, so that another program's folder is not taken
+};
+constexpr Resource kPresets{"presets", "WEFTLIGHT_PRESETS", "drafts"};
+constexpr Resource kShaders{"shaders", "WEFTLIGHT_SHADERS", "cloth.frag"};
+constexpr int kFoldersUp = 4;  // from build/release to the top of a source tree, and one to spare
+
+fs::path program_folder() {
+  std::error_code error;
+#ifdef __APPLE__
+  char buffer[4096];
+  uint32_t size = sizeof buffer;
+  return _NSGetExecutablePath(buffer, &size) == 0 ? fs::canonical(buffer, error).parent_path() : fs::path();
+#else
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+#endif
+}
+
+std::string folder_of(const Resource& resource) {
+  if (const char* set = std::getenv(resource.variable); set && *set) return set;
+  std::error_code error;
+  const auto is_it = [&](const fs::path& folder) { return fs::exists(folder / resource.known_by, error); };
+  const fs::path program = program_folder();
+  if (const fs::path installed = program / "../share/weftlight" / resource.name; is_it(installed))
+    return installed.lexically_normal().string();
+  fs::path folder = program;
+  for (int up = 0; up < kFoldersUp && folder.has_relative_path(); ++up, folder = folder.parent_path())
+    if (is_it(folder / resource.name)) return (folder / resource.name).string();
+  return std::string(WEFTLIGHT_SOURCE_DIR "/") + resource.name;
+}
+
+}  // namespace
+
+std::string presets_dir() { return folder_of(kPresets); }
+std::string shaders_dir() { return folder_of(kShaders); }
+
+}  // namespace weftlight::base

@@ -1,0 +1,145 @@
+// Files are replaced whole or not at all.
+
+#include "base/files.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+namespace weftlight::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string write_two(const std::string& name) {
+  std::ofstream(name) << "two";
+  return {};
+}
+
+class FileTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::path(::testing::TempDir()) / ("weftlight-" + std::to_string(::getpid()) + "-" +
+                                             ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(dir_);
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    fs::remove_all(dir_, ignored);
+  }
+  std::string path(const char* name) const { return (dir_ / name).string(); }
+  /// Names in the folder: no temporary may be left.
+  int count() const { return static_cast<int>(std::distance(fs::directory_iterator(dir_), fs::directory_iterator{})); }
+  fs::path dir_;
+};
+
+TEST_F(FileTest, new_and_replaced) {
+  EXPECT_EQ(write_file_atomically(path("a.wif"), "one"), "");
+  EXPECT_EQ(read_file(path("a.wif")).bytes, "one");
+  EXPECT_EQ(write_file_atomically(path("a.wif"), std::string("t\0o", 3)), "");
+  EXPECT_EQ(read_file(path("a.wif")).bytes, std::string("t\0o", 3));
+  EXPECT_EQ(count(), 1);
+}
+
+TEST_F(FileTest, permissions_stay) {
+  EXPECT_EQ(write_file_atomically(path("a.wif"), "one"), "");
+  ::chmod(path("a.wif").c_str(), 0640);
+  EXPECT_EQ(write_file_atomically(path("a.wif"), "two"), "");
+  struct stat info {};
+  ::stat(path("a.wif").c_str(), &info);
+  EXPECT_EQ(info.st_mode & 0777u, 0640u);
+}
+
+TEST_F(FileTest, a_link_stays_a_link) {
+  fs::create_directories(dir_ / "there");
+  EXPECT_EQ(write_file_atomically(path("there/a.wif"), "one"), "");
+  fs::create_symlink("there/a.wif", dir_ / "b.wif");
+  fs::create_symlink("b.wif", dir_ / "c.wif");
+  EXPECT_EQ(write_file_atomically(path("c.wif"), "two"), "");
+  EXPECT_TRUE(fs::is_symlink(dir_ / "b.wif") && fs::is_symlink(dir_ / "c.wif"));
+  EXPECT_EQ(read_file(path("there/a.wif")).bytes, "two");
+  fs::create_symlink("there/new.wif", dir_ / "d.wif");
+  EXPECT_EQ(write_file_atomically(path("d.wif"), "new"), "");
+  EXPECT_EQ(read_file(path("there/new.wif")).bytes, "new");
+}
+
+TEST_F(FileTest, what_cannot_be_written_leaves_nothing) {
+  EXPECT_NE(write_file_atomically(path("none/a.wif"), "one"), "");
+  EXPECT_NE(write_file_atomically(dir_.string(), "one"), "");
+  EXPECT_EQ(count(), 0);
+  EXPECT_NE(read_file(path("none.wif")).error, "");
+  EXPECT_NE(read_file(dir_.string()).error, "");
+}
+
+TEST_F(FileTest, what_is_read_only_stays) {
+  EXPECT_EQ(write_file_atomically(path("a.png"), "one"), "");
+  ::chmod(path("a.png").c_str(), 0444);
+  EXPECT_NE(write_file_atomically(path("a.png"), "two"), "");
+  EXPECT_NE(write_through(path("a.png"), write_two), "");
+  EXPECT_EQ(read_file(path("a.png")).bytes, "one");
+  EXPECT_EQ(count(), 1);
+}
+
+TEST_F(FileTest, a_library_writes_through_a_link_into_the_same_format) {
+  fs::create_directories(dir_ / "there");
+  fs::create_symlink("there/a.png", dir_ / "b.png");
+  std::string beside;
+  EXPECT_EQ(write_through(path("b.png"), [&](const std::string& name) { return beside = name, write_two(name); }), "");
+  EXPECT_EQ(fs::path(beside).extension(), ".png");
+  EXPECT_EQ(fs::path(beside).parent_path().filename(), "there");
+  EXPECT_TRUE(fs::is_symlink(dir_ / "b.png"));
+  EXPECT_EQ(read_file(path("there/a.png")).bytes, "two");
+}
+
+TEST_F(FileTest, a_library_that_fails_leaves_the_old_file) {
+  EXPECT_EQ(write_file_atomically(path("a.png"), "one"), "");
+  const std::string said = write_through(path("a.png"), [](const std::string& name) -> std::string {
+    write_two(name);
+    return "no such colour";
+  });
+  EXPECT_EQ(said, path("a.png") + ": cannot be written: no such colour");
+  EXPECT_NE(write_through(path("a.png"), [](const std::string&) -> std::string { throw std::bad_alloc(); }), "");
+  EXPECT_EQ(read_file(path("a.png")).bytes, "one");
+  EXPECT_EQ(count(), 1);
+}
+
+TEST_F(FileTest, a_full_device_says_so) {
+  EXPECT_EQ(write_file_atomically("/dev/full", "one"), "/dev/full: cannot be written: the disk is full");
+  fs::create_symlink("/dev/full", dir_ / "full.png");
+  EXPECT_EQ(write_through(path("full.png"), write_two), path("full.png") + ": cannot be written: the disk is full");
+  EXPECT_EQ(write_file_atomically("/dev/null", "one"), "");
+}
+
+TEST_F(FileTest, into_a_pipe) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  EXPECT_EQ(write_file_atomically("/dev/fd/" + std::to_string(ends[1]), "one"), "");
+  EXPECT_EQ(write_through("/proc/self/fd/" + std::to_string(ends[1]), write_two), "");
+  char got[8] = "";
+  EXPECT_EQ(::read(ends[0], got, sizeof got), 6);
+  EXPECT_STREQ(got, "onetwo");
+  ::close(ends[0]), ::close(ends[1]);
+}
+
+TEST_F(FileTest, no_pipe_or_device_is_read) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(read_file(path("pipe")).error, "is a pipe or a device, not a file");
+  EXPECT_NE(read_file("/dev/zero").error, "");
+  EXPECT_EQ(write_file_atomically(path("long"), std::string(3 << 20, 'x')), "");
+  EXPECT_EQ(read_file(path("long"), 1 << 20).error, "is larger than 1 MiB");
+}
+
+TEST_F(FileTest, long_names) {
+  const std::string name = std::string(240, 'n') + ".wif";
+  EXPECT_EQ(write_file_atomically(path(name.c_str()), "one"), "");
+  EXPECT_EQ(read_file(path(name.c_str())).bytes, "one");
+  EXPECT_NE(write_file_atomically(path(std::string(300, 'n').c_str()), "one"), "");
+  EXPECT_NE(write_file_atomically("", "one"), "");
+}
+
+}  // namespace
+}  // namespace weftlight::base

@@ -1,0 +1,44 @@
+// Loops do every job once, whatever the number of threads, also within each other and when one throws.
+
+#include "base/loops.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+namespace weftlight::base {
+namespace {
+
+TEST(Loops, every_job_is_done_once) {
+  for (const int threads : {0, 1, 2, 3, 16}) {
+    std::vector<int> done(1000, 0);
+    for_each_job(1000, threads, [&](int i) { ++done[static_cast<size_t>(i)]; });
+    EXPECT_EQ(done, std::vector<int>(1000, 1)) << threads;
+  }
+}
+
+TEST(Loops, no_job_is_no_work) {
+  for_each_job(0, [](int) { FAIL(); });
+  for_each_job(-3, [](int) { FAIL(); });
+}
+
+TEST(Loops, a_loop_within_a_job) {
+  std::atomic<int> sum{0};
+  for_each_job(20, 2, [&](int i) { for_each_job(20, [&](int k) { sum += i * 20 + k; }); });
+  EXPECT_EQ(sum, 400 * 399 / 2);
+}
+
+TEST(Loops, what_a_job_throws_is_thrown_on) {
+  EXPECT_THROW(for_each_job(100,
+                            [](int i) {
+                              if (i == 50) throw std::runtime_error("fifty");
+                            }),
+               std::runtime_error);
+}
+
+TEST(Loops, there_is_a_core) { EXPECT_GE(core_count(), 1); }
+
+}  // namespace
+}  // namespace weftlight::base

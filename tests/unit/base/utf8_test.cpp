@@ -1,0 +1,37 @@
+#include "base/utf8.h"
+
+#include <gtest/gtest.h>
+
+namespace weftlight::base {
+namespace {
+
+TEST(Utf8, what_is_valid_stays) {
+  for (const std::string text : {"", "plain", "caf\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\xA7\xB5"}) {
+    EXPECT_TRUE(is_utf8(text));
+    EXPECT_EQ(as_utf8(text), text);
+  }
+}
+
+TEST(Utf8, what_is_not_is_replaced_byte_by_byte) {
+  const std::string gone = "\xEF\xBF\xBD";
+  EXPECT_EQ(as_utf8("caf\xE9.wif"), "caf" + gone + ".wif");
+  EXPECT_EQ(as_utf8("\xE2\x82"), gone + gone);             // cut short
+  EXPECT_EQ(as_utf8("\xC0\xAF"), gone + gone);             // overlong
+  EXPECT_EQ(as_utf8("\xED\xA0\x80"), gone + gone + gone);  // half of a pair
+  EXPECT_EQ(as_utf8("\xF5\x80"), gone + gone);
+  for (int byte = 0x80; byte < 0x100; ++byte) EXPECT_TRUE(is_utf8(as_utf8(std::string(3, static_cast<char>(byte)))));
+}
+
+TEST(Utf8, is_cut_between_characters) {
+  const std::string text = "a\xC3\xA9\xE2\x82\xAC\xF0\x9F\xA7\xB5";
+  for (size_t bytes = 0; bytes <= text.size() + 1; ++bytes) {
+    const std::string_view head = cut_utf8(text, bytes);
+    EXPECT_LE(head.size(), bytes);
+    EXPECT_GT(head.size() + 4, std::min(bytes, text.size()));
+    EXPECT_TRUE(is_utf8(head)) << bytes;
+  }
+  EXPECT_EQ(cut_utf8(std::string(9, '\x80'), 5).size(), 5u);
+}
+
+}  // namespace
+}  // namespace weftlight::base

@@ -1,0 +1,104 @@
+// The newest job of a kind is done, those between are not, and the one at work is asked to give way.
+
+#include "base/worker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <semaphore>
+#include <string>
+#include <vector>
+
+namespace weftlight::base {
+namespace {
+
+TEST(Worker, those_between_are_skipped) {
+  std::binary_semaphore started{0}, go_on{0};
+  std::vector<int> done;
+  Worker worker;
+  worker.post([&](const std::stop_token&) {
+    started.release();
+    go_on.acquire();
+    done.push_back(0);
+  });
+  started.acquire();
+  for (int i = 1; i <= 3; ++i) worker.post([&done, i](const std::stop_token&) { done.push_back(i); });
+  EXPECT_TRUE(worker.busy());
+  go_on.release();
+  worker.wait();
+  EXPECT_EQ(done, (std::vector<int>{0, 3}));
+  EXPECT_FALSE(worker.busy());
+}
+
+TEST(Worker, a_newer_job_stops_its_own_kind_alone) {
+  std::binary_semaphore started{0}, looked{0};
+  std::atomic<bool> stopped{false};
+  Worker worker;
+  const auto job = [&](const std::stop_token& stop) {
+    started.release();
+    looked.acquire();
+    stopped = stop.stop_requested();
+  };
+  worker.post(job, "picture");
+  started.acquire();
+  worker.post([](const std::stop_token&) {}, "file");
+  looked.release();
+  worker.wait();
+  EXPECT_FALSE(stopped);
+  worker.post(job, "picture");
+  started.acquire();
+  worker.post([](const std::stop_token&) {}, "picture");
+  looked.release();
+  worker.wait();
+  EXPECT_TRUE(stopped);
+}
+
+TEST(Worker, kinds_keep_their_order) {
+  std::binary_semaphore started{0}, go_on{0};
+  std::string done;
+  Worker worker;
+  worker.post([&](const std::stop_token&) { started.release(), go_on.acquire(); }, "first");
+  started.acquire();
+  for (const char* kind : {"c", "a", "b", "c"})
+    worker.post([&done, kind](const std::stop_token&) { done += kind; }, kind);
+  go_on.release();
+  worker.wait();
+  EXPECT_EQ(done, "cab");
+}
+
+TEST(Worker, dropped_jobs_are_no_work) {
+  std::binary_semaphore started{0};
+  bool second = false;
+  Worker worker;
+  worker.post([&](const std::stop_token& stop) {
+    started.release();
+    while (!stop.stop_requested()) std::this_thread::yield();
+  });
+  started.acquire();
+  worker.post([&](const std::stop_token&) { second = true; }, "other");
+  worker.drop();
+  EXPECT_FALSE(worker.busy());
+  worker.wait();
+  EXPECT_FALSE(second);
+}
+
+TEST(Worker, what_waits_when_it_goes) {
+  for (const auto leaving : {Worker::Leaving::kFinish, Worker::Leaving::kDrop}) {
+    std::binary_semaphore started{0};
+    std::atomic<int> done{0};
+    {
+      Worker worker(leaving);
+      worker.post([&](const std::stop_token& stop) {
+        started.release();
+        while (leaving == Worker::Leaving::kDrop && !stop.stop_requested()) std::this_thread::yield();
+        ++done;
+      });
+      started.acquire();
+      for (const char* kind : {"a", "b"}) worker.post([&](const std::stop_token&) { ++done; }, kind);
+    }
+    EXPECT_EQ(done, leaving == Worker::Leaving::kFinish ? 3 : 1);
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::base

@@ -146,12 +146,30 @@ void list_runs(const BitMatrix& down, System system, Face face, int limit, Longe
   });
 }
 
+/// Words [word0, word0 + words) of the rows [row0, row0 + rows).
+BitMatrix part_of(const BitMatrix& m, int row0, int rows, int word0, int words) {
+  BitMatrix out(rows, std::min(words * 64, m.cols() - word0 * 64));
+  for (int r = 0; r < rows; ++r) std::copy_n(m.row(row0 + r).data() + word0, out.words(), out.row(r).data());
+  return out;
+}
+
 }  // namespace
 
 LongestFloats longest_floats(const BitMatrix& cells) {
-  const BitMatrix turned = transposed(cells);
-  return {longest_run_down(cells), longest_run_down(complement(cells)), longest_run_down(complement(turned)),
-          longest_run_down(turned)};
+  constexpr int kStripWords = 64;  // strips one after another: a large drawdown is not copied whole
+  LongestFloats longest;
+  for (int word0 = 0; word0 < cells.words(); word0 += kStripWords) {
+    const BitMatrix strip = part_of(cells, 0, cells.rows(), word0, std::min(kStripWords, cells.words() - word0));
+    longest.warp_front = std::max(longest.warp_front, longest_run_down(strip));
+    longest.warp_back = std::max(longest.warp_back, longest_run_down(complement(strip)));
+  }
+  for (int row0 = 0; row0 < cells.rows(); row0 += kStripWords * 64) {
+    const int rows = std::min(kStripWords * 64, cells.rows() - row0);
+    const BitMatrix turned = transposed(part_of(cells, row0, rows, 0, cells.words()));
+    longest.weft_front = std::max(longest.weft_front, longest_run_down(complement(turned)));
+    longest.weft_back = std::max(longest.weft_back, longest_run_down(turned));
+  }
+  return longest;
 }
 
 LongFloats long_floats(const BitMatrix& cells, int limit, int most) {

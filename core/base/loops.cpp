@@ -11,7 +11,7 @@ namespace weftlight::base {
 int core_count() { return std::max(1, tbb::info::default_concurrency()); }
 
 void for_each_job(int count, int threads, const std::function<void(int)>& job) {
-  const int most = std::min(threads > 0 ? threads : core_count(), count);
+  const int most = std::min({threads > 0 ? threads : core_count(), core_count(), count});
   if (most <= 1) {
     for (int i = 0; i < count; ++i) job(i);
     return;

@@ -10,7 +10,8 @@ namespace weftlight::base {
 int core_count();
 
 /// Runs job(0) .. job(count - 1), the calling thread among those that work; returns when all are done. `threads`
-/// at the most; 0: one a core. What a job throws is thrown on. Jobs may hold loops of their own.
+/// at the most, and no more than cores; 0: one a core. What a job throws is thrown on. Jobs may hold loops of their
+/// own.
 void for_each_job(int count, int threads, const std::function<void(int)>& job);
 inline void for_each_job(int count, const std::function<void(int)>& job) { for_each_job(count, 0, job); }
 

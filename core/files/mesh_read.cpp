@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/files.h"
 #include "files/files.h"
 
 namespace weftlight::files {
@@ -38,26 +39,74 @@ struct Refused : std::runtime_error {
 [[noreturn]] void refuse(const std::string& why) { throw Refused(why); }
 
 std::string whole_file(const std::string& path) {
-  std::error_code ec;
-  if (!std::filesystem::is_regular_file(path, ec)) refuse("no such file");
-  const uint64_t size = std::filesystem::file_size(path, ec);
-  if (ec || size > kMaxFileBytes) refuse("larger than 1 GiB; export a lighter mesh, without textures");
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes(size, '\0');
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(size))) refuse("cannot be read");
-  return bytes;
+  FileBytes file = read_file(path, kMaxFileBytes);
+  if (!file.error.empty()) refuse(file.error);
+  return std::move(file.bytes);
 }
 
-// tinygltf's own reader of files beside the .gltf would follow a device or a pipe without end.
-bool read_regular(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
-  try {
-    const std::string bytes = whole_file(path);
-    out->assign(bytes.begin(), bytes.end());
-    return true;
-  } catch (const Refused& e) {
-    if (error) *error += path + ": " + e.what();
-    return false;
+// A .gltf names files of its own. tinygltf would open pipes and devices, and gives a name to the shell's rules
+// of expansion: it is let see no more than regular files of the .gltf's folder, by the names they have.
+bool is_file_within(const std::string& path, void* folder) {
+  std::error_code ec;
+  const std::filesystem::path whole = std::filesystem::canonical(path, ec);
+  if (ec || !std::filesystem::is_regular_file(whole, ec)) return false;
+  const std::filesystem::path& root = *static_cast<const std::filesystem::path*>(folder);
+  return std::mismatch(root.begin(), root.end(), whole.begin(), whole.end()).first == root.end();
+}
+
+bool read_within(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* folder) {
+  const FileBytes file =
+      is_file_within(path, folder) ? read_file(path, kMaxFileBytes) : FileBytes{{}, "is no file of the .gltf's folder"};
+  out->assign(file.bytes.begin(), file.bytes.end());
+  if (!file.error.empty() && error) *error += path + " " + file.error;
+  return file.error.empty();
+}
+
+std::string as_named(const std::string& path, void*) { return path; }
+
+/// The callbacks of any version: later ones ask for the size beforehand.
+template <class Callbacks>
+Callbacks callbacks_for(std::filesystem::path& folder) {
+  Callbacks calls{};
+  calls.FileExists = &is_file_within;
+  calls.ExpandFilePath = &as_named;
+  calls.ReadWholeFile = &read_within;
+  calls.WriteWholeFile = &tinygltf::WriteWholeFile;
+  if constexpr (requires { calls.GetFileSizeInBytes; }) {
+    calls.GetFileSizeInBytes = [](size_t* size, std::string*, const std::string& path, void*) {
+      std::error_code ec;
+      *size = static_cast<size_t>(std::filesystem::file_size(path, ec));
+      return !ec;
+    };
   }
+  calls.user_data = &folder;
+  return calls;
+}
+
+/// The characters that %XX stand for.
+std::string decoded(const std::string& uri) {
+  std::string out;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    unsigned code = 0;
+    const char* at = uri.data() + i + 1;
+    const bool coded = uri[i] == '%' && i + 2 < uri.size() && std::from_chars(at, at + 2, code, 16).ptr == at + 2;
+    out.push_back(coded ? static_cast<char>(code) : uri[i]);
+    if (coded) i += 2;
+  }
+  return out;
+}
+
+/// A buffer's own file has a relative name that goes down only; "data:" holds the bytes themselves.
+void check_uri(const json& buffer) {
+  const auto found = buffer.find("uri");
+  if (found == buffer.end()) return;
+  if (!found->is_string()) refuse("a buffer's uri is no text; export it again as .glb");
+  const std::string plain = decoded(found->get<std::string>());
+  if (plain.rfind("data:", 0) == 0) return;
+  const std::filesystem::path path(plain);
+  const bool up = std::find(path.begin(), path.end(), "..") != path.end();
+  if (up || path.is_absolute() || plain.find(':') != std::string::npos)
+    refuse("a buffer's uri leaves the folder of the .gltf; export it again as .glb");
 }
 
 uint32_t u32_at(const std::string& bytes, size_t at) {
@@ -130,6 +179,7 @@ Needed cut_down(const json& root) {
     for (json& item : list) {
       if (!item.is_object()) refuse(std::string("one of its ") + kind + " is no object");
       for (const char* gone : {"extensions", "extras"}) item.erase(gone);
+      if (kind == std::string_view("buffers")) check_uri(item);
     }
     out.root[kind] = std::move(list);
   }
@@ -139,8 +189,9 @@ Needed cut_down(const json& root) {
 tinygltf::Model load(const Needed& needed, std::string_view binary, const std::string& folder) {
   tinygltf::TinyGLTF loader;
   loader.RemoveImageLoader();
-  loader.SetFsCallbacks(
-      {&tinygltf::FileExists, &tinygltf::ExpandFilePath, &read_regular, &tinygltf::WriteWholeFile, nullptr});
+  std::error_code ec;
+  std::filesystem::path root = std::filesystem::canonical(folder.empty() ? "." : folder, ec);
+  loader.SetFsCallbacks(callbacks_for<tinygltf::FsCallbacks>(root));
   tinygltf::Model model;
   std::string error, warning;
   std::string text = needed.root.dump();

@@ -1,18 +1,19 @@
 #include "upload/shipped_ladder.h"
 
-#include <fstream>
-#include <iterator>
-
-#include "files/files.h"
+#include "base/files.h"
+#include "base/resources.h"
 
 namespace weftlight::upload {
 
-Ladder shipped_ladder() {
-  std::ifstream in(presets_dir() + "/ladder.csv", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  std::string problem;
-  const Ladder measured = text.empty() ? Ladder{} : read_ladder(text, problem);
-  return measured.empty() ? default_ladder() : measured;
+ShippedLadder shipped_ladder() {
+  constexpr uint64_t kMostBytes = uint64_t{1} << 24;
+  const std::string path = presets_dir() + "/ladder.csv";
+  const FileBytes file = read_file(path, kMostBytes);
+  ShippedLadder shipped{{}, file.error};
+  if (file.error.empty()) shipped.ladder = read_ladder(file.bytes, shipped.problem);
+  if (shipped.problem.empty() && shipped.ladder.empty()) shipped.problem = "has no line that can be used";
+  if (shipped.problem.empty()) return shipped;
+  return {default_ladder(), path + ": " + shipped.problem + "; methods are chosen by the built-in ladder"};
 }
 
 }  // namespace weftlight::upload

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "cloth/thread_scene.h"
+#include "draft/repeat.h"
 #include "drape/mesh.h"
 #include "files/files.h"
 #include "light/separable.h"
@@ -58,17 +60,19 @@ int power_of_two(double v) {
 }
 
 /// Texels across one thread that the budget allows.
-double per_thread(const Cloth& cloth) {
-  const double crossings = static_cast<double>(cloth.ends.size()) * static_cast<double>(cloth.picks.size());
+double per_thread(double crossings) {
   const double wanted = std::sqrt(kTexels / std::max(1.0, crossings));
   if (wanted >= kLeastPerThread) return std::min(wanted, kMostPerThread);
   return std::min(kLeastPerThread, std::sqrt(kMostTexels / std::max(1.0, crossings)));
 }
 
 /// Powers of two, so that every mip averages whole texels.
-MapsSize maps_size(const Cloth& cloth) {
-  const double n = per_thread(cloth);
+MapsSize maps_size(const Cloth& cloth, bool shadows) {
   const double ends = static_cast<double>(cloth.ends.size()), picks = static_cast<double>(cloth.picks.size());
+  // Shadow maps are more than all other maps together: with them a large draft keeps to the smaller budget.
+  const double fewer =
+      shadows ? std::min(1.0, std::sqrt(kTexels / std::max(1.0, ends * picks)) / per_thread(ends * picks)) : 1.0;
+  const double n = per_thread(ends * picks) * fewer;
   // Square texels in millimetres: the shorter side of the threads' mean decides.
   MapsSize size{power_of_two(ends * n), power_of_two(picks * n), n < kFinePerHorizon ? kFewAzimuths : kAzimuths};
   return size;
@@ -99,6 +103,23 @@ ReadMesh find_mesh(const std::string& name) {
   return read;
 }
 
+/// Why a cloth is not drawn: the crossings of what would be laid out, and what they would take.
+std::string too_large(const Design& design, const BitMatrix& cells) {
+  constexpr int64_t kMost = 400'000'000;
+  constexpr double kBytes = 1.5;  // a crossing, as bits of both faces and while they are made; measured
+  if (int64_t{cells.cols()} * cells.rows() <= kMost) return {};
+  const Repeat size = design_repeat(design, cells);
+  const int64_t crossings = int64_t{size.ends} * size.picks;
+  if (crossings <= kMost) return {};
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "%d ends by %d picks that do not repeat are %.0f million crossings, which take about %.1f GB; at most "
+                "%.0f million are drawn: take a part of the draft",
+                size.ends, size.picks, static_cast<double>(crossings) / 1e6,
+                static_cast<double>(crossings) * kBytes / 1e9, static_cast<double>(kMost) / 1e6);
+  return text;
+}
+
 }  // namespace
 
 Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period) {
@@ -112,9 +133,10 @@ Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period
 }
 
 Period choose_period(const Design& design, const BitMatrix& cells) {
-  const double whole = per_thread(lay_out(design, cells, Face::kFront, Period::kWholeDraft));
+  const double whole = per_thread(static_cast<double>(cells.cols()) * cells.rows());
   if (whole >= kFinePerThread) return Period::kWholeDraft;
-  const double repeat = per_thread(lay_out(design, cells, Face::kFront, Period::kRepeat));
+  const Repeat size = design_repeat(design, cells);
+  const double repeat = per_thread(static_cast<double>(size.ends) * size.picks);
   return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
 }
 
@@ -126,13 +148,14 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
   for (const Face face : {Face::kFront, Face::kBack}) {
     FaceState& state = face == Face::kFront ? front_ : back_;
     state.cloth = face_cloth(design, cells_, face, period_);
-    MapsSize size = maps_size(state.cloth);
+    MapsSize size = maps_size(state.cloth, shadows);
     if (coarse_)
       size.width = std::max(1, size.width / kQuickShrink), size.height = std::max(1, size.height / kQuickShrink);
     state.maps = bake(state.cloth, size);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     packed = pack(state.maps, shadows);
     if (shadows) add_cubes(packed, state.cloth);
+    if (effort == Effort::kOnce) state.maps.horizon.clear(), state.maps.thread = {};  // packed, and not asked for again
   }
   packed_.width_mm = front_.cloth.width_mm;
   packed_.depth_mm = front_.cloth.depth_mm;
@@ -168,7 +191,7 @@ void Stages::take_crossings(const CellRect& dirty, StageResult& result) {
 }
 
 bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result) {
-  const bool catch_up = old_back_ && effort == Effort::kFull;
+  const bool catch_up = old_back_ && effort != Effort::kQuick;
   if (dirty.empty() && !catch_up) return true;
   if (shadows_) return false;  // vrst03 knows only the whole
   if (period_ == Period::kRepeat && choose_period(design, cells_) != period_) return false;
@@ -232,18 +255,24 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
   } else {
     cells_ = drawdown(now);
   }
+  if (std::string refused = too_large(*design, cells_); !refused.empty()) {
+    done_ = nullptr;
+    result.problem = std::move(refused);
+    return result;
+  }
   const bool same_look =
       same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) && shadows == shadows_;
-  const bool too_coarse = coarse_ && effort == Effort::kFull;
+  const bool too_coarse = coarse_ && effort != Effort::kQuick;
   if (!same_look || too_coarse || !bake_cells(*design, dirty, effort, result)) {
     result.patches = {};
     bake_all(*design, shadows, effort);
     result.all_maps = true;
   }
-  const bool new_answer = old_response_ && effort == Effort::kFull;
+  const bool new_answer = old_response_ && effort != Effort::kQuick;
   if (result.all_maps || !dirty.empty() || new_answer || done_->yarns != design->yarns)
     take_lobes(*design, effort, result);
   done_ = std::move(design);
+  if (effort == Effort::kOnce) front_ = back_ = {}, cells_ = {}, done_ = nullptr;
   return result;
 }
 

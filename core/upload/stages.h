@@ -33,7 +33,8 @@ Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period
 
 /// kQuick: the next frame's answer. Whole bakes are made with few texels; painted cells reach the front alone; light
 /// from afar keeps the answer that it had. kFull brings all of it up to date.
-enum class Effort { kQuick, kFull };
+/// kOnce: as kFull, for one picture: only packed() is kept, and the next design is computed anew.
+enum class Effort { kQuick, kFull, kOnce };
 
 class Stages {
  public:

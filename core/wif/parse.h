@@ -11,7 +11,8 @@
 
 namespace weftlight::wif {
 
-/// A diagnostic for each kind of finding, with a count of the further lines it concerns.
+/// A diagnostic for each kind of finding, with a count of the further lines it concerns. Its texts are lines of
+/// UTF-8, whatever of the file they quote.
 class Findings {
  public:
   /// Findings of the same non-empty `kind` are joined.
@@ -25,10 +26,10 @@ class Findings {
  private:
   struct Item {
     Diagnostic diagnostic;
-    std::string kind;
     int more = 0;
   };
   std::vector<Item> items_;
+  NameIndex by_kind_;  // of items_
   bool error_ = false;
 };
 

@@ -370,6 +370,7 @@ bool is_usable(const WifText& text, Findings& findings) {
   if (text.bytes.starts_with("\xFF\xFE") || text.bytes.starts_with("\xFE\xFF")) {
     return refuse("the file is UTF-16 text", "save it as UTF-8 or ASCII first");
   }
+  if (!text.refused.empty()) return refuse("the file has " + text.refused, "choose a draft saved as .wif");
   for (const char* name : {"WEAVING", "WARP", "WEFT", "THREADING"}) {
     if (text.find(name)) return true;
   }

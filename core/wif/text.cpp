@@ -15,11 +15,15 @@ void split_lines(WifText& text) {
   const std::string_view bytes = text.bytes;
   uint32_t begin = text.bom ? static_cast<uint32_t>(kBom.size()) : 0;
   const uint32_t size = static_cast<uint32_t>(bytes.size());
-  text.lines.reserve(size / 10 + 1);
+  text.lines.reserve(std::min<size_t>(size / 10 + 1, kMostLines));
   for (uint32_t i = begin; i < size; ++i) {
     const char c = bytes[i];
     if (c != '\n' && c != '\r') continue;
     const uint32_t eol = c == '\r' && i + 1 < size && bytes[i + 1] == '\n' ? 2 : 1;
+    if (text.lines.size() == kMostLines) {
+      text.refused = "more than " + std::to_string(kMostLines) + " lines";
+      return;
+    }
     text.lines.push_back({begin, i - begin, eol});
     i += eol - 1;
     begin = i + 1;
@@ -53,11 +57,9 @@ std::string section_name(std::string_view line, bool& closed) {
 }
 
 WifSection& section_at(WifText& text, const std::string& name) {
-  for (WifSection& section : text.sections) {
-    if (section.name == name) return section;
-  }
-  text.sections.push_back({name, {}, {}, {}});
-  return text.sections.back();
+  const auto [at, is_new] = text.section_index.try_emplace(name, static_cast<uint32_t>(text.sections.size()));
+  if (is_new) text.sections.push_back({name, {}, {}, {}, {}});
+  return text.sections[at->second];
 }
 
 /// Luminescence names the weft's colours a second [WARP COLORS]: the block goes by its true name.
@@ -83,6 +85,10 @@ void find_sections(WifText& text) {
   for (size_t h = 0; h < headers.size(); ++h) {
     const auto& [line, name] = headers[h];
     const int end = h + 1 < headers.size() ? headers[h + 1].first : count;
+    if (text.sections.size() == kMostSections) {
+      text.refused = "more than " + std::to_string(kMostSections) + " sections";
+      return;
+    }
     section_at(text, line == text.second_warp_colors ? "WEFT COLORS" : name).blocks.push_back({line, line + 1, end});
   }
 }
@@ -97,8 +103,11 @@ void index_keys(WifText& text, WifSection& section) {
         section.other_lines.push_back(i);
         continue;
       }
-      const std::string_view key = trimmed(line.substr(0, equals));
-      section.keys.push_back({i, key_number(key), key, trimmed(line.substr(equals + 1))});
+      const std::string_view key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
+      const int number = key_number(key);
+      if (number < 0 && !value.empty())
+        section.words.try_emplace(uppercase(key), static_cast<uint32_t>(section.keys.size()));
+      section.keys.push_back({i, number, key, value});
     }
   }
 }
@@ -106,17 +115,13 @@ void index_keys(WifText& text, WifSection& section) {
 }  // namespace
 
 const WifKey* WifSection::find(std::string_view key) const {
-  for (const WifKey& k : keys) {
-    if (!k.value.empty() && same_word(k.key, key)) return &k;
-  }
-  return nullptr;
+  const auto found = words.find(uppercase(key));
+  return found != words.end() ? &keys[found->second] : nullptr;
 }
 
 const WifSection* WifText::find(std::string_view name) const {
-  for (const WifSection& section : sections) {
-    if (section.name == name) return &section;
-  }
-  return nullptr;
+  const auto found = section_index.find(name);
+  return found != section_index.end() ? &sections[found->second] : nullptr;
 }
 
 const WifKey* WifText::find(std::string_view section, std::string_view key) const {
@@ -130,7 +135,7 @@ WifText scan_wif(std::string_view bytes) {
   text.bom = bytes.starts_with(kBom);
   text.encoding = is_utf8(bytes) ? Encoding::kUtf8 : Encoding::kLatin1;
   split_lines(text);
-  find_sections(text);
+  if (text.refused.empty()) find_sections(text);
   for (WifSection& section : text.sections) index_keys(text, section);
   return text;
 }

@@ -5,12 +5,23 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "wif/encoding.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {
+
+/// More are refused: a draft of the most ends and picks, every table in full, has half of them.
+inline constexpr size_t kMostLines = 4'000'000, kMostSections = 100'000;
+
+/// Numbers by name, asked for without a copy of it.
+struct NameHash {
+  using is_transparent = void;
+  size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
+};
+using NameIndex = std::unordered_map<std::string, uint32_t, NameHash, std::equal_to<>>;
 
 /// One physical line: where its bytes start, how many before the line end, and how many the line end has
 /// ("\r\n", "\n", "\r", or none on the last line).
@@ -35,7 +46,8 @@ struct WifSection {
   std::vector<Block> blocks;
   std::vector<WifKey> keys;
   std::vector<int> other_lines;  // neither blank, comment nor key
-  /// First key of that name with a value, or nullptr.
+  NameIndex words;               // first key with a value of each name that is no number, in upper case
+  /// First key of that name, which is no number, with a value; or nullptr.
   const WifKey* find(std::string_view key) const;
 };
 
@@ -45,7 +57,9 @@ struct WifText {
   Encoding encoding = Encoding::kUtf8;
   std::vector<WifLine> lines;
   std::vector<WifSection> sections;   // by first appearance
+  NameIndex section_index;            // of `sections`
   std::vector<int> unclosed_headers;  // lines like "[WARP"
+  std::string refused;                // why there are no sections: too many of something
   int second_warp_colors = -1;        // header line of a repeated [WARP COLORS] that holds the weft's (Luminescence)
 
   std::string_view line(int index) const { return bytes.substr(lines[index].begin, lines[index].size); }

@@ -119,7 +119,7 @@ std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, int& c
     code = kNoGraphics, error = "no graphics: " + error;
     return nullptr;
   }
-  bench->use_ladder(shipped_ladder());
+  bench->use_ladder(shipped_ladder().ladder);
   return bench;
 }
 

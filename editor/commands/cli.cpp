@@ -2,10 +2,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <iostream>
 #include <limits>
+#include <numeric>
+#include <utility>
 
+#include "base/files.h"
+#include "base/utf8.h"
 #include "commands/commands.h"
 #include "draft/methods.h"
 #include "light/formulas.h"
@@ -14,6 +22,14 @@ namespace weftlight::commands {
 namespace {
 
 constexpr float kUnset = std::numeric_limits<float>::quiet_NaN();
+
+/// What was given, short enough for a line.
+std::string quoted(const std::string& text) {
+  constexpr size_t kLongest = 40;
+  const std::string whole = as_utf8(text);
+  const std::string head(cut_utf8(whole, kLongest));
+  return "'" + head + (head.size() < whole.size() ? "..." : "") + "'";
+}
 
 bool parse_pair(const std::string& text, char between, float& a, float& b) {
   const size_t at = text.find(between, 1);
@@ -32,9 +48,87 @@ CLI::Validator pair_of(char between, const std::string& form) {
   return CLI::Validator(
       [between, form](const std::string& text) {
         float a = 0, b = 0;
-        return parse_pair(text, between, a, b) ? std::string{} : "'" + text + "' is not of the form " + form;
+        return parse_pair(text, between, a, b) ? std::string{} : quoted(text) + " is not of the form " + form;
       },
       form);
+}
+
+CLI::Validator whole_number(int64_t low, int64_t high) {
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        int64_t value = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good = read.ec == std::errc{} && read.ptr == text.data() + text.size();
+        return good && value >= low && value <= high ? std::string{}
+                                                     : quoted(text) + " is not a whole number from " +
+                                                           std::to_string(low) + " to " + std::to_string(high);
+      },
+      std::to_string(low) + ".." + std::to_string(high));
+}
+
+CLI::Validator above_zero() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        float value = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good = read.ec == std::errc{} && read.ptr == text.data() + text.size() && std::isfinite(value);
+        return good && value > 0 ? std::string{} : quoted(text) + " is not a number greater than 0";
+      },
+      "> 0");
+}
+
+CLI::Validator some_name() {
+  return CLI::Validator([](const std::string& text) { return text.empty() ? "no name is given" : std::string{}; },
+                        "PATH");
+}
+
+/// Letters to change, to add or to leave out (Levenshtein).
+size_t distance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t{0});
+  for (size_t i = 0; i < a.size(); ++i) {
+    size_t corner = std::exchange(row[0], i + 1);
+    for (size_t k = 0; k < b.size(); ++k) {
+      const size_t changed = corner + (a[i] != b[k]);
+      corner = row[k + 1];
+      row[k + 1] = std::min({changed, corner + 1, row[k] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The first word, where it is neither a verb nor like a file: a window would open on nothing.
+bool refuse_mistyped_verb(const CLI::App& app, const std::string& word) {
+  constexpr size_t kNear = 3;
+  const std::filesystem::path file(word);
+  std::error_code ignored;
+  if (word.empty() || word[0] == '-' || file.has_extension() || file.has_parent_path()) return false;
+  if (std::filesystem::exists(file, ignored)) return false;
+  std::string nearest, all;
+  size_t apart = std::min(kNear, word.size() - 1) + 1;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    all.append(all.empty() ? "" : ", ").append(verb->get_name());
+    const size_t letters = distance(word, verb->get_name());
+    if (letters == 0) return false;
+    if (letters < apart) apart = letters, nearest = verb->get_name();
+  }
+  std::fprintf(stderr, "weftlight: %s is neither a verb nor a file; %s\n", quoted(word).c_str(),
+               nearest.empty() ? ("the verbs are " + all).c_str() : ("did you mean '" + nearest + "'?").c_str());
+  return true;
+}
+
+/// What was printed may have nowhere to go: a full device tells so only when it is flushed.
+int with_output_flushed(int code) {
+  std::cout.flush();
+  errno = 0;
+  const bool flushed = std::fflush(stdout) == 0;
+  const int why = errno;
+  if (flushed && !std::ferror(stdout) && std::cout) return code;
+  std::fprintf(stderr, "weftlight: the standard output cannot be written%s\n",
+               why != 0 ? (": " + cause_of(why)).c_str() : "");
+  std::clearerr(stdout);
+  std::cout.clear();
+  return code == kDone ? kNotWritten : code;
 }
 
 void add_face(CLI::App* verb, std::string& face) {
@@ -113,16 +207,16 @@ struct PictureText {
 
 void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
-  verb->add_option("-o,--output", o.out, "Picture: .png or .exr")->required();
+  verb->add_option("-o,--output", o.out, "Picture: .png or .exr")->required()->check(some_name());
   verb->add_option("--mesh", o.mesh, "A shipped drape or a .glb/.gltf file");
   verb->add_option("--size", t.size, "Pixels, WxH")->check(pair_of('x', "WxH"));
   verb->add_option("--method", o.method, "Rung of the ladder")->check(CLI::IsMember(drawn_methods()));
   verb->add_option("--yarns-per-pixel", o.yarns_per_pixel, "Footprint at the middle of the picture")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->add_option("--view", t.view, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
   verb->add_option("--light", t.light, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
   add_face(verb, t.face);
-  verb->add_option("--stats", o.stats, "Write costs as JSON");
+  verb->add_option("--stats", o.stats, "Write costs as JSON")->check(some_name());
 }
 
 void add_analysis_options(CLI::App* verb, AnalyseOptions& o) {
@@ -205,14 +299,16 @@ CommandLine run_command_line(int argc, char** argv) {
   drawdown_verb->add_option("file", drawdown.file, "Draft (.wif)")->required();
   drawdown_verb->add_flag("--points", drawdown.points,
                           "Picture with a pixel a crossing, black where the warp is on top");
-  drawdown_verb->add_option("-o,--output", drawdown.out, "Text file, or .png for the coloured drawdown");
+  drawdown_verb
+      ->add_option("-o,--output", drawdown.out, "Text file; .png, .jpg, .tif, .svg, .pdf: the coloured drawdown")
+      ->check(some_name());
   add_face(drawdown_verb, drawdown_face);
 
   ConvertOptions convert;
   bool to_lifts = false, to_treadles = false;
   auto* convert_verb = app.add_subcommand("convert", "Copy a draft, byte-true unless asked otherwise");
   convert_verb->add_option("in", convert.in, "Draft (.wif)")->required();
-  convert_verb->add_option("out", convert.out, "New file")->required();
+  convert_verb->add_option("out", convert.out, "New file")->required()->check(some_name());
   convert_verb->add_flag("--plain", convert.plain, "Save for other programs and looms");
   auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "Drive by a liftplan");
   convert_verb->add_flag("--treadling", to_treadles, "Drive by tie-up and treadling")->excludes(lifts_flag);
@@ -229,25 +325,25 @@ CommandLine run_command_line(int argc, char** argv) {
       ->add_option("--samples", picture.samples,
                    "Samples a pixel near the threads, at the most; " + std::to_string(kMost) +
                        ", without a graphics card " + std::to_string(kSoftwareSamples))
-      ->check(CLI::Range(1, kMost));
-  reference_verb->add_option("--spp", picture.spp, "Samples a pixel")->check(CLI::Range(1, 1 << 20));
-  reference_verb->add_option("--bounces", picture.bounces, "Indirect bounces")->check(CLI::Range(0, 16));
+      ->check(whole_number(1, kMost));
+  reference_verb->add_option("--spp", picture.spp, "Samples a pixel")->check(whole_number(1, 1 << 20));
+  reference_verb->add_option("--bounces", picture.bounces, "Indirect bounces")->check(whole_number(0, 16));
 
   ExportOptions texture;
   auto* export_verb = app.add_subcommand("export", "A seamless texture set of one repeat");
   export_verb->add_option("files", texture.files, "Drafts (.wif)")->required();
   export_verb->add_option("--target", texture.target, "What reads the set")
       ->check(CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "raw"}));
-  export_verb->add_option("-o,--output", texture.out, "Folder")->required();
-  export_verb->add_option("--size", texture.size, "Texels a side, a power of two")->check(CLI::Range(16, 8192));
+  export_verb->add_option("-o,--output", texture.out, "Folder")->required()->check(some_name());
+  export_verb->add_option("--size", texture.size, "Texels a side, a power of two")->check(whole_number(16, 8192));
   export_verb->add_option("--mesh", texture.mesh, "Drape for the .glb");
-  export_verb->add_option("--jobs", texture.jobs, "Drafts at a time")->check(CLI::Range(1, 64));
+  export_verb->add_option("--jobs", texture.jobs, "Drafts at a time")->check(whole_number(1, 64));
 
   export_verb->add_flag("--force", texture.force, "Write among files of others, over those of the same names");
 
   ChartOptions chart;
   auto* chart_verb = app.add_subcommand("chart", "Speed against accuracy, measured");
-  chart_verb->add_option("-o,--output", chart.out, "Folder")->required();
+  chart_verb->add_option("-o,--output", chart.out, "Folder")->required()->check(some_name());
   chart_verb->add_flag("--quick", chart.quick, "Within a minute");
 
   ResponseOptions response;
@@ -258,12 +354,18 @@ CommandLine run_command_line(int argc, char** argv) {
   DrapeOptions drape;
   auto* drape_verb = app.add_subcommand("drape", "Simulate a shipped drape again");
   drape_verb->add_option("name", drape.name, "plane, sphere, tablecloth, curtain, skirt, tunic or all")->required();
-  drape_verb->add_option("-o,--output", drape.out, "A .glb, or a folder for all")->required();
+  drape_verb->add_option("-o,--output", drape.out, "A .glb or .gltf, or a folder for all")
+      ->required()
+      ->check(some_name());
 
+  if (argc > 1 && refuse_mistyped_verb(app, argv[1])) {
+    result.exit_code = kUsage;
+    return result;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    result.exit_code = app.exit(e) == 0 ? kDone : kUsage;
+    result.exit_code = with_output_flushed(app.exit(e) == 0 ? kDone : kUsage);
     return result;
   }
 
@@ -291,6 +393,7 @@ CommandLine run_command_line(int argc, char** argv) {
   else if (print_verb->parsed()) result.exit_code = print_command(print);
   else if (diff_verb->parsed()) result.exit_code = diff_command(diff);
   else result.open_editor = true;
+  if (!result.open_editor) result.exit_code = with_output_flushed(result.exit_code);
   return result;
 }
 

@@ -46,7 +46,11 @@ int refuse(const std::string& name) {
 
 int drape_command(const DrapeOptions& options) {
   if (options.name != "all") {
-    return is_known(options.name) ? write_drape(options.name, options.out) : refuse(options.name);
+    if (!is_known(options.name)) return refuse(options.name);
+    const std::string extension = std::filesystem::path(options.out).extension().string();
+    if (extension == ".glb" || extension == ".gltf") return write_drape(options.name, options.out);
+    std::fprintf(stderr, "weftlight: %s: a drape is written as .glb or .gltf\n", options.out.c_str());
+    return kUsage;
   }
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);

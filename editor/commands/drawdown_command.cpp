@@ -1,11 +1,13 @@
 // `drawdown`: one line a pick (pick 1 first), one character an end (end 1 first), 1 where the warp is on
 // top; or the coloured drawdown as a picture, as the editor shows it: end 1 at the right, pick 1 at the top.
 
-#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 
+#include "base/files.h"
 #include "commands/commands.h"
-#include "files/files.h"
+#include "commands/drawdown_picture.h"
 
 namespace weftlight::commands {
 namespace {
@@ -20,61 +22,44 @@ std::string as_text(const BitMatrix& cells) {
   return text;
 }
 
-/// Pixels a cell: what makes the longer side about 1,024, from 1 to 16.
-int cell_size(const BitMatrix& cells) {
-  constexpr int kWanted = 1024, kLargest = 16;
-  return std::clamp(kWanted / std::max({cells.rows(), cells.cols(), 1}), 1, kLargest);
-}
-
-Image as_image(const BitMatrix& cells, const Draft& draft) {
-  const int size = cell_size(cells);
-  Image image{cells.cols() * size, cells.rows() * size, 3, {}};
-  image.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
-  for (int y = 0; y < image.height; ++y) {
-    const int pick = y / size;
-    for (int x = 0; x < image.width; ++x) {
-      const int end = cells.cols() - 1 - x / size;
-      const int color = cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)]
-                                             : draft.weft.color[static_cast<size_t>(pick)];
-      const Rgb& c = draft.palette[static_cast<size_t>(color)];
-      image.texels.insert(image.texels.end(), {c.r, c.g, c.b});
-    }
-  }
-  return image;
-}
-
-/// Black where the warp is on top, laid out as the coloured one.
-Image as_points(const BitMatrix& cells) {
-  Image image{cells.cols(), cells.rows(), 3, {}};
-  for (int pick = 0; pick < cells.rows(); ++pick)
-    for (int end = cells.cols() - 1; end >= 0; --end)
-      image.texels.insert(image.texels.end(), 3, cells.get(pick, end) ? 0.0f : 1.0f);
-  return image;
+/// What an extension asks for: text where there is none.
+enum class Form { kText, kImage, kDrawing, kNone };
+Form form_of(const std::string& out) {
+  std::string extension = std::filesystem::path(out).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto is = [&extension](auto... names) { return ((extension == names) || ...); };
+  if (is("", ".txt", ".text", ".asc", ".dat", ".out", ".log")) return Form::kText;
+  if (is(".png", ".jpg", ".jpeg", ".tif", ".tiff")) return Form::kImage;
+  return is(".svg", ".pdf") ? Form::kDrawing : Form::kNone;
 }
 
 }  // namespace
 
 int drawdown_command(const DrawdownOptions& options) {
+  const Form form = form_of(options.out);
+  if (options.points && form != Form::kImage) {
+    std::fprintf(stderr, "weftlight: --points: write a picture, -o OUT.png or .tif\n");
+    return kUsage;
+  }
+  if (form == Form::kNone) {
+    std::fprintf(stderr, "weftlight: %s: a drawdown is written as .txt, .png, .jpg, .tif, .svg or .pdf\n",
+                 options.out.c_str());
+    return kUsage;
+  }
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
   BitMatrix cells = drawdown(opened.design.draft);
   if (options.face == Face::kBack) cells = complement(cells);
   if (options.out.empty()) {
     const std::string text = as_text(cells);
-    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0 ? kDone
-                                                                                                       : kNotWritten;
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return kDone;  // a stream that takes nothing is told of by the one who flushes it
   }
-  constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
-  const bool picture = options.out.ends_with(".png") || options.out.ends_with(".tif") || options.points;
-  if (picture && int64_t{cells.rows()} * cells.cols() > kMaxPixels) {
-    std::fprintf(stderr, "%s: %d by %d crossings are too many for a picture; write text instead\n", options.out.c_str(),
-                 cells.cols(), cells.rows());
-    return kNotWritten;
-  }
-  const std::string error =
-      picture ? write_image(options.out, options.points ? as_points(cells) : as_image(cells, opened.design.draft),
-                            PixelType::kU8)
-              : write_file_atomically(options.out, as_text(cells));
+  const auto draw = options.points         ? write_drawdown_points
+                    : form == Form::kImage ? write_drawdown_image
+                                           : write_drawdown_drawing;
+  const std::string error = form == Form::kText ? write_file_atomically(options.out, as_text(cells))
+                                                : draw(options.out, cells, opened.design.draft);
   if (error.empty()) return kDone;
   std::fprintf(stderr, "%s; choose another place\n", error.c_str());
   return kNotWritten;

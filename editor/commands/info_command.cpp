@@ -65,7 +65,8 @@ int info_command(const InfoOptions& options) {
   const LongestFloats floats = longest_floats(cells);
   const Repeat repeat = design_repeat(opened.design, cells);
   if (options.json) {
-    std::printf("%s\n", as_json(opened, floats, repeat).dump(2).c_str());
+    std::printf("%s\n",
+                as_json(opened, floats, repeat).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   } else {
     print_text(options.file, opened, floats, repeat);
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "files/files.h"
+#include "gl/pipeline.h"
 #include "light/ladder.h"
 
 namespace weftlight::commands {
@@ -39,8 +40,9 @@ int PictureSetup::open(const PictureOptions& o) {
   context = HeadlessContext::create(error);
   if (context) renderer = Renderer::create(error);
   if (!renderer) return fail(kNoGraphics, "no graphics: " + error);
-  pipeline.submit(std::make_shared<const Design>(design));
-  error = pipeline.finish(*renderer);
+  if (const std::string& problem = renderer->ladder_problem(); !problem.empty())
+    std::fprintf(stderr, "weftlight: %s\n", problem.c_str());
+  error = upload_once(std::make_shared<const Design>(design), *renderer);
   return error.empty() ? kDone : fail(kBadInput, error);
 }
 

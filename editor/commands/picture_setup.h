@@ -8,7 +8,6 @@
 #include "commands/commands.h"
 #include "commands/names.h"
 #include "gl/context.h"
-#include "gl/pipeline.h"
 #include "gl/renderer.h"
 
 namespace weftlight::commands {
@@ -20,7 +19,6 @@ struct PictureSetup {
   Design design;
   std::unique_ptr<HeadlessContext> context;  // outlives the renderer
   std::unique_ptr<Renderer> renderer;
-  Pipeline pipeline;
 
   /// An exit code of the contract; what went wrong is printed.
   int open(const PictureOptions& options);

@@ -3,13 +3,33 @@
 
 #include "gl/context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace weftlight::gl {
 namespace {
+
+bool loads(std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [](const char* name) {
+    void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+    return library != nullptr;  // kept open: libepoxy loads the same one next
+  });
+}
+
+/// libepoxy ends the program where a library that it loads is not there.
+std::string missing_library() {
+#ifdef __linux__
+  if (!loads({"libEGL.so.1"})) return "libEGL.so.1 is not there: install it (Debian: libegl1 and libgl1-mesa-dri)";
+  if (!loads({"libOpenGL.so.0", "libGL.so.1"}))
+    return "libGL.so.1 is not there: install it (Debian: libgl1 and libgl1-mesa-dri)";
+#endif
+  return {};
+}
 
 EGLDisplay open_display() {
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
@@ -37,6 +57,8 @@ EGLContext open_context(EGLDisplay display) {
 }  // namespace
 
 std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
+  error = missing_library();
+  if (!error.empty()) return nullptr;
   std::unique_ptr<HeadlessContext> made(new HeadlessContext);
   const EGLDisplay display = open_display();
   if (display == EGL_NO_DISPLAY) {

@@ -106,4 +106,12 @@ std::string Pipeline::problem() const {
 
 bool Pipeline::busy() const { return parts_->worker.busy(); }
 
+std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer) {
+  Stages stages;
+  StageResult result = stages.update(std::move(design), Effort::kOnce);
+  if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
+  if (result.all_maps) renderer.upload(stages.packed());
+  return std::move(result.problem);
+}
+
 }  // namespace weftlight::gl

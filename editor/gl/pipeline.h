@@ -34,4 +34,7 @@ class Pipeline {
   std::unique_ptr<Parts> parts_;
 };
 
+/// Without a worker, for one picture: computes, uploads and keeps nothing but what was uploaded. Returns as finish().
+std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer);
+
 }  // namespace weftlight::gl

@@ -69,7 +69,8 @@ struct Renderer::Parts {
   double software_ms = 0, software_hair_ms = 0;
   FrameStats stats;
   DrawnFrame last;
-  Ladder ladder = shipped_ladder();
+  ShippedLadder shipped = shipped_ladder();
+  Ladder ladder = shipped.ladder;
 
   bool build(std::string& error);
   const ClothProgram& cloth_program(Method method, int taps, int rungs);
@@ -435,6 +436,7 @@ void Renderer::read_pixels(std::vector<uint32_t>& pixels) const { parts_->screen
 
 void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
 bool Renderer::is_software() const { return parts_->software; }
+const std::string& Renderer::ladder_problem() const { return parts_->shipped.problem; }
 
 std::string Renderer::device() const {
   return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +

@@ -78,6 +78,8 @@ class Renderer {
   void set_ladder(const Ladder& ladder);
   /// Drawn by the processor (Mesa's llvmpipe).
   bool is_software() const;
+  /// What is wrong with the shipped ladder; the built-in one then chooses the methods.
+  const std::string& ladder_problem() const;
   /// Graphics card and driver.
   std::string device() const;
 

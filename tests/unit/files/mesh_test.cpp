@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -219,6 +220,12 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"scene_out_of_range", [](json& r) { r["scene"] = 5; }, "scene"},
         Broken{"buffer_longer_than_data", [](json& r) { r["buffers"][0]["byteLength"] = 1u << 30; }, ""},
         Broken{"buffer_device", [](json& r) { r["buffers"][0]["uri"] = "../../../../../../dev/zero"; }, ""},
+        Broken{"buffer_leaves_the_folder", [](json& r) { r["buffers"][0]["uri"] = "../sheet.bin"; }, "folder"},
+        Broken{"buffer_leaves_the_folder_coded", [](json& r) { r["buffers"][0]["uri"] = "%2e%2E%2fsheet.bin"; },
+               "folder"},
+        Broken{"buffer_of_the_root", [](json& r) { r["buffers"][0]["uri"] = "/dev/zero"; }, "folder"},
+        Broken{"buffer_of_a_scheme", [](json& r) { r["buffers"][0]["uri"] = "file:///dev/zero"; }, "folder"},
+        Broken{"buffer_is_a_command", [](json& r) { r["buffers"][0]["uri"] = "$(touch ran).bin"; }, ""},
         Broken{"buffer_missing", [](json& r) { r["buffers"][0]["uri"] = "none.bin"; }, ""},
         Broken{"flat_uv",
                [](json& r) {
@@ -258,6 +265,20 @@ TEST(MeshFile, TruncatedGlbAtEveryLengthIsRefused) {
     std::filesystem::resize_file(scratch / "cut.glb", keep);
     EXPECT_FALSE(read_mesh(scratch / "cut.glb").mesh) << keep << " bytes of " << size;
   }
+}
+
+TEST(MeshFile, ABufferIsARegularFileOfTheFolder) {
+  const Scratch scratch("buffers");
+  std::filesystem::create_directories(scratch / "in/deeper");
+  ASSERT_EQ(write_mesh(scratch / "in/sheet.gltf", sheet(), nullptr), "");
+  ASSERT_TRUE(read_mesh(scratch / "in/sheet.gltf").mesh);
+  const std::string bin = scratch / "in/sheet.bin";
+  std::filesystem::rename(bin, scratch / "outside.bin");
+  std::filesystem::create_symlink("../outside.bin", bin);
+  EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf").mesh) << "a link that leaves the folder";
+  std::filesystem::remove(bin);
+  ASSERT_EQ(::mkfifo(bin.c_str(), 0600), 0);
+  EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf").mesh) << "a pipe";
 }
 
 TEST(MeshFile, DeeplyNestedJsonIsRefused) {

@@ -1,0 +1,181 @@
+// Odd names, odd files and odd command lines: right, or refused in one line with the exit code of the contract.
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/utf8.h"
+#include "paths.h"
+#include "scratch_folder.h"
+
+namespace weftlight::commands {
+namespace {
+
+using OddInput = ScratchFolder;
+using Args = std::vector<std::string>;
+
+std::string draft() { return fixture_path("twill.wif"); }
+
+std::string draft_bytes() { return read_file(draft()).bytes; }
+
+/// The exit code of the program itself, in a shell: "VARIABLE=value; weftlight ARGS > file".
+int shell(const std::string& before, const std::string& args, const std::string& after = ">/dev/null 2>&1") {
+  const int status = std::system((before + " '" WEFTLIGHT_BINARY "' " + args + " " + after).c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(OddInput, text_that_is_no_utf8_is_valid_json) {
+  const std::string latin = draft_bytes() +
+                            "\n[CONTENTS]\nC\xE9"
+                            "f=true\n[CAF\xE9]\n1=x\n[CAF\xE9 2]\n1=y\n";
+  const std::string named = written("caf\xE9.wif", latin);
+  ASSERT_EQ(shell("", "info --json '" + named + "'", ">'" + path("out.json") + "'"), kDone);
+  const std::string json = read_file(path("out.json")).bytes;
+  EXPECT_TRUE(is_utf8(json));
+  const nlohmann::json info = nlohmann::json::parse(json, nullptr, false);
+  ASSERT_TRUE(info.is_object());
+  EXPECT_NE(info["warnings"].dump().find("CAF\xC3\xA9"), std::string::npos) << info["warnings"].dump(1);
+}
+
+TEST_F(OddInput, a_title_escaped_by_the_file_itself_is_valid_json) {
+  const std::string odd = draft_bytes() + "\n[TEXT]\nTitle=caf?\n[PRIVATE WEFTLIGHT TEXT]\nTitle=caf\\xe9\n";
+  ASSERT_EQ(shell("", "info --json '" + written("odd.wif", odd) + "'", ">'" + path("out.json") + "'"), kDone);
+  EXPECT_TRUE(nlohmann::json::accept(read_file(path("out.json")).bytes));
+}
+
+TEST_F(OddInput, what_is_no_file_is_refused_at_once) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const std::string& name : {std::string("/dev/zero"), path("pipe"), path("")}) {
+    const Ran ran = run({"info", name});
+    EXPECT_EQ(ran.code, kBadInput) << name;
+    EXPECT_NE(ran.said.find(name), std::string::npos) << ran.said;
+  }
+  EXPECT_EQ(run({"render", draft(), "-o", path("a.png"), "--mesh", path("pipe")}).code, kBadInput);
+}
+
+TEST_F(OddInput, a_full_device_is_told_of) {
+  const std::string file = "'" + draft() + "'";
+  EXPECT_EQ(shell("", "info " + file, ">/dev/full 2>/dev/null"), kNotWritten);
+  EXPECT_EQ(shell("", "info --json " + file, ">/dev/full 2>/dev/null"), kNotWritten);
+  EXPECT_EQ(shell("", "drawdown " + file, ">/dev/full 2>/dev/null"), kNotWritten);
+  EXPECT_EQ(shell("", "--help", ">/dev/full 2>/dev/null"), kNotWritten);
+  EXPECT_EQ(shell("", "drape plane -o '" + path("plane.glb") + "'", ">/dev/full 2>/dev/null"), kNotWritten);
+  EXPECT_EQ(shell("", "export --size 16 --target raw " + file + " -o '" + path("set") + "'", ">/dev/full 2>/dev/null"),
+            kNotWritten);
+  const Ran ran = run({"convert", draft(), "/dev/full"});
+  EXPECT_EQ(ran.code, kNotWritten);
+  EXPECT_NE(ran.said.find("/dev/full: cannot be written: the disk is full"), std::string::npos) << ran.said;
+}
+
+TEST_F(OddInput, a_pipe_takes_a_converted_draft) {
+  ASSERT_EQ(shell("", "convert '" + draft() + "' /dev/stdout", "| cat >'" + path("copy.wif") + "'"), kDone);
+  EXPECT_EQ(read_file(path("copy.wif")).bytes, draft_bytes());
+  ASSERT_EQ(shell("(echo before;", "convert '" + draft() + "' /dev/stdout; echo after)", ">'" + path("all") + "'"), 0);
+  EXPECT_EQ(read_file(path("all")).bytes, "before\n" + draft_bytes() + "after\n");
+}
+
+TEST_F(OddInput, pictures_respect_what_is_read_only_and_links) {
+  written("locked.png", "mine");
+  ::chmod(path("locked.png").c_str(), 0444);
+  const Ran ran = run({"drawdown", draft(), "-o", path("locked.png")});
+  EXPECT_EQ(ran.code, kNotWritten);
+  EXPECT_NE(ran.said.find("read-only"), std::string::npos) << ran.said;
+  EXPECT_EQ(read_file(path("locked.png")).bytes, "mine");
+  std::filesystem::create_directory(path("there"));
+  std::filesystem::create_symlink("there/real.png", path("link.png"));
+  EXPECT_EQ(run({"drawdown", draft(), "-o", path("link.png")}).code, kDone);
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.png")));
+  EXPECT_EQ(read_file(path("there/real.png")).bytes.substr(1, 3), "PNG");
+}
+
+TEST_F(OddInput, a_mistyped_verb_names_the_nearest) {
+  for (const auto& [word, verb] : std::vector<std::pair<std::string, std::string>>{
+           {"rendr", "render"}, {"drawdwn", "drawdown"}, {"exprot", "export"}, {"inf", "info"}}) {
+    const Ran ran = run({word});
+    EXPECT_EQ(ran.code, kUsage) << word;
+    EXPECT_NE(ran.said.find("'" + verb + "'"), std::string::npos) << ran.said;
+    EXPECT_EQ(run({word, draft(), "-o", path("a.png")}).code, kUsage);
+  }
+  const Ran far = run({"quilt"});
+  EXPECT_EQ(far.code, kUsage);
+  EXPECT_NE(far.said.find("render"), std::string::npos) << far.said;
+  written("twill", draft_bytes());
+  EXPECT_EQ(run({path("twill")}).code, -1) << "a file without an extension opens";
+}
+
+TEST_F(OddInput, odd_values_are_bad_usage_in_a_short_line) {
+  const std::string out = path("a.png"), digits(300, '9');
+  for (const Args& args : std::vector<Args>{
+           {"render", draft(), "-o", out, "--yarns-per-pixel", "nan"},
+           {"render", draft(), "-o", out, "--yarns-per-pixel", "inf"},
+           {"render", draft(), "-o", out, "--yarns-per-pixel", "0"},
+           {"render", draft(), "-o", out, "--yarns-per-pixel", digits},
+           {"render", draft(), "-o", out, "--size", digits + "x4"},
+           {"render", draft(), "-o", out, "--samples", digits},
+           {"reference", draft(), "-o", out, "--spp", digits},
+           {"reference", draft(), "-o", out, "--spp", "1.5"},
+           {"export", draft(), "-o", path("set"), "--size", digits},
+           {"render", draft(), "-o", ""},
+           {"drawdown", draft(), "-o", ""},
+           {"export", draft(), "-o", ""},
+           {"drape", "plane", "-o", ""},
+           {"convert", draft(), ""},
+           {"drawdown", draft(), "-o", path("a.gif")},
+           {"drawdown", draft(), "-o", path("a.wif")},
+           {"drape", "plane", "-o", path("a.txt")},
+       }) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
+    EXPECT_FALSE(ran.said.empty()) << ::testing::PrintToString(args);
+    EXPECT_LT(ran.said.size(), 300u) << ran.said;
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(OddInput, a_drawdown_is_what_its_name_says) {
+  const std::vector<std::pair<std::string, std::string>> heads{
+      {"a.svg", "<?xml"},   {"a.pdf", "%PDF"}, {"a.jpg", "\xFF\xD8\xFF"},
+      {"a.PNG", "\x89PNG"}, {"a.txt", "0"},    {"a", "0"}};
+  for (const auto& [name, head] : heads) {
+    ASSERT_EQ(run({"drawdown", draft(), "-o", path(name)}).code, kDone) << name;
+    const std::string bytes = read_file(path(name)).bytes;
+    if (head == "0") EXPECT_EQ(bytes.find_first_not_of("01\n"), std::string::npos) << name;
+    else EXPECT_EQ(bytes.substr(0, head.size()), head) << name;
+  }
+  EXPECT_EQ(files().size(), heads.size());
+}
+
+TEST_F(OddInput, a_broken_ladder_is_told_of_and_replaced) {
+  const std::string presets = path("presets");
+  std::filesystem::create_directories(presets);
+  std::filesystem::copy(WEFTLIGHT_SOURCE_DIR "/presets/lights", presets + "/lights",
+                        std::filesystem::copy_options::recursive);
+  const std::string line =
+      "render '" + draft() + "' --size 32x24 --mesh plane --method flat -o '" + path("a.png") + "'";
+  const std::string env = "WEFTLIGHT_PRESETS='" + presets + "'", said = ">/dev/null 2>'" + path("said") + "'";
+  for (const char* what : {"folder", "broken", "missing"}) {
+    if (what == std::string("folder")) std::filesystem::create_directory(presets + "/ladder.csv");
+    if (what == std::string("broken")) std::ofstream(presets + "/ladder.csv") << "not,a\nladder";
+    const int code = shell(env, line, said);
+    if (code == kNoGraphics) GTEST_SKIP() << "no graphics here";
+    EXPECT_EQ(code, kDone) << what;
+    EXPECT_NE(read_file(path("said")).bytes.find("ladder.csv"), std::string::npos) << what;
+    std::filesystem::remove(presets + "/ladder.csv");
+  }
+}
+
+TEST_F(OddInput, no_egl_is_no_graphics) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "a library put before the sanitizer's cannot be loaded";
+#endif
+  const std::string preload = "LD_PRELOAD='" WEFTLIGHT_TESTS_BINARY_DIR "/libno_egl.so'";
+  const std::string line = "render '" + draft() + "' --size 32x24 -o '" + path("a.png") + "'";
+  EXPECT_EQ(shell(preload, line, ">/dev/null 2>'" + path("said") + "'"), kNoGraphics);
+  EXPECT_NE(read_file(path("said")).bytes.find("libEGL.so.1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weftlight::commands

@@ -1,5 +1,7 @@
 # How each dependency is found. A missing one stops the configure step and names
 # the Debian package that brings it (third_party/packages.txt holds them all).
+# Debian's and Ubuntu's names come first; where a system has others, CMake's own modules
+# and configuration files are asked.
 
 function(weftlight_missing what package)
   message(FATAL_ERROR
@@ -7,6 +9,7 @@ function(weftlight_missing what package)
     "(Debian/Ubuntu: sudo apt-get install ${package}; or let ./run install all of third_party/packages.txt).")
 endfunction()
 
+# weftlight_package(NAME debian-package [VERSION] [CONFIG]): through CMake.
 macro(weftlight_package name package)
   find_package(${name} ${ARGN} QUIET)
   if(NOT ${name}_FOUND)
@@ -14,12 +17,26 @@ macro(weftlight_package name package)
   endif()
 endmacro()
 
-macro(weftlight_pkg prefix module package)
-  pkg_check_modules(${prefix} QUIET IMPORTED_TARGET ${module})
-  if(NOT ${prefix}_FOUND)
-    weftlight_missing("${module}" ${package})
+# weftlight_pkg(PREFIX module debian-package [NAME target [COMPONENTS ...]]): PkgConfig::PREFIX through pkg-config,
+# else find_package(NAME COMPONENTS ...), whose target it then stands for.
+function(weftlight_pkg prefix module package)
+  pkg_check_modules(${prefix} QUIET IMPORTED_TARGET GLOBAL ${module})
+  set(${prefix}_VERSION "${${prefix}_VERSION}" PARENT_SCOPE)
+  if(${prefix}_FOUND)
+    return()
   endif()
-endmacro()
+  if(ARGC GREATER 4)
+    list(SUBLIST ARGN 2 -1 parts)
+    find_package(${ARGV3} ${parts} QUIET)
+    if(TARGET ${ARGV4})
+      add_library(PkgConfig::${prefix} INTERFACE IMPORTED GLOBAL)
+      target_link_libraries(PkgConfig::${prefix} INTERFACE ${ARGV4})
+      set(${prefix}_VERSION "${${ARGV3}_VERSION}" PARENT_SCOPE)
+      return()
+    endif()
+  endif()
+  weftlight_missing("${module}" ${package})
+endfunction()
 
 find_program(WEFTLIGHT_PKG_CONFIG NAMES pkg-config pkgconf)
 if(NOT WEFTLIGHT_PKG_CONFIG)
@@ -29,11 +46,11 @@ find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
 weftlight_package(TBB libtbb-dev CONFIG)
-weftlight_pkg(FONTCONFIG fontconfig libfontconfig-dev)
+weftlight_pkg(FONTCONFIG fontconfig libfontconfig-dev Fontconfig Fontconfig::Fontconfig)
 weftlight_package(glm libglm-dev CONFIG)
 weftlight_package(glfw3 libglfw3-dev 3.3 CONFIG)
 weftlight_package(TinyGLTF libtinygltf-dev CONFIG)
-# Ubuntu 24.04 brings version 4, which refuses to stand in for 3.
+# Debian 12 has Embree 3; Ubuntu 24.04 and Debian 13 bring version 4, which refuses to stand in for 3.
 find_package(embree 4 CONFIG QUIET)
 if(NOT embree_FOUND)
   weftlight_package(embree libembree-dev 3.12 CONFIG)
@@ -41,16 +58,23 @@ endif()
 weftlight_package(CLI11 libcli11-dev CONFIG)
 weftlight_package(nlohmann_json nlohmann-json3-dev CONFIG)
 weftlight_package(meshoptimizer libmeshoptimizer-dev CONFIG)
-weftlight_pkg(IMGUI imgui libimgui-dev)
+
+# The window hands keys to Dear ImGui as 1.86 takes them, which 1.91.5 took away.
+weftlight_pkg(IMGUI imgui libimgui-dev imgui imgui::imgui CONFIG)
+if(IMGUI_VERSION VERSION_LESS 1.86 OR NOT IMGUI_VERSION VERSION_LESS 1.91.5)
+  message(FATAL_ERROR "Weftlight takes Dear ImGui from 1.86 to 1.91.4; this is ${IMGUI_VERSION}.")
+endif()
+message(STATUS "Dear ImGui ${IMGUI_VERSION} (1.86 to 1.91.4 will do)")
+
 # Debian's Dear ImGui holds its FreeType builder but does not name the library.
-weftlight_pkg(FREETYPE freetype2 libfreetype-dev)
+weftlight_pkg(FREETYPE freetype2 libfreetype-dev Freetype Freetype::Freetype)
 weftlight_pkg(EPOXY epoxy libepoxy-dev)
-weftlight_pkg(EGL egl libegl-dev)
+weftlight_pkg(EGL egl libegl-dev OpenGL OpenGL::EGL COMPONENTS EGL)
 weftlight_pkg(CAIRO cairo libcairo2-dev)
 weftlight_pkg(SERIALPORT libserialport libserialport-dev)
 # OpenImageIO's CMake targets on Debian 12 name an OpenCV folder that need not exist;
 # its pkg-config file does not.
-weftlight_pkg(OIIO OpenImageIO libopenimageio-dev)
+weftlight_pkg(OIIO OpenImageIO libopenimageio-dev OpenImageIO OpenImageIO::OpenImageIO CONFIG)
 
 if(WEFTLIGHT_TESTS)
   weftlight_package(GTest libgtest-dev)

@@ -17,7 +17,8 @@ fi
 missing=()
 have=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package} ${Provides}\n' 2>/dev/null | grep '^ii' || true)
 for name in "${names[@]}"; do
-  grep -qE "^ii +${name//+/\\+}( |,|$)" <<<"$have" && continue
+  # One of the names of a line that has several.
+  grep -qE "^ii +(${name//+/\\+})( |,|$)" <<<"$have" && continue
   # nodejs may bring npm itself (NodeSource); any command of that name will do.
   case $name in nodejs) command -v node >/dev/null 2>&1 && continue ;; npm) command -v npm >/dev/null 2>&1 && continue ;; esac
   missing+=("$name")
@@ -30,4 +31,9 @@ if ((EUID != 0)); then
 fi
 echo "Installing ${#missing[@]} packages: ${missing[*]}"
 $sudo apt-get update -qq
+for i in "${!missing[@]}"; do
+  for one in ${missing[i]//|/ }; do
+    if apt-cache show "$one" >/dev/null 2>&1; then missing[i]=$one; break; fi
+  done
+done
 $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

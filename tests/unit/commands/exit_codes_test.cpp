@@ -97,6 +97,7 @@ TEST_F(ExitCodes, a_mesh_that_cannot_be_used_is_3_and_is_named) {
 TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
   written("file", "in the way");
   std::filesystem::create_directories(path("folder.png"));
+  std::filesystem::create_directories(path("folder.glb"));
   for (const Args& args : std::vector<Args>{
            Args{"render", draft(), "-o", path("no/out.png")} + kSmall,
            Args{"render", draft(), "-o", path("folder.png")} + kSmall,
@@ -104,7 +105,7 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
            Args{"reference", draft(), "-o", path("no/out.png"), "--spp", "1"} + kSmall,
            {"export", draft(), "-o", path("file"), "--target", "raw", "--size", "16"},
            {"drape", "plane", "-o", path("no/plane.glb")},
-           {"drape", "plane", "-o", path("folder.png")},
+           {"drape", "plane", "-o", path("folder.glb")},
            {"drape", "all", "-o", path("file")},
        }) {
     const Ran ran = run(args);

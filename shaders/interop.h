@@ -4,8 +4,8 @@
 #ifdef __cplusplus
 #pragma once
 #include <array>
+#include <bit>
 #include <cstddef>
-#include <cstring>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 namespace weftlight {
@@ -98,8 +98,10 @@ struct ClothData {
 };
 
 #ifdef __cplusplus
-/// Bit for bit.
-inline bool operator==(const ClothData& a, const ClothData& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool operator==(const ClothData& a, const ClothData& b) {
+  using Numbers = std::array<float, sizeof(ClothData) / sizeof(float)>;
+  return std::bit_cast<Numbers>(a) == std::bit_cast<Numbers>(b);
+}
 }  // namespace interop
 
 inline constexpr int kFrameBinding = 0, kClothBinding = 1;

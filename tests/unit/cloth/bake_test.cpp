@@ -7,7 +7,6 @@
 namespace weftlight::cloth {
 namespace {
 
-
 Cloth whole(const Design& d, const BitMatrix& cells, Face face = Face::kFront) {
   return lay_out(d, cells, face, Period::kWholeDraft);
 }

@@ -10,7 +10,6 @@
 namespace weftlight::cloth {
 namespace {
 
-
 constexpr float kSpacing = 0.5f;  // mm
 constexpr int kTexels = 16;       // across a thread
 

@@ -9,7 +9,6 @@
 namespace weftlight::cloth {
 namespace {
 
-
 double mean(const Plane<float>& plane) {
   double sum = 0;
   for (float v : plane.at_) sum += static_cast<double>(v);

@@ -11,7 +11,6 @@
 namespace weftlight::cloth {
 namespace {
 
-
 float spacing_or_thickness(std::mt19937& random) {
   constexpr float kValues[] = {0.0f, 1e-4f, 0.02f, 0.3f, 0.5f, 0.5f, 0.5f, 1.7f, 40.0f};
   return kValues[random() % std::size(kValues)];

@@ -8,7 +8,6 @@
 namespace weftlight::cloth {
 namespace {
 
-
 Cloth whole(const Design& d, const BitMatrix& cells) { return lay_out(d, cells, Face::kFront, Period::kWholeDraft); }
 
 /// Maps of `after` made from those of `before`: right, and nothing changed outside the rectangles.

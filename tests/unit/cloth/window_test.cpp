@@ -5,7 +5,6 @@
 namespace weftlight::cloth {
 namespace {
 
-
 /// The texels of a window, which may wrap, of whole maps.
 Maps cut(const Maps& m, const TexelRect& r) {
   const int w = r.x1 - r.x0, h = r.y1 - r.y0;

@@ -58,7 +58,7 @@ struct YarnData {
   float along_width;  // RMS slopes
   float across_width;
   float specular;
-  float body;         // none of a metal
+  float body;  // none of a metal
   float fuzz;
   float fuzz_width;
   float fuzz_depth;  // optical

@@ -105,7 +105,8 @@ std::string list_both(const fs::path& made, const fs::path& folder, const std::s
   std::set<std::string> all = old;
   for (const std::string& name : names_in(made)) all.insert(name);
   (*root)["files"] = all;
-  return write_file_atomically((folder / kList).string(), root->dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  return write_file_atomically((folder / kList).string(),
+                               root->dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 std::string moved(const fs::path& from, const fs::path& to) {

@@ -6,6 +6,7 @@
 
 #include "actions/names.h"
 #include "session/document.h"
+#include "session/user_files.h"
 #include "session/workspace.h"
 
 namespace weftlight::actions {
@@ -22,6 +23,8 @@ class Desk {
   virtual void redo() = 0;
 
   virtual void new_draft() = 0;
+  /// The same, beginning with a weave of weaves().
+  virtual void new_draft_of(int weave) = 0;
   virtual void open() = 0;
   virtual void open_path(const std::string& path) = 0;
   /// As a new, unnamed draft: a shipped one is never overwritten.
@@ -37,6 +40,9 @@ class Desk {
 
   virtual void ask_size() = 0;
   virtual void ask_notes() = 0;
+  virtual void ask_thread() = 0;
+  virtual Settings& settings() = 0;
+  virtual const Settings& settings() const = 0;
   virtual void show_commands() = 0;
   virtual void show_remarks() = 0;
   virtual void toggle_keys() = 0;

@@ -7,6 +7,7 @@
 
 #include "actions/action_parts.h"
 #include "files/files.h"
+#include "session/weaves.h"
 
 namespace weftlight::actions {
 namespace {
@@ -22,6 +23,11 @@ std::string spoken(std::string name) {
 
 void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   add(all, "File", "new", "New draft\xE2\x80\xA6", "Ctrl+N", [](Desk& e) { e.new_draft(); });
+  int number = 0;
+  for (const Weave& weave : weaves())
+    add(all, "", (std::string("new.") + weave.name).c_str(),
+        (std::string("New draft: ") + weave.name + "\xE2\x80\xA6").c_str(), "",
+        [at = number++](Desk& e) { e.new_draft_of(at); });
   add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });
   new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); }));
   add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); });

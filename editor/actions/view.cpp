@@ -26,6 +26,21 @@ void add_drawdown_looks(Actions& all) {
   right.checked = [](const Desk& e) { return e.work().end1_right; };
 }
 
+void add_moves(Actions& all) {
+  new_group(add(all, "View", "go_to", "Go to an end or pick\xE2\x80\xA6", "Ctrl+G", [](Desk& e) { e.ask_thread(); }));
+  const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(Workspace&)) {
+    add(all, "View", id, label, key, [how](Desk& e) { how(e.work()); }).item.submenu = "Move about";
+  };
+  // Beyond the edge; the layout brings it back to what there is.
+  constexpr float kFar = 1e9f;
+  move("go_first", "First end and pick", "Home", [](Workspace& w) { w.scroll_end = w.scroll_pick = 0; });
+  move("go_last", "Last end and pick", "End", [](Workspace& w) { w.scroll_end = w.scroll_pick = kFar; });
+  move("page_down", "A page of picks on", "PageDown", [](Workspace& w) { page_picks(w, 1); });
+  move("page_up", "A page of picks back", "PageUp", [](Workspace& w) { page_picks(w, -1); });
+  move("page_ends_on", "A page of ends on", "Shift+PageDown", [](Workspace& w) { page_ends(w, 1); });
+  move("page_ends_back", "A page of ends back", "Shift+PageUp", [](Workspace& w) { page_ends(w, -1); });
+}
+
 }  // namespace
 
 void add_view_actions(Actions& all) {
@@ -34,12 +49,16 @@ void add_view_actions(Actions& all) {
   add(all, "View", "zoom_out", "Smaller cells", "Ctrl+-",
       [](Desk& e) { e.work().pitch = zoomed_pitch(e.work().pitch, -1); });
   add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](Desk& e) { e.work().pitch = 0; });
+  add_moves(all);
   add_drawdown_looks(all);
   new_group(
       add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));
   add(all, "View", "keep_view", "Keep this view with the draft", "", [](Desk& e) { e.keep_view(); });
-  Action& remarks = add(all, "View", "show_remarks", "Remarks on the file", "", [](Desk& e) { e.show_remarks(); });
-  remarks.item.group = true;
+  Action& inspector = add(all, "View", "inspector", "Inspector", "F4",
+                          [](Desk& e) { e.settings().inspector = !e.settings().inspector; });
+  inspector.item.group = true;
+  inspector.checked = [](const Desk& e) { return e.settings().inspector; };
+  add(all, "View", "show_remarks", "Remarks on the file", "", [](Desk& e) { e.show_remarks(); });
   add(all, "View", "theme", "Light or dark", "", [](Desk& e) { e.toggle_theme(); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "draft/edits.h"
 #include "files/files.h"
+#include "session/file_names.h"
 #include "session/leftovers.h"
 #include "session/user_folders.h"
 
@@ -143,7 +144,7 @@ void Editor::redo() {
 }
 
 void Editor::commit(const Edit& edit) {
-  if (document_.commit(edit, edit.stroke != 0 ? edit.stroke : moving_ ? stroke_ : 0)) return edited();
+  if (document_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited();
   if (!edit.why) return;
   if (std::string why = edit.why(document_.now()); !why.empty()) say(std::move(why));
 }
@@ -167,6 +168,17 @@ void Editor::ask_notes() {
               d2.notes = split_lines(p.notes);
               return d2;
             }});
+  });
+}
+
+void Editor::ask_thread() {
+  const Draft& d = document_.now().draft;
+  ask(ThreadPrompt{work_.chosen.system, 1, d.ends(), d.picks()}, [this](int) {
+    const ThreadPrompt p = std::get<ThreadPrompt>(dialog_);
+    const Draft& draft = document_.now().draft;
+    const int thread = std::clamp(p.number, 1, draft.threads(p.system).size()) - 1;
+    scroll_to(work_, p.system, thread);
+    work_.chosen = {p.system, {thread}, thread, {}, false, false};
   });
 }
 
@@ -259,10 +271,15 @@ void Editor::unless_unsaved(std::function<void()> then) {
 
 void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
                       std::function<void(const std::string&)> chosen) {
-  if (FileDialog::is_there()) return file_dialog_.ask(what, title, start, std::move(chosen));
+  if (FileDialog::is_there()) {
+    if (what == FileAsk::kSave)
+      chosen = [this, then = std::move(chosen)](const std::string& path) { with_ending(path, then); };
+    return file_dialog_.ask(what, title, start, std::move(chosen));
+  }
   constexpr const char* kButtons[] = {"Open", "Save", "Export"};
   ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]}, [this, what, chosen = std::move(chosen)](int) {
-    const std::string path = std::get<PathPrompt>(dialog_).path;
+    const std::string typed = std::get<PathPrompt>(dialog_).path;
+    const std::string path = what == FileAsk::kSave ? with_wif_ending(typed) : typed;
     dialog_ = {};
     if (path.empty()) return;
     std::error_code ignored;
@@ -274,6 +291,20 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
           if (button == 0) chosen(path);
         });
   });
+}
+
+/// A draft is saved under a name that ends in .wif. Where that is another file than the one that was asked about, and
+/// it is there, it asks again.
+void Editor::with_ending(const std::string& typed, const std::function<void(const std::string&)>& then) {
+  const std::string path = with_wif_ending(typed);
+  std::error_code error;
+  if (path == typed || !std::filesystem::exists(path, error)) return then(path);
+  ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",
+               "A file of that name is there already; saving would replace it.",
+               {"Replace", "Cancel"}},
+      [then, path](int button) {
+        if (button == 0) then(path);
+      });
 }
 
 void Editor::update_title() {

@@ -16,15 +16,18 @@
 #include "commands/commands.h"
 #include "session/background_writer.h"
 #include "session/document.h"
+#include "session/intent.h"
 #include "session/journal.h"
 #include "session/own_output.h"
 #include "session/recovery.h"
+#include "session/strokes.h"
 #include "session/user_files.h"
 #include "views/analysis/analysis_panel.h"
 #include "views/dialogs/dialogs.h"
 #include "views/draft/draft_panel.h"
 #include "views/inspector/yarn_strip.h"
 #include "views/shell/action_list.h"
+#include "views/shell/window_layout.h"
 
 namespace weftlight::app {
 
@@ -41,6 +44,7 @@ class Editor : public Desk {
   void undo() override;
   void redo() override;
   void new_draft() override;
+  void new_draft_of(int weave) override;
   void open() override;
   void open_path(const std::string& path) override;
   void open_copy(const std::string& path) override;
@@ -53,6 +57,9 @@ class Editor : public Desk {
   void quit() override;
   void ask_size() override;
   void ask_notes() override;
+  void ask_thread() override;
+  Settings& settings() override { return settings_; }
+  const Settings& settings() const override { return settings_; }
   void show_commands() override;
   void show_remarks() override { remarks_open_ = true; }
   void toggle_keys() override { keys_open_ = !keys_open_; }
@@ -66,14 +73,16 @@ class Editor : public Desk {
  private:
   void frame();
   void draw_window();
-  void draw_panels(PanelContext& c);
-  void draw_draft_header(PanelContext& c);
+  void draw_panels(PanelContext& c, Intents& wanted);
+  /// What the panels of a frame asked for, in their order.
+  void carry_out(Intents& wanted);
   /// Share of the room that the draft's pane takes.
   float split_of(float room, float height);
-  void draw_splitter(PanelContext& c, float x, float top, float height);
+  void draw_splitter(PanelContext& c, const WindowLayout& layout);
   void draw_question(PanelContext& c);
   void take_input();
   void take_waiting_input();
+  void take_key(const std::string& key);
   bool take_export_news();
   void run_action(const std::string& id);
   double sleep_s();
@@ -89,6 +98,7 @@ class Editor : public Desk {
   void save_to(const std::string& path, std::function<void()> then);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen);
+  void with_ending(const std::string& typed, const std::function<void(const std::string&)>& then);
   void start_export(const std::string& folder, const ExportPrompt& prompt);
   void update_title();
 
@@ -134,10 +144,11 @@ class Editor : public Desk {
   Dialog dialog_;
   std::function<void(int)> answer_;
   std::string message_, title_;
-  bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true, moving_ = false;
-  uint64_t stroke_ = 1;
+  bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true;
+  Strokes strokes_;
   int frames_due_ = 5;
-  double tip_at_s_ = -1, said_at_s_ = 0;
+  Tip tip_;
+  double moved_at_s_ = 0, tip_at_s_ = -1, said_at_s_ = 0;
 };
 
 }  // namespace weftlight::app

@@ -38,10 +38,12 @@ std::string export_textures_to(const std::string& folder, const Design& design, 
 
 }  // namespace
 
-void Editor::new_draft() {
-  unless_unsaved([this] {
+void Editor::new_draft() { new_draft_of(0); }
+
+void Editor::new_draft_of(int weave) {
+  unless_unsaved([this, weave] {
     const Draft& d = document_.now().draft;
-    ask(WeavePrompt{0, first_numbers(weaves().front()), d.ends(), d.picks()}, [this](int) {
+    ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
       const WeavePrompt p = std::get<WeavePrompt>(dialog_);
       replace(Document(weaves()[static_cast<size_t>(p.weave)].make(p.numbers, {p.ends, p.picks})));
     });

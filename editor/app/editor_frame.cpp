@@ -4,8 +4,11 @@
 #include <utility>
 #include <variant>
 
+#include "actions/keys.h"
 #include "app/editor.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/draft/draft_header.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/draft_panel.h"
 #include "views/inspector/palette_panel.h"
@@ -17,7 +20,6 @@
 namespace weftlight::app {
 namespace {
 
-constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;  // pixels at 96 dpi
 constexpr int kFramesAfterEvent = 4;  // a click goes down and up, and what it opened lays itself out
 constexpr double kMessageS = 10;      // then hints take its place again
 constexpr double kTipS = 0.5;         // a frame when a tooltip is due
@@ -29,11 +31,11 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                     ImGuiWindowFlags_NoNavFocus;
 
-bool begin_fixed(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImGuiWindowFlags more = 0) {
-  ImGui::SetNextWindowPos(at);
-  ImGui::SetNextWindowSize(size);
+bool begin_fixed(const char* name, const PaneRect& pane, ImVec2 padding, ImGuiWindowFlags flags) {
+  ImGui::SetNextWindowPos(pane.at);
+  ImGui::SetNextWindowSize({std::max(1.0f, pane.size.x), std::max(1.0f, pane.size.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-  const bool open = ImGui::Begin(name, nullptr, kFixed | more);
+  const bool open = ImGui::Begin(name, nullptr, flags);
   ImGui::PopStyleVar();
   return open;
 }
@@ -45,7 +47,8 @@ void Editor::run() {
     const bool happened = window_.wait(sleep_s());
     if (happened || window_.has_input()) {
       frames_due_ = kFramesAfterEvent;
-      tip_at_s_ = Window::seconds() + kTipS;
+      moved_at_s_ = Window::seconds();
+      tip_at_s_ = moved_at_s_ + kTipS;
     }
     file_dialog_.poll();
     if (window_.take_focus()) look_at_file();
@@ -96,7 +99,7 @@ void Editor::frame() {
   const float ratio = window_.pixel_ratio();
   preview_.ask({with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
                 static_cast<int>(pane_.y * ratio), work_.show_rungs, work_.compare},
-               moving_);
+               strokes_.going_on());
   window_.begin_frame();
   take_input();
   draw_window();
@@ -127,138 +130,120 @@ bool Editor::take_export_news() {
 }
 
 void Editor::take_input() {
-  const bool before = moving_;
-  moving_ = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
-  if (moving_ && !before) ++stroke_;
-  const std::vector<std::string> keys = window_.take_keys();
-  const bool menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-  const bool typing = ImGui::GetIO().WantTextInput || menu_open || !std::holds_alternative<std::monostate>(dialog_);
-  for (const std::string& key : keys) {
-    const std::string wanted = key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key;
-    for (const Action& a : actions_)
-      if (!typing && a.item.shortcut == wanted) {
-        run_action(a.item.id);
-        break;
-      }
-  }
+  bool pressed = false;
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
+  strokes_.frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
+  for (const std::string& key : window_.take_keys()) take_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
   for (const std::string& path : window_.take_dropped_files()) {
     open_path(path);
     break;
   }
 }
 
+/// A key that is no text: closes what stands open, or runs its action.
+void Editor::take_key(const std::string& key) {
+  if (!std::holds_alternative<std::monostate>(dialog_)) return;  // it sees to its own
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    const bool command = runs_while_typing(key);
+    if (key == "Escape" || command) close_popups();
+    if (!command) return;
+  }
+  if (commands_.open || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
+  for (const Action& a : actions_)
+    if (a.item.shortcut == key) return run_action(a.item.id);
+}
+
 void Editor::draw_window() {
   map_.clear();
-  PanelContext c{{style_, map_, work_.focus}, document_.now(), document_.cells(), document_.revision(), work_};
+  tip_.begin(Window::seconds() - moved_at_s_);
+  PanelContext c{{style_, map_, tip_, work_.focus}, document_.now(), document_.cells(), document_.revision(), work_};
   // Edits replace the design that the panels look at: the snapshot keeps it until they are through.
   const auto design = document_.snapshot();
-  ImGui::PushFont(style_.font.text);
+  push_font(style_.font.text);
   const std::vector<ActionItem> items = show(actions_, *this);
-  std::string chosen = draw_menu_bar(c, items, title_);
-  draw_panels(c);
-  if (std::string id = draw_selection_menu(c, items); !id.empty()) chosen = id;
-  if (std::string id = draw_command_palette(c, items, commands_); !id.empty()) chosen = id;
+  Intents wanted;
+  wanted.add_action(draw_menu_bar(c, items, title_));
+  draw_panels(c, wanted);
+  wanted.add_action(draw_selection_menu(c, items));
+  wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
   draw_keys_window(c, items, keys_open_);
   draw_question(c);
   ImGui::PopFont();
-  if (!chosen.empty()) run_action(chosen);
-}
-
-void Editor::draw_panels(PanelContext& c) {
-  const ImGuiViewport* view = ImGui::GetMainViewport();
-  const float x = view->WorkPos.x, y = view->WorkPos.y, status = style_.px(kStatusBar);
-  const float height = view->WorkSize.y - status, inspector = style_.px(kInspector);
-  const float room = view->WorkSize.x - inspector;
-  const float split = static_cast<float>(static_cast<int>(room * split_of(room, height)));
-  work_.hint = "";
-  MaybeEdit edit;
-  const auto take = [&edit](MaybeEdit made) {
-    if (made) edit = std::move(made);
-  };
-
-  begin_fixed("Draft", {x, y}, {split, height}, {0, 0}, ImGuiWindowFlags_NoScrollWithMouse);
-  draw_draft_header(c);
-  take(draw_draft(c, cell_texture_));
-  ImGui::End();
-  draw_splitter(c, x + split, y, height);
-
-  const float gap = style_.px(kSplitter);
-  begin_fixed("Cloth", {x + split + gap, y}, {room - split - gap, height}, {0, 0}, ImGuiWindowFlags_NoScrollWithMouse);
-  const ImVec2 pane = pane_;
-  take(draw_preview(c, preview_.picture(), camera_, pane_));
-  if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
-  ImGui::End();
-
-  begin_fixed("Inspector", {x + room, y}, {inspector, height}, {style_.px(16), style_.px(8)});
-  // The scrollbar's place is kept free, so that nothing jumps when it comes.
-  take(draw_palette(c));
-  take(draw_threads(c));
-  take(draw_yarns(c, strip_));
-  take(draw_scene(c));
-  draw_analysis(c, analysis_);
-  ImGui::End();
-
-  begin_fixed("Status", {x, y + height}, {view->WorkSize.x, status}, {style_.px(14), style_.px(6)});
-  if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
-    remarks_open_ = !remarks_open_;
-  ImGui::End();
-  if (edit) commit(*edit);
+  carry_out(wanted);
   if (work_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
   if (!work_.select.notice.empty()) say(std::exchange(work_.select.notice, {}));
   window_.use_crosshair(work_.select.crosshair);
 }
 
-void Editor::draw_draft_header(PanelContext& c) {
-  const Design& d = c.design;
-  const ImVec2 at = ImGui::GetCursorPos();
-  const float width = ImGui::GetWindowWidth(), look = style_.px(214), tool = style_.px(112), gap = style_.px(10);
-  const float tools_x = std::max(style_.px(100), width - look - tool - gap - style_.px(14));
-  const std::string title = d.title.empty() ? document_.name() : d.title;
-  ImGui::SetCursorPos({at.x + style_.px(14), at.y + style_.px(10)});
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(style_.font.bold);
-  const std::string shown = fitted(title, tools_x - style_.px(14) - gap);
-  ImGui::TextUnformatted(shown.c_str());
-  ImGui::PopFont();
-  if (shown != title) tooltip(c, title.c_str());
-  ImGui::SameLine(tools_x);
-  constexpr const char* kTools[] = {"Paint", "Select"};
-  int in_hand = static_cast<int>(work_.select.tool);
-  if (segmented(c, "tool", kTools, in_hand, tool)) work_.select.tool = static_cast<Tool>(in_hand);
-  ImGui::SameLine(0, gap);
-  constexpr const char* kLooks[] = {"Threads", "Colour", "Structure"};
-  int chosen = static_cast<int>(work_.drawdown_style);
-  if (segmented(c, "look", kLooks, chosen, look)) work_.drawdown_style = static_cast<DrawdownStyle>(chosen);
-  ImGui::SetCursorPos({at.x, at.y + style_.px(10) + ImGui::GetFrameHeight() + style_.px(8)});
+void Editor::carry_out(Intents& wanted) {
+  for (const Intent& one : wanted.take()) {
+    if (const Edit* edit = std::get_if<Edit>(&one)) commit(*edit);
+    else run_action(std::get<RunAction>(one).id);
+  }
+}
+
+void Editor::draw_panels(PanelContext& c, Intents& wanted) {
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const float room = shared_width(style_, view->WorkSize.x, settings_.inspector);
+  const WindowLayout l =
+      lay_out_window(style_, view->WorkPos, view->WorkSize, split_of(room, view->WorkSize.y), settings_.inspector);
+  work_.hint = "";
+  begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_draft_header(c, document_.name());
+  wanted.add(draw_draft(c, cell_texture_));
+  ImGui::End();
+  draw_splitter(c, l);
+
+  begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  const ImVec2 pane = pane_;
+  wanted.add(draw_preview(c, preview_.picture(), camera_, pane_));
+  if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
+  ImGui::End();
+
+  if (l.inspector.shown()) {
+    begin_fixed("Inspector", l.inspector, {style_.px(16), style_.px(8)}, kFixed & ~ImGuiWindowFlags_NoScrollbar);
+    wanted.add(draw_palette(c));
+    wanted.add(draw_threads(c));
+    wanted.add(draw_yarns(c, strip_));
+    wanted.add(draw_scene(c));
+    draw_analysis(c, analysis_);
+    ImGui::End();
+  }
+
+  begin_fixed("Status", l.status, {style_.px(14), style_.px(6)}, kFixed);
+  if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
+    remarks_open_ = !remarks_open_;
+  ImGui::End();
 }
 
 float Editor::split_of(float room, float height) {
-  constexpr float kLeast = 0.42f, kMost = 0.6f, kHeader = 48;
+  constexpr float kLeast = 0.42f, kMost = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
   // Chosen with the first pitch, and kept while threads are added.
   if (work_.pitch <= 0)
-    fitted_split_ =
-        fitting_width(document_.now().draft, style_, room * kLeast, room * kMost, height - style_.px(kHeader)) / room;
+    fitted_split_ = fitting_width(document_.now().draft, style_, room * kLeast, room * kMost,
+                                  std::max(1.0f, height - style_.px(kAround))) /
+                    room;
   return fitted_split_;
 }
 
-void Editor::draw_splitter(PanelContext& c, float x, float top, float height) {
-  begin_fixed("Splitter", {x, top}, {style_.px(kSplitter), height}, {0, 0});
-  ImGui::InvisibleButton("split", {style_.px(kSplitter), height});
+void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
+  const auto [at, size] = l.splitter;
+  begin_fixed("Splitter", l.splitter, {0, 0}, kFixed);
+  hit_area("split", size);
   c.map.add_item("split");
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive()) {
-    const float room = ImGui::GetMainViewport()->WorkSize.x - style_.px(kInspector);
-    const float moved = ImGui::GetIO().MouseDelta.x / room,
+    const float moved = ImGui::GetIO().MouseDelta.x / l.room,
                 before = settings_.split > 0 ? settings_.split : fitted_split_;
     if (moved != 0) settings_.split = std::clamp(before + moved, 0.2f, 0.8f);
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = work_.pitch = 0;
   tooltip(c, "Drag to give the draft more or less room; double-click for what it fills");
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
-  const float middle = x + static_cast<float>(static_cast<int>(style_.px(kSplitter) / 2));
-  ImGui::GetWindowDrawList()->AddRectFilled({middle, top}, {middle + 1, top + height}, color);
+  const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));
+  ImGui::GetWindowDrawList()->AddRectFilled({middle, at.y}, {middle + 1, at.y + size.y}, color);
   ImGui::End();
 }
 

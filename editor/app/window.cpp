@@ -15,21 +15,32 @@
 
 #include "session/input_queue.h"
 #include "ui/fonts.h"
+#include "ui/imgui_compat.h"
 
 namespace weftlight::app {
 namespace {
 
 using Kind = InputEvent::Kind;
 
-constexpr int kButtons = IM_ARRAYSIZE(ImGuiIO::MouseDown), kKeys = IM_ARRAYSIZE(ImGuiIO::KeysDown);
+constexpr int kButtons = IM_ARRAYSIZE(ImGuiIO::MouseDown), kKeys = GLFW_KEY_LAST + 1;
 constexpr float kOutside = -1e6f;  // where no pointer is
 
-constexpr std::pair<int, const char*> kNamedKeys[] = {{GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"},
-                                                      {GLFW_KEY_LEFT, "Left"},      {GLFW_KEY_RIGHT, "Right"},
-                                                      {GLFW_KEY_UP, "Up"},          {GLFW_KEY_DOWN, "Down"},
-                                                      {GLFW_KEY_DELETE, "Delete"},  {GLFW_KEY_BACKSPACE, "Delete"},
-                                                      {GLFW_KEY_INSERT, "Insert"},  {GLFW_KEY_ENTER, "Enter"},
-                                                      {GLFW_KEY_KP_ENTER, "Enter"}, {GLFW_KEY_ESCAPE, "Escape"}};
+constexpr std::pair<int, const char*> kNamedKeys[] = {{GLFW_KEY_KP_ADD, "+"},
+                                                      {GLFW_KEY_KP_SUBTRACT, "-"},
+                                                      {GLFW_KEY_LEFT, "Left"},
+                                                      {GLFW_KEY_RIGHT, "Right"},
+                                                      {GLFW_KEY_UP, "Up"},
+                                                      {GLFW_KEY_DOWN, "Down"},
+                                                      {GLFW_KEY_DELETE, "Delete"},
+                                                      {GLFW_KEY_BACKSPACE, "Delete"},
+                                                      {GLFW_KEY_INSERT, "Insert"},
+                                                      {GLFW_KEY_HOME, "Home"},
+                                                      {GLFW_KEY_END, "End"},
+                                                      {GLFW_KEY_PAGE_UP, "PageUp"},
+                                                      {GLFW_KEY_PAGE_DOWN, "PageDown"},
+                                                      {GLFW_KEY_ENTER, "Enter"},
+                                                      {GLFW_KEY_KP_ENTER, "Enter"},
+                                                      {GLFW_KEY_ESCAPE, "Escape"}};
 
 std::string key_name(int key, int scancode) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));
@@ -70,6 +81,14 @@ std::string shortcut(int key, int scancode, int mods) {
          ((mods & GLFW_MOD_ALT) ? "Alt+" : "") + name;
 }
 
+/// Newer versions of ImGui see to their textures themselves.
+void renew_font_texture() {
+#if IMGUI_VERSION_NUM < 19200
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+}
+
 GLFWwindow* make_window(int width, int height) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -97,7 +116,7 @@ struct Window::Inbox {
   bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as the window system last said
   double x = kOutside, y = kOutside;                      // of the last move
   ImVec2 given_pointer = {kOutside, kOutside};            // as ImGui knows them
-  bool given_buttons[kButtons] = {};
+  bool given_buttons[kButtons] = {}, given_keys[kKeys] = {};
 
   static Inbox& of(GLFWwindow* w) {
     Inbox& in = *static_cast<Inbox*>(glfwGetWindowUserPointer(w));
@@ -170,7 +189,6 @@ void Window::listen(GLFWwindow* w) {
 Window::Window() : inbox_(std::make_unique<Inbox>()) {}
 
 void Window::give_input() {
-  ImGuiIO& io = ImGui::GetIO();
   std::optional<Modifiers> held;
   inbox_->shortcuts.clear();
   for (InputEvent& e : inbox_->input.next_frame()) {
@@ -178,17 +196,14 @@ void Window::give_input() {
     // As they were with the press, though they be up by now.
     if (e.kind == Kind::kButton || e.kind == Kind::kScroll || (e.kind == Kind::kKey && e.down)) held = e.held;
   }
-  const Modifiers now = held.value_or(modifiers(io.KeysDown));
-  io.KeyCtrl = now.ctrl;
-  io.KeyShift = now.shift;
-  io.KeyAlt = now.alt;
-  io.KeySuper = io.KeysDown[GLFW_KEY_LEFT_SUPER] || io.KeysDown[GLFW_KEY_RIGHT_SUPER];
-  io.MousePos = inbox_->given_pointer;
-  std::copy(std::begin(inbox_->given_buttons), std::end(inbox_->given_buttons), io.MouseDown);
+  const bool* keys = inbox_->given_keys;
+  const Modifiers now = held.value_or(modifiers(keys));
+  feed_modifiers(now.ctrl, now.shift, now.alt, keys[GLFW_KEY_LEFT_SUPER] || keys[GLFW_KEY_RIGHT_SUPER]);
+  feed_pointer(inbox_->given_pointer);
+  for (int i = 0; i < kButtons; ++i) feed_button(i, inbox_->given_buttons[i]);
 }
 
 void Window::Inbox::give(InputEvent& e) {
-  ImGuiIO& io = ImGui::GetIO();
   switch (e.kind) {
     case Kind::kButton:
       given_buttons[e.code] = e.down;
@@ -197,17 +212,17 @@ void Window::Inbox::give(InputEvent& e) {
       given_pointer = {static_cast<float>(e.x), static_cast<float>(e.y)};
       break;
     case Kind::kScroll:
-      io.MouseWheelH += static_cast<float>(e.x);
-      io.MouseWheel += static_cast<float>(e.y);
+      feed_wheel(static_cast<float>(e.x), static_cast<float>(e.y));
       break;
     case Kind::kKey:
       if (!e.shortcut.empty()) shortcuts.push_back(std::move(e.shortcut));
       [[fallthrough]];
     case Kind::kModifier:
-      io.KeysDown[e.code] = e.down;
+      given_keys[e.code] = e.down;
+      feed_key(static_cast<int>(e.code), e.down);
       break;
     case Kind::kCharacter:
-      io.AddInputCharacter(e.code);
+      ImGui::GetIO().AddInputCharacter(e.code);
       break;
   }
 }
@@ -244,6 +259,7 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& error) 
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().ConfigDragClickToInputText = true;
+  feed_whole_frames();
   ImGui_ImplGlfw_InitForOpenGL(w->window_, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   w->redraw_ = std::make_unique<ui::Redraw>();
@@ -295,8 +311,7 @@ void Window::use_style(Style& style) {
   style.color = style.dark ? dark_colors() : light_colors();
   if (fonts_for_ != scale) {
     style.font = load_fonts(scale, pixel_ratio());
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    renew_font_texture();
     fonts_for_ = scale;
   }
   apply(style);

@@ -34,6 +34,7 @@ Settings load_settings() {
   take(json, "end1_right", s.end1_right);
   take(json, "drawdown_style", s.drawdown_style);
   take(json, "per_inch", s.per_inch);
+  take(json, "inspector", s.inspector);
   take(json, "split", s.split);
   take(json, "width", s.width);
   take(json, "height", s.height);
@@ -42,16 +43,16 @@ Settings load_settings() {
       if (path.is_string() && s.recent.size() < kMostRecent) s.recent.push_back(path.get<std::string>());
   s.drawdown_style = std::clamp(s.drawdown_style, 0, 2);
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
-  s.width = std::clamp(s.width, 640, 16384);
-  s.height = std::clamp(s.height, 480, 16384);
+  s.width = std::clamp(s.width, 320, 16384);
+  s.height = std::clamp(s.height, 240, 16384);
   return s;
 }
 
 void save_settings(const Settings& s) {
   const nlohmann::json json = {
       {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", s.drawdown_style},
-      {"per_inch", s.per_inch}, {"split", s.split},           {"width", s.width},
-      {"height", s.height},     {"recent", s.recent}};
+      {"per_inch", s.per_inch}, {"inspector", s.inspector},   {"split", s.split},
+      {"width", s.width},       {"height", s.height},         {"recent", s.recent}};
   std::error_code ignored;  // a home that cannot be written to is no reason to stop
   fs::create_directories(settings_path().parent_path(), ignored);
   write_file_atomically(settings_path().string(), json.dump(1) + "\n");

@@ -12,6 +12,7 @@ struct Settings {
   bool dark = false, end1_right = true;
   int drawdown_style = 0;
   bool per_inch = false;            // ends and picks are counted in an inch
+  bool inspector = true;            // is shown
   float split = 0;                  // share of the window that the draft takes; 0: what it fills
   int width = 1440, height = 900;   // of the window
   std::vector<std::string> recent;  // newest first

@@ -1,6 +1,8 @@
 #include "session/weaves.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 
 namespace weftlight::session {
 namespace {
@@ -18,6 +20,29 @@ Design pattern_tone(Design design) { return with_colors(std::move(design), kTwoT
 // Orders of blocks that make a whole figure.
 const std::vector<int> kRose = {0, 1, 2, 3, 2, 1};
 const std::vector<int> kBlocks = {0, 0, 1, 1, 0, 1};
+
+constexpr int kRepeatSought = 512;  // threads in which a repeat is looked for
+
+/// The smallest p after which everything is the same again; 0: none up to half of `count`.
+template <class Same>
+int period(int count, Same same) {
+  for (int p = 1; p <= count / 2; ++p) {
+    int i = 0;
+    while (i + p < count && same(i, i + p)) ++i;
+    if (i + p == count) return p;
+  }
+  return 0;
+}
+
+/// What has a step at all: all but 6.
+std::vector<int> satin_shafts(const Numbers&) {
+  std::vector<int> shafts;
+  for (int n = 5; n <= 24; ++n)
+    if (!satin_steps(n).empty()) shafts.push_back(n);
+  return shafts;
+}
+
+std::vector<int> steps_of(const Numbers& n) { return satin_steps(n[0]); }
 
 const Weave kWeaves[] = {
     {"Straight draw",
@@ -37,11 +62,11 @@ const Weave kWeaves[] = {
      }},
     {"Satin",
      "Long warp floats, bound as far apart as the step puts them",
-     {{{"Shafts", 5, 24, 8}, {"Step", 2, 22, 3}, {}}},
+     {{{"Shafts", 5, 24, 8, satin_shafts}, {"Step", 2, 22, 3, steps_of}, {}}},
      [](const Numbers& n, ClothSize size) { return two_tone(satin(n[0], n[1], Face::kFront, size)); }},
     {"Sateen",
      "Satin with the weft on the face",
-     {{{"Shafts", 5, 24, 8}, {"Step", 2, 22, 3}, {}}},
+     {{{"Shafts", 5, 24, 8, satin_shafts}, {"Step", 2, 22, 3, steps_of}, {}}},
      [](const Numbers& n, ClothSize size) { return two_tone(satin(n[0], n[1], Face::kBack, size)); }},
     {"Point twill",
      "The diagonal turns back: chevrons",
@@ -123,6 +148,44 @@ Numbers first_numbers(const Weave& weave) {
   Numbers n{};
   for (size_t i = 0; i < n.size(); ++i) n[i] = weave.numbers[i].start;
   return n;
+}
+
+Numbers valid_numbers(const Weave& weave, Numbers n) {
+  for (size_t i = 0; i < n.size(); ++i) {
+    const WeaveNumber& number = weave.numbers[i];
+    n[i] = std::clamp(n[i], number.min, number.max);
+    if (number.choices == nullptr) continue;
+    const std::vector<int> all = number.choices(n);
+    const auto nearer = [wanted = n[i]](int a, int b) { return std::abs(a - wanted) < std::abs(b - wanted); };
+    if (const auto best = std::min_element(all.begin(), all.end(), nearer); best != all.end()) n[i] = *best;
+  }
+  return n;
+}
+
+ClothSize repeat_of(const Weave& weave, const Numbers& n) {
+  const Draft d = weave.make(n, {kRepeatSought, kRepeatSought}).draft;
+  const auto same_rows = [](const BitMatrix& m, int i, int j) { return std::ranges::equal(m.row(i), m.row(j)); };
+  const auto same_look = [](const Threads& t, int i, int j) {
+    const auto a = static_cast<size_t>(i), b = static_cast<size_t>(j);
+    return t.color[a] == t.color[b] && t.yarn[a] == t.yarn[b];
+  };
+  const BitMatrix& lifts = d.drive == Drive::kLiftplan ? d.liftplan : d.treadling;
+  return {period(d.ends(), [&](int i, int j) { return same_rows(d.threading, i, j) && same_look(d.warp, i, j); }),
+          period(d.picks(), [&](int i, int j) { return same_rows(lifts, i, j) && same_look(d.weft, i, j); })};
+}
+
+ClothSize whole_repeats(ClothSize repeat, ClothSize about) {
+  const auto whole = [](int one, int wanted) {
+    return one <= 0 ? wanted : std::max(1, (wanted + one / 2) / one) * one;
+  };
+  return {whole(repeat.ends, about.ends), whole(repeat.picks, about.picks)};
+}
+
+std::vector<int> satin_steps(int shafts) {
+  std::vector<int> steps;
+  for (int step = 2; step + 1 < shafts; ++step)
+    if (std::gcd(step, shafts) == 1) steps.push_back(step);
+  return steps;
 }
 
 Design straight_draw(int shafts, int treadles, ClothSize size) {

@@ -20,4 +20,18 @@ float zoomed_pitch(float pitch, float steps) {
   return std::clamp(next, kSmallestPitch, kLargestPitch);
 }
 
+void page_ends(Workspace& w, int pages) {
+  w.scroll_end += static_cast<float>(pages) * std::max(1.0f, 0.9f * w.seen_ends);
+}
+
+void page_picks(Workspace& w, int pages) {
+  w.scroll_pick += static_cast<float>(pages) * std::max(1.0f, 0.9f * w.seen_picks);
+}
+
+void scroll_to(Workspace& w, System system, int thread) {
+  const bool warp = system == System::kWarp;
+  (warp ? w.scroll_end : w.scroll_pick) =
+      static_cast<float>(thread) + 0.5f - 0.5f * (warp ? w.seen_ends : w.seen_picks);
+}
+
 }  // namespace weftlight::session

@@ -33,6 +33,7 @@ struct Stroke {
 struct Workspace {
   float pitch = 0;  // pixels a thread; 0: choose so that the draft fits
   float scroll_end = 0, scroll_pick = 0, scroll_shaft = 0, scroll_treadle = 0;
+  float seen_ends = 0, seen_picks = 0;  // in the pane, as it was last drawn
   bool end1_right = true;
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
   Face face = Face::kFront;
@@ -56,5 +57,11 @@ struct Workspace {
 
 /// The next pitch of the zoom: `steps` > 0 is nearer. Whole pixels from 2 up; 0.02 to 48.
 float zoomed_pitch(float pitch, float steps);
+
+/// A page on (1) or back (-1), a tenth of it kept in sight.
+void page_ends(Workspace& work, int pages);
+void page_picks(Workspace& work, int pages);
+/// The thread, from 0, into the middle of the pane.
+void scroll_to(Workspace& work, System system, int thread);
 
 }  // namespace weftlight::session

@@ -1,10 +1,11 @@
 #include "ui/fonts.h"
 
-#include <imgui_freetype.h>
+#include <imgui.h>
 
 #include <string>
 
 #include "base/fonts.h"
+#include "ui/imgui_compat.h"
 
 namespace weftlight::ui {
 namespace {
@@ -40,10 +41,7 @@ void merge_icons(const std::string& path, float size, float drop) {
 }  // namespace
 
 Fonts load_fonts(float pixels, float ratio) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.Fonts->Clear();
-  io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-  io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  pixels *= begin_fonts(ratio);
   const std::string text = font_file(kTextFonts), bold = font_file(kTextFonts, FontWeight::kSemiBold);
   const std::string mono = font_file(kMonoFonts), icons = font_file(kIconFonts);
   Fonts fonts;
@@ -55,8 +53,7 @@ Fonts load_fonts(float pixels, float ratio) {
   fonts.bold = add(bold, kText * pixels);
   fonts.mono = add(mono, kMono * pixels);
   fonts.mono_small = add(mono, kMonoSmall * pixels);
-  io.FontGlobalScale = 1 / ratio;
-  io.Fonts->Build();
+  end_fonts();
   return fonts;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "ui/imgui_compat.h"
 #include "ui/names.h"
 
 namespace weftlight::ui {
@@ -21,7 +22,7 @@ class PixelTexture {
   void set(int width, int height, std::span<const ImU32> pixels);
   bool empty() const { return name() == 0; }
   unsigned name() const { return names_[shown_]; }
-  ImTextureID id() const { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(name())); }
+  ImTextureID id() const { return texture_of(name()); }
 
  private:
   unsigned names_[2] = {0, 0};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "ui/imgui_compat.h"
+
 namespace weftlight::ui {
 namespace {
 
@@ -41,7 +43,7 @@ void set_colors(ImVec4* at, const Colors& c) {
   at[ImGuiCol_Separator] = vec(c.line);
   at[ImGuiCol_SeparatorHovered] = at[ImGuiCol_SeparatorActive] = vec(c.accent);
   at[ImGuiCol_TextSelectedBg] = vec(c.accent, 0.28f);
-  at[ImGuiCol_NavHighlight] = vec(c.accent, 0.8f);
+  at[kFocusColor] = vec(c.accent, 0.8f);
   at[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.28f);
 }
 

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/imgui_compat.h"
+
 namespace weftlight::ui {
 namespace {
 
-constexpr float kLabelColumn = 104, kFigureColumn = 70, kRest = 0.45f;
+constexpr float kLabelColumn = 104, kFigureColumn = 70;
+constexpr double kRest = 0.45;  // seconds
 
 float share_of(const SliderSpec& spec, float value) {
   const float share = (value - spec.min) / (spec.max - spec.min);
@@ -65,7 +68,7 @@ void draw_figure(const char* text, FigureAlign align, ImU32 color) {
 /// The figure: drag it, or click to type. Its text is drawn here, since ImGui would centre it and
 /// knows nothing of several values.
 bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign align, ImU32 color, float& value) {
-  ImGui::PushFont(c.style.font.mono_small);
+  push_font(c.style.font.mono_small);
   float typed = value;
   const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
   if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
@@ -105,7 +108,7 @@ bool span_slider(const Context& c, const SliderSpec& spec, const SliderSpan& spa
   row_label(c, spec.label, spec.tip);
   const float width =
       std::max(c.style.px(40), ImGui::GetContentRegionAvail().x - c.style.px(kFigureColumn) - span.room_after);
-  ImGui::InvisibleButton("track", {width, ImGui::GetFrameHeight()});
+  hit_area("track", {width, ImGui::GetFrameHeight()});
   c.map.add_item(spec.id);
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
   bool changed = drag_track(c, spec, a, b, value);
@@ -139,7 +142,7 @@ void draw_swatch(const Context& c, ImVec2 a, ImVec2 b, ImU32 color, bool chosen)
   const float r = c.style.px(4);
   dl->AddRectFilled(a, b, color, r);
   dl->AddRect(a, b, with_alpha(c.style.color.text, 0.25f), r);
-  if (chosen) dl->AddRect({a.x - 2, a.y - 2}, {b.x + 2, b.y + 2}, c.style.color.accent, r + 2, 0, 2);
+  if (chosen) dl->AddRect({a.x - 2, a.y - 2}, {b.x + 2, b.y + 2}, c.style.color.accent, r + 2, 0, 2.0f);
 }
 
 void take_focus(const Context& c, const char* id) {
@@ -194,7 +197,7 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
   for (int i = 0; i < count; ++i) {
     const ImVec2 a{at.x + each * static_cast<float>(i), at.y}, b{a.x + each, a.y + h};
     ImGui::SetCursorScreenPos(a);
-    if (ImGui::InvisibleButton(labels[static_cast<size_t>(i)], {each, h}) && chosen != i) {
+    if (hit_area(labels[static_cast<size_t>(i)], {each, h}) && chosen != i) {
       chosen = i;
       changed = true;
     }
@@ -223,13 +226,13 @@ bool section(const Context& c, const char* id, const char* label, bool open_at_f
   ImGui::Dummy({0, c.style.px(2)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, h = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton(id, {width, h})) memory->SetBool(key, open = !open);
+  if (hit_area(id, {width, h})) memory->SetBool(key, open = !open);
   c.map.add_item(id);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->AddRectFilled({at.x, at.y - c.style.px(3)}, {at.x + width, at.y - c.style.px(3) + 1}, c.style.color.line);
   ImFont* font = c.style.font.bold;
   const float x = at.x + c.style.px(14);
-  dl->AddText(font, font->FontSize, {x, at.y + (h - font->FontSize) / 2}, c.style.color.text, label);
+  dl->AddText(font, font_size(font), {x, at.y + (h - font_size(font)) / 2}, c.style.color.text, label);
   // A small triangle that points right when shut and down when open.
   const float r = c.style.px(4);
   const ImVec2 m{at.x + r + 1, at.y + h / 2};
@@ -264,18 +267,28 @@ bool text_button(const Context& c, const char* id, const char* label, const char
   return pressed;
 }
 
+bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
+  // ImGui aborts at no size, and a window may be smaller than what surrounds its panes.
+  return ImGui::InvisibleButton(id, {std::max(1.0f, size.x), std::max(1.0f, size.y)}, flags);
+}
+
+void close_popups() { ImGui::ClosePopupToLevel(0, true); }
+
 void tooltip(const Context& c, const char* tip) {
   if (tip == nullptr || *tip == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  if (ImGui::IsItemActive() || GImGui->HoveredIdTimer < kRest) {
-    // Text has no id and so no timer: it answers at once.
-    if (ImGui::IsItemActive() || GImGui->HoveredId != 0) return;
-  }
+  if (ImGui::IsItemActive()) return;
+  const ImVec2 at = ImGui::GetItemRectMin();
+  const bool shown = c.tip.shown && c.tip.x == at.x && c.tip.y == at.y;
+  if (!shown && c.tip.rest_s < kRest) return;
+  c.tip = {c.tip.rest_s, true, true, at.x, at.y};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
-  ImGui::PushFont(c.style.font.small);
+  push_font(c.style.font.small);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(c.style.px(280));
   ImGui::TextUnformatted(tip);
   ImGui::PopTextWrapPos();
+  const ImVec2 a = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  c.map.add("tip", a.x, a.y, size.x, size.y);
   ImGui::EndTooltip();
   ImGui::PopFont();
   ImGui::PopStyleVar();

@@ -19,6 +19,8 @@ struct SliderSpec {
   float figure_min = 0, figure_max = 0;  // what can be typed, where that is more than the track spans
 };
 
+/// A place that takes the pointer and draws nothing; of any size, also none.
+bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 /// Label, track and figure in a row. True while it changes `value`. A click on the figure types a number.
 bool slider(const Context& c, const SliderSpec& spec, float& value);
 /// What several things have under one slider: it shows their span, and setting it gives them one value.
@@ -50,7 +52,9 @@ void take_focus(const Context& c, const char* id);
 bool icon_button(const Context& c, const char* id, const char* icon, const char* word, const char* tip,
                  bool enabled = true);
 bool text_button(const Context& c, const char* id, const char* label, const char* tip);
-/// Shown for the last item after the pointer has rested on it.
+/// Menus, lists and pickers; not a dialog.
+void close_popups();
+/// Shown for the last item once the pointer has rested on it (Context::tip), and until it leaves.
 void tooltip(const Context& c, const char* tip);
 /// `text`, or as much of it as fits and three dots.
 std::string fitted(const std::string& text, float width);

@@ -149,6 +149,11 @@ void Display::type(const std::string& text) const { hand("type --delay 40 '" + t
 
 void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 60 " + keys); }
 
+void Display::resize(int width, int height) const {
+  hand("search --onlyvisible --class weftlight windowsize " + std::to_string(width) + " " + std::to_string(height) +
+       " sleep 0.6");
+}
+
 std::string Display::picture(Point where, Point size) const {
   const std::string crop = std::to_string(std::lround(size.x)) + "x" + std::to_string(std::lround(size.y)) + "+" +
                            std::to_string(std::lround(where.x)) + "+" + std::to_string(std::lround(where.y));

@@ -57,6 +57,8 @@ class Display {
   void type(const std::string& text) const;
   /// The window gets the keys, as when a weaver comes back to it.
   void focus() const;
+  /// The window, in pixels; waits until it has drawn itself.
+  void resize(int width, int height) const;
   /// Pixels of a rectangle, as a PPM's bytes.
   std::string picture(Point at, Point size) const;
 

@@ -364,5 +364,79 @@ TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {
   EXPECT_EQ(bytes_of(draft_), original);
 }
 
+TEST_F(WindowTest, QuickClicksAreStepsOfTheirOwn) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  std::vector<std::string> steps = {w.live()};
+  for (int end = 1; end <= 6; ++end) display_.click(w.cell("threading", end, end % 4 + 2 > 4 ? 1 : end % 4 + 2));
+  const auto moved = [&] {
+    const Design now = design_of(w.live()), before = design_of(steps.front());
+    int ends = 0;
+    for (int end = 0; end < 16; ++end) ends += now.draft.threading.first(end) != before.draft.threading.first(end);
+    return ends;
+  };
+  ASSERT_TRUE(comes_true([&] { return moved() == 6; })) << moved();
+  for (int left = 5; left >= 0; --left) {
+    display_.key("ctrl+z");
+    EXPECT_TRUE(comes_true([&] { return moved() == left; })) << "an undo took back more than one click: " << moved();
+  }
+  quit(w);
+}
+
+TEST_F(WindowTest, EscapeClosesAMenuAndKeysWorkAgain) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.click(w.middle_of("menu:Edit"));
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.undo"); })) << "the menu did not open";
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("menu.undo"); })) << "Escape did not close the menu";
+  display_.key("F4");
+  EXPECT_TRUE(comes_true([&] { return !w.has("threads.which"); })) << "a key did nothing after the menu";
+  display_.key("F4");
+  ASSERT_TRUE(comes_true([&] { return w.has("threads.which"); }));
+  const std::string original = bytes_of(draft_);
+  display_.click(w.cell("threading", 1, 2));
+  ASSERT_TRUE(comes_true([&] { return w.live() != original; })) << "the draft could not be painted";
+  // A text field has the keyboard; saving is still saving.
+  display_.click(w.middle_of("threads.which"));
+  display_.key("3 ctrl+s");
+  EXPECT_TRUE(comes_true([&] { return bytes_of(draft_) != original; })) << "Ctrl+S did nothing in a text field";
+  display_.key("Escape");
+  quit(w);
+}
+
+TEST_F(WindowTest, AnySizeLivesAndTheInspectorCanGo) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  EXPECT_TRUE(w.has("threads.which"));
+  display_.key("F4");
+  EXPECT_TRUE(comes_true([&] { return !w.has("threads.which"); })) << "F4 did not hide the inspector";
+  display_.key("F4");
+  ASSERT_TRUE(comes_true([&] { return w.has("threads.which"); }));
+  for (const auto& [width, height] : {std::pair{430, 640}, {900, 170}, {60, 60}, {1, 1}, {2000, 1}, {900, 600}}) {
+    display_.resize(width, height);
+    ASSERT_TRUE(w.process().is_running()) << width << " x " << height;
+  }
+  ASSERT_TRUE(comes_true([&] { return is_settled(w) && w.place_of("view").second.x < 560; }))
+      << "the window did not come back to 900 x 600";
+  // Nothing is cut off: every control of the row above the draft lies left of the splitter.
+  const double edge = w.place_of("split").first.x;
+  for (const char* control : {"tool", "look"}) {
+    const auto [place, size] = w.place_of(control);
+    EXPECT_LE(place.x + size.x, edge) << control;
+  }
+  quit(w);
+}
+
+TEST_F(WindowTest, ATipComesToAPointerThatRests) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  display_.move(w.middle_of("save"));
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "nothing was said of the button";
+  display_.move(w.cell("drawdown", 8, 8));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tip"); }));
+  quit(w);
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -7,6 +7,7 @@
 #include "draft/methods.h"
 #include "light/formulas.h"
 #include "session/reference_tracer.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -24,10 +25,7 @@ Edit move_light(ImVec2 by, float degrees_a_px) {
           }};
 }
 
-bool light_key_down() {
-  // ImGui 1.86 knows keys by the window system's codes; GLFW's for a letter is its capital.
-  return ImGui::IsKeyDown('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
-}
+bool light_key_down() { return letter_down('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl; }
 
 MaybeEdit drag(const PanelContext& c, Orbit& camera, ImVec2 size) {
   const ImVec2 by = ImGui::GetIO().MouseDelta;
@@ -46,12 +44,19 @@ MaybeEdit drag(const PanelContext& c, Orbit& camera, ImVec2 size) {
 
 void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
   ImFont* font = c.style.font.small;
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float x = c.style.px(8), y = c.style.px(4);
   dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y},
                     with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
-  dl->AddText(font, font->FontSize, at, c.style.color.muted, text.c_str());
+  dl->AddText(font, font_size(font), at, c.style.color.muted, text.c_str());
+}
+
+std::string note_that_fits(const PanelContext& c, const std::string& text, float pane_width) {
+  push_font(c.style.font.small);
+  std::string shown = fitted(text, std::max(0.0f, pane_width - c.style.px(32)));
+  ImGui::PopFont();
+  return shown;
 }
 
 /// "yarn 80%, cell 20%".
@@ -88,15 +93,15 @@ void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
   if (method != Method::kAuto) return draw_note(c, at, "Only the automatic method mixes others");
   ImFont* font = c.style.font.small;
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  const float line = font->FontSize + c.style.px(4), box = c.style.px(10), pad = c.style.px(8);
-  const float width = box + c.style.px(6) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, "repeat").x;
+  const float line = font_size(font) + c.style.px(4), box = c.style.px(10), pad = c.style.px(8);
+  const float width = box + c.style.px(6) + font->CalcTextSizeA(font_size(font), FLT_MAX, 0, "repeat").x;
   dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
                     with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
   for (size_t rung = 0; rung < kRungs.size(); ++rung) {
     const float y = at.y + (line - box) / 2;
     const glm::vec3 k = formulas::rung_color(static_cast<int>(rung));
     dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, to_u32(srgb_from_linear({k.r, k.g, k.b})), 2);
-    dl->AddText(font, font->FontSize, {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
+    dl->AddText(font, font_size(font), {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
                 method_facts(kRungs[rung]).label);
     at.y += line;
   }
@@ -117,7 +122,7 @@ std::string reference_line(const ReferencePicture& r, Compare compare) {
 void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
   const float half = c.style.px(7), x = a.x + pane.x * c.work.compare_split;
   ImGui::SetCursorScreenPos({x - half, a.y});
-  ImGui::InvisibleButton("compare", {2 * half, pane.y});
+  hit_area("compare", {2 * half, pane.y});
   c.map.add_item("view.compare");
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -133,7 +138,7 @@ void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a,
   const float x = std::floor(a.x + (b.x - a.x) * c.work.compare_split);
   if (r.texture != 0) {
     dl->PushClipRect({x, a.y}, b, true);
-    dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(r.texture)), a, b);
+    dl->AddImage(texture_of(r.texture), a, b);
     dl->PopClipRect();
     c.map.add(r.samples > 0 ? "view.reference" : "view.reference.coarse", x, a.y, b.x - x, b.y - a.y);
   }
@@ -145,14 +150,14 @@ void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a,
               c.style.px(4));
   const std::string text = reference_line(r, c.work.compare);
   ImFont* font = c.style.font.small;
-  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  const float width = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str()).x;
   draw_note(c, {b.x - width - c.style.px(16), a.y + c.style.px(14)}, text);
 }
 
 void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& text) {
   const float width = std::min(b.x - a.x - c.style.px(48), c.style.px(420));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-  ImGui::GetWindowDrawList()->AddText(c.style.font.text, c.style.font.text->FontSize,
+  ImGui::GetWindowDrawList()->AddText(c.style.font.text, font_size(c.style.font.text),
                                       {(a.x + b.x - size.x) / 2, (a.y + b.y - size.y) / 2}, c.style.color.muted,
                                       text.c_str(), nullptr, width);
 }
@@ -166,9 +171,8 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   if (pane.x < 8 || pane.y < 8) return {};
   const bool comparing = c.work.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
-  ImGui::InvisibleButton(
-      "view", pane,
-      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  hit_area("view", pane,
+           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
   MaybeEdit edit;
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) edit = drag(c, camera, pane);
@@ -181,10 +185,10 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
 
   ImDrawList* dl = ImGui::GetWindowDrawList();
   if (picture.texture != 0) {
-    dl->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.texture)), a, b, {0, 1}, {1, 0});
+    dl->AddImage(texture_of(picture.texture), a, b, {0, 1}, {1, 0});
     if (comparing) draw_comparison(c, picture.reference, a, b);
     if (c.work.show_rungs) draw_rung_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
-    draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, stats_line(picture));
+    draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, note_that_fits(c, stats_line(picture), pane.x));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
     dl->AddRectFilled(a, b, to_u32(c.design.scene.background));

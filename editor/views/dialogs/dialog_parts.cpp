@@ -4,12 +4,13 @@
 
 #include <algorithm>
 
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
 namespace {
 
-bool enter_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false); }
+bool enter_pressed() { return key_pressed(ImGuiKey_Enter, false); }
 
 bool primary_button(PanelContext& c, const char* id, const char* label) {
   ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
@@ -29,7 +30,7 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
   for (const std::string& l : labels)
     width += ImGui::CalcTextSize(l.c_str()).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
   ImGui::Dummy({0, c.style.px(6)});
-  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), content_right() - width));
   int pressed = -1;
   for (int i = static_cast<int>(labels.size()) - 1; i >= 0; --i) {
     const std::string id = "dialog:" + labels[static_cast<size_t>(i)];
@@ -46,7 +47,7 @@ DialogAnswer answered(int button, int leave_button) {
 }
 
 void heading(PanelContext& c, const std::string& text) {
-  ImGui::PushFont(c.style.font.bold);
+  push_font(c.style.font.bold);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopFont();
   ImGui::Dummy({0, c.style.px(2)});
@@ -54,7 +55,7 @@ void heading(PanelContext& c, const std::string& text) {
 
 void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max) {
   row_label(c, label, nullptr);
-  ImGui::PushFont(c.style.font.mono);
+  push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(140));
   ImGui::PushID(id);
   ImGui::InputInt("##n", &value, 1, 10);

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 namespace {
 
-bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+bool escape_pressed() { return key_pressed(ImGuiKey_Escape, false); }
 
 DialogAnswer draw(PanelContext&, std::monostate&) { return {}; }
 
@@ -58,6 +59,19 @@ DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
   ImGui::InputTextMultiline("##notes", &p.notes, {c.style.px(420), c.style.px(220)});
   c.map.add_item("notes.text");
   return answered(draw_buttons(c, {"Keep", "Cancel"}, false));
+}
+
+DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
+  heading(c, "Go to a thread");
+  constexpr const char* kSystems[] = {"End", "Pick"};
+  int system = p.system == System::kWarp ? 0 : 1;
+  segmented(c, "goto.system", kSystems, system, c.style.px(244));
+  p.system = system == 0 ? System::kWarp : System::kWeft;
+  const int last = system == 0 ? p.ends : p.picks;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  number(c, "goto.number", "Number", p.number, 1, last);
+  muted_text(c, "of " + std::to_string(last));
+  return answered(draw_buttons(c, {"Go", "Cancel"}, true));
 }
 
 DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
@@ -120,6 +134,7 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y * 0.4f},
                           ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({1, 1}, {std::max(1.0f, view->WorkSize.x), std::max(1.0f, view->WorkSize.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
   // A dialog lies higher than the panels: its fields stand out from its own ground.
   const Colors& color = c.style.color;

@@ -30,12 +30,20 @@ struct WeavePrompt {
   int weave = 0;
   std::array<int, kWeaveNumbers> numbers{};
   int ends = 64, picks = 64;
+  ClothSize repeat{0, 0};
+  bool own_size = false;  // typed, else whole repeats
 };
+/// With the first numbers of the weave, about so large.
+WeavePrompt prompt_for(int weave, ClothSize about);
 /// What is asked before textures are exported.
 struct ExportPrompt {
   std::vector<std::string> targets;
   int target = 0;
   int size = 1024;  // texels of the longer side
+};
+struct ThreadPrompt {
+  System system = System::kWarp;
+  int number = 1, ends = 1, picks = 1;
 };
 struct NotesPrompt {
   std::string title, author, notes;  // notes: one a line
@@ -48,8 +56,8 @@ struct RecoveryPrompt {
   std::vector<Row> rows;
   int chosen = 0;
 };
-using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, NotesPrompt, WeavePrompt, ExportPrompt,
-                            RecoveryPrompt>;
+using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, ThreadPrompt, NotesPrompt, WeavePrompt,
+                            ExportPrompt, RecoveryPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };

@@ -100,6 +100,10 @@ DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec
   l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
   l.warp_heads = {GridId::kWarpColors, ends, single(y0, s.px(kEndRuler))};
   l.weft_heads = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
+  work.seen_ends = ends.length / ends.pitch;
+  work.seen_picks = picks.length / picks.pitch;
+  l.scroll_shafts = shafts.extent() > shafts.length + 1;
+  l.scroll_treadles = treadles.extent() > treadles.length + 1;
   l.scroll_ends = ends.extent() > ends.length + 1;
   l.scroll_picks = picks.extent() > picks.length + 1;
   return l;

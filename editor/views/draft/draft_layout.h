@@ -25,7 +25,7 @@ struct DraftLayout {
   GridPane warp_bar, threading, tieup, drawdown, lift, weft_bar;  // lift: treadling or liftplan
   GridPane warp_heads, weft_heads;                                // the numbers of ends and picks, beside their bars
   ImVec2 min, max;                                                // of the whole pane
-  bool scroll_ends = false, scroll_picks = false;                 // not all of them are in sight
+  bool scroll_ends = false, scroll_picks = false, scroll_shafts = false, scroll_treadles = false;  // not all in sight
 
   /// All grids; the tie-up is left out of a draft driven by its liftplan.
   std::vector<const GridPane*> panes() const;

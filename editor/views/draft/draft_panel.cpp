@@ -5,6 +5,7 @@
 
 #include "session/paint.h"
 #include "session/selection.h"
+#include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/grid_draw.h"
 #include "views/draft/select_input.h"
@@ -53,8 +54,8 @@ MaybeEdit grid_input(PanelContext& c, const GridPane& pane) {
   const ImVec2 a = pane.min(), b = pane.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return {};
   ImGui::SetCursorScreenPos(a);
-  ImGui::InvisibleButton(grid_name(pane.id), {b.x - a.x, b.y - a.y},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  hit_area(grid_name(pane.id), {b.x - a.x, b.y - a.y},
+           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool active = ImGui::IsItemActive();
   if (ImGui::IsItemHovered() || active) {
     c.work.hover_grid = pane.id;
@@ -105,7 +106,8 @@ void navigate(PanelContext& c, const DraftLayout& l) {
 /// A thin bar that shows and moves the part in sight.
 void scrollbar(PanelContext& c, const char* id, const Axis& axis, float& scroll, ImVec2 min, ImVec2 max, bool across) {
   ImGui::SetCursorScreenPos(min);
-  ImGui::InvisibleButton(id, {max.x - min.x, max.y - min.y});
+  hit_area(id, {max.x - min.x, max.y - min.y});
+  c.map.add_item(id);
   const float length = across ? max.x - min.x : max.y - min.y;
   const float all = static_cast<float>(axis.count), seen = axis.length / axis.pitch;
   const float grip = std::max(c.style.px(24), length * seen / all);
@@ -123,13 +125,19 @@ void scrollbar(PanelContext& c, const char* id, const Axis& axis, float& scroll,
 }
 
 void scrollbars(PanelContext& c, const DraftLayout& l) {
-  const ImVec2 a = l.drawdown.min(), b = l.drawdown.max();
-  const float thick = c.style.px(9);
+  const ImVec2 a = l.drawdown.min(), b = l.drawdown.max(), lift = l.lift.max(), shafts = l.threading.min();
+  const float thick = c.style.px(9), below = b.y + 3;
   if (l.scroll_ends)
-    scrollbar(c, "scroll.ends", l.drawdown.x, c.work.scroll_end, {a.x, b.y + 3}, {b.x, b.y + 3 + thick}, true);
+    scrollbar(c, "scroll.ends", l.drawdown.x, c.work.scroll_end, {a.x, below}, {b.x, below + thick}, true);
+  if (l.scroll_treadles)
+    scrollbar(c, "scroll.treadles", l.lift.x, c.work.scroll_treadle, {l.lift.min().x, below}, {lift.x, below + thick},
+              true);
   if (l.scroll_picks)
     scrollbar(c, "scroll.picks", l.drawdown.y, c.work.scroll_pick, {l.max.x - thick - 2, a.y}, {l.max.x - 2, b.y},
               false);
+  if (l.scroll_shafts)
+    scrollbar(c, "scroll.shafts", l.threading.y, c.work.scroll_shaft, {l.max.x - thick - 2, shafts.y},
+              {l.max.x - 2, l.threading.max().y}, false);
 }
 
 /// A dot at end 1 and pick 1, where reading starts.

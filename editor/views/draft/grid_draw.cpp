@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "session/paint.h"
+#include "ui/imgui_compat.h"
 #include "views/common/cell_image.h"
 
 namespace weftlight::views {
@@ -32,8 +33,8 @@ void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
 }
 
 void draw_centered(ImDrawList* dl, ImFont* font, ImVec2 middle, ImU32 color, const std::string& text) {
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-  dl->AddText(font, font->FontSize,
+  const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
+  dl->AddText(font, font_size(font),
               {static_cast<float>(static_cast<int>(middle.x - size.x / 2 + 0.5f)),
                static_cast<float>(static_cast<int>(middle.y - size.y / 2 + 0.5f))},
               color, text.c_str());
@@ -154,6 +155,44 @@ void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, 
   }
 }
 
+constexpr int kSampledThreads = 8;  // of those that fall into one pixel
+
+/// Threads narrower than a pixel: each pixel as dark as the share of its threads that hang there, so that a threading
+/// seen from afar is a tint and not a bar.
+void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, bool along_x) {
+  const Axis& threads = along_x ? p.x : p.y;
+  const Axis& loom = along_x ? p.y : p.x;
+  const int pixels = static_cast<int>(threads.length);
+  for (int j = loom.first_visible(); j < loom.end_visible(); ++j) {
+    const auto draw = [&](int from, int to, float share) {
+      if (share <= 0) return;
+      const ImU32 color = blend(c.style.color.paper, c.style.color.ink, share);
+      const float a = threads.start + static_cast<float>(from), b = threads.start + static_cast<float>(to);
+      const float low = loom.low(j) + 1, high = loom.high(j);
+      if (along_x) dl->AddRectFilled({a, low}, {b, high}, color);
+      else dl->AddRectFilled({low, a}, {high, b}, color);
+    };
+    float before = -1;
+    int begun = 0;
+    for (int pixel = 0; pixel < pixels; ++pixel) {
+      int on = 0, all = 0;
+      for (int k = 0; k < kSampledThreads; ++k) {
+        const float share = (static_cast<float>(k) + 0.5f) / kSampledThreads;
+        const int thread = threads.at(threads.start + static_cast<float>(pixel) + share);
+        if (thread < 0) continue;
+        on += is_on(c.design.draft, c.cells, p.id, along_x ? Cell{thread, j} : Cell{j, thread});
+        ++all;
+      }
+      const float share = all == 0 ? 0 : static_cast<float>(on) / static_cast<float>(all);
+      if (share == before) continue;
+      if (before >= 0) draw(begun, pixel, before);
+      before = share;
+      begun = pixel;
+    }
+    if (before >= 0) draw(begun, pixels, before);
+  }
+}
+
 }  // namespace
 
 void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
@@ -161,18 +200,13 @@ void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   dl->PushClipRect(a, {b.x + 1, b.y + 1}, true);
   dl->AddRectFilled(a, b, c.style.color.paper);
   draw_lines(dl, c, p);
-  std::vector<float> drawn(static_cast<size_t>(p.x.count > p.y.count ? p.y.count : p.x.count), -1e9f);
-  const bool along_x = p.x.count > p.y.count;
-  for (int i = p.x.first_visible(); i < p.x.end_visible(); ++i)
-    for (int j = p.y.first_visible(); j < p.y.end_visible(); ++j) {
-      if (!is_on(c.design.draft, c.cells, p.id, {i, j})) continue;
-      // Cells below a pixel fall together; one mark a pixel is enough.
-      float& before = drawn[static_cast<size_t>(along_x ? j : i)];
-      const float at = along_x ? p.x.low(i) : p.y.low(j);
-      if (at == before && (along_x ? p.x.pitch : p.y.pitch) < 1) continue;
-      before = at;
-      draw_bit(dl, c, p, i, j);
-    }
+  if (std::min(p.x.pitch, p.y.pitch) < 1) {
+    draw_coverage(dl, c, p, p.x.pitch < p.y.pitch);
+  } else {
+    for (int i = p.x.first_visible(); i < p.x.end_visible(); ++i)
+      for (int j = p.y.first_visible(); j < p.y.end_visible(); ++j)
+        if (is_on(c.design.draft, c.cells, p.id, {i, j})) draw_bit(dl, c, p, i, j);
+  }
   dl->PopClipRect();
 }
 
@@ -236,7 +270,7 @@ void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, 
     const float y = (axis.low(i) + axis.high(i)) / 2;
     if (y < axis.start || y > axis.start + axis.length) continue;
     if (i != lit && lit >= 0 && std::abs(static_cast<float>(i - lit)) * axis.pitch < c.style.px(13)) continue;
-    dl->AddText(font, font->FontSize, {left, static_cast<float>(static_cast<int>(y - font->FontSize / 2))},
+    dl->AddText(font, font_size(font), {left, static_cast<float>(static_cast<int>(y - font_size(font) / 2))},
                 i == lit ? c.style.color.accent : c.style.color.muted, std::to_string(i + 1).c_str());
   }
 }

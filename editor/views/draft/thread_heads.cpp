@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -36,7 +37,7 @@ void head_input(PanelContext& c, const GridPane& heads, const char* name) {
   const ImVec2 a = heads.min(), b = heads.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return;
   ImGui::SetCursorScreenPos(a);
-  ImGui::InvisibleButton(name, {b.x - a.x, b.y - a.y});
+  hit_area(name, {b.x - a.x, b.y - a.y});
   take_gesture(c, heads);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     c.work.hover_grid = heads.id;
@@ -92,7 +93,7 @@ void choose_by_heads(PanelContext& c, const DraftLayout& l) {
   if (!ImGui::IsAnyMouseDown()) choice.dragging = false;
   const bool busy = ImGui::GetIO().WantTextInput ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!busy && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) choice.threads.clear();
+  if (!busy && key_pressed(ImGuiKey_Escape, false)) choice.threads.clear();
 }
 
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "light/yarn_lobes.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -55,7 +56,7 @@ float radius_for(const PanelContext& c, float width) {
   return std::min(width / 2 - c.style.px(kMargin), c.style.px(kMostRadius));
 }
 
-float legend_height(const PanelContext& c) { return c.style.font.small->FontSize + c.style.px(4); }
+float legend_height(const PanelContext& c) { return font_size(c.style.font.small) + c.style.px(4); }
 
 std::vector<ImVec2> points_of(const Plot& plot, const LobeCurves::Curve& curve, bool below) {
   std::vector<ImVec2> points;
@@ -77,7 +78,7 @@ void draw_line(const std::vector<ImVec2>& points, ImU32 color, float width) {
 }
 
 void draw_small(const PanelContext& c, ImVec2 at, ImU32 color, const char* text) {
-  ImGui::GetWindowDrawList()->AddText(c.style.font.small, c.style.font.small->FontSize, at, color, text);
+  ImGui::GetWindowDrawList()->AddText(c.style.font.small, font_size(c.style.font.small), at, color, text);
 }
 
 /// Circles of equal brightness, the thread's surface and the normal.
@@ -92,7 +93,7 @@ void draw_paper(const PanelContext& c, const Plot& plot) {
   }
   const float white = plotted_radius(1, plot.rim) * plot.radius, most = plot.radius;
   dl->AddLine({plot.middle.x - most, plot.middle.y}, {plot.middle.x + most, plot.middle.y}, color.line_strong);
-  const float line = c.style.font.small->FontSize + 1;
+  const float line = font_size(c.style.font.small) + 1;
   if (plot.rim > 1)
     draw_small(c, {plot.middle.x - most, plot.middle.y + c.style.px(2)}, color.muted, fixed(plot.rim, 0).c_str());
   draw_small(c, {plot.middle.x - white - c.style.px(3), plot.middle.y + c.style.px(2)}, color.muted, "1");
@@ -117,7 +118,7 @@ struct LegendRow {
 
 void draw_legend(const PanelContext& c, std::span<const LegendRow> rows) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  const float line = c.style.font.small->FontSize, box = c.style.px(8), gap = c.style.px(5);
+  const float line = font_size(c.style.font.small), box = c.style.px(8), gap = c.style.px(5);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   float words = 0;
@@ -178,7 +179,7 @@ void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour) {
   const float width = ImGui::GetContentRegionAvail().x, margin = c.style.px(kMargin);
   Plot plot{{}, radius_for(c, width), 1};
   plot.middle = {at.x + width / 2, at.y + margin + plot.radius};
-  ImGui::InvisibleButton("lobes", {width, 2 * margin + plot.radius * (1 + kBelow)});
+  hit_area("lobes", {width, 2 * margin + plot.radius * (1 + kBelow)});
   c.map.add_item("yarn.lobes");
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (ImGui::IsItemActive()) {

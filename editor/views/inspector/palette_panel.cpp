@@ -4,6 +4,7 @@
 
 #include "session/paint.h"
 #include "ui/icons.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -16,14 +17,14 @@ void draw_swatches(PanelContext& c) {
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap - 4) / (side + gap)));
   const int rows = (static_cast<int>(palette.size()) + columns - 1) / columns;
   const float height = std::min(static_cast<float>(rows), 5.0f) * (side + gap) + gap;
-  ImGui::BeginChild("swatches", {0, height}, false);
+  ImGui::BeginChild("swatches", {0, height});
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
     const ImVec2 a{origin.x + 3 + static_cast<float>(i % columns) * (side + gap),
                    origin.y + 3 + static_cast<float>(i / columns) * (side + gap)};
     ImGui::SetCursorScreenPos(a);
     ImGui::PushID(i);
-    if (ImGui::InvisibleButton("swatch", {side, side})) {
+    if (hit_area("swatch", {side, side})) {
       c.work.color = i;
       c.work.bar_paint = BarPaint::kColor;
     }
@@ -44,7 +45,7 @@ MaybeEdit draw_color_in_hand(PanelContext& c) {
   row_label(c, ("Colour " + std::to_string(index + 1)).c_str(),
             "The colour in hand: click the swatch to mix it, or type its hex value");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - c.style.px(8));
-  ImGui::PushFont(c.style.font.mono);
+  push_font(c.style.font.mono);
   const bool changed =
       ImGui::ColorEdit3("##rgb", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
   ImGui::PopFont();

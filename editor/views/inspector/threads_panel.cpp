@@ -11,6 +11,7 @@
 #include "draft/edits.h"
 #include "draft/yarn_presets.h"
 #include "ui/icons.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -191,7 +192,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     if (i % 6 != 0) ImGui::SameLine(0, gap);
     const ImVec2 a = ImGui::GetCursorScreenPos();
     ImGui::PushID(i);
-    if (ImGui::InvisibleButton("color", {side, side})) {
+    if (hit_area("color", {side, side})) {
       edit = edit_of(s, "Colour", [i](Design d, System system, const std::vector<int>& threads) {
         return with_thread_color(std::move(d), system, threads, i);
       });
@@ -308,7 +309,7 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
   add("thickness", s.shared.thickness);
   add("spacing", s.shared.spacing);
   if (text.empty()) return;
-  ImGui::PushFont(c.style.font.small);
+  push_font(c.style.font.small);
   row_label(c, unit.name.c_str(), "The measures in the file's own unit, in which they are saved again");
   muted_text(c, text);
   ImGui::PopFont();

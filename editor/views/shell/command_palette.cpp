@@ -5,6 +5,7 @@
 #include <cctype>
 #include <vector>
 
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
@@ -31,14 +32,15 @@ std::vector<Match> narrowed(std::span<const ActionItem> items, const std::string
 }
 
 void move_choice(CommandPalette& palette, int count) {
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++palette.chosen;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --palette.chosen;
+  if (key_pressed(ImGuiKey_DownArrow)) ++palette.chosen;
+  if (key_pressed(ImGuiKey_UpArrow)) --palette.chosen;
   palette.chosen = std::clamp(palette.chosen, 0, std::max(0, count - 1));
 }
 
 std::string draw_matches(const PanelContext& c, const std::vector<Match>& found, CommandPalette& palette) {
   std::string run;
-  ImGui::BeginChild("matches", {0, c.style.px(300)});
+  ImGui::BeginChild("matches",
+                    {0, std::clamp(ImGui::GetMainViewport()->WorkSize.y - c.style.px(140), 1.0f, c.style.px(300))});
   for (int i = 0; i < static_cast<int>(found.size()); ++i) {
     const ActionItem& item = *found[static_cast<size_t>(i)].item;
     ImGui::PushID(item.id.c_str());
@@ -51,7 +53,7 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
     c.map.add_item("command:" + item.id);
     if (!item.shortcut.empty()) {
       const float width = ImGui::CalcTextSize(item.shortcut.c_str()).x;
-      ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width - c.style.px(6));
+      ImGui::SameLine(content_right() - width - c.style.px(6));
       muted_text(c, item.shortcut);
     }
     ImGui::PopID();
@@ -83,7 +85,7 @@ bool matches(const std::string& label, const std::string& typed, int& score) {
 std::string draw_command_palette(const PanelContext& c, std::span<const ActionItem> items, CommandPalette& palette) {
   if (!palette.open) return {};
   const ImGuiViewport* view = ImGui::GetMainViewport();
-  const float width = c.style.px(520);
+  const float width = std::clamp(view->WorkSize.x - c.style.px(16), 1.0f, c.style.px(520));
   ImGui::SetNextWindowPos({view->WorkPos.x + (view->WorkSize.x - width) / 2, view->WorkPos.y + c.style.px(60)});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
@@ -102,7 +104,7 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
   std::string run = draw_matches(c, found, palette);
   if (enter && !found.empty() && found[static_cast<size_t>(palette.chosen)].item->enabled)
     run = found[static_cast<size_t>(palette.chosen)].item->id;
-  const bool leave = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) ||
+  const bool leave = key_pressed(ImGuiKey_Escape) ||
                      (!palette.appearing && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows));
   ImGui::End();
   ImGui::PopStyleColor();

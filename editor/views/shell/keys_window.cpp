@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
@@ -32,7 +33,7 @@ void row(const PanelContext& c, const std::string& left, const std::string& righ
 
 void heading(const PanelContext& c, const char* text) {
   ImGui::Dummy({0, c.style.px(4)});
-  ImGui::PushFont(c.style.font.bold);
+  push_font(c.style.font.bold);
   ImGui::TextUnformatted(text);
   ImGui::PopFont();
 }
@@ -67,7 +68,7 @@ void draw_keys_window(const PanelContext& c, std::span<const ActionItem> items, 
     heading(c, "Mouse, view");
     for (const MouseHint& hint : kViewHints) row(c, hint.what, hint.does);
     draw_keys(c, items);
-    if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
+    if (ImGui::IsWindowFocused() && key_pressed(ImGuiKey_Escape)) open = false;
   }
   ImGui::End();
   ImGui::PopStyleColor();

@@ -55,6 +55,7 @@ void draw_title(const PanelContext& c, const std::string& title, float left) {
   const float width = ImGui::GetWindowWidth();
   const ImVec2 size = ImGui::CalcTextSize(title.c_str());
   const float x = std::max(left + c.style.px(24), (width - size.x) / 2);
+  if (x + size.x > width) return;  // the window's own title says it
   const ImVec2 at = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddText(
       {at.x + static_cast<float>(static_cast<int>(x)),

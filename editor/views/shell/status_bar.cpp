@@ -5,6 +5,7 @@
 #include "session/paint.h"
 #include "session/selection.h"
 #include "ui/icons.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -34,7 +35,7 @@ bool draw_remark_button(const PanelContext& c, std::span<const Diagnostic> remar
 }
 
 void draw_remark(const PanelContext& c, const Diagnostic& d) {
-  ImGui::PushFont(c.style.font.mono_small);
+  push_font(c.style.font.mono_small);
   ImGui::PushStyleColor(ImGuiCol_Text, severity_color(c, d.severity));
   ImGui::TextUnformatted(d.line > 0 ? ("line " + std::to_string(d.line)).c_str() : "file");
   ImGui::PopStyleColor();
@@ -60,8 +61,7 @@ std::string status_text(const PanelContext& c, const std::string& message) {
   return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.work.hint;
 }
 
-void draw_trouble(const PanelContext& c, const std::string& trouble) {
-  const float room = ImGui::GetWindowContentRegionMax().x * 0.6f;
+void draw_trouble(const PanelContext& c, const std::string& trouble, float room) {
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
   ImGui::TextUnformatted(fitted((c.style.font.icons ? std::string(icon::kWarning) + " " : "") + trouble, room).c_str());
   ImGui::PopStyleColor();
@@ -80,17 +80,21 @@ std::string summary(const Draft& d) {
 
 bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
                      std::span<const Diagnostic> remarks) {
-  ImGui::PushFont(c.style.font.small);
-  if (trouble.empty()) ImGui::TextUnformatted(status_text(c, message).c_str());
-  else draw_trouble(c, trouble);
+  push_font(c.style.font.small);
+  const float remark_room = remarks.empty() ? 0 : c.style.px(110), gap = c.style.px(16);
+  const float right = content_right() - remark_room, room = std::max(0.0f, right - ImGui::GetCursorPosX());
   const std::string facts = summary(c.design.draft);
-  const float remark_room = remarks.empty() ? 0 : c.style.px(110);
-  ImGui::SameLine(std::max(c.style.px(400),
-                           ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(facts.c_str()).x - remark_room));
-  muted_text(c, facts);
+  // What is said comes first; the figures of the draft take what room is left.
+  if (trouble.empty()) ImGui::TextUnformatted(fitted(status_text(c, message), room).c_str());
+  else draw_trouble(c, trouble, room);
+  const float facts_x = right - ImGui::CalcTextSize(facts.c_str()).x;
+  if (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + gap <= facts_x) {
+    ImGui::SameLine(facts_x);
+    muted_text(c, facts);
+  }
   bool clicked = false;
   if (!remarks.empty()) {
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - remark_room + c.style.px(14));
+    ImGui::SameLine(right + c.style.px(14));
     clicked = draw_remark_button(c, remarks);
   }
   ImGui::PopFont();

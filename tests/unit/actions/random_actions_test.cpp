@@ -30,6 +30,10 @@ class BareDesk : public Desk {
   void undo() override { document_.undo(); }
   void redo() override { document_.redo(); }
   void new_draft() override {}
+  void new_draft_of(int) override {}
+  void ask_thread() override {}
+  Settings& settings() override { return settings_; }
+  const Settings& settings() const override { return settings_; }
   void open() override {}
   void open_path(const std::string&) override {}
   void open_copy(const std::string&) override {}
@@ -55,6 +59,7 @@ class BareDesk : public Desk {
  private:
   Document document_;
   Workspace work_;
+  Settings settings_;
   std::string clipboard_;
 };
 

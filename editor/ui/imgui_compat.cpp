@@ -1,0 +1,152 @@
+#include "ui/imgui_compat.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui_freetype.h>
+
+#include <cstdint>
+
+namespace weftlight::ui {
+
+#if IMGUI_VERSION_NUM >= 18700
+
+namespace {
+
+struct KeyPair {
+  int glfw;
+  ImGuiKey key;
+};
+// What text fields, lists and the panels themselves ask for.
+constexpr KeyPair kKeys[] = {{GLFW_KEY_TAB, ImGuiKey_Tab},
+                             {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+                             {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+                             {GLFW_KEY_UP, ImGuiKey_UpArrow},
+                             {GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+                             {GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+                             {GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+                             {GLFW_KEY_HOME, ImGuiKey_Home},
+                             {GLFW_KEY_END, ImGuiKey_End},
+                             {GLFW_KEY_INSERT, ImGuiKey_Insert},
+                             {GLFW_KEY_DELETE, ImGuiKey_Delete},
+                             {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+                             {GLFW_KEY_SPACE, ImGuiKey_Space},
+                             {GLFW_KEY_ENTER, ImGuiKey_Enter},
+                             {GLFW_KEY_KP_ENTER, ImGuiKey_KeypadEnter},
+                             {GLFW_KEY_ESCAPE, ImGuiKey_Escape}};
+
+ImGuiKey key_of(int glfw) {
+  if (glfw >= GLFW_KEY_A && glfw <= GLFW_KEY_Z) return static_cast<ImGuiKey>(ImGuiKey_A + (glfw - GLFW_KEY_A));
+  for (const KeyPair& pair : kKeys)
+    if (pair.glfw == glfw) return pair.key;
+  return ImGuiKey_None;
+}
+
+}  // namespace
+
+void feed_pointer(ImVec2 at) { ImGui::GetIO().AddMousePosEvent(at.x, at.y); }
+void feed_button(int button, bool down) { ImGui::GetIO().AddMouseButtonEvent(button, down); }
+void feed_wheel(float x, float y) { ImGui::GetIO().AddMouseWheelEvent(x, y); }
+
+void feed_key(int glfw_key, bool down) {
+  if (const ImGuiKey key = key_of(glfw_key); key != ImGuiKey_None) ImGui::GetIO().AddKeyEvent(key, down);
+}
+
+void feed_modifiers(bool ctrl, bool shift, bool alt, bool super) {
+  ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18837
+  io.AddKeyEvent(ImGuiMod_Ctrl, ctrl);
+  io.AddKeyEvent(ImGuiMod_Shift, shift);
+  io.AddKeyEvent(ImGuiMod_Alt, alt);
+  io.AddKeyEvent(ImGuiMod_Super, super);
+#else
+  io.AddKeyEvent(ImGuiKey_ModCtrl, ctrl);
+  io.AddKeyEvent(ImGuiKey_ModShift, shift);
+  io.AddKeyEvent(ImGuiKey_ModAlt, alt);
+  io.AddKeyEvent(ImGuiKey_ModSuper, super);
+#endif
+}
+
+void feed_whole_frames() { ImGui::GetIO().ConfigInputTrickleEventQueue = false; }
+bool key_pressed(ImGuiKey key, bool repeat) { return ImGui::IsKeyPressed(key, repeat); }
+bool letter_down(char letter) { return ImGui::IsKeyDown(static_cast<ImGuiKey>(ImGuiKey_A + (letter - 'A'))); }
+
+#else
+
+void feed_pointer(ImVec2 at) { ImGui::GetIO().MousePos = at; }
+void feed_button(int button, bool down) { ImGui::GetIO().MouseDown[button] = down; }
+
+void feed_wheel(float x, float y) {
+  ImGui::GetIO().MouseWheelH += x;
+  ImGui::GetIO().MouseWheel += y;
+}
+
+void feed_key(int glfw_key, bool down) {
+  if (glfw_key >= 0 && glfw_key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) ImGui::GetIO().KeysDown[glfw_key] = down;
+}
+
+void feed_modifiers(bool ctrl, bool shift, bool alt, bool super) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyCtrl = ctrl;
+  io.KeyShift = shift;
+  io.KeyAlt = alt;
+  io.KeySuper = super;
+}
+
+void feed_whole_frames() {}
+bool key_pressed(ImGuiKey key, bool repeat) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat); }
+// 1.86 knows keys by the window system's codes; GLFW's for a letter is its capital.
+bool letter_down(char letter) { return ImGui::IsKeyDown(letter); }
+
+#endif
+
+ImTextureID texture_of(unsigned gl_name) {
+#if IMGUI_VERSION_NUM >= 19140
+  return static_cast<ImTextureID>(gl_name);
+#else
+  return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(gl_name));
+#endif
+}
+
+#if IMGUI_VERSION_NUM >= 19200
+float font_size(const ImFont* font) { return font->LegacySize; }
+void push_font(ImFont* font) { ImGui::PushFont(font, font->LegacySize); }
+#else
+float font_size(const ImFont* font) { return font->FontSize; }
+void push_font(ImFont* font) { ImGui::PushFont(font); }
+#endif
+
+float begin_fonts(float ratio) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
+#if IMGUI_VERSION_NUM >= 19200
+  // Glyphs are drawn as they are needed, as fine as the framebuffer.
+  io.Fonts->SetFontLoader(ImGuiFreeType::GetFontLoader());
+  io.Fonts->FontLoaderFlags = ImGuiFreeTypeLoaderFlags_LightHinting;
+  return 1 / ratio;
+#else
+  io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  io.FontGlobalScale = 1 / ratio;
+  return 1;
+#endif
+}
+
+void end_fonts() {
+#if IMGUI_VERSION_NUM < 19200
+  ImGui::GetIO().Fonts->Build();
+#endif
+}
+
+float content_right() {
+  return ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x - ImGui::GetWindowPos().x;
+}
+
+bool begin_padded_child(const char* id, ImVec2 size) {
+#if IMGUI_VERSION_NUM >= 19000
+  return ImGui::BeginChild(id, size, ImGuiChildFlags_AlwaysUseWindowPadding);
+#else
+  return ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+#endif
+}
+
+}  // namespace weftlight::ui

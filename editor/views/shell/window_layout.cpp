@@ -1,0 +1,34 @@
+#include "views/shell/window_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weftlight::views {
+namespace {
+
+// Pixels at 96 dpi.
+constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;
+constexpr float kLeastWithInspector = 760;  // of the window; a narrower one has no room for it
+
+bool has_room(const Style& style, float width) { return width >= style.px(kLeastWithInspector); }
+
+}  // namespace
+
+float shared_width(const Style& style, float width, bool inspector) {
+  return std::max(1.0f, width - (inspector && has_room(style, width) ? style.px(kInspector) : 0.0f));
+}
+
+WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, bool inspector) {
+  WindowLayout l;
+  const float status = std::min(style.px(kStatusBar), std::max(0.0f, size.y)), height = std::max(0.0f, size.y - status);
+  l.room = shared_width(style, size.x, inspector);
+  const float draft = std::floor(l.room * split), gap = std::min(style.px(kSplitter), std::max(0.0f, l.room - draft));
+  l.draft = {at, {draft, height}};
+  l.splitter = {{at.x + draft, at.y}, {gap, height}};
+  l.cloth = {{at.x + draft + gap, at.y}, {l.room - draft - gap, height}};
+  l.inspector = {{at.x + l.room, at.y}, {std::max(0.0f, size.x - l.room), height}};
+  l.status = {{at.x, at.y + height}, {std::max(0.0f, size.x), status}};
+  return l;
+}
+
+}  // namespace weftlight::views

@@ -1,0 +1,43 @@
+// Which keys run an action while a text field has the keyboard; and that every row of the table can be found.
+
+#include "actions/keys.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "actions/actions.h"
+
+namespace weftlight::actions {
+namespace {
+
+TEST(Keys, SavingWorksWhileTypingAndTextKeepsItsOwn) {
+  for (const char* key : {"Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+P", "Ctrl+Q", "F1", "F4", "F12"})
+    EXPECT_TRUE(runs_while_typing(key)) << key;
+  for (const char* key : {"Ctrl+C", "Ctrl+V", "Ctrl+X", "Ctrl+A", "Ctrl+Z", "Ctrl+Shift+Z", "Home", "End", "Delete",
+                          "F", "S", "Shift+H", "Enter", "Left", "Ctrl+Left"})
+    EXPECT_FALSE(runs_while_typing(key)) << key;
+}
+
+TEST(Table, IdsAndKeysAreNamedOnce) {
+  std::set<std::string> ids;
+  std::map<std::string, std::string> keys;
+  for (const Action& a : make_actions({})) {
+    EXPECT_TRUE(ids.insert(a.item.id).second) << a.item.id;
+    if (a.item.shortcut.empty()) continue;
+    EXPECT_TRUE(keys.emplace(a.item.shortcut, a.item.id).second)
+        << a.item.shortcut << " runs " << keys[a.item.shortcut] << " and " << a.item.id;
+  }
+}
+
+TEST(Table, WeavesAreFoundAmongTheCommands) {
+  std::string labels;
+  for (const Action& a : make_actions({})) labels += a.item.label + "\n";
+  for (const char* weave : {"Satin", "Herringbone", "Overshot", "Waffle"})
+    EXPECT_NE(labels.find(weave), std::string::npos) << weave;
+}
+
+}  // namespace
+}  // namespace weftlight::actions

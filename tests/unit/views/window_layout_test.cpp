@@ -1,0 +1,37 @@
+#include "views/shell/window_layout.h"
+
+#include <gtest/gtest.h>
+
+namespace weftlight::views {
+namespace {
+
+TEST(WindowLayout, NoSizeLeavesTheWindowOrGoesBelowNothing) {
+  const Style style;
+  for (const float width : {1.0f, 2.0f, 30.0f, 300.0f, 640.0f, 900.0f, 1440.0f, 8000.0f})
+    for (const float height : {0.0f, 1.0f, 10.0f, 28.0f, 170.0f, 900.0f})
+      for (const float split : {0.2f, 0.5f, 0.8f})
+        for (const bool inspector : {true, false}) {
+          const WindowLayout l = lay_out_window(style, {3, 30}, {width, height}, split, inspector);
+          for (const PaneRect& p : {l.draft, l.splitter, l.cloth, l.inspector, l.status}) {
+            EXPECT_GE(p.size.x, 0);
+            EXPECT_GE(p.size.y, 0);
+            EXPECT_LE(p.at.x + p.size.x, 3 + width + 1);
+            EXPECT_LE(p.at.y + p.size.y, 30 + height + 1);
+          }
+          EXPECT_GE(l.room, 1);
+        }
+}
+
+TEST(WindowLayout, TheInspectorGivesItsRoomAway) {
+  const Style style;
+  const WindowLayout with = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, true);
+  const WindowLayout without = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, false);
+  EXPECT_TRUE(with.inspector.shown());
+  EXPECT_FALSE(without.inspector.shown());
+  EXPECT_EQ(without.room, 900);
+  EXPECT_FALSE(lay_out_window(style, {0, 0}, {500, 600}, 0.5f, true).inspector.shown())
+      << "a narrow window keeps what there is for draft and cloth";
+}
+
+}  // namespace
+}  // namespace weftlight::views

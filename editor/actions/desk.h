@@ -41,6 +41,8 @@ class Desk {
   virtual void ask_size() = 0;
   virtual void ask_notes() = 0;
   virtual void ask_thread() = 0;
+  /// A weave over the selected threads, or over all.
+  virtual void ask_weave() = 0;
   virtual Settings& settings() = 0;
   virtual const Settings& settings() const = 0;
   virtual void show_commands() = 0;

@@ -54,6 +54,9 @@ void add_view_actions(Actions& all) {
   new_group(
       add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));
   add(all, "View", "keep_view", "Keep this view with the draft", "", [](Desk& e) { e.keep_view(); });
+  Action& floats = add(all, "View", "show_floats", "Long floats in the drawdown", "F5",
+                       [](Desk& e) { e.work().show_floats = !e.work().show_floats; });
+  floats.checked = [](const Desk& e) { return e.work().show_floats; };
   Action& inspector = add(all, "View", "inspector", "Inspector", "F4",
                           [](Desk& e) { e.settings().inspector = !e.settings().inspector; });
   inspector.item.group = true;

@@ -20,6 +20,7 @@
 #include "session/journal.h"
 #include "session/own_output.h"
 #include "session/recovery.h"
+#include "session/report.h"
 #include "session/strokes.h"
 #include "session/user_files.h"
 #include "views/analysis/analysis_panel.h"
@@ -58,6 +59,7 @@ class Editor : public Desk {
   void ask_size() override;
   void ask_notes() override;
   void ask_thread() override;
+  void ask_weave() override;
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void show_commands() override;
@@ -79,7 +81,10 @@ class Editor : public Desk {
   /// Share of the room that the draft's pane takes.
   float split_of(float room, float height);
   void draw_splitter(PanelContext& c, const WindowLayout& layout);
-  void draw_question(PanelContext& c);
+  void draw_question(PanelContext& c, Intents& wanted);
+  void draw_inspector(PanelContext& c, const WindowLayout& layout, Intents& wanted);
+  /// What the panels are to know of the draft; started anew only while somebody looks.
+  const Report* report();
   void take_input();
   void take_waiting_input();
   void take_key(const std::string& key);
@@ -146,6 +151,8 @@ class Editor : public Desk {
   std::string message_, title_;
   bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true;
   Strokes strokes_;
+  Reporter reporter_;
+  uint64_t weaves_asked_ = 0;
   int frames_due_ = 5;
   Tip tip_;
   double moved_at_s_ = 0, tip_at_s_ = -1, said_at_s_ = 0;

@@ -50,6 +50,32 @@ void Editor::new_draft_of(int weave) {
   });
 }
 
+void Editor::ask_weave() {
+  constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;  // apart from those of the mouse
+  const Draft& d = document_.now().draft;
+  const Selection& s = work_.select.selected;
+  const bool ends = !s.empty() && (s.grid == BitGrid::kThreading || s.grid == BitGrid::kDrawdown);
+  const bool picks =
+      !s.empty() && (s.grid == BitGrid::kTreadling || s.grid == BitGrid::kLiftplan || s.grid == BitGrid::kDrawdown);
+  WeaveOverPrompt p;
+  p.whole = !ends && !picks;
+  p.use.ends = ends ? s.a1 - s.a0 : d.ends();
+  p.use.first_end = ends ? s.a0 : 0;
+  p.use.picks = picks ? s.b1 - s.b0 : d.picks();
+  p.use.first_pick = picks ? s.b0 : 0;
+  std::string weave = "twill";
+  // Made by a weave before: its numbers are there to be changed.
+  for (const WeaveUse& before : document_.now().weaves)
+    if (before.first_end == p.use.first_end && before.ends == p.use.ends && before.first_pick == p.use.first_pick &&
+        before.picks == p.use.picks)
+      weave = before.weave, p.use.values = before.values;
+  for (size_t i = 0; i < weave_kinds().size(); ++i)
+    if (weave_kinds()[i].id == weave) p.kind = static_cast<int>(i);
+  p.base = document_.snapshot();
+  p.stroke = kWeaveStrokes | ++weaves_asked_;
+  ask(std::move(p), [](int) {});
+}
+
 void Editor::export_textures() {
   ExportPrompt prompt;
   for (const TargetName& t : kTargets) prompt.targets.push_back(t.name);

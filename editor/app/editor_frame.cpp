@@ -8,6 +8,7 @@
 #include "app/editor.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/analysis/report_panel.h"
 #include "views/draft/draft_header.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/draft_panel.h"
@@ -80,14 +81,14 @@ double Editor::sleep_s() {
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
-  if (file_dialog_.waiting() || exporter_.busy()) sooner(kDialogPollS);
+  if (file_dialog_.waiting() || exporter_.busy() || reporter_.busy()) sooner(kDialogPollS);
   if (journal_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
 }
 
 void Editor::frame() {
   const double now = Window::seconds();
-  const bool cloth_changed = preview_.poll() | take_export_news();
+  const bool cloth_changed = preview_.poll() | take_export_news() | reporter_.poll();
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;
@@ -156,7 +157,8 @@ void Editor::take_key(const std::string& key) {
 void Editor::draw_window() {
   map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
-  PanelContext c{{style_, map_, tip_, work_.focus}, document_.now(), document_.cells(), document_.revision(), work_};
+  PanelContext c{
+      {style_, map_, tip_, work_.focus}, document_.now(), document_.cells(), document_.revision(), work_, report()};
   // Edits replace the design that the panels look at: the snapshot keeps it until they are through.
   const auto design = document_.snapshot();
   push_font(style_.font.text);
@@ -168,12 +170,14 @@ void Editor::draw_window() {
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
   draw_keys_window(c, items, keys_open_);
-  draw_question(c);
+  draw_question(c, wanted);
   ImGui::PopFont();
   carry_out(wanted);
   if (work_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
   if (!work_.select.notice.empty()) say(std::exchange(work_.select.notice, {}));
   window_.use_crosshair(work_.select.crosshair);
+  // ImGui lays a new tip out in one frame and shows it in the next; the map wants it to stand still.
+  if (tip_.drawn && !tip_.shown) frames_due_ = std::max(frames_due_, 3);
 }
 
 void Editor::carry_out(Intents& wanted) {
@@ -201,20 +205,40 @@ void Editor::draw_panels(PanelContext& c, Intents& wanted) {
   if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
   ImGui::End();
 
-  if (l.inspector.shown()) {
-    begin_fixed("Inspector", l.inspector, {style_.px(16), style_.px(8)}, kFixed & ~ImGuiWindowFlags_NoScrollbar);
-    wanted.add(draw_palette(c));
-    wanted.add(draw_threads(c));
-    wanted.add(draw_yarns(c, strip_));
-    wanted.add(draw_scene(c));
-    draw_analysis(c, analysis_);
-    ImGui::End();
-  }
+  if (l.inspector.shown()) draw_inspector(c, l, wanted);
 
   begin_fixed("Status", l.status, {style_.px(14), style_.px(6)}, kFixed);
   if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
     remarks_open_ = !remarks_open_;
   ImGui::End();
+}
+
+void Editor::draw_inspector(PanelContext& c, const WindowLayout& l, Intents& wanted) {
+  constexpr const char* kTabs[] = {"Threads", "Yarns", "Cloth", "Analysis"};
+  begin_fixed("Inspector", l.inspector, {style_.px(16), style_.px(10)}, kFixed);
+  if (work_.focus.starts_with("threads.")) settings_.inspector_tab = 0;
+  segmented(c, "inspector", kTabs, settings_.inspector_tab);
+  ImGui::Dummy({0, style_.px(2)});
+  ImGui::BeginChild(kTabs[settings_.inspector_tab], {0, 0});
+  if (settings_.inspector_tab == 0) {
+    wanted.add(draw_palette(c));
+    wanted.add(draw_threads(c));
+  } else if (settings_.inspector_tab == 1) {
+    wanted.add(draw_yarns(c, strip_));
+  } else if (settings_.inspector_tab == 2) {
+    wanted.add(draw_scene(c));
+  } else {
+    draw_report(c, c.report);
+    draw_analysis(c, analysis_);
+  }
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+const Report* Editor::report() {
+  const bool looked_at = work_.show_floats || (settings_.inspector && settings_.inspector_tab == 3);
+  if (!looked_at) return reporter_.last();
+  return reporter_.on(document_.snapshot(), document_.cells(), document_.revision(), work_.float_limit);
 }
 
 float Editor::split_of(float room, float height) {
@@ -247,8 +271,9 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
   ImGui::End();
 }
 
-void Editor::draw_question(PanelContext& c) {
-  const DialogAnswer answer = draw_dialog(c, dialog_);
+void Editor::draw_question(PanelContext& c, Intents& wanted) {
+  DialogAnswer answer = draw_dialog(c, dialog_);
+  wanted.add(std::move(answer.edit));
   if (answer.answer == Answer::kNone) return;
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);

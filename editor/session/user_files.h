@@ -13,6 +13,7 @@ struct Settings {
   int drawdown_style = 0;
   bool per_inch = false;            // ends and picks are counted in an inch
   bool inspector = true;            // is shown
+  int inspector_tab = 0;            // of this run; not kept
   float split = 0;                  // share of the window that the draft takes; 0: what it fills
   int width = 1440, height = 900;   // of the window
   std::vector<std::string> recent;  // newest first

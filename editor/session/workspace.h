@@ -39,6 +39,8 @@ struct Workspace {
   Face face = Face::kFront;
   BarPaint bar_paint = BarPaint::kColor;
   int color = 0, yarn = 0;    // what the colour bars are painted with
+  int float_limit = 5;        // threads that a float may cross
+  bool show_floats = false;   // those beyond it are tinted in the drawdown
   float lobe_light_deg = 35;  // of the light in the plot of the lobes, from the normal
   bool show_rungs = false;    // false colours: which method shades which pixel
   Compare compare = Compare::kOff;

@@ -280,7 +280,7 @@ void tooltip(const Context& c, const char* tip) {
   const ImVec2 at = ImGui::GetItemRectMin();
   const bool shown = c.tip.shown && c.tip.x == at.x && c.tip.y == at.y;
   if (!shown && c.tip.rest_s < kRest) return;
-  c.tip = {c.tip.rest_s, true, true, at.x, at.y};
+  c.tip = {c.tip.rest_s, shown, true, at.x, at.y};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
   push_font(c.style.font.small);
   ImGui::BeginTooltip();

@@ -162,6 +162,8 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.color[3] == 1; }));
   undone("warp colours");
 
+  display_.click(w.middle_of("inspector:Yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.turns_per_m"); }));
   display_.click(w.middle_of("yarn.turns_per_m"));
   EXPECT_TRUE(
       comes_true([&] { return design_of(w.live()).yarns[0].turns_per_m != design_of(original).yarns[0].turns_per_m; }));
@@ -252,12 +254,12 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string original = w.live();
+  display_.click(w.middle_of("inspector:Yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.has("section.lobes"); }));
   // Shut what stands above, so that plot and sliders are both in sight.
-  for (const char* above : {"section.palette", "section.threads", "section.yarns"}) {
-    const double before = w.place_of("section.lobes").first.y;
-    display_.click(w.middle_of(above));
-    ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < before; }));
-  }
+  const double high = w.place_of("section.lobes").first.y;
+  display_.click(w.middle_of("section.yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < high; }));
   const auto seen = [&](const char* control) {
     const auto [place, size] = w.place_of(control);
     return display_.picture(place, size);
@@ -435,6 +437,32 @@ TEST_F(WindowTest, ATipComesToAPointerThatRests) {
   EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "nothing was said of the button";
   display_.move(w.cell("drawdown", 8, 8));
   EXPECT_TRUE(comes_true([&] { return !w.has("tip"); }));
+  quit(w);
+}
+
+TEST_F(WindowTest, ShowsLongFloatsAndWeavesOverTheDraft) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  display_.click(w.middle_of("inspector:Analysis"));
+  ASSERT_TRUE(comes_true([&] { return w.has("floats.count"); })) << "no floats were counted";
+  EXPECT_FALSE(w.has("float:1")) << "a 2/2 twill has none";
+  display_.key("w");
+  ASSERT_TRUE(comes_true([&] { return w.has("over:satin"); }));
+  display_.click(w.middle_of("over:satin"));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.shafts == 8; })) << "the draft did not follow";
+  display_.click(w.middle_of("dialog:Keep"));
+  ASSERT_TRUE(comes_true([&] { return w.has("float:1"); })) << "the floats of a satin were not found";
+  display_.click(w.middle_of("float:1"));
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the weave was more than one step";
+
+  display_.key("Escape w");
+  ASSERT_TRUE(comes_true([&] { return w.has("over:satin"); }));
+  display_.click(w.middle_of("over:satin"));
+  EXPECT_TRUE(comes_true([&] { return w.live() != original; }));
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "Cancel left something behind";
   quit(w);
 }
 

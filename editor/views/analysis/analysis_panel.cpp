@@ -15,14 +15,11 @@ using namespace analysis;
 
 void find(const PanelContext& c, AnalysisState& s) {
   s.revision = c.revision;
-  s.longest = longest_floats(c.cells);
-  s.floats = long_floats(c.cells, s.limit, 1000);
   s.layers = layers(c.cells);
   s.loom = loom_use(c.design.draft);
   s.fewest = fewest_for(c.cells);
   s.interlacings = interlacing(c.cells);
   s.yarn = yarn_report(c.design, {});
-  s.shown = std::min(s.shown, static_cast<int>(s.floats.listed.size()) - 1);
 }
 
 void fact(const PanelContext& c, const char* label, const std::string& value, const char* tip = "") {
@@ -30,45 +27,6 @@ void fact(const PanelContext& c, const char* label, const std::string& value, co
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
-}
-
-std::string words(const Float& f) {
-  const bool warp = f.system == System::kWarp;
-  return std::string(warp ? "end " : "pick ") + std::to_string(f.thread + 1) + ", " + std::to_string(f.length) +
-         (f.face == Face::kFront ? " threads, front" : " threads, back");
-}
-
-/// The draft is scrolled so that the beginning of the float stands near the corner.
-void jump(PanelContext& c, const Float& f) {
-  constexpr float kBefore = 6;  // threads
-  const bool warp = f.system == System::kWarp;
-  c.work.scroll_end = std::max(0.0f, static_cast<float>(warp ? f.thread : f.first) - kBefore);
-  c.work.scroll_pick = std::max(0.0f, static_cast<float>(warp ? f.first : f.thread) - kBefore);
-}
-
-void draw_floats(PanelContext& c, AnalysisState& s) {
-  fact(c, "Longest float",
-       "warp " + std::to_string(s.longest.warp_front) + ", weft " + std::to_string(s.longest.weft_front) + "; back " +
-           std::to_string(s.longest.warp_back) + ", " + std::to_string(s.longest.weft_back),
-       "In threads crossed, on the front and on the back");
-  float limit = static_cast<float>(s.limit);
-  if (slider(c, {"analysis.limit", "Floats over", 1, 24, "%.0f", "Longer floats are listed", false, 1, 999}, limit)) {
-    s.limit = std::max(1, static_cast<int>(limit + 0.5f));
-    s.revision = 0;
-  }
-  const int count = static_cast<int>(s.floats.listed.size());
-  if (count == 0) return fact(c, "", "none");
-  row_label(c, "", "");
-  if (text_button(c, "analysis.next", "Next", "Scrolls the draft to the next of the long floats")) {
-    s.shown = (s.shown + 1) % count;
-    jump(c, s.floats.listed[static_cast<size_t>(s.shown)]);
-  }
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  const std::string all = std::to_string(s.floats.count);
-  muted_text(c, s.shown < 0 ? all + " of them"
-                            : std::to_string(s.shown + 1) + " of " + all + ": " +
-                                  words(s.floats.listed[static_cast<size_t>(s.shown)]));
 }
 
 void draw_layers(const PanelContext& c, const AnalysisState& s) {
@@ -89,10 +47,6 @@ void draw_layers(const PanelContext& c, const AnalysisState& s) {
 }
 
 void draw_loom(const PanelContext& c, const AnalysisState& s) {
-  std::string heddles;
-  for (size_t i = 0; i < s.loom.heddles.size(); ++i)
-    heddles.append(i > 0 ? ", " : "").append(std::to_string(s.loom.heddles[i]));
-  fact(c, "Heddles", heddles, "On each shaft, from shaft 1");
   fact(c, "Fewest", std::to_string(s.fewest.shafts) + " shafts, " + std::to_string(s.fewest.treadles) + " treadles",
        "That this drawdown can be woven with, one treadle a pick");
   if (s.loom.unthreaded_ends > 0) fact(c, "On no shaft", std::to_string(s.loom.unthreaded_ends) + " ends");
@@ -113,15 +67,13 @@ void draw_yarn_use(const PanelContext& c, const AnalysisState& s) {
 }  // namespace
 
 void draw_analysis(PanelContext& c, AnalysisState& s) {
-  if (!section(c, "section.analysis", "Weave and loom", false)) return;
+  if (!section(c, "section.analysis", "Loom and yarn")) return;
   const Draft& d = c.design.draft;
   if (s.revision != c.revision) {
     const bool live = int64_t{d.ends()} * d.picks() <= kLiveCrossings;
-    if (live || text_button(c, "analysis.find", "Analyse", "Floats, layers, heddles and yarn of this large draft"))
-      find(c, s);
+    if (live || text_button(c, "analysis.find", "Analyse", "Layers, loom and yarn of this large draft")) find(c, s);
   }
   if (s.revision == 0) return;
-  draw_floats(c, s);
   draw_layers(c, s);
   draw_loom(c, s);
   draw_yarn_use(c, s);

@@ -1,7 +1,6 @@
 #pragma once
-// What the draft is as a weave and on a loom: floats over a limit with a jump to each, layers, heddles, balance, yarn.
+// What the draft is as a weave and on a loom: layers, fewest shafts and treadles, sett, yarn.
 
-#include "analysis/floats.h"
 #include "analysis/layers.h"
 #include "analysis/threads.h"
 #include "draft/factor.h"
@@ -12,10 +11,6 @@ namespace weftlight::views {
 /// Derived from one revision of the design; found anew when that changes and the section is open.
 struct AnalysisState {
   uint64_t revision = 0;  // 0: nothing was found yet
-  int limit = 7;          // floats of more threads are listed
-  int shown = -1;         // which of them was jumped to last
-  analysis::LongestFloats longest;
-  analysis::LongFloats floats;
   std::vector<analysis::Layer> layers;
   analysis::LoomUse loom;
   LoomSize fewest;

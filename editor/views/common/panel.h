@@ -7,6 +7,7 @@
 #include "draft/design.h"
 #include "draft/drawdown.h"
 #include "session/edit.h"
+#include "session/report.h"
 #include "session/workspace.h"
 #include "ui/context.h"
 #include "views/common/names.h"
@@ -18,6 +19,7 @@ struct PanelContext : Context {
   const BitMatrix& cells;  // drawdown of the design, front face
   uint64_t revision;       // grows whenever the design changes
   Workspace& work;
+  const Report* report = nullptr;  // the last one made, of this design or one before; null: none
 };
 
 /// A colour of the design as ImGui packs it.

@@ -43,7 +43,7 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
 
 DialogAnswer answered(int button, int leave_button) {
   if (button < 0) return {};
-  return {button == leave_button ? Answer::kLeft : Answer::kDone, button};
+  return {button == leave_button ? Answer::kLeft : Answer::kDone, button, {}};
 }
 
 void heading(PanelContext& c, const std::string& text) {

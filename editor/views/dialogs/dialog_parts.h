@@ -17,6 +17,9 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
 /// What draw_buttons gave as an answer.
 DialogAnswer answered(int button, int leave_button = 1);
 
+DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
+/// The draft as it was before.
+MaybeEdit given_back(const WeaveOverPrompt& p);
 DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 
 }  // namespace weftlight::views

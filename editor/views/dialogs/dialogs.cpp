@@ -74,6 +74,8 @@ DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
   return answered(draw_buttons(c, {"Go", "Cancel"}, true));
 }
 
+DialogAnswer draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
+
 DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
 DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
@@ -132,8 +134,11 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   constexpr const char* kName = "###dialog";
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImGuiViewport* view = ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y * 0.4f},
-                          ImGuiCond_Always, {0.5f, 0.5f});
+  // One that the draft follows stands beside it.
+  const bool live = std::holds_alternative<WeaveOverPrompt>(dialog);
+  ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
+                           view->WorkPos.y + view->WorkSize.y * 0.4f},
+                          ImGuiCond_Always, {live ? 1.0f : 0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({1, 1}, {std::max(1.0f, view->WorkSize.x), std::max(1.0f, view->WorkSize.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
   // A dialog lies higher than the panels: its fields stand out from its own ground.
@@ -146,7 +151,9 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   if (ImGui::BeginPopupModal(
           kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
     answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
-    if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1};
+    if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1, {}};
+    if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog); over != nullptr && answer.answer == Answer::kLeft)
+      answer.edit = given_back(*over);
     if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }

@@ -2,10 +2,12 @@
 // Questions in the middle of the window. One is open at a time; the answer comes back once.
 
 #include <array>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "draft/generators/table.h"
 #include "session/weaves.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -45,6 +47,15 @@ struct ThreadPrompt {
   System system = System::kWarp;
   int number = 1, ends = 1, picks = 1;
 };
+/// A weave over the draft or some of its threads; the draft follows while the dialog is open.
+struct WeaveOverPrompt {
+  int kind = 0;  // of weave_kinds()
+  bool whole = true;
+  WeaveUse use;
+  std::shared_ptr<const Design> base;  // as the dialog found it
+  uint64_t stroke = 0;
+  std::string why{};  // what could not be taken as it was asked
+};
 struct NotesPrompt {
   std::string title, author, notes;  // notes: one a line
 };
@@ -57,13 +68,14 @@ struct RecoveryPrompt {
   int chosen = 0;
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, ThreadPrompt, NotesPrompt, WeavePrompt,
-                            ExportPrompt, RecoveryPrompt>;
+                            WeaveOverPrompt, ExportPrompt, RecoveryPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };
 struct DialogAnswer {
   Answer answer = Answer::kNone;
   int button = -1;
+  MaybeEdit edit{};  // what a live dialog makes of the draft, also while it stands open
 };
 /// Draws the open dialog, whose fields hold what was typed.
 DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);

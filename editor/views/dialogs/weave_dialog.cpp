@@ -29,7 +29,7 @@ void follow_repeat(WeavePrompt& p) {
 
 /// True when it was changed.
 bool draw_number(PanelContext& c, WeavePrompt& p, size_t i) {
-  const WeaveNumber& n = weave_of(p).numbers[i];
+  const session::WeaveNumber& n = weave_of(p).numbers[i];
   const std::string id = std::string("weave.").append(n.label);
   const int before = p.numbers[i];
   if (n.choices == nullptr) {

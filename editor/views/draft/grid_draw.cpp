@@ -231,6 +231,22 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
   dl->PopClipRect();
 }
 
+void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+  if (!c.work.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
+  const BitMatrix& marks = c.work.face == Face::kFront ? c.report->front : c.report->back;
+  constexpr float kLeastPitch = 1;  // pixels a cell; from further away they would cover everything
+  if (p.x.pitch < kLeastPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
+  const ImU32 tint = with_alpha(c.style.color.error, 0.55f);
+  for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
+    for (int pick = p.y.first_visible(); pick < p.y.end_visible();) {
+      int stop = pick;
+      while (stop < p.y.end_visible() && marks.get(stop, end)) ++stop;
+      if (stop > pick) dl->AddRectFilled({p.x.low(end), p.y.low(pick)}, {p.x.high(end), p.y.high(stop - 1)}, tint);
+      pick = stop + 1;
+    }
+  }
+}
+
 bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
 
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {

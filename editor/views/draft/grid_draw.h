@@ -13,6 +13,8 @@ void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
 void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& pane, System system);
 /// The drawdown, cell by cell, while cells are large enough (draws_cells).
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
+/// What floats further than is allowed, tinted.
+void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
 bool draws_cells(const PanelContext& c, const GridPane& pane);
 
 /// Numbers and ticks along a grid; `pane.x` for a ruler above, `pane.y` for one at its right.

@@ -32,6 +32,7 @@ class BareDesk : public Desk {
   void new_draft() override {}
   void new_draft_of(int) override {}
   void ask_thread() override {}
+  void ask_weave() override {}
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void open() override {}

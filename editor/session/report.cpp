@@ -1,0 +1,51 @@
+#include "session/report.h"
+
+#include <chrono>
+#include <utility>
+
+namespace weftlight::session {
+namespace {
+
+constexpr int kListedFloats = 500;
+
+}  // namespace
+
+Report report_on(const Design& design, const BitMatrix& cells, int limit) {
+  Report r;
+  r.limit = limit;
+  r.longest = analysis::longest_floats(cells);
+  r.floats = analysis::long_floats(cells, limit, kListedFloats);
+  r.front = analysis::crossings_in_floats(cells, limit, Face::kFront);
+  r.back = analysis::crossings_in_floats(cells, limit, Face::kBack);
+  r.repeat = design_repeat(design, cells);
+  r.loom = analysis::loom_use(design.draft);
+  r.layers = 0;
+  for (const analysis::Layer& layer : analysis::layers(cells)) {
+    if (!layer.loose()) ++r.layers;
+    else
+      (layer.picks.empty() ? r.loose_ends : r.loose_picks)
+          .push_back(layer.picks.empty() ? layer.ends[0] : layer.picks[0]);
+  }
+  return r;
+}
+
+const Report* Reporter::on(const std::shared_ptr<const Design>& design, const BitMatrix& cells, uint64_t revision,
+                           int limit) {
+  poll();
+  const bool fits = report_ && report_->revision == revision && report_->limit == limit;
+  if (!fits && !busy())
+    work_ = std::async(std::launch::async, [design, cells, revision, limit] {
+      auto made = std::make_unique<Report>(report_on(*design, cells, limit));
+      made->revision = revision;
+      return made;
+    });
+  return report_.get();
+}
+
+bool Reporter::poll() {
+  if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+  report_ = work_.get();
+  return true;
+}
+
+}  // namespace weftlight::session

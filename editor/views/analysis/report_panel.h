@@ -1,0 +1,17 @@
+#pragma once
+// What the weave is like: how far its threads float, where it repeats, how many heddles it takes. A click on a float
+// shows it in the draft.
+
+#include "session/report.h"
+#include "views/common/names.h"
+#include "views/common/panel.h"
+
+namespace weftlight::views {
+
+/// `report`: null until the first is done.
+void draw_report(PanelContext& c, const Report* report);
+
+/// "End 12 over picks 3-9: 7, on the front".
+std::string float_text(const analysis::Float& f, int threads);
+
+}  // namespace weftlight::views

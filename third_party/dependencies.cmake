@@ -59,12 +59,12 @@ weftlight_package(CLI11 libcli11-dev CONFIG)
 weftlight_package(nlohmann_json nlohmann-json3-dev CONFIG)
 weftlight_package(meshoptimizer libmeshoptimizer-dev CONFIG)
 
-# The window hands keys to Dear ImGui as 1.86 takes them, which 1.91.5 took away.
+# editor/ui/imgui_compat holds what differs between these versions.
 weftlight_pkg(IMGUI imgui libimgui-dev imgui imgui::imgui CONFIG)
-if(IMGUI_VERSION VERSION_LESS 1.86 OR NOT IMGUI_VERSION VERSION_LESS 1.91.5)
-  message(FATAL_ERROR "Weftlight takes Dear ImGui from 1.86 to 1.91.4; this is ${IMGUI_VERSION}.")
+if(IMGUI_VERSION VERSION_LESS 1.86)
+  message(FATAL_ERROR "Weftlight takes Dear ImGui from 1.86 on; this is ${IMGUI_VERSION}.")
 endif()
-message(STATUS "Dear ImGui ${IMGUI_VERSION} (1.86 to 1.91.4 will do)")
+message(STATUS "Dear ImGui ${IMGUI_VERSION} (1.86 to 1.92 will do)")
 
 # Debian's Dear ImGui holds its FreeType builder but does not name the library.
 weftlight_pkg(FREETYPE freetype2 libfreetype-dev Freetype Freetype::Freetype)

@@ -95,7 +95,7 @@ Mesh finish(Drape drape, const std::string& name, float steps_scale) {
   drape.fall.seconds *= static_cast<double>(steps_scale);
   fall(cloth, drape.body, drape.fall);
   for (size_t i = 0; i < cloth.position.size(); ++i) {
-    drape.pattern.position_mm[i] = to_float(cloth.position[i]) - Vec3{0, drape.lower_mm, 0};
+    drape.pattern.position_mm[i] = Vec3(cloth.position[i]) - Vec3{0, drape.lower_mm, 0};
   }
   return to_mesh(drape.pattern, name);
 }

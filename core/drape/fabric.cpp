@@ -111,7 +111,7 @@ void find_near(Cloth& cloth, double near_mm) {
 
 Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm) {
   Cloth cloth;
-  for (const Vec3& p : pattern.position_mm) cloth.position.push_back(to_double(p));
+  for (const Vec3& p : pattern.position_mm) cloth.position.push_back(Vec3d(p));
   cloth.velocity.assign(cloth.position.size(), Vec3d{});
   cloth.inverse_mass = inverse_masses(pattern, fabric);
   for (const auto& [particles, sides] : collect_sides(pattern)) {

@@ -11,7 +11,7 @@ namespace {
 
 /// A number for each distinct place; both sides of a seam get the same.
 std::vector<uint32_t> weld_by_place(const std::vector<Vec3>& places) {
-  std::map<Vec3, uint32_t> numbers;
+  std::map<Vec3, uint32_t, PlaceOrder> numbers;
   std::vector<uint32_t> weld(places.size());
   for (size_t i = 0; i < places.size(); ++i) {
     weld[i] = numbers.emplace(places[i], static_cast<uint32_t>(i)).first->second;

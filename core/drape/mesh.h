@@ -2,8 +2,9 @@
 // A draped cloth: triangles in millimetres with physical texture coordinates, millimetres along weft (u)
 // and warp (v). +y is up, front is +z. Right-handed; counter-clockwise faces the front of the cloth.
 
-#include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,15 @@
 
 namespace weftlight::drape {
 
-using Vec3 = std::array<float, 3>;
-using Vec2 = std::array<float, 2>;
+using Vec3 = glm::vec3;
+using Vec2 = glm::vec2;
+
+/// For tables of places: by x, then y, then z.
+struct PlaceOrder {
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  }
+};
 
 struct Mesh {
   std::string name;

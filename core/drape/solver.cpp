@@ -54,11 +54,11 @@ void find_planes(const Cloth& cloth, const Distance& body, const Fall& how, std:
   for (uint32_t i = 0; i < cloth.position.size(); ++i) {
     if (cloth.inverse_mass[i] == 0) continue;
     const double reach = how.skin_mm + 4 + 1.5 * length(cloth.velocity[i]) * look_s;
-    const Vec3 p = to_float(cloth.position[i]);
+    const Vec3 p = Vec3(cloth.position[i]);
     if (static_cast<double>(body(p)) > 3 * reach) continue;
     const Surface surface = measure(body, p);
     if (static_cast<double>(surface.distance) > reach) continue;
-    const Vec3d normal = to_double(surface.normal);
+    const Vec3d normal = Vec3d(surface.normal);
     const double along = dot(normal, cloth.position[i]);
     planes.push_back({i, normal, along - static_cast<double>(surface.distance) + how.skin_mm});
   }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -436,9 +437,7 @@ void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::
   }
   const double determinant = m[0] * turn[0] + m[1] * turn[1] + m[2] * turn[2];
   if (determinant < 0) {
-    for (size_t i = base; i < out.mesh.normal.size(); ++i) {
-      for (float& c : out.mesh.normal[i]) c = -c;
-    }
+    for (size_t i = base; i < out.mesh.normal.size(); ++i) out.mesh.normal[i] = -out.mesh.normal[i];
   }
   add_triangles(out, corners(model, primitive, position.count), mode, static_cast<uint32_t>(base), determinant < 0);
 }
@@ -507,7 +506,7 @@ void scale_uv(Mesh& mesh) {
   if (!(texture > 1e-12) || !(surface > 0))
     refuse("its texture coordinates cover no area, so the threads have no direction; unwrap it and export again");
   const float scale = static_cast<float>(std::sqrt(surface / texture));
-  for (Vec2& uv : mesh.uv_mm) uv = {uv[0] * scale, uv[1] * scale};
+  for (Vec2& uv : mesh.uv_mm) uv *= scale;
 }
 
 void check_uv(const Mesh& mesh) {
@@ -529,12 +528,11 @@ void complete_frames(Gathered& gathered) {
   for (size_t i = 0; i < given.size(); ++i) {
     const Vec3& n = given[i];
     Vec3& t = mesh.tangent[i];
-    const float along = n[0] * t[0] + n[1] * t[1] + n[2] * t[2];
-    const Vec3 flat{t[0] - along * n[0], t[1] - along * n[1], t[2] - along * n[2]};
-    const float length = std::sqrt(flat[0] * flat[0] + flat[1] * flat[1] + flat[2] * flat[2]);
+    const Vec3 flat = t - glm::dot(n, t) * n;
+    const float length = glm::length(flat);
     if (n == Vec3{} || !(length > 1e-6f)) continue;
     mesh.normal[i] = n;
-    t = {flat[0] / length, flat[1] / length, flat[2] / length};
+    t = flat / length;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -50,37 +51,27 @@ int add_view(Document& doc, const void* data, size_t size, int target) {
   return static_cast<int>(doc.root["bufferViews"].size()) - 1;
 }
 
-template <size_t N>
-int add_vectors(Document& doc, const std::vector<std::array<float, N>>& values, bool bounds) {
+template <class Vector>
+int add_vectors(Document& doc, const std::vector<Vector>& values, bool bounds) {
+  constexpr int N = Vector::length();
   json accessor{{"bufferView", add_view(doc, values.data(), values.size() * sizeof values[0], kArrayBuffer)},
                 {"componentType", kFloat},
                 {"count", values.size()},
                 {"type", "VEC" + std::to_string(N)}};
   if (bounds) {
-    std::array<float, N> low, high;
-    low.fill(std::numeric_limits<float>::max());
-    high.fill(std::numeric_limits<float>::lowest());
-    for (const auto& v : values) {
-      for (size_t k = 0; k < N; ++k) low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
-    }
-    accessor["min"] = low;
-    accessor["max"] = high;
+    Vector low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+    for (const Vector& v : values) low = glm::min(low, v), high = glm::max(high, v);
+    for (int k = 0; k < N; ++k) accessor["min"].push_back(low[k]), accessor["max"].push_back(high[k]);
   }
   doc.root["accessors"].push_back(std::move(accessor));
   return static_cast<int>(doc.root["accessors"].size()) - 1;
 }
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Unit length, or `otherwise` where there is no direction: glTF allows no other lengths.
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
-  const float length = std::sqrt(dot(v, v));
+  const float length = glm::length(v);
   if (!(length > 1e-12f) || !std::isfinite(length)) return otherwise;
-  return {v[0] / length, v[1] / length, v[2] / length};
+  return v / length;
 }
 
 /// Triangles that name a vertex twice have no area and are left out.
@@ -97,15 +88,15 @@ std::vector<uint32_t> proper_triangles(const Mesh& mesh) {
 json add_attributes(Document& doc, const Mesh& mesh, bool tangents) {
   std::vector<Vec3> position(mesh.position_mm), normal(mesh.normal);
   std::vector<Vec2> uv(mesh.uv_mm);
-  for (Vec3& p : position) p = {p[0] * kMetresPerMm, p[1] * kMetresPerMm, p[2] * kMetresPerMm};
+  for (Vec3& p : position) p *= kMetresPerMm;
   for (Vec3& n : normal) n = unit_or(n, {0, 1, 0});
   for (Vec2& t : uv) t[0] = -t[0];
   json attributes{{"POSITION", add_vectors(doc, position, true)}, {"NORMAL", add_vectors(doc, normal, false)}};
   if (tangents) {
-    std::vector<std::array<float, 4>> tangent(mesh.tangent.size());
+    std::vector<glm::vec4> tangent(mesh.tangent.size());
     for (size_t i = 0; i < tangent.size(); ++i) {
       const Vec3& n = normal[i];
-      const Vec3 any = unit_or(cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
+      const Vec3 any = unit_or(glm::cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
       const Vec3 t = unit_or(mesh.tangent[i], any);
       tangent[i] = {-t[0], -t[1], -t[2], 1.0f};  // right in the image; normal x tangent is up in it
     }

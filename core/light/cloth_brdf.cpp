@@ -167,11 +167,6 @@ ClothBrdf cloth_brdf(const Cloth& cloth) {
                          colour(weft.colour));
 }
 
-ClothBrdf preset_cloth_brdf(std::string_view name, Linear warp, Linear weft) {
-  if (name == "satin") return make_cloth_brdf(0.1f, 0.9f, 0.3f, 0.3f, warp, weft);
-  return make_cloth_brdf(0.5f, 0.5f, 1.0f, 1.0f, warp, weft);
-}
-
 float shadowing(const ClothBrdf& brdf, const glm::vec3& w) {
   const glm::vec2 at = formulas::vrst03_g_coord(w);
   const float x = at.x * (kCosines - 1), y = at.y * (kAzimuths - 1);

@@ -2,8 +2,6 @@
 // The BRDF of a whole cloth from its weave (VRST 2003, section 3.3; shaders/vrst03.glsl): shares,
 // widths and colours from the cloth, its normalisations and the table of g by quadrature.
 
-#include <string_view>
-
 #include "cloth/cloth.h"
 #include "light/formulas.h"
 #include "light/names.h"
@@ -22,10 +20,6 @@ ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float si
 /// From the weave: shares by the cells of this face; the width of a system's Gaussian is the slope of a
 /// thread that climbs over the crossing threads within its mean float, so long floats shine as satin.
 ClothBrdf cloth_brdf(const Cloth& cloth);
-
-/// The two of VRST 2003, figure 7: "cotton" (even shares, wide) and "satin" (long weft floats, narrow);
-/// colours as given. Any other name gives cotton.
-ClothBrdf preset_cloth_brdf(std::string_view name, Linear warp, Linear weft);
 
 /// g(w) from the table; w.z >= 0.
 float shadowing(const ClothBrdf& brdf, const glm::vec3& w);

@@ -8,8 +8,6 @@
 namespace weftlight::reference {
 namespace {
 
-glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 RTCRay ray_of(glm::vec3 origin, glm::vec3 direction, float t_min) {
   RTCRay ray{};
   ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
@@ -77,10 +75,8 @@ bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Me
   hit.t = ray.ray.tfar;
   hit.triangle = ray.hit.primID;
   hit.position = origin + direction * hit.t;
-  hit.normal = glm::normalize(vec(mesh.normal[corner[0]]) * w + vec(mesh.normal[corner[1]]) * u +
-                              vec(mesh.normal[corner[2]]) * v);
-  const glm::vec3 along =
-      vec(mesh.tangent[corner[0]]) * w + vec(mesh.tangent[corner[1]]) * u + vec(mesh.tangent[corner[2]]) * v;
+  hit.normal = glm::normalize(mesh.normal[corner[0]] * w + mesh.normal[corner[1]] * u + mesh.normal[corner[2]] * v);
+  const glm::vec3 along = mesh.tangent[corner[0]] * w + mesh.tangent[corner[1]] * u + mesh.tangent[corner[2]] * v;
   hit.weft = glm::normalize(along - hit.normal * glm::dot(along, hit.normal));
   hit.warp = glm::cross(hit.normal, hit.weft);
   const Vec2 &a = mesh.uv_mm[corner[0]], &b = mesh.uv_mm[corner[1]], &c = mesh.uv_mm[corner[2]];

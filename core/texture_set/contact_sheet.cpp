@@ -15,23 +15,18 @@ constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f
 
 std::vector<float> ink(const std::array<float, 3>& c) { return {c.begin(), c.end()}; }
 
-using Three = std::array<float, 3>;
-float dot(const Three& a, const Three& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Three unit(const Three& v) {
-  const float length = std::sqrt(std::max(dot(v, v), 1e-12f));
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
+glm::vec3 unit(const glm::vec3& v) { return v / std::sqrt(std::max(glm::dot(v, v), 1e-12f)); }
 
 /// Diffuse, a wide highlight of the texel's anisotropic GGX, and a soft sky; for show, not for measure.
 Linear lit(const SurfaceTexel& t) {
-  static const Three light = unit({0.55f, -0.55f, 0.63f}), eye{0, 0, 1};
-  static const Three half = unit({light[0] + eye[0], light[1] + eye[1], light[2] + eye[2]});
+  static const glm::vec3 light = unit({0.55f, -0.55f, 0.63f}), eye{0, 0, 1};
+  static const glm::vec3 half = unit(light + eye);
   const GgxAlphas a = ggx_alphas(t);
   const float wide = std::max(a.wide, 0.05f), narrow = std::max(a.narrow, 0.05f);
-  const Three wx = unit({a.wide_axis[0], a.wide_axis[1],
-                         -(a.wide_axis[0] * t.normal[0] + a.wide_axis[1] * t.normal[1]) / std::max(t.normal[2], 0.2f)});
-  const Three wy{t.normal[1] * wx[2] - t.normal[2] * wx[1], t.normal[2] * wx[0] - t.normal[0] * wx[2],
-                 t.normal[0] * wx[1] - t.normal[1] * wx[0]};
+  const glm::vec3 wx =
+      unit({a.wide_axis[0], a.wide_axis[1],
+            -(a.wide_axis[0] * t.normal[0] + a.wide_axis[1] * t.normal[1]) / std::max(t.normal[2], 0.2f)});
+  const glm::vec3 wy = glm::cross(t.normal, wx);
   const float hx = dot(half, wx) / wide, hy = dot(half, wy) / narrow, hz = dot(half, t.normal);
   const float q = hx * hx + hy * hy + hz * hz;
   const float d = 1 / (3.14159265f * wide * narrow * q * q);
@@ -73,12 +68,12 @@ Image shrunk(const Image& image, const Colour& colour) {
     const int y0 = y * image.height / height, y1 = std::max((y + 1) * image.height / height, y0 + 1);
     for (int x = 0; x < width; ++x) {
       const int x0 = x * image.width / width, x1 = std::max((x + 1) * image.width / width, x0 + 1);
-      Three sum{};
+      glm::vec3 sum{};
       for (int j = y0; j < y1; ++j) {
         for (int i = x0; i < x1; ++i) {
-          const Three c = colour(image.texels.data() +
-                                 (static_cast<size_t>(j) * static_cast<size_t>(image.width) + static_cast<size_t>(i)) *
-                                     static_cast<size_t>(image.channels));
+          const glm::vec3 c = colour(image.texels.data() + (static_cast<size_t>(j) * static_cast<size_t>(image.width) +
+                                                            static_cast<size_t>(i)) *
+                                                               static_cast<size_t>(image.channels));
           for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
         }
       }
@@ -104,14 +99,14 @@ Image thumbnail(const Image& image) {
   const bool stretch = *least < 0 || *most > 1 || image.channels > 4;
   const float low = stretch ? *least : 0, scale = stretch ? 1 / std::max(*most - *least, 1e-6f) : 1;
   const int channels = image.channels;
-  return shrunk(image, [=](const float* t) -> Three {
+  return shrunk(image, [=](const float* t) -> glm::vec3 {
     const float r = (t[0] - low) * scale;
-    return channels < 3 ? Three{r, r, r} : Three{r, (t[1] - low) * scale, (t[2] - low) * scale};
+    return channels < 3 ? glm::vec3{r, r, r} : glm::vec3{r, (t[1] - low) * scale, (t[2] - low) * scale};
   });
 }
 
 Image thread_thumbnail(const Image& image) {
-  return shrunk(image, [](const float* t) -> Three {
+  return shrunk(image, [](const float* t) -> glm::vec3 {
     // Golden-ratio steps round the hues keep neighbours apart; warp is dark, weft is light.
     const float turn = std::fmod((t[0] + t[1] * 65536.0f) * 65535.0f * 0.618034f + 0.37f * t[2], 1.0f) * 6.2831853f;
     const float level = t[2] > 0.5f ? 0.72f : 0.45f;

@@ -13,22 +13,14 @@
 namespace weftlight::texture_set {
 namespace {
 
-using Three = std::array<float, 3>;
-
 // A gap has no colour of its own, but engines filter across its rim: a trace of what lies there is kept.
 constexpr float kGapWeight = 1e-4f;
 // Steepest slope of a normal about the mean that counts (76 degrees): one grazing texel is not a wide lobe.
 constexpr float kMostSlope = 4.0f;
 
-float dot(const Three& a, const Three& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Three unit(const Three& v, const Three& otherwise) {
-  const float length = std::sqrt(dot(v, v));
-  return length > 1e-9f ? Three{v[0] / length, v[1] / length, v[2] / length} : otherwise;
-}
-
-void add(Three& sum, const Three& v, float w) {
-  for (size_t k = 0; k < 3; ++k) sum[k] += v[k] * w;
+glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 1e-9f ? v / length : otherwise;
 }
 
 void add(Linear& sum, const Linear& v, float w) {
@@ -41,15 +33,15 @@ Linear scaled(const Linear& c, float s) { return {c.r * s, c.g * s, c.b * s}; }
 
 /// Directions of the surface over the texture's axes.
 struct Axes {
-  Three t, b;
+  glm::vec3 t, b;
 };
 
-Axes axes_over(const Three& n) {
-  const Three t = unit({1 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2]}, {0, 0, -1});
-  return {t, {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};
+Axes axes_over(const glm::vec3& n) {
+  const glm::vec3 t = unit({1 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2]}, {0, 0, -1});
+  return {t, glm::cross(n, t)};
 }
 
-Three lobe_covariance(const Three& normal, const Three& fibre, const Lobes& lobes) {
+glm::vec3 lobe_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
   const Axes axes = axes_over(normal);
   const float x = dot(fibre, axes.t), y = dot(fibre, axes.b);
   const float length2 = std::max(x * x + y * y, 1e-12f);
@@ -158,7 +150,7 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
   out.base = out.sheen = out.through = {};
   out.coverage = out.height_mm = out.occlusion = out.metal = out.sheen_roughness = 0;
   out.slope_cov = {};
-  Three normal{}, fibre{};
+  glm::vec3 normal{}, fibre{};
   float total = 0, most = -1;
   for (const SurfaceTexel& p : parts) total += p.coverage + kGapWeight;
   const float share = 1.0f / static_cast<float>(parts.size());
@@ -172,8 +164,8 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
     out.occlusion += p.occlusion * w;
     out.metal += p.metal * w;
     out.sheen_roughness += p.sheen_roughness * w;
-    add(normal, p.normal, w);
-    add(fibre, p.fibre, dot(p.fibre, parts.front().fibre) < 0 ? -w : w);  // a fibre has no sense, only a line
+    normal += p.normal * w;
+    fibre += p.fibre * (dot(p.fibre, parts.front().fibre) < 0 ? -w : w);  // a fibre has no sense, only a line
     if (w > most) most = w, out.thread = p.thread, out.system = p.system;
   }
   out.normal = unit(normal, {0, 0, 1});
@@ -184,7 +176,7 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
     const float up = std::max(dot(p.normal, out.normal), 1.0f / kMostSlope);
     const float x = std::clamp(dot(p.normal, axes.t) / up, -kMostSlope, kMostSlope);
     const float y = std::clamp(dot(p.normal, axes.b) / up, -kMostSlope, kMostSlope);
-    add(out.slope_cov, {p.slope_cov[0] + x * x, p.slope_cov[1] + x * y, p.slope_cov[2] + y * y}, w);
+    out.slope_cov += (p.slope_cov + glm::vec3(x * x, x * y, y * y)) * w;
   }
   return out;
 }
@@ -227,7 +219,7 @@ Surface half_of(const Surface& fine) {
 }
 
 GgxAlphas ggx_alphas(const SurfaceTexel& texel) {
-  const auto [xx, xy, yy] = texel.slope_cov;
+  const float xx = texel.slope_cov[0], xy = texel.slope_cov[1], yy = texel.slope_cov[2];
   const float middle = 0.5f * (xx + yy), half_gap = 0.5f * (xx - yy);
   const float root = std::sqrt(half_gap * half_gap + xy * xy);
   GgxAlphas out{alpha_of(middle + root), alpha_of(middle - root), {1, 0}};
@@ -243,7 +235,7 @@ std::array<float, 2> ggx_along_across(const SurfaceTexel& texel) {
   const Axes axes = axes_over(texel.normal);
   const float x = dot(texel.fibre, axes.t), y = dot(texel.fibre, axes.b);
   const float length2 = std::max(x * x + y * y, 1e-12f);
-  const auto [xx, xy, yy] = texel.slope_cov;
+  const float xx = texel.slope_cov[0], xy = texel.slope_cov[1], yy = texel.slope_cov[2];
   return {alpha_of((xx * x * x + 2 * xy * x * y + yy * y * y) / length2),
           alpha_of((xx * y * y - 2 * xy * x * y + yy * x * x) / length2)};
 }

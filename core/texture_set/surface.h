@@ -5,6 +5,7 @@
 // normal always belong together, at the finest level as in every mip below it.
 
 #include <array>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
@@ -23,11 +24,11 @@ struct SurfaceTexel {
   float occlusion = 1;
   float metal = 0;
   float sheen_roughness = 0.5f;
-  std::array<float, 3> normal{0, 0, 1};
-  std::array<float, 3> fibre{1, 0, 0};
-  std::array<float, 3> slope_cov{};  // xx, xy, yy of the micro-slopes about the normal
-  uint32_t thread = 0;               // that covers most
-  uint8_t system = 0;                // 0 warp, 1 weft
+  glm::vec3 normal{0, 0, 1};
+  glm::vec3 fibre{1, 0, 0};
+  glm::vec3 slope_cov{0};  // xx, xy, yy of the micro-slopes about the normal
+  uint32_t thread = 0;     // that covers most
+  uint8_t system = 0;      // 0 warp, 1 weft
 };
 
 struct Surface {

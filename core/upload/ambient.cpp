@@ -18,8 +18,6 @@ constexpr size_t kManyVertices = 100'000;
 constexpr int kGroundSize = 96;
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii
 
-glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 /// What stands before the sky: cloth and body. Without a ray tracer nothing does.
 class Around {
  public:
@@ -83,7 +81,7 @@ std::vector<SkySeen> sky_of(const Mesh& mesh, const Around& around, bool behind)
   std::vector<SkySeen> sky(vertices);
   for_each_job(static_cast<int>(vertices), [&](int i) {
     const size_t v = static_cast<size_t>(i);
-    const glm::vec3 p = vec(mesh.position_mm[v]), n = vec(mesh.normal[v]);
+    const glm::vec3 p = mesh.position_mm[v], n = mesh.normal[v];
     sky[v].front = around.seen(p, n, directions);
     sky[v].back = behind ? around.seen(p, -n, directions) : 1.0f;
   });
@@ -111,7 +109,7 @@ void fill_ground(PreparedMesh& out, const Around& around) {
 std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
   if (mesh.index.empty()) return {};
   std::vector<uint32_t> index(mesh.index.size());
-  const size_t count = meshopt_simplify(index.data(), mesh.index.data(), mesh.index.size(), mesh.position_mm[0].data(),
+  const size_t count = meshopt_simplify(index.data(), mesh.index.data(), mesh.index.size(), &mesh.position_mm[0].x,
                                         mesh.position_mm.size(), sizeof(Vec3), mesh.index.size() / 16, error);
   index.resize(count);
   return index;

@@ -12,15 +12,12 @@ constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, as a portra
 constexpr float kGirth = 0.86f;           // cloth seldom reaches the corners of its bounds
 constexpr float kMargin = 1.14f;          // air around it
 
-glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 /// Distance along the ray to the first triangle, or infinity (Moeller, Trumbore 1997).
 float cast(const Mesh& mesh, glm::vec3 from, glm::vec3 along) {
   float nearest = std::numeric_limits<float>::infinity();
   for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
-    const glm::vec3 a = vec(mesh.position_mm[mesh.index[i]]);
-    const glm::vec3 ab = vec(mesh.position_mm[mesh.index[i + 1]]) - a,
-                    ac = vec(mesh.position_mm[mesh.index[i + 2]]) - a;
+    const glm::vec3 a = mesh.position_mm[mesh.index[i]];
+    const glm::vec3 ab = mesh.position_mm[mesh.index[i + 1]] - a, ac = mesh.position_mm[mesh.index[i + 2]] - a;
     const glm::vec3 p = glm::cross(along, ac);
     const float det = glm::dot(ab, p);
     if (std::abs(det) < 1e-12f) continue;
@@ -39,8 +36,8 @@ float cast(const Mesh& mesh, glm::vec3 from, glm::vec3 along) {
 
 Bounds bounds_of(const Mesh& mesh) {
   if (mesh.position_mm.empty()) return {};
-  Bounds b{vec(mesh.position_mm[0]), vec(mesh.position_mm[0])};
-  for (const Vec3& p : mesh.position_mm) b.low = glm::min(b.low, vec(p)), b.high = glm::max(b.high, vec(p));
+  Bounds b{mesh.position_mm[0], mesh.position_mm[0]};
+  for (const Vec3& p : mesh.position_mm) b.low = glm::min(b.low, p), b.high = glm::max(b.high, p);
   return b;
 }
 

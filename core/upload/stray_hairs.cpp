@@ -33,8 +33,6 @@ constexpr float kHemRadius = 8;  // mean lengths: what is behind a hem is seldom
 constexpr float kPerPiece = 24;  // fibres in a triangle that is not divided further
 constexpr int kMostDivisions = 14;
 
-glm::vec3 vec(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 uint32_t stepped(uint32_t state) { return state * 747796405u + 2891336453u; }
 
 uint32_t scrambled(uint32_t state) {
@@ -233,7 +231,7 @@ class Sower {
 };
 
 Corner corner_of(const PreparedMesh& p, uint32_t v, std::array<double, 2> origin) {
-  Corner c{vec(p.mesh.position_mm[v]), vec(p.mesh.normal[v]), {}, {}};
+  Corner c{p.mesh.position_mm[v], p.mesh.normal[v], {}, {}};
   if (v < p.mesh.uv_mm.size()) {
     for (int a = 0; a < 2; ++a) {
       const size_t i = static_cast<size_t>(a);
@@ -279,7 +277,7 @@ HairGrowth hair_growth(const interop::ClothData& cloth, Face front) {
 
 std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
   // The two sides of a seam share their places, not their vertices.
-  std::map<Vec3, uint32_t> places;
+  std::map<Vec3, uint32_t, PlaceOrder> places;
   std::vector<uint32_t> place(mesh.position_mm.size());
   for (uint32_t v = 0; v < place.size(); ++v) place[v] = places.try_emplace(mesh.position_mm[v], v).first->second;
   struct Edge {
@@ -297,8 +295,8 @@ std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
   }
   std::vector<Hem> hems;
   for (const auto& [key, edge] : edges) {
-    const glm::vec3 a = vec(mesh.position_mm[edge.from]), along = vec(mesh.position_mm[edge.to]) - a;
-    const glm::vec3 in = vec(mesh.position_mm[edge.beyond]) - a;
+    const glm::vec3 a = mesh.position_mm[edge.from], along = mesh.position_mm[edge.to] - a;
+    const glm::vec3 in = mesh.position_mm[edge.beyond] - a;
     const float square = glm::dot(along, along);
     if (edge.count != 1 || !(square > 0)) continue;
     const glm::vec3 out = along * (glm::dot(in, along) / square) - in;

@@ -24,7 +24,6 @@ class GpuCloth {
   float mean_spacing_mm() const { return mean_spacing_mm_; }
   /// Whether each thread can be drawn as a body (thread_block.h).
   bool has_threads() const { return has_threads_; }
-  bool has_shadows() const { return layers_[static_cast<size_t>(PackedKind::kShadow)] > 0; }
   const interop::ClothData& data() const { return data_; }
   size_t bytes() const { return bytes_; }
 

@@ -14,8 +14,6 @@ class Target {
 
   /// Binds the multisampled target of `scale` times the picture's size. False with no memory for it.
   bool begin(int width, int height, float scale);
-  int drawn_width() const { return drawn_width_; }
-  int drawn_height() const { return drawn_height_; }
   /// Resolves into texture(), scaled to the picture's size.
   void end();
   GLuint texture() const { return picture_.texture.peek(); }

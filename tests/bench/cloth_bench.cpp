@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "cloth/maps.h"
-#include "cloth/moments.h"
 #include "draft/edits.h"
 
 namespace weftlight::cloth {
@@ -95,13 +94,6 @@ void BM_LayOut(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(lay_out(d, cells, Face::kFront, Period::kWholeDraft));
 }
 BENCHMARK(BM_LayOut)->Unit(benchmark::kMillisecond);
-
-void BM_Moments(benchmark::State& state) {
-  const Cloth cloth = laid_out(satin_design(8, 8));
-  const Maps maps = bake(cloth, {1024, 1024, 16, 0});
-  for (auto _ : state) benchmark::DoNotOptimize(moments(cloth, maps, 512, 512));
-}
-BENCHMARK(BM_Moments)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace weftlight::cloth

@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "../unit/light/seed_brdfs.h"
 #include "light/cloth_brdf.h"
 #include "light/cloth_response.h"
 #include "light/separable.h"

@@ -39,8 +39,8 @@ void require_drawable(const Mesh& mesh) {
   require(!mesh.index.empty() && mesh.index.size() % 3 == 0, "there are whole triangles");
   for (const uint32_t i : mesh.index) require(i < n, "a corner is a vertex");
   for (size_t i = 0; i < n; ++i) {
-    for (const float x : mesh.position_mm[i]) require(std::isfinite(x), "positions are numbers");
-    for (const float x : mesh.uv_mm[i]) require(std::isfinite(x), "texture coordinates are numbers");
+    for (int k = 0; k < 3; ++k) require(std::isfinite(mesh.position_mm[i][k]), "positions are numbers");
+    for (int k = 0; k < 2; ++k) require(std::isfinite(mesh.uv_mm[i][k]), "texture coordinates are numbers");
     require(is_unit(mesh.normal[i]), "normals are of unit length");
     require(is_unit(mesh.tangent[i]), "tangents are of unit length");
   }

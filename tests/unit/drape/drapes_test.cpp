@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "drape/bodies.h"
@@ -16,9 +17,6 @@ using namespace files;
 namespace {
 
 constexpr float kQuick = 0.01f;
-
-float dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-float distance(Vec3 a, Vec3 b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 Mesh shipped(const std::string& name) {
   const ReadMesh read = read_mesh(presets_dir() + "/meshes/" + name + ".glb");
@@ -57,8 +55,7 @@ TEST_P(EachDrape, FramesAreUnitAndAgreeWithTheTriangles) {
   for (size_t t = 0; t < mesh.index.size(); t += 3) {
     const Vec3 a = mesh.position_mm[mesh.index[t]], b = mesh.position_mm[mesh.index[t + 1]],
                c = mesh.position_mm[mesh.index[t + 2]];
-    const Vec3 e{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const Vec3 n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    const Vec3 e = b - a, f = c - a, n = glm::cross(e, f);
     turned += dot(n, mesh.normal[mesh.index[t]]) <= 0;
   }
   EXPECT_LE(turned, mesh.index.size() / 3 / 200);  // only in the sharpest creases
@@ -114,13 +111,17 @@ TEST(Drapes, PiecesHaveTheirRealSize) {
 
 /// Edges of the welded surface that only one triangle has, counted by the number of loops they form.
 int open_loops(const Mesh& mesh) {
-  std::map<std::pair<Vec3, Vec3>, int> edges;
+  const PlaceOrder before;
+  const auto edge_before = [&](const std::pair<Vec3, Vec3>& a, const std::pair<Vec3, Vec3>& b) {
+    return before(a.first, b.first) || (a.first == b.first && before(a.second, b.second));
+  };
+  std::map<std::pair<Vec3, Vec3>, int, decltype(edge_before)> edges(edge_before);
   for (size_t t = 0; t < mesh.index.size(); ++t) {
     Vec3 a = mesh.position_mm[mesh.index[t]], b = mesh.position_mm[mesh.index[t % 3 == 2 ? t - 2 : t + 1]];
-    if (b < a) std::swap(a, b);
+    if (before(b, a)) std::swap(a, b);
     ++edges[{a, b}];
   }
-  std::map<Vec3, std::vector<Vec3>> border;
+  std::map<Vec3, std::vector<Vec3>, PlaceOrder> border;
   for (const auto& [edge, count] : edges) {
     EXPECT_LE(count, 2);
     if (count == 1) {
@@ -156,7 +157,7 @@ TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
     for (size_t t = 0; t < body.index.size(); t += 3) {
       const Vec3 a = body.position_mm[body.index[t]], b = body.position_mm[body.index[t + 1]],
                  c = body.position_mm[body.index[t + 2]];
-      const Vec3 n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+      const Vec3 n = glm::cross(a, b);
       six_volumes += static_cast<double>(dot(n, c));
     }
     EXPECT_EQ(six_volumes > 0, name != "plane") << name;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "drape/mesh.h"
 
@@ -29,8 +30,6 @@ Mesh grid(int columns, int rows, float width, float depth, Surface surface) {
   compute_frames(mesh);
   return mesh;
 }
-
-float dot(Vec3 a, Vec3 b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 TEST(Frames, FlatSwatchFacesFrontWithTheWeftAlongX) {
   const Mesh mesh = grid(4, 3, 30, 20, [](float u, float v) { return Vec3{u, v, 0}; });

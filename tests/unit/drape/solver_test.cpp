@@ -90,7 +90,7 @@ TEST(Solver, AHeldRowCarriesTheSheet) {
   Cloth cloth = weave(pattern, {}, 10);
   for (size_t i = 100; i < 105; ++i) cloth.inverse_mass[i] = 0;
   fall(cloth, nothing_near, seconds(3));
-  for (size_t i = 100; i < 105; ++i) EXPECT_EQ(cloth.position[i], to_double(pattern.position_mm[i]));
+  for (size_t i = 100; i < 105; ++i) EXPECT_EQ(cloth.position[i], Vec3d(pattern.position_mm[i]));
   EXPECT_NEAR(cloth.position[2][1], 500 - 200, 6);  // hangs straight down, hardly stretched
 }
 

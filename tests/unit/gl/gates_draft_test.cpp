@@ -66,7 +66,7 @@ TEST_F(Gate, BackIsTheFrontOfTheComplement) {
   upload_maps(same_hand, Effort::kQuick);
   const double unturned = relative_rms(drawn(Face::kFront, Method::kYarn, 0.125f), yarn_back);
   figure("back of a Z twist, its hand not turned", unturned, 0);
-  EXPECT_GT(unturned, 0.05);
+  EXPECT_GT(unturned, 0.07);
 }
 
 TEST_F(Gate, FromBehindTheComplementIsSeenMirrored) {
@@ -90,8 +90,8 @@ TEST_F(Gate, FromBehindTheComplementIsSeenMirrored) {
     }
   }
   figure("seen from behind, not mirrored", relative_rms(front, behind), relative_rms(mirrored, behind));
-  EXPECT_LT(relative_rms(mirrored, behind), 0.25);  // eight samples a pixel, which are not mirrored
-  EXPECT_GT(relative_rms(front, behind), 0.1);
+  EXPECT_LT(relative_rms(mirrored, behind), 0.16);  // the places of the samples are not mirrored
+  EXPECT_GT(relative_rms(front, behind), 0.6);
 }
 
 /// A cloth of many threads of which a few are red.
@@ -172,7 +172,7 @@ TEST_F(Gate, TexturesHoldFarFromTheOriginWhereFloatUvDoesNot) {
                    fails = relative_rms(near, drawn(kFar + within, false));
       figure("picture at uv + 1e5 repeats, uv not wrapped, " + std::string(method_name(method)), fails, ours);
       EXPECT_LT(ours, 0.005);
-      EXPECT_GT(fails, 0.1);
+      EXPECT_GT(fails, 0.25);
     }
   }
 }

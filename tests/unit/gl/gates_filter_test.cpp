@@ -39,7 +39,7 @@ TEST_F(Gate, EnergyHoldsFromNearToFar) {
     unfiltered_off =
         std::max(unfiltered_off, std::abs(mean(unfiltered(fine, static_cast<double>(yarns), 8)) / mean(fine) - 1));
   }
-  EXPECT_GT(unfiltered_off, 0.3);
+  EXPECT_GT(unfiltered_off, 0.8);
   for (const Method method : {Method::kRepeat, Method::kCloth, Method::kAuto}) {
     const double far = mean(period(method, 32));
     double off = 0;
@@ -54,7 +54,9 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   struct Held {
     Method method;
     double holds, worst;
+    std::array<double, 3> by_view{};
   };
+  constexpr std::array kSlants{0.0f, 60.0f, 80.0f};
   // Goal: 0.02 for repeat and auto too.
   constexpr double kRepeatHolds = 0.2, kAutoHolds = 0.08;
   std::array<Held, 3> rungs{
@@ -63,7 +65,8 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   for (const auto& [repeat, up] : {std::pair{4, 2}, {8, 7}}) {
     design = twill(repeat, up, {0.85f, 0.8f, 0.7f}, {0.1f, 0.15f, 0.4f});
     lay(1);
-    for (const float degrees : {0.0f, 60.0f, 80.0f}) {
+    for (const size_t view : {0u, 1u, 2u}) {
+      const float degrees = kSlants[view];
       for (const glm::vec3 light : {towards(0.8f, 0.9f), towards(2.0f, 0.4f)}) {
         for (Held* rung : {&rungs[0], &rungs[1], &rungs[2], &averaged}) {
           const auto at = [&, weave = repeat](float yarns) {
@@ -72,7 +75,8 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
           };
           const double far = at(32);
           for (float yarns = 0.125f; yarns < 32; yarns *= 2)
-            rung->worst = std::max(rung->worst, std::abs(at(yarns) / far - 1));
+            rung->by_view[view] = std::max(rung->by_view[view], std::abs(at(yarns) / far - 1));
+          rung->worst = std::max(rung->worst, rung->by_view[view]);
         }
       }
     }
@@ -80,6 +84,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   for (const Held& rung : rungs) {
     figure("energy from 1/8 to 32 yarns a pixel, slanted views and lights, " + std::string(method_name(rung.method)),
            averaged.worst, rung.worst);
+    for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], rung.by_view[v]);
     EXPECT_LT(rung.worst, rung.holds) << method_name(rung.method);
   }
   EXPECT_GT(averaged.worst, 0.15);
@@ -92,8 +97,8 @@ TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
     const double fails = spread(unfiltered(fine, static_cast<double>(yarns), 48));
     const double ours = spread(luminances(patch(Method::kAuto, yarns, 48)));
     figure("contrast of moire at " + text(yarns) + " yarns a pixel", fails, ours);
-    EXPECT_LT(ours, 0.05) << yarns;
-    EXPECT_GT(fails, 0.4) << yarns;
+    EXPECT_LT(ours, 0.01) << yarns;
+    EXPECT_GT(fails, 0.8) << yarns;
   }
 }
 
@@ -119,8 +124,8 @@ TEST_F(Gate, PanDoesNotFlickerWhereUnfilteredShadingDoes) {
       return sum;
     };
     figure("flicker over a pan of one pixel of " + text(yarns) + " yarns", flicker(fails), flicker(ours));
-    EXPECT_LT(flicker(ours), yarns < 3 ? 0.15 : 0.05) << yarns;
-    EXPECT_GT(flicker(fails), 0.3) << yarns;
+    EXPECT_LT(flicker(ours), yarns < 3 ? 0.18 : 0.01) << yarns;
+    EXPECT_GT(flicker(fails), 0.8) << yarns;
   }
 }
 
@@ -137,8 +142,8 @@ TEST_F(Gate, GapsKeepTheirShareThroughMipsWhereAnAlphaTestDoesNot) {
     tested_off = std::max(tested_off, std::abs(tested / (static_cast<double>(image.texels.size()) / 4) - near));
   }
   figure("change of coverage through mips, alpha tested at one half", tested_off, off);
-  EXPECT_LT(off, 0.04);
-  EXPECT_GT(tested_off, 0.2);
+  EXPECT_LT(off, 0.03);
+  EXPECT_GT(tested_off, 0.25);
 }
 
 TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
@@ -161,9 +166,9 @@ TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
     figure("coverage at " + std::to_string(std::lround(degrees)) +
                " degrees less the ray-traced one, alpha of the straight view",
            straight - covered, ours - covered);
-    EXPECT_NEAR(ours, covered, 0.04) << degrees;
+    EXPECT_NEAR(ours, covered, 0.02) << degrees;
     if (degrees > 60) {
-      EXPECT_GT(covered - straight, 0.2) << degrees;
+      EXPECT_GT(covered - straight, 0.25) << degrees;
     }
   }
 }
@@ -241,8 +246,8 @@ TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
   };
   figure("step of luminance between rows of one picture, 1/32 to 32 yarns a pixel", largest_step(hard),
          largest_step(ours));
-  EXPECT_LT(largest_step(ours), 0.004);
-  EXPECT_GT(largest_step(hard), 5 * std::max(largest_step(ours), 1e-4));
+  EXPECT_LT(largest_step(ours), 0.002);
+  EXPECT_GT(largest_step(hard), 0.2);
   // It is the picture that it says it is: threads below, none above.
   EXPECT_GT(spread({ours.begin(), ours.begin() + 128}), 5 * spread({ours.end() - 64, ours.end()}));
 }

@@ -31,12 +31,12 @@ TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
     return most / (std::accumulate(at.begin(), at.end(), 0.0) / kSteps);
   };
   const double boolean = ripple(Method::kVrst03);
+  EXPECT_GT(boolean, 0.06);
   for (const Method method : {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth, Method::kAuto}) {
     const double ours = ripple(method);
     figure("ripple while the light turns, " + std::string(method_name(method)), boolean, ours);
     // Of yarn also the shadows that a finite number of samples meets one after another.
-    EXPECT_LT(ours, 0.03) << method_name(method);
-    EXPECT_GT(boolean, 2 * ours) << method_name(method);
+    EXPECT_LT(ours, method == Method::kYarn || method == Method::kAuto ? 0.02 : 0.006) << method_name(method);
   }
 }
 

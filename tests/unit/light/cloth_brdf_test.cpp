@@ -6,6 +6,7 @@
 
 #include "light/separable.h"
 #include "sampling.h"
+#include "seed_brdfs.h"
 
 namespace weftlight::light {
 namespace {

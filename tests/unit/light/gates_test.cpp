@@ -12,6 +12,7 @@
 #include "light/separable.h"
 #include "light/yarn_lobes.h"
 #include "sampling.h"
+#include "seed_brdfs.h"
 
 namespace weftlight::light {
 namespace {
@@ -85,7 +86,7 @@ TEST(LightGate, WhiteLobesReturnTheLightThatSingleScatteringLoses) {
     const double ours = slope_furnace(y, wo, 120).x;
     figure("single scattering alone, slopes of " + text(width), once, ours);
     EXPECT_NEAR(ours, 1, 0.01);
-    EXPECT_LT(once, width < 1 ? 0.96 : 0.85);
+    EXPECT_LT(once, width < 1 ? 0.88 : 0.66);
   }
 }
 
@@ -108,7 +109,7 @@ TEST(LightGate, RandomLobesNeitherLoseNorMakeLight) {
   }
   figure("furnace of random white lobes, largest error", worst_sum, worst);
   EXPECT_LT(worst, 0.01);
-  EXPECT_GT(worst_sum, 0.3);
+  EXPECT_GT(worst_sum, 0.6);
 }
 
 TEST(LightGate, LightAndViewChangePlacesOverRandomLobes) {
@@ -129,7 +130,7 @@ TEST(LightGate, LightAndViewChangePlacesOverRandomLobes) {
   }
   figure("reciprocity, body under the view's Fresnel term", by_view, ours);
   EXPECT_LT(ours, 1e-5);
-  EXPECT_GT(by_view, 0.05);
+  EXPECT_GT(by_view, 0.1);
 }
 
 TEST(LightGate, ColoursThatTurnWithTheViewStayReciprocal) {
@@ -149,7 +150,7 @@ TEST(LightGate, ColoursThatTurnWithTheViewStayReciprocal) {
   }
   figure("reciprocity of two colours, weighed by the view", by_view, ours);
   EXPECT_LT(ours, 1e-5);
-  EXPECT_GT(by_view, 0.1);
+  EXPECT_GT(by_view, 0.5);
 }
 
 TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
@@ -162,8 +163,8 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
         furnace([&](glm::vec3 wi) { return glm::vec3(static_cast<float>(ward_duer(wi, wo, 0.42f))); }, 400, 200).x);
   }
   figure("largest albedo from 80 to 89.9 degrees", most_ward, most_ours);
-  EXPECT_GT(most_ward, 3);
-  EXPECT_LT(most_ours, 1.02);
+  EXPECT_GT(most_ward, 40);
+  EXPECT_LT(most_ours, 1.01);
   // Both at the horizon itself: no number, where ours is one.
   const glm::vec3 flat = direction(0, 0.3f), edge = at_degrees(89.9f, 200);
   EXPECT_FALSE(std::isfinite(ward_duer(flat, edge, 0.3f)));
@@ -183,7 +184,7 @@ TEST(LightGate, RoughnessOfNothingIsNoBlackSpot) {
     if (!std::isfinite(von_mises(1, width))) break;
     narrowest = width;
   }
-  EXPECT_GT(narrowest, 0.05f);
+  EXPECT_GT(narrowest, 0.1f);
   EXPECT_FALSE(std::isfinite(von_mises(1, 0.01f)));
   EXPECT_FALSE(std::isfinite(cook_torrance(wi, wo, 0)));
   float last = 0;
@@ -202,9 +203,9 @@ TEST(LightGate, EndlessRoughnessIsNotBlack) {
     const double naive = furnace([&](glm::vec3 wi) { return glm::vec3(cook_torrance(wi, wo, width)); }, 300, 200).x;
     const double ours = slope_furnace(white(width, width), wo, 160).x;
     figure("albedo of white facets with slopes of " + text(width), naive, ours);
-    EXPECT_NEAR(ours, 1, 0.05) << width;
+    EXPECT_NEAR(ours, 1, 0.02) << width;
     if (width > 10) {
-      EXPECT_LT(naive, 0.2) << width;
+      EXPECT_LT(naive, 0.01) << width;
     }
   }
 }
@@ -303,10 +304,10 @@ TEST(LightGate, ExactFactorsBeatEverySeparableRank) {
       figure(std::string(name) + ", rank " + std::to_string(k + 1) + " in half and difference vectors", half[k], ours);
     figure(std::string(name) + ", rank 1 in light and view", raw[0], ours);
     EXPECT_LT(ours, 0.01) << name;
-    EXPECT_GT(half[2], 0.03) << name;
+    EXPECT_GT(half[2], 0.045) << name;
     EXPECT_LT(half[2], half[1]);
     EXPECT_LT(half[1], half[0]);
-    EXPECT_GT(raw[0], 1.5 * half[0]) << name;
+    EXPECT_GT(raw[0], 3 * half[0]) << name;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "tables.glsl"
 #include "lobes.glsl"
 #include "rungs.glsl"
+#include "engine.glsl"
 
 uniform sampler2DArray color_map;
 uniform sampler2DArray relief_map;

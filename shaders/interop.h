@@ -95,6 +95,12 @@ struct ClothData {
   float back_sky;
   float even_yarns;  // yarns a pixel from which on the period's colour is even
   float spare;
+  // Of an exported set's material (core/light/engine_fit.h): rgb factors of base colour, specular; then the sheen's factor
+  // and roughness, and the variances of the normals along x and y that its roughness holds.
+  vec4 front_engine_base;
+  vec4 front_engine_sheen;
+  vec4 back_engine_base;
+  vec4 back_engine_sheen;
 };
 
 #ifdef __cplusplus
@@ -148,6 +154,6 @@ static_assert(offsetof(interop::SystemData, fibre_tan) == sizeof(interop::YarnDa
 static_assert(offsetof(interop::SystemData, color) == sizeof(interop::YarnData) + sizeof(glm::vec4));
 static_assert(sizeof(interop::SystemData) == sizeof(interop::YarnData) + 3 * sizeof(glm::vec4));
 static_assert(offsetof(interop::ClothData, width_mm) == 4 * sizeof(interop::SystemData));
-static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 3 * sizeof(glm::vec4));
+static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 7 * sizeof(glm::vec4));
 }  // namespace weftlight
 #endif

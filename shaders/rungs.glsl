@@ -6,11 +6,10 @@
 //   cell    facet_answer() of each system's mean facet, widened by the spread of its normals
 //   repeat  system_answer() of each system, leaned with the facets at the place, by colour and share: mixed_answer()
 //   cloth   system_answer() of each system with the means of the period
-//   engine  engine_answer() of the averaged normal
+//   engine  engine_answer() of the averaged normal (engine.glsl)
 //
 // Based on: Dupuy et al. 2013 (moments of slopes); Westin, Arvo, Torrance 1992 (a table measured on small
-//   geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals); Walter et al. 2007
-//   and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017 (sheen).
+//   geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
 
 #include "interop.h"
 
@@ -126,47 +125,5 @@ FORMULA Answer mixed_answer(Answer warp, Answer weft, vec2 relative, vec2 seen) 
   a.key = (warp.key * relative.x + weft.key * relative.y) * scale;
   a.soft = (warp.soft * relative.x + weft.soft * relative.y) * scale;
   a.glossy = (warp.glossy * relative.x + weft.glossy * relative.y) * scale;
-  return a;
-}
-
-// Lambert, anisotropic GGX and sheen, as engines shade the exported set. alpha: along and across the frame's t.
-struct EngineMaterial {
-  vec3 base;
-  float metal;
-  vec3 sheen;
-  float sheen_roughness;
-  vec2 alpha;
-  float occlusion;
-};
-
-FORMULA Answer engine_answer(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
-  vec3 wi = lobe_local(f, l);
-  vec3 wo = lobe_local(f, v);
-  float nl = max(wi.z, 1.0e-4f);
-  float nv = max(wo.z, 1.0e-2f);
-  vec3 h = normalize(wi + wo);
-  float ax = clamp(m.alpha.x, 0.02f, 1.0f);
-  float ay = clamp(m.alpha.y, 0.02f, 1.0f);
-  float q = h.x * h.x / (ax * ax) + h.y * h.y / (ay * ay) + h.z * h.z;
-  float d = 1.0f / (kPi * ax * ay * q * q);
-  float g_o = nl * length(vec3(ax * wo.x, ay * wo.y, nv));
-  float g_i = nv * length(vec3(ax * wi.x, ay * wi.y, nl));
-  float vis = 0.5f / max(g_o + g_i, 1.0e-5f);
-  float k = 1.0f - clamp(dot(wi, h), 0.0f, 1.0f);
-  float k2 = k * k;
-  vec3 f0 = mix(vec3(0.04f), m.base, m.metal);
-  vec3 fresnel = f0 + (1.0f - f0) * (k2 * k2 * k);
-  float r = max(m.sheen_roughness * m.sheen_roughness, 1.0e-2f);
-  float sine = sqrt(max(1.0f - h.z * h.z, 1.0e-6f));
-  float charlie = (2.0f + 1.0f / r) * pow(sine, 1.0f / r) / (2.0f * kPi);
-  float cloth_vis = 0.25f / max(nl + nv - nl * nv, 1.0e-4f);
-  vec3 body = m.base * (1.0f - m.metal);
-  float kept = 1.0f - 0.157f * max(max(m.sheen.x, m.sheen.y), m.sheen.z);
-  Answer a;
-  a.key = wi.z > 0.0f ? ((body * (1.0f - fresnel)) / kPi + fresnel * (d * vis)) * kept + m.sheen * (charlie * cloth_vis)
-                      : vec3(0.0f);
-  a.key *= nl;
-  a.soft = (body * kept + m.sheen * 0.157f) * m.occlusion;
-  a.glossy = f0 * m.occlusion;
   return a;
 }

@@ -57,6 +57,7 @@ if(NOT embree_FOUND)
 endif()
 weftlight_package(CLI11 libcli11-dev CONFIG)
 weftlight_package(nlohmann_json nlohmann-json3-dev CONFIG)
+weftlight_package(ZLIB zlib1g-dev)
 weftlight_package(meshoptimizer libmeshoptimizer-dev CONFIG)
 
 # editor/ui/imgui_compat holds what differs between these versions.

@@ -47,18 +47,30 @@ struct ReadMesh {
 /// UV unit is the size that makes texture area equal surface area.
 ReadMesh read_mesh(const std::string& path);
 
-/// glTF material inputs; textures are encoded PNG bytes.
+/// A PNG for a material: bytes, or a file in the folder of the mesh that is written.
+struct GltfImage {
+  std::vector<unsigned char> png;
+  std::string file;
+  bool empty() const { return png.empty() && file.empty(); }
+};
+enum class GltfAlpha { kOpaque, kMask, kBlend };
+/// glTF material inputs.
 struct GltfMaterial {
   std::string name;
-  std::vector<unsigned char> base_color_png, orm_png, normal_png, anisotropy_png, sheen_png;
+  GltfImage base_color, orm, normal, anisotropy, sheen;
   float uv_scale_u = 1, uv_scale_v = 1;  // KHR_texture_transform: repeats a millimetre
   Linear sheen_color{0, 0, 0};
   float sheen_roughness = 0.5f;
   float anisotropy_strength = 0, anisotropy_rotation = 0;
-  bool alpha_mask_or_blend = false;
+  float specular = 1;      // KHR_materials_specular
+  float transmission = 0;  // share of the body's light that leaves behind
+  GltfAlpha alpha = GltfAlpha::kOpaque;
 };
-/// Writes a .glb (or .gltf with files beside it) of the mesh; without material when null.
-std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* material);
+/// Writes a .glb (or .gltf with files beside it) of the mesh; without material when `front` is null. With `back` the
+/// triangles stand twice, each side with its own material; else one is seen from both sides. KHR_materials_
+/// diffuse_transmission is written to a .gltf alone: the Khronos validator does not know it yet.
+std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
+                       const GltfMaterial* back = nullptr);
 
 /// A shipped drape by name (presets/meshes/NAME.glb) or a file by path.
 ReadMesh load_drape(const std::string& name_or_path);

@@ -3,14 +3,18 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "base/files.h"
 #include "files/files.h"
+#include "files/image_rows.h"
 
 namespace weftlight::files {
 namespace {
@@ -67,6 +71,9 @@ OIIO::TypeDesc type_desc(PixelType type) {
 
 using Names = std::vector<std::string>;
 
+/// What every .exr says, instead of when it was written: the same image gives the same bytes.
+constexpr const char* kNoDate = "2000:01:01 00:00:00";
+
 OIIO::ImageSpec spec_for(const Image& image, PixelType type, const Names& names = {}) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, type_desc(type));
   spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -107,7 +114,7 @@ std::string write_to(const std::string& path, const Image& image, PixelType type
   const bool exr = std::string_view(out->format_name()) == "openexr";
   OIIO::ImageSpec spec = spec_for(image, type, exr ? names : Names{});
   // Piz suits noisy half data best (184 ms against zip's 407 ms for 2048^2 RGBA).
-  if (exr) spec.attribute("compression", "piz");
+  if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
   if (!out->open(path, spec)) return out->geterror();
   const bool written = write_texels(*out, image, type);
   const std::string problem = written ? "" : out->geterror();
@@ -123,6 +130,7 @@ std::string write_levels(const std::string& path, const std::vector<Image>& leve
     spec.tile_width = spec.tile_height = 64;
     spec.tile_depth = 1;
     spec.attribute("compression", "piz");
+    spec.attribute("DateTime", kNoDate);
     spec.attribute("textureformat", "Plain Texture");  // what OpenImageIO writes with mip levels
     spec.attribute("openexr:roundingmode", 0);         // sizes halve downwards
     const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
@@ -137,6 +145,33 @@ bool is_png(const std::string& path) {
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return extension == ".png";
 }
+
+/// A file that remembers whether the disk took all of it: OpenImageIO does not notice.
+class DiskFile : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit DiskFile(const std::string& path)
+      : IOProxy(path, IOProxy::Write), file_(std::fopen(path.c_str(), "wb")), whole_(file_ != nullptr) {}
+  ~DiskFile() override { close(); }
+  const char* proxytype() const override { return "disk"; }
+  void close() override {
+    if (!file_) return;
+    whole_ = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0 && whole_;
+    whole_ = std::fclose(file_) == 0 && whole_;
+    file_ = nullptr;
+  }
+  int64_t tell() override { return file_ ? std::ftell(file_) : 0; }
+  bool seek(int64_t offset) override { return file_ && std::fseek(file_, offset, SEEK_SET) == 0; }
+  size_t write(const void* data, size_t size) override {
+    const size_t written = file_ ? std::fwrite(data, 1, size, file_) : 0;
+    whole_ = whole_ && written == size;
+    return size;  // the writers would throw or stop half-way: told at the end
+  }
+  bool whole() const { return whole_; }
+
+ private:
+  std::FILE* file_;
+  bool whole_;
+};
 
 ReadImage read_from(const std::string& path, int level) {
   OIIO::ImageSpec config;
@@ -158,6 +193,67 @@ ReadImage read_from(const std::string& path, int level) {
 }
 
 }  // namespace
+
+struct ImageRows::File {
+  std::string path;
+  std::unique_ptr<DiskFile> disk;  // PNG alone
+  std::unique_ptr<OIIO::ImageOutput> out;
+  int width = 0, height = 0, channels = 0, next = 0;
+  PixelType type = PixelType::kU8;
+};
+
+ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
+ImageRows::~ImageRows() = default;
+
+std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, int height, int channels, PixelType type,
+                                           const Names& names, std::string& problem) {
+  auto file = std::make_unique<File>();
+  file->path = path, file->width = width, file->height = height, file->channels = channels, file->type = type;
+  try {
+    if (is_png(path)) file->disk = std::make_unique<DiskFile>(path);
+    file->out = OIIO::ImageOutput::create(path, file->disk.get());
+    const bool exr = file->out && std::string_view(file->out->format_name()) == "openexr";
+    OIIO::ImageSpec spec = spec_for({width, height, channels, {}}, type, exr ? names : Names{});
+    if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
+    if (file->out && file->out->open(path, spec)) return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+    problem = path + ": " + (file->out ? file->out->geterror() : OIIO::geterror());
+  } catch (const std::exception& e) {
+    problem = path + ": " + e.what();
+  }
+  return nullptr;
+}
+
+std::string ImageRows::add(const Image& band) {
+  File& f = *file_;
+  if (band.width != f.width || band.channels != f.channels || f.next + band.height > f.height)
+    return f.path + ": a band does not fit the image";
+  const int end = f.next + band.height;
+  bool written = false;
+  switch (f.type) {
+    case PixelType::kU8:
+      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::UINT8, quantised<uint8_t>(band.texels).data());
+      break;
+    case PixelType::kU16:
+      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::UINT16, quantised<uint16_t>(band.texels).data());
+      break;
+    case PixelType::kHalf:
+      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::FLOAT, within_half(band.texels).data());
+      break;
+    case PixelType::kFloat:
+      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::FLOAT, band.texels.data());
+  }
+  f.next = end;
+  return written ? std::string{} : f.path + ": " + f.out->geterror();
+}
+
+std::string ImageRows::close() {
+  File& f = *file_;
+  if (f.next != f.height) return f.path + ": the image's rows are not complete";
+  if (!f.out->close()) return f.path + ": " + f.out->geterror();
+  if (!f.disk) return {};
+  f.disk->close();
+  return f.disk->whole() ? std::string{} : f.path + ": cannot be written: " + std::strerror(errno ? errno : ENOSPC);
+}
 
 std::string write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
   if (std::string problem = check_shape(image); !problem.empty()) return path + ": " + problem;

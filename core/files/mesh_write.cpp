@@ -4,12 +4,18 @@
 // cloth as the editor does, with end 1 at the right and pick 1 at the top (core/draft/draft.h). The material turns
 // millimetres into repeats by KHR_texture_transform.
 
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <glm/glm.hpp>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "base/files.h"
 #include "files/files.h"
@@ -30,7 +36,9 @@ struct Document {
   Bytes binary;                                      // of the one buffer
   bool embed = true;                                 // images within the buffer, else as files
   std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
-  std::string stem;
+  std::string stem, folder;
+  std::map<std::string, int> textures;  // by image file: faces and uses share them
+  std::string problem;
 };
 
 void append_u32(Bytes& bytes, uint32_t v) {
@@ -85,68 +93,102 @@ std::vector<uint32_t> proper_triangles(const Mesh& mesh) {
   return index;
 }
 
-json add_attributes(Document& doc, const Mesh& mesh, bool tangents) {
-  std::vector<Vec3> position(mesh.position_mm), normal(mesh.normal);
-  std::vector<Vec2> uv(mesh.uv_mm);
-  for (Vec3& p : position) p *= kMetresPerMm;
-  for (Vec3& n : normal) n = unit_or(n, {0, 1, 0});
-  for (Vec2& t : uv) t[0] = -t[0];
-  json attributes{{"POSITION", add_vectors(doc, position, true)}, {"NORMAL", add_vectors(doc, normal, false)}};
-  if (tangents) {
-    std::vector<glm::vec4> tangent(mesh.tangent.size());
-    for (size_t i = 0; i < tangent.size(); ++i) {
-      const Vec3& n = normal[i];
-      const Vec3 any = unit_or(glm::cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
-      const Vec3 t = unit_or(mesh.tangent[i], any);
-      tangent[i] = {-t[0], -t[1], -t[2], 1.0f};  // right in the image; normal x tangent is up in it
-    }
-    attributes["TANGENT"] = add_vectors(doc, tangent, false);
+/// The side that is seen from behind: normals turned about, and the bitangent as it was.
+json add_frame(Document& doc, const Mesh& mesh, bool tangents, bool back) {
+  const float side = back ? -1.0f : 1.0f;
+  std::vector<Vec3> normal(mesh.normal);
+  for (Vec3& n : normal) {
+    n = unit_or(n, {0, 1, 0}) * side;
   }
-  attributes["TEXCOORD_0"] = add_vectors(doc, uv, false);
+  json attributes{{"NORMAL", add_vectors(doc, normal, false)}};
+  if (!tangents) return attributes;
+  std::vector<glm::vec4> tangent(mesh.tangent.size());
+  for (size_t i = 0; i < tangent.size(); ++i) {
+    const Vec3& n = normal[i];
+    const Vec3 any = unit_or(glm::cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
+    const Vec3 t = unit_or(mesh.tangent[i], any);
+    tangent[i] = {-t[0], -t[1], -t[2], side};  // right in the image; normal x tangent is up in it
+  }
+  attributes["TANGENT"] = add_vectors(doc, tangent, false);
   return attributes;
 }
 
-void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* material) {
-  json primitive{{"attributes", add_attributes(doc, mesh, material && !material->normal_png.empty())}};
-  const std::vector<uint32_t> index = proper_triangles(mesh);
+int add_index(Document& doc, std::vector<uint32_t> index, bool back) {
+  for (size_t t = 0; back && t + 2 < index.size(); t += 3) std::swap(index[t + 1], index[t + 2]);
   doc.root["accessors"].push_back(
       {{"bufferView", add_view(doc, index.data(), index.size() * sizeof index[0], kElementBuffer)},
        {"componentType", kUint},
        {"count", index.size()},
        {"type", "SCALAR"}});
-  primitive["indices"] = doc.root["accessors"].size() - 1;
-  if (material) primitive["material"] = 0;
+  return static_cast<int>(doc.root["accessors"].size()) - 1;
+}
+
+void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back) {
+  std::vector<Vec3> position(mesh.position_mm);
+  std::vector<Vec2> uv(mesh.uv_mm);
+  for (Vec3& p : position) p *= kMetresPerMm;
+  for (Vec2& t : uv) t[0] = -t[0];
+  const int positions = add_vectors(doc, position, true), uvs = add_vectors(doc, uv, false);
+  const std::vector<uint32_t> index = proper_triangles(mesh);
+  json primitives = json::array();
+  for (const GltfMaterial* material : {front, back}) {
+    const bool behind = material != front;
+    if (behind && !back) break;
+    json attributes = add_frame(doc, mesh, material && !material->normal.empty(), behind);
+    attributes["POSITION"] = positions, attributes["TEXCOORD_0"] = uvs;
+    json primitive{{"attributes", std::move(attributes)}, {"indices", add_index(doc, index, behind)}};
+    if (material) primitive["material"] = behind ? 1 : 0;
+    primitives.push_back(std::move(primitive));
+    if (!back) break;
+  }
   const std::string name = mesh.name.empty() ? "cloth" : mesh.name;
-  doc.root["meshes"] = json::array({{{"name", name}, {"primitives", json::array({primitive})}}});
+  doc.root["meshes"] = json::array({{{"name", name}, {"primitives", std::move(primitives)}}});
   doc.root["nodes"] = json::array({{{"name", name}, {"mesh", 0}}});
   doc.root["scenes"] = json::array({{{"nodes", {0}}}});
   doc.root["scene"] = 0;
 }
 
-/// A textureInfo that repeats the image by the millimetre.
-json add_texture(Document& doc, const GltfMaterial& material, const std::string& what, const Bytes& png) {
-  json image{{"name", what}, {"mimeType", "image/png"}};
+Bytes bytes_of(Document& doc, const GltfImage& image) {
+  if (image.file.empty()) return image.png;
+  std::ifstream in(std::filesystem::path(doc.folder) / image.file, std::ios::binary);
+  Bytes out{std::istreambuf_iterator<char>(in), {}};
+  if (out.empty()) doc.problem = image.file + ": cannot be read";
+  return out;
+}
+
+int add_image(Document& doc, const GltfMaterial& material, const std::string& what, const GltfImage& image) {
+  json entry{{"name", what}};
   if (doc.embed) {
-    image["bufferView"] = add_view(doc, png.data(), png.size(), 0);
+    const Bytes png = bytes_of(doc, image);
+    entry["mimeType"] = "image/png";
+    entry["bufferView"] = add_view(doc, png.data(), png.size(), 0);
+  } else if (!image.file.empty()) {
+    entry["uri"] = image.file;
   } else {
-    image = {{"uri", doc.stem + "_" + what + ".png"}};
-    doc.files.emplace_back(doc.stem + "_" + what + ".png", png);
+    entry["uri"] = material.name + "_" + what + ".png";
+    doc.files.emplace_back(material.name + "_" + what + ".png", image.png);
   }
-  doc.root["images"].push_back(std::move(image));
+  doc.root["images"].push_back(std::move(entry));
   doc.root["textures"].push_back({{"source", doc.root["images"].size() - 1}, {"sampler", 0}});
-  return {{"index", doc.root["textures"].size() - 1},
+  return static_cast<int>(doc.root["textures"].size()) - 1;
+}
+
+/// A textureInfo that repeats the image by the millimetre.
+json add_texture(Document& doc, const GltfMaterial& material, const std::string& what, const GltfImage& image) {
+  const std::string key = image.file.empty() ? material.name + "/" + what : image.file;
+  const auto [at, fresh] = doc.textures.try_emplace(key, 0);
+  if (fresh) at->second = add_image(doc, material, what, image);
+  return {{"index", at->second},
           {"extensions", {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
 }
 
-bool has_sheen(const GltfMaterial& m) {
-  return !m.sheen_png.empty() || m.sheen_color.r > 0 || m.sheen_color.g > 0 || m.sheen_color.b > 0;
-}
+bool has_sheen(const GltfMaterial& m) { return m.sheen_color.r > 0 || m.sheen_color.g > 0 || m.sheen_color.b > 0; }
 
 json sheen_extension(Document& doc, const GltfMaterial& m) {
   json sheen{{"sheenColorFactor", {m.sheen_color.r, m.sheen_color.g, m.sheen_color.b}},
              {"sheenRoughnessFactor", m.sheen_roughness}};
-  if (!m.sheen_png.empty()) {
-    sheen["sheenColorTexture"] = add_texture(doc, m, "sheen", m.sheen_png);
+  if (!m.sheen.empty()) {
+    sheen["sheenColorTexture"] = add_texture(doc, m, "sheen", m.sheen);
     sheen["sheenRoughnessTexture"] = sheen["sheenColorTexture"];
   }
   return sheen;
@@ -154,27 +196,54 @@ json sheen_extension(Document& doc, const GltfMaterial& m) {
 
 json anisotropy_extension(Document& doc, const GltfMaterial& m) {
   json anisotropy{{"anisotropyStrength", m.anisotropy_strength}, {"anisotropyRotation", m.anisotropy_rotation}};
-  if (!m.anisotropy_png.empty()) anisotropy["anisotropyTexture"] = add_texture(doc, m, "anisotropy", m.anisotropy_png);
+  if (!m.anisotropy.empty()) anisotropy["anisotropyTexture"] = add_texture(doc, m, "anisotropy", m.anisotropy);
   return anisotropy;
 }
 
-void add_material(Document& doc, const GltfMaterial& m) {
-  json pbr{{"metallicFactor", m.orm_png.empty() ? 0.0 : 1.0}};
-  json material{{"name", m.name}, {"doubleSided", true}};
-  if (!m.base_color_png.empty()) pbr["baseColorTexture"] = add_texture(doc, m, "basecolor", m.base_color_png);
-  if (!m.orm_png.empty()) {
-    pbr["metallicRoughnessTexture"] = add_texture(doc, m, "orm", m.orm_png);
+/// Light from behind leaves in the body's colour.
+json transmission_extension(Document& doc, const GltfMaterial& m) {
+  json out{{"diffuseTransmissionFactor", m.transmission}};
+  if (!m.base_color.empty()) out["diffuseTransmissionColorTexture"] = add_texture(doc, m, "basecolor", m.base_color);
+  return out;
+}
+
+void use(Document& doc, const char* extension) {
+  json& used = doc.root["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+}
+
+void extend(Document& doc, json& material, const char* extension, json values) {
+  material["extensions"][extension] = std::move(values);
+  use(doc, extension);
+}
+
+json material_of(Document& doc, const GltfMaterial& m, bool double_sided) {
+  json pbr{{"metallicFactor", m.orm.empty() ? 0.0 : 1.0}};
+  json material{{"name", m.name}, {"doubleSided", double_sided}};
+  if (!m.base_color.empty()) pbr["baseColorTexture"] = add_texture(doc, m, "basecolor", m.base_color);
+  if (!m.orm.empty()) {
+    pbr["metallicRoughnessTexture"] = add_texture(doc, m, "orm", m.orm);
     material["occlusionTexture"] = pbr["metallicRoughnessTexture"];
   }
   material["pbrMetallicRoughness"] = std::move(pbr);
-  if (!m.normal_png.empty()) material["normalTexture"] = add_texture(doc, m, "normal", m.normal_png);
-  if (m.alpha_mask_or_blend) material["alphaMode"] = "MASK";  // sorted by no one, so it holds on folded cloth
-  if (has_sheen(m)) material["extensions"]["KHR_materials_sheen"] = sheen_extension(doc, m);
-  if (m.anisotropy_strength > 0) material["extensions"]["KHR_materials_anisotropy"] = anisotropy_extension(doc, m);
-  doc.root["materials"] = json::array({material});
+  if (!m.normal.empty()) material["normalTexture"] = add_texture(doc, m, "normal", m.normal);
+  if (m.alpha != GltfAlpha::kOpaque) material["alphaMode"] = m.alpha == GltfAlpha::kMask ? "MASK" : "BLEND";
+  if (has_sheen(m)) extend(doc, material, "KHR_materials_sheen", sheen_extension(doc, m));
+  if (m.specular < 1) extend(doc, material, "KHR_materials_specular", {{"specularFactor", m.specular}});
+  if (m.specular > 1)
+    extend(doc, material, "KHR_materials_specular", {{"specularColorFactor", {m.specular, m.specular, m.specular}}});
+  if (m.anisotropy_strength > 0) extend(doc, material, "KHR_materials_anisotropy", anisotropy_extension(doc, m));
+  if (m.transmission > 0 && !doc.embed)
+    extend(doc, material, "KHR_materials_diffuse_transmission", transmission_extension(doc, m));
+  return material;
+}
+
+void add_materials(Document& doc, const GltfMaterial& front, const GltfMaterial* back) {
+  doc.root["materials"] = json::array({material_of(doc, front, back == nullptr)});
+  if (back) doc.root["materials"].push_back(material_of(doc, *back, false));
   if (!doc.root.contains("textures")) return;
   doc.root["samplers"] = json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 10497}, {"wrapT", 10497}}});
-  doc.root["extensionsUsed"].push_back("KHR_texture_transform");
+  use(doc, "KHR_texture_transform");
 }
 
 std::string check_mesh(const Mesh& mesh) {
@@ -191,6 +260,18 @@ std::string check_mesh(const Mesh& mesh) {
 
 std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
+/// Pieces one after the other, since together they may be large.
+std::string write_pieces(const std::string& path, std::initializer_list<std::span<const unsigned char>> pieces) {
+  return write_through(path, [&](const std::string& beside) {
+    std::FILE* file = std::fopen(beside.c_str(), "wb");
+    bool whole = file != nullptr;
+    for (const auto& piece : pieces) whole = whole && std::fwrite(piece.data(), 1, piece.size(), file) == piece.size();
+    const int error = errno;
+    whole = file && std::fclose(file) == 0 && whole;
+    return whole ? std::string{} : cause_of(error);
+  });
+}
+
 std::string write_glb(const std::string& path, Document& doc) {
   pad(doc.binary, 0);
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}}});
@@ -199,16 +280,13 @@ std::string write_glb(const std::string& path, Document& doc) {
   pad(head, ' ');
   const uint64_t total = 12 + 8 + head.size() + 8 + doc.binary.size();
   if (total > std::numeric_limits<uint32_t>::max()) return path + ": a .glb ends at 4 GB; export smaller textures";
-  Bytes glb{'g', 'l', 'T', 'F'};
-  glb.reserve(total);
+  Bytes start{'g', 'l', 'T', 'F'}, between;
   for (uint32_t v : {uint32_t{2}, static_cast<uint32_t>(total), static_cast<uint32_t>(head.size()), kJsonChunk}) {
-    append_u32(glb, v);
+    append_u32(start, v);
   }
-  glb.insert(glb.end(), head.begin(), head.end());
-  append_u32(glb, static_cast<uint32_t>(doc.binary.size()));
-  append_u32(glb, kBinChunk);
-  glb.insert(glb.end(), doc.binary.begin(), doc.binary.end());
-  return write_file_atomically(path, text_of(glb));
+  append_u32(between, static_cast<uint32_t>(doc.binary.size()));
+  append_u32(between, kBinChunk);
+  return write_pieces(path, {start, head, between, doc.binary});
 }
 
 /// The files beside it first, so that the .gltf never names what is not there.
@@ -225,19 +303,17 @@ std::string write_gltf(const std::string& path, Document& doc) {
 
 }  // namespace
 
-std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* material) {
+std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back) {
   if (std::string problem = check_mesh(mesh); !problem.empty()) return path + ": " + problem;
   const std::filesystem::path target(path);
   Document doc;
   doc.embed = target.extension() != ".gltf";
   doc.stem = target.stem().string();
+  doc.folder = target.parent_path().string();
   doc.root["asset"] = {{"version", "2.0"}, {"generator", "Weftlight"}, {"extras", {{"weftlight_uv_mm", true}}}};
-  add_mesh(doc, mesh, material);
-  if (material) {
-    if (has_sheen(*material)) doc.root["extensionsUsed"].push_back("KHR_materials_sheen");
-    if (material->anisotropy_strength > 0) doc.root["extensionsUsed"].push_back("KHR_materials_anisotropy");
-    add_material(doc, *material);
-  }
+  add_mesh(doc, mesh, front, back);
+  if (front) add_materials(doc, *front, back);
+  if (!doc.problem.empty()) return doc.problem;
   try {
     return doc.embed ? write_glb(path, doc) : write_gltf(path, doc);
   } catch (const json::exception& e) {  // a name that is not UTF-8

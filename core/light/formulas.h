@@ -40,6 +40,7 @@ inline float exp(float x) {
 #include "shaders/lobes.glsl"
 #include "shaders/rung_colors.glsl"
 #include "shaders/rungs.glsl"
+#include "shaders/engine.glsl"
 #include "shaders/tone.glsl"
 #include "shaders/vrst03.glsl"
 #undef FORMULA

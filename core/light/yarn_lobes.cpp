@@ -1,6 +1,8 @@
 #include "light/yarn_lobes.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "draft/yarn_fields.h"
@@ -33,6 +35,16 @@ interop::YarnData yarn_data(const Lobes& any) {
   y.fuzz = lobes.fuzz, y.fuzz_width = lobes.fuzz_width, y.fuzz_depth = lobes.fuzz_width * lobes.fuzz_width;
   y.tint = {tint.r, tint.g, tint.b, shares.dyed};
   return y;
+}
+
+interop::YarnData mean_yarn(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
+  using Numbers = std::array<float, sizeof(interop::YarnData) / sizeof(float)>;
+  Numbers sum{};
+  for (const ThreadBody& thread : threads) {
+    const auto numbers = std::bit_cast<Numbers>(yarn_data(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes));
+    for (size_t i = 0; i < sum.size(); ++i) sum[i] += numbers[i] / static_cast<float>(threads.size());
+  }
+  return std::bit_cast<interop::YarnData>(sum);
 }
 
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour) {

@@ -2,6 +2,7 @@
 // The lobes of a yarn as the formulas take them, and their evaluation in batches.
 
 #include <span>
+#include <vector>
 
 #include "cloth/cloth.h"
 #include "draft/yarn.h"
@@ -21,6 +22,9 @@ MirrorShares mirror_shares(const Lobes& lobes);
 
 /// The numbers of a yarn as the shaders take them. Out-of-range values are clamped; never NaN.
 interop::YarnData yarn_data(const Lobes& lobes);
+
+/// Their means over the threads of a system; all 0 where there are none.
+interop::YarnData mean_yarn(const Cloth& cloth, const std::vector<ThreadBody>& threads);
 
 /// Lobes of a thread of this colour. Out-of-range values are clamped; never NaN.
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour);

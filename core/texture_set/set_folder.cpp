@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -181,6 +182,27 @@ std::string put_in_place(const fs::path& made, const fs::path& folder, const Set
   std::string problem = merge(made, folder, old);
   fs::remove_all(made, ec);
   return problem;
+}
+
+std::vector<std::string> listed_files(const fs::path& folder) {
+  const std::optional<Listed> there = listed_in(folder);
+  if (!there) return {};
+  std::set<std::string> all = there->files;
+  all.insert(kList);
+  return {all.begin(), all.end()};
+}
+
+bool is_complete(const fs::path& folder, const std::string& key) {
+  const std::optional<json> root = list_in(folder);
+  if (!root || key.empty() || text_of(*root, "key") != key) return false;
+  std::error_code ec;
+  const std::vector<std::string> files = listed_files(folder);
+  return std::all_of(files.begin(), files.end(), [&](const std::string& f) { return fs::exists(folder / f, ec); });
+}
+
+bool lists_archive(const fs::path& folder) {
+  const std::optional<json> root = list_in(folder);
+  return root && root->value("archived", false);
 }
 
 }  // namespace weftlight::texture_set

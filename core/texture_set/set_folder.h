@@ -30,4 +30,11 @@ std::filesystem::path make_staging(const std::filesystem::path& folder, std::str
 std::string put_in_place(const std::filesystem::path& made, const std::filesystem::path& folder,
                          const SetIdentity& identity, bool force);
 
+/// True where a set made of the same stands whole.
+bool is_complete(const std::filesystem::path& folder, const std::string& key);
+/// The files of the set that stands there, its list among them; none: there is none.
+std::vector<std::string> listed_files(const std::filesystem::path& folder);
+/// True where that set has its archive beside the folder.
+bool lists_archive(const std::filesystem::path& folder);
+
 }  // namespace weftlight::texture_set

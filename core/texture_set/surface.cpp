@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/loops.h"
+#include "light/engine_fit.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -39,15 +40,6 @@ struct Axes {
 Axes axes_over(const glm::vec3& n) {
   const glm::vec3 t = unit({1 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2]}, {0, 0, -1});
   return {t, glm::cross(n, t)};
-}
-
-glm::vec3 lobe_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
-  const Axes axes = axes_over(normal);
-  const float x = dot(fibre, axes.t), y = dot(fibre, axes.b);
-  const float length2 = std::max(x * x + y * y, 1e-12f);
-  const float along2 = lobes.along_width * lobes.along_width / length2;
-  const float across2 = lobes.across_width * lobes.across_width / length2;
-  return {along2 * x * x + across2 * y * y, (along2 - across2) * x * y, along2 * y * y + across2 * x * x};
 }
 
 /// A yarn's lobes, with what is the same for all its texels worked out (light's yarn_lobes() says why).
@@ -86,7 +78,7 @@ SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, con
   const Direction fibre = maps.tangent.at(x, y);
   out.normal = unit({slope.x, slope.y, 1}, {0, 0, 1});
   out.fibre = {fibre.x, fibre.y, fibre.z};
-  out.slope_cov = lobe_covariance(out.normal, out.fibre, lobes);
+  out.slope_cov = facet_covariance(out.normal, out.fibre, lobes);
   out.thread = thread;
   out.system = system;
   return out;
@@ -219,12 +211,8 @@ Surface half_of(const Surface& fine) {
 }
 
 GgxAlphas ggx_alphas(const SurfaceTexel& texel) {
-  const float xx = texel.slope_cov[0], xy = texel.slope_cov[1], yy = texel.slope_cov[2];
-  const float middle = 0.5f * (xx + yy), half_gap = 0.5f * (xx - yy);
-  const float root = std::sqrt(half_gap * half_gap + xy * xy);
-  GgxAlphas out{alpha_of(middle + root), alpha_of(middle - root), {1, 0}};
-  const float angle = root > 1e-9f ? 0.5f * std::atan2(xy, half_gap) : 0.0f;
-  out.wide_axis = {std::cos(angle), std::sin(angle)};
+  const FacetAlphas a = facet_alphas(texel.slope_cov);
+  GgxAlphas out{a.alpha.x, a.alpha.y, {a.axis.x, a.axis.y}};
   // Both senses mean the same. Across a warp it is +u, across a weft +v, so that neighbours agree and
   // engines can filter, however strong the twist.
   if (out.wide_axis[texel.system] < 0) out.wide_axis = {-out.wide_axis[0], -out.wide_axis[1]};

@@ -36,6 +36,8 @@ struct Surface {
   Plane<SurfaceTexel> texels;
   // One plane an azimuth, as in Maps: mean and standard deviation of the sine of the horizon.
   std::vector<Plane<float>> horizon_mean, horizon_spread;
+  float low_mm = 0, high_mm = 1;  // of the whole face, heights
+  float smoothness = 0.5f;        // of the whole face, mean
 };
 
 /// Means over blocks of texels; the sizes of `maps` are multiples of `width` and `height`.

@@ -19,10 +19,10 @@ constexpr std::array<Channel, 4> kBase{kBaseR, kBaseG, kBaseB, kNone};
 constexpr std::array<Channel, 4> kBaseCoverage{kBaseR, kBaseG, kBaseB, kCoverage};
 constexpr std::array<Channel, 4> kNormalUp{kNormalX, kNormalY, kNormalZ, kNone};
 constexpr std::array<Channel, 4> kOrm{kOcclusion, kRoughness, kMetal, kNone};
-constexpr std::array<Channel, 4> kThrough{kThroughR, kThroughG, kThroughB, kNone};
 constexpr std::array<Channel, 4> kSheen{kSheenR, kSheenG, kSheenB, kSheenRoughness};
 
 constexpr std::array<Channel, 4> only(Channel c) { return {c, kNone, kNone, kNone}; }
+constexpr std::array<Channel, 4> grey(Channel c) { return {c, c, c, kNone}; }  // U3M reads RGB alone
 
 // Sorted by target: image_rows() takes a stretch.
 constexpr ImageRow kRows[] = {
@@ -45,13 +45,19 @@ constexpr ImageRow kRows[] = {
     {Target::kUnreal, "T_", "_N", ".png", kU8, false, {kNormalX, kNormalYDown, kNormalZ, kNone}},
     {Target::kUnreal, "T_", "_ORM", ".png", kU8, false, kOrm},
     {Target::kUnreal, "T_", "_OM", ".png", kU8, false, only(kCoverage)},
-    {Target::kUnreal, "T_", "_FC", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
+    {Target::kUnreal, "T_", "_FC", ".png", kU8, true, {kSheenHueR, kSheenHueG, kSheenHueB, kNone}},
     {Target::kUnreal, "T_", "_CW", ".png", kU8, false, only(kSheenWeight)},
 
     {Target::kUnityHdrp, "", "_BaseMap", ".png", kU8, true, kBaseCoverage},
     {Target::kUnityHdrp, "", "_MaskMap", ".png", kU8, false, {kMetal, kOcclusion, kOne, kSmoothness}},
     {Target::kUnityHdrp, "", "_NormalMap", ".png", kU8, false, kNormalUp},
-    {Target::kUnityHdrp, "", "_ThreadMap", ".png", kU8, false, {kOcclusion, kNormalY, kSmoothness, kNormalX}},
+    {Target::kUnityHdrp,
+     "",
+     "_ThreadMap",
+     ".png",
+     kU8,
+     false,
+     {kDetailOcclusion, kDetailNormalY, kDetailSmoothness, kDetailNormalX}},
 
     {Target::kUnityUrp, "", "_BaseMap", ".png", kU8, true, kBaseCoverage},
     {Target::kUnityUrp, "", "_MetallicSmoothness", ".png", kU8, false, {kMetal, kMetal, kMetal, kSmoothness}},
@@ -62,17 +68,38 @@ constexpr ImageRow kRows[] = {
     {Target::kGodot, "", "_orm", ".png", kU8, false, kOrm},
     {Target::kGodot, "", "_normal", ".png", kU8, false, kNormalUp},
     {Target::kGodot, "", "_flowmap", ".png", kU8, false, {kWideX, kWideY, kOne, kAspectAnisotropy}},
-    {Target::kGodot, "", "_backlight", ".png", kU8, true, kThrough},
 
     {Target::kBlender, "", "_basecolor", ".png", kU8, true, kBase},
     {Target::kBlender, "", "_alpha", ".png", kU8, false, only(kCoverage)},
     {Target::kBlender, "", "_roughness", ".png", kU8, false, only(kRoughness)},
     {Target::kBlender, "", "_metallic", ".png", kU8, false, only(kMetal)},
     {Target::kBlender, "", "_normal", ".png", kU16, false, kNormalUp},
-    {Target::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kOne, kNone}},
+    {Target::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kMiddle, kNone}},
     {Target::kBlender, "", "_anisotropic", ".png", kU8, false, only(kAspectAnisotropy)},
     {Target::kBlender, "", "_sheen", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
+    {Target::kBlender, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
     {Target::kBlender, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
+
+    {Target::kU3m, "", "_basecolor", ".png", kU8, true, kBase},
+    {Target::kU3m, "", "_alpha", ".png", kU8, false, grey(kCoverage)},
+    {Target::kU3m, "", "_normal", ".png", kU8, false, kNormalUp},
+    {Target::kU3m, "", "_roughness", ".png", kU8, false, grey(kRoughness)},
+    {Target::kU3m, "", "_metalness", ".png", kU8, false, grey(kMetal)},
+    {Target::kU3m, "", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy)},
+    {Target::kU3m, "", "_rotation", ".png", kU8, false, grey(kTurn)},
+    {Target::kU3m, "", "_sheen", ".png", kU8, false, grey(kSheenWeight)},
+    {Target::kU3m, "", "_displacement", ".png", kU16, false, grey(kHeightShare)},
+
+    {Target::kMaterialX, "", "_basecolor", ".png", kU8, true, kBase},
+    {Target::kMaterialX, "", "_opacity", ".png", kU8, false, only(kCoverage)},
+    {Target::kMaterialX, "", "_roughness", ".png", kU8, false, only(kOpenPbrRoughness)},
+    {Target::kMaterialX, "", "_metalness", ".png", kU8, false, only(kMetal)},
+    {Target::kMaterialX, "", "_normal", ".png", kU8, false, kNormalUp},
+    {Target::kMaterialX, "", "_anisotropy", ".png", kU8, false, only(kOpenPbrAnisotropy)},
+    {Target::kMaterialX, "", "_turn", ".png", kU8, false, only(kTurn)},
+    {Target::kMaterialX, "", "_fuzz", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
+    {Target::kMaterialX, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
+    {Target::kMaterialX, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
 };
 static_assert(std::is_sorted(std::begin(kRows), std::end(kRows),
                              [](const ImageRow& a, const ImageRow& b) { return a.target < b.target; }));
@@ -81,15 +108,20 @@ struct TargetRow {
   Target target;
   const char* name;
   const char* normal;
+  int sheen;      // its model
+  bool specular;  // its dielectric reflectance can be scaled
+  Alpha open;     // for open cloth
 };
 constexpr TargetRow kTargets[] = {
-    {Target::kRaw, "raw", "+Y"},
-    {Target::kGltf, "gltf", "+Y"},
-    {Target::kUnreal, "unreal", "-Y"},
-    {Target::kUnityHdrp, "unity-hdrp", "+Y"},
-    {Target::kUnityUrp, "unity-urp", "+Y"},
-    {Target::kGodot, "godot", "+Y"},
-    {Target::kBlender, "blender", "+Y"},
+    {Target::kRaw, "raw", "+Y", formulas::kSheenNone, true, Alpha::kBlend},
+    {Target::kGltf, "gltf", "+Y", formulas::kSheenCharlie, true, Alpha::kBlend},
+    {Target::kUnreal, "unreal", "-Y", formulas::kSheenInverseGgx, true, Alpha::kHashed},
+    {Target::kUnityHdrp, "unity-hdrp", "+Y", formulas::kSheenNone, true, Alpha::kBlend},
+    {Target::kUnityUrp, "unity-urp", "+Y", formulas::kSheenNone, false, Alpha::kBlend},
+    {Target::kGodot, "godot", "+Y", formulas::kSheenNone, true, Alpha::kHashed},
+    {Target::kBlender, "blender", "+Y", formulas::kSheenZeltner, true, Alpha::kHashed},
+    {Target::kU3m, "u3m", "+Y", formulas::kSheenDisney, true, Alpha::kBlend},
+    {Target::kMaterialX, "materialx", "+Y", formulas::kSheenZeltner, true, Alpha::kBlend},
 };
 
 const TargetRow& target_row(Target target) { return kTargets[static_cast<size_t>(target)]; }
@@ -110,12 +142,49 @@ float aspect_anisotropy(const GgxAlphas& a) {
   return a.wide > 0 ? std::clamp((1 - a.narrow / a.wide) / 0.9f, 0.0f, 1.0f) : 0.0f;
 }
 
-float value(Channel channel, const SurfaceTexel& t, bool srgb) {
+/// OpenPBR's anisotropy of alphas: wide = r^2 sqrt(2 / (1 + (1 - a)^2)), narrow = (1 - a) wide.
+float openpbr_roughness(const GgxAlphas& a) {
+  return std::sqrt(std::sqrt(0.5f * (a.wide * a.wide + a.narrow * a.narrow)));
+}
+
+/// A direction without a sense, as a share of a whole turn.
+float turn_of(const std::array<float, 2>& axis) {
+  const float turn = std::atan2(axis[1], axis[0]) * 0.15915494f;
+  return turn < 0 ? turn + 0.5f : std::min(turn, 0.5f);
+}
+
+float value(Channel channel, const SurfaceTexel& t, bool srgb, const Surface& surface) {
   switch (channel) {
     case kNone:
       return 0;
     case kOne:
       return 1;
+    case kMiddle:
+      return 0.5f;
+    case kOpenPbrRoughness:
+      return openpbr_roughness(ggx_alphas(t));
+    case kOpenPbrAnisotropy: {
+      const GgxAlphas a = ggx_alphas(t);
+      return a.wide > 0 ? 1 - a.narrow / a.wide : 0.0f;
+    }
+    case kTurn:
+      return turn_of(ggx_alphas(t).wide_axis);
+    case kHeightShare:
+      return (t.height_mm - surface.low_mm) / std::max(surface.high_mm - surface.low_mm, 1e-6f);
+    case kDetailNormalX:
+      return half_range(-t.normal[0]);
+    case kDetailNormalY:
+      return half_range(-t.normal[1]);
+    case kDetailSmoothness:
+      return half_range(1 - round_roughness(ggx_alphas(t)) - surface.smoothness);
+    case kDetailOcclusion:
+      return t.occlusion;
+    case kSheenHueR:
+    case kSheenHueG:
+    case kSheenHueB: {
+      const float most = std::max({t.sheen.r, t.sheen.g, t.sheen.b, 1e-6f});
+      return encoded((channel == kSheenHueR ? t.sheen.r : channel == kSheenHueG ? t.sheen.g : t.sheen.b) / most, srgb);
+    }
     case kBaseR:
       return encoded(t.base.r, srgb);
     case kBaseG:
@@ -204,6 +273,35 @@ std::optional<Target> target_named(const std::string& name) {
   return std::nullopt;
 }
 
+EngineModel engine_model(Target target) { return {target_row(target).sheen, target_row(target).specular}; }
+
+namespace {
+constexpr float kPinholes = 0.98f;  // coverage from which on gaps are no windows
+struct AlphaRow {
+  Alpha alpha;
+  const char* name;
+};
+constexpr AlphaRow kAlphas[] = {{Alpha::kAuto, "auto"},
+                                {Alpha::kOpaque, "opaque"},
+                                {Alpha::kMask, "mask"},
+                                {Alpha::kHashed, "hashed"},
+                                {Alpha::kBlend, "blend"}};
+}  // namespace
+
+Alpha alpha_for(Target target, Alpha wanted, float coverage) {
+  if (wanted == Alpha::kAuto) return coverage >= kPinholes ? Alpha::kOpaque : target_row(target).open;
+  return wanted == Alpha::kHashed && target_row(target).open == Alpha::kBlend ? Alpha::kBlend : wanted;
+}
+
+std::optional<Alpha> alpha_named(const std::string& name) {
+  for (const AlphaRow& row : kAlphas) {
+    if (name == row.name) return row.alpha;
+  }
+  return std::nullopt;
+}
+
+const char* alpha_name(Alpha alpha) { return kAlphas[static_cast<size_t>(alpha)].name; }
+
 const char* target_name(Target target) { return target_row(target).name; }
 const char* normal_convention(Target target) { return target_row(target).normal; }
 
@@ -213,6 +311,30 @@ const char* channel_words(Channel channel) {
       return "none";
     case kOne:
       return "one";
+    case kMiddle:
+      return "one half";
+    case kOpenPbrRoughness:
+      return "roughness (OpenPBR's with its anisotropy)";
+    case kOpenPbrAnisotropy:
+      return "anisotropy (OpenPBR: narrow / wide = 1 - a)";
+    case kTurn:
+      return "direction of the wider axis, whole turns from right to up";
+    case kHeightShare:
+      return "height over the thickness, 0 lowest, 1 highest";
+    case kDetailNormalX:
+      return "normal x, flat is 0.5";
+    case kDetailNormalY:
+      return "normal y, flat is 0.5";
+    case kDetailSmoothness:
+      return "smoothness less its mean, 0.5 adds nothing";
+    case kDetailOcclusion:
+      return "ambient occlusion, 1 changes nothing";
+    case kSheenHueR:
+      return "sheen hue red";
+    case kSheenHueG:
+      return "sheen hue green";
+    case kSheenHueB:
+      return "sheen hue blue";
     case kBaseR:
       return "base colour red";
     case kBaseG:
@@ -321,7 +443,8 @@ Image pack(const ImageRow& row, const Surface& surface) {
     const SurfaceTexel* texel = surface.texels.row(y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
     for (int x = width - 1; x >= 0; --x) {
-      for (int c = 0; c < channels; ++c) *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], row.srgb);
+      for (int c = 0; c < channels; ++c)
+        *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], row.srgb, surface);
     }
   });
   return image;

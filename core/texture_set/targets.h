@@ -8,17 +8,28 @@
 #include <string>
 
 #include "files/files.h"
+#include "light/engine_fit.h"
 #include "texture_set/names.h"
 #include "texture_set/surface.h"
 
 namespace weftlight::texture_set {
 
-enum class Target { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlender };
+enum class Target { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlender, kU3m, kMaterialX };
+inline constexpr int kTargetCount = 9;
+
+/// How the gaps of a cloth are shown.
+enum class Alpha { kAuto, kOpaque, kMask, kHashed, kBlend };
+/// kAuto: opaque where gaps are but pinholes, else the target's best for `coverage` (mean, 0..1). A target without
+/// hashed alpha blends.
+Alpha alpha_for(Target target, Alpha wanted, float coverage);
+std::optional<Alpha> alpha_named(const std::string& name);
+const char* alpha_name(Alpha alpha);
 
 /// What a channel of an image holds; all 0..1 unless said.
 enum class Channel {
   kNone,  // ends the list of channels
   kOne,
+  kMiddle,  // one half
   kBaseR,
   kBaseG,
   kBaseB,  // linear light; encoded where the image is sRGB
@@ -38,18 +49,29 @@ enum class Channel {
   kFibreY,
   kFibreZ,  // likewise
   kWideX,
-  kWideY,             // direction of the wider axis, likewise
-  kGltfAnisotropy,    // strength s of KHR_materials_anisotropy: alpha_t = mix(alpha, 1, s^2)
-  kAspectAnisotropy,  // of Godot and Blender: narrow / wide = 1 - 0.9 a
+  kWideY,              // direction of the wider axis, likewise
+  kGltfAnisotropy,     // strength s of KHR_materials_anisotropy: alpha_t = mix(alpha, 1, s^2)
+  kAspectAnisotropy,   // of Godot, Blender and U3M: narrow / wide = 1 - 0.9 a
+  kOpenPbrRoughness,   // wide^2 + narrow^2 = 2 r^4
+  kOpenPbrAnisotropy,  // narrow / wide = 1 - a
+  kTurn,               // of the wider axis from right to up, in whole turns, 0..1/2
   kSheenR,
   kSheenG,
   kSheenB,  // linear light
   kSheenRoughness,
+  kSheenHueR,
+  kSheenHueG,
+  kSheenHueB,    // linear light; the sheen's colour over kSheenWeight
   kSheenWeight,  // largest of the sheen's colour
   kThroughR,
   kThroughG,
-  kThroughB,  // linear light
-  kHeightMm,  // millimetres, signed
+  kThroughB,     // linear light
+  kHeightMm,     // millimetres, signed
+  kHeightShare,  // of the cloth's thickness, 0..1
+  kDetailNormalX,
+  kDetailNormalY,     // of HDRP's ThreadMap: up and right as 0..1, flat is 0.5
+  kDetailSmoothness,  // of it: 0.5 adds nothing
+  kDetailOcclusion,
   kThreadLow,
   kThreadHigh,  // index of the thread in its system, modulo and over 65536, as 16 bits
   kSystem,      // 0 warp, 1 weft
@@ -64,6 +86,9 @@ struct ImageRow {
   bool srgb;
   std::array<Channel, 4> channels;
 };
+
+/// What the target's material has, that a set is fitted to (core/light/engine_fit.h).
+EngineModel engine_model(Target target);
 
 /// The rows of a target, in the order of the contact sheet.
 std::span<const ImageRow> image_rows(Target target);

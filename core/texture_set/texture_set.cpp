@@ -1,8 +1,8 @@
 #include "texture_set/texture_set.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +12,7 @@
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
+#include "texture_set/set_images.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -19,165 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kLeastSide = 16;
-constexpr int kAzimuths = 16;                           // of the horizon, which occlusion is made from
-constexpr int64_t kMostBakedTexels = int64_t{1} << 24;  // about 1 GiB of maps
-constexpr int kSamplesAThread = 4;
-
-/// Texels baked for each texel of the set, a side: at least two, so that rims are smooth and the spread
-/// of normals is known; more where threads are finer than texels; fewer where memory ends.
-int supersampling(const Cloth& cloth, TextureSize size) {
-  const double texels_x = static_cast<double>(size.width) / static_cast<double>(std::max<size_t>(cloth.ends.size(), 1));
-  const double texels_y =
-      static_cast<double>(size.height) / static_cast<double>(std::max<size_t>(cloth.picks.size(), 1));
-  int factor = 2;
-  while (factor < 8 && std::min(texels_x, texels_y) * factor < kSamplesAThread) factor *= 2;
-  while (factor > 1 && int64_t{size.width} * size.height * factor * factor > kMostBakedTexels) factor /= 2;
-  return factor;
-}
-
-Surface surface_of(const Cloth& cloth, TextureSize size, bool with_horizon) {
-  const int factor = supersampling(cloth, size);
-  Maps maps = bake(cloth, {size.width * factor, size.height * factor, kAzimuths});
-  if (!with_horizon) maps.horizon.clear();
-  return make_surface(cloth, maps, size.width, size.height);
-}
-
-const char* type_words(PixelType type) {
-  switch (type) {
-    case PixelType::kU8:
-      return "8-bit";
-    case PixelType::kU16:
-      return "16-bit";
-    case PixelType::kHalf:
-      return "half";
-    case PixelType::kFloat:
-      break;
-  }
-  return "float";
-}
-
-/// A set while it is written: what the sheet and the list will say.
-struct Writing {
-  std::string folder, place;
-  const TextureSetOptions& options;
-  json maps = json::array();
-  std::vector<SheetEntry> sheet;
-  std::string problem;
-};
-
-void record(Writing& set, const std::string& file, const char* face, const char* space, PixelType type,
-            const Image& image, json channels) {
-  set.maps.push_back({{"file", file},
-                      {"face", face},
-                      {"color_space", space},
-                      {"type", type_words(type)},
-                      {"width", image.width},
-                      {"height", image.height},
-                      {"channels", std::move(channels)}});
-}
-
-/// Of an .exr, which has names for its channels; else none.
-std::vector<std::string> names_of(const ImageRow& row) {
-  std::vector<std::string> out;
-  if (std::string_view(row.extension) != ".exr") return out;
-  for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c)
-    out.emplace_back(exr_name(row.channels[c]));
-  return out;
-}
-
-json channel_list(const ImageRow& row) {
-  constexpr const char* kLetters[] = {"R", "G", "B", "A"};
-  const std::vector<std::string> names = names_of(row);
-  json out = json::object();
-  for (size_t c = 0; c < row.channels.size() && row.channels[c] != Channel::kNone; ++c)
-    out[names.empty() ? kLetters[c] : names[c]] = channel_words(row.channels[c]);
-  return out;
-}
-
-/// Thumbnails show colour as a screen does, and every thread in a colour of its own.
-Image shown(const ImageRow& row, const Surface& surface, const Image& image) {
-  if (row.channels[0] == Channel::kThreadLow) return thread_thumbnail(image);
-  if (row.channels[0] != Channel::kBaseR || row.srgb) return thumbnail(image);
-  ImageRow encoded = row;
-  encoded.srgb = true;
-  return thumbnail(pack(encoded, surface));
-}
-
-/// The channels of both, of one size.
-Image side_by_side(const Image& a, const Image& b) {
-  Image out{a.width, a.height, a.channels + b.channels, {}};
-  out.texels.reserve(a.texels.size() + b.texels.size());
-  for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
-    for (int c = 0; c < a.channels; ++c)
-      out.texels.push_back(a.texels[i * static_cast<size_t>(a.channels) + static_cast<size_t>(c)]);
-    for (int c = 0; c < b.channels; ++c)
-      out.texels.push_back(b.texels[i * static_cast<size_t>(b.channels) + static_cast<size_t>(c)]);
-  }
-  return out;
-}
-
-void write_row(Writing& set, const ImageRow& row, const Surface& surface, const char* face,
-               const std::string& face_suffix) {
-  if (!set.problem.empty()) return;
-  const std::string file = row.prefix + set.options.name + face_suffix + row.suffix + row.extension;
-  const Image image = pack(row, surface);
-  set.problem = write_image(set.folder + "/" + file, image, row.type, names_of(row));
-  record(set, file, face, row.srgb ? "sRGB" : "linear", row.type, image, channel_list(row));
-  set.sheet.push_back({std::string(row.suffix + 1) + face_suffix, shown(row, surface, image)});
-}
-
-/// Normals and roughness of every mip, made together, as one EXR.
-void write_mips(Writing& set, const Surface& surface, const char* face, const std::string& face_suffix) {
-  constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
-  constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
-  if (!set.problem.empty()) return;
-  std::vector<Image> levels;
-  Surface level = surface;
-  while (true) {
-    levels.push_back(side_by_side(pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level),
-                                  pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level)));
-    if (level.texels.width == 1 && level.texels.height == 1) break;
-    level = half_of(level);
-  }
-  const std::string file = set.options.name + face_suffix + "_mips.exr";
-  std::vector<std::string> names;
-  json channels;
-  for (const Channel c : {kNormal[0], kNormal[1], kNormal[2], kRough[0], kRough[1]}) {
-    names.emplace_back(exr_name(c));
-    channels[names.back()] = channel_words(c);
-  }
-  set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
-  record(set, file, face, "linear", PixelType::kHalf, levels[0], std::move(channels));
-  set.maps.back()["mip_levels"] = levels.size();
-}
-
-void write_horizon(Writing& set, const std::vector<Plane<float>>& planes, const std::string& what, const char* face,
-                   const std::string& face_suffix) {
-  if (!set.problem.empty() || planes.empty()) return;
-  const std::string file = set.options.name + face_suffix + "_horizon_" + what + ".exr";
-  const Image image = pack_planes(planes);
-  json channels = json::object();
-  std::vector<std::string> names;
-  for (int k = 0; k < image.channels; ++k) {
-    char name[32];
-    std::snprintf(name, sizeof name, "azimuth.%05.1f", 360.0 * k / image.channels);
-    names.emplace_back(name);
-    channels[name] = "sine of the horizon's elevation, " + what + ", towards this azimuth in degrees, from right to up";
-  }
-  set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf, names);
-  record(set, file, face, "linear", PixelType::kHalf, image, std::move(channels));
-  set.sheet.push_back({"horizon_" + what + face_suffix, thumbnail(image)});
-}
-
-void write_face(Writing& set, const Surface& surface, Face face) {
-  const char* word = face == Face::kFront ? "front" : "back";
-  const std::string suffix = set.options.target != Target::kRaw ? "" : face == Face::kFront ? "_front" : "_back";
-  for (const ImageRow& row : image_rows(set.options.target)) write_row(set, row, surface, word, suffix);
-  write_horizon(set, surface.horizon_mean, "mean", word, suffix);
-  write_horizon(set, surface.horizon_spread, "spread", word, suffix);
-  if (set.options.target == Target::kRaw) write_mips(set, surface, word, suffix);
-}
+constexpr size_t kMostTileThreads = 8192;  // of a system, in a tile of many repeats
+constexpr float kLeastTexelsAThread = 2;
+constexpr int kLeastSize = 16, kMostSize = 8192;
 
 std::string millimetres(float v) {
   char text[32];
@@ -187,11 +32,21 @@ std::string millimetres(float v) {
 
 std::string size_words(const Surface& s) { return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm"; }
 
-std::string readme(const Surface& s, const TextureSetOptions& o) {
-  return o.name + ": one seamless repeat of " + o.source + ", " + size_words(s) + " (" +
-         std::to_string(s.texels.width) + " x " + std::to_string(s.texels.height) + " texels), for " +
-         target_name(o.target) + ".\n" + "Tile it once every " + size_words(s) + "; normal maps are " +
-         normal_convention(o.target) + "; end 1 is at the right, pick 1 at the top, as in the editor.\n" +
+/// Which images go together, where not all do.
+const char* advice(Target target) {
+  if (target == Target::kUnityHdrp)
+    return " BaseMap, MaskMap and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for Fabric's thread slot, over a "
+           "base of your own, never with them.";
+  return "";
+}
+
+std::string readme(const FaceSource& face, const TextureSetOptions& o) {
+  const Surface& s = face.small();
+  return o.name + ": one seamless tile of " + o.source + ", " + size_words(s) + " (" +
+         std::to_string(face.size().width) + " x " + std::to_string(face.size().height) + " texels), for " +
+         target_name(o.target) + "; files with _back are the other face's.\n" + "Tile it once every " + size_words(s) +
+         " (the materials take texture coordinates in millimetres); normal maps are " + normal_convention(o.target) +
+         "; end 1 is at the right, pick 1 at the top." + advice(o.target) + "\n" +
          "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n";
 }
 
@@ -206,23 +61,52 @@ std::vector<std::string> files_in(const std::string& folder) {
   return out;
 }
 
-std::string list_of(const Writing& set, const Design& design, const Cloth& cloth, const Surface& s,
-                    const std::string& material) {
+json numbers(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+/// What a flat piece should send, by direction in the image (x right, y up, z out).
+json checks_of(const FaceSource& face) {
+  json out = json::array();
+  const glm::vec3 turned(-1, -1, 1);
+  for (const EngineCheck& c : face.checks())
+    out.push_back({{"view", numbers(c.view * turned)},
+                   {"light", numbers(c.light * turned)},
+                   {"cloth", numbers(c.cloth)},
+                   {"engine", numbers(c.engine)}});
+  return out;
+}
+
+json fit_of(const FaceSource& face) {
+  const EngineFit& f = face.fit();
+  return {{"base_color", {f.base.r, f.base.g, f.base.b}}, {"specular", f.specular}, {"sheen", f.sheen},
+          {"sheen_roughness", f.sheen_roughness},         {"rms_error", f.error},   {"radiance", checks_of(face)}};
+}
+
+std::string list_of(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
+                    const SetIdentity& identity, const std::string& material) {
+  const Surface& s = set.front.small();
+  const Cloth& cloth = set.front.cloth();
   json root{{"format", "weftlight texture set"},
-            {"format_version", 1},
-            {"program", "weftlight " + set.options.program_version},
-            {"source", set.options.source},
-            {"draft", draft_from(set.place, set.options.draft_path)},
-            {"title", design.title},
-            {"name", set.options.name},
-            {"target", target_name(set.options.target)},
-            {"normal", normal_convention(set.options.target)},
+            {"format_version", 2},
+            {"program", "weftlight " + options.program_version},
+            {"source", identity.source},
+            {"draft", identity.draft},
+            {"title", set.design.title},
+            {"name", set.name},
+            {"target", identity.target},
+            {"normal", normal_convention(set.target)},
+            {"orientation", "end 1 right, pick 1 top"},
+            {"texture_coordinates", "millimetres"},
             {"size_mm", {s.width_mm, s.depth_mm}},
-            {"size_texels", {s.texels.width, s.texels.height}},
+            {"size_texels", {set.front.size().width, set.front.size().height}},
             {"repeat", {{"ends", cloth.ends.size()}, {"picks", cloth.picks.size()}}},
-            {"alpha", has_gaps(s) ? "mask" : "opaque"},
-            {"maps", set.maps}};
+            {"alpha", alpha_name(set.alpha)},
+            {"coverage", set.front.coverage()},
+            {"distance_m", options.distance_m},
+            {"fit", {{"front", fit_of(set.front)}, {"back", fit_of(set.back)}}},
+            {"maps", images.maps}};
   if (!material.empty()) root["material"] = material;
+  if (!options.key.empty()) root["key"] = options.key;
+  if (options.archived) root["archived"] = true;
   root["files"] = files_in(set.folder);
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -234,18 +118,42 @@ std::string printable(const std::string& text) {
   return out;
 }
 
-void finish(Writing& set, const Design& design, const Cloth& cloth, const Surface& front, const std::string& material) {
-  if (!set.problem.empty()) return;
-  const std::string title = design.title.empty() ? set.options.name : printable(design.title);
-  const std::string facts = std::string(target_name(set.options.target)) + "   " + size_words(front) + "   " +
+std::string write_sheet(const SetImages& images, const SetFacts& set) {
+  const std::string title = set.design.title.empty() ? set.name : printable(set.design.title);
+  const Cloth& cloth = set.front.cloth();
+  const std::string facts = std::string(target_name(set.target)) + "   " + size_words(set.front.small()) + "   " +
                             std::to_string(cloth.ends.size()) + " ends x " + std::to_string(cloth.picks.size()) +
-                            " picks   " + std::to_string(front.texels.width) + " x " +
-                            std::to_string(front.texels.height) + " texels";
-  set.problem =
-      write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, front, set.sheet), PixelType::kU8);
-  if (set.problem.empty()) set.problem = write_file_atomically(set.folder + "/README.md", readme(front, set.options));
-  if (set.problem.empty())
-    set.problem = write_file_atomically(set.folder + "/texture_set.json", list_of(set, design, cloth, front, material));
+                            " picks   " + std::to_string(set.front.size().width) + " x " +
+                            std::to_string(set.front.size().height) + " texels";
+  return write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, set.front.small(), images.sheet),
+                     PixelType::kU8);
+}
+
+SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options) {
+  return {draft_from(folder, options.draft_path), options.source, target_name(options.target)};
+}
+
+int repeats_for(float mm, float tile_mm, size_t threads) {
+  const int wanted = static_cast<int>(std::ceil(tile_mm / std::max(mm, 1e-3f) - 1e-3f));
+  const int most = static_cast<int>(std::max<size_t>(kMostTileThreads / std::max<size_t>(threads, 1), 1));
+  return std::clamp(wanted, 1, most);
+}
+
+Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float tile_mm) {
+  Cloth cloth = lay_out(design, cells, face, Period::kRepeat);
+  if (tile_mm <= 0) return cloth;
+  return tiled(cloth, repeats_for(cloth.width_mm, tile_mm, cloth.ends.size()),
+               repeats_for(cloth.depth_mm, tile_mm, cloth.picks.size()));
+}
+
+FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
+  Cloth cloth = cloth_of(design, cells, face, options.tile_mm);
+  const bool raw = options.target == Target::kRaw;
+  FaceOptions of;
+  of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
+  of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target);
+  of.footprint_mm = raw ? 0 : kFootprintMmAtOneMetre * options.distance_m;
+  return {std::move(cloth), of};
 }
 
 /// Writes into `folder` what will stand in `place`.
@@ -253,24 +161,30 @@ std::string write_into(const std::string& folder, const std::string& place, cons
                        const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
-  const bool raw = options.target == Target::kRaw;
-  Writing set{folder, place, options, json::array(), {}, {}};
-  const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kRepeat);
-  const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
-  const Surface front = surface_of(cloth, size, raw);
-  write_face(set, front, Face::kFront);
-  if (raw && set.problem.empty()) {
-    write_face(set, surface_of(lay_out(design, cells, Face::kBack, Period::kRepeat), size, raw), Face::kBack);
-  }
-  MaterialFile material;
-  if (set.problem.empty()) material = write_material(folder, options.name, options.target, front, mesh);
-  if (set.problem.empty()) set.problem = material.error;
-  finish(set, design, cloth, front, material.file);
-  return set.problem;
-}
-
-SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options) {
-  return {draft_from(folder, options.draft_path), options.source, target_name(options.target)};
+  const FaceSource front = face_of(design, cells, Face::kFront, options);
+  SetImages images{folder, options.name, options.target, json::array(), {}, {}};
+  write_face(images, front, Face::kFront);
+  if (!images.problem.empty()) return images.problem;
+  const FaceSource back = face_of(design, cells, Face::kBack, options);
+  write_face(images, back, Face::kBack);
+  if (!images.problem.empty()) return images.problem;
+  const SetFacts set{folder,
+                     options.name,
+                     options.target,
+                     alpha_for(options.target, options.alpha, front.coverage()),
+                     options.modified,
+                     design,
+                     front,
+                     back,
+                     mesh};
+  const MaterialFile material = write_materials(set);
+  std::string problem = material.error;
+  if (problem.empty()) problem = write_sheet(images, set);
+  if (problem.empty()) problem = write_file_atomically(folder + "/README.md", readme(front, options));
+  if (problem.empty())
+    problem = write_file_atomically(folder + "/texture_set.json",
+                                    list_of(images, set, options, identity_of(place, options), material.file));
+  return problem;
 }
 
 }  // namespace
@@ -287,15 +201,51 @@ std::string file_name_of(const std::string& text) {
   return out.empty() ? "cloth" : out.substr(0, 100);
 }
 
-TextureSize texture_size(float width_mm, float depth_mm, int size) {
-  const float longer = std::max(width_mm, depth_mm);
-  auto side = [&](float mm) {
-    const double exact =
-        static_cast<double>(size) * static_cast<double>(mm) / static_cast<double>(std::max(longer, 1e-6f));
-    const double power = std::exp2(std::round(std::log2(std::max(exact, 1.0))));
-    return std::clamp(static_cast<int>(power), std::min(kLeastSide, size), size);
+std::string key_of(const TextureSetOptions& o) {
+  return o.program_version + " " + target_name(o.target) + " " + o.name + " " + std::to_string(o.size) + " " +
+         alpha_name(o.alpha) + " " + number(static_cast<double>(o.distance_m)) + " " +
+         number(static_cast<double>(o.tile_mm));
+}
+
+Cloth tiled(const Cloth& cloth, int across, int up) {
+  const auto repeated = [](const std::vector<ThreadBody>& threads, int times, float period_mm) {
+    std::vector<ThreadBody> out;
+    for (int k = 0; k < times; ++k) {
+      for (ThreadBody t : threads) {
+        t.centre_mm += static_cast<float>(k) * period_mm;
+        out.push_back(t);
+      }
+    }
+    return out;
   };
-  return {side(width_mm), side(depth_mm)};
+  Cloth out = cloth;
+  out.width_mm *= static_cast<float>(across), out.depth_mm *= static_cast<float>(up);
+  out.ends = repeated(cloth.ends, across, cloth.width_mm), out.picks = repeated(cloth.picks, up, cloth.depth_mm);
+  out.up = BitMatrix(cloth.up.rows() * up, cloth.up.cols() * across);
+  for (int pick = 0; pick < out.up.rows(); ++pick) {
+    for (int end = 0; end < out.up.cols(); ++end)
+      out.up.set(pick, end, cloth.up.get(pick % cloth.up.rows(), end % cloth.up.cols()));
+  }
+  return out;
+}
+
+int size_for(const Design& design, float texels_per_mm, float tile_mm) {
+  const Cloth cloth = cloth_of(design, drawdown(design.draft), Face::kFront, tile_mm);
+  const float longer = std::max(cloth.width_mm, cloth.depth_mm) * texels_per_mm;
+  int size = kLeastSize;
+  while (size < kMostSize && static_cast<float>(size) < longer) size *= 2;
+  return size;
+}
+
+std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options) {
+  const BitMatrix cells = drawdown(design.draft);
+  if (cells.rows() < 1 || cells.cols() < 1) return {};
+  const Cloth cloth = cloth_of(design, cells, Face::kFront, options.tile_mm);
+  const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
+  const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
+                              static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
+  if (each >= kLeastTexelsAThread) return {};
+  return {"a thread gets " + millimetres(each) + " texels; give a larger --size (or a smaller tile) to see threads"};
 }
 
 std::string who_is_there(const std::string& folder, const TextureSetOptions& options) {

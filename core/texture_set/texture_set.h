@@ -1,11 +1,13 @@
 #pragma once
 // A texture set: one full repeat of structure and colour as named, packed images for an engine, with its
-// material, a README of three lines, a contact sheet and a machine-readable texture_set.json.
+// materials, a README of three lines, a contact sheet and a machine-readable texture_set.json.
 
 #include <string>
+#include <vector>
 
 #include "draft/design.h"
 #include "drape/mesh.h"
+#include "texture_set/face_source.h"
 #include "texture_set/names.h"
 #include "texture_set/targets.h"
 
@@ -19,17 +21,27 @@ struct TextureSetOptions {
   std::string program_version;
   int size = 1024;     // texels of the longer side, a power of two 16..8192
   bool force = false;  // writes among files of others, over those of the same names
+  Alpha alpha = Alpha::kAuto;
+  float distance_m = 1;                           // whose pixels the roughness is made for; 0: none
+  float tile_mm = 0;                              // least width and depth of the tile, of whole repeats; 0: one repeat
+  std::string modified = "2000-01-01T00:00:00Z";  // of the draft, ISO 8601: for formats that ask
+  std::string key;                                // of all that the set is made of, for is_complete()
+  bool archived = false;                          // for the record: a .zip of the same name stands beside the folder
 };
+/// The choices that the set's bytes depend on, as text.
+std::string key_of(const TextureSetOptions& options);
 
 /// Letters, digits, '-' and '_' of a text; "cloth" when none is left.
 std::string file_name_of(const std::string& text);
 
-/// Texels of the images: the longer side has `size`, the other the nearest power of two that keeps texels
-/// about square, at least 16.
-struct TextureSize {
-  int width = 0, height = 0;
-};
-TextureSize texture_size(float width_mm, float depth_mm, int size);
+/// Repeats side by side and one above the other, as one period; yarns' irregularities differ among them.
+Cloth tiled(const Cloth& cloth, int across, int up);
+
+/// Texels a side that give so many to a millimetre of the design's tile: a power of two 16..8192.
+int size_for(const Design& design, float texels_per_mm, float tile_mm);
+
+/// What is amiss with the choices for this design; none: nothing.
+std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);
 
 /// Targets without a .glb take no mesh: it may then be empty.
 ///

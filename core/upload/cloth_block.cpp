@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "light/yarn_lobes.h"
@@ -12,18 +11,6 @@ namespace {
 
 // Threads that cover this much touch: the slivers between them are dark, not windows.
 constexpr float kClosed = 0.985f;
-
-/// The lobes of a system: means over its threads.
-interop::YarnData mean_lobes(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
-  using Numbers = std::array<float, sizeof(interop::YarnData) / sizeof(float)>;
-  Numbers mean{};
-  const float share = threads.empty() ? 0 : 1.0f / static_cast<float>(threads.size());
-  for (const ThreadBody& thread : threads) {
-    const Numbers numbers = std::bit_cast<Numbers>(yarn_data(cloth.yarns[static_cast<size_t>(thread.yarn)].lobes));
-    for (size_t i = 0; i < mean.size(); ++i) mean[i] += numbers[i] * share;
-  }
-  return std::bit_cast<interop::YarnData>(mean);
-}
 
 /// Sums over sparse texels of one system, one at a random place of each step: threads are as regular as a grid.
 struct Sums {
@@ -95,8 +82,8 @@ interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
   const FaceInput* faces[] = {&front, &back};
   for (size_t face = 0; face < 2; ++face) {
     const Cloth& cloth = faces[face]->cloth;
-    data.systems[face * 2].yarn = mean_lobes(cloth, cloth.ends);
-    data.systems[face * 2 + 1].yarn = mean_lobes(cloth, cloth.picks);
+    data.systems[face * 2].yarn = mean_yarn(cloth, cloth.ends);
+    data.systems[face * 2 + 1].yarn = mean_yarn(cloth, cloth.picks);
     add_means(&data.systems[face * 2], faces[face]->maps);
   }
   data.width_mm = front.cloth.width_mm, data.depth_mm = front.cloth.depth_mm;
@@ -106,6 +93,8 @@ interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
   data.rim_mm = 0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks));
   data.open = data.systems[0].coverage + data.systems[1].coverage < kClosed ? 1.0f : 0.0f;
   data.front_sky = data.back_sky = 1;
+  data.front_engine_base = data.back_engine_base = {1, 1, 1, 1};
+  data.front_engine_sheen = data.back_engine_sheen = {1, 0.5f, 0, 0};
   return data;
 }
 

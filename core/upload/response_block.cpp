@@ -7,6 +7,8 @@
 
 #include "base/loops.h"
 
+#include "light/engine_fit.h"
+
 namespace weftlight::upload {
 namespace {
 
@@ -85,6 +87,8 @@ float contrast(const PackedTexture& color, int level) {
 
 void keep_response(interop::ClothData& data, const interop::ClothData& earlier) {
   data.front_sky = earlier.front_sky, data.back_sky = earlier.back_sky;
+  data.front_engine_base = earlier.front_engine_base, data.front_engine_sheen = earlier.front_engine_sheen;
+  data.back_engine_base = earlier.back_engine_base, data.back_engine_sheen = earlier.back_engine_sheen;
   for (size_t s = 0; s < 4; ++s) {
     data.systems[s].color = earlier.systems[s].color;
     data.systems[s].share = earlier.systems[s].share;
@@ -102,6 +106,19 @@ float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) 
   return texels * width_mm / std::max(spacing_mm, 1e-6f);
 }
 
+namespace {
+
+/// What an exported set's material is made with, for rung `engine`.
+void add_engine(interop::vec4& base, interop::vec4& sheen, const FaceInput& face, const ClothResponse& response) {
+  const float share = spread_share(kFootprintMmAtOneMetre, mean_spacing_mm(face.cloth));
+  const EngineTexels seen = engine_texels(face.cloth, face.maps, share);
+  const EngineFit fit = fit_engine(seen.texels, face.cloth, response, {});
+  base = {fit.base.r, fit.base.g, fit.base.b, fit.specular};
+  sheen = {fit.sheen, fit.sheen_roughness, seen.spread.x, seen.spread.y};
+}
+
+}  // namespace
+
 ResponseTables response_tables(interop::ClothData& data, const FaceInput& front, const FaceInput& back, int samples) {
   Faces faces;
   for_each_job(2, [&](int f) {
@@ -109,6 +126,8 @@ ResponseTables response_tables(interop::ClothData& data, const FaceInput& front,
     faces[static_cast<size_t>(f)] = cloth_response(face.cloth, face.maps, samples);
   });
   data.front_sky = faces[0].sky, data.back_sky = faces[1].sky;
+  add_engine(data.front_engine_base, data.front_engine_sheen, front, faces[0]);
+  add_engine(data.back_engine_base, data.back_engine_sheen, back, faces[1]);
   for (size_t f = 0; f < 2; ++f) {
     for (size_t s = 0; s < 2; ++s) {
       const SystemResponse& system = faces[f].systems[s];

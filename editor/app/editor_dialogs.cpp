@@ -22,6 +22,8 @@ constexpr TargetName kTargets[] = {
     {Target::kUnityHdrp, "Unity HDRP"},
     {Target::kUnityUrp, "Unity URP"},
     {Target::kGodot, "Godot"},
+    {Target::kU3m, "U3M"},
+    {Target::kMaterialX, "MaterialX and USD"},
     {Target::kRaw, "Raw maps"},
 };
 
@@ -94,14 +96,27 @@ void Editor::start_export(const std::string& folder, const ExportPrompt& p) {
   options.target = kTargets[p.target].target;
   options.name = file_name_of(file.stem().string());
   options.source = file.filename().string();
+  options.draft_path = document_.path();
   options.program_version = WEFTLIGHT_VERSION;
   options.size = p.size;
   const std::string into = (std::filesystem::path(folder) / options.name).string();
-  exporter_.run(into, "Exported the textures to " + into, [into, options, design = document_.snapshot()] {
-    const std::string problem = export_textures_to(into, *design, options);
-    return problem.empty() ? problem : "Not exported: " + problem;
+  const auto run = [this, into](const TextureSetOptions& chosen) {
+    exporter_.run(into, "Exported the textures to " + into, [into, chosen, design = document_.snapshot()] {
+      const std::string problem = export_textures_to(into, *design, chosen);
+      return problem.empty() ? problem : "Not exported: " + problem;
+    });
+    say("Exporting the textures\xE2\x80\xA6");
+  };
+  const std::string there = who_is_there(into, options);
+  if (there.empty()) return run(options);
+  const std::string text =
+      there.substr(0, there.find("; choose")) + ". Files of the same names would be replaced; all others stay.";
+  ask(Question{"Write the textures there?", text, {"Leave it", "Write there"}}, [run, options](int button) {
+    if (button != 1) return;
+    TextureSetOptions forced = options;
+    forced.force = true;
+    run(forced);
   });
-  say("Exporting the textures\xE2\x80\xA6");
 }
 
 }  // namespace weftlight::app

@@ -331,14 +331,29 @@ CommandLine run_command_line(int argc, char** argv) {
 
   ExportOptions texture;
   auto* export_verb = app.add_subcommand("export", "A seamless texture set of one repeat");
-  export_verb->add_option("files", texture.files, "Drafts (.wif)")->required();
-  export_verb->add_option("--target", texture.target, "What reads the set")
-      ->check(CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "raw"}));
+  export_verb->add_option("files", texture.files, "Drafts (.wif), or folders of them")->required();
+  export_verb->add_option("--target", texture.targets, "What reads the sets; several with commas")
+      ->delimiter(',')
+      ->check(
+          CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "u3m", "materialx", "raw"}));
   export_verb->add_option("-o,--output", texture.out, "Folder")->required()->check(some_name());
-  export_verb->add_option("--size", texture.size, "Texels a side, a power of two")->check(whole_number(16, 8192));
+  auto* size_option =
+      export_verb->add_option("--size", texture.size, "Texels a side, a power of two")->check(whole_number(16, 8192));
+  export_verb->add_option("--px-per-mm", texture.texels_per_mm, "At least so many texels a millimetre")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->excludes(size_option);
+  export_verb->add_option("--tile-cm", texture.tile_cm, "A tile of many repeats, at least so wide and high")
+      ->check(CLI::Range(0.1, 500.0));
+  export_verb->add_option("--alpha", texture.alpha, "How gaps are shown")
+      ->check(CLI::IsMember({"auto", "opaque", "mask", "hashed", "blend"}));
+  export_verb->add_option("--distance", texture.distance_m, "Metres that the roughness is made for; 0: near by")
+      ->check(CLI::Range(0.0, 1000.0));
   export_verb->add_option("--mesh", texture.mesh, "Drape for the .glb");
-  export_verb->add_option("--jobs", texture.jobs, "Drafts at a time")->check(whole_number(1, 64));
-
+  export_verb->add_option("--name", texture.name, "Folder of a set: {name}, {target}, {size}");
+  export_verb->add_option("--jobs", texture.jobs, "Sets at a time")->check(whole_number(1, 64));
+  export_verb->add_flag("--zip", texture.zip, "An archive of each set beside its folder");
+  export_verb->add_flag("--resume", texture.resume, "Leave sets that are complete and up to date");
+  export_verb->add_flag("--watch", texture.watch, "Export again when a draft changes");
   export_verb->add_flag("--force", texture.force, "Write among files of others, over those of the same names");
 
   ChartOptions chart;

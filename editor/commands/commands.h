@@ -46,10 +46,16 @@ struct PictureOptions {
   int bounces = 0;  // reference only
 };
 struct ExportOptions {
-  std::vector<std::string> files;
-  std::string target = "gltf", out, mesh = "plane";
+  std::vector<std::string> files;  // or folders of drafts
+  std::vector<std::string> targets{"gltf"};
+  std::string out, mesh = "plane";
+  std::string name;  // of the folders: {name}, {target}, {size}; empty: as fits
+  std::string alpha = "auto";
   int size = 1024, jobs = 1;
-  bool force = false;
+  float texels_per_mm = 0;  // 0: as `size` says
+  float tile_cm = 0;        // 0: one repeat
+  float distance_m = 1;
+  bool force = false, zip = false, watch = false, resume = false;
 };
 struct ChartOptions {
   std::string out;

@@ -55,8 +55,10 @@ void WholeSet(benchmark::State& state, Target target) {
   const Design design = twill({2, 2}, Lean::kRight, {16, 16});
   const Mesh mesh = simulate_drape("plane");
   const std::string folder = scratch("weftlight_bench_set");
+  TextureSetOptions options;
+  options.target = target, options.name = "bench", options.source = "bench.wif";
   for (auto _ : state) {
-    benchmark::DoNotOptimize(write_texture_set(folder, design, mesh, {target, "bench", "bench.wif", "", "0", 1024}));
+    benchmark::DoNotOptimize(write_texture_set(folder, design, mesh, options));
   }
   std::filesystem::remove_all(folder);
 }

@@ -56,7 +56,7 @@ TEST(MeshFile, RoundTripWithMaterial) {
   const Image white{2, 2, 4, std::vector<float>(16, 1.0f)};
   GltfMaterial material;
   material.name = "cloth";
-  material.base_color_png = material.orm_png = material.normal_png = material.anisotropy_png = material.sheen_png =
+  material.base_color.png = material.orm.png = material.normal.png = material.anisotropy.png = material.sheen.png =
       encode_png(white);
   material.anisotropy_strength = 0.5f;
   material.sheen_color = {1, 1, 1};
@@ -67,6 +67,23 @@ TEST(MeshFile, RoundTripWithMaterial) {
     expect_same(sheet(), *read.mesh);
   }
   EXPECT_TRUE(std::filesystem::exists(scratch / "cloth_basecolor.png"));
+}
+
+TEST(MeshFile, TwoFacesHaveTheirOwnMaterials) {
+  const Scratch scratch("faces");
+  GltfMaterial front, back;
+  front.name = "front", back.name = "back";
+  front.base_color.file = "shared.png", back.base_color.png = encode_png(Image{2, 2, 3, std::vector<float>(12, 0.5f)});
+  ASSERT_EQ(write_image(scratch / "shared.png", Image{2, 2, 3, std::vector<float>(12, 1.0f)}, PixelType::kU8), "");
+  ASSERT_EQ(write_mesh(scratch / "faces.gltf", sheet(), &front, &back), "");
+  const json root = json::parse(std::ifstream(scratch / "faces.gltf"));
+  ASSERT_EQ(root["meshes"][0]["primitives"].size(), 2u);
+  EXPECT_EQ(root["materials"][1]["name"], "back");
+  EXPECT_EQ(root["materials"][0]["doubleSided"], false);
+  EXPECT_EQ(root["images"][0]["uri"], "shared.png");
+  EXPECT_EQ(root["images"][1]["uri"], "back_basecolor.png");
+  front.base_color.file = "none.png";
+  EXPECT_NE(write_mesh(scratch / "faces.glb", sheet(), &front, &back), "");
 }
 
 TEST(MeshFile, RefusesToWriteABrokenMesh) {

@@ -1,0 +1,143 @@
+// Based on: PKWARE, APPNOTE.TXT 6.3 (local headers, central directory, end record); the U3M 1.1 specification of .u3ma;
+//   Pixar, Usdz File Format Specification (stored, 64-byte alignment by an extra field).
+
+#include "files/zip.h"
+
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+#include "base/files.h"
+
+namespace weftlight::files {
+namespace {
+
+constexpr uint16_t kVersion = 20, kMadeBy = 63;  // FAT in the upper byte
+constexpr uint16_t kUtf8Names = 1u << 11;
+constexpr uint16_t kDate = 0x21;  // 1 January 1980: archives do not tell when they were made
+constexpr size_t kAlignment = 64, kPaddingHead = 4;
+constexpr uint16_t kPaddingId = 0x1986;
+
+struct Bytes {
+  std::vector<unsigned char> all;
+  void u16(size_t v) {
+    all.push_back(static_cast<unsigned char>(v)), all.push_back(static_cast<unsigned char>(v >> 8));
+  }
+  void u32(size_t v) { u16(v & 0xFFFFu), u16(v >> 16); }
+  void text(const std::string& t) { all.insert(all.end(), t.begin(), t.end()); }
+};
+
+struct Stored {
+  std::string name;
+  size_t offset = 0, size = 0;
+  uint32_t crc = 0;
+  size_t extra = 0;  // bytes of the padding
+};
+
+void common(Bytes& out, const Stored& file) {
+  out.u16(kVersion), out.u16(kUtf8Names), out.u16(0), out.u16(0), out.u16(kDate);
+  out.u32(file.crc), out.u32(file.size), out.u32(file.size);
+  out.u16(file.name.size()), out.u16(file.extra);
+}
+
+void padding(Bytes& out, size_t size) {
+  if (size == 0) return;
+  out.u16(kPaddingId), out.u16(size - kPaddingHead);
+  out.all.insert(out.all.end(), size - kPaddingHead, 0);
+}
+
+/// Bytes of an extra field that bring the data to its alignment.
+size_t padding_for(size_t data_at) {
+  const size_t over = data_at % kAlignment;
+  if (over == 0) return 0;
+  const size_t need = kAlignment - over;
+  return need >= kPaddingHead ? need : need + kAlignment;
+}
+
+/// Checksum and size of a file. False: it cannot be read.
+bool measure(const std::string& path, Stored& out) {
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file) return false;
+  std::vector<unsigned char> block(size_t{1} << 20);
+  uLong crc = crc32(0, nullptr, 0);
+  for (size_t n = 0; (n = std::fread(block.data(), 1, block.size(), file)) > 0; out.size += n)
+    crc = crc32(crc, block.data(), static_cast<uInt>(n));
+  out.crc = static_cast<uint32_t>(crc);
+  const bool read = std::ferror(file) == 0;
+  std::fclose(file);
+  return read;
+}
+
+bool append(std::FILE* to, const Bytes& bytes) {
+  return std::fwrite(bytes.all.data(), 1, bytes.all.size(), to) == bytes.all.size();
+}
+
+bool append_file(std::FILE* to, const std::string& path, size_t size) {
+  std::FILE* from = std::fopen(path.c_str(), "rb");
+  if (!from) return false;
+  std::vector<unsigned char> block(size_t{1} << 20);
+  size_t done = 0;
+  for (size_t n = 0; (n = std::fread(block.data(), 1, block.size(), from)) > 0; done += n) {
+    if (std::fwrite(block.data(), 1, n, to) != n) break;
+  }
+  std::fclose(from);
+  return done == size;
+}
+
+Bytes directory(const std::vector<Stored>& files, size_t at) {
+  Bytes out;
+  for (const Stored& file : files) {
+    out.u32(0x02014b50), out.u16(kMadeBy);
+    common(out, file);
+    out.u16(0), out.u16(0), out.u16(0), out.u32(0), out.u32(file.offset);
+    out.text(file.name);
+    padding(out, file.extra);
+  }
+  const size_t size = out.all.size();
+  out.u32(0x06054b50), out.u16(0), out.u16(0), out.u16(files.size()), out.u16(files.size());
+  out.u32(size), out.u32(at), out.u16(0);
+  return out;
+}
+
+std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, ZipKind kind) {
+  constexpr size_t kEnd = std::numeric_limits<uint32_t>::max();
+  constexpr size_t kHead = 30;
+  std::vector<Stored> files;
+  size_t at = 0;
+  for (const ZipEntry& entry : entries) {
+    Stored file;
+    file.name = entry.name, file.offset = at;
+    if (!measure(entry.path, file)) return entry.path + ": cannot be read";
+    if (kind == ZipKind::kUsdz) file.extra = padding_for(at + kHead + file.name.size());
+    Bytes head;
+    head.u32(0x04034b50);
+    common(head, file);
+    head.text(file.name);
+    padding(head, file.extra);
+    at += head.all.size() + file.size;
+    if (at > kEnd) return "an archive ends at 4 GB; export smaller textures";
+    if (!append(to, head) || !append_file(to, entry.path, file.size)) return cause_of(errno);
+    files.push_back(file);
+  }
+  return append(to, directory(files, at)) ? std::string{} : cause_of(errno);
+}
+
+}  // namespace
+
+std::string write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
+  if (entries.size() > 0xFFFF) return path + ": an archive holds at most 65535 files";
+  return write_through(path, [&](const std::string& beside) {
+    std::FILE* file = std::fopen(beside.c_str(), "wb");
+    if (!file) return cause_of(errno);
+    std::string problem = write_entries(file, entries, kind);
+    if (std::fclose(file) != 0 && problem.empty()) problem = cause_of(errno);
+    return problem;
+  });
+}
+
+}  // namespace weftlight::files

@@ -1,0 +1,66 @@
+#pragma once
+// One face of a cloth at the size of its images, made band by band, so that memory does not grow with the size: the
+// whole in few texels for what is known of it from afar, and rows of the full size with all their supersampling.
+
+#include <memory>
+
+#include "cloth/cloth.h"
+#include "light/engine_fit.h"
+#include "texture_set/names.h"
+#include "texture_set/surface.h"
+
+namespace weftlight::texture_set {
+
+/// Texels of the images: the longer side has `size`, the other the nearest power of two that keeps texels
+/// about square, at least 16.
+struct TextureSize {
+  int width = 0, height = 0;
+};
+TextureSize texture_size(float width_mm, float depth_mm, int size);
+
+struct FaceOptions {
+  TextureSize size;
+  bool horizon = false;    // kept in small()
+  bool fitted = true;      // colours, sheen and occlusion as an engine needs them; false: the cloth's own
+  EngineModel model;       // that it is fitted to
+  float footprint_mm = 0;  // of a pixel: roughness holds the spread of the normals in it; 0: of a texel alone
+};
+
+/// Deterministic: the same bits however many bands are asked for.
+class FaceSource {
+ public:
+  FaceSource(Cloth cloth, const FaceOptions& options);
+  const Cloth& cloth() const { return cloth_; }
+  /// The whole face, at most 1024 texels a side.
+  const Surface& small() const { return small_; }
+  /// Rows [y0, y1) of the full size, without horizons.
+  Surface rows(int y0, int y1) const;
+  /// Rows that fit into memory at a time; a power of two that divides the height.
+  int band() const { return band_; }
+  const EngineFit& fit() const { return fit_; }
+  const std::vector<EngineCheck>& checks() const { return checks_; }
+  float coverage() const { return coverage_; }  // mean, 0..1
+  Linear mean_base() const { return mean_base_; }
+  TextureSize size() const { return options_.size; }
+
+ private:
+  void measure(const Maps& maps);
+  void take_spread();
+  void take_means();
+  void take_range();
+  void finish(Surface& surface, int y0) const;
+  Surface piece(int x0, int x1, int y0, int y1) const;
+
+  Cloth cloth_;
+  FaceOptions options_;
+  int factor_ = 1, band_ = 1;
+  Surface small_, whole_;               // whole_: empty where the face is too large for one piece
+  Plane<float> occlusion_;              // of the coarse maps; empty: each piece finds its own
+  Plane<glm::vec3> spread_;  // covariance of the normals within a footprint
+  EngineFit fit_;
+  std::vector<EngineCheck> checks_;
+  float coverage_ = 1, occlusion_gain_ = 1;
+  Linear mean_base_;
+};
+
+}  // namespace weftlight::texture_set

@@ -1,0 +1,139 @@
+#include "base/files.h"
+#include "texture_set/material_files.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+// Blender 3.4 and 4; sockets were renamed in 4.0. Its glTF importer stores 1 - v: a whole unit, which is a millimetre
+// there, is taken back.
+constexpr const char* kScript =
+    R"("""Builds the material "{NAME}" from the images beside this file: front and back, each with its own.
+Run it in the Scripting tab (open it there from the folder of the set), or `blender -P` it.
+Texture coordinates are millimetres, as those of {NAME}.glb and of its importer are; for a mesh on which
+one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm set MM_UV = False."""
+import os
+import bpy
+
+NAME = "{NAME}"
+SIZE_MM = ({WIDTH_MM}, {DEPTH_MM})
+MM_UV = True
+
+
+def folder():
+    """Where this text was opened from; else where the .blend lies."""
+    texts = [text.filepath for text in bpy.data.texts if os.path.basename(text.filepath) == NAME + ".py"]
+    if texts:
+        return os.path.dirname(bpy.path.abspath(texts[0]))
+    here = globals().get("__file__", "")
+    return os.path.dirname(os.path.abspath(here)) if os.path.isfile(here) else bpy.path.abspath("//")
+
+
+FOLDER = folder()
+material = bpy.data.materials.new(NAME)
+material.use_nodes = True
+material.blend_method = "{BLEND}"
+nodes, links = material.node_tree.nodes, material.node_tree.links
+nodes.remove(nodes["Principled BSDF"])
+place = nodes.new("ShaderNodeMapping")
+place.inputs["Scale"].default_value = (1 / SIZE_MM[0], 1 / SIZE_MM[1], 1) if MM_UV else (1, 1, 1)
+place.inputs["Location"].default_value = (0, -1 / SIZE_MM[1], 0) if MM_UV else (0, 0, 0)
+links.new(nodes.new("ShaderNodeTexCoord").outputs["UV"], place.inputs["Vector"])
+
+
+def image(suffix, colour=False):
+    node = nodes.new("ShaderNodeTexImage")
+    node.image = bpy.data.images.load(os.path.join(FOLDER, NAME + suffix))
+    node.image.colorspace_settings.name = "sRGB" if colour else "Non-Color"
+    links.new(place.outputs["Vector"], node.inputs["Vector"])
+    return node.outputs["Color"]
+
+
+def feed(shader, output, *names):
+    for name in names:
+        if name in shader.inputs:
+            links.new(output, shader.inputs[name])
+            return
+
+
+def value(shader, number, *names):
+    for name in names:
+        if name in shader.inputs:
+            shader.inputs[name].default_value = number
+            return
+
+
+def normal_map(suffix):
+    node = nodes.new("ShaderNodeNormalMap")
+    links.new(image(suffix), node.inputs["Color"])
+    return node.outputs["Normal"]
+
+
+def face(side, specular, sheen_roughness):
+    shader = nodes.new("ShaderNodeBsdfPrincipled")
+    shade = nodes.new("ShaderNodeMixRGB")
+    shade.blend_type = "MULTIPLY"
+    shade.inputs["Fac"].default_value = 1
+    links.new(image(side + "_basecolor.png", True), shade.inputs["Color1"])
+    links.new(image(side + "_occlusion.png"), shade.inputs["Color2"])
+    feed(shader, shade.outputs["Color"], "Base Color")
+    if "{BLEND}" != "OPAQUE":
+        feed(shader, image(side + "_alpha.png"), "Alpha")
+    feed(shader, image(side + "_roughness.png"), "Roughness")
+    feed(shader, image(side + "_metallic.png"), "Metallic")
+    feed(shader, image(side + "_anisotropic.png"), "Anisotropic")
+    feed(shader, normal_map(side + "_normal.png"), "Normal")
+    feed(shader, normal_map(side + "_tangent.png"), "Tangent")
+    value(shader, 0.5 * specular, "Specular IOR Level", "Specular")
+    if "Sheen Weight" in shader.inputs:
+        shader.inputs["Sheen Weight"].default_value = 1
+        shader.inputs["Sheen Roughness"].default_value = sheen_roughness
+        feed(shader, image(side + "_sheen.png", True), "Sheen Tint")
+    return shader.outputs["BSDF"]
+
+
+both = nodes.new("ShaderNodeMixShader")
+links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], both.inputs[0])
+links.new(face("", {SPECULAR}, {SHEEN_ROUGHNESS}), both.inputs[1])
+links.new(face("_back", {BACK_SPECULAR}, {BACK_SHEEN_ROUGHNESS}), both.inputs[2])
+links.new(both.outputs["Shader"], nodes["Material Output"].inputs["Surface"])
+for thing in bpy.context.selected_objects:
+    if thing.type == "MESH":
+        thing.data.materials.clear()
+        thing.data.materials.append(material)
+        for polygon in thing.data.polygons:
+            polygon.material_index = 0
+)";
+
+const char* blend_of(Alpha alpha) {
+  switch (alpha) {
+    case Alpha::kMask:
+      return "CLIP";
+    case Alpha::kHashed:
+      return "HASHED";
+    case Alpha::kBlend:
+      return "BLEND";
+    case Alpha::kAuto:
+    case Alpha::kOpaque:
+      break;
+  }
+  return "OPAQUE";
+}
+
+}  // namespace
+
+std::string write_blender_script(const SetFacts& set) {
+  const EngineFit &front = set.front.fit(), &back = set.back.fit();
+  const Surface& s = set.front.small();
+  return write_file_atomically(
+      set.folder + "/" + set.name + ".py",
+      filled(kScript, {{"NAME", set.name},
+                       {"BLEND", blend_of(set.alpha)},
+                       {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
+                       {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
+                       {"SPECULAR", number(static_cast<double>(front.specular))},
+                       {"BACK_SPECULAR", number(static_cast<double>(back.specular))},
+                       {"SHEEN_ROUGHNESS", number(static_cast<double>(front.sheen_roughness))},
+                       {"BACK_SHEEN_ROUGHNESS", number(static_cast<double>(back.sheen_roughness))}}));
+}
+
+}  // namespace weftlight::texture_set

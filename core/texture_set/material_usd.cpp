@@ -1,0 +1,326 @@
+// MaterialX 1.39 with OpenPBR 1.1, and USD that shows the same images by UsdPreviewSurface and names the .mtlx for
+// renderers that know it.
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "files/zip.h"
+#include "texture_set/material_files.h"
+#include "texture_set/set_images.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+// One face. Texture coordinates are millimetres, right and up the image.
+constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
+    <texcoord name="uv_mm" type="vector2" />
+    <multiply name="uv" type="vector2">
+      <input name="in1" type="vector2" nodename="uv_mm" />
+      <input name="in2" type="vector2" value="{SCALE_U}, {SCALE_V}" />
+    </multiply>
+    <image name="basecolor" type="color3">
+      <input name="file" type="filename" value="{BASECOLOR}" colorspace="srgb_texture" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <image name="roughness" type="float">
+      <input name="file" type="filename" value="{ROUGHNESS}" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <image name="metalness" type="float">
+      <input name="file" type="filename" value="{METALNESS}" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <image name="anisotropy" type="float">
+      <input name="file" type="filename" value="{ANISOTROPY}" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <image name="fuzz" type="color3">
+      <input name="file" type="filename" value="{FUZZ}" colorspace="srgb_texture" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <image name="opacity" type="float">
+      <input name="file" type="filename" value="{OPACITY}" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <image name="normal_image" type="vector3">
+      <input name="file" type="filename" value="{NORMAL}" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <normalmap name="normal" type="vector3">
+      <input name="in" type="vector3" nodename="normal_image" />
+    </normalmap>
+    <image name="turn" type="float">
+      <input name="file" type="filename" value="{TURN}" />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+    <multiply name="degrees" type="float">
+      <input name="in1" type="float" nodename="turn" />
+      <input name="in2" type="float" value="360" />
+    </multiply>
+    <tangent name="right" type="vector3">
+      <input name="space" type="string" value="world" />
+    </tangent>
+    <rotate3d name="tangent" type="vector3">
+      <input name="in" type="vector3" nodename="right" />
+      <input name="amount" type="float" nodename="degrees" />
+      <input name="axis" type="vector3" nodename="normal" />
+    </rotate3d>
+    <output name="basecolor_out" type="color3" nodename="basecolor" />
+    <output name="roughness_out" type="float" nodename="roughness" />
+    <output name="metalness_out" type="float" nodename="metalness" />
+    <output name="anisotropy_out" type="float" nodename="anisotropy" />
+    <output name="fuzz_out" type="color3" nodename="fuzz" />
+    <output name="opacity_out" type="float" nodename="opacity" />
+    <output name="normal_out" type="vector3" nodename="normal" />
+    <output name="tangent_out" type="vector3" nodename="tangent" />
+  </nodegraph>
+  <open_pbr_surface name="SR_{NAME}" type="surfaceshader">
+    <input name="base_color" type="color3" nodegraph="NG_{NAME}" output="basecolor_out" />
+    <input name="base_metalness" type="float" nodegraph="NG_{NAME}" output="metalness_out" />
+    <input name="specular_weight" type="float" value="{SPECULAR}" />
+    <input name="specular_roughness" type="float" nodegraph="NG_{NAME}" output="roughness_out" />
+    <input name="specular_roughness_anisotropy" type="float" nodegraph="NG_{NAME}" output="anisotropy_out" />
+    <input name="fuzz_weight" type="float" value="{FUZZ_WEIGHT}" />
+    <input name="fuzz_color" type="color3" nodegraph="NG_{NAME}" output="fuzz_out" />
+    <input name="fuzz_roughness" type="float" value="{FUZZ_ROUGHNESS}" />
+{OPACITY_INPUT}    <input name="geometry_normal" type="vector3" nodegraph="NG_{NAME}" output="normal_out" />
+    <input name="geometry_tangent" type="vector3" nodegraph="NG_{NAME}" output="tangent_out" />
+    <input name="geometry_thin_walled" type="boolean" value="true" />
+  </open_pbr_surface>
+)";
+constexpr const char* kOpacityInput =
+    "    <input name=\"geometry_opacity\" type=\"float\" nodegraph=\"NG_{NAME}\" output=\"opacity_out\" />\n";
+// Renderers that know backsurfaceshader show both faces with one material.
+constexpr const char* kMaterials = R"(  <surfacematerial name="{NAME}" type="material">
+    <input name="surfaceshader" type="surfaceshader" nodename="SR_{NAME}" />
+    <input name="backsurfaceshader" type="surfaceshader" nodename="SR_{NAME}_back" />
+  </surfacematerial>
+  <surfacematerial name="{NAME}_back" type="material">
+    <input name="surfaceshader" type="surfaceshader" nodename="SR_{NAME}_back" />
+  </surfacematerial>
+)";
+
+constexpr const char* kStage = R"(#usda 1.0
+(
+    defaultPrim = "{PRIM}"
+    metersPerUnit = 0.001
+    upAxis = "Y"
+    doc = "100 mm of cloth; texture coordinates are millimetres"
+)
+
+def Xform "{PRIM}"
+{
+{MESHES}
+    def Scope "Materials"
+    {
+{MATERIALS}    }
+}
+)";
+
+constexpr const char* kMesh = R"(    def Mesh "{FACE}" (
+        prepend apiSchemas = ["MaterialBindingAPI"]
+    )
+    {
+        uniform token subdivisionScheme = "none"
+        uniform token orientation = "{ORIENTATION}"
+        uniform bool doubleSided = 0
+        float3[] extent = [(0, 0, 0), (100, 100, 0)]
+        int[] faceVertexCounts = [4]
+        int[] faceVertexIndices = [0, 1, 2, 3]
+        point3f[] points = [(0, 0, 0), (100, 0, 0), (100, 100, 0), (0, 100, 0)]
+        normal3f[] normals = [(0, 0, {Z}), (0, 0, {Z}), (0, 0, {Z}), (0, 0, {Z})] (
+            interpolation = "vertex"
+        )
+        texCoord2f[] primvars:st = [(-100, -100), (0, -100), (0, 0), (-100, 0)] (
+            interpolation = "vertex"
+        )
+        rel material:binding = </{PRIM}/Materials/{MATERIAL}>
+    }
+)";
+
+constexpr const char* kPreview = R"(        def Material "{MATERIAL}"
+        {
+            token outputs:surface.connect = </{PRIM}/Materials/{MATERIAL}/Surface.outputs:surface>
+
+            def Shader "Surface"
+            {
+                uniform token info:id = "UsdPreviewSurface"
+                color3f inputs:diffuseColor.connect = </{PRIM}/Materials/{MATERIAL}/basecolor.outputs:rgb>
+                float inputs:roughness.connect = </{PRIM}/Materials/{MATERIAL}/roughness.outputs:r>
+                float inputs:metallic.connect = </{PRIM}/Materials/{MATERIAL}/metalness.outputs:r>
+                float inputs:occlusion.connect = </{PRIM}/Materials/{MATERIAL}/occlusion.outputs:r>
+                normal3f inputs:normal.connect = </{PRIM}/Materials/{MATERIAL}/normal.outputs:rgb>
+{USD_OPACITY}                token outputs:surface
+            }
+
+            def Shader "st"
+            {
+                uniform token info:id = "UsdPrimvarReader_float2"
+                string inputs:varname = "st"
+                float2 outputs:result
+            }
+
+            def Shader "repeat"
+            {
+                uniform token info:id = "UsdTransform2d"
+                float2 inputs:in.connect = </{PRIM}/Materials/{MATERIAL}/st.outputs:result>
+                float2 inputs:scale = ({SCALE_U}, {SCALE_V})
+                float2 outputs:result
+            }
+{TEXTURES}        }
+)";
+
+constexpr const char* kTexture = R"(
+            def Shader "{WHAT}"
+            {
+                uniform token info:id = "UsdUVTexture"
+                asset inputs:file = @{FILE}@
+                token inputs:sourceColorSpace = "{SPACE}"
+                token inputs:wrapS = "repeat"
+                token inputs:wrapT = "repeat"
+{RANGE}                float2 inputs:st.connect = </{PRIM}/Materials/{MATERIAL}/repeat.outputs:result>
+                float3 outputs:rgb
+                float outputs:r
+            }
+)";
+
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+std::string material_name(const SetFacts& set, Face face) { return set.name + (face == Face::kBack ? "_back" : ""); }
+
+/// A name that USD takes: no digit first, no '-'.
+std::string prim_name(std::string name) {
+  for (char& c : name) c = c == '-' ? '_' : c;
+  return name.empty() || (name[0] >= '0' && name[0] <= '9') ? "_" + name : name;
+}
+
+Values values_of(const SetFacts& set, Face face) {
+  const FaceSource& source = set.of(face);
+  const auto image = [&](const char* suffix) { return image_named(set, suffix, face); };
+  return {{"OPACITY_INPUT", set.alpha == Alpha::kOpaque ? "" : kOpacityInput},
+          {"NAME", prim_name(material_name(set, face))},
+          {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
+          {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
+          {"BASECOLOR", image("_basecolor")},
+          {"ROUGHNESS", image("_roughness")},
+          {"METALNESS", image("_metalness")},
+          {"ANISOTROPY", image("_anisotropy")},
+          {"FUZZ", image("_fuzz")},
+          {"OPACITY", image("_opacity")},
+          {"NORMAL", image("_normal")},
+          {"TURN", image("_turn")},
+          {"SPECULAR", number(std::min(static_cast<double>(source.fit().specular), 1.0))},
+          {"FUZZ_WEIGHT", source.fit().sheen > 0 ? "1" : "0"},
+          {"FUZZ_ROUGHNESS", number(static_cast<double>(source.fit().sheen_roughness))}};
+}
+
+std::string write_mtlx(const SetFacts& set) {
+  std::string text = "<?xml version=\"1.0\"?>\n<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n";
+  for (const Face face : {Face::kFront, Face::kBack}) text += filled(kGraph, values_of(set, face));
+  text += filled(kMaterials, {{"NAME", prim_name(set.name)}});
+  return write_file_atomically(set.folder + "/" + set.name + ".mtlx", text + "</materialx>\n");
+}
+
+struct UsdTexture {
+  const char* suffix;
+  const char* what;
+  bool srgb, normal;
+};
+constexpr UsdTexture kUsdTextures[] = {
+    {"_basecolor", "basecolor", true, false},  {"_roughness", "roughness", false, false},
+    {"_metalness", "metalness", false, false}, {"_occlusion", "occlusion", false, false},
+    {"_normal", "normal", false, true},        {"_opacity", "opacity", false, false}};
+constexpr const char* kNormalRange =
+    "                float4 inputs:scale = (2, 2, 2, 1)\n                float4 inputs:bias = (-1, -1, -1, 0)\n";
+
+std::string usd_material(const SetFacts& set, Face face) {
+  const std::string prim = prim_name(set.name), material = prim_name(material_name(set, face));
+  std::string textures;
+  for (const UsdTexture& t : kUsdTextures) {
+    if (set.alpha == Alpha::kOpaque && std::string_view(t.what) == "opacity") continue;
+    textures += filled(kTexture, {{"WHAT", t.what},
+                                  {"FILE", image_named(set, t.suffix, face)},
+                                  {"SPACE", t.srgb ? "sRGB" : "raw"},
+                                  {"RANGE", t.normal ? kNormalRange : ""},
+                                  {"PRIM", prim},
+                                  {"MATERIAL", material}});
+  }
+  std::string opacity;
+  if (set.alpha != Alpha::kOpaque) {
+    opacity = "                float inputs:opacity.connect = </{PRIM}/Materials/{MATERIAL}/opacity.outputs:r>\n";
+    if (set.alpha == Alpha::kMask) opacity += "                float inputs:opacityThreshold = 0.5\n";
+  }
+  const Surface& s = set.of(face).small();
+  return filled(kPreview, {{"TEXTURES", textures},
+                           {"USD_OPACITY", opacity},
+                           {"PRIM", prim},
+                           {"MATERIAL", material},
+                           {"SCALE_U", number(1 / static_cast<double>(s.width_mm))},
+                           {"SCALE_V", number(1 / static_cast<double>(s.depth_mm))}});
+}
+
+std::string stage(const SetFacts& set) {
+  const std::string prim = prim_name(set.name);
+  std::string meshes, materials;
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    const bool back = face == Face::kBack;
+    meshes += filled(kMesh, {{"FACE", back ? "Back" : "Front"},
+                             {"ORIENTATION", back ? "leftHanded" : "rightHanded"},
+                             {"Z", back ? "-1" : "1"},
+                             {"PRIM", prim},
+                             {"MATERIAL", prim_name(material_name(set, face))}});
+    materials += usd_material(set, face);
+  }
+  return filled(kStage, {{"MESHES", meshes}, {"MATERIALS", materials}, {"PRIM", prim}});
+}
+
+/// The stage with the materials of the .mtlx in the place of its own.
+constexpr const char* kReferencing = R"(#usda 1.0
+(
+    defaultPrim = "{PRIM}"
+    metersPerUnit = 0.001
+    upAxis = "Y"
+    subLayers = [@./{NAME}.usda@]
+)
+
+over "{PRIM}"
+{
+    def Scope "MaterialX" (
+        prepend references = @./{NAME}.mtlx@</MaterialX>
+    )
+    {
+    }
+
+    over "Front"
+    {
+        rel material:binding = </{PRIM}/MaterialX/Materials/{PRIM}>
+    }
+
+    over "Back"
+    {
+        rel material:binding = </{PRIM}/MaterialX/Materials/{PRIM}_back>
+    }
+}
+)";
+
+}  // namespace
+
+std::string write_materialx(const SetFacts& set) {
+  const std::string path = set.folder + "/" + set.name;
+  std::string problem = write_mtlx(set);
+  if (problem.empty()) problem = write_file_atomically(path + ".usda", stage(set));
+  if (problem.empty())
+    problem = write_file_atomically(path + "_openpbr.usda",
+                                    filled(kReferencing, {{"PRIM", prim_name(set.name)}, {"NAME", set.name}}));
+  if (!problem.empty()) return problem;
+  std::vector<ZipEntry> entries{{set.name + ".usda", path + ".usda"}};
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    for (const UsdTexture& t : kUsdTextures) {
+      const std::string image = image_named(set, t.suffix, face);
+      entries.push_back({image, set.folder + "/" + image});
+    }
+  }
+  return write_zip(path + ".usdz", entries, ZipKind::kUsdz);
+}
+
+}  // namespace weftlight::texture_set

@@ -1,0 +1,210 @@
+#include "texture_set/set_images.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "base/loops.h"
+#include "files/image_rows.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+using nlohmann::json;
+
+const char* type_words(PixelType type) {
+  switch (type) {
+    case PixelType::kU8:
+      return "8-bit";
+    case PixelType::kU16:
+      return "16-bit";
+    case PixelType::kHalf:
+      return "half";
+    case PixelType::kFloat:
+      break;
+  }
+  return "float";
+}
+
+const char* face_word(Face face) { return face == Face::kFront ? "front" : "back"; }
+
+void record(SetImages& set, const std::string& file, Face face, bool srgb, PixelType type, TextureSize size,
+            json channels) {
+  set.maps.push_back({{"file", file},
+                      {"face", face_word(face)},
+                      {"color_space", srgb ? "sRGB" : "linear"},
+                      {"type", type_words(type)},
+                      {"width", size.width},
+                      {"height", size.height},
+                      {"channels", std::move(channels)}});
+}
+
+int channels_of(const ImageRow& row) {
+  return static_cast<int>(std::find(row.channels.begin(), row.channels.end(), Channel::kNone) - row.channels.begin());
+}
+
+/// Of an .exr, which has names for its channels; else none.
+std::vector<std::string> names_of(const ImageRow& row) {
+  std::vector<std::string> out;
+  if (std::string_view(row.extension) != ".exr") return out;
+  for (int c = 0; c < channels_of(row); ++c) out.emplace_back(exr_name(row.channels[static_cast<size_t>(c)]));
+  return out;
+}
+
+json channel_list(const ImageRow& row) {
+  constexpr const char* kLetters[] = {"R", "G", "B", "A"};
+  const std::vector<std::string> names = names_of(row);
+  json out = json::object();
+  for (size_t c = 0; c < static_cast<size_t>(channels_of(row)); ++c)
+    out[names.empty() ? kLetters[c] : names[c]] = channel_words(row.channels[c]);
+  return out;
+}
+
+/// Thumbnails show colour as a screen does, and every thread in a colour of its own.
+Image shown(const ImageRow& row, const Surface& surface) {
+  ImageRow encoded = row;
+  if (row.channels[0] == Channel::kBaseR) encoded.srgb = true;
+  const Image image = pack(encoded, surface);
+  return row.channels[0] == Channel::kThreadLow ? thread_thumbnail(image) : thumbnail(image);
+}
+
+template <class Job>
+void for_all(size_t count, const Job& job) {
+  for_each_job(static_cast<int>(count), [&](int i) { job(static_cast<size_t>(i)); });
+}
+
+/// The mips below the finest level, whose normals and roughness are made together; of `raw`.
+class Mips {
+ public:
+  explicit Mips(bool wanted) : wanted_(wanted) {}
+  void add(const Surface& band) {
+    if (!wanted_) return;
+    Surface level = band;
+    for (size_t k = 0; level.texels.height > 1; ++k) {
+      level = half_of(level);
+      if (levels_.size() <= k) levels_.emplace_back();
+      append(levels_[k], level);
+    }
+    rest_.push_back(std::move(level));
+  }
+  /// The levels, complete to one texel.
+  std::vector<Image> finished() {
+    if (!wanted_ || rest_.empty()) return {};
+    Surface level{rest_[0].width_mm,
+                  rest_[0].depth_mm,
+                  Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
+                  {},
+                  {}};
+    for (size_t y = 0; y < rest_.size(); ++y)
+      std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
+    while (level.texels.width > 1 || level.texels.height > 1) {
+      level = half_of(level);
+      levels_.emplace_back();
+      append(levels_.back(), level);
+    }
+    return std::move(levels_);
+  }
+
+ private:
+  static void append(Image& to, const Surface& level) {
+    constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
+    constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
+    const Image a = pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level);
+    const Image b = pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level);
+    to.width = a.width, to.height += a.height, to.channels = 5;
+    for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
+      to.texels.insert(to.texels.end(), {a.texels[3 * i], a.texels[3 * i + 1], a.texels[3 * i + 2], b.texels[2 * i],
+                                         b.texels[2 * i + 1]});
+    }
+  }
+
+  bool wanted_;
+  std::vector<Image> levels_;
+  std::vector<Surface> rest_;
+};
+
+void write_mips(SetImages& set, std::vector<Image> levels, Face face) {
+  if (!set.problem.empty() || levels.empty()) return;
+  const std::string file = set.name + face_suffix(set.target, face) + "_mips.exr";
+  std::vector<std::string> names;
+  json channels;
+  for (const Channel c :
+       {Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kRoughnessAlong, Channel::kRoughnessAcross}) {
+    names.emplace_back(exr_name(c));
+    channels[names.back()] = channel_words(c);
+  }
+  set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
+  record(set, file, face, false, PixelType::kHalf, {levels[0].width, levels[0].height}, std::move(channels));
+  set.maps.back()["mip_levels"] = levels.size();
+}
+
+void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, const std::string& what, Face face) {
+  if (!set.problem.empty() || planes.empty()) return;
+  const std::string file = set.name + face_suffix(set.target, face) + "_horizon_" + what + ".exr";
+  const Image image = pack_planes(planes);
+  json channels = json::object();
+  std::vector<std::string> names;
+  for (int k = 0; k < image.channels; ++k) {
+    char name[32];
+    std::snprintf(name, sizeof name, "azimuth.%05.1f", 360.0 * k / image.channels);
+    names.emplace_back(name);
+    channels[name] = "sine of the horizon's elevation, " + what + ", towards this azimuth in degrees, from right to up";
+  }
+  set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf, names);
+  record(set, file, face, false, PixelType::kHalf, {image.width, image.height}, std::move(channels));
+  set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(image)});
+}
+
+/// The images of the table and, for `raw`, what their mips are made of.
+void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, Mips& mips) {
+  const std::span<const ImageRow> rows = image_rows(set.target);
+  std::vector<std::unique_ptr<ImageRows>> images;
+  for (const ImageRow& row : rows) {
+    const std::string path = set.folder + "/" + image_file(row, set.name, face);
+    images.push_back(
+        ImageRows::open(path, size.width, size.height, channels_of(row), row.type, names_of(row), set.problem));
+    if (!images.back()) return;
+  }
+  std::vector<std::string> problems(rows.size());
+  const auto first_problem = [&] {
+    for (const std::string& p : problems) {
+      if (set.problem.empty()) set.problem = p;
+    }
+    return !set.problem.empty();
+  };
+  for (int y = 0; y < size.height; y += source.band()) {
+    const Surface band = source.rows(y, y + source.band());
+    for_all(rows.size(), [&](size_t i) { problems[i] = images[i]->add(pack(rows[i], band)); });
+    if (first_problem()) return;
+    mips.add(band);
+  }
+  for_all(rows.size(), [&](size_t i) { problems[i] = images[i]->close(); });
+  first_problem();
+}
+
+}  // namespace
+
+std::string face_suffix(Target target, Face face) {
+  if (face == Face::kBack) return "_back";
+  return target == Target::kRaw ? "_front" : "";
+}
+
+std::string image_file(const ImageRow& row, const std::string& name, Face face) {
+  return row.prefix + name + face_suffix(row.target, face) + row.suffix + row.extension;
+}
+
+void write_face(SetImages& set, const FaceSource& source, Face face) {
+  if (!set.problem.empty()) return;
+  const TextureSize size = source.size();
+  Mips mips(set.target == Target::kRaw);
+  write_rows(set, source, size, face, mips);
+  if (!set.problem.empty()) return;
+  for (const ImageRow& row : image_rows(set.target)) {
+    record(set, image_file(row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
+    set.sheet.push_back({std::string(row.suffix + 1) + face_suffix(set.target, face), shown(row, source.small())});
+  }
+  write_horizon(set, source.small().horizon_mean, "mean", face);
+  write_horizon(set, source.small().horizon_spread, "spread", face);
+  write_mips(set, mips.finished(), face);
+}
+
+}  // namespace weftlight::texture_set

@@ -1,0 +1,138 @@
+// What engines make of an exported texture set: Lambert, anisotropic GGX and a sheen of their own kind. The first
+// kind is what three.js r187 does, operation by operation but for its compensation of rough metals; rung `engine` is it.
+// GLSL 3.30 and C++20. Frame: x along the wider axis of the highlight, z the normal.
+//
+// Based on: Walter et al. 2007 and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017, Neubelt, Pettineo 2013 (Charlie
+//   sheen of glTF and HDRP); Zeltner, Burley, Chiang 2022, by the rational fits of MaterialX 1.39 (fuzz of OpenPBR and
+//   Blender 4); Ashikhmin, Premoze 2007 as in Unreal's cloth model (inverse GGX); Burley 2012 (sheen of U3M's
+//   principled shader and of Blender 3).
+
+#ifndef FORMULA
+#define FORMULA
+#endif
+
+const int kSheenNone = 0;
+const int kSheenCharlie = 1;
+const int kSheenZeltner = 2;
+const int kSheenInverseGgx = 3;
+const int kSheenDisney = 4;
+
+const float kEngineF0 = 0.04f;          // of dielectrics, in every engine
+const float kLeastEngineAlpha = 0.002f;  // roughness 0.045
+
+struct EngineMaterial {
+  vec3 base;
+  float metal;
+  vec3 sheen;
+  float sheen_roughness;
+  vec2 alpha;            // along the frame's x and y
+  float specular;        // scales the dielectric reflectance at every angle, 0..1
+  float occlusion;
+};
+
+// For a unit of irradiance at right angles.
+struct EngineParts {
+  vec3 body;             // scattered, and what metals mirror
+  vec3 gloss;            // mirrored by dielectrics for specular = 1
+  vec3 fuzz;
+  float kept;            // share of body and gloss that the sheen leaves
+};
+
+// Albedo of Charlie sheen by the cosine of the view, three.js' fit.
+FORMULA float charlie_albedo(float mu, float roughness) {
+  float inverse = 1.0f / (roughness + 0.1f);
+  float a = -1.9362f + 1.0678f * roughness + 0.4573f * roughness * roughness - 0.8469f * inverse;
+  float b = -0.6014f + 0.5538f * roughness - 0.4670f * roughness * roughness - 0.1255f * inverse;
+  return clamp(exp(a * mu + b), 0.0f, 1.0f);
+}
+
+FORMULA float charlie_sheen(float nh, float nl, float nv, float roughness) {
+  float inverse = 1.0f / max(roughness * roughness, 1.0e-4f);
+  float sine2 = max(1.0f - nh * nh, 0.0078125f);
+  float d = (2.0f + inverse) * pow(sine2, 0.5f * inverse) / (2.0f * kPi);
+  return d * clamp(0.25f / max(nl + nv - nl * nv, 1.0e-4f), 0.0f, 1.0f);
+}
+
+FORMULA float zeltner_albedo(float mu, float y) {
+  float s = y * (0.0206607f + 1.58491f * y) / (0.0379424f + y * (1.32227f + y));
+  float m = y * (-0.193854f + y * (-1.14885f + y * (1.7932f - 0.95943f * y * y))) / (0.046391f + y);
+  float o = y * (0.000654023f + (-0.0207818f + 0.119681f * y) * y) / (1.26264f + y * (-1.92021f + y));
+  float z = (mu - m) / s;
+  return clamp(exp(-0.5f * z * z) / (s * 2.5066283f) + o, 0.0f, 1.0f);
+}
+
+// wi, wo in a frame whose z is the normal.
+FORMULA float zeltner_sheen(vec3 wi, vec3 wo, float y) {
+  float x = clamp(wo.z, 0.0f, 1.0f);
+  float a = (2.58126f * x + 0.813703f * y) * y / (1.0f + 0.310327f * x * x + 2.60994f * x * y);
+  float b = sqrt(1.0f - x) * (y - 1.0f) * y * y * y / (0.0000254053f + 1.71228f * x - 1.71506f * x * y + 1.34174f * y * y);
+  float flat_length = sqrt(wo.x * wo.x + wo.y * wo.y);
+  vec2 d = flat_length > 1.0e-5f ? vec2(wo.x, wo.y) / flat_length : vec2(1.0f, 0.0f);
+  float along = wi.x * d.x + wi.y * d.y;                     // in the plane of the view
+  float across = wi.y * d.x - wi.x * d.y;
+  float lx = a * (along + b * wi.z);
+  float ly = a * across;
+  float length2 = max(lx * lx + ly * ly + wi.z * wi.z, 1.0e-8f);
+  float over = a / length2;
+  return zeltner_albedo(x, y) * over * over / kPi;           // over the light's cosine, which the caller multiplies
+}
+
+FORMULA float inverse_ggx_sheen(float nh, float nl, float nv, float roughness) {
+  float a2 = roughness * roughness * roughness * roughness;
+  float d = (nh - a2 * nh) * nh + a2;
+  float density = (1.0f + 4.0f * a2 * a2 / max(d * d, 1.0e-8f)) / (kPi * (1.0f + 4.0f * a2));
+  return density * 0.25f / max(nl + nv - nl * nv, 1.0e-4f);
+}
+
+FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
+  EngineParts p;
+  p.body = vec3(0.0f);
+  p.gloss = vec3(0.0f);
+  p.fuzz = vec3(0.0f);
+  p.kept = 1.0f;
+  if (wi.z <= 0.0f) return p;
+  float nl = min(wi.z, 1.0f);
+  float nv = clamp(wo.z, 1.0e-3f, 1.0f);
+  vec3 h = normalize(wi + wo);
+  float ax = clamp(m.alpha.x, kLeastEngineAlpha, 1.0f);
+  float ay = clamp(m.alpha.y, kLeastEngineAlpha, 1.0f);
+  float q = h.x * h.x / (ax * ax) + h.y * h.y / (ay * ay) + h.z * h.z;
+  float d = 1.0f / (kPi * ax * ay * q * q);
+  float g_o = nl * length(vec3(ax * wo.x, ay * wo.y, nv));
+  float g_i = nv * length(vec3(ax * wi.x, ay * wi.y, nl));
+  float shine = d * 0.5f / max(g_o + g_i, 1.0e-6f);
+  float k = 1.0f - clamp(dot(wo, h), 0.0f, 1.0f);
+  float k5 = k * k * k * k * k;
+  float dielectric = kEngineF0 + (1.0f - kEngineF0) * k5;
+  float body = (1.0f - m.metal) * (1.0f - m.specular * dielectric) / kPi;
+  vec3 metal = (m.base + (1.0f - m.base) * k5) * (m.metal * shine);
+  p.body = (m.base * body + metal) * nl;
+  p.gloss = vec3(dielectric * (1.0f - m.metal) * shine * nl);
+  float most = max(max(m.sheen.x, m.sheen.y), m.sheen.z);
+  if (sheen == kSheenCharlie) {
+    p.fuzz = m.sheen * (charlie_sheen(h.z, nl, nv, m.sheen_roughness) * nl);
+    p.kept = 1.0f - most * max(charlie_albedo(nv, m.sheen_roughness), charlie_albedo(nl, m.sheen_roughness));
+  } else if (sheen == kSheenZeltner) {
+    p.fuzz = m.sheen * (zeltner_sheen(wi, wo, clamp(m.sheen_roughness, 0.01f, 1.0f)) * nl);
+    p.kept = 1.0f - most * zeltner_albedo(nv, clamp(m.sheen_roughness, 0.01f, 1.0f));
+  } else if (sheen == kSheenInverseGgx) {
+    p.fuzz = m.sheen * (inverse_ggx_sheen(h.z, nl, nv, sqrt(sqrt(ax * ay))) * nl);
+    p.kept = 1.0f;
+  } else if (sheen == kSheenDisney) {
+    p.fuzz = m.sheen * (k5 * (1.0f - m.metal) * nl);
+  }
+  return p;
+}
+
+// Towards wo; f: frame of the material's normal. soft and glossy: shares of the sky, occluded as engines do.
+FORMULA Answer engine_answer(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
+  vec3 wo = lobe_local(f, v);
+  EngineParts p = engine_parts(m, kSheenCharlie, lobe_local(f, l), wo);
+  float fuzz = charlie_albedo(clamp(wo.z, 0.0f, 1.0f), m.sheen_roughness);
+  float kept = 1.0f - max(max(m.sheen.x, m.sheen.y), m.sheen.z) * fuzz;
+  Answer a;
+  a.key = (p.body + p.gloss * m.specular) * p.kept + p.fuzz;
+  a.soft = (m.base * ((1.0f - m.metal) * kept) + m.sheen * fuzz) * m.occlusion;
+  a.glossy = mix(vec3(kEngineF0 * m.specular), m.base, m.metal) * (kept * m.occlusion);
+  return a;
+}

@@ -2,12 +2,13 @@
 
 #include "upload/light_rig.h"
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "files/files.h"
+#include "base/files.h"
+#include "base/resources.h"
 
 namespace weftlight::upload {
 namespace {
@@ -44,32 +45,46 @@ std::array<glm::vec3, 9> project(const std::vector<Lamp>& lamps) {
   return sum;
 }
 
-glm::vec3 read_vec(const nlohmann::json& json) {
-  return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
+/// Held to what sums of lamps stay finite with.
+float number(const nlohmann::json& json) {
+  constexpr double kLargest = 1e6;
+  return static_cast<float>(std::clamp(json.get<double>(), -kLargest, kLargest));
 }
+
+glm::vec3 read_vec(const nlohmann::json& json) { return {number(json.at(0)), number(json.at(1)), number(json.at(2))}; }
 
 }  // namespace
 
-LightRig load_light_rig(const std::string& name, std::string& error) {
-  const std::string path = presets_dir() + "/lights/" + name + ".json";
-  std::ifstream in(path);
-  if (!in) {
-    error = path + ": light rig missing; set WEFTLIGHT_PRESETS to the folder of presets";
-    return {};
-  }
+LightRig light_rig_from(std::string_view text, std::string& error) {
+  constexpr size_t kMostLamps = 64;
   try {
-    const nlohmann::json json = nlohmann::json::parse(in);
+    const nlohmann::json json = nlohmann::json::parse(text);
     std::vector<Lamp> lamps;
     for (const nlohmann::json& lamp : json.at("lamps")) {
-      lamps.push_back({glm::normalize(read_vec(lamp.at("towards"))),
-                       read_vec(lamp.at("color")) * lamp.at("strength").get<float>(),
-                       lamp.at("sharpness").get<float>()});
+      const glm::vec3 towards = read_vec(lamp.at("towards"));
+      const float length = glm::length(towards), sharpness = number(lamp.at("sharpness"));
+      if (!(length > 1e-6f) || sharpness < 0 || lamps.size() == kMostLamps) error = "a lamp that cannot be";
+      if (!error.empty()) return {};
+      lamps.push_back({towards / length, read_vec(lamp.at("color")) * number(lamp.at("strength")), sharpness});
     }
     return {read_vec(json.at("key")), project(lamps)};
   } catch (const nlohmann::json::exception& problem) {
-    error = path + ": not a light rig (" + problem.what() + "); bring back the shipped file";
+    error = problem.what();
     return {};
   }
+}
+
+LightRig load_light_rig(const std::string& name, std::string& error) {
+  constexpr uint64_t kMostBytes = uint64_t{1} << 20;
+  const std::string path = presets_dir() + "/lights/" + name + ".json";
+  const FileBytes file = read_file(path, kMostBytes);
+  if (!file.error.empty()) {
+    error = path + ": " + file.error + "; set WEFTLIGHT_PRESETS to the folder of presets";
+    return {};
+  }
+  const LightRig rig = light_rig_from(file.bytes, error);
+  if (!error.empty()) error = path + ": not a light rig (" + error + "); bring back the shipped file";
+  return rig;
 }
 
 glm::vec3 sky_radiance(const LightRig& rig, glm::vec3 towards) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 
 #include "upload/names.h"
 
@@ -18,6 +19,8 @@ struct LightRig {
   std::array<glm::vec3, 9> sky{};  // radiance coefficients, order Y00, Y1-1, Y10, Y11, Y2-2 .. Y22 (y, z, x)
 };
 
+/// From the text of a rig's file; numbers are held within +-1e6. `error` says what is wrong.
+LightRig light_rig_from(std::string_view json, std::string& error);
 /// Reads presets/lights/NAME.json. `error` says what is wrong.
 LightRig load_light_rig(const std::string& name, std::string& error);
 

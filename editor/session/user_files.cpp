@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
 
+#include "base/files.h"
+#include "base/utf8.h"
 #include "session/user_folders.h"
-#include "wif/wif.h"
 
 namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr size_t kMostRecent = 10;
+constexpr uint64_t kMostBytes = uint64_t{1} << 20;
 
 fs::path settings_path() { return fs::path(config_folder()) / "settings.json"; }
 
@@ -19,16 +23,38 @@ template <class T>
 void take(const nlohmann::json& json, const char* key, T& value) {
   const auto at = json.find(key);
   if (at == json.end()) return;
-  if (at->type() == nlohmann::json(value).type() || (at->is_number() && nlohmann::json(value).is_number()))
-    value = at->get<T>();
+  if constexpr (std::is_same_v<T, bool>) {
+    if (at->is_boolean()) value = at->get<bool>();
+  } else if (at->is_number()) {
+    constexpr double kLargest = 1e6;  // a number beyond the range of T may not be converted
+    value = static_cast<T>(std::clamp(at->get<double>(), -kLargest, kLargest));
+  }
+}
+
+/// A path as a text, or as its bytes where they are no UTF-8.
+nlohmann::json path_json(const std::string& path) {
+  if (is_utf8(path)) return path;
+  return std::vector<uint8_t>(path.begin(), path.end());
+}
+
+std::string path_from(const nlohmann::json& json) {
+  if (json.is_string()) return json.get<std::string>();
+  std::string path;
+  if (!json.is_array()) return path;
+  for (const nlohmann::json& byte : json) {
+    if (!byte.is_number_unsigned() || byte.get<uint64_t>() > 255) return {};
+    path.push_back(static_cast<char>(byte.get<uint64_t>()));
+  }
+  return path;
 }
 
 }  // namespace
 
-Settings load_settings() {
+Settings load_settings() { return settings_from(read_file(settings_path().string(), kMostBytes).bytes); }
+
+Settings settings_from(std::string_view text) {
   Settings s;
-  const FileBytes file = read_file(settings_path().string());
-  const nlohmann::json json = nlohmann::json::parse(file.bytes, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return s;
   take(json, "dark", s.dark);
   take(json, "end1_right", s.end1_right);
@@ -40,7 +66,8 @@ Settings load_settings() {
   take(json, "height", s.height);
   if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
     for (const auto& path : *recent)
-      if (path.is_string() && s.recent.size() < kMostRecent) s.recent.push_back(path.get<std::string>());
+      if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMostRecent)
+        s.recent.push_back(std::move(one));
   s.drawdown_style = std::clamp(s.drawdown_style, 0, 2);
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
@@ -48,14 +75,20 @@ Settings load_settings() {
   return s;
 }
 
-void save_settings(const Settings& s) {
+std::string settings_text(const Settings& s) {
+  nlohmann::json recent = nlohmann::json::array();
+  for (const std::string& path : s.recent) recent.push_back(path_json(path));
   const nlohmann::json json = {
       {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", s.drawdown_style},
       {"per_inch", s.per_inch}, {"inspector", s.inspector},   {"split", s.split},
-      {"width", s.width},       {"height", s.height},         {"recent", s.recent}};
+      {"width", s.width},       {"height", s.height},         {"recent", recent}};
+  return json.dump(1) + "\n";
+}
+
+void save_settings(const Settings& s) {
   std::error_code ignored;  // a home that cannot be written to is no reason to stop
   fs::create_directories(settings_path().parent_path(), ignored);
-  write_file_atomically(settings_path().string(), json.dump(1) + "\n");
+  write_file_atomically(settings_path().string(), settings_text(s));
 }
 
 void remember(Settings& settings, const std::string& path) {

@@ -2,6 +2,7 @@
 // The user's settings.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "session/names.h"
@@ -20,6 +21,9 @@ struct Settings {
 };
 /// $XDG_CONFIG_HOME/weftlight/settings.json; what is missing or wrong is as in Settings{}.
 Settings load_settings();
+/// The file's text, and back: any bytes are read, and whatever a path is made of is written as UTF-8 JSON.
+Settings settings_from(std::string_view json);
+std::string settings_text(const Settings& settings);
 void save_settings(const Settings& settings);
 void remember(Settings& settings, const std::string& path);
 

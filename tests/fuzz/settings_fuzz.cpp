@@ -1,0 +1,34 @@
+// Any bytes as settings.json: reading never crashes, what is read is within range, and is written and read alike.
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "session/user_files.h"
+
+using namespace weftlight::session;
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  Settings s = settings_from(bytes);
+  require(s.width >= 640 && s.width <= 16384 && s.height >= 480 && s.height <= 16384, "the window has a size");
+  require(s.split == 0 || (s.split >= 0.2f && s.split <= 0.8f), "the draft has its share");
+  require(s.drawdown_style >= 0 && s.drawdown_style <= 2, "there is such a style");
+  s.recent.insert(s.recent.begin(), std::string(bytes.substr(0, 40)));  // a path may be any bytes
+  const std::string text = settings_text(s);
+  const Settings again = settings_from(text);
+  require(settings_text(again) == text || s.recent.size() > again.recent.size(), "settings come back as they went");
+  require(again.recent.empty() || again.recent.front() == s.recent.front(), "a path comes back byte for byte");
+  return 0;
+}

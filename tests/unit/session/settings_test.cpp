@@ -1,0 +1,37 @@
+// Settings survive any file and any path.
+
+#include <gtest/gtest.h>
+
+#include "base/utf8.h"
+#include "session/user_files.h"
+
+namespace weftlight::session {
+namespace {
+
+TEST(Settings, a_path_that_is_no_utf8_is_kept_and_loses_nothing_else) {
+  Settings s;
+  s.dark = true;
+  s.width = 1234;
+  s.recent = {"/drafts/caf\xE9.wif", "/drafts/caf\xC3\xA9.wif"};
+  const std::string text = settings_text(s);
+  EXPECT_TRUE(is_utf8(text));
+  const Settings back = settings_from(text);
+  EXPECT_EQ(back.recent, s.recent);
+  EXPECT_TRUE(back.dark);
+  EXPECT_EQ(back.width, 1234);
+}
+
+TEST(Settings, what_is_wrong_is_as_if_it_were_missing) {
+  for (const char* text : {"", "[]", "{", "{\"width\": \"wide\", \"recent\": 3, \"dark\": 1}", "\xFF\xFE"}) {
+    const Settings s = settings_from(text);
+    EXPECT_EQ(s.width, Settings{}.width) << text;
+    EXPECT_TRUE(s.recent.empty()) << text;
+  }
+  const Settings far = settings_from("{\"width\": 1e300, \"height\": -1e300, \"split\": 1e300}");
+  EXPECT_EQ(far.width, 16384);
+  EXPECT_EQ(far.height, 240);
+  EXPECT_EQ(far.split, 0);
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -45,17 +45,28 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   new_group(add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); }));
 }
 
-void add_library_actions(Actions& all) {
-  std::vector<std::filesystem::path> drafts;
+namespace {
+
+/// The .wif files of a folder of presets, by name; `submenu`: the menu they stand in, with `id` before their names.
+void add_presets(Actions& all, const char* folder, const std::string& id, const char* submenu) {
+  std::vector<std::filesystem::path> files;
   std::error_code missing;  // no presets, no library
-  for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + "/drafts", missing))
-    if (entry.path().extension() == ".wif") drafts.push_back(entry.path());
-  std::sort(drafts.begin(), drafts.end());
-  for (const auto& path : drafts) {
+  for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + folder, missing))
+    if (entry.path().extension() == ".wif") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& path : files) {
     const std::string name = path.stem().string();
-    add(all, "Library", ("library." + name).c_str(), spoken(name).c_str(), "",
-        [file = path.string()](Desk& e) { e.open_copy(file); });
+    add(all, "Library", (id + name).c_str(), spoken(name).c_str(), "", [file = path.string()](Desk& e) {
+      e.open_copy(file);
+    }).item.submenu = submenu;
   }
+}
+
+}  // namespace
+
+void add_library_actions(Actions& all) {
+  add_presets(all, "/cloths", "library.cloth.", "Cloths");
+  add_presets(all, "/drafts", "library.", "");
 }
 
 }  // namespace weftlight::actions

@@ -105,7 +105,7 @@ bool refuse_mistyped_verb(const CLI::App& app, const std::string& word) {
   if (word.empty() || word[0] == '-' || file.has_extension() || file.has_parent_path()) return false;
   if (std::filesystem::exists(file, ignored)) return false;
   std::string nearest, all;
-  size_t apart = std::min(kNear, word.size() - 1) + 1;
+  size_t apart = std::min(kNear, word.size() / 2) + 1;  // most of the word must be right
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     all.append(all.empty() ? "" : ", ").append(verb->get_name());
     const size_t letters = distance(word, verb->get_name());
@@ -334,6 +334,7 @@ CommandLine run_command_line(int argc, char** argv) {
   export_verb->add_option("files", texture.files, "Drafts (.wif), or folders of them")->required();
   export_verb->add_option("--target", texture.targets, "What reads the sets; several with commas")
       ->delimiter(',')
+      ->allow_extra_args(false)  // what follows is a draft
       ->check(
           CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "u3m", "materialx", "raw"}));
   export_verb->add_option("-o,--output", texture.out, "Folder")->required()->check(some_name());

@@ -95,8 +95,8 @@ struct ClothData {
   float back_sky;
   float even_yarns;  // yarns a pixel from which on the period's colour is even
   float spare;
-  // Of an exported set's material (core/light/engine_fit.h): rgb factors of base colour, specular; then the sheen's factor
-  // and roughness, and the variances of the normals along x and y that its roughness holds.
+  // Of an exported set's material (core/light/engine_fit.h): rgb factors of base colour, specular; then the sheen's
+  // factor and roughness, and the variances of the normals along x and y that its roughness holds.
   vec4 front_engine_base;
   vec4 front_engine_sheen;
   vec4 back_engine_base;

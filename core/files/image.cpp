@@ -279,7 +279,7 @@ std::string write_mipmapped_exr(const std::string& path, const std::vector<Image
     if (!halves) return path + ": a mip level does not halve the one before";
   }
   return write_through(path,
-                      [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
+                       [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
 }
 
 ReadImage read_image(const std::string& path, int level) {

@@ -40,7 +40,9 @@ inline float exp(float x) {
 #include "shaders/lobes.glsl"
 #include "shaders/rung_colors.glsl"
 #include "shaders/rungs.glsl"
+// clang-format off: it builds on those above
 #include "shaders/engine.glsl"
+// clang-format on
 #include "shaders/tone.glsl"
 #include "shaders/vrst03.glsl"
 #undef FORMULA

@@ -54,8 +54,8 @@ class FaceSource {
   Cloth cloth_;
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
-  Surface small_, whole_;               // whole_: empty where the face is too large for one piece
-  Plane<float> occlusion_;              // of the coarse maps; empty: each piece finds its own
+  Surface small_, whole_;    // whole_: empty where the face is too large for one piece
+  Plane<float> occlusion_;   // of the coarse maps; empty: each piece finds its own
   Plane<glm::vec3> spread_;  // covariance of the normals within a footprint
   EngineFit fit_;
   std::vector<EngineCheck> checks_;

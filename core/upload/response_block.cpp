@@ -6,7 +6,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "base/loops.h"
-
 #include "light/engine_fit.h"
 
 namespace weftlight::upload {

@@ -2,23 +2,12 @@
 // putting it anywhere leaves a draft whole.
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "draft/block_text.h"
+#include "require.h"
 
 using namespace weftlight::draft;
-
-namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const BlockRead read = read_block_text({reinterpret_cast<const char*>(data), size});

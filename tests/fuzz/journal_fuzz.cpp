@@ -2,23 +2,16 @@
 // that was written or none.
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "require.h"
 #include "session/journal_format.h"
 
 using namespace weftlight::session;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 /// The lines of the input as what the document said, one state after the other.
 std::vector<std::string> states_of(std::string_view input) {

@@ -10,16 +10,11 @@
 #include <fstream>
 
 #include "files/files.h"
+#include "require.h"
 
 using namespace weftlight::files;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 /// A file of this process, rewritten for every input.
 const std::string& scratch_path() {

@@ -4,25 +4,18 @@
 #include <unistd.h>
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 
+#include "require.h"
 #include "session/recovery.h"
 
 using namespace weftlight::session;
 namespace fs = std::filesystem;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 std::string_view take(std::string_view& input, size_t size) {
   const std::string_view front = input.substr(0, size);

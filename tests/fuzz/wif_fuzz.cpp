@@ -1,24 +1,17 @@
 // Any bytes: reading never crashes, and what it gives survives every way of writing.
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "draft/drawdown.h"
 #include "draft/edits.h"
+#include "require.h"
 #include "wif/wif.h"
 
 using namespace weftlight::draft;
 using namespace weftlight::wif;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 Design read_again(const std::string& bytes, const char* what) {
   WifRead read = read_wif(bytes);

@@ -1,0 +1,11 @@
+#pragma once
+// What a fuzz target holds true: where it is not, the run ends and the input is kept.
+
+#include <cstdio>
+#include <cstdlib>
+
+inline void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}

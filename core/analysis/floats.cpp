@@ -98,9 +98,7 @@ void for_each_run(const BitMatrix& threads, Visit visit) {
   for (int t = 0; t < threads.rows(); ++t) {
     const auto row = threads.row(t);
     if (threads.first(t) < 0) continue;
-    int64_t ones = 0;
-    for (const uint64_t word : row) ones += std::popcount(word);
-    if (ones == n) {
+    if (threads.count(t) == n) {
       visit(t, 0, n);
       continue;
     }

@@ -11,7 +11,6 @@
 #include "analysis/layers.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 namespace weftlight::analysis {
@@ -28,8 +27,7 @@ struct Ranked {
 Ranked rank(const BitMatrix& threads, bool ones) {
   std::vector<int64_t> over;
   for (int r = 0; r < threads.rows(); ++r) {
-    int64_t set = 0;
-    for (const uint64_t word : threads.row(r)) set += std::popcount(word);
+    const int64_t set = threads.count(r);
     over.push_back(ones ? set : threads.cols() - set);
   }
   Ranked ranked{std::vector<int>(over.size()), {}};

@@ -1,7 +1,6 @@
 #include "analysis/threads.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 
@@ -10,32 +9,16 @@
 namespace weftlight::analysis {
 namespace {
 
-template <class Visit>
-void for_each_mark(const BitMatrix& m, int row, Visit visit) {
-  const auto words = m.row(row);
-  for (size_t w = 0; w < words.size(); ++w)
-    for (uint64_t rest = words[w]; rest; rest &= rest - 1) visit(static_cast<int>(w) * 64 + std::countr_zero(rest));
-}
-
 std::vector<int> marks_of_columns(const BitMatrix& m) {
   std::vector<int> marks(static_cast<size_t>(m.cols()), 0);
-  for (int r = 0; r < m.rows(); ++r) for_each_mark(m, r, [&](int c) { ++marks[static_cast<size_t>(c)]; });
-  return marks;
-}
-
-int marks_of_row(const BitMatrix& m, int row) {
-  int marks = 0;
-  for (const uint64_t word : m.row(row)) marks += std::popcount(word);
+  for (int r = 0; r < m.rows(); ++r) for_each_bit(m.row(r), [&](int c) { ++marks[static_cast<size_t>(c)]; });
   return marks;
 }
 
 // Changes of face between each row and the next, rows cyclic, as a share of the crossings.
 double turns_down(const BitMatrix& m) {
   int64_t turns = 0;
-  for (int r = 0; r < m.rows(); ++r) {
-    const auto a = m.row(r), b = m.row((r + 1) % m.rows());
-    for (size_t w = 0; w < a.size(); ++w) turns += std::popcount(a[w] ^ b[w]);
-  }
+  for (int r = 0; r < m.rows(); ++r) turns += differences(m.row(r), m.row((r + 1) % m.rows()));
   const double crossings = static_cast<double>(m.rows()) * m.cols();
   return crossings > 0 ? static_cast<double>(turns) / crossings : 0;
 }
@@ -99,14 +82,14 @@ LoomUse loom_use(const Draft& draft) {
   use.heddles = marks_of_columns(draft.threading);
   use.lifts = marks_of_columns(named);
   for (int e = 0; e < draft.ends(); ++e) {
-    const int heddles = marks_of_row(draft.threading, e);
+    const int heddles = draft.threading.count(e);
     use.unthreaded_ends += heddles == 0;
     use.ends_in_several += heddles > 1;
   }
   for (int p = 0; p < draft.picks(); ++p) use.empty_picks += named.first(p) < 0;
   if (draft.drive != Drive::kTreadling) return use;
   use.treads = marks_of_columns(draft.treadling);
-  for (int p = 0; p < draft.picks(); ++p) use.most_feet = std::max(use.most_feet, marks_of_row(draft.treadling, p));
+  for (int p = 0; p < draft.picks(); ++p) use.most_feet = std::max(use.most_feet, draft.treadling.count(p));
   return use;
 }
 

@@ -87,16 +87,13 @@ std::vector<std::pair<int, int>> texels_of_curves(const SampleAxis& axis, int fi
 template <class Visit>
 void for_each_run(std::span<const uint64_t> row, const Visit& visit) {
   int first = -1, last = -1;
-  for (size_t w = 0; w < row.size(); ++w) {
-    for (uint64_t rest = row[w]; rest; rest &= rest - 1) {
-      const int at = static_cast<int>(w) * 64 + std::countr_zero(rest);
-      if (at != last) {
-        if (first >= 0) visit(first, last);
-        first = at;
-      }
-      last = at + 1;
+  for_each_bit(row, [&](int at) {
+    if (at != last) {
+      if (first >= 0) visit(first, last);
+      first = at;
     }
-  }
+    last = at + 1;
+  });
   if (first >= 0) visit(first, last);
 }
 

@@ -26,6 +26,18 @@ int BitMatrix::first(int r) const {
   return -1;
 }
 
+int BitMatrix::count(int r) const {
+  int sum = 0;
+  for (const uint64_t word : row(r)) sum += std::popcount(word);
+  return sum;
+}
+
+int differences(std::span<const uint64_t> a, std::span<const uint64_t> b) {
+  int sum = 0;
+  for (size_t w = 0; w < a.size(); ++w) sum += std::popcount(a[w] ^ b[w]);
+  return sum;
+}
+
 int64_t BitMatrix::count() const {
   int64_t sum = 0;
   for (const uint64_t word : bits_) sum += std::popcount(word);

@@ -2,6 +2,7 @@
 // A dense matrix of bits, rows padded to 64-bit words: threading, tie-up, treadling,
 // liftplan and drawdown are all of this type. Padding bits are always zero.
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -66,6 +67,7 @@ class BitMatrix {
   /// First set column of a row, or -1.
   int first(int row) const;
   int64_t count() const;
+  int count(int row) const;
 
   bool operator==(const BitMatrix&) const = default;
 
@@ -75,6 +77,16 @@ class BitMatrix {
   std::vector<uint64_t, UnsetAllocator<uint64_t>> bits_;
 };
 
+/// Calls visit(column) for every set column of a row, in order.
+template <class Visit>
+void for_each_bit(std::span<const uint64_t> row, Visit visit) {
+  for (size_t w = 0; w < row.size(); ++w) {
+    for (uint64_t rest = row[w]; rest; rest &= rest - 1) visit(static_cast<int>(w) * 64 + std::countr_zero(rest));
+  }
+}
+
+/// How many columns two rows of one width differ in.
+int differences(std::span<const uint64_t> a, std::span<const uint64_t> b);
 /// For each row the first row that equals it.
 std::vector<int> first_equal_rows(const BitMatrix& matrix);
 /// Rows become columns.

@@ -28,15 +28,6 @@ bool same_words(std::span<const uint64_t> a, std::span<const uint64_t> b) {
   return std::equal(a.begin(), a.end(), b.begin());
 }
 
-template <class Visit>
-void for_each_bit(std::span<const uint64_t> words, Visit visit) {
-  for (size_t w = 0; w < words.size(); ++w) {
-    for (uint64_t rest = words[w]; rest; rest &= rest - 1) {
-      visit(static_cast<int>(w) * 64 + std::countr_zero(rest));
-    }
-  }
-}
-
 // What the rows are made from: the ends of each shaft, and the ends that hang on any.
 struct Harness {
   BitMatrix ends_of;  // shafts x ends
@@ -121,9 +112,7 @@ void table_rows(BitMatrix& cells, const Harness& h, const BitMatrix& lift, const
 
 bool tables_pay(const BitMatrix& lift, const std::vector<int>& picks) {
   int64_t direct = 0;
-  for (const int p : picks) {
-    for (const uint64_t word : lift.row(p)) direct += std::popcount(word);
-  }
+  for (const int p : picks) direct += lift.count(p);
   const int64_t groups = (lift.cols() + kGroup - 1) / kGroup;
   return groups * (kSubsets + static_cast<int64_t>(picks.size())) < direct;
 }

@@ -1,7 +1,6 @@
 #include "draft/edits.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -63,15 +62,9 @@ void lengthen(Threads& t, int n, int new_color) {
   }
 }
 
-int marked(const BitMatrix& m, int row) {
-  int sum = 0;
-  for (const uint64_t word : m.row(row)) sum += std::popcount(word);
-  return sum;
-}
-
 bool single_treadled(const BitMatrix& treadling) {
   for (int p = 0; p < treadling.rows(); ++p)
-    if (marked(treadling, p) > 1) return false;
+    if (treadling.count(p) > 1) return false;
   return true;
 }
 
@@ -206,7 +199,7 @@ Design to_treadling(Design design, int most_treadles) {
   Draft like = d;
   like.drive = Drive::kTreadling;
   for (int p = 0; p < d.picks(); ++p)
-    if (marked(like.treadling, p) > 1) std::ranges::fill(like.treadling.row(p), 0);
+    if (like.treadling.count(p) > 1) std::ranges::fill(like.treadling.row(p), 0);
   if (like.treadling.count() == 0) {
     like.treadles = 0;
     like.tieup = BitMatrix(0, d.shafts);

@@ -5,7 +5,6 @@
 #include "draft/factor.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -20,22 +19,9 @@ bool same_row(const BitMatrix& a, const BitMatrix& b, int row) {
   return a.cols() == b.cols() && std::ranges::equal(a.row(row), b.row(row));
 }
 
-int marks(const BitMatrix& m, int row) {
-  int sum = 0;
-  for (const uint64_t word : m.row(row)) sum += std::popcount(word);
-  return sum;
-}
-
-template <class Visit>
-void for_each_mark(const BitMatrix& m, int row, Visit visit) {
-  const auto words = m.row(row);
-  for (size_t w = 0; w < words.size(); ++w)
-    for (uint64_t rest = words[w]; rest; rest &= rest - 1) visit(static_cast<int>(w) * 64 + std::countr_zero(rest));
-}
-
 std::vector<char> used_columns(const BitMatrix& m) {
   std::vector<char> used(static_cast<size_t>(m.cols()), 0);
-  for (int r = 0; r < m.rows(); ++r) for_each_mark(m, r, [&](int c) { used[c] = 1; });
+  for (int r = 0; r < m.rows(); ++r) for_each_bit(m.row(r), [&](int c) { used[c] = 1; });
   return used;
 }
 
@@ -76,10 +62,10 @@ Treading treading_of(const Draft& d, const BitMatrix& now) {
   const BitMatrix was = lifts(d);
   bool two_feet = false;
   for (int p = 0; p < d.picks(); ++p) {
-    const int feet = marks(d.treadling, p);
+    const int feet = d.treadling.count(p);
     two_feet |= feet > 1;
     t.kept[p] = (feet != 1 || now.first(p) < 0) && same_row(was, now, p);
-    if (t.kept[p]) for_each_mark(d.treadling, p, [&](int treadle) { t.fixed[treadle] = 1; });
+    if (t.kept[p]) for_each_bit(d.treadling.row(p), [&](int treadle) { t.fixed[treadle] = 1; });
   }
   if (!two_feet || now.cols() != d.shafts) return t;
   const std::vector<int> first = first_equal_rows(now);
@@ -100,7 +86,7 @@ Labelling treadles_of(const Draft& d, const Treading& treading, const BitMatrix&
   Labelling l = labelling_of(now, takes_part, ties);
   l.fixed = treading.fixed;
   for (int p = 0; p < d.picks(); ++p)
-    if (marks(d.treadling, p) == 1) l.old_label[p] = d.treadling.first(p);
+    if (d.treadling.count(p) == 1) l.old_label[p] = d.treadling.first(p);
   for (int t = 0; t < d.treadles; ++t) l.empty[t] = ties.first(t) < 0;
   return l;
 }
@@ -111,7 +97,7 @@ void tread(Draft& d, const Labelling& l, const Treading& treading, const BitMatr
   for (int p = 0; p < d.picks(); ++p) {
     const auto on = [&](int treadle) { treadling.set(p, treadle, true); };
     if (treading.kept[p]) {
-      for_each_mark(d.treadling, p, on);
+      for_each_bit(d.treadling.row(p), on);
     } else if (treading.both[p].first >= 0) {
       on(treading.both[p].first);
       on(treading.both[p].second);
@@ -152,12 +138,6 @@ BitMatrix lifts_of(const Draft& like, const Labelling& l, const BitMatrix& colum
     }
   }
   return transposed(named);
-}
-
-int distance(std::span<const uint64_t> a, std::span<const uint64_t> b) {
-  int sum = 0;
-  for (size_t w = 0; w < a.size(); ++w) sum += std::popcount(a[w] ^ b[w]);
-  return sum;
 }
 
 // Distinct rows and how many threads have each.
@@ -201,7 +181,7 @@ BitMatrix with_fewer_kinds(BitMatrix m, int most, bool empty_is_free) {
   const auto nearest = [&](size_t kind) {
     std::pair<int, size_t> best{std::numeric_limits<int>::max(), kind};
     for (const size_t other : alive)
-      if (other != kind) best = std::min(best, {distance(m.row(k.row[kind]), m.row(k.row[other])), other});
+      if (other != kind) best = std::min(best, {differences(m.row(k.row[kind]), m.row(k.row[other])), other});
     return best;
   };
   if (alive.size() > kMany && counted > most) {
@@ -276,16 +256,16 @@ Factored with_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most)
   const BitMatrix columns = transposed(cells), was = transposed(drawdown(like));
   std::vector<char> takes_part, fixed(static_cast<size_t>(like.shafts), 0);
   for (int e = 0; e < like.ends(); ++e) {
-    const bool keeps = marks(like.threading, e) != 1 && same_row(columns, was, e);
+    const bool keeps = like.threading.count(e) != 1 && same_row(columns, was, e);
     takes_part.push_back(!keeps);
-    if (keeps) for_each_mark(like.threading, e, [&](int shaft) { fixed[shaft] = 1; });
+    if (keeps) for_each_bit(like.threading.row(e), [&](int shaft) { fixed[shaft] = 1; });
   }
   Labelling l = labelling_of(columns, takes_part, shaft_columns(like));
   l.fixed = std::move(fixed);
   const std::vector<char> used = used_columns(like.threading);
   for (int s = 0; s < like.shafts; ++s) l.empty[s] = !used[s];
   for (int e = 0; e < like.ends(); ++e)
-    if (marks(like.threading, e) == 1) l.old_label[e] = like.threading.first(e);
+    if (like.threading.count(e) == 1) l.old_label[e] = like.threading.first(e);
   if (!give_labels(l, most.shafts)) return {like, wanting(l.groups(), "shafts", most.shafts), l.groups(), 0, 0};
 
   Draft next = like;
@@ -323,7 +303,7 @@ Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize mo
     out = with_drawdown(bare, near, most);
   }
   const BitMatrix shown = drawdown(out.draft);
-  for (int p = 0; p < cells.rows(); ++p) out.wrong += distance(shown.row(p), cells.row(p));
+  for (int p = 0; p < cells.rows(); ++p) out.wrong += differences(shown.row(p), cells.row(p));
   out.why = exact.why;
   out.shafts = exact.shafts;
   out.treadles = exact.treadles;

@@ -93,13 +93,6 @@ int64_t changes_along(const BitMatrix& m, int row) {
   return changes;
 }
 
-int64_t changes_between(const BitMatrix& m, int row, int other) {
-  const auto a = m.row(row), b = m.row(other);
-  int64_t changes = 0;
-  for (size_t w = 0; w < a.size(); ++w) changes += std::popcount(a[w] ^ b[w]);
-  return changes;
-}
-
 struct Mean {
   float spacing = 0, height = 0;
   glm::vec3 colour{0};
@@ -154,7 +147,7 @@ ClothBrdf cloth_brdf(const Cloth& cloth) {
   over_picks.cells = up.count();
   over_ends.cells = int64_t{picks} * ends - over_picks.cells;
   for (int r = 0; r < picks; ++r) {
-    over_picks.runs += changes_between(up, r, (r + 1) % picks);
+    over_picks.runs += differences(up.row(r), up.row((r + 1) % picks));
     over_ends.runs += changes_along(up, r);
   }
   over_picks.runs /= 2;  // a run begins and ends

@@ -1,7 +1,6 @@
 #include "wif/sections.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "draft/drawdown.h"
 #include "wif/encoding.h"
@@ -12,13 +11,10 @@ namespace weftlight::wif {
 
 std::string bit_list(const BitMatrix& bits, int row, int base) {
   std::string list;
-  const std::span<const uint64_t> words = bits.row(row);
-  for (size_t w = 0; w < words.size(); ++w) {
-    for (uint64_t word = words[w]; word; word &= word - 1) {
-      if (!list.empty()) list += ',';
-      list += std::to_string(static_cast<int>(w) * 64 + std::countr_zero(word) + base);
-    }
-  }
+  for_each_bit(bits.row(row), [&](int at) {
+    if (!list.empty()) list += ',';
+    list += std::to_string(at + base);
+  });
   return list.empty() && base > 0 ? "0" : list;
 }
 

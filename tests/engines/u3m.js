@@ -1,6 +1,6 @@
-// node u3m.js WEFTLIGHT AJV_FOLDER SCHEMA_FOLDER DRAFT...
-// Holds exported .u3m files against the published schema, and .u3ma against the header fields that its specification
-// asks for. Leaves with 0, 1 (an issue) or 77 (schema or validator are not there).
+// node u3m.js WEFTLIGHT AJV_FOLDER DRAFT...
+// Holds exported .u3m files against the published schema, which lies in the folder WEFTLIGHT_U3M, and .u3ma against the
+// header fields that its specification asks for. Leaves with 0, 1 (an issue) or 77 (schema or validator are not there).
 'use strict';
 const fs = require('fs');
 const os = require('os');
@@ -51,9 +51,11 @@ function issues_of_archive(file) {
   return wrong;
 }
 
-function main([weftlight, ajv, schemas, ...drafts]) {
+function main([weftlight, ajv_folder, ...drafts]) {
+  const ajv = path.resolve(ajv_folder), schemas = process.env.WEFTLIGHT_U3M;  // read when run, not when configured
   if (!fs.existsSync(ajv)) { console.log('skipped: ajv is not installed (./check installs it with npm; was the network there?)'); return 77; }
   if (!schemas || !fs.existsSync(path.join(schemas, 'u3m_schema.json'))) { console.log('skipped: WEFTLIGHT_U3M does not name the folder of u3m_schema.json'); return 77; }
+  if (!drafts.length) { console.error('no draft is named'); return 1; }
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'weftlight-u3m-'));
   let wrong = [];
   try {

@@ -16,13 +16,13 @@ void add_cloth_actions(Actions& all) {
     a.checked = [name](const Desk& e) { return e.document().now().scene.mesh == name; };
   }
   Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6",
-                      [](Desk& e) { e.work().show_rungs = !e.work().show_rungs; });
+                      [](Desk& e) { e.settings().show_rungs = !e.settings().show_rungs; });
   rungs.item.group = true;
-  rungs.checked = [](const Desk& e) { return e.work().show_rungs; };
+  rungs.checked = [](const Desk& e) { return e.settings().show_rungs; };
   const auto comparison = [&all](const char* id, const char* label, const char* key, Compare to) {
     Action& a = add(all, "Cloth", id, label, key,
-                    [to](Desk& e) { e.work().compare = e.work().compare == to ? Compare::kOff : to; });
-    a.checked = [to](const Desk& e) { return e.work().compare == to; };
+                    [to](Desk& e) { e.settings().compare = e.settings().compare == to ? Compare::kOff : to; });
+    a.checked = [to](const Desk& e) { return e.settings().compare == to; };
   };
   comparison("compare", "Compare with the ray-traced threads", "F7", Compare::kSplit);
   comparison("difference", "Difference from the ray-traced threads", "F8", Compare::kDifference);

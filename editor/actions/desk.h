@@ -6,8 +6,8 @@
 
 #include "actions/names.h"
 #include "session/document.h"
+#include "session/document_view.h"
 #include "session/user_files.h"
-#include "session/workspace.h"
 
 namespace weftlight::actions {
 
@@ -16,8 +16,9 @@ class Desk {
   virtual ~Desk() = default;
 
   virtual const Document& document() const = 0;
-  virtual Workspace& work() = 0;
-  virtual const Workspace& work() const = 0;
+  /// Of the document; what all documents are seen with is in settings().
+  virtual DocumentView& view() = 0;
+  virtual const DocumentView& view() const = 0;
   virtual void commit(const Edit& edit) = 0;
   virtual void undo() = 0;
   virtual void redo() = 0;
@@ -43,6 +44,10 @@ class Desk {
   virtual void ask_thread() = 0;
   /// A weave over the selected threads, or over all.
   virtual void ask_weave() = 0;
+  /// The control gets the keyboard, by its name in the --ui-map.
+  virtual void focus(std::string control) = 0;
+  /// What the pointer is over.
+  virtual Hover hover() const = 0;
   virtual Settings& settings() = 0;
   virtual const Settings& settings() const = 0;
   virtual void show_commands() = 0;

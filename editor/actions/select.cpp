@@ -16,10 +16,10 @@ constexpr const char* kShift = "Shift by one";
 constexpr const char* kRepeat = "Repeat";
 constexpr const char* kThreads = "Threads";
 
-const Selection& selected(const Desk& e) { return e.work().select.selected; }
+const Selection& selected(const Desk& e) { return e.view().select.selected; }
 bool has_selection(const Desk& e) { return !selected(e).empty(); }
 bool has_threads(const Desk& e) { return threads_of(selected(e)).has_value(); }
-bool has_block(const Desk& e) { return e.work().select.held.has_value(); }
+bool has_block(const Desk& e) { return e.view().select.held.has_value(); }
 
 Action& on_selection(Action& a, const char* submenu = "") {
   a.item.submenu = submenu;
@@ -33,7 +33,7 @@ Action& add_edit(Actions& all, const char* submenu, const char* id, const char* 
   return on_selection(
       add(all, "Edit", id, label, key,
           [=](Desk& e) {
-            const bool looks = e.work().select.with_looks;
+            const bool looks = e.view().select.with_looks;
             e.commit({label, [s = selected(e), edit, looks](Design d) { return edit(std::move(d), s, looks); }});
           }),
       submenu);
@@ -43,7 +43,7 @@ Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const
                         ThreadEdit edit) {
   Action& a = on_selection(add(all, "Edit", id, label, key,
                                [=](Desk& e) {
-                                 const bool looks = e.work().select.with_looks;
+                                 const bool looks = e.view().select.with_looks;
                                  e.commit({label, [t = *threads_of(selected(e)), edit, looks](Design d) {
                                              return edit(std::move(d), t, looks);
                                            }});
@@ -74,13 +74,13 @@ void cut_selection(Desk& e) {
 void paste(Desk& e, bool as_marks) {
   BlockRead read = read_block_text(e.clipboard());
   if (!read.block) return e.say(read.problem);
-  hold_block(e.work().select, e.document().now().draft, std::move(*read.block), as_marks);
-  if (const auto grid = bit_grid_of(e.work().hover_grid)) hold_block_over(e.work().select, *grid, e.work().hover);
+  hold_block(e.view().select, e.document().now().draft, std::move(*read.block), as_marks);
+  if (const auto grid = bit_grid_of(e.hover().grid)) hold_block_over(e.view().select, *grid, e.hover().cell);
 }
 
 void select_all(Desk& e) {
-  SelectState& s = e.work().select;
-  const auto hovered = bit_grid_of(e.work().hover_grid);
+  SelectState& s = e.view().select;
+  const auto hovered = bit_grid_of(e.hover().grid);
   const BitGrid grid = hovered ? *hovered : s.selected.empty() ? BitGrid::kThreading : s.selected.grid;
   select_cells(s, whole_grid(e.document().now().draft, grid));
   s.anchor = {0, 0};
@@ -92,12 +92,12 @@ void select_whole_threads(Desk& e) {
   const Selection all = whole_grid(e.document().now().draft, s.grid);
   if (s.grid == BitGrid::kThreading) s.b0 = all.b0, s.b1 = all.b1;
   else s.a0 = all.a0, s.a1 = all.a1;
-  select_cells(e.work().select, s);
+  select_cells(e.view().select, s);
 }
 
 void insert_threads(Desk& e) {
   const ThreadRange t = *threads_of(selected(e));
-  e.commit({"Insert threads", [t, looks = e.work().select.with_looks](Design d) {
+  e.commit({"Insert threads", [t, looks = e.view().select.with_looks](Design d) {
               return with_bare_threads(std::move(d), t.system, t.first, t.count(), looks);
             }});
 }
@@ -108,13 +108,13 @@ void delete_threads(Desk& e) {
   if (all)
     return e.say(t.system == System::kWarp ? "A draft keeps at least one end" : "A draft keeps at least one pick");
   e.commit({"Delete threads",
-            [t, looks = e.work().select.with_looks](Design d) { return without_threads(std::move(d), t, looks); }});
-  select_cells(e.work().select, {});
+            [t, looks = e.view().select.with_looks](Design d) { return without_threads(std::move(d), t, looks); }});
+  select_cells(e.view().select, {});
 }
 
 /// One thing at a time: the drag, the block in hand, the selection.
 void let_go(Desk& e) {
-  SelectState& s = e.work().select;
+  SelectState& s = e.view().select;
   if (s.drag == SelectDrag::kNone) {
     escape(s);
   } else if (const MaybeEdit back = cancel_drag(s, e.document().now())) {
@@ -143,11 +143,11 @@ using BlockTurn = BitMatrix (*)(const BitMatrix&);
 
 /// Of the block in hand, else of what is selected.
 void turn(Desk& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
-  if (has_block(e)) return turn_held_block(e.work().select, of_block);
+  if (has_block(e)) return turn_held_block(e.view().select, of_block);
   const Selection s = selected(e);
   const bool crossings = s.grid == BitGrid::kDrawdown;
   const BitMatrix wanted = crossings ? of_block(cells_of(e.document().now().draft, s)) : BitMatrix();
-  e.commit({label, [s, edit, looks = e.work().select.with_looks](Design d) { return edit(std::move(d), s, looks); }});
+  e.commit({label, [s, edit, looks = e.view().select.with_looks](Design d) { return edit(std::move(d), s, looks); }});
   const std::string missed = missed_text(e.document().now().draft, s.grid, s.a0, s.b0, wanted);
   if (!missed.empty()) e.say(label + missed);
 }
@@ -198,18 +198,18 @@ void add_threads(Actions& all) {
       all, kThreads, "double_mirrored", "Insert a mirrored copy after (shared point)", "Ctrl+Shift+D",
       [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
   Action& looks = on_selection(add(all, "Edit", "with_looks", "Whole threads take their colours along", "",
-                                   [](Desk& e) { e.work().select.with_looks = !e.work().select.with_looks; }),
+                                   [](Desk& e) { e.view().select.with_looks = !e.view().select.with_looks; }),
                                kThreads);
   looks.enabled = nullptr;
-  looks.checked = [](const Desk& e) { return e.work().select.with_looks; };
+  looks.checked = [](const Desk& e) { return e.view().select.with_looks; };
 }
 
 /// What an arrow does: the block in hand, or the selected marks, go one cell that way.
 void step(Desk& e, int dx, int dy) {
-  SelectState& s = e.work().select;
+  SelectState& s = e.view().select;
   const Design& design = e.document().now();
   const BitGrid grid = s.held ? s.held->grid : s.selected.grid;
-  const Cell by = screen_step(grid, e.work().end1_right, dx, dy);
+  const Cell by = screen_step(grid, e.settings().end1_right, dx, dy);
   if (s.held) {
     const Cell at{std::clamp(s.held->at.a + by.a, 0, columns_of(design.draft, grid) - 1),
                   std::clamp(s.held->at.b + by.b, 0, rows_of(design.draft, grid) - 1)};
@@ -220,8 +220,8 @@ void step(Desk& e, int dx, int dy) {
 }
 
 void shift_by_one(Desk& e, const char* label, int dx, int dy) {
-  const Cell by = screen_step(selected(e).grid, e.work().end1_right, dx, dy);
-  const bool looks = e.work().select.with_looks;
+  const Cell by = screen_step(selected(e).grid, e.settings().end1_right, dx, dy);
+  const bool looks = e.view().select.with_looks;
   e.commit(
       {label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
 }
@@ -253,20 +253,20 @@ void add_keys(Actions& all) {
     }).enabled = [](const Desk& e) { return has_selection(e) || has_block(e); };
     add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(),
         [way](Desk& e) {
-          const Cell by = screen_step(selected(e).grid, e.work().end1_right, way.dx, way.dy);
-          extend_selection(e.work().select, e.document().now().draft, by.a, by.b);
+          const Cell by = screen_step(selected(e).grid, e.settings().end1_right, way.dx, way.dy);
+          extend_selection(e.view().select, e.document().now().draft, by.a, by.b);
         })
         .enabled = has_selection;
   }
   add(all, "", "drop", "Put down what is being pasted", "Enter", [](Desk& e) {
-    if (const MaybeEdit edit = drop_block(e.work().select, e.document().now(), false)) e.commit(*edit);
+    if (const MaybeEdit edit = drop_block(e.view().select, e.document().now(), false)) e.commit(*edit);
   }).enabled = has_block;
 }
 
 void add_tools(Actions& all) {
   const auto tool = [&all](const char* id, const char* label, const char* key, Tool to) {
-    Action& a = add(all, "Edit", id, label, key, [to](Desk& e) { e.work().select.tool = to; });
-    a.checked = [to](const Desk& e) { return e.work().select.tool == to; };
+    Action& a = add(all, "Edit", id, label, key, [to](Desk& e) { e.view().select.tool = to; });
+    a.checked = [to](const Desk& e) { return e.view().select.tool == to; };
     return &a;
   };
   tool("tool_paint", "Paint tool", "P", Tool::kPaint)->item.group = true;

@@ -13,28 +13,28 @@ Action& add_one(Actions& all, const char* id, const char* label, const char* key
 }
 
 Action& add_focus(Actions& all, const char* id, const char* label, const char* key, const char* control) {
-  return add_one(all, id, label, key, [control](Desk& e) { e.work().focus = control; });
+  return add_one(all, id, label, key, [control](Desk& e) { e.focus(control); });
 }
 
 void choose_other_system(Desk& e) {
-  ThreadChoice& choice = e.work().chosen;
+  ThreadChoice& choice = e.view().chosen;
   choice = {choice.system == System::kWarp ? System::kWeft : System::kWarp, {}, -1, {}, false, false};
 }
 
 void choose_alike(Desk& e) {
-  ThreadChoice& choice = e.work().chosen;
+  ThreadChoice& choice = e.view().chosen;
   choice.threads = threads_alike(e.document().now().draft, choice.system, choice.threads);
 }
 
 void choose_every_other(Desk& e) {
-  ThreadChoice& choice = e.work().chosen;
+  ThreadChoice& choice = e.view().chosen;
   const std::vector<int> all = concerned(choice, e.document().now().draft);
   choice.threads.clear();
   for (size_t i = 0; i < all.size(); i += 2) choice.threads.push_back(all[i]);
 }
 
 void leave_to_yarn(Desk& e) {
-  const ThreadChoice& choice = e.work().chosen;
+  const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
   e.commit({thread_label("Thickness and spacing", choice.system, threads.size()),
             [threads, system = choice.system](Design d) {
@@ -46,12 +46,12 @@ void leave_to_yarn(Desk& e) {
 }  // namespace
 
 void add_thread_actions(Actions& all) {
-  const auto some = [](const Desk& e) { return !e.work().chosen.threads.empty(); };
+  const auto some = [](const Desk& e) { return !e.view().chosen.threads.empty(); };
   new_group(add_focus(all, "threads.choose", "Choose threads\xE2\x80\xA6", "Ctrl+T", "threads.which"));
   add_one(all, "threads.swap", "Warp or weft", "", choose_other_system);
   add_one(all, "threads.alike", "Choose all alike", "", choose_alike).enabled = some;
   add_one(all, "threads.every_other", "Choose every other", "", choose_every_other);
-  add_one(all, "threads.clear", "Choose none", "", [](Desk& e) { e.work().chosen.threads.clear(); }).enabled = some;
+  add_one(all, "threads.clear", "Choose none", "", [](Desk& e) { e.view().chosen.threads.clear(); }).enabled = some;
   new_group(add_focus(all, "threads.set_thickness", "Thickness\xE2\x80\xA6", "T", "threads.thickness"));
   add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
   add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");

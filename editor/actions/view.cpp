@@ -13,50 +13,50 @@ void add_drawdown_looks(Actions& all) {
                                                             {"look.structure", "Drawdown as structure"}};
   for (int i = 0; i < 3; ++i) {
     const auto look = static_cast<DrawdownStyle>(i);
-    Action& a =
-        add(all, "View", kLooks[i].first, kLooks[i].second, "", [look](Desk& e) { e.work().drawdown_style = look; });
-    a.checked = [look](const Desk& e) { return e.work().drawdown_style == look; };
+    Action& a = add(all, "View", kLooks[i].first, kLooks[i].second, "",
+                    [look](Desk& e) { e.settings().drawdown_style = look; });
+    a.checked = [look](const Desk& e) { return e.settings().drawdown_style == look; };
     a.item.group = i == 0;
   }
   Action& back = add(all, "View", "back", "Back of the cloth in the drawdown", "Ctrl+B",
-                     [](Desk& e) { e.work().face = e.work().face == Face::kFront ? Face::kBack : Face::kFront; });
-  back.checked = [](const Desk& e) { return e.work().face == Face::kBack; };
+                     [](Desk& e) { e.view().face = e.view().face == Face::kFront ? Face::kBack : Face::kFront; });
+  back.checked = [](const Desk& e) { return e.view().face == Face::kBack; };
   Action& right = add(all, "View", "end1_right", "End 1 at the right", "",
-                      [](Desk& e) { e.work().end1_right = !e.work().end1_right; });
-  right.checked = [](const Desk& e) { return e.work().end1_right; };
+                      [](Desk& e) { e.settings().end1_right = !e.settings().end1_right; });
+  right.checked = [](const Desk& e) { return e.settings().end1_right; };
 }
 
 void add_moves(Actions& all) {
   new_group(add(all, "View", "go_to", "Go to an end or pick\xE2\x80\xA6", "Ctrl+G", [](Desk& e) { e.ask_thread(); }));
-  const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(Workspace&)) {
-    add(all, "View", id, label, key, [how](Desk& e) { how(e.work()); }).item.submenu = "Move about";
+  const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(DocumentView&)) {
+    add(all, "View", id, label, key, [how](Desk& e) { how(e.view()); }).item.submenu = "Move about";
   };
   // Beyond the edge; the layout brings it back to what there is.
   constexpr float kFar = 1e9f;
-  move("go_first", "First end and pick", "Home", [](Workspace& w) { w.scroll_end = w.scroll_pick = 0; });
-  move("go_last", "Last end and pick", "End", [](Workspace& w) { w.scroll_end = w.scroll_pick = kFar; });
-  move("page_down", "A page of picks on", "PageDown", [](Workspace& w) { page_picks(w, 1); });
-  move("page_up", "A page of picks back", "PageUp", [](Workspace& w) { page_picks(w, -1); });
-  move("page_ends_on", "A page of ends on", "Shift+PageDown", [](Workspace& w) { page_ends(w, 1); });
-  move("page_ends_back", "A page of ends back", "Shift+PageUp", [](Workspace& w) { page_ends(w, -1); });
+  move("go_first", "First end and pick", "Home", [](DocumentView& w) { w.scroll_end = w.scroll_pick = 0; });
+  move("go_last", "Last end and pick", "End", [](DocumentView& w) { w.scroll_end = w.scroll_pick = kFar; });
+  move("page_down", "A page of picks on", "PageDown", [](DocumentView& w) { page_picks(w, 1); });
+  move("page_up", "A page of picks back", "PageUp", [](DocumentView& w) { page_picks(w, -1); });
+  move("page_ends_on", "A page of ends on", "Shift+PageDown", [](DocumentView& w) { page_ends(w, 1); });
+  move("page_ends_back", "A page of ends back", "Shift+PageUp", [](DocumentView& w) { page_ends(w, -1); });
 }
 
 }  // namespace
 
 void add_view_actions(Actions& all) {
   add(all, "View", "zoom_in", "Larger cells", "Ctrl++",
-      [](Desk& e) { e.work().pitch = zoomed_pitch(e.work().pitch, 1); });
+      [](Desk& e) { e.view().pitch = zoomed_pitch(e.view().pitch, 1); });
   add(all, "View", "zoom_out", "Smaller cells", "Ctrl+-",
-      [](Desk& e) { e.work().pitch = zoomed_pitch(e.work().pitch, -1); });
-  add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](Desk& e) { e.work().pitch = 0; });
+      [](Desk& e) { e.view().pitch = zoomed_pitch(e.view().pitch, -1); });
+  add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](Desk& e) { e.view().pitch = 0; });
   add_moves(all);
   add_drawdown_looks(all);
   new_group(
       add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));
   add(all, "View", "keep_view", "Keep this view with the draft", "", [](Desk& e) { e.keep_view(); });
   Action& floats = add(all, "View", "show_floats", "Long floats in the drawdown", "F5",
-                       [](Desk& e) { e.work().show_floats = !e.work().show_floats; });
-  floats.checked = [](const Desk& e) { return e.work().show_floats; };
+                       [](Desk& e) { e.view().show_floats = !e.view().show_floats; });
+  floats.checked = [](const Desk& e) { return e.view().show_floats; };
   Action& inspector = add(all, "View", "inspector", "Inspector", "F4",
                           [](Desk& e) { e.settings().inspector = !e.settings().inspector; });
   inspector.item.group = true;

@@ -50,14 +50,13 @@ Editor::Editor(Window& window, const EditorOptions& options)
       options_(options),
       settings_(load_settings()),
       document_(first_document()),
+      view_(view_of(document_, settings_.per_inch)),
       recovery_(state_folder() + "/recovery"),
       journal_(recovery_),
       live_export_(std::make_shared<LiveExport>(options.live_export, state_folder())),
       preview_(Window::wake),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
-  work_.end1_right = settings_.end1_right;
-  work_.drawdown_style = static_cast<DrawdownStyle>(settings_.drawdown_style);
   actions_ = make_actions(settings_.recent);
   if (!options.file.empty()) open_path(options.file);
   if (document_.path().empty()) show_document();
@@ -154,7 +153,7 @@ void Editor::ask_size() {
   ask(SizePrompt{"Size of the draft", "Change", d.ends(), d.picks(), d.shafts, d.treadles}, [this](int) {
     const SizePrompt p = std::get<SizePrompt>(dialog_);
     commit({"Change size", [p](Design d2) { return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles); }});
-    work_.pitch = 0;
+    view_.pitch = 0;
   });
 }
 
@@ -173,12 +172,12 @@ void Editor::ask_notes() {
 
 void Editor::ask_thread() {
   const Draft& d = document_.now().draft;
-  ask(ThreadPrompt{work_.chosen.system, 1, d.ends(), d.picks()}, [this](int) {
+  ask(ThreadPrompt{view_.chosen.system, 1, d.ends(), d.picks()}, [this](int) {
     const ThreadPrompt p = std::get<ThreadPrompt>(dialog_);
     const Draft& draft = document_.now().draft;
     const int thread = std::clamp(p.number, 1, draft.threads(p.system).size()) - 1;
-    scroll_to(work_, p.system, thread);
-    work_.chosen = {p.system, {thread}, thread, {}, false, false};
+    scroll_to(view_, p.system, thread);
+    view_.chosen = {p.system, {thread}, thread, {}, false, false};
   });
 }
 
@@ -193,7 +192,7 @@ void Editor::toggle_theme() {
 }
 
 void Editor::keep_view() {
-  commit({"Keep view", [camera = camera_](Design d) {
+  commit({"Keep view", [camera = view_.camera](Design d) {
             d.scene = with_orbit(d.scene, camera);
             return d;
           }});
@@ -207,16 +206,7 @@ void Editor::replace(Document document) {
 }
 
 void Editor::show_document() {
-  const bool right = work_.end1_right;
-  const DrawdownStyle look = work_.drawdown_style;
-  work_ = {};
-  work_.end1_right = right;
-  work_.drawdown_style = look;
-  work_.warp_unit = document_.unit(System::kWarp);
-  work_.weft_unit = document_.unit(System::kWeft);
-  constexpr double kMmPerCm = 10;
-  work_.per_inch = settings_.per_inch || work_.warp_unit.mm != kMmPerCm;
-  camera_ = orbit_of(document_.now().scene);
+  view_ = view_of(document_, settings_.per_inch);
   // What was open before is saved or not wanted.
   journal_.forget(journalled_);
   journalled_ = journal_.new_document();
@@ -228,7 +218,7 @@ void Editor::edited() {
   preview_.submit(document_.snapshot());
   keep_unsaved();
   keep_live_export();
-  work_.color = std::clamp(work_.color, 0, static_cast<int>(document_.now().draft.palette.size()) - 1);
+  follow_document(view_, document_);
   frames_due_ = std::max(frames_due_, 3);
 }
 

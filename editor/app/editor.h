@@ -39,8 +39,8 @@ class Editor : public Desk {
 
   // What the actions do (actions/desk.h).
   const Document& document() const override { return document_; }
-  Workspace& work() override { return work_; }
-  const Workspace& work() const override { return work_; }
+  DocumentView& view() override { return view_; }
+  const DocumentView& view() const override { return view_; }
   void commit(const Edit& edit) override;
   void undo() override;
   void redo() override;
@@ -60,6 +60,8 @@ class Editor : public Desk {
   void ask_notes() override;
   void ask_thread() override;
   void ask_weave() override;
+  void focus(std::string control) override { focus_ = std::move(control); }
+  Hover hover() const override { return notes_.hover; }
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void show_commands() override;
@@ -67,7 +69,7 @@ class Editor : public Desk {
   void toggle_keys() override { keys_open_ = !keys_open_; }
   void toggle_theme() override;
   void keep_view() override;
-  void reset_view() override { camera_ = orbit_of(document_.now().scene); }
+  void reset_view() override { view_.camera = orbit_of(document_.now().scene); }
   void say(std::string text) override;
   std::string clipboard() const override;
   void set_clipboard(const std::string& text) override;
@@ -75,14 +77,14 @@ class Editor : public Desk {
  private:
   void frame();
   void draw_window();
-  void draw_panels(PanelContext& c, Intents& wanted);
+  void draw_panels(PanelContext& c);
   /// What the panels of a frame asked for, in their order.
   void carry_out(Intents& wanted);
   /// Share of the room that the draft's pane takes.
   float split_of(float room, float height);
   void draw_splitter(PanelContext& c, const WindowLayout& layout);
-  void draw_question(PanelContext& c, Intents& wanted);
-  void draw_inspector(PanelContext& c, const WindowLayout& layout, Intents& wanted);
+  void draw_question(PanelContext& c);
+  void draw_inspector(PanelContext& c, const WindowLayout& layout);
   /// What the panels are to know of the draft; started anew only while somebody looks.
   const Report* report();
   void take_input();
@@ -123,8 +125,10 @@ class Editor : public Desk {
   EditorOptions options_;
   Settings settings_;
   Style style_;
-  Workspace work_;
   Document document_;
+  DocumentView view_;
+  FrameNotes notes_;   // of the last frame
+  std::string focus_;  // control that the keyboard goes to next
   std::vector<Diagnostic> remarks_;
   std::vector<Action> actions_;
   BackgroundWriter writer_;    // of the live export
@@ -139,10 +143,10 @@ class Editor : public Desk {
   PreviewPane preview_;
   CellTexture cell_texture_;
   YarnStrip strip_;
+  std::string typed_threads_;
   AnalysisState analysis_;
   UiMap map_;
   UiMapFile map_file_;
-  Orbit camera_;
   ImVec2 pane_{0, 0};
   float fitted_split_ = 0.5f;  // while the weaver has not moved the splitter
   CommandPalette commands_;

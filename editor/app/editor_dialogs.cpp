@@ -55,7 +55,7 @@ void Editor::new_draft_of(int weave) {
 void Editor::ask_weave() {
   constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;  // apart from those of the mouse
   const Draft& d = document_.now().draft;
-  const Selection& s = work_.select.selected;
+  const Selection& s = view_.select.selected;
   const bool ends = !s.empty() && (s.grid == BitGrid::kThreading || s.grid == BitGrid::kDrawdown);
   const bool picks =
       !s.empty() && (s.grid == BitGrid::kTreadling || s.grid == BitGrid::kLiftplan || s.grid == BitGrid::kDrawdown);

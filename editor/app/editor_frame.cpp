@@ -67,9 +67,6 @@ void Editor::run() {
   window_.size(width, height);
   settings_.width = width;
   settings_.height = height;
-  settings_.end1_right = work_.end1_right;
-  settings_.drawdown_style = static_cast<int>(work_.drawdown_style);
-  if (work_.warp_unit.mm == 10) settings_.per_inch = work_.per_inch;
   save_settings(settings_);
   journal_.forget(journalled_);
 }
@@ -98,9 +95,10 @@ void Editor::frame() {
   restyle_ = false;
   take_waiting_input();
   const float ratio = window_.pixel_ratio();
-  preview_.ask({with_orbit(document_.now().scene, camera_), document_.now().look, static_cast<int>(pane_.x * ratio),
-                static_cast<int>(pane_.y * ratio), work_.show_rungs, work_.compare},
-               strokes_.going_on());
+  preview_.ask(
+      {with_orbit(document_.now().scene, view_.camera), document_.now().look, static_cast<int>(pane_.x * ratio),
+       static_cast<int>(pane_.y * ratio), settings_.show_rungs, settings_.compare},
+      strokes_.going_on());
   window_.begin_frame();
   take_input();
   draw_window();
@@ -157,55 +155,62 @@ void Editor::take_key(const std::string& key) {
 void Editor::draw_window() {
   map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
-  PanelContext c{
-      {style_, map_, tip_, work_.focus}, document_.now(), document_.cells(), document_.revision(), work_, report()};
-  // Edits replace the design that the panels look at: the snapshot keeps it until they are through.
-  const auto design = document_.snapshot();
+  notes_ = {};
+  Intents wanted;
+  PanelContext c{{style_, map_, tip_, focus_},
+                 document_.now(),
+                 document_.cells(),
+                 document_.revision(),
+                 view_,
+                 settings_,
+                 notes_,
+                 wanted,
+                 report()};
   push_font(style_.font.text);
   const std::vector<ActionItem> items = show(actions_, *this);
-  Intents wanted;
   wanted.add_action(draw_menu_bar(c, items, title_));
-  draw_panels(c, wanted);
+  draw_panels(c);
   wanted.add_action(draw_selection_menu(c, items));
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
   draw_keys_window(c, items, keys_open_);
-  draw_question(c, wanted);
+  draw_question(c);
   ImGui::PopFont();
   carry_out(wanted);
-  if (work_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
-  if (!work_.select.notice.empty()) say(std::exchange(work_.select.notice, {}));
-  window_.use_crosshair(work_.select.crosshair);
+  if (view_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
+  if (!view_.select.notice.empty()) say(std::exchange(view_.select.notice, {}));
+  window_.use_crosshair(notes_.crosshair);
   // ImGui lays a new tip out in one frame and shows it in the next; the map wants it to stand still.
   if (tip_.drawn && !tip_.shown) frames_due_ = std::max(frames_due_, 3);
 }
 
 void Editor::carry_out(Intents& wanted) {
   for (const Intent& one : wanted.take()) {
-    if (const Edit* edit = std::get_if<Edit>(&one)) commit(*edit);
-    else run_action(std::get<RunAction>(one).id);
+    if (const auto* edit = std::get_if<Edit>(&one)) commit(*edit);
+    else if (const auto* action = std::get_if<RunAction>(&one)) run_action(action->id);
+    else if (const auto* change = std::get_if<SettingsChange>(&one)) change->run(settings_);
+    else if (const MaybeEdit made = std::get<Gesture>(one).run(view_, document_.now())) commit(*made);
   }
 }
 
-void Editor::draw_panels(PanelContext& c, Intents& wanted) {
+void Editor::draw_panels(PanelContext& c) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const float room = shared_width(style_, view->WorkSize.x, settings_.inspector);
   const WindowLayout l =
       lay_out_window(style_, view->WorkPos, view->WorkSize, split_of(room, view->WorkSize.y), settings_.inspector);
-  work_.hint = "";
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
   draw_draft_header(c, document_.name());
-  wanted.add(draw_draft(c, cell_texture_));
+  draw_draft(c, cell_texture_);
   ImGui::End();
   draw_splitter(c, l);
 
   begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
   const ImVec2 pane = pane_;
-  wanted.add(draw_preview(c, preview_.picture(), camera_, pane_));
+  draw_preview(c, preview_.picture(), pane_);
   if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
   ImGui::End();
 
-  if (l.inspector.shown()) draw_inspector(c, l, wanted);
+  if (l.inspector.shown()) draw_inspector(c, l);
 
   begin_fixed("Status", l.status, {style_.px(14), style_.px(6)}, kFixed);
   if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
@@ -213,20 +218,20 @@ void Editor::draw_panels(PanelContext& c, Intents& wanted) {
   ImGui::End();
 }
 
-void Editor::draw_inspector(PanelContext& c, const WindowLayout& l, Intents& wanted) {
+void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
   constexpr const char* kTabs[] = {"Threads", "Yarns", "Cloth", "Analysis"};
   begin_fixed("Inspector", l.inspector, {style_.px(16), style_.px(10)}, kFixed);
-  if (work_.focus.starts_with("threads.")) settings_.inspector_tab = 0;
+  if (focus_.starts_with("threads.")) settings_.inspector_tab = 0;
   segmented(c, "inspector", kTabs, settings_.inspector_tab);
   ImGui::Dummy({0, style_.px(2)});
   ImGui::BeginChild(kTabs[settings_.inspector_tab], {0, 0});
   if (settings_.inspector_tab == 0) {
-    wanted.add(draw_palette(c));
-    wanted.add(draw_threads(c));
+    c.wanted.add(draw_palette(c));
+    c.wanted.add(draw_threads(c, typed_threads_));
   } else if (settings_.inspector_tab == 1) {
-    wanted.add(draw_yarns(c, strip_));
+    c.wanted.add(draw_yarns(c, strip_));
   } else if (settings_.inspector_tab == 2) {
-    wanted.add(draw_scene(c));
+    c.wanted.add(draw_scene(c));
   } else {
     draw_report(c, c.report);
     draw_analysis(c, analysis_);
@@ -236,16 +241,16 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l, Intents& wan
 }
 
 const Report* Editor::report() {
-  const bool looked_at = work_.show_floats || (settings_.inspector && settings_.inspector_tab == 3);
+  const bool looked_at = view_.show_floats || (settings_.inspector && settings_.inspector_tab == 3);
   if (!looked_at) return reporter_.last();
-  return reporter_.on(document_.snapshot(), document_.cells(), document_.revision(), work_.float_limit);
+  return reporter_.on(document_.snapshot(), document_.cells(), document_.revision(), view_.float_limit);
 }
 
 float Editor::split_of(float room, float height) {
   constexpr float kLeast = 0.42f, kMost = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
   // Chosen with the first pitch, and kept while threads are added.
-  if (work_.pitch <= 0)
+  if (view_.pitch <= 0)
     fitted_split_ = fitting_width(document_.now().draft, style_, room * kLeast, room * kMost,
                                   std::max(1.0f, height - style_.px(kAround))) /
                     room;
@@ -263,7 +268,7 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
                 before = settings_.split > 0 ? settings_.split : fitted_split_;
     if (moved != 0) settings_.split = std::clamp(before + moved, 0.2f, 0.8f);
   }
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = work_.pitch = 0;
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = view_.pitch = 0;
   tooltip(c, "Drag to give the draft more or less room; double-click for what it fills");
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
   const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));
@@ -271,9 +276,9 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
   ImGui::End();
 }
 
-void Editor::draw_question(PanelContext& c, Intents& wanted) {
+void Editor::draw_question(PanelContext& c) {
   DialogAnswer answer = draw_dialog(c, dialog_);
-  wanted.add(std::move(answer.edit));
+  c.wanted.add(std::move(answer.edit));
   if (answer.answer == Answer::kNone) return;
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);

@@ -12,7 +12,7 @@
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
 #include "session/reference_tracer.h"
-#include "session/workspace.h"
+#include "session/user_files.h"
 
 namespace weftlight::app {
 

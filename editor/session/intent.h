@@ -2,20 +2,30 @@
 // What the panels of a frame ask for, in the order in which they asked; the editor does it after all are drawn, so
 // that nothing that two of them want is lost.
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "session/document_view.h"
 #include "session/edit.h"
 #include "session/names.h"
+#include "session/user_files.h"
 
 namespace weftlight::session {
 
 struct RunAction {
   std::string id;  // of the table of actions
 };
-using Intent = std::variant<Edit, RunAction>;
+/// What the hand does to the view of the document, and perhaps to the design: both as they are when its turn comes.
+struct Gesture {
+  std::function<MaybeEdit(DocumentView&, const Design&)> run;
+};
+struct SettingsChange {
+  std::function<void(Settings&)> run;
+};
+using Intent = std::variant<Edit, RunAction, Gesture, SettingsChange>;
 
 class Intents {
  public:
@@ -26,6 +36,17 @@ class Intents {
   void add_action(std::string id) {
     if (!id.empty()) all_.emplace_back(RunAction{std::move(id)});
   }
+  void gesture(std::function<MaybeEdit(DocumentView&, const Design&)> run) {
+    all_.emplace_back(Gesture{std::move(run)});
+  }
+  template <class Change>
+  void change_view(Change change) {
+    gesture([change = std::move(change)](DocumentView& view, const Design&) mutable {
+      change(view);
+      return MaybeEdit();
+    });
+  }
+  void change_settings(std::function<void(Settings&)> run) { all_.emplace_back(SettingsChange{std::move(run)}); }
   std::vector<Intent> take() { return std::exchange(all_, {}); }
 
  private:

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "draft/edits.h"
+#include "session/document_view.h"
 #include "session/edit.h"
 #include "session/names.h"
-#include "session/workspace.h"
 
 namespace weftlight::session {
 

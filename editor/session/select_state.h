@@ -1,5 +1,5 @@
 #pragma once
-// The select tool's part of the Workspace; what can be done with it is in selection.h.
+// The select tool's part of a document's view; what can be done with it is in selection.h.
 
 #include <cstdint>
 #include <memory>
@@ -48,11 +48,9 @@ struct SelectState {
   Cell grip;  // of a move: the cell under the pointer, counted from the selection's first
   std::optional<MarksOnTheMove> move;
   std::optional<BlockInHand> held;
-  bool menu_wanted = false;  // a right click: the context menu opens in this frame
-  bool crosshair = false;    // the pointer draws a rectangle here
-  std::string notice;        // to be said once in the status line
-  uint64_t revision = 0;     // of the design last looked at
-  uint64_t moves = 0;        // so far
+  std::string notice;     // to be said once in the status line
+  uint64_t revision = 0;  // of the design last looked at
+  uint64_t moves = 0;     // so far
 };
 
 }  // namespace weftlight::session

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "draft/selection_edits.h"
+#include "session/document_view.h"
 #include "session/edit.h"
 #include "session/names.h"
-#include "session/workspace.h"
 
 namespace weftlight::session {
 

@@ -58,7 +58,9 @@ Settings settings_from(std::string_view text) {
   if (!json.is_object()) return s;
   take(json, "dark", s.dark);
   take(json, "end1_right", s.end1_right);
-  take(json, "drawdown_style", s.drawdown_style);
+  int style = 0;
+  take(json, "drawdown_style", style);
+  s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
   take(json, "per_inch", s.per_inch);
   take(json, "inspector", s.inspector);
   take(json, "split", s.split);
@@ -68,7 +70,6 @@ Settings settings_from(std::string_view text) {
     for (const auto& path : *recent)
       if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMostRecent)
         s.recent.push_back(std::move(one));
-  s.drawdown_style = std::clamp(s.drawdown_style, 0, 2);
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
   s.height = std::clamp(s.height, 240, 16384);
@@ -79,7 +80,7 @@ std::string settings_text(const Settings& s) {
   nlohmann::json recent = nlohmann::json::array();
   for (const std::string& path : s.recent) recent.push_back(path_json(path));
   const nlohmann::json json = {
-      {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", s.drawdown_style},
+      {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", static_cast<int>(s.drawdown_style)},
       {"per_inch", s.per_inch}, {"inspector", s.inspector},   {"split", s.split},
       {"width", s.width},       {"height", s.height},         {"recent", recent}};
   return json.dump(1) + "\n";

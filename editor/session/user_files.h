@@ -1,5 +1,5 @@
 #pragma once
-// The user's settings.
+// The user's settings: what all documents of the window are seen with.
 
 #include <string>
 #include <string_view>
@@ -9,15 +9,25 @@
 
 namespace weftlight::session {
 
+enum class DrawdownStyle { kThreads, kColor, kStructure };
+
+/// What stands beside the preview: the ray-traced picture behind a slider, or how far the two are apart.
+enum class Compare { kOff, kSplit, kDifference };
+
 struct Settings {
   bool dark = false, end1_right = true;
-  int drawdown_style = 0;
+  DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
   bool per_inch = false;            // ends and picks are counted in an inch
   bool inspector = true;            // is shown
-  int inspector_tab = 0;            // of this run; not kept
   float split = 0;                  // share of the window that the draft takes; 0: what it fills
   int width = 1440, height = 900;   // of the window
   std::vector<std::string> recent;  // newest first
+  // Of the window while it stands; not kept.
+  int inspector_tab = 0;
+  bool show_rungs = false;  // false colours: which method shades which pixel
+  Compare compare = Compare::kOff;
+  float compare_split = 0.5f;  // of the pane's width
+  float lobe_light_deg = 35;   // of the light in the plot of the lobes, from the normal
 };
 /// $XDG_CONFIG_HOME/weftlight/settings.json; what is missing or wrong is as in Settings{}.
 Settings load_settings();

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Settings s = settings_from(bytes);
   require(s.width >= 320 && s.width <= 16384 && s.height >= 240 && s.height <= 16384, "the window has a size");
   require(s.split == 0 || (s.split >= 0.2f && s.split <= 0.8f), "the draft has its share");
-  require(s.drawdown_style >= 0 && s.drawdown_style <= 2, "there is such a style");
+  require(static_cast<int>(s.drawdown_style) >= 0 && static_cast<int>(s.drawdown_style) <= 2, "there is such a style");
   s.recent.insert(s.recent.begin(), std::string(bytes.substr(0, 40)));  // a path may be any bytes
   const std::string text = settings_text(s);
   const Settings again = settings_from(text);

@@ -33,9 +33,11 @@ void show_float(PanelContext& c, const analysis::Float& f) {
   const int across = warp ? d.picks() : d.ends(), last = std::min(f.first + f.length, across) - 1;
   const Cell from = warp ? Cell{f.thread, f.first} : Cell{f.first, f.thread};
   const Cell to = warp ? Cell{f.thread, last} : Cell{last, f.thread};
-  scroll_to(c.work, f.system, f.thread);
-  scroll_to(c.work, warp ? System::kWeft : System::kWarp, (f.first + last) / 2);
-  select_cells(c.work.select, selection_between(BitGrid::kDrawdown, from, to));
+  c.wanted.change_view([=, system = f.system, thread = f.thread, middle = (f.first + last) / 2](DocumentView& v) {
+    scroll_to(v, system, thread);
+    scroll_to(v, warp ? System::kWeft : System::kWarp, middle);
+    select_cells(v.select, selection_between(BitGrid::kDrawdown, from, to));
+  });
 }
 
 void draw_float_list(PanelContext& c, const Report& r) {
@@ -57,11 +59,13 @@ void draw_float_list(PanelContext& c, const Report& r) {
 }
 
 void draw_floats(PanelContext& c, const Report* r) {
-  float limit = static_cast<float>(c.work.float_limit);
+  float limit = static_cast<float>(c.view.float_limit);
   if (slider(c, {"floats.limit", "Allowed", 1, 30, "%.0f", "How many threads a float may cross"}, limit))
-    c.work.float_limit = std::clamp(static_cast<int>(std::lround(limit)), 1, 30);
+    c.wanted.change_view(
+        [most = std::clamp(static_cast<int>(std::lround(limit)), 1, 30)](DocumentView& v) { v.float_limit = most; });
   row_label(c, "Show", "Tints what floats too far in the drawdown");
-  ImGui::Checkbox("##show", &c.work.show_floats);
+  bool show = c.view.show_floats;
+  if (ImGui::Checkbox("##show", &show)) c.wanted.change_view([show](DocumentView& v) { v.show_floats = show; });
   c.map.add_item("floats.show");
   if (r == nullptr) return muted_text(c, "Counting\xE2\x80\xA6");
   const auto& l = r->longest;

@@ -27,19 +27,19 @@ Edit move_light(ImVec2 by, float degrees_a_px) {
 
 bool light_key_down() { return letter_down('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl; }
 
-MaybeEdit drag(const PanelContext& c, Orbit& camera, ImVec2 size) {
+void drag(PanelContext& c, ImVec2 size) {
   const ImVec2 by = ImGui::GetIO().MouseDelta;
-  if (by.x == 0 && by.y == 0) return {};
+  if (by.x == 0 && by.y == 0) return;
   const float per_px = kDegreesAPixel / c.style.scale;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down())) return move_light(by, per_px);
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift)) {
-    camera.pan_x += by.x / size.x;
-    camera.pan_y -= by.y / size.x;
-  } else if (left) {
-    camera = orbited(camera, by.x, by.y, per_px);
-  }
-  return {};
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down()))
+    return c.wanted.add(move_light(by, per_px));
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift))
+    c.wanted.change_view([by, size](DocumentView& v) {
+      v.camera.pan_x += by.x / size.x;
+      v.camera.pan_y -= by.y / size.x;
+    });
+  else if (left) c.wanted.change_view([=](DocumentView& v) { v.camera = orbited(v.camera, by.x, by.y, per_px); });
 }
 
 void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
@@ -120,22 +120,24 @@ std::string reference_line(const ReferencePicture& r, Compare compare) {
 
 /// The handle of the comparison, before the view below it, so that it takes the pointer first.
 void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
-  const float half = c.style.px(7), x = a.x + pane.x * c.work.compare_split;
+  const float half = c.style.px(7), x = a.x + pane.x * c.settings.compare_split;
   ImGui::SetCursorScreenPos({x - half, a.y});
   hit_area("compare", {2 * half, pane.y});
   c.map.add_item("view.compare");
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    c.work.hint = "Drag: the preview is on the left, the ray-traced threads on the right";
+    c.frame.hint = "Drag: the preview is on the left, the ray-traced threads on the right";
   }
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated())
-    c.work.compare_split = std::clamp((ImGui::GetIO().MousePos.x - a.x) / pane.x, 0.02f, 0.98f);
+    c.wanted.change_settings([to = std::clamp((ImGui::GetIO().MousePos.x - a.x) / pane.x, 0.02f, 0.98f)](Settings& s) {
+      s.compare_split = to;
+    });
   ImGui::SetCursorScreenPos(a);
 }
 
 void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a, ImVec2 b) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  const float x = std::floor(a.x + (b.x - a.x) * c.work.compare_split);
+  const float x = std::floor(a.x + (b.x - a.x) * c.settings.compare_split);
   if (r.texture != 0) {
     dl->PushClipRect({x, a.y}, b, true);
     dl->AddImage(texture_of(r.texture), a, b);
@@ -148,7 +150,7 @@ void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a,
                     c.style.px(4));
   dl->AddRect({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.line_strong,
               c.style.px(4));
-  const std::string text = reference_line(r, c.work.compare);
+  const std::string text = reference_line(r, c.settings.compare);
   ImFont* font = c.style.font.small;
   const float width = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str()).x;
   draw_note(c, {b.x - width - c.style.px(16), a.y + c.style.px(14)}, text);
@@ -164,30 +166,35 @@ void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& 
 
 }  // namespace
 
-MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& camera, ImVec2& pane) {
+void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
   const ImVec2 a = ImGui::GetCursorScreenPos();
   pane = ImGui::GetContentRegionAvail();
   const ImVec2 b{a.x + pane.x, a.y + pane.y};
-  if (pane.x < 8 || pane.y < 8) return {};
-  const bool comparing = c.work.compare != Compare::kOff;
+  if (pane.x < 8 || pane.y < 8) return;
+  const bool comparing = c.settings.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
   hit_area("view", pane,
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
-  MaybeEdit edit;
-  if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) edit = drag(c, camera, pane);
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) drag(c, pane);
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.work.hint = kHint;
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = kHint;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
-    camera = zoomed(camera, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
-                    ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) camera = orbit_of(c.design.scene);
+    c.wanted.change_view([steps = io.MouseWheel, x = (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
+                          y = ((a.y + b.y) / 2 - io.MousePos.y) / pane.x](DocumentView& v) {
+      v.camera = zoomed(v.camera, steps, x, y);
+    });
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    c.wanted.gesture([](DocumentView& v, const Design& design) {
+      v.camera = orbit_of(design.scene);
+      return MaybeEdit();
+    });
 
   ImDrawList* dl = ImGui::GetWindowDrawList();
   if (picture.texture != 0) {
     dl->AddImage(texture_of(picture.texture), a, b, {0, 1}, {1, 0});
     if (comparing) draw_comparison(c, picture.reference, a, b);
-    if (c.work.show_rungs) draw_rung_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
+    if (c.settings.show_rungs) draw_rung_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
     draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, note_that_fits(c, stats_line(picture), pane.x));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
@@ -196,7 +203,6 @@ MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& ca
   if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);
   if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);
   else if (!picture.problem.empty()) draw_note(c, {a.x + c.style.px(16), a.y + c.style.px(12)}, picture.problem);
-  return edit;
 }
 
 }  // namespace weftlight::views

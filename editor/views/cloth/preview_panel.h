@@ -5,7 +5,6 @@
 #include <string>
 
 #include "gl/renderer.h"
-#include "session/orbit.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
@@ -29,8 +28,7 @@ struct PreviewPicture {
   ReferencePicture reference;
 };
 
-/// Fills the rest of the current window; changes `camera` as the weaver drags. An edit moves the light.
-/// `pane` receives the size of the picture in pixels of the window.
-MaybeEdit draw_preview(PanelContext& c, const PreviewPicture& picture, Orbit& camera, ImVec2& pane);
+/// Fills the rest of the current window. `pane` receives the size of the picture in pixels of the window.
+void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane);
 
 }  // namespace weftlight::views

@@ -53,11 +53,13 @@ void draw_draft_header(PanelContext& c, const std::string& name) {
   ImGui::SetCursorPos({at.x + margin, at.y + gap});
   if (title_room >= s.px(kLeastTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
   ImGui::SetCursorPos({at.x + tools_x, at.y + gap});
-  int tool = static_cast<int>(c.work.select.tool);
-  if (choose(c, "tool", kToolWords, listed, tools, tool)) c.work.select.tool = static_cast<Tool>(tool);
+  int tool = static_cast<int>(c.view.select.tool);
+  if (choose(c, "tool", kToolWords, listed, tools, tool))
+    c.wanted.change_view([tool](DocumentView& v) { v.select.tool = static_cast<Tool>(tool); });
   ImGui::SameLine(0, gap);
-  int look = static_cast<int>(c.work.drawdown_style);
-  if (choose(c, "look", kLookWords, listed, looks, look)) c.work.drawdown_style = static_cast<DrawdownStyle>(look);
+  int look = static_cast<int>(c.settings.drawdown_style);
+  if (choose(c, "look", kLookWords, listed, looks, look))
+    c.wanted.change_settings([look](Settings& s2) { s2.drawdown_style = static_cast<DrawdownStyle>(look); });
   ImGui::SetCursorPos({at.x, at.y + gap + ImGui::GetFrameHeight() + s.px(8)});
 }
 

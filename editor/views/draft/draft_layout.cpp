@@ -47,11 +47,10 @@ float fitting_pitch(const Draft& d, const Style& s, Room room) {
   return pitch;
 }
 
-Axis axis(float start, float room, float pitch, float& scroll, int count, bool reversed) {
+Axis axis(float start, float room, float pitch, float scroll, int count, bool reversed) {
   Axis a{start, 0, pitch, 0, count, reversed};
   a.length = std::max(0.0f, std::min(std::ceil(a.extent()), std::floor(room)));
-  scroll = clamp_scroll(a, scroll);
-  a.scroll = scroll;
+  a.scroll = clamp_scroll(a, scroll);
   return a;
 }
 
@@ -71,24 +70,25 @@ float fitting_width(const Draft& d, const Style& s, float least, float most, flo
   return std::clamp(width, least, most);
 }
 
-DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec2 min, ImVec2 max) {
+DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, bool end1_right, const Style& s, ImVec2 min,
+                          ImVec2 max) {
   const Room room = room_of(s, min, max);
-  if (work.pitch <= 0) work.pitch = fitting_pitch(d, s, room);
-  const float loom = loom_pitch(s, work.pitch);
-
   DraftLayout l;
+  l.pitch = v.pitch > 0 ? v.pitch : fitting_pitch(d, s, room);
+  const float loom = loom_pitch(s, l.pitch);
+
   l.min = min;
   l.max = max;
   const float x0 = min.x + s.px(kMargin), y0 = min.y;
   const float bar_y = y0 + s.px(kEndRuler), threading_y = bar_y + s.px(kBar) + s.px(kGap);
-  const Axis shafts = axis(threading_y, room.height * kThreadingShare, loom, work.scroll_shaft, d.shafts, true);
+  const Axis shafts = axis(threading_y, room.height * kThreadingShare, loom, v.scroll_shaft, d.shafts, true);
   const float drawdown_y = threading_y + shafts.length + s.px(kGap);
-  Axis picks = axis(drawdown_y, room.height - shafts.length, work.pitch, work.scroll_pick, d.picks(), false);
+  Axis picks = axis(drawdown_y, room.height - shafts.length, l.pitch, v.scroll_pick, d.picks(), false);
 
   const float lift_width = std::min(static_cast<float>(lift_columns(d)) * loom, std::floor(room.width * kLiftShare));
-  Axis ends = axis(x0, room.width - lift_width, work.pitch, work.scroll_end, d.ends(), work.end1_right);
+  Axis ends = axis(x0, room.width - lift_width, l.pitch, v.scroll_end, d.ends(), end1_right);
   const float lift_x = x0 + ends.length + s.px(kShaftNumbers);
-  const Axis treadles = axis(lift_x, lift_width, loom, work.scroll_treadle, lift_columns(d), false);
+  const Axis treadles = axis(lift_x, lift_width, loom, v.scroll_treadle, lift_columns(d), false);
   const float weft_x = lift_x + treadles.length + s.px(kGap);
 
   const bool plan = d.drive == Drive::kLiftplan;
@@ -100,13 +100,26 @@ DraftLayout lay_out_draft(const Draft& d, Workspace& work, const Style& s, ImVec
   l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
   l.warp_heads = {GridId::kWarpColors, ends, single(y0, s.px(kEndRuler))};
   l.weft_heads = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
-  work.seen_ends = ends.length / ends.pitch;
-  work.seen_picks = picks.length / picks.pitch;
   l.scroll_shafts = shafts.extent() > shafts.length + 1;
   l.scroll_treadles = treadles.extent() > treadles.length + 1;
   l.scroll_ends = ends.extent() > ends.length + 1;
   l.scroll_picks = picks.extent() > picks.length + 1;
   return l;
+}
+
+void settle(DocumentView& v, const DraftLayout& l) {
+  const Axis &ends = l.drawdown.x, &picks = l.drawdown.y;
+  v.pitch = l.pitch;
+  v.scroll_end = ends.scroll, v.scroll_pick = picks.scroll;
+  v.scroll_shaft = l.threading.y.scroll, v.scroll_treadle = l.lift.x.scroll;
+  v.seen_ends = ends.length / ends.pitch, v.seen_picks = picks.length / picks.pitch;
+}
+
+bool is_settled(const DocumentView& v, const DraftLayout& l) {
+  const Axis &ends = l.drawdown.x, &picks = l.drawdown.y;
+  return v.pitch == l.pitch && v.scroll_end == ends.scroll && v.scroll_pick == picks.scroll &&
+         v.scroll_shaft == l.threading.y.scroll && v.scroll_treadle == l.lift.x.scroll &&
+         v.seen_ends == ends.length / ends.pitch && v.seen_picks == picks.length / picks.pitch;
 }
 
 UiGrid map_of(const GridPane& pane) {

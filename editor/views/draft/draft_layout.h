@@ -25,6 +25,7 @@ struct DraftLayout {
   GridPane warp_bar, threading, tieup, drawdown, lift, weft_bar;  // lift: treadling or liftplan
   GridPane warp_heads, weft_heads;                                // the numbers of ends and picks, beside their bars
   ImVec2 min, max;                                                // of the whole pane
+  float pitch = 0;                                                // pixels a thread
   bool scroll_ends = false, scroll_picks = false, scroll_shafts = false, scroll_treadles = false;  // not all in sight
 
   /// All grids; the tie-up is left out of a draft driven by its liftplan.
@@ -34,8 +35,13 @@ struct DraftLayout {
 /// Width of a pane, `least` to `most`, that a draft fills best when its pitch is chosen to fit.
 float fitting_width(const Draft& draft, const Style& style, float least, float most, float height);
 
-/// Chooses the pitch when the workspace has none, and brings its scroll into range.
-DraftLayout lay_out_draft(const Draft& draft, Workspace& work, const Style& style, ImVec2 min, ImVec2 max);
+/// With a pitch that fits where the view has none, and its scroll brought into range.
+DraftLayout lay_out_draft(const Draft& draft, const DocumentView& view, bool end1_right, const Style& style, ImVec2 min,
+                          ImVec2 max);
+/// The view becomes what the layout shows of it.
+void settle(DocumentView& view, const DraftLayout& layout);
+/// It is that already.
+bool is_settled(const DocumentView& view, const DraftLayout& layout);
 
 /// The grid as the --ui-map tells it.
 UiGrid map_of(const GridPane& pane);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "session/paint.h"
-#include "session/selection.h"
 #include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/grid_draw.h"
@@ -17,80 +16,91 @@ namespace {
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
 
-Edit stroke_edit(const PanelContext& c, GridId id, Cell from, Cell to) {
-  if (is_bar(id))
-    return bar_edit(id, from, to, c.work.bar_paint, c.work.bar_paint == BarPaint::kColor ? c.work.color : c.work.yarn);
+Edit stroke_edit(const PanelContext& c, const Stroke& stroke, Cell to) {
+  const DocumentView& v = c.view;
+  const bool colors = v.bar_paint == BarPaint::kColor;
+  if (is_bar(stroke.grid)) return bar_edit(stroke.grid, stroke.last, to, v.bar_paint, colors ? v.color : v.yarn);
   // Shift keeps the thread's other shafts or treadles.
-  return paint_edit(id, from, to, c.work.stroke.on, !ImGui::GetIO().KeyShift);
+  return paint_edit(stroke.grid, stroke.last, to, stroke.on, !ImGui::GetIO().KeyShift);
+}
+
+/// Paints from where the stroke is to a cell.
+void paint_to(PanelContext& c, Stroke stroke, Cell to) {
+  c.wanted.add(stroke_edit(c, stroke, to));
+  stroke.last = to;
+  c.wanted.change_view([stroke](DocumentView& v) { v.stroke = stroke; });
 }
 
 /// Takes colour (or yarn) of a thread as the one to paint with.
 void pick_up(PanelContext& c, GridId id, Cell at) {
   const Threads& t = c.design.draft.threads(id == GridId::kWarpColors ? System::kWarp : System::kWeft);
   const auto thread = static_cast<size_t>(id == GridId::kWarpColors ? at.a : at.b);
-  c.work.color = t.color[thread];
-  c.work.yarn = t.yarn[thread];
+  c.wanted.change_view([color = t.color[thread], yarn = t.yarn[thread]](DocumentView& v) {
+    v.color = color;
+    v.yarn = yarn;
+  });
 }
 
-MaybeEdit begin_stroke(PanelContext& c, GridId id, Cell at) {
-  if (!at.valid()) return {};
-  if (is_bar(id) && ImGui::GetIO().KeyAlt) {
-    pick_up(c, id, at);
-    return {};
-  }
+void begin_stroke(PanelContext& c, GridId id, Cell at) {
+  if (!at.valid()) return;
+  if (is_bar(id) && ImGui::GetIO().KeyAlt) return pick_up(c, id, at);
   const bool erase = ImGui::IsMouseDown(ImGuiMouseButton_Right);
-  c.work.stroke = {id, !erase && !is_on(c.design.draft, c.cells, id, at), at};
-  return stroke_edit(c, id, at, at);
+  paint_to(c, {id, !erase && !is_on(c.design.draft, c.cells, id, at), at}, at);
 }
 
-MaybeEdit go_on_with_stroke(PanelContext& c, const GridPane& pane) {
-  const Cell at = pane.nearest(ImGui::GetIO().MousePos), from = c.work.stroke.last;
-  if (!at.valid() || at == from) return {};
-  c.work.stroke.last = at;
-  return stroke_edit(c, pane.id, from, at);
+void go_on_with_stroke(PanelContext& c, const GridPane& pane) {
+  const Cell at = pane.nearest(ImGui::GetIO().MousePos);
+  if (at.valid() && at != c.view.stroke.last) paint_to(c, c.view.stroke, at);
 }
 
-MaybeEdit grid_input(PanelContext& c, const GridPane& pane) {
+void grid_input(PanelContext& c, const GridPane& pane) {
   const ImVec2 a = pane.min(), b = pane.max();
-  if (b.x - a.x < 1 || b.y - a.y < 1) return {};
+  if (b.x - a.x < 1 || b.y - a.y < 1) return;
   ImGui::SetCursorScreenPos(a);
   hit_area(grid_name(pane.id), {b.x - a.x, b.y - a.y},
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool active = ImGui::IsItemActive();
   if (ImGui::IsItemHovered() || active) {
-    c.work.hover_grid = pane.id;
-    c.work.hover = active ? pane.nearest(ImGui::GetIO().MousePos) : pane.at(ImGui::GetIO().MousePos);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    c.frame.hover = {pane.id, active ? pane.nearest(mouse) : pane.at(mouse)};
   }
   if (selects(c, pane)) return select_input(c, pane);
-  if (chooses_on_bar(c, pane.id)) {
-    choose_on_bar(c, pane);
-    return {};
-  }
+  if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);
   if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
-  if (active && c.work.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
-  if (!active && c.work.stroke.grid == pane.id) c.work.stroke = {};
-  return {};
+  if (active && c.view.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
+  if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
 }
 
 void zoom(PanelContext& c, const DraftLayout& l, float steps) {
-  const float pitch = zoomed_pitch(c.work.pitch, steps);
+  const float pitch = zoomed_pitch(l.pitch, steps);
   const ImVec2 at = ImGui::GetIO().MousePos;
-  c.work.scroll_end = scroll_about(l.drawdown.x, std::clamp(at.x, l.drawdown.min().x, l.drawdown.max().x), pitch);
-  c.work.scroll_pick = scroll_about(l.drawdown.y, std::clamp(at.y, l.drawdown.min().y, l.drawdown.max().y), pitch);
-  c.work.pitch = pitch;
+  const float end = scroll_about(l.drawdown.x, std::clamp(at.x, l.drawdown.min().x, l.drawdown.max().x), pitch);
+  const float pick = scroll_about(l.drawdown.y, std::clamp(at.y, l.drawdown.min().y, l.drawdown.max().y), pitch);
+  c.wanted.change_view([=](DocumentView& v) {
+    v.pitch = pitch;
+    v.scroll_end = end;
+    v.scroll_pick = pick;
+  });
+}
+
+using Scroll = float DocumentView::*;
+
+void scroll_by(PanelContext& c, Scroll scroll, const Axis& axis, float threads) {
+  if (threads != 0) c.wanted.change_view([=](DocumentView& v) { v.*scroll = clamp_scroll(axis, v.*scroll + threads); });
 }
 
 /// Moves what the pane shows by pixels to the right and down.
 void pan(PanelContext& c, const DraftLayout& l, float dx, float dy) {
-  const bool over_shafts = c.work.hover_grid == GridId::kThreading || c.work.hover_grid == GridId::kTieup;
-  const bool over_lift = c.work.hover_grid == GridId::kTieup || c.work.hover_grid == l.lift.id;
-  const auto move = [](float& scroll, const Axis& axis, float pixels) {
-    scroll = clamp_scroll(axis, scroll + (axis.reversed ? pixels : -pixels) / axis.pitch);
+  const bool over_shafts = c.frame.hover.grid == GridId::kThreading || c.frame.hover.grid == GridId::kTieup;
+  const bool over_lift = c.frame.hover.grid == GridId::kTieup || c.frame.hover.grid == l.lift.id;
+  const auto move = [&c](Scroll scroll, const Axis& axis, float pixels) {
+    scroll_by(c, scroll, axis, (axis.reversed ? pixels : -pixels) / axis.pitch);
   };
-  if (over_shafts && l.threading.y.extent() > l.threading.y.length + 1) move(c.work.scroll_shaft, l.threading.y, dy);
-  else move(c.work.scroll_pick, l.drawdown.y, dy);
-  if (over_lift && l.lift.x.extent() > l.lift.x.length + 1) move(c.work.scroll_treadle, l.lift.x, dx);
-  else move(c.work.scroll_end, l.drawdown.x, dx);
+  if (over_shafts && l.threading.y.extent() > l.threading.y.length + 1)
+    move(&DocumentView::scroll_shaft, l.threading.y, dy);
+  else move(&DocumentView::scroll_pick, l.drawdown.y, dy);
+  if (over_lift && l.lift.x.extent() > l.lift.x.length + 1) move(&DocumentView::scroll_treadle, l.lift.x, dx);
+  else move(&DocumentView::scroll_end, l.drawdown.x, dx);
 }
 
 void navigate(PanelContext& c, const DraftLayout& l) {
@@ -104,7 +114,7 @@ void navigate(PanelContext& c, const DraftLayout& l) {
 }
 
 /// A thin bar that shows and moves the part in sight.
-void scrollbar(PanelContext& c, const char* id, const Axis& axis, float& scroll, ImVec2 min, ImVec2 max, bool across) {
+void scrollbar(PanelContext& c, const char* id, const Axis& axis, Scroll scroll, ImVec2 min, ImVec2 max, bool across) {
   ImGui::SetCursorScreenPos(min);
   hit_area(id, {max.x - min.x, max.y - min.y});
   c.map.add_item(id);
@@ -114,9 +124,9 @@ void scrollbar(PanelContext& c, const char* id, const Axis& axis, float& scroll,
   const float most = std::max(1e-6f, all - seen), way = length - grip;
   if (ImGui::IsItemActive() && way > 0) {
     const float moved = across ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
-    scroll = clamp_scroll(axis, scroll + (axis.reversed ? -moved : moved) / way * most);
+    scroll_by(c, scroll, axis, (axis.reversed ? -moved : moved) / way * most);
   }
-  const float share = axis.reversed ? 1 - scroll / most : scroll / most;
+  const float share = axis.reversed ? 1 - axis.scroll / most : axis.scroll / most;
   const float at = (across ? min.x : min.y) + way * share;
   const ImU32 color = with_alpha(c.style.color.text, ImGui::IsItemHovered() || ImGui::IsItemActive() ? 0.5f : 0.22f);
   const float r = c.style.px(2);
@@ -128,15 +138,15 @@ void scrollbars(PanelContext& c, const DraftLayout& l) {
   const ImVec2 a = l.drawdown.min(), b = l.drawdown.max(), lift = l.lift.max(), shafts = l.threading.min();
   const float thick = c.style.px(9), below = b.y + 3;
   if (l.scroll_ends)
-    scrollbar(c, "scroll.ends", l.drawdown.x, c.work.scroll_end, {a.x, below}, {b.x, below + thick}, true);
+    scrollbar(c, "scroll.ends", l.drawdown.x, &DocumentView::scroll_end, {a.x, below}, {b.x, below + thick}, true);
   if (l.scroll_treadles)
-    scrollbar(c, "scroll.treadles", l.lift.x, c.work.scroll_treadle, {l.lift.min().x, below}, {lift.x, below + thick},
-              true);
+    scrollbar(c, "scroll.treadles", l.lift.x, &DocumentView::scroll_treadle, {l.lift.min().x, below},
+              {lift.x, below + thick}, true);
   if (l.scroll_picks)
-    scrollbar(c, "scroll.picks", l.drawdown.y, c.work.scroll_pick, {l.max.x - thick - 2, a.y}, {l.max.x - 2, b.y},
-              false);
+    scrollbar(c, "scroll.picks", l.drawdown.y, &DocumentView::scroll_pick, {l.max.x - thick - 2, a.y},
+              {l.max.x - 2, b.y}, false);
   if (l.scroll_shafts)
-    scrollbar(c, "scroll.shafts", l.threading.y, c.work.scroll_shaft, {l.max.x - thick - 2, shafts.y},
+    scrollbar(c, "scroll.shafts", l.threading.y, &DocumentView::scroll_shaft, {l.max.x - thick - 2, shafts.y},
               {l.max.x - 2, l.threading.max().y}, false);
 }
 
@@ -148,12 +158,12 @@ void draw_origin(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
 }
 
 void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const GridId g = c.work.hover_grid;
+  const GridId g = c.frame.hover.grid;
   const bool on_end = g == GridId::kThreading || g == GridId::kDrawdown || g == GridId::kWarpColors;
   const bool on_pick = g == GridId::kDrawdown || g == GridId::kWeftColors || g == l.lift.id;
   const bool on_shaft = g == GridId::kThreading || g == GridId::kTieup;
   const bool on_lift = g == GridId::kTieup || g == l.lift.id;
-  const Cell h = c.work.hover;
+  const Cell h = c.frame.hover.cell;
   draw_ruler_above(dl, c, l.drawdown.x, l.warp_heads.min().y, l.warp_heads.y.length, on_end ? h.a : -1);
   draw_ruler_beside(dl, c, l.drawdown.y, l.weft_heads.min().x + c.style.px(6), on_pick ? h.b : -1);
   draw_ruler_beside(dl, c, l.threading.y, l.threading.max().x + c.style.px(6), on_shaft ? h.b : -1);
@@ -173,17 +183,13 @@ void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, CellTextu
 
 }  // namespace
 
-MaybeEdit draw_draft(PanelContext& c, CellTexture& texture) {
+void draw_draft(PanelContext& c, CellTexture& texture) {
   const ImVec2 min = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const DraftLayout l = lay_out_draft(c.design.draft, c.work, c.style, min, {min.x + room.x, min.y + room.y});
-  c.work.hover_grid = GridId::kNone;
-  c.work.hover = {};
-  c.work.select.crosshair = false;
-  if (!ImGui::IsAnyMouseDown()) c.work.select.drag = SelectDrag::kNone;
-  follow_design(c.work.select, c.design, c.revision);
-  MaybeEdit edit;
+  const DraftLayout l =
+      lay_out_draft(c.design.draft, c.view, c.settings.end1_right, c.style, min, {min.x + room.x, min.y + room.y});
+  if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v, l); });
   for (const GridPane* pane : l.panes()) {
-    if (MaybeEdit made = grid_input(c, *pane)) edit = std::move(made);
+    grid_input(c, *pane);
     c.map.grids.push_back(map_of(*pane));
   }
   choose_by_heads(c, l);
@@ -197,7 +203,8 @@ MaybeEdit draw_draft(PanelContext& c, CellTexture& texture) {
   draw_selection(dl, c, l);
   draw_block_in_hand(dl, c, l);
   draw_hover(dl, c, l);
-  return edit;
+  if (!ImGui::IsAnyMouseDown() && c.view.select.drag != SelectDrag::kNone)
+    c.wanted.change_view([](DocumentView& v) { v.select.drag = SelectDrag::kNone; });
 }
 
 }  // namespace weftlight::views

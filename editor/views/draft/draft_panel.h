@@ -8,6 +8,6 @@
 namespace weftlight::views {
 
 /// Fills what is left of the current ImGui window.
-MaybeEdit draw_draft(PanelContext& c, CellTexture& texture);
+void draw_draft(PanelContext& c, CellTexture& texture);
 
 }  // namespace weftlight::views

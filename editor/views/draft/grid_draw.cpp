@@ -127,13 +127,13 @@ std::vector<float> insets(const Design& d, System system, float pitch) {
 
 ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
   const Draft& d = c.design.draft;
-  if (c.work.drawdown_style == DrawdownStyle::kStructure)
+  if (c.settings.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
             std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper),
             0,
             {},
             {}};
-  const bool threads = c.work.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
+  const bool threads = c.settings.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
   if (!threads) return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 0, {}, {}};
   return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 1,
           insets(c.design, System::kWarp, p.x.pitch), insets(c.design, System::kWeft, p.y.pitch)};
@@ -145,7 +145,7 @@ void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, 
   const float inset = look.inset(System::kWarp, end);
   for (int pick = p.y.first_visible(); pick < last;) {
     int stop = pick;
-    while (stop < last && warp_on_top(c.cells, c.work.face, end, stop)) ++stop;
+    while (stop < last && warp_on_top(c.cells, c.view.face, end, stop)) ++stop;
     if (stop > pick) {
       const Box box{{p.x.low(end) + look.gap + inset, p.y.low(pick)}, {p.x.high(end) - inset, p.y.high(stop - 1)}};
       const ImU32 color = look.warp[static_cast<size_t>(end)];
@@ -223,7 +223,7 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
     const ImU32 color = to_u32(c.design.draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(i)])]);
     const Box box = warp ? box_of(p, i, 0) : box_of(p, 0, i);
     dl->AddRectFilled(box.min, box.max, color);
-    if (c.work.bar_paint == BarPaint::kYarn && axis.pitch >= c.style.px(10))
+    if (c.view.bar_paint == BarPaint::kYarn && axis.pitch >= c.style.px(10))
       draw_centered(dl, c.style.font.mono_small, box.middle(), reading_color(color),
                     std::to_string(threads.yarn[static_cast<size_t>(i)] + 1));
   }
@@ -232,8 +232,8 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
 }
 
 void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
-  if (!c.work.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
-  const BitMatrix& marks = c.work.face == Face::kFront ? c.report->front : c.report->back;
+  if (!c.view.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
+  const BitMatrix& marks = c.view.face == Face::kFront ? c.report->front : c.report->back;
   constexpr float kLeastPitch = 1;  // pixels a cell; from further away they would cover everything
   if (p.x.pitch < kLeastPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.error, 0.55f);
@@ -262,7 +262,7 @@ void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& 
   }
   for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) draw_warp_floats(dl, c, p, look, end);
   dl->PopClipRect();
-  if (c.work.drawdown_style == DrawdownStyle::kStructure) draw_lines(dl, c, p);
+  if (c.settings.drawdown_style == DrawdownStyle::kStructure) draw_lines(dl, c, p);
   dl->AddRect({a.x - 1, a.y - 1}, {b.x + 1, b.y + 1}, c.style.color.line_strong);
 }
 
@@ -292,26 +292,27 @@ void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, 
 }
 
 void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  if (!c.work.hover.valid()) return;
+  if (!c.frame.hover.cell.valid()) return;
   const auto shares = [](const Axis& a, const Axis& b) { return a.start == b.start && a.count == b.count; };
   const ImU32 band = with_alpha(c.style.color.accent, 0.16f);
   const GridPane* over = nullptr;
   for (const GridPane* p : l.panes())
-    if (p->id == c.work.hover_grid) over = p;
+    if (p->id == c.frame.hover.grid) over = p;
   if (over == nullptr) return;
   const bool bar_x = over->id == GridId::kWarpColors, bar_y = over->id == GridId::kWeftColors;
   for (const GridPane* p : l.panes()) {
     const ImVec2 a = p->min(), b = p->max();
     dl->PushClipRect(a, b, true);
     if (!bar_y && shares(p->x, over->x))
-      dl->AddRectFilled({p->x.low(c.work.hover.a), a.y}, {p->x.high(c.work.hover.a) + 1, b.y}, band);
+      dl->AddRectFilled({p->x.low(c.frame.hover.cell.a), a.y}, {p->x.high(c.frame.hover.cell.a) + 1, b.y}, band);
     if (!bar_x && shares(p->y, over->y))
-      dl->AddRectFilled({a.x, p->y.low(c.work.hover.b)}, {b.x, p->y.high(c.work.hover.b) + 1}, band);
+      dl->AddRectFilled({a.x, p->y.low(c.frame.hover.cell.b)}, {b.x, p->y.high(c.frame.hover.cell.b) + 1}, band);
     dl->PopClipRect();
   }
   const GridPane& o = *over;
-  dl->AddRect({o.x.low(c.work.hover.a), o.y.low(c.work.hover.b)},
-              {o.x.high(c.work.hover.a) + 1, o.y.high(c.work.hover.b) + 1}, c.style.color.accent, 0, 0, 1.5f);
+  dl->AddRect({o.x.low(c.frame.hover.cell.a), o.y.low(c.frame.hover.cell.b)},
+              {o.x.high(c.frame.hover.cell.a) + 1, o.y.high(c.frame.hover.cell.b) + 1}, c.style.color.accent, 0, 0,
+              1.5f);
 }
 
 }  // namespace weftlight::views

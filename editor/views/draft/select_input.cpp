@@ -5,86 +5,91 @@
 namespace weftlight::views {
 namespace {
 
-MaybeEdit press_with_block(PanelContext& c) {
-  SelectState& s = c.work.select;
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+/// What the hand does in one frame; carried out once all is drawn.
+struct Press {
+  BitGrid grid;
+  Cell at;
+  bool shift, ctrl, right;
+};
+
+void begin_band(SelectState& s, const Press& p) {
+  const bool extends = p.shift && !s.selected.empty() && s.selected.grid == p.grid;
+  if (!extends || !holds(s.selected, p.grid, s.anchor)) s.anchor = extends ? Cell{s.selected.a0, s.selected.b0} : p.at;
+  s.drag = SelectDrag::kBand;
+  select_cells(s, selection_between(p.grid, s.anchor, p.at));
+}
+
+void begin_move(SelectState& s, const Design& design, const Press& p) {
+  s.drag = SelectDrag::kMove;
+  s.grip = {p.at.a - s.selected.a0, p.at.b - s.selected.b0};
+  // A copy leaves now: what it left stays, however the drag goes on.
+  if (p.ctrl) move_selection(s, design, s.selected.a0, s.selected.b0, true);
+}
+
+MaybeEdit press(SelectState& s, const Design& design, const Press& p) {
+  if (s.held && !p.right) return drop_block(s, design, p.shift);
+  if (s.held) {
     escape(s);
     return {};
   }
-  return drop_block(s, c.design, ImGui::GetIO().KeyShift);
-}
-
-void begin_band(SelectState& s, BitGrid grid, Cell at) {
-  const bool extends = ImGui::GetIO().KeyShift && !s.selected.empty() && s.selected.grid == grid;
-  if (!extends || !holds(s.selected, grid, s.anchor)) s.anchor = extends ? Cell{s.selected.a0, s.selected.b0} : at;
-  s.drag = SelectDrag::kBand;
-  select_cells(s, selection_between(grid, s.anchor, at));
-}
-
-void begin_move(PanelContext& c, Cell at) {
-  SelectState& s = c.work.select;
-  s.drag = SelectDrag::kMove;
-  s.grip = {at.a - s.selected.a0, at.b - s.selected.b0};
-  // A copy leaves now: what it left stays, however the drag goes on.
-  if (ImGui::GetIO().KeyCtrl) move_selection(s, c.design, s.selected.a0, s.selected.b0, true);
-}
-
-MaybeEdit press(PanelContext& c, BitGrid grid, Cell at) {
-  SelectState& s = c.work.select;
-  if (s.held) return press_with_block(c);
-  if (!at.valid()) return {};
-  const bool inside = holds(s.selected, grid, at);
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-    if (!inside) select_cells(s, selection_between(grid, at, at)), s.anchor = at;
-    s.menu_wanted = true;
-  } else if (inside && s.tool == Tool::kSelect && !ImGui::GetIO().KeyShift) {
-    begin_move(c, at);
+  if (!p.at.valid()) return {};
+  const bool inside = holds(s.selected, p.grid, p.at);
+  if (p.right) {
+    if (!inside) select_cells(s, selection_between(p.grid, p.at, p.at)), s.anchor = p.at;
+  } else if (inside && s.tool == Tool::kSelect && !p.shift) {
+    begin_move(s, design, p);
   } else {
-    begin_band(s, grid, at);
+    begin_band(s, p);
   }
   return {};
 }
 
-MaybeEdit go_on(PanelContext& c, BitGrid grid, Cell at) {
-  SelectState& s = c.work.select;
-  if (!at.valid()) return {};
+MaybeEdit go_on(SelectState& s, const Design& design, BitGrid grid, Cell at) {
   if (s.drag == SelectDrag::kBand) {
     if (const Selection next = selection_between(grid, s.anchor, at); next != s.selected) select_cells(s, next);
   } else if (s.drag == SelectDrag::kMove &&
              !(holds(s.selected, grid, at) && at.a - s.grip.a == s.selected.a0 && at.b - s.grip.b == s.selected.b0)) {
-    return move_selection(s, c.design, at.a - s.grip.a, at.b - s.grip.b, false);
+    return move_selection(s, design, at.a - s.grip.a, at.b - s.grip.b, false);
   }
   return {};
 }
 
-void show_cursor(SelectState& s, BitGrid grid, Cell at) {
+void show_cursor(PanelContext& c, BitGrid grid, Cell at) {
+  const SelectState& s = c.view.select;
   const bool grips = s.drag == SelectDrag::kMove ||
                      (s.drag == SelectDrag::kNone && s.tool == Tool::kSelect && holds(s.selected, grid, at));
   if (grips && !s.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  else s.crosshair = true;
+  else c.frame.crosshair = true;
+}
+
+void take_press(PanelContext& c, BitGrid grid, Cell at) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Press p{grid, at, io.KeyShift, io.KeyCtrl, ImGui::IsMouseDown(ImGuiMouseButton_Right)};
+  c.frame.selection_menu = p.right && at.valid() && !c.view.select.held;
+  c.wanted.gesture([p](DocumentView& v, const Design& design) { return press(v.select, design, p); });
 }
 
 }  // namespace
 
 bool selects(const PanelContext& c, const GridPane& pane) {
-  const SelectState& s = c.work.select;
-  if (!bit_grid_of(pane.id) || c.work.stroke.grid != GridId::kNone) return false;
+  const SelectState& s = c.view.select;
+  if (!bit_grid_of(pane.id) || c.view.stroke.grid != GridId::kNone) return false;
   return s.held || s.tool == Tool::kSelect || s.drag != SelectDrag::kNone || ImGui::GetIO().KeyCtrl;
 }
 
-MaybeEdit select_input(PanelContext& c, const GridPane& pane) {
-  SelectState& s = c.work.select;
+void select_input(PanelContext& c, const GridPane& pane) {
+  const SelectState& s = c.view.select;
   const BitGrid grid = *bit_grid_of(pane.id);
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const ImGuiIO& io = ImGui::GetIO();
+  const Cell at = pane.at(io.MousePos), near_by = pane.nearest(io.MousePos);
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  if (!active && !hovered) return {};
-  if (hovered && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0 || ImGui::IsItemActivated()))
-    hold_block_over(s, grid, pane.at(mouse));
-  MaybeEdit edit;
-  if (ImGui::IsItemActivated()) edit = press(c, grid, pane.at(mouse));
-  else if (active && s.selected.grid == grid) edit = go_on(c, grid, pane.nearest(mouse));
-  show_cursor(s, grid, pane.at(mouse));
-  return edit;
+  if (!active && !hovered) return;
+  if (s.held && hovered && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsItemActivated()))
+    c.wanted.change_view([=](DocumentView& v) { hold_block_over(v.select, grid, at); });
+  if (ImGui::IsItemActivated()) take_press(c, grid, at);
+  else if (active && s.drag != SelectDrag::kNone && s.selected.grid == grid && near_by.valid())
+    c.wanted.gesture([=](DocumentView& v, const Design& design) { return go_on(v.select, design, grid, near_by); });
+  show_cursor(c, grid, at);
 }
 
 }  // namespace weftlight::views

@@ -11,6 +11,6 @@ namespace weftlight::views {
 /// block in hand.
 bool selects(const PanelContext& c, const GridPane& pane);
 /// To be called right after the grid's ImGui item.
-MaybeEdit select_input(PanelContext& c, const GridPane& pane);
+void select_input(PanelContext& c, const GridPane& pane);
 
 }  // namespace weftlight::views

@@ -67,7 +67,7 @@ void push_clip(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
 void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BlockInHand& held,
                 const BitMatrix& cells) {
   const bool crossings = held.grid == BitGrid::kDrawdown;
-  const bool turned = crossings && c.work.face == Face::kBack;  // the back shows the other threads
+  const bool turned = crossings && c.view.face == Face::kBack;  // the back shows the other threads
   const ImU32 mark = blend(c.style.color.accent, c.style.color.ink, 0.25f),
               empty = with_alpha(c.style.color.paper, 0.8f);
   const int a1 = std::min(held.at.a + cells.cols(), p.x.end_visible()),
@@ -84,7 +84,7 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
 }  // namespace
 
 void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const Selection& s = c.work.select.selected;
+  const Selection& s = c.view.select.selected;
   const GridPane* pane = s.empty() ? nullptr : pane_of(l, s.grid);
   if (pane == nullptr) return;
   const Box box = box_of(*pane, s.a0, s.a1, s.b0, s.b1);
@@ -95,8 +95,8 @@ void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& l)
 }
 
 void draw_block_in_hand(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  if (!c.work.select.held) return;
-  const BlockInHand& held = *c.work.select.held;
+  if (!c.view.select.held) return;
+  const BlockInHand& held = *c.view.select.held;
   const GridPane* pane = pane_of(l, held.grid);
   if (pane == nullptr) return;
   const BitMatrix cells = turned_for(held.block, held.grid);

@@ -19,18 +19,20 @@ int thread_at(const GridPane& pane) {
 
 /// The ImGui item drawn last lies over `pane`.
 void take_gesture(PanelContext& c, const GridPane& pane) {
-  ThreadChoice& choice = c.work.chosen;
   const ImGuiIO& io = ImGui::GetIO();
   const int thread = thread_at(pane);
   if (thread < 0) return;
   const System system = system_of(pane);
+  const Choose how = io.KeyShift ? Choose::kRange : io.KeyCtrl ? Choose::kAlso : Choose::kOnly;
   if (ImGui::IsItemActivated())
-    begin_choice(choice, system, thread, io.KeyShift ? Choose::kRange : io.KeyCtrl ? Choose::kAlso : Choose::kOnly);
-  else if (ImGui::IsItemActive()) drag_choice(choice, thread);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    choice.threads = threads_alike(c.design.draft, system, {thread});
-    choice.dragging = false;
-  }
+    c.wanted.change_view([=](DocumentView& v) { begin_choice(v.chosen, system, thread, how); });
+  else if (ImGui::IsItemActive()) c.wanted.change_view([=](DocumentView& v) { drag_choice(v.chosen, thread); });
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    c.wanted.gesture([=](DocumentView& v, const Design& design) {
+      v.chosen.threads = threads_alike(design.draft, system, {thread});
+      v.chosen.dragging = false;
+      return MaybeEdit();
+    });
 }
 
 void head_input(PanelContext& c, const GridPane& heads, const char* name) {
@@ -40,11 +42,11 @@ void head_input(PanelContext& c, const GridPane& heads, const char* name) {
   hit_area(name, {b.x - a.x, b.y - a.y});
   take_gesture(c, heads);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-    c.work.hover_grid = heads.id;
-    c.work.hover = system_of(heads) == System::kWarp ? Cell{thread_at(heads), 0} : Cell{0, thread_at(heads)};
+    const bool warp = system_of(heads) == System::kWarp;
+    c.frame.hover = {heads.id, warp ? Cell{thread_at(heads), 0} : Cell{0, thread_at(heads)}};
   }
   // Once something is chosen, it would only cover the bars.
-  if (c.work.chosen.threads.empty())
+  if (c.view.chosen.threads.empty())
     tooltip(c,
             "Click or drag along the numbers to choose threads for the Threads panel. Shift: up to here. "
             "Ctrl: this "
@@ -79,25 +81,26 @@ void draw_frame(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
 bool chooses_on_bar(const PanelContext& c, GridId bar) {
   if (bar != GridId::kWarpColors && bar != GridId::kWeftColors) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  return c.work.chosen.dragging ||
-         (c.work.stroke.grid == GridId::kNone && (c.work.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
+  return c.view.chosen.dragging ||
+         (c.view.stroke.grid == GridId::kNone && (c.view.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
 }
 
 void choose_on_bar(PanelContext& c, const GridPane& bar) { take_gesture(c, bar); }
 
 void choose_by_heads(PanelContext& c, const DraftLayout& l) {
-  ThreadChoice& choice = c.work.chosen;
-  limit_choice(choice, c.design.draft);
+  const ThreadChoice& choice = c.view.chosen;
   head_input(c, l.warp_heads, "warp_numbers");
   head_input(c, l.weft_heads, "weft_numbers");
-  if (!ImGui::IsAnyMouseDown()) choice.dragging = false;
+  if (!ImGui::IsAnyMouseDown() && choice.dragging)
+    c.wanted.change_view([](DocumentView& v) { v.chosen.dragging = false; });
   const bool busy = ImGui::GetIO().WantTextInput ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!busy && key_pressed(ImGuiKey_Escape, false)) choice.threads.clear();
+  if (!busy && key_pressed(ImGuiKey_Escape, false))
+    c.wanted.change_view([](DocumentView& v) { v.chosen.threads.clear(); });
 }
 
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const bool warp = c.work.chosen.system == System::kWarp;
+  const bool warp = c.view.chosen.system == System::kWarp;
   const GridPane& heads = warp ? l.warp_heads : l.weft_heads;
   const GridPane& bar = warp ? l.warp_bar : l.weft_bar;
   const GridPane& marks = warp ? l.threading : l.lift;
@@ -105,7 +108,7 @@ void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const float r = c.style.px(3), thick = c.style.px(2);
   const ImVec2 a = warp ? heads.min() : bar.min(), b = warp ? bar.max() : heads.max();
   dl->PushClipRect({a.x - thick, a.y - thick}, {b.x + thick + 1, b.y + thick + 1}, true);
-  each_run(c.work.chosen, threads_along(bar), [&](float low, float high) {
+  each_run(c.view.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) {
       dl->AddRectFilled({low, heads.min().y}, {high + 1, heads.max().y}, soft, r, ImDrawFlags_RoundCornersTop);
       draw_frame(dl, c, {low, bar.min().y}, {high, bar.max().y});
@@ -116,7 +119,7 @@ void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   });
   dl->PopClipRect();
   dl->PushClipRect(marks.min(), marks.max(), true);
-  each_run(c.work.chosen, threads_along(bar), [&](float low, float high) {
+  each_run(c.view.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) dl->AddRectFilled({low, marks.min().y}, {high + 1, marks.max().y}, band);
     else dl->AddRectFilled({marks.min().x, low}, {marks.max().x, high + 1}, band);
   });

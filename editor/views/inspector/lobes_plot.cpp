@@ -103,7 +103,8 @@ void draw_paper(const PanelContext& c, const Plot& plot) {
 /// The sun on the rim and its ray.
 void draw_light(const PanelContext& c, const Plot& plot, bool lit) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  const ImVec2 at = plot.at(c.work.lobe_light_deg, 1, false), near_by = plot.at(c.work.lobe_light_deg, 0.06f, false);
+  const ImVec2 at = plot.at(c.settings.lobe_light_deg, 1, false),
+               near_by = plot.at(c.settings.lobe_light_deg, 0.06f, false);
   const ImU32 color = lit ? c.style.color.accent : c.style.color.text;
   dl->AddLine(at, near_by, with_alpha(color, 0.45f), 1);
   dl->AddCircleFilled(at, c.style.px(lit ? 6 : 5), c.style.color.panel);
@@ -184,12 +185,12 @@ void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (ImGui::IsItemActive()) {
     const float degrees = std::atan2(mouse.x - plot.middle.x, std::max(plot.middle.y - mouse.y, 0.0f)) / kDegree;
-    c.work.lobe_light_deg = std::clamp(degrees, -88.0f, 88.0f);
+    c.wanted.change_settings([light = std::clamp(degrees, -88.0f, 88.0f)](Settings& s) { s.lobe_light_deg = light; });
   }
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  if (lit) c.work.hint = "Drag the light around the thread. Radius: cube root of the brightness, 1 is white paper";
+  if (lit) c.frame.hint = "Drag the light around the thread. Radius: cube root of the brightness, 1 is white paper";
 
-  const LobeCurves curves = lobe_curves(lobes, linear_from_srgb(colour), c.work.lobe_light_deg);
+  const LobeCurves curves = lobe_curves(lobes, linear_from_srgb(colour), c.settings.lobe_light_deg);
   plot.rim = rim_brightness(curves);
   const Colors& color = c.style.color;
   const ImU32 own = blend(to_u32(colour), color.muted, 0.15f);

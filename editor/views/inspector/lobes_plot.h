@@ -31,7 +31,7 @@ float plotted_radius(float brightness, float rim);
 
 /// Height of what draw_lobes_plot draws over a width.
 float lobes_plot_height(const PanelContext& c, float width);
-/// Draws the plot over the width that there is. Dragging in it turns the light (Workspace::lobe_light_deg).
+/// Draws the plot over the width that there is. Dragging in it turns the light (Settings::lobe_light_deg).
 void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour);
 
 }  // namespace weftlight::views

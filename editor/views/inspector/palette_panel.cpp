@@ -24,22 +24,23 @@ void draw_swatches(PanelContext& c) {
                    origin.y + 3 + static_cast<float>(i / columns) * (side + gap)};
     ImGui::SetCursorScreenPos(a);
     ImGui::PushID(i);
-    if (hit_area("swatch", {side, side})) {
-      c.work.color = i;
-      c.work.bar_paint = BarPaint::kColor;
-    }
+    if (hit_area("swatch", {side, side}))
+      c.wanted.change_view([i](DocumentView& v) {
+        v.color = i;
+        v.bar_paint = BarPaint::kColor;
+      });
     ImGui::PopID();
     if (!ImGui::IsItemVisible()) continue;
     const std::string name = "palette:" + std::to_string(i + 1);
     c.map.add_item(name);
     tooltip(c, ("Colour " + std::to_string(i + 1)).c_str());
-    draw_swatch(c, a, {a.x + side, a.y + side}, to_u32(palette[static_cast<size_t>(i)]), i == c.work.color);
+    draw_swatch(c, a, {a.x + side, a.y + side}, to_u32(palette[static_cast<size_t>(i)]), i == c.view.color);
   }
   ImGui::EndChild();
 }
 
 MaybeEdit draw_color_in_hand(PanelContext& c) {
-  const int index = c.work.color;
+  const int index = c.view.color;
   Rgb color = c.design.draft.palette[static_cast<size_t>(index)];
   float rgb[3] = {color.r, color.g, color.b};
   row_label(c, ("Colour " + std::to_string(index + 1)).c_str(),
@@ -52,7 +53,7 @@ MaybeEdit draw_color_in_hand(PanelContext& c) {
   c.map.add_item("palette.color");
   ImGui::SameLine();
   if (icon_button(c, "palette.add", icon::kPlus, "+", "Add a colour like this one to the palette")) {
-    c.work.color = static_cast<int>(c.design.draft.palette.size());
+    c.wanted.change_view([next = static_cast<int>(c.design.draft.palette.size())](DocumentView& v) { v.color = next; });
     return Edit{"Add colour", [color](Design d) { return with_new_palette_color(std::move(d), color); }};
   }
   if (!changed) return {};
@@ -61,14 +62,14 @@ MaybeEdit draw_color_in_hand(PanelContext& c) {
 }
 
 MaybeEdit paint_all(PanelContext& c) {
-  const bool color = c.work.bar_paint == BarPaint::kColor;
-  const int index = color ? c.work.color : c.work.yarn;
+  const bool color = c.view.bar_paint == BarPaint::kColor;
+  const int index = color ? c.view.color : c.view.yarn;
   const Draft& d = c.design.draft;
   if (text_button(c, "paint.warp", "Whole warp", "Every end takes the colour, or the yarn, in hand"))
-    return bar_edit(GridId::kWarpColors, {0, 0}, {d.ends() - 1, 0}, c.work.bar_paint, index);
+    return bar_edit(GridId::kWarpColors, {0, 0}, {d.ends() - 1, 0}, c.view.bar_paint, index);
   ImGui::SameLine();
   if (text_button(c, "paint.weft", "Whole weft", "Every pick takes the colour, or the yarn, in hand"))
-    return bar_edit(GridId::kWeftColors, {0, 0}, {0, d.picks() - 1}, c.work.bar_paint, index);
+    return bar_edit(GridId::kWeftColors, {0, 0}, {0, d.picks() - 1}, c.view.bar_paint, index);
   return {};
 }
 
@@ -76,13 +77,13 @@ MaybeEdit paint_all(PanelContext& c) {
 
 MaybeEdit draw_palette(PanelContext& c) {
   if (!section(c, "section.palette", "Colours")) return {};
-  c.work.color = std::clamp(c.work.color, 0, static_cast<int>(c.design.draft.palette.size()) - 1);
   draw_swatches(c);
   MaybeEdit edit = draw_color_in_hand(c);
   row_label(c, "Bars paint", "What a drag along the colour bars of warp and weft sets: a thread's colour, or its yarn");
   constexpr const char* kWhat[] = {"Colour", "Yarn"};
-  int what = static_cast<int>(c.work.bar_paint);
-  if (segmented(c, "bars", kWhat, what)) c.work.bar_paint = static_cast<BarPaint>(what);
+  int what = static_cast<int>(c.view.bar_paint);
+  if (segmented(c, "bars", kWhat, what))
+    c.wanted.change_view([what](DocumentView& v) { v.bar_paint = static_cast<BarPaint>(what); });
   row_label(c, "", "");
   if (MaybeEdit all = paint_all(c)) edit = std::move(all);
   return edit;

@@ -54,54 +54,59 @@ Edit edit_of(const Subject& s, const char* what, Apply apply) {
 }
 
 /// How many are chosen, at the end of the field drawn last, where its text leaves room.
-void draw_count(const PanelContext& c, const ThreadChoice& choice) {
+void draw_count(const PanelContext& c, const ThreadChoice& choice, const std::string& words) {
   const std::string count =
       std::to_string(choice.threads.size()) + " " + thread_word(choice.system, choice.threads.size());
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), padding = ImGui::GetStyle().FramePadding;
   const float x = b.x - padding.x - ImGui::CalcTextSize(count.c_str()).x;
-  if (x < a.x + 2 * padding.x + ImGui::CalcTextSize(c.work.choice_words.c_str()).x) return;
+  if (x < a.x + 2 * padding.x + ImGui::CalcTextSize(words.c_str()).x) return;
   ImGui::GetWindowDrawList()->AddText({x, a.y + padding.y}, c.style.color.muted, count.c_str());
 }
 
+void choose(PanelContext& c, std::vector<int> threads) {
+  c.wanted.change_view([threads = std::move(threads)](DocumentView& v) { v.chosen.threads = threads; });
+}
+
 /// Which threads: a text that names them, at its end how many they are.
-void draw_which(PanelContext& c, const Draft& d) {
-  ThreadChoice& choice = c.work.chosen;
+void draw_which(PanelContext& c, const Draft& d, std::string& words) {
+  const ThreadChoice& choice = c.view.chosen;
   const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(10);
   const std::string all =
       "all " + std::to_string(d.threads(choice.system).size()) + " " + thread_word(choice.system, 2);
   const bool typing = ImGui::GetActiveID() == ImGui::GetID("##which");
-  if (!typing) c.work.choice_words = words_of_threads(choice.threads);
+  if (!typing) words = words_of_threads(choice.threads);
   take_focus(c, "threads.which");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
-  std::optional<std::vector<int>> named = threads_of_words(c.work.choice_words, d.threads(choice.system).size());
+  std::optional<std::vector<int>> named = threads_of_words(words, d.threads(choice.system).size());
   if (!named) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
-  const bool typed = ImGui::InputTextWithHint("##which", all.c_str(), &c.work.choice_words);
+  const bool typed = ImGui::InputTextWithHint("##which", all.c_str(), &words);
   if (!named) ImGui::PopStyleColor();
   c.map.add_item("threads.which");
-  if (!typing && !choice.threads.empty()) draw_count(c, choice);
+  if (!typing && !choice.threads.empty()) draw_count(c, choice, words);
   tooltip(c,
           "Which threads: 3-7, 12, 20-40/2 for every other one, odd or even; empty for all. Or drag along "
           "the numbers beside the colour bars");
-  if (typed) named = threads_of_words(c.work.choice_words, d.threads(choice.system).size());
-  if (typed && named) choice.threads = std::move(*named);
+  if (typed) named = threads_of_words(words, d.threads(choice.system).size());
+  if (typed && named) choose(c, std::move(*named));
   if (clear <= 0) return;
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   if (icon_button(c, "threads.none", icon::kClear, "x", "Choose none: the panel then speaks of all threads   Esc"))
-    choice.threads.clear();
+    choose(c, {});
   ImGui::PopStyleColor();
 }
 
-void draw_whose(PanelContext& c) {
-  ThreadChoice& choice = c.work.chosen;
+void draw_whose(PanelContext& c, std::string& typed) {
   constexpr const char* kSystems[] = {"Warp", "Weft"};
-  int system = choice.system == System::kWarp ? 0 : 1;
+  int system = c.view.chosen.system == System::kWarp ? 0 : 1;
   const ImVec2 at = ImGui::GetCursorPos();
   if (segmented(c, "threads.system", kSystems, system, c.style.px(96)))
-    choice = {system == 0 ? System::kWarp : System::kWeft, {}, -1, {}, false, false};
+    c.wanted.change_view([system](DocumentView& v) {
+      v.chosen = {system == 0 ? System::kWarp : System::kWeft, {}, -1, {}, false, false};
+    });
   ImGui::SetCursorPos(at);
   row_label(c, "", "");
-  draw_which(c, c.design.draft);
+  draw_which(c, c.design.draft, typed);
 }
 
 std::string yarn_title(const Design& d, int index) {
@@ -120,8 +125,16 @@ std::string twist_mark(const Yarn& yarn) {
   return (yarn.twist == Twist::kS ? "S " : "Z ") + fixed(yarn.turns_per_m, 0) + "/m";
 }
 
+void take_yarn(PanelContext& c, int yarn) {
+  c.wanted.change_view([yarn](DocumentView& v) { v.yarn = yarn; });
+}
+
+void take_color(PanelContext& c, int color) {
+  c.wanted.change_view([color](DocumentView& v) { v.color = color; });
+}
+
 Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
-  c.work.yarn = yarn;
+  take_yarn(c, yarn);
   return edit_of(s, "Yarn", [yarn](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(std::move(d), system, threads, yarn);
   });
@@ -130,7 +143,7 @@ Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
 /// A yarn that is not yet in the draft, for these threads alone.
 Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
   const auto index = static_cast<int>(c.design.yarns.size());
-  c.work.yarn = index;
+  take_yarn(c, index);
   return edit_of(s, "Yarn", [yarn, index](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
   });
@@ -196,7 +209,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
       edit = edit_of(s, "Colour", [i](Design d, System system, const std::vector<int>& threads) {
         return with_thread_color(std::move(d), system, threads, i);
       });
-      c.work.color = i;
+      take_color(c, i);
       ImGui::CloseCurrentPopup();
     }
     ImGui::PopID();
@@ -213,7 +226,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     edit = edit_of(s, "Colour", [like, index](Design d, System system, const std::vector<int>& threads) {
       return with_thread_color(with_new_palette_color(std::move(d), like), system, threads, index);
     });
-    c.work.color = index;
+    take_color(c, index);
   }
   c.map.add_item("threads.color:new");
   tooltip(c, "Added to the palette for these threads, and in hand above to be mixed");
@@ -267,16 +280,23 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   return edit;
 }
 
+/// In a file of centimetres also from now on; another's own unit is no habit of the weaver.
+void count_in(PanelContext& c, bool inches) {
+  if (c.view.warp_unit.mm == static_cast<double>(kMmPerCm))
+    c.wanted.change_settings([inches](Settings& s) { s.per_inch = inches; });
+  c.wanted.change_view([inches](DocumentView& v) { v.per_inch = inches; });
+}
+
 /// The spacing as weavers count it: threads in a centimetre or an inch.
 MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   const bool warp = s.system == System::kWarp;
   const char* tip = warp ? "The sett: how many ends there are in a centimetre or an inch"
                          : "How many picks there are in a centimetre or an inch";
   row_label(c, warp ? "Ends" : "Picks", tip);
-  const float unit = c.work.per_inch ? kMmPerInch : kMmPerCm;
+  const float unit = c.view.per_inch ? kMmPerInch : kMmPerCm;
   const SharedLength& spacing = s.shared.spacing;
   float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
-  const SliderSpec field{"threads.sett", "", 0.5f, c.work.per_inch ? 500.0f : 200.0f, "%.2f", tip};
+  const SliderSpec field{"threads.sett", "", 0.5f, c.view.per_inch ? 500.0f : 200.0f, "%.2f", tip};
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
@@ -287,8 +307,8 @@ MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   muted_text(c, "per");
   ImGui::SameLine();
   constexpr const char* kUnits[] = {"cm", "inch"};
-  int chosen = c.work.per_inch ? 1 : 0;
-  if (segmented(c, "threads.per", kUnits, chosen)) c.work.per_inch = chosen == 1;
+  int chosen = c.view.per_inch ? 1 : 0;
+  if (segmented(c, "threads.per", kUnits, chosen)) count_in(c, chosen == 1);
   return edit;
 }
 
@@ -300,7 +320,7 @@ std::string in_unit(const SharedLength& length, double unit_mm) {
 
 /// The measures as a file says them that counts neither in centimetres nor in millimetres.
 void draw_file_words(const PanelContext& c, const Subject& s) {
-  const WifUnit& unit = s.system == System::kWarp ? c.work.warp_unit : c.work.weft_unit;
+  const WifUnit& unit = s.system == System::kWarp ? c.view.warp_unit : c.view.weft_unit;
   if (unit.mm == static_cast<double>(kMmPerCm)) return;
   std::string text;
   const auto add = [&](const char* what, const SharedLength& length) {
@@ -317,12 +337,11 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
 
 }  // namespace
 
-MaybeEdit draw_threads(PanelContext& c) {
-  if (c.work.focus.starts_with("threads.")) open_section("section.threads");
+MaybeEdit draw_threads(PanelContext& c, std::string& typed) {
+  if (c.focus.starts_with("threads.")) open_section("section.threads");
   if (!section(c, "section.threads", "Threads")) return {};
-  limit_choice(c.work.chosen, c.design.draft);
-  draw_whose(c);
-  Subject s{c.work.chosen.system, concerned(c.work.chosen, c.design.draft), {}};
+  draw_whose(c, typed);
+  Subject s{c.view.chosen.system, concerned(c.view.chosen, c.design.draft), {}};
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);
   MaybeEdit edit;

@@ -39,8 +39,12 @@ MaybeEdit changed(int index, const Yarn& yarn, const std::string& what) {
   return Edit{std::string("Yarn: ").append(what), [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
 }
 
+void take_in_hand(PanelContext& c, int yarn) {
+  c.wanted.change_view([yarn](DocumentView& v) { v.yarn = yarn; });
+}
+
 MaybeEdit add_yarn(PanelContext& c, const Yarn& yarn) {
-  c.work.yarn = static_cast<int>(c.design.yarns.size());
+  take_in_hand(c, static_cast<int>(c.design.yarns.size()));
   return Edit{"Add yarn", [yarn](Design d) { return with_new_yarn(std::move(d), yarn); }};
 }
 
@@ -48,7 +52,7 @@ MaybeEdit add_yarn(PanelContext& c, const Yarn& yarn) {
 MaybeEdit draw_ready_yarns(PanelContext& c) {
   if (!ImGui::BeginPopup("ready yarns")) return {};
   MaybeEdit edit;
-  if (ImGui::MenuItem("Like this one")) edit = add_yarn(c, c.design.yarns[static_cast<size_t>(c.work.yarn)]);
+  if (ImGui::MenuItem("Like this one")) edit = add_yarn(c, c.design.yarns[static_cast<size_t>(c.view.yarn)]);
   c.map.add_item("yarn.add:like");
   ImGui::Separator();
   for (const Yarn& yarn : yarn_presets()) {
@@ -68,10 +72,10 @@ MaybeEdit draw_choice(PanelContext& c) {
   const auto title = [&](int i) {
     return std::to_string(i + 1).append("  ").append(yarns[static_cast<size_t>(i)].name);
   };
-  if (begin_combo(c, "yarn.list", title(c.work.yarn).c_str())) {
+  if (begin_combo(c, "yarn.list", title(c.view.yarn).c_str())) {
     for (int i = 0; i < static_cast<int>(yarns.size()); ++i) {
       ImGui::PushID(i);
-      if (ImGui::Selectable(title(i).c_str(), i == c.work.yarn)) c.work.yarn = i;
+      if (ImGui::Selectable(title(i).c_str(), i == c.view.yarn)) take_in_hand(c, i);
       ImGui::PopID();
       c.map.add_item("yarn:" + std::to_string(i + 1));
     }
@@ -110,7 +114,7 @@ bool draw_plies(PanelContext& c, Yarn& yarn) {
 /// A thread of the yarn in the colour in hand.
 void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip) {
   const float width = ImGui::GetContentRegionAvail().x, height = c.style.px(kStripHeight);
-  ImGui::Image(strip.of(yarn, colour, c.work.lobe_light_deg, static_cast<int>(width), static_cast<int>(height)),
+  ImGui::Image(strip.of(yarn, colour, c.settings.lobe_light_deg, static_cast<int>(width), static_cast<int>(height)),
                {width, height});
   c.map.add_item("yarn.strip");
   tooltip(c, "A thread of this yarn in the colour in hand, under the light of the plot");
@@ -119,15 +123,15 @@ void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip)
 MaybeEdit draw_light(PanelContext& c, Yarn yarn, YarnStrip& strip) {
   if (!section(c, "section.lobes", "Light on the yarn")) return {};
   const auto& palette = c.design.draft.palette;
-  const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.work.color, 0)), palette.size() - 1)];
+  const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.view.color, 0)), palette.size() - 1)];
   const ImVec2 pictures = ImGui::GetCursorPos();
   const float width = ImGui::GetContentRegionAvail().x;
   // Kept free: drawn last, so that they show what the sliders have just become.
   ImGui::Dummy({width, c.style.px(kStripHeight) + lobes_plot_height(c, width) + 2 * ImGui::GetStyle().ItemSpacing.y});
   MaybeEdit edit;
-  if (const char* what = field_sliders(c, kLobeFields, yarn.lobes)) edit = changed(c.work.yarn, yarn, what);
+  if (const char* what = field_sliders(c, kLobeFields, yarn.lobes)) edit = changed(c.view.yarn, yarn, what);
   row_label(c, "Metallic", "Lurex and metal threads: the shine takes the thread's colour, and there is no body");
-  if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.work.yarn, yarn, "Metallic");
+  if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.view.yarn, yarn, "Metallic");
   c.map.add_item("yarn.metallic");
   const ImVec2 after = ImGui::GetCursorPos();
   ImGui::SetCursorPos(pictures);
@@ -140,16 +144,15 @@ MaybeEdit draw_light(PanelContext& c, Yarn yarn, YarnStrip& strip) {
 }  // namespace
 
 MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
-  c.work.yarn = std::clamp(c.work.yarn, 0, static_cast<int>(c.design.yarns.size()) - 1);
-  Yarn yarn = c.design.yarns[static_cast<size_t>(c.work.yarn)];
+  Yarn yarn = c.design.yarns[static_cast<size_t>(c.view.yarn)];
   MaybeEdit edit;
   if (section(c, "section.yarns", "Yarns")) {
     edit = draw_choice(c);
     if (edit) return edit;
-    if (draw_name(c, yarn)) edit = changed(c.work.yarn, yarn, "Name");
-    if (draw_twist(c, yarn)) edit = changed(c.work.yarn, yarn, "Twist");
-    if (draw_plies(c, yarn)) edit = changed(c.work.yarn, yarn, kPliesFacts.label);
-    if (const char* what = field_sliders(c, kYarnFields, yarn)) edit = changed(c.work.yarn, yarn, what);
+    if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, "Name");
+    if (draw_twist(c, yarn)) edit = changed(c.view.yarn, yarn, "Twist");
+    if (draw_plies(c, yarn)) edit = changed(c.view.yarn, yarn, kPliesFacts.label);
+    if (const char* what = field_sliders(c, kYarnFields, yarn)) edit = changed(c.view.yarn, yarn, what);
   }
   if (MaybeEdit light = draw_light(c, yarn, strip)) edit = std::move(light);
   return edit;

@@ -17,7 +17,7 @@ std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> ite
 
 /// The items one below the other, submenus too; for an open menu. Named `prefix` + id in the map.
 std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);
-/// The menu of a right click on the selection, when Workspace::select wants it or it stands open.
+/// The menu of a right click on the selection, when FrameNotes wants it or it stands open.
 std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items);
 
 /// What the mouse does, and every action that has a key, in a window of their own.

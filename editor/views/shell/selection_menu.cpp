@@ -6,8 +6,7 @@ namespace weftlight::views {
 
 std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items) {
   constexpr const char* kName = "###selection_menu";
-  if (c.work.select.menu_wanted) ImGui::OpenPopup(kName);
-  c.work.select.menu_wanted = false;
+  if (c.frame.selection_menu) ImGui::OpenPopup(kName);
   if (!ImGui::BeginPopup(kName)) return {};
   std::vector<ActionItem> own;
   for (const ActionItem& item : items)

@@ -53,12 +53,13 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
 /// A block in hand and a drag speak first; with the select tool news come before the selection, and that
 /// before the cell under the pointer.
 std::string status_text(const PanelContext& c, const std::string& message) {
-  const SelectState& s = c.work.select;
-  const std::string selected = selection_text(s), hover = describe(c.design, c.cells, c.work.hover_grid, c.work.hover);
+  const SelectState& s = c.view.select;
+  const std::string selected = selection_text(s),
+                    hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
   if (s.held || s.drag != SelectDrag::kNone) return selected;
   if (s.tool == Tool::kSelect && !message.empty()) return message;
   if (s.tool == Tool::kSelect && !selected.empty()) return selected;
-  return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.work.hint;
+  return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.frame.hint;
 }
 
 void draw_trouble(const PanelContext& c, const std::string& trouble, float room) {

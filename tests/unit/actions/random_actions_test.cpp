@@ -24,8 +24,8 @@ class BareDesk : public Desk {
  public:
   explicit BareDesk(Design design) : document_(std::move(design)) {}
   const Document& document() const override { return document_; }
-  Workspace& work() override { return work_; }
-  const Workspace& work() const override { return work_; }
+  DocumentView& view() override { return view_; }
+  const DocumentView& view() const override { return view_; }
   void commit(const Edit& edit) override { document_.commit(edit, edit.stroke); }
   void undo() override { document_.undo(); }
   void redo() override { document_.redo(); }
@@ -53,13 +53,15 @@ class BareDesk : public Desk {
   void toggle_theme() override {}
   void keep_view() override {}
   void reset_view() override {}
+  void focus(std::string) override {}
+  Hover hover() const override { return {}; }
   void say(std::string) override {}
   std::string clipboard() const override { return clipboard_; }
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
 
  private:
   Document document_;
-  Workspace work_;
+  DocumentView view_;
   Settings settings_;
   std::string clipboard_;
 };
@@ -117,7 +119,7 @@ void RandomActions::select() {
   const BitGrid grid = kGrids[roll(5)];
   const int columns = columns_of(draft(), grid), rows = rows_of(draft(), grid);
   if (!is_shown(draft(), grid) || columns == 0 || rows == 0) return;
-  select_cells(desk_.work().select, selection_between(grid, {roll(columns), roll(rows)}, {roll(columns), roll(rows)}));
+  select_cells(desk_.view().select, selection_between(grid, {roll(columns), roll(rows)}, {roll(columns), roll(rows)}));
 }
 
 void RandomActions::edit_threads() {
@@ -187,7 +189,7 @@ TEST_F(RandomActions, LeaveTheDraftWholeAndAreAllTakenBack) {
     const auto was = desk_.document().snapshot();
     act();
     changes += desk_.document().snapshot() != was;
-    follow_design(desk_.work().select, desk_.document().now(), desk_.document().revision());
+    follow_document(desk_.view(), desk_.document());
     ASSERT_TRUE(is_consistent(desk_.document().now())) << "after action " << i;
     if (i % 16 == 0) {
       ASSERT_EQ(desk_.document().cells(), drawdown(draft())) << "after action " << i;

@@ -44,9 +44,9 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
 
 TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
   const Design d = twill();
-  Workspace work;
+  DocumentView view;
   const Style style;
-  const DraftLayout l = lay_out_draft(d.draft, work, style, {0, 0}, {800, 600});
+  const DraftLayout l = lay_out_draft(d.draft, view, true, style, {0, 0}, {800, 600});
   EXPECT_EQ(l.threading.x.start, l.drawdown.x.start);
   EXPECT_EQ(l.tieup.y.start, l.threading.y.start);
   EXPECT_EQ(l.tieup.x.start, l.lift.x.start);
@@ -63,25 +63,27 @@ TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
 TEST(Layout, TenThousandThreadsStayInThePane) {
   const Draft d = blank_draft(10000, 10000, 32, 32);
   for (float pitch : {0.0f, 0.02f, 1.0f, 20.0f}) {
-    Workspace work;
-    work.pitch = pitch;
-    work.scroll_end = 1e9f;
-    const DraftLayout l = lay_out_draft(d, work, Style{}, {0, 0}, {640, 800});
+    DocumentView view;
+    view.pitch = pitch;
+    view.scroll_end = 1e9f;
+    const DraftLayout l = lay_out_draft(d, view, true, Style{}, {0, 0}, {640, 800});
     EXPECT_LE(l.weft_bar.max().x, 640);
     EXPECT_LE(l.drawdown.max().y, 800);
-    EXPECT_LE(work.scroll_end, 10000);
+    settle(view, l);
+    EXPECT_LE(view.scroll_end, 10000);
+    EXPECT_TRUE(is_settled(view, lay_out_draft(d, view, true, Style{}, {0, 0}, {640, 800})));
   }
 }
 
 TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
   const Style style;
   const Draft d = blank_draft(16, 16, 4, 4);
-  Workspace work;
+  DocumentView view;
   const float width = fitting_width(d, style, 400, 700, 800);
-  const DraftLayout l = lay_out_draft(d, work, style, {0, 0}, {width, 800});
-  EXPECT_GE(work.pitch, 24);
-  EXPECT_LE(work.pitch, 28);
-  EXPECT_EQ(work.pitch, static_cast<float>(static_cast<int>(work.pitch))) << "whole pixels";
+  const DraftLayout l = lay_out_draft(d, view, true, style, {0, 0}, {width, 800});
+  EXPECT_GE(l.pitch, 24);
+  EXPECT_LE(l.pitch, 28);
+  EXPECT_EQ(l.pitch, static_cast<float>(static_cast<int>(l.pitch))) << "whole pixels";
   EXPECT_FALSE(l.scroll_ends || l.scroll_picks);
   EXPECT_EQ(fitting_width(blank_draft(1, 1, 1, 1), style, 400, 700, 800), 400);
   EXPECT_EQ(fitting_width(blank_draft(2000, 2000, 8, 8), style, 400, 700, 800), 700);

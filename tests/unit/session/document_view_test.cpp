@@ -1,12 +1,12 @@
-#include "session/workspace.h"
+#include "session/document_view.h"
 
 #include <gtest/gtest.h>
 
 namespace weftlight::session {
 namespace {
 
-TEST(Workspace, PagesKeepATenthInSight) {
-  Workspace w;
+TEST(DocumentView, PagesKeepATenthInSight) {
+  DocumentView w;
   w.seen_ends = 40;
   w.seen_picks = 100;
   page_picks(w, 1);
@@ -17,8 +17,8 @@ TEST(Workspace, PagesKeepATenthInSight) {
   EXPECT_EQ(w.scroll_end, 72);
 }
 
-TEST(Workspace, AThreadIsBroughtToTheMiddle) {
-  Workspace w;
+TEST(DocumentView, AThreadIsBroughtToTheMiddle) {
+  DocumentView w;
   w.seen_ends = 41;
   w.seen_picks = 21;
   scroll_to(w, System::kWarp, 100);

@@ -1,27 +1,32 @@
 #pragma once
-// What the window remembers of the view of a draft and the design does not hold: how near it is seen, what is
-// selected, what the pointer is over, what is painted with.
+// What belongs to one open document beside its design: how near it is seen and from where, what is selected, what is
+// painted with. It is not saved, but for the camera where the weaver keeps it with the draft.
 
 #include <string>
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
 #include "session/names.h"
+#include "session/orbit.h"
 #include "session/select_state.h"
 #include "session/thread_choice.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
 
+class Document;
+
 enum class GridId { kNone, kThreading, kTieup, kTreadling, kLiftplan, kDrawdown, kWarpColors, kWeftColors };
 /// Name in the --ui-map, also the label of its strokes.
 const char* grid_name(GridId grid);
 
-enum class DrawdownStyle { kThreads, kColor, kStructure };
 enum class BarPaint { kColor, kYarn };
 
-/// What stands beside the preview: the ray-traced picture behind a slider, or how far the two are apart.
-enum class Compare { kOff, kSplit, kDifference };
+/// What the pointer is over.
+struct Hover {
+  GridId grid = GridId::kNone;
+  Cell cell;
+};
 
 /// A drag that paints: the value is that of the first cell, turned over.
 struct Stroke {
@@ -30,40 +35,36 @@ struct Stroke {
   Cell last;
 };
 
-struct Workspace {
+struct DocumentView {
   float pitch = 0;  // pixels a thread; 0: choose so that the draft fits
   float scroll_end = 0, scroll_pick = 0, scroll_shaft = 0, scroll_treadle = 0;
   float seen_ends = 0, seen_picks = 0;  // in the pane, as it was last drawn
-  bool end1_right = true;
-  DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
   Face face = Face::kFront;
+  Orbit camera;  // of the cloth
   BarPaint bar_paint = BarPaint::kColor;
-  int color = 0, yarn = 0;    // what the colour bars are painted with
-  int float_limit = 5;        // threads that a float may cross
-  bool show_floats = false;   // those beyond it are tinted in the drawdown
-  float lobe_light_deg = 35;  // of the light in the plot of the lobes, from the normal
-  bool show_rungs = false;    // false colours: which method shades which pixel
-  Compare compare = Compare::kOff;
-  float compare_split = 0.5f;  // of the pane's width
-  const char* hint = "";       // how to use what the pointer is over, for the status line
-  GridId hover_grid = GridId::kNone;
-  Cell hover;
+  int color = 0, yarn = 0;   // what the colour bars are painted with
+  int float_limit = 5;       // threads that a float may cross
+  bool show_floats = false;  // those beyond it are tinted in the drawdown
   Stroke stroke;
   SelectState select;
   ThreadChoice chosen;           // what the Threads panel is about
-  std::string choice_words;      // as they are being typed
   bool per_inch = false;         // of ends and picks; else per centimetre
   WifUnit warp_unit, weft_unit;  // of the opened file
-  std::string focus;             // control that the keyboard goes to next, by its name in the --ui-map
 };
+
+/// Of a document that was just opened: to be fitted, its own camera. `per_inch`: what the weaver counts in where the
+/// file does not say.
+DocumentView view_of(const Document& document, bool per_inch);
+/// After every change of the design: what is no longer there is neither selected nor in hand.
+void follow_document(DocumentView& view, const Document& document);
 
 /// The next pitch of the zoom: `steps` > 0 is nearer. Whole pixels from 2 up; 0.02 to 48.
 float zoomed_pitch(float pitch, float steps);
 
 /// A page on (1) or back (-1), a tenth of it kept in sight.
-void page_ends(Workspace& work, int pages);
-void page_picks(Workspace& work, int pages);
+void page_ends(DocumentView& view, int pages);
+void page_picks(DocumentView& view, int pages);
 /// The thread, from 0, into the middle of the pane.
-void scroll_to(Workspace& work, System system, int thread);
+void scroll_to(DocumentView& view, System system, int thread);
 
 }  // namespace weftlight::session

@@ -1,0 +1,58 @@
+#include "session/document_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/document.h"
+#include "session/selection.h"
+
+namespace weftlight::session {
+namespace {
+
+constexpr float kSmallestPitch = 0.02f;  // 100,000 threads in 2,000 pixels
+constexpr float kLargestPitch = 48.0f;
+
+}  // namespace
+
+DocumentView view_of(const Document& document, bool per_inch) {
+  constexpr double kMmPerCm = 10;
+  DocumentView v;
+  v.camera = orbit_of(document.now().scene);
+  v.warp_unit = document.unit(System::kWarp);
+  v.weft_unit = document.unit(System::kWeft);
+  v.per_inch = per_inch || v.warp_unit.mm != kMmPerCm;
+  return v;
+}
+
+void follow_document(DocumentView& v, const Document& document) {
+  const Design& d = document.now();
+  follow_design(v.select, d, document.revision());
+  limit_choice(v.chosen, d.draft);
+  v.color = std::clamp(v.color, 0, static_cast<int>(d.draft.palette.size()) - 1);
+  v.yarn = std::clamp(v.yarn, 0, static_cast<int>(d.yarns.size()) - 1);
+}
+
+float zoomed_pitch(float pitch, float steps) {
+  float next = pitch * std::pow(1.2f, steps);
+  if (next >= 2) {
+    next = std::round(next);
+    if (next == pitch && steps != 0) next += steps > 0 ? 1.0f : -1.0f;
+  }
+  return std::clamp(next, kSmallestPitch, kLargestPitch);
+}
+
+void page_ends(DocumentView& v, int pages) {
+  v.scroll_end += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_ends);
+}
+
+void page_picks(DocumentView& v, int pages) {
+  v.scroll_pick += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_picks);
+}
+
+void scroll_to(DocumentView& v, System system, int thread) {
+  const bool warp = system == System::kWarp;
+  (warp ? v.scroll_end : v.scroll_pick) =
+      static_cast<float>(thread) + 0.5f - 0.5f * (warp ? v.seen_ends : v.seen_picks);
+}
+
+}  // namespace weftlight::session

@@ -91,12 +91,13 @@ void list_yarn(std::vector<Line>& out, const Design& design) {
   out.push_back({"Sett", {{number("%.1f ends/cm", r.ends_per_cm), -1}, {number("%.1f picks/cm", r.picks_per_cm), -1}}});
 }
 
-std::vector<Line> lines_of(const Design& design) {
+std::vector<Line> lines_of(const Design& design, const PrintParts& parts) {
   const Draft& d = design.draft;
   std::vector<Line> out;
   constexpr int kGroup = 10;
-  list_heddles(out, loom_use(d));
-  list_yarn(out, design);
+  if (parts.heddles) list_heddles(out, loom_use(d));
+  if (parts.yarn) list_yarn(out, design);
+  if (!parts.lists) return out;
   list_rows(out, "Threading, shaft of each end", d.threading, kGroup);
   list_colors(out, "Warp colours", d.warp);
   if (d.drive == Drive::kTreadling) {
@@ -161,11 +162,12 @@ void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, c
 std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options) {
   const double width = (options.paper.width_mm - 2 * kMargin - 8) / 2;
   const double bottom = options.paper.height_mm - kMargin;
-  const std::vector<Line> lines = lines_of(design);
+  const std::vector<Line> lines = lines_of(design, options.parts);
+  const bool swatch = options.parts.swatch;
   std::vector<std::vector<Column>> sheets;
   size_t next = 0;
-  while (next < lines.size()) {
-    const double top = kMargin + (sheets.empty() ? kSwatchHeight + 16 : 4);
+  while (next < lines.size() || (swatch && sheets.empty())) {
+    const double top = kMargin + (swatch && sheets.empty() ? kSwatchHeight + 16 : 4);
     std::vector<Column> columns;
     for (int i = 0; i < 2 && next < lines.size(); ++i) {
       Column column{kMargin + i * (width + 8), top, width, {}};
@@ -184,7 +186,7 @@ std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options
   std::vector<Sheet> out;
   const auto cells = std::make_shared<const BitMatrix>(drawdown(design.draft));
   for (size_t i = 0; i < sheets.size(); ++i)
-    out.push_back([&design, cells, options, columns = sheets[i], first = i == 0](const Pen& pen) {
+    out.push_back([&design, cells, options, columns = sheets[i], first = swatch && i == 0](const Pen& pen) {
       if (first) draw_swatch(pen, design, *cells, options);
       for (const Column& column : columns) {
         double y = column.y;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "print/page.h"
@@ -68,25 +70,77 @@ std::string svg_of(const Sheet& sheet, const PrintOptions& o) {
   return bytes;
 }
 
+/// White paper.
+cairo_surface_t* blank_picture(const Paper& paper, double pixels_per_mm) {
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(paper.width_mm * pixels_per_mm)),
+                                    static_cast<int>(std::lround(paper.height_mm * pixels_per_mm)));
+}
+
+void paint_picture(const Sheet& sheet, cairo_t* context, double pixels_per_mm) {
+  cairo_set_source_rgb(context, 1, 1, 1);
+  cairo_paint(context);
+  draw(sheet, context, pixels_per_mm);
+}
+
 std::string png_of(const Sheet& sheet, const PrintOptions& o) {
   const double pixels_per_mm = std::clamp(o.png_dpi, 30.0, 1200.0) / 25.4;
-  Surface to(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                        static_cast<int>(std::lround(o.paper.width_mm * pixels_per_mm)),
-                                        static_cast<int>(std::lround(o.paper.height_mm * pixels_per_mm))));
-  cairo_set_source_rgb(to.context, 1, 1, 1);
-  cairo_paint(to.context);
-  draw(sheet, to.context, pixels_per_mm);
+  Surface to(blank_picture(o.paper, pixels_per_mm));
+  paint_picture(sheet, to.context, pixels_per_mm);
   std::string bytes;
   return cairo_surface_write_to_png_stream(to.surface, append, &bytes) == CAIRO_STATUS_SUCCESS ? bytes : std::string();
 }
 
+constexpr const char* kRefused = "the drawing library refused; there may be too little memory";
+
+/// Empty with `why`.
+std::vector<Sheet> all_sheets(const Design& design, const PrintOptions& options, std::string& why) {
+  std::vector<Sheet> sheets;
+  if (options.parts.grids) sheets = draft_sheets(design, options, why);
+  if (!why.empty()) return {};
+  for (Sheet& sheet : list_sheets(design, options)) sheets.push_back(std::move(sheet));
+  if (sheets.empty()) why = "nothing was chosen to be printed";
+  return sheets;
+}
+
 }  // namespace
+
+SheetPicture picture_of_sheet(const Design& design, const PrintOptions& options, int sheet, double pixels_per_mm) {
+  SheetPicture out;
+  const std::vector<Sheet> sheets = all_sheets(design, options, out.why);
+  if (!out.why.empty()) return out;
+  out.sheets = static_cast<int>(sheets.size());
+  out.sheet = std::clamp(sheet, 0, out.sheets - 1);
+  Surface to(blank_picture(options.paper, std::clamp(pixels_per_mm, 0.1, 50.0)));
+  paint_picture(sheets[static_cast<size_t>(out.sheet)], to.context, pixels_per_mm);
+  cairo_surface_flush(to.surface);
+  const unsigned char* bytes = cairo_image_surface_get_data(to.surface);
+  if (bytes == nullptr) {
+    out.why = kRefused;
+    return out;
+  }
+  out.width = cairo_image_surface_get_width(to.surface);
+  out.height = cairo_image_surface_get_height(to.surface);
+  const int stride = cairo_image_surface_get_stride(to.surface);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      uint32_t rgb;
+      std::memcpy(&rgb, bytes + static_cast<ptrdiff_t>(y) * stride + ptrdiff_t{4} * x, sizeof rgb);
+      out.pixels.push_back(0xff000000u | (rgb & 0xff00u) | (rgb >> 16 & 0xffu) | (rgb & 0xffu) << 16);
+    }
+  return out;
+}
+
+std::string sheet_file(const std::string& out, size_t sheet, size_t sheets) {
+  if (sheets == 1) return out;
+  std::filesystem::path path(out);
+  path.replace_filename(path.stem().string() + "-" + std::to_string(sheet + 1) + path.extension().string());
+  return path.string();
+}
 
 Printed printed(const Design& design, PrintFormat format, const PrintOptions& options) {
   Printed out;
-  std::vector<Sheet> sheets = draft_sheets(design, options, out.why);
+  const std::vector<Sheet> sheets = all_sheets(design, options, out.why);
   if (!out.why.empty()) return out;
-  for (Sheet& sheet : list_sheets(design, options)) sheets.push_back(std::move(sheet));
   out.sheets = static_cast<int>(sheets.size());
   if (format == PrintFormat::kPdf) {
     out.files.push_back(pdf_of(sheets, options));
@@ -96,7 +150,7 @@ Printed printed(const Design& design, PrintFormat format, const PrintOptions& op
   }
   if (std::ranges::any_of(out.files, [](const std::string& file) { return file.empty(); })) {
     out.files.clear();
-    out.why = "the drawing library refused; there may be too little memory";
+    out.why = kRefused;
   }
   return out;
 }

@@ -2,6 +2,7 @@
 // A draft on paper: title, threading, tie-up, treadling and drawdown over as many sheets as the scale takes, then
 // lists for the loom (ends, picks, heddles), yarn, and a swatch true to size.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,27 @@ namespace weftlight::print {
 
 struct Paper {
   double width_mm = 210, height_mm = 297;
+  bool operator==(const Paper&) const = default;
 };
 inline constexpr Paper kA4{210, 297}, kLetter{215.9, 279.4};
+struct NamedPaper {
+  const char* name;
+  Paper paper;  // upright
+};
+inline constexpr NamedPaper kPapers[] = {
+    {"A4", kA4}, {"A3", {297, 420}}, {"A5", {148, 210}}, {"Letter", kLetter}, {"Legal", {215.9, 355.6}}};
 
 enum class PrintFormat { kPdf, kSvg, kPng };
+
+/// What is printed.
+struct PrintParts {
+  bool grids = true;    // threading, tie-up, treadling or liftplan, drawdown
+  bool lists = true;    // what to thread and to tread, and in which colours
+  bool heddles = true;  // on each shaft
+  bool yarn = true;     // lengths, weights, sett
+  bool swatch = true;   // true to size
+  bool operator==(const PrintParts&) const = default;
+};
 
 struct PrintOptions {
   Paper paper = kA4;
@@ -23,6 +41,8 @@ struct PrintOptions {
   int heavy_lines = 4;      // a heavier line every so many threads; 0: none
   bool end1_right = false;  // which side end 1 is drawn on
   double png_dpi = 150;
+  PrintParts parts{};
+  bool operator==(const PrintOptions&) const = default;
 };
 inline constexpr double kSmallestCell = 1.6;  // mm, where the scale is not said
 inline constexpr int kMostSheets = 400;
@@ -33,5 +53,17 @@ struct Printed {
   std::string why;  // why there are none
 };
 Printed printed(const Design& design, PrintFormat format, const PrintOptions& options);
+
+/// One sheet as it will be, for looking at before it is printed.
+struct SheetPicture {
+  int width = 0, height = 0;
+  std::vector<uint32_t> pixels;  // bytes R, G, B, 255; row 0 on top
+  int sheet = 0, sheets = 0;     // which of how many; the last where there are fewer than were asked for
+  std::string why;               // why there is none
+};
+SheetPicture picture_of_sheet(const Design& design, const PrintOptions& options, int sheet, double pixels_per_mm);
+
+/// OUT.svg of one sheet; of several OUT-1.svg, OUT-2.svg ...; `sheet` from 0.
+std::string sheet_file(const std::string& out, size_t sheet, size_t sheets);
 
 }  // namespace weftlight::print

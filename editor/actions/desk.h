@@ -39,6 +39,7 @@ class Desk {
   virtual bool has_left_work() const = 0;
   virtual void quit() = 0;
 
+  virtual void ask_print() = 0;
   virtual void ask_size() = 0;
   virtual void ask_notes() = 0;
   virtual void ask_thread() = 0;

@@ -33,6 +33,7 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); });
   add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Desk& e) { e.save_for_others(); });
   new_group(add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Desk& e) { e.export_textures(); }));
+  add(all, "File", "print", "Print\xE2\x80\xA6", "Ctrl+Shift+P", [](Desk& e) { e.ask_print(); });
   Action& left =
       add(all, "File", "recovery", "Bring back unsaved work\xE2\x80\xA6", "", [](Desk& e) { e.offer_recovery(); });
   left.enabled = [](const Desk& e) { return e.has_left_work(); };

@@ -260,33 +260,35 @@ void Editor::unless_unsaved(std::function<void()> then) {
 }
 
 void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
-                      std::function<void(const std::string&)> chosen) {
+                      std::function<void(const std::string&)> chosen, const std::string& ending) {
   if (FileDialog::is_there()) {
     if (what == FileAsk::kSave)
-      chosen = [this, then = std::move(chosen)](const std::string& path) { with_ending(path, then); };
-    return file_dialog_.ask(what, title, start, std::move(chosen));
+      chosen = [this, ending, then = std::move(chosen)](const std::string& path) { with_ending(path, ending, then); };
+    return file_dialog_.ask(what, title, start, ending, std::move(chosen));
   }
   constexpr const char* kButtons[] = {"Open", "Save", "Export"};
-  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]}, [this, what, chosen = std::move(chosen)](int) {
-    const std::string typed = std::get<PathPrompt>(dialog_).path;
-    const std::string path = what == FileAsk::kSave ? with_wif_ending(typed) : typed;
-    dialog_ = {};
-    if (path.empty()) return;
-    std::error_code ignored;
-    if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
-    ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",
-                 path + " is there already. What is in it would be lost.",
-                 {"Replace", "Cancel"}},
-        [chosen, path](int button) {
-          if (button == 0) chosen(path);
-        });
-  });
+  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]},
+      [this, what, ending, chosen = std::move(chosen)](int) {
+        const std::string typed = std::get<PathPrompt>(dialog_).path;
+        const std::string path = what == FileAsk::kSave ? with_file_ending(typed, ending) : typed;
+        dialog_ = {};
+        if (path.empty()) return;
+        std::error_code ignored;
+        if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
+        ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",
+                     path + " is there already. What is in it would be lost.",
+                     {"Replace", "Cancel"}},
+            [chosen, path](int button) {
+              if (button == 0) chosen(path);
+            });
+      });
 }
 
-/// A draft is saved under a name that ends in .wif. Where that is another file than the one that was asked about, and
-/// it is there, it asks again.
-void Editor::with_ending(const std::string& typed, const std::function<void(const std::string&)>& then) {
-  const std::string path = with_wif_ending(typed);
+/// A draft is saved under a name that ends in .wif, a printed one in .pdf. Where that is another file than the one that
+/// was asked about, and it is there, it asks again.
+void Editor::with_ending(const std::string& typed, const std::string& ending,
+                         const std::function<void(const std::string&)>& then) {
+  const std::string path = with_file_ending(typed, ending);
   std::error_code error;
   if (path == typed || !std::filesystem::exists(path, error)) return then(path);
   ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",

@@ -56,6 +56,7 @@ class Editor : public Desk {
   void offer_recovery() override;
   bool has_left_work() const override { return !left_.empty(); }
   void quit() override;
+  void ask_print() override;
   void ask_size() override;
   void ask_notes() override;
   void ask_thread() override;
@@ -104,8 +105,10 @@ class Editor : public Desk {
   void unless_unsaved(std::function<void()> then);
   void save_to(const std::string& path, std::function<void()> then);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
-                std::function<void(const std::string&)> chosen);
-  void with_ending(const std::string& typed, const std::function<void(const std::string&)>& then);
+                std::function<void(const std::string&)> chosen, const std::string& ending = ".wif");
+  void with_ending(const std::string& typed, const std::string& ending,
+                   const std::function<void(const std::string&)>& then);
+  void start_print(const std::string& path, const PrintPrompt& prompt);
   void start_export(const std::string& folder, const ExportPrompt& prompt);
   void update_title();
 
@@ -151,6 +154,7 @@ class Editor : public Desk {
   float fitted_split_ = 0.5f;  // while the weaver has not moved the splitter
   CommandPalette commands_;
   Dialog dialog_;
+  bool dialog_busy_ = false;
   std::function<void(int)> answer_;
   std::string message_, title_;
   bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true;

@@ -90,6 +90,46 @@ void Editor::export_textures() {
   });
 }
 
+void Editor::ask_print() {
+  PrintPrompt prompt;
+  prompt.options.end1_right = work_.end1_right;
+  prompt.preview = std::make_shared<SheetPreview>(document_.snapshot(), Window::wake);
+  ask(std::move(prompt), [this](int) {
+    const PrintPrompt p = std::get<PrintPrompt>(dialog_);
+    dialog_ = {};
+    const std::filesystem::path draft(document_.path().empty() ? "untitled.wif" : document_.path());
+    const std::string ending = ending_of(p.format);
+    ask_path(
+        FileAsk::kSave, "Print into", (draft.parent_path() / (draft.stem().string() + ending)).string(),
+        [this, p](const std::string& path) { start_print(path, p); }, ending);
+  });
+}
+
+void Editor::start_print(const std::string& path, const PrintPrompt& p) {
+  const auto write = [this, path, p] {
+    exporter_.run(path, "Printed into " + path, [path, p, design = document_.snapshot()] {
+      const print::Printed printed = print::printed(*design, p.format, chosen_options(p));
+      std::string problem = printed.why;
+      for (size_t i = 0; i < printed.files.size() && problem.empty(); ++i)
+        problem = write_file_atomically(print::sheet_file(path, i, printed.files.size()), printed.files[i]);
+      return problem.empty() ? problem : "Not printed: " + problem;
+    });
+    say("Printing\xE2\x80\xA6");
+  };
+  // The name itself was asked about; those of further sheets were not.
+  const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);
+  std::error_code ignored;
+  for (size_t i = 0; sheets > 1 && i < sheets; ++i)
+    if (const std::string file = print::sheet_file(path, i, sheets); std::filesystem::exists(file, ignored))
+      return ask(Question{"Replace " + std::filesystem::path(file).filename().string() + "?",
+                          "Sheets of that name are there already; printing would replace them.",
+                          {"Replace", "Cancel"}},
+                 [write](int button) {
+                   if (button == 0) write();
+                 });
+  write();
+}
+
 void Editor::start_export(const std::string& folder, const ExportPrompt& p) {
   const std::filesystem::path file(document_.path().empty() ? "untitled.wif" : document_.path());
   TextureSetOptions options;

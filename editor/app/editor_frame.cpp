@@ -78,14 +78,15 @@ double Editor::sleep_s() {
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
-  if (file_dialog_.waiting() || exporter_.busy() || reporter_.busy()) sooner(kDialogPollS);
+  if (file_dialog_.waiting() || exporter_.busy() || reporter_.busy() || dialog_busy_) sooner(kDialogPollS);
   if (journal_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
 }
 
 void Editor::frame() {
   const double now = Window::seconds();
-  const bool cloth_changed = preview_.poll() | take_export_news() | reporter_.poll();
+  const bool cloth_changed =
+      preview_.poll() | take_export_news() | reporter_.poll() | take_dialog_news(dialog_, dialog_busy_);
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;

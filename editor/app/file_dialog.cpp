@@ -51,7 +51,7 @@ bool FileDialog::is_there() {
   return false;
 }
 
-void FileDialog::ask(FileAsk what, const std::string& title, const std::string& start,
+void FileDialog::ask(FileAsk what, const std::string& title, const std::string& start, const std::string& ending,
                      std::function<void(const std::string&)> chosen) {
   if (waiting()) return;
   std::vector<std::string> words = {"zenity", "--file-selection", "--title=" + title};
@@ -60,7 +60,8 @@ void FileDialog::ask(FileAsk what, const std::string& title, const std::string& 
   } else {
     if (what != FileAsk::kSave)
       words.push_back("--file-filter=Weaving drafts | *.wif *.WIF *.wifw *.dtx *.DTX *.wpo *.WPO");
-    words.push_back("--file-filter=WIF drafts (*.wif) | *.wif *.WIF");
+    if (ending == ".wif") words.push_back("--file-filter=WIF drafts (*.wif) | *.wif *.WIF");
+    else words.push_back("--file-filter=*" + ending + " | *" + ending);
     words.push_back("--file-filter=All files | *");
   }
   if (!start.empty()) words.push_back("--filename=" + start);

@@ -16,7 +16,8 @@ class FileDialog {
  public:
   /// False without zenity: ask inside the window instead.
   static bool is_there();
-  void ask(FileAsk what, const std::string& title, const std::string& start,
+  /// `ending`: of what is saved, ".wif".
+  void ask(FileAsk what, const std::string& title, const std::string& start, const std::string& ending,
            std::function<void(const std::string&)> chosen);
   bool waiting() const { return answer_.valid(); }
   /// Calls `chosen` once an answer has come.

@@ -1,23 +1,11 @@
 // `print`: the draft on paper, as PDF, SVG or PNG; a sheet a file where the format holds one.
 
 #include <cstdio>
-#include <filesystem>
 
 #include "commands/commands.h"
 #include "print/print.h"
 
 namespace weftlight::commands {
-namespace {
-
-/// OUT.svg of one sheet; of several OUT-1.svg, OUT-2.svg ...
-std::string name_of(const std::string& out, size_t sheet, size_t sheets) {
-  if (sheets == 1) return out;
-  std::filesystem::path path(out);
-  path.replace_filename(path.stem().string() + "-" + std::to_string(sheet + 1) + path.extension().string());
-  return path.string();
-}
-
-}  // namespace
 
 int print_command(const PrintCommand& options) {
   const bool pdf = options.out.ends_with(".pdf"), svg = options.out.ends_with(".svg");
@@ -38,7 +26,7 @@ int print_command(const PrintCommand& options) {
     return kBadInput;
   }
   for (size_t i = 0; i < printed.files.size(); ++i) {
-    const std::string path = name_of(options.out, i, printed.files.size());
+    const std::string path = print::sheet_file(options.out, i, printed.files.size());
     const std::string error = write_file_atomically(path, printed.files[i]);
     if (error.empty()) continue;
     std::fprintf(stderr, "%s: %s; choose another place\n", path.c_str(), error.c_str());

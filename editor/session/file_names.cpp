@@ -6,11 +6,11 @@
 
 namespace weftlight::session {
 
-std::string with_wif_ending(const std::string& path) {
+std::string with_file_ending(const std::string& path, const std::string& wanted) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".wif" || path.empty() ? path : path + ".wif";
+  return ending == wanted || path.empty() ? path : path + wanted;
 }
 
 }  // namespace weftlight::session

@@ -7,7 +7,7 @@
 
 namespace weftlight::session {
 
-/// "name" as "name.wif"; a path that ends in .wif, in any case, as it is.
-std::string with_wif_ending(const std::string& path);
+/// "name" as "name.wif"; a path that ends in it (".wif"), in any case, as it is.
+std::string with_file_ending(const std::string& path, const std::string& ending);
 
 }  // namespace weftlight::session

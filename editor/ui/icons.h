@@ -14,6 +14,7 @@ inline constexpr const char* kInfo = "\xEF\x81\x9A";      // f05a info-circle
 inline constexpr const char* kPlus = "\xEF\x81\xA7";      // f067 plus
 inline constexpr const char* kDown = "\xEF\x84\x87";      // f107 angle-down
 inline constexpr const char* kRight = "\xEF\x84\x85";     // f105 angle-right
+inline constexpr const char* kLeft = "\xEF\x84\x84";      // f104 angle-left
 inline constexpr const char* kTheme = "\xEF\x81\x82";     // f042 adjust
 inline constexpr const char* kFit = "\xEF\x81\xA6";       // f066 compress
 inline constexpr const char* kReset = "\xEF\x80\x95";     // f015 home

@@ -20,6 +20,7 @@ DialogAnswer answered(int button, int leave_button = 1);
 DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 /// The draft as it was before.
 MaybeEdit given_back(const WeaveOverPrompt& p);
+DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p);
 DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 
 }  // namespace weftlight::views

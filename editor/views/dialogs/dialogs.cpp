@@ -98,6 +98,8 @@ DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
   return answered(draw_buttons(c, {"Choose folder\xE2\x80\xA6", "Cancel"}, true));
 }
 
+DialogAnswer draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
+
 DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
   constexpr int kMostRows = 8;
   heading(c, "Bring back unsaved work?");
@@ -128,6 +130,12 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
 }
 
 }  // namespace
+
+bool take_dialog_news(Dialog& dialog, bool& busy) {
+  const auto* print = std::get_if<PrintPrompt>(&dialog);
+  busy = print != nullptr && print->preview->busy();
+  return print != nullptr && print->preview->poll();
+}
 
 DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   if (std::holds_alternative<std::monostate>(dialog)) return {};

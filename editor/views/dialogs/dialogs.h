@@ -11,6 +11,7 @@
 #include "session/weaves.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
+#include "views/dialogs/print_dialog.h"
 
 namespace weftlight::views {
 
@@ -68,7 +69,7 @@ struct RecoveryPrompt {
   int chosen = 0;
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, ThreadPrompt, NotesPrompt, WeavePrompt,
-                            WeaveOverPrompt, ExportPrompt, RecoveryPrompt>;
+                            WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };
@@ -79,5 +80,7 @@ struct DialogAnswer {
 };
 /// Draws the open dialog, whose fields hold what was typed.
 DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);
+/// What is worked out beside the window: `busy` while it is, true when there is something new to show.
+bool take_dialog_news(Dialog& dialog, bool& busy);
 
 }  // namespace weftlight::views

@@ -45,6 +45,7 @@ class BareDesk : public Desk {
   void offer_recovery() override {}
   bool has_left_work() const override { return false; }
   void quit() override {}
+  void ask_print() override {}
   void ask_size() override {}
   void ask_notes() override {}
   void show_commands() override {}

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "draft/edits.h"
 #include "draft/generators.h"
 
@@ -58,6 +60,42 @@ TEST(Print, OddDraftsPrintToo) {
   letter.heavy_lines = 0;
   EXPECT_EQ(printed(d, PrintFormat::kPdf, letter).why, "");
   EXPECT_EQ(printed(with_size(Design{}, 40, 40, 300, 40), PrintFormat::kPdf, {}).why, "") << "more shafts than a sheet";
+}
+
+TEST(Print, OnlyWhatWasChosenIsPrinted) {
+  const Design d = overshot_design(40, 40);
+  PrintOptions o;
+  o.parts = {true, false, false, false, false};
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).sheets, 1) << "the grids alone";
+  o.parts = {false, false, false, false, true};
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).sheets, 1) << "the swatch alone";
+  o.parts = {false, true, true, true, false};
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "");
+  o.parts = {false, false, false, false, false};
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "nothing was chosen to be printed");
+}
+
+TEST(Print, TheSheetIsSeenBeforeItIsPrinted) {
+  const Design d = overshot_design(96, 96);
+  PrintOptions o;
+  o.cell_mm = 5;
+  const SheetPicture first = picture_of_sheet(d, o, 0, 2);
+  ASSERT_EQ(first.why, "");
+  EXPECT_EQ(first.sheets, printed(d, PrintFormat::kPdf, o).sheets);
+  EXPECT_EQ(first.width, 420);
+  EXPECT_EQ(first.height, 594);
+  ASSERT_EQ(first.pixels.size(), 420u * 594u);
+  EXPECT_EQ(first.pixels.front(), 0xffffffffu) << "white paper round it";
+  EXPECT_GT(std::count(first.pixels.begin(), first.pixels.end(), first.pixels.front()), 420 * 100);
+  EXPECT_NE(first.pixels, picture_of_sheet(d, o, 1, 2).pixels);
+  EXPECT_EQ(picture_of_sheet(d, o, 999, 2).sheet, first.sheets - 1) << "there is no such sheet: the last";
+  o.cell_mm = 20;
+  EXPECT_NE(picture_of_sheet(overshot_design(900, 900), o, 0, 2).why, "");
+}
+
+TEST(Print, SheetsOfSeveralFilesAreNumbered) {
+  EXPECT_EQ(sheet_file("a/b.svg", 0, 1), "a/b.svg");
+  EXPECT_EQ(sheet_file("a/b.svg", 2, 3), "a/b-3.svg");
 }
 
 }  // namespace

@@ -6,12 +6,12 @@ namespace weftlight::session {
 namespace {
 
 TEST(FileNames, ADraftEndsInWif) {
-  EXPECT_EQ(with_wif_ending("/home/a/scarf"), "/home/a/scarf.wif");
-  EXPECT_EQ(with_wif_ending("scarf.2026"), "scarf.2026.wif");
-  EXPECT_EQ(with_wif_ending("scarf.wif"), "scarf.wif");
-  EXPECT_EQ(with_wif_ending("SCARF.WIF"), "SCARF.WIF");
-  EXPECT_EQ(with_wif_ending(".hidden"), ".hidden.wif");
-  EXPECT_EQ(with_wif_ending(""), "") << "no name is no name";
+  EXPECT_EQ(with_file_ending("/home/a/scarf", ".wif"), "/home/a/scarf.wif");
+  EXPECT_EQ(with_file_ending("scarf.2026", ".wif"), "scarf.2026.wif");
+  EXPECT_EQ(with_file_ending("scarf.wif", ".wif"), "scarf.wif");
+  EXPECT_EQ(with_file_ending("SCARF.WIF", ".wif"), "SCARF.WIF");
+  EXPECT_EQ(with_file_ending(".hidden", ".wif"), ".hidden.wif");
+  EXPECT_EQ(with_file_ending("", ".wif"), "") << "no name is no name";
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// What is done beside the grids, in the real window: printing, comparing, weaving at a loom.
+
+#include <gtest/gtest.h>
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ToolsTest : public OnDisplay {
+ protected:
+  /// Files are asked for in the window itself.
+  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
+
+  void click(const Window& w, const std::string& control) {
+    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
+    display_.click(w.middle_of(control));
+  }
+};
+
+TEST_F(ToolsTest, PrintsWhatWasSeen) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+shift+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); })) << "no sheet is seen";
+  EXPECT_TRUE(w.has("print.sheets:2")) << "the grids, and the lists";
+  for (const char* part : {"print.lists", "print.heddles", "print.yarn"}) ASSERT_NO_FATAL_FAILURE(click(w, part));
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Own"));
+  ASSERT_TRUE(comes_true([&] { return w.has("print.cell"); }));
+  const auto [slider, size] = w.place_of("print.cell");
+  display_.drag({{slider.x + 10, slider.y + size.y / 2}, {slider.x + size.x - 4, slider.y + size.y / 2}});
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready") && !w.has("print.sheets:2"); }))
+      << "large cells, more sheets";
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Save\xE2\x80\xA6"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type((folder_ / "printed").string());
+  display_.key("Return");
+  const fs::path pdf = folder_ / "printed.pdf";
+  ASSERT_TRUE(comes_true([&] { return fs::exists(pdf); })) << "nothing was printed";
+  EXPECT_TRUE(comes_true([&] { return bytes_of(pdf).starts_with("%PDF"); }));
+  EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "printing changes nothing";
+}
+
+}  // namespace
+}  // namespace weftlight::gui

@@ -92,7 +92,7 @@ void Editor::export_textures() {
 
 void Editor::ask_print() {
   PrintPrompt prompt;
-  prompt.options.end1_right = work_.end1_right;
+  prompt.options.end1_right = settings_.end1_right;
   prompt.preview = std::make_shared<SheetPreview>(document_.snapshot(), Window::wake);
   ask(std::move(prompt), [this](int) {
     const PrintPrompt p = std::get<PrintPrompt>(dialog_);

@@ -1,8 +1,8 @@
 #include "analysis/difference.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdio>
+#include <utility>
 
 namespace weftlight::analysis {
 namespace {
@@ -64,17 +64,25 @@ void include(CellRect& rect, int end, int pick) {
           std::max(rect.pick1, pick + 1)};
 }
 
-void compare_cloth(Comparison& out, const BitMatrix& x, const BitMatrix& y) {
-  const int picks = std::min(x.rows(), y.rows()), ends = std::min(x.cols(), y.cols());
-  for (int p = 0; p < picks; ++p)
-    for (int w = 0; w * 64 < ends; ++w) {
-      uint64_t differ = x.row(p)[static_cast<size_t>(w)] ^ y.row(p)[static_cast<size_t>(w)];
-      if (ends - w * 64 < 64) differ &= (uint64_t{1} << (ends - w * 64)) - 1;
-      if (!differ) continue;
-      out.crossings += std::popcount(differ);
-      include(out.where, w * 64 + std::countr_zero(differ), p);
-      include(out.where, w * 64 + 63 - std::countl_zero(differ), p);
+/// Neighbours that are not empty become one.
+void add_runs(std::vector<CellRect>& places, const std::vector<CellRect>& threads) {
+  CellRect now;
+  for (const CellRect& thread : threads) {
+    if (thread.empty()) {
+      if (!now.empty()) places.push_back(std::exchange(now, {}));
+      continue;
     }
+    include(now, thread.end0, thread.pick0);
+    include(now, thread.end1 - 1, thread.pick1 - 1);
+  }
+  if (!now.empty()) places.push_back(now);
+}
+
+void compare_cloth(Comparison& out, const BitMatrix& x, const BitMatrix& y) {
+  const BitMatrix differ = differing_crossings(x, y);
+  out.crossings = differ.count();
+  for (int p = 0; p < differ.rows() && out.crossings > 0; ++p)
+    for_each_bit(differ.row(p), [&](int end) { include(out.where, end, p); });
   out.same_cloth = out.crossings == 0 && x.rows() == y.rows() && x.cols() == y.cols();
 }
 
@@ -109,6 +117,37 @@ Comparison compare(const Design& a, const Design& b) {
   c.text("mesh", a.scene.mesh, b.scene.mesh);
   compare_cloth(out, drawdown(x), drawdown(y));
   return out;
+}
+
+BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y) {
+  BitMatrix out(x.rows(), x.cols());
+  const int picks = std::min(x.rows(), y.rows()), ends = std::min(x.cols(), y.cols());
+  for (int p = 0; p < picks; ++p)
+    for (int w = 0; w * 64 < ends; ++w) {
+      uint64_t differ = x.row(p)[static_cast<size_t>(w)] ^ y.row(p)[static_cast<size_t>(w)];
+      if (ends - w * 64 < 64) differ &= (uint64_t{1} << (ends - w * 64)) - 1;
+      out.row(p)[static_cast<size_t>(w)] = differ;
+    }
+  return out;
+}
+
+std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most) {
+  std::vector<int> of_end(static_cast<size_t>(differing.cols())), of_pick;
+  for (int p = 0; p < differing.rows(); ++p) {
+    of_pick.push_back(differing.count(p));
+    for_each_bit(differing.row(p), [&](int end) { ++of_end[static_cast<size_t>(end)]; });
+  }
+  std::vector<CellRect> ends(of_end.size()), picks(of_pick.size());
+  for (int p = 0; p < differing.rows(); ++p)
+    for_each_bit(differing.row(p), [&](int end) {
+      const bool by_end = of_end[static_cast<size_t>(end)] > of_pick[static_cast<size_t>(p)];
+      include(by_end ? ends[static_cast<size_t>(end)] : picks[static_cast<size_t>(p)], end, p);
+    });
+  std::vector<CellRect> places;
+  add_runs(places, ends);
+  add_runs(places, picks);
+  if (places.size() > most) places.resize(most);
+  return places;
 }
 
 std::string listed(const std::vector<int>& threads) {

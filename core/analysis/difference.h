@@ -24,6 +24,12 @@ struct Comparison {
 };
 Comparison compare(const Design& a, const Design& b);
 
+/// picks x ends of `x`: crossings that are others in `y`; what only one of them has is none.
+BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y);
+/// Where those are: runs of neighbouring ends, then of picks, each crossing with the thread of which more differ; at
+/// most `most` of them.
+std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most);
+
 /// "1-4, 7, 9-12" of 0-based threads, counted from 1.
 std::string listed(const std::vector<int>& threads);
 

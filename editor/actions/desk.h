@@ -7,6 +7,7 @@
 #include "actions/names.h"
 #include "session/document.h"
 #include "session/document_view.h"
+#include "session/report.h"
 #include "session/user_files.h"
 
 namespace weftlight::actions {
@@ -40,6 +41,10 @@ class Desk {
   virtual void quit() = 0;
 
   virtual void ask_print() = 0;
+  /// Which draft the open one is held against.
+  virtual void ask_other() = 0;
+  /// The last that was worked out of the draft; null: none.
+  virtual const Report* last_report() const = 0;
   virtual void ask_size() = 0;
   virtual void ask_notes() = 0;
   virtual void ask_thread() = 0;

@@ -41,6 +41,26 @@ void add_moves(Actions& all) {
   move("page_ends_back", "A page of ends back", "Shift+PageUp", [](DocumentView& w) { page_ends(w, -1); });
 }
 
+/// To the next place that differs from the other draft, round and round.
+void step_place(Desk& e, int by) {
+  const Report* r = e.last_report();
+  if (r == nullptr || r->other != e.view().other || r->places.empty()) return e.say("No crossing differs");
+  const int places = static_cast<int>(r->places.size());
+  const int from = e.view().place < 0 && by < 0 ? 0 : e.view().place;
+  const int next = ((from + by) % places + places) % places;
+  show_place(e.view(), next, r->places[static_cast<size_t>(next)]);
+}
+
+void add_comparison(Actions& all) {
+  const auto held = [](const Desk& e) { return e.view().other != nullptr; };
+  new_group(add(all, "View", "compare_draft", "Compare with a draft\xE2\x80\xA6", "", [](Desk& e) { e.ask_other(); }));
+  add(all, "View", "next_difference", "Next difference", "F3", [](Desk& e) { step_place(e, 1); }).enabled = held;
+  add(all, "View", "previous_difference", "Previous difference", "Shift+F3", [](Desk& e) {
+    step_place(e, -1);
+  }).enabled = held;
+  add(all, "View", "compare_done", "Compare no longer", "", [](Desk& e) { e.view().other = nullptr; }).enabled = held;
+}
+
 }  // namespace
 
 void add_view_actions(Actions& all) {
@@ -57,6 +77,7 @@ void add_view_actions(Actions& all) {
   Action& floats = add(all, "View", "show_floats", "Long floats in the drawdown", "F5",
                        [](Desk& e) { e.view().show_floats = !e.view().show_floats; });
   floats.checked = [](const Desk& e) { return e.view().show_floats; };
+  add_comparison(all);
   Action& inspector = add(all, "View", "inspector", "Inspector", "F4",
                           [](Desk& e) { e.settings().inspector = !e.settings().inspector; });
   inspector.item.group = true;

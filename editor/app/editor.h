@@ -57,6 +57,8 @@ class Editor : public Desk {
   bool has_left_work() const override { return !left_.empty(); }
   void quit() override;
   void ask_print() override;
+  void ask_other() override;
+  const Report* last_report() const override { return reporter_.last(); }
   void ask_size() override;
   void ask_notes() override;
   void ask_thread() override;

@@ -11,6 +11,8 @@
 namespace weftlight::app {
 namespace {
 
+constexpr int kAnalysisTab = 3;
+
 struct TargetName {
   Target target;
   const char* name;
@@ -87,6 +89,18 @@ void Editor::export_textures() {
     ask_path(FileAsk::kFolder, "Folder for the textures",
              std::filesystem::path(document_.path()).parent_path().string(),
              [this, p](const std::string& folder) { start_export(folder, p); });
+  });
+}
+
+void Editor::ask_other() {
+  ask_path(FileAsk::kOpen, "Compare with a draft", document_.path(), [this](const std::string& path) {
+    OpenResult result = open_document(path);
+    if (!result.document) return report(std::move(result.remarks), path);
+    view_.other = std::make_shared<const OtherDraft>(
+        OtherDraft{std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
+    view_.place = -1;
+    settings_.inspector = true;
+    settings_.inspector_tab = kAnalysisTab;
   });
 }
 

@@ -8,6 +8,7 @@
 #include "app/editor.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/analysis/comparison_panel.h"
 #include "views/analysis/report_panel.h"
 #include "views/draft/draft_header.h"
 #include "views/draft/draft_layout.h"
@@ -234,6 +235,7 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
   } else if (settings_.inspector_tab == 2) {
     c.wanted.add(draw_scene(c));
   } else {
+    draw_comparison(c, c.report);
     draw_report(c, c.report);
     draw_analysis(c, analysis_);
   }
@@ -242,9 +244,9 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
 }
 
 const Report* Editor::report() {
-  const bool looked_at = view_.show_floats || (settings_.inspector && settings_.inspector_tab == 3);
+  const bool looked_at = view_.show_floats || view_.other || (settings_.inspector && settings_.inspector_tab == 3);
   if (!looked_at) return reporter_.last();
-  return reporter_.on(document_.snapshot(), document_.cells(), document_.revision(), view_.float_limit);
+  return reporter_.on(document_.snapshot(), document_.cells(), document_.revision(), view_.float_limit, view_.other);
 }
 
 float Editor::split_of(float room, float height) {

@@ -49,6 +49,12 @@ void page_picks(DocumentView& v, int pages) {
   v.scroll_pick += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_picks);
 }
 
+void show_place(DocumentView& v, int index, const CellRect& at) {
+  v.place = index;
+  scroll_to(v, System::kWarp, (at.end0 + at.end1) / 2);
+  scroll_to(v, System::kWeft, (at.pick0 + at.pick1) / 2);
+}
+
 void scroll_to(DocumentView& v, System system, int thread) {
   const bool warp = system == System::kWarp;
   (warp ? v.scroll_end : v.scroll_pick) =

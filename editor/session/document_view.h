@@ -2,12 +2,14 @@
 // What belongs to one open document beside its design: how near it is seen and from where, what is selected, what is
 // painted with. It is not saved, but for the camera where the weaver keeps it with the draft.
 
+#include <memory>
 #include <string>
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
 #include "session/names.h"
 #include "session/orbit.h"
+#include "session/other_draft.h"
 #include "session/select_state.h"
 #include "session/thread_choice.h"
 #include "wif/wif.h"
@@ -42,9 +44,11 @@ struct DocumentView {
   Face face = Face::kFront;
   Orbit camera;  // of the cloth
   BarPaint bar_paint = BarPaint::kColor;
-  int color = 0, yarn = 0;   // what the colour bars are painted with
-  int float_limit = 5;       // threads that a float may cross
-  bool show_floats = false;  // those beyond it are tinted in the drawdown
+  int color = 0, yarn = 0;                  // what the colour bars are painted with
+  int float_limit = 5;                      // threads that a float may cross
+  bool show_floats = false;                 // those beyond it are tinted in the drawdown
+  std::shared_ptr<const OtherDraft> other;  // that it is held against; null: none
+  int place = -1;                           // of those that differ, last shown
   Stroke stroke;
   SelectState select;
   ThreadChoice chosen;           // what the Threads panel is about
@@ -66,5 +70,7 @@ void page_ends(DocumentView& view, int pages);
 void page_picks(DocumentView& view, int pages);
 /// The thread, from 0, into the middle of the pane.
 void scroll_to(DocumentView& view, System system, int thread);
+/// Place `index` of those that differ from another draft, into the middle of the pane.
+void show_place(DocumentView& view, int index, const CellRect& place);
 
 }  // namespace weftlight::session

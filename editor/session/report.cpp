@@ -7,10 +7,12 @@ namespace weftlight::session {
 namespace {
 
 constexpr int kListedFloats = 500;
+constexpr size_t kListedPlaces = 500;
 
 }  // namespace
 
-Report report_on(const Design& design, const BitMatrix& cells, int limit) {
+Report report_on(const Design& design, const BitMatrix& cells, int limit,
+                 const std::shared_ptr<const OtherDraft>& other) {
   Report r;
   r.limit = limit;
   r.longest = analysis::longest_floats(cells);
@@ -26,16 +28,22 @@ Report report_on(const Design& design, const BitMatrix& cells, int limit) {
       (layer.picks.empty() ? r.loose_ends : r.loose_picks)
           .push_back(layer.picks.empty() ? layer.ends[0] : layer.picks[0]);
   }
+  if (other) {
+    r.other = other;
+    r.comparison = analysis::compare(other->design, design);
+    r.differing = analysis::differing_crossings(cells, other->cells);
+    r.places = analysis::differing_places(r.differing, kListedPlaces);
+  }
   return r;
 }
 
 const Report* Reporter::on(const std::shared_ptr<const Design>& design, const BitMatrix& cells, uint64_t revision,
-                           int limit) {
+                           int limit, const std::shared_ptr<const OtherDraft>& other) {
   poll();
-  const bool fits = report_ && report_->revision == revision && report_->limit == limit;
+  const bool fits = report_ && report_->revision == revision && report_->limit == limit && report_->other == other;
   if (!fits && !busy())
-    work_ = std::async(std::launch::async, [design, cells, revision, limit] {
-      auto made = std::make_unique<Report>(report_on(*design, cells, limit));
+    work_ = std::async(std::launch::async, [design, cells, revision, limit, other] {
+      auto made = std::make_unique<Report>(report_on(*design, cells, limit, other));
       made->revision = revision;
       return made;
     });

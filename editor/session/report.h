@@ -7,11 +7,13 @@
 #include <memory>
 #include <vector>
 
+#include "analysis/difference.h"
 #include "analysis/floats.h"
 #include "analysis/layers.h"
 #include "analysis/threads.h"
 #include "draft/repeat.h"
 #include "session/names.h"
+#include "session/other_draft.h"
 
 namespace weftlight::session {
 
@@ -25,14 +27,22 @@ struct Report {
   analysis::LoomUse loom;
   size_t layers = 1;  // that the cloth comes apart into, loose threads not counted
   std::vector<int> loose_ends, loose_picks;
+
+  // Where it is held against another draft, which is `a` where they differ.
+  std::shared_ptr<const OtherDraft> other;
+  analysis::Comparison comparison;
+  BitMatrix differing;  // picks x ends: crossings that are others there
+  std::vector<CellRect> places;
 };
-/// Of `cells`, the design's drawdown.
-Report report_on(const Design& design, const BitMatrix& cells, int limit);
+/// Of `cells`, the design's drawdown. `other`: null: none.
+Report report_on(const Design& design, const BitMatrix& cells, int limit,
+                 const std::shared_ptr<const OtherDraft>& other = nullptr);
 
 class Reporter {
  public:
   /// The newest report, perhaps of an earlier design; null: none yet. Starts on what it is not about.
-  const Report* on(const std::shared_ptr<const Design>& design, const BitMatrix& cells, uint64_t revision, int limit);
+  const Report* on(const std::shared_ptr<const Design>& design, const BitMatrix& cells, uint64_t revision, int limit,
+                   const std::shared_ptr<const OtherDraft>& other = nullptr);
   /// The same without starting anything.
   const Report* last() const { return report_.get(); }
   bool busy() const { return work_.valid(); }

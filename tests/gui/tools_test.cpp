@@ -44,5 +44,34 @@ TEST_F(ToolsTest, PrintsWhatWasSeen) {
   EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "printing changes nothing";
 }
 
+TEST_F(ToolsTest, ShowsWhatTwoDraftsDifferIn) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  const fs::path other = folder_ / "other.wif";
+  draft::Design changed = design_of(bytes_of(draft_));
+  changed.draft.threading.set(4, 4, false);
+  changed.draft.threading.set(4, 0, true);
+  put(other, wif::write_new_wif(changed));
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+p");
+  display_.type("compare with");
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type(other.string());
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return w.has("difference.crossings") && w.has("difference:threading"); }));
+  EXPECT_TRUE(w.has("place:1"));
+  const std::string before = display_.picture(w.cell("drawdown", 6, 1), {60, 60});
+  display_.key("F3");
+  EXPECT_TRUE(comes_true([&] {
+    return display_.picture(w.cell("drawdown", 6, 1), {60, 60}) != before;
+  })) << "the place is not outlined";
+  // Painted alike, they are the same, while one looks on.
+  display_.click(w.cell("threading", 5, 1));
+  EXPECT_TRUE(comes_true([&] { return w.has("difference.same") && !w.has("difference:threading"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "difference.done"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("difference.same"); }));
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -179,6 +179,7 @@ void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, CellTextu
   if (draws_cells(c, l.drawdown)) draw_drawdown_cells(dl, c, l.drawdown);
   else dl->AddImage(texture.of(c, l.drawdown), l.drawdown.min(), l.drawdown.max());
   draw_long_floats(dl, c, l.drawdown);
+  draw_differences(dl, c, l.drawdown);
 }
 
 }  // namespace

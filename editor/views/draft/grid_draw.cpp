@@ -247,6 +247,29 @@ void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) 
   }
 }
 
+void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+  const Report* r = c.report;
+  if (!c.view.other || r == nullptr || r->other != c.view.other || r->revision != c.revision) return;
+  if (r->differing.cols() != p.x.count || r->differing.rows() != p.y.count) return;
+  const ImU32 tint = with_alpha(c.style.color.warn, 0.6f);
+  constexpr float kLeastPitch = 1;  // pixels a cell; from further away the places are shown, not each crossing
+  dl->PushClipRect(p.min(), p.max(), true);
+  for (int pick = p.y.first_visible(); pick < p.y.end_visible() && p.x.pitch >= kLeastPitch; ++pick)
+    for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
+      if (!r->differing.get(pick, end)) continue;
+      dl->AddRectFilled({p.x.low(end), p.y.low(pick)}, {p.x.high(end), p.y.high(pick)}, tint);
+    }
+  for (size_t i = 0; i < r->places.size(); ++i) {
+    const CellRect& at = r->places[i];
+    const bool shown = static_cast<int>(i) == c.view.place;
+    if (!shown && p.x.pitch >= kLeastPitch) continue;
+    const ImVec2 a{std::min(p.x.low(at.end0), p.x.low(at.end1 - 1)), p.y.low(at.pick0)};
+    const ImVec2 b{std::max(p.x.high(at.end0), p.x.high(at.end1 - 1)) + 1, p.y.high(at.pick1 - 1) + 1};
+    dl->AddRect(a, b, c.style.color.warn, 0, 0, shown ? 2.0f : 1.0f);
+  }
+  dl->PopClipRect();
+}
+
 bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
 
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {

@@ -15,6 +15,8 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& pane,
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
 /// What floats further than is allowed, tinted.
 void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
+/// What is another crossing in the draft that this one is held against.
+void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
 bool draws_cells(const PanelContext& c, const GridPane& pane);
 
 /// Numbers and ticks along a grid; `pane.x` for a ruler above, `pane.y` for one at its right.

@@ -46,6 +46,8 @@ class BareDesk : public Desk {
   bool has_left_work() const override { return false; }
   void quit() override {}
   void ask_print() override {}
+  void ask_other() override {}
+  const Report* last_report() const override { return nullptr; }
   void ask_size() override {}
   void ask_notes() override {}
   void show_commands() override {}

@@ -59,5 +59,35 @@ TEST(Compare, ListsThreadsAsPeopleDo) {
   EXPECT_EQ(listed({}), "");
 }
 
+TEST(Compare, DifferingCrossingsAreFoundWhereTheyAre) {
+  BitMatrix x(10, 70), y(8, 80);
+  x.set(1, 3, true);
+  x.set(2, 68, true);
+  y.set(5, 9, true);
+  y.set(5, 75, true);  // beyond the other
+  x.set(9, 1, true);   // so is this
+  const BitMatrix differ = differing_crossings(x, y);
+  EXPECT_EQ(differ.rows(), 10);
+  EXPECT_EQ(differ.cols(), 70);
+  EXPECT_EQ(differ.count(), 3);
+  const std::vector<CellRect> places = differing_places(differ, 10);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_EQ(places[0], (CellRect{3, 69, 1, 3}));
+  EXPECT_EQ(places[1], (CellRect{9, 10, 5, 6}));
+  EXPECT_EQ(differing_places(differ, 1).size(), 1u);
+}
+
+TEST(Compare, AnEndAndAPickThatCrossAreTwoPlaces) {
+  BitMatrix differ(12, 12);
+  for (int i = 0; i < 12; ++i) {
+    differ.set(i, 4, true);
+    differ.set(7, i, true);
+  }
+  const std::vector<CellRect> places = differing_places(differ, 10);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_EQ(places[0], (CellRect{4, 5, 0, 12}));
+  EXPECT_EQ(places[1], (CellRect{0, 12, 7, 8}));
+}
+
 }  // namespace
 }  // namespace weftlight::analysis

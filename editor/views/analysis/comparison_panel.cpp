@@ -1,0 +1,113 @@
+#include "views/analysis/comparison_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "ui/imgui_compat.h"
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+
+using namespace analysis;
+
+std::string difference_text(const Difference& d) {
+  if (!d.threads.empty()) return listed(d.threads);
+  const auto said = [](const std::string& text) { return text.empty() ? std::string("none") : text; };
+  return d.a.empty() && d.b.empty() ? "" : said(d.a) + " \xE2\x86\x92 " + said(d.b);
+}
+
+namespace {
+
+constexpr int kShownPlaces = 5;
+
+/// Of which threads a difference counts; null: of none that the draft shows by number.
+const System* system_of(const Difference& d) {
+  static constexpr System kWarpThreads = System::kWarp, kWeftThreads = System::kWeft;
+  if (d.what == "threading" || d.what.starts_with("warp ")) return &kWarpThreads;
+  if (d.what == "treadling" || d.what == "lifts" || d.what.starts_with("weft ")) return &kWeftThreads;
+  return nullptr;
+}
+
+/// Chooses the threads and brings the first into sight.
+void show_threads(PanelContext& c, System system, const std::vector<int>& threads) {
+  c.wanted.change_view([=](DocumentView& v) {
+    v.chosen = {system, threads, threads.front(), {}, false, false};
+    scroll_to(v, system, threads.front());
+  });
+}
+
+void draw_difference(PanelContext& c, const Difference& d) {
+  const float label = c.style.px(104);
+  const System* system = system_of(d);
+  const std::string text = difference_text(d);
+  ImGui::PushID(d.what.c_str());
+  const ImVec2 at = ImGui::GetCursorPos();
+  const bool pressed = ImGui::Selectable("##row", false, system == nullptr ? ImGuiSelectableFlags_Disabled : 0);
+  c.map.add_item("difference:" + d.what);
+  if (text.size() > 24) tooltip(c, text.c_str());
+  if (pressed && !d.threads.empty()) show_threads(c, *system, d.threads);
+  ImGui::SetCursorPos(at);
+  muted_text(c, d.what);
+  ImGui::SameLine(label);
+  ImGui::TextUnformatted(fitted(text, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopID();
+}
+
+std::string place_text(const CellRect& at) {
+  const auto span = [](const char* one, int first, int end) {
+    return end - first == 1
+               ? std::string(one) + " " + std::to_string(first + 1)
+               : std::string(one) + "s " + std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(end);
+  };
+  const std::string ends = span("end", at.end0, at.end1), picks = span("pick", at.pick0, at.pick1);
+  return at.end1 - at.end0 <= at.pick1 - at.pick0 ? ends + ", " + picks : picks + ", " + ends;
+}
+
+/// The crossings that differ, place by place. False where none do.
+bool draw_places(PanelContext& c, const Report& r) {
+  row_label(c, "Crossings", "That are others in the drawdown, in the part both have; tinted there");
+  if (r.comparison.crossings == 0) {
+    ImGui::TextUnformatted("all the same");
+    return false;
+  }
+  ImGui::TextUnformatted((std::to_string(r.comparison.crossings) + " differ").c_str());
+  c.map.add_item("difference.crossings");
+  const auto places = static_cast<int>(r.places.size());
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  ImGui::BeginChild("places", {0, static_cast<float>(std::min(places, kShownPlaces)) * line + c.style.px(4)});
+  for (int i = 0; i < places; ++i) {
+    ImGui::PushID(i);
+    if (ImGui::Selectable(place_text(r.places[static_cast<size_t>(i)]).c_str(), i == c.view.place))
+      c.wanted.change_view([i, at = r.places[static_cast<size_t>(i)]](DocumentView& v) { show_place(v, i, at); });
+    ImGui::PopID();
+    c.map.add_item("place:" + std::to_string(i + 1));
+  }
+  ImGui::EndChild();
+  if (text_button(c, "difference.back", "Previous", "Shift+F3")) c.wanted.add_action("previous_difference");
+  ImGui::SameLine();
+  if (text_button(c, "difference.next", "Next", "F3")) c.wanted.add_action("next_difference");
+  return true;
+}
+
+}  // namespace
+
+void draw_comparison(PanelContext& c, const Report* r) {
+  if (!c.view.other || !section(c, "section.comparison", "Compared")) return;
+  row_label(c, "With", nullptr);
+  ImGui::TextUnformatted(fitted(c.view.other->name, ImGui::GetContentRegionAvail().x).c_str());
+  tooltip(c, c.view.other->name.c_str());
+  if (r == nullptr || r->other != c.view.other) return muted_text(c, "Comparing\xE2\x80\xA6");
+  row_label(c, "Cloth", nullptr);
+  ImGui::TextUnformatted(r->comparison.differences.empty() ? "the drafts are the same"
+                         : r->comparison.same_cloth        ? "the same"
+                                                           : "another");
+  c.map.add_item(r->comparison.same_cloth ? "difference.same" : "difference.other");
+  for (const Difference& d : r->comparison.differences) draw_difference(c, d);
+  if (draw_places(c, *r)) ImGui::SameLine();
+  if (text_button(c, "difference.done", "Done", "Hold it against no other draft any more"))
+    c.wanted.add_action("compare_done");
+}
+
+}  // namespace weftlight::views

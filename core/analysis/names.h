@@ -1,5 +1,5 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
 
 namespace weftlight {
 namespace draft {}

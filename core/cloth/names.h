@@ -1,8 +1,9 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
+
+#include "base/names.h"
 
 namespace weftlight {
-namespace base {}
 namespace draft {}
 namespace cloth {
 using namespace base;

@@ -1,13 +1,10 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
+
+#include "cloth/names.h"
 
 namespace weftlight {
-namespace base {}
-namespace draft {}
-namespace cloth {}
 namespace light {
-using namespace base;
-using namespace draft;
 using namespace cloth;
 }  // namespace light
 }  // namespace weftlight

@@ -1,11 +1,10 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
+
+#include "analysis/names.h"
 
 namespace weftlight {
-namespace draft {}
-namespace analysis {}
 namespace print {
-using namespace draft;
 using namespace analysis;
 }  // namespace print
 }  // namespace weftlight

@@ -1,39 +1,14 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
+
+#include "actions/names.h"
+#include "commands/names.h"
+#include "views/common/names.h"
 
 namespace weftlight {
-namespace base {}
-namespace draft {}
-namespace wif {}
-namespace cloth {}
-namespace light {}
-namespace drape {}
-namespace files {}
-namespace texture_set {}
-namespace reference {}
-namespace upload {}
-namespace gl {}
-namespace commands {}
-namespace session {}
-namespace actions {}
-namespace ui {}
-namespace views {}
 namespace app {
-using namespace base;
-using namespace draft;
-using namespace wif;
-using namespace cloth;
-using namespace light;
-using namespace drape;
-using namespace files;
-using namespace texture_set;
-using namespace reference;
-using namespace upload;
-using namespace gl;
-using namespace commands;
-using namespace session;
 using namespace actions;
-using namespace ui;
 using namespace views;
+using namespace commands;
 }  // namespace app
 }  // namespace weftlight

@@ -1,23 +1,10 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
+
+#include "upload/names.h"
 
 namespace weftlight {
-namespace base {}
-namespace draft {}
-namespace cloth {}
-namespace light {}
-namespace drape {}
-namespace files {}
-namespace reference {}
-namespace upload {}
 namespace gl {
-using namespace base;
-using namespace draft;
-using namespace cloth;
-using namespace light;
-using namespace drape;
-using namespace files;
-using namespace reference;
 using namespace upload;
 }  // namespace gl
 }  // namespace weftlight

@@ -1,25 +1,12 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are: those of its row in the table of rooms.
+// The folders whose names this one uses without saying whose they are; what those use comes with them.
+
+#include "upload/names.h"
+#include "wif/names.h"
 
 namespace weftlight {
-namespace base {}
-namespace draft {}
-namespace wif {}
-namespace cloth {}
-namespace light {}
-namespace drape {}
-namespace files {}
-namespace reference {}
-namespace upload {}
 namespace session {
-using namespace base;
-using namespace draft;
 using namespace wif;
-using namespace cloth;
-using namespace light;
-using namespace drape;
-using namespace files;
-using namespace reference;
 using namespace upload;
 }  // namespace session
 }  // namespace weftlight

@@ -1,8 +1,9 @@
 #pragma once
 // This folder uses the names of base alone: it knows ImGui and nothing of drafts.
 
+#include "base/names.h"
+
 namespace weftlight {
-namespace base {}
 namespace ui {
 using namespace base;
 }  // namespace ui

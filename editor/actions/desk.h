@@ -25,7 +25,7 @@ class Desk {
   virtual void redo() = 0;
 
   virtual void new_draft() = 0;
-  /// The same, beginning with a weave of weaves().
+  /// The same, beginning with a weave of weave_kinds().
   virtual void new_draft_of(int weave) = 0;
   virtual void open() = 0;
   virtual void open_path(const std::string& path) = 0;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "actions/action_parts.h"
+#include "draft/generators/table.h"
 #include "files/files.h"
-#include "session/weaves.h"
 
 namespace weftlight::actions {
 namespace {
@@ -24,8 +24,8 @@ std::string spoken(std::string name) {
 void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   add(all, "File", "new", "New draft\xE2\x80\xA6", "Ctrl+N", [](Desk& e) { e.new_draft(); });
   int number = 0;
-  for (const Weave& weave : weaves())
-    add(all, "", (std::string("new.") + weave.name).c_str(),
+  for (const WeaveKind& weave : weave_kinds())
+    add(all, "", (std::string("new.") + weave.id).c_str(),
         (std::string("New draft: ") + weave.name + "\xE2\x80\xA6").c_str(), "",
         [at = number++](Desk& e) { e.new_draft_of(at); });
   add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });

@@ -15,7 +15,7 @@ namespace {
 
 Document first_document() {
   OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
-  if (!starter.document) return Document(straight_draw(4, 4, {48, 48}));
+  if (!starter.document) return Document(draft::new_draft(*find_weave("straight"), {}, {48, 48}).design);
   // Unnamed, so that saving asks where.
   Document& d = *starter.document;
   return Document(d.now());

@@ -49,7 +49,8 @@ void Editor::new_draft_of(int weave) {
     const Draft& d = document_.now().draft;
     ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
       const WeavePrompt p = std::get<WeavePrompt>(dialog_);
-      replace(Document(weaves()[static_cast<size_t>(p.weave)].make(p.numbers, {p.ends, p.picks})));
+      const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
+      replace(Document(draft::new_draft(kind, p.values, {p.ends, p.picks}).design));
     });
   });
 }

@@ -52,11 +52,10 @@ int weave_command(const WeaveOptions& options) {
                  kind ? "give a name for the draft with -o" : "there is no such weave");
     return kUsage;
   }
-  WeaveUse use{kind->id, {}, 0, options.ends, 0, options.picks};
-  if (!take_values(*kind, options.set, use.values)) return kUsage;
-  Design base = kind->make(complete_values(*kind, use.values), {options.ends, options.picks}).design;
-  base.title = kind->name;
-  const Made made = with_weave(std::move(base), use);
+  WeaveValues values;
+  if (!take_values(*kind, options.set, values)) return kUsage;
+  Made made = new_draft(*kind, values, {options.ends, options.picks});
+  made.design.title = kind->name;
   if (!made.why.empty()) std::fprintf(stderr, "%s: warning: %s\n", options.out.c_str(), made.why.c_str());
   const std::string error = write_file_atomically(options.out, write_new_wif(made.design));
   if (error.empty()) return kDone;

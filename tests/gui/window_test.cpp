@@ -283,9 +283,9 @@ TEST_F(WindowTest, BeginsADraftFromAWeave) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.key("ctrl+n");
-  ASSERT_TRUE(comes_true([&] { return w.has("weave:Herringbone"); }));
-  display_.click(w.middle_of("weave:Herringbone"));
-  ASSERT_TRUE(comes_true([&] { return w.has("weave.Band"); }));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:herringbone"); }));
+  display_.click(w.middle_of("weave:herringbone"));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.band"); }));
   display_.click(w.middle_of("dialog:Create"));
   ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.size() == 16 && w.live() != bytes_of(draft_); }));
@@ -448,8 +448,8 @@ TEST_F(WindowTest, ShowsLongFloatsAndWeavesOverTheDraft) {
   ASSERT_TRUE(comes_true([&] { return w.has("floats.count"); })) << "no floats were counted";
   EXPECT_FALSE(w.has("float:1")) << "a 2/2 twill has none";
   display_.key("w");
-  ASSERT_TRUE(comes_true([&] { return w.has("over:satin"); }));
-  display_.click(w.middle_of("over:satin"));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:satin"); }));
+  display_.click(w.middle_of("weave:satin"));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.shafts == 8; })) << "the draft did not follow";
   display_.click(w.middle_of("dialog:Keep"));
   ASSERT_TRUE(comes_true([&] { return w.has("float:1"); })) << "the floats of a satin were not found";
@@ -458,8 +458,8 @@ TEST_F(WindowTest, ShowsLongFloatsAndWeavesOverTheDraft) {
   EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the weave was more than one step";
 
   display_.key("Escape w");
-  ASSERT_TRUE(comes_true([&] { return w.has("over:satin"); }));
-  display_.click(w.middle_of("over:satin"));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:satin"); }));
+  display_.click(w.middle_of("weave:satin"));
   EXPECT_TRUE(comes_true([&] { return w.live() != original; }));
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "Cancel left something behind";

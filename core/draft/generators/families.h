@@ -28,9 +28,11 @@ struct SettRead {
 };
 SettRead read_sett(std::string_view text);
 
-// ---- satin.cpp
+// ---- simple.cpp
 /// Steps that make a satin of so many shafts: neither 1 nor shafts - 1, and no factor in common.
 std::vector<int> satin_steps(int shafts);
+/// A straight threading and treadling, with half of the shafts tied to each treadle in turn.
+Design straight_draw(int shafts, int treadles, ClothSize size);
 
 // ---- network.cpp
 /// A pattern line drawn over a network. Based on: Alice Schlein, Network Drafting: An Introduction, 1994: the

@@ -1,4 +1,4 @@
-// A generated weave over a whole draft, or over some of its threads.
+// A generated weave as a new draft, over a whole draft, or over some of its threads.
 
 #include <algorithm>
 #include <utility>
@@ -54,7 +54,7 @@ Made with_weave(Design design, const WeaveUse& asked) {
   use.values = complete_values(*kind, asked.values);
   Made made = kind->make(use.values, {use.ends, use.picks});
   if (use.ends == d.ends() && use.picks == d.picks()) {
-    if (kind->has_colors) {
+    if (kind->colors == WeaveColors::kOwn) {
       design.draft.palette = made.design.draft.palette;
       design.draft.warp.color = made.design.draft.warp.color;
       design.draft.weft.color = made.design.draft.weft.color;
@@ -86,7 +86,8 @@ ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {
       if (first[static_cast<size_t>(i)] == first[static_cast<size_t>(k)]) ++k;
       border[static_cast<size_t>(i) + 1] = k;
     }
-    return n - border[first.size()];
+    const int found = n - border[first.size()];
+    return found <= n / 2 ? found : 0;
   };
   const auto kinds = [](const BitMatrix& m, const std::vector<int>& colors) {
     std::vector<int> of = first_equal_rows(m);
@@ -95,6 +96,25 @@ ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {
   };
   const Draft& d = design.draft;
   return {period(kinds(d.threading, d.warp.color)), period(kinds(lifts(d), d.weft.color))};
+}
+
+ClothSize whole_repeats(ClothSize repeat, ClothSize about) {
+  const auto whole = [](int one, int wanted) {
+    return one <= 0 ? wanted : std::max(1, (wanted + one / 2) / one) * one;
+  };
+  return {whole(repeat.ends, about.ends), whole(repeat.picks, about.picks)};
+}
+
+Made new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size) {
+  const std::vector<Rgb> two_tones = {{0.93f, 0.90f, 0.84f}, {0.16f, 0.25f, 0.42f}};
+  WeaveUse use{kind.id, complete_values(kind, values), 0, size.ends, 0, size.picks};
+  Made made = kind.make(use.values, size);
+  if (kind.colors == WeaveColors::kTwoTone)
+    made.design = with_colors(std::move(made.design), two_tones, {{0, 1}}, {{1, 1}});
+  if (kind.colors == WeaveColors::kPattern)
+    made.design = with_colors(std::move(made.design), two_tones, {{0, 1}}, {{1, 1}, {0, 1}});
+  made.design.weaves = {std::move(use)};
+  return made;
 }
 
 }  // namespace weftlight::draft

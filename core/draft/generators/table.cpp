@@ -73,6 +73,23 @@ WeaveNumber chosen(const char* id, const char* label, const char* words, std::ve
 WeaveNumber written(const char* id, const char* label, const char* words, const char* first) {
   return {id, label, words, NumberKind::kText, first, 0, 0, {}};
 }
+/// What has a step at all: all but 6.
+WeaveNumber satin_shafts_number() {
+  WeaveNumber n = counted("shafts", "Shafts", "All but 6, which no step makes a satin", 5, 64, "8");
+  n.allowed = [](const WeaveNumber& number, const WeaveValues&) {
+    std::vector<int> shafts;
+    for (int s = number.low; s <= number.high; ++s)
+      if (!satin_steps(s).empty()) shafts.push_back(s);
+    return shafts;
+  };
+  return n;
+}
+WeaveNumber satin_step_number() {
+  WeaveNumber n =
+      counted("step", "Step", "Those that bind evenly: steps that share no factor with the shafts", 2, 62, "3");
+  n.allowed = [](const WeaveNumber&, const WeaveValues& values) { return satin_steps(count(values, "shafts")); };
+  return n;
+}
 WeaveNumber lean_number() { return chosen("lean", "Leans", "Which way the line climbs", {"right", "left"}); }
 WeaveNumber profile_number(const char* first) {
   return written("profile", "Profile", "Blocks in their order, with how often each: A4 B2 C1", first);
@@ -276,6 +293,14 @@ const std::vector<WeaveKind>& all_kinds() {
        [](Values, ClothSize size) {
          return Made{plain(size), {}};
        }},
+      {"straight",
+       "Straight draw",
+       "Simple",
+       "One thread a shaft in turn, with a balanced tie-up: the bare loom to paint on",
+       {counted("shafts", "Shafts", "", 1, 64, "4"), counted("treadles", "Treadles", "", 1, 64, "4")},
+       [](Values v, ClothSize size) {
+         return Made{straight_draw(count(v, "shafts"), count(v, "treadles"), size), {}};
+       }},
       {"basket",
        "Basket",
        "Simple",
@@ -345,8 +370,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Satin",
        "Satin",
        "Long floats, bound as far apart as the step puts them",
-       {counted("shafts", "Shafts", "", 5, 64, "8"),
-        counted("step", "Step", "Only steps that make a satin", 2, 62, "3"),
+       {satin_shafts_number(), satin_step_number(),
         chosen("face", "Face", "What floats on the front", {"warp", "weft"})},
        make_satin},
       {"waffle",
@@ -370,22 +394,23 @@ const std::vector<WeaveKind>& all_kinds() {
        "Blocks",
        "Pattern weft floats in blocks over tabby",
        {profile_number("A B C D C B"), counted("block", "Block", "Ends of a block", 2, 64, "4")},
-       from_profile<[](const std::vector<int>& b, Values v, ClothSize size) {
-         return overshot(b, count(v, "block"), size);
-       },
-                    4>},
+       from_profile<
+           [](const std::vector<int>& b, Values v, ClothSize size) { return overshot(b, count(v, "block"), size); }, 4>,
+       WeaveColors::kPattern},
       {"crackle",
        "Crackle",
        "Blocks",
        "Three-thread blocks with soft edges, two blocks woven at once",
        {profile_number("A2 B2 C2 D2 C2 B2"), counted("picks", "Picks", "Pattern picks of a block", 1, 64, "4")},
-       make_crackle},
+       make_crackle,
+       WeaveColors::kPattern},
       {"summer_winter",
        "Summer and winter",
        "Blocks",
        "Blocks in reverse on the other face, tied down evenly",
        {profile_number("A B C D C B")},
-       from_profile<[](const std::vector<int>& b, Values, ClothSize size) { return summer_and_winter(b, size); }, 26>},
+       from_profile<[](const std::vector<int>& b, Values, ClothSize size) { return summer_and_winter(b, size); }, 26>,
+       WeaveColors::kPattern},
       {"damask",
        "Twill damask",
        "Blocks",
@@ -425,7 +450,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Dark and light in turn: the order makes the lines",
        {profile_number("A B C D C B")},
        from_profile<[](const std::vector<int>& b, Values, ClothSize size) { return shadow_weave(b, size); }, 4>,
-       true},
+       WeaveColors::kOwn},
       {"log_cabin",
        "Log cabin",
        "Colour",
@@ -434,7 +459,25 @@ const std::vector<WeaveKind>& all_kinds() {
        [](Values v, ClothSize size) {
          return Made{log_cabin(count(v, "block"), size), {}};
        },
-       true},
+       WeaveColors::kOwn},
+      {"houndstooth",
+       "Houndstooth",
+       "Colour",
+       "Four dark, four light, in 2/2 twill",
+       {},
+       [](Values, ClothSize size) {
+         return Made{houndstooth(size), {}};
+       },
+       WeaveColors::kOwn},
+      {"glen_check",
+       "Glen check",
+       "Colour",
+       "Checks of four against checks of two, in 2/2 twill",
+       {},
+       [](Values, ClothSize size) {
+         return Made{glen_check(size), {}};
+       },
+       WeaveColors::kOwn},
       {"sett",
        "Tartan",
        "Colour",
@@ -443,7 +486,7 @@ const std::vector<WeaveKind>& all_kinds() {
         written("sett", "Sett", "Colours and threads: R8 K4 G24; with strokes, R/8 K4 G/24, it turns back",
                 "B/24 K4 B4 K4 B4 K20 G20 K2 W4 K2 G20 K20 B20 R/4")},
        make_sett,
-       true},
+       WeaveColors::kOwn},
   };
   return kKinds;
 }
@@ -476,6 +519,20 @@ WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given) {
     values.emplace_back(number.id, completed(number, found != given.end() ? &found->second : nullptr));
   }
   std::ranges::sort(values);
+  return values;
+}
+
+WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given) {
+  WeaveValues values = complete_values(kind, given);
+  for (const WeaveNumber& number : kind.numbers) {
+    if (number.allowed == nullptr) continue;
+    const int wanted = count(values, number.id);
+    const auto away = [wanted](int n) { return std::abs(n - wanted); };
+    const std::vector<int> all = number.allowed(number, values);
+    const auto best = std::ranges::min_element(all, {}, away);
+    const auto at = std::ranges::find(values, std::string(number.id), &WeaveValues::value_type::first);
+    if (best != all.end()) at->second = std::to_string(*best);
+  }
   return values;
 }
 

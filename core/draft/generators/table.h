@@ -19,6 +19,9 @@ enum class NumberKind {
   kText,    // words that `words` explains: a ratio, a profile, a sequence
 };
 
+/// Values by id; what is missing has its first value.
+using WeaveValues = std::vector<std::pair<std::string, std::string>>;
+
 struct WeaveNumber {
   const char* id;
   const char* label;
@@ -27,15 +30,21 @@ struct WeaveNumber {
   const char* first = "";  // what it begins with
   int low = 0, high = 0;
   std::vector<const char*> choices = {};
+  /// The counts that make the weave, of those from low to high, given the numbers before it; null: all.
+  std::vector<int> (*allowed)(const WeaveNumber& number, const WeaveValues& values) = nullptr;
 };
-
-/// Values by id; what is missing has its first value.
-using WeaveValues = std::vector<std::pair<std::string, std::string>>;
 
 /// A whole draft of the asked size. `why`: what could not be taken as it was written, and what was done.
 struct Made {
   Design design;
   std::string why;
+};
+
+/// What a new draft of the weave is coloured like.
+enum class WeaveColors {
+  kTwoTone,  // light warp, dark weft
+  kPattern,  // dark pattern weft, the tabby between its picks as the warp
+  kOwn,      // the colours are part of the weave
 };
 
 struct WeaveKind {
@@ -45,7 +54,7 @@ struct WeaveKind {
   const char* words;   // what it is, in one sentence
   std::vector<WeaveNumber> numbers;
   Made (*make)(const WeaveValues& values, ClothSize size);
-  bool has_colors = false;  // its colours are part of it
+  WeaveColors colors = WeaveColors::kTwoTone;
 };
 
 /// In the order of a menu: families stand together.
@@ -53,8 +62,15 @@ std::span<const WeaveKind> weave_kinds();
 const WeaveKind* find_weave(std::string_view id);
 /// Values of every number, those given brought into range.
 WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given);
-/// The smallest cloth that shows the weave whole: one repeat.
+/// The same, each count also brought to the nearest that makes the weave.
+WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given);
+/// The smallest cloth that shows the weave whole, colours too: one repeat. 0 where that is more than 1,024 threads.
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values);
+/// The whole number of repeats that is nearest to `about`, at least one; `about` where there is no repeat.
+ClothSize whole_repeats(ClothSize repeat, ClothSize about);
+
+/// A draft of the asked size that is the weave alone, coloured as its kind says; the numbers are kept with it.
+Made new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size);
 
 /// A weave over threads of a draft: over all of them it becomes the draft, which keeps its size, colours (unless
 /// the weave has its own) and yarns; over some, their crossings are woven so and the rest stays (factor.h), within the

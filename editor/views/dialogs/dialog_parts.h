@@ -17,6 +17,10 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
 /// What draw_buttons gave as an answer.
 DialogAnswer answered(int button, int leave_button = 1);
 
+/// The weaves of weave_kinds() by family; true when another became the chosen one. Pixels at 96 dpi.
+bool draw_weave_list(PanelContext& c, int& chosen, float width, float height);
+/// A row for each number of the weave; true when one became another.
+bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values);
 DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 /// The draft as it was before.
 MaybeEdit given_back(const WeaveOverPrompt& p);

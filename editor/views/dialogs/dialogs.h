@@ -1,14 +1,12 @@
 #pragma once
 // Questions in the middle of the window. One is open at a time; the answer comes back once.
 
-#include <array>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "draft/generators/table.h"
-#include "session/weaves.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/dialogs/print_dialog.h"
@@ -28,16 +26,16 @@ struct SizePrompt {
   std::string title, button;
   int ends = 0, picks = 0, shafts = 0, treadles = 0;
 };
-/// The weave of a new draft (weaves.h), seen while it is chosen.
+/// The weave of a new draft, seen while it is chosen.
 struct WeavePrompt {
-  int weave = 0;
-  std::array<int, kWeaveNumbers> numbers{};
+  int kind = 0;  // of weave_kinds()
+  WeaveValues values;
   int ends = 64, picks = 64;
   ClothSize repeat{0, 0};
   bool own_size = false;  // typed, else whole repeats
 };
 /// With the first numbers of the weave, about so large.
-WeavePrompt prompt_for(int weave, ClothSize about);
+WeavePrompt prompt_for(int kind, ClothSize about);
 /// What is asked before textures are exported.
 struct ExportPrompt {
   std::vector<std::string> targets;

@@ -16,37 +16,14 @@ namespace {
 constexpr float kListWidth = 176, kHeight = 428, kColumn = 320, kCell = 8;  // pixels at 96 dpi
 constexpr int kShownEnds = 40, kShownPicks = 24;
 
-const Weave& weave_of(const WeavePrompt& p) { return weaves()[static_cast<size_t>(p.weave)]; }
+const WeaveKind& kind_of(const WeavePrompt& p) { return weave_kinds()[static_cast<size_t>(p.kind)]; }
 
 /// Another weave or other numbers: the size stays near and holds whole repeats, unless it was typed.
 void follow_repeat(WeavePrompt& p) {
-  p.numbers = valid_numbers(weave_of(p), p.numbers);
-  p.repeat = repeat_of(weave_of(p), p.numbers);
+  p.repeat = repeat_of(kind_of(p), p.values);
   if (p.own_size) return;
   const ClothSize whole = whole_repeats(p.repeat, {p.ends, p.picks});
   p.ends = whole.ends, p.picks = whole.picks;
-}
-
-/// True when it was changed.
-bool draw_number(PanelContext& c, WeavePrompt& p, size_t i) {
-  const session::WeaveNumber& n = weave_of(p).numbers[i];
-  const std::string id = std::string("weave.").append(n.label);
-  const int before = p.numbers[i];
-  if (n.choices == nullptr) {
-    number(c, id.c_str(), n.label, p.numbers[i], n.min, n.max);
-    return p.numbers[i] != before;
-  }
-  row_label(c, n.label, "Only what makes an even satin is offered: steps that share no factor with the shafts");
-  ImGui::SetNextItemWidth(c.style.px(140));
-  if (begin_combo(c, id.c_str(), std::to_string(before).c_str())) {
-    for (const int choice : n.choices(p.numbers)) {
-      const std::string word = std::to_string(choice);
-      if (ImGui::Selectable(word.c_str(), choice == before)) p.numbers[i] = choice;
-      c.map.add_item(id + ":" + word);
-    }
-    end_combo();
-  }
-  return p.numbers[i] != before;
 }
 
 /// Says what a size that was typed cuts off.
@@ -55,25 +32,6 @@ void draw_repeat(PanelContext& c, const WeavePrompt& p) {
   std::string text = "One repeat is " + std::to_string(p.repeat.ends) + " \xC3\x97 " + std::to_string(p.repeat.picks);
   if (p.ends % p.repeat.ends != 0 || p.picks % p.repeat.picks != 0) text += "; the last one is cut off";
   muted_text(c, text);
-}
-
-void draw_list(PanelContext& c, WeavePrompt& p) {
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, c.style.color.panel);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(8), c.style.px(6)});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {c.style.px(8), c.style.px(4)});
-  begin_padded_child("weaves", {c.style.px(kListWidth), c.style.px(kHeight)});
-  for (int i = 0; i < static_cast<int>(weaves().size()); ++i) {
-    const Weave& weave = weaves()[static_cast<size_t>(i)];
-    if (ImGui::Selectable(weave.name, i == p.weave) && i != p.weave) {
-      p.weave = i;
-      p.numbers = first_numbers(weave);
-      follow_repeat(p);
-    }
-    c.map.add_item(std::string("weave:") + weave.name);
-  }
-  ImGui::EndChild();
-  ImGui::PopStyleVar(2);
-  ImGui::PopStyleColor();
 }
 
 /// The corner of end 1 and pick 1, in the draft's own colours.
@@ -102,27 +60,30 @@ void draw_cells(PanelContext& c, const Design& design) {
 
 }  // namespace
 
-WeavePrompt prompt_for(int weave, ClothSize about) {
-  WeavePrompt p{weave, first_numbers(weaves()[static_cast<size_t>(weave)]), about.ends, about.picks, {0, 0}, false};
+WeavePrompt prompt_for(int kind, ClothSize about) {
+  WeavePrompt p;
+  p.kind = kind, p.ends = about.ends, p.picks = about.picks;
+  p.values = allowed_values(kind_of(p), {});
   follow_repeat(p);
   return p;
 }
 
 DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   heading(c, "New draft");
-  draw_list(c, p);
+  if (draw_weave_list(c, p.kind, kListWidth, kHeight)) {
+    p.values = allowed_values(kind_of(p), {});
+    follow_repeat(p);
+  }
   ImGui::SameLine(0, c.style.px(16));
   ImGui::BeginChild("weave", {c.style.px(kColumn), c.style.px(kHeight)});
-  const Weave& weave = weave_of(p);
-  draw_cells(c, weave.make(p.numbers, {std::min(p.ends, kShownEnds), std::min(p.picks, kShownPicks)}));
+  const WeaveKind& kind = kind_of(p);
+  const Made made = new_draft(kind, p.values, {std::min(p.ends, kShownEnds), std::min(p.picks, kShownPicks)});
+  draw_cells(c, made.design);
   ImGui::Dummy({0, c.style.px(2)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, weave.words);
+  muted_text(c, made.why.empty() ? kind.words : made.why);
   ImGui::PopTextWrapPos();
-  bool other = false;
-  for (size_t i = 0; i < p.numbers.size(); ++i)
-    if (weave.numbers[i].label != nullptr) other |= draw_number(c, p, i);
-  if (other) follow_repeat(p);
+  if (draw_weave_numbers(c, kind, p.values)) follow_repeat(p);
   const int ends = p.ends, picks = p.picks;
   number(c, "weave.ends", "Ends", p.ends, 1, kMaxThreads);
   number(c, "weave.picks", "Picks", p.picks, 1, kMaxThreads);

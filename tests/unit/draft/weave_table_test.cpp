@@ -8,6 +8,7 @@
 #include "draft/edits.h"
 #include "draft/factor.h"
 #include "draft/generators/families.h"
+#include "draft/repeat.h"
 #include "hand_drafts.h"
 
 namespace weftlight::draft {
@@ -73,6 +74,50 @@ TEST(WeaveTable, TheRepeatOfAWeaveIsItsOwn) {
   const ClothSize check = repeat_of(*find_weave("sett"), {{"sett", "R8 K4"}, {"ratio", "2/2"}});
   EXPECT_EQ(check.ends, 12);
   EXPECT_EQ(repeat_of(*find_weave("herringbone"), {{"band", "10"}}).ends, 20);
+}
+
+TEST(WeaveTable, WholeRepeatsFitEveryWeave) {
+  for (const WeaveKind& kind : weave_kinds()) {
+    const WeaveValues values = allowed_values(kind, {});
+    const ClothSize repeat = repeat_of(kind, values);
+    EXPECT_GT(repeat.ends, 0) << kind.id;
+    EXPECT_GT(repeat.picks, 0) << kind.id;
+    const ClothSize size = whole_repeats(repeat, {48, 48});
+    const Design design = new_draft(kind, values, size).design;
+    const Repeat found = design_repeat(design, drawdown(design.draft));
+    EXPECT_EQ(size.ends % found.ends, 0) << kind.id;
+    EXPECT_EQ(size.picks % found.picks, 0) << kind.id;
+    EXPECT_LE(found.ends, repeat.ends) << kind.id << " does not close at its edge";
+    EXPECT_LE(found.picks, repeat.picks) << kind.id << " does not close at its edge";
+  }
+}
+
+TEST(WeaveTable, SizesAreWholeRepeatsNearWhatWasAsked) {
+  EXPECT_EQ(whole_repeats({14, 8}, {48, 48}).ends, 42);
+  EXPECT_EQ(whole_repeats({14, 8}, {50, 3}).ends, 56);
+  EXPECT_EQ(whole_repeats({14, 8}, {50, 3}).picks, 8);
+  EXPECT_EQ(whole_repeats({0, 0}, {50, 3}).ends, 50);
+}
+
+TEST(WeaveTable, ANewDraftKeepsItsNumbersAndIsWovenOverByOthers) {
+  const Made made = new_draft(*find_weave("herringbone"), {{"band", "12"}}, {48, 24});
+  EXPECT_EQ(made.why, "");
+  EXPECT_NE(made.design.draft.warp.color[0], made.design.draft.weft.color[0]);
+  ASSERT_EQ(made.design.weaves.size(), 1u);
+  EXPECT_EQ(made.design.weaves[0].values, (WeaveValues{{"band", "12"}, {"ratio", "2/2"}}));
+  EXPECT_EQ(with_weave(made.design, made.design.weaves[0]).design, made.design);
+}
+
+TEST(Satin, OtherShaftsBringTheStepAlong) {
+  const WeaveKind& satin = *find_weave("satin");
+  const auto brought = [&](const char* shafts, const char* step) {
+    const WeaveValues v = allowed_values(satin, {{"shafts", shafts}, {"step", step}});
+    return v[1].second + " by " + v[2].second;
+  };
+  EXPECT_EQ(brought("8", "4"), "8 by 3") << "4 would fall back to the first end after two picks";
+  EXPECT_EQ(brought("5", "5"), "5 by 3");
+  EXPECT_EQ(brought("6", "3"), "5 by 3");
+  EXPECT_EQ(brought("100", "7"), "64 by 7");
 }
 
 TEST(Satin, HasOnlyStepsThatMakeOne) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "session/weaves.h"
 #include "views/inspector/lobes_plot.h"
 #include "views/inspector/yarn_strip.h"
 
@@ -67,18 +66,6 @@ TEST(YarnStrip, IsAThreadThatChangesWithTheYarnAndTheLight) {
   EXPECT_NE(strip, yarn_strip(yarn, red, -30, 60, 32));
   yarn.lobes.body = 0.5f;
   EXPECT_NE(strip, yarn_strip(yarn, red, 30, 60, 32));
-}
-
-TEST(Weaves, EveryNumberMakesADraftOfTheSize) {
-  for (const Weave& weave : weaves())
-    for (int corner = 0; corner < 1 << kWeaveNumbers; ++corner) {
-      std::array<int, kWeaveNumbers> n{};
-      for (size_t i = 0; i < n.size(); ++i) n[i] = (corner >> i) & 1 ? weave.numbers[i].max : weave.numbers[i].min;
-      const Design d = weave.make(n, {37, 23});
-      EXPECT_TRUE(is_consistent(d)) << weave.name;
-      EXPECT_EQ(d.draft.ends(), 37) << weave.name;
-      EXPECT_EQ(d.draft.picks(), 23) << weave.name;
-    }
 }
 
 }  // namespace

@@ -8,28 +8,21 @@
 namespace weftlight::analysis {
 namespace {
 
-Design twill_design() {
-  Design design;
-  design.draft =
-      treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
-  return design;
-}
-
 TEST(Compare, TheSameIsTheSame) {
-  const Comparison c = compare(twill_design(), twill_design());
+  const Comparison c = compare(straight_twill(4, 4), straight_twill(4, 4));
   EXPECT_TRUE(c.differences.empty());
   EXPECT_TRUE(c.same_cloth);
 }
 
 TEST(Compare, ALiftplanOfTheSameClothDiffersInItsDriveAlone) {
-  const Comparison c = compare(twill_design(), to_liftplan(twill_design()));
+  const Comparison c = compare(straight_twill(4, 4), to_liftplan(straight_twill(4, 4)));
   ASSERT_EQ(c.differences.size(), 1u);
   EXPECT_EQ(c.differences[0].what, "driven by");
   EXPECT_TRUE(c.same_cloth);
 }
 
 TEST(Compare, NamesThreadsAndCrossings) {
-  const Design a = twill_design();
+  const Design a = straight_twill(4, 4);
   Design b = with_threading(a, 2, 0, true);
   b.draft.palette.push_back({1, 0, 0});
   b.draft.weft.color[1] = 2;
@@ -46,7 +39,7 @@ TEST(Compare, NamesThreadsAndCrossings) {
 }
 
 TEST(Compare, SizesThatDiffer) {
-  const Design a = twill_design(), b = with_size(a, 70, 5, 4, 4);
+  const Design a = straight_twill(4, 4), b = with_size(a, 70, 5, 4, 4);
   const Comparison c = compare(a, b);
   EXPECT_FALSE(c.same_cloth);
   EXPECT_EQ(c.crossings, 0);

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <new>
 
+#include "../scratch_fixture.h"
+
 namespace weftlight::base {
 namespace {
 
@@ -20,21 +22,10 @@ std::string write_two(const std::string& name) {
   return {};
 }
 
-class FileTest : public ::testing::Test {
+class FileTest : public ScratchTest {
  protected:
-  void SetUp() override {
-    dir_ = fs::path(::testing::TempDir()) / ("weftlight-" + std::to_string(::getpid()) + "-" +
-                                             ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(dir_);
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    fs::remove_all(dir_, ignored);
-  }
-  std::string path(const char* name) const { return (dir_ / name).string(); }
   /// Names in the folder: no temporary may be left.
   int count() const { return static_cast<int>(std::distance(fs::directory_iterator(dir_), fs::directory_iterator{})); }
-  fs::path dir_;
 };
 
 TEST_F(FileTest, new_and_replaced) {

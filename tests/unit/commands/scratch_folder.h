@@ -2,13 +2,13 @@
 // A folder of the test's own, removed after it, and the whole command line run in it.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "../scratch_fixture.h"
 #include "commands/commands.h"
 #include "commands/names.h"
 #include "paths.h"
@@ -19,23 +19,8 @@ inline std::string fixture_path(const std::string& name) {
   return std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/" + name;
 }
 
-class ScratchFolder : public ::testing::Test {
+class ScratchFolder : public ScratchTest {
  protected:
-  void SetUp() override {
-    dir_ =
-        std::filesystem::path(::testing::TempDir()) / ("weftlight-verbs-" + std::to_string(::getpid()) + "-" +
-                                                       ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(dir_);
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(dir_, ignored);
-  }
-  std::string path(const std::string& name) const { return (dir_ / name).string(); }
-  std::string written(const std::string& name, std::string_view bytes) const {
-    EXPECT_EQ(write_file_atomically(path(name), bytes), "");
-    return path(name);
-  }
   /// Every file below the folder, by its name from there.
   std::set<std::string> files() const {
     std::set<std::string> names;
@@ -44,7 +29,6 @@ class ScratchFolder : public ::testing::Test {
     }
     return names;
   }
-  std::filesystem::path dir_;
 };
 
 /// The exit code of `weftlight ARGS`, and what it said on stderr.

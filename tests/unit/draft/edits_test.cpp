@@ -10,29 +10,22 @@
 namespace weftlight::draft {
 namespace {
 
-Design twill_design() {
-  Design design;
-  design.draft =
-      treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
-  return design;
-}
-
 Rows cloth(const Design& design) { return text_of(drawdown(design.draft)); }
 
 TEST(Edits, ThreadingMovesTheEndToTheClickedShaft) {
-  const Design next = with_threading(twill_design(), 1, 3, true);
+  const Design next = with_threading(straight_twill(4, 4), 1, 3, true);
   EXPECT_EQ(text_of(next.draft.threading)[1], "0001");
-  EXPECT_EQ(text_of(with_threading(twill_design(), 1, 3, true, false).draft.threading)[1], "0101");
-  EXPECT_EQ(text_of(with_threading(twill_design(), 1, 1, false).draft.threading)[1], "0000");
+  EXPECT_EQ(text_of(with_threading(straight_twill(4, 4), 1, 3, true, false).draft.threading)[1], "0101");
+  EXPECT_EQ(text_of(with_threading(straight_twill(4, 4), 1, 1, false).draft.threading)[1], "0000");
 }
 
 TEST(Edits, TreadlingMovesThePickToTheClickedTreadle) {
-  EXPECT_EQ(text_of(with_treadling(twill_design(), 0, 2, true).draft.treadling)[0], "0010");
-  EXPECT_EQ(text_of(with_treadling(twill_design(), 0, 2, true, false).draft.treadling)[0], "1010");
+  EXPECT_EQ(text_of(with_treadling(straight_twill(4, 4), 0, 2, true).draft.treadling)[0], "0010");
+  EXPECT_EQ(text_of(with_treadling(straight_twill(4, 4), 0, 2, true, false).draft.treadling)[0], "1010");
 }
 
 TEST(Edits, ManyThreadsAtOnceAreEachOfThem) {
-  const Design d = twill_design();
+  const Design d = straight_twill(4, 4);
   const std::vector<int> threads{0, 3, 99, -1};
   Design one_by_one = d;
   for (const int thread : threads) {
@@ -51,7 +44,7 @@ TEST(Edits, ManyThreadsAtOnceAreEachOfThem) {
 }
 
 TEST(Edits, OutOfRangeChangesNothing) {
-  const Design d = twill_design();
+  const Design d = straight_twill(4, 4);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const int bad : {-1, 4, 1 << 30}) {
     EXPECT_EQ(with_threading(d, bad, 0, true), d);
@@ -80,7 +73,7 @@ TEST(Edits, OutOfRangeChangesNothing) {
 }
 
 TEST(Edits, LiftplanPaintKeepsTheRestOfTheCloth) {
-  const Design next = with_liftplan(twill_design(), 2, 0, true);
+  const Design next = with_liftplan(straight_twill(4, 4), 2, 0, true);
   EXPECT_EQ(next.draft.drive, Drive::kLiftplan);
   EXPECT_EQ(cloth(next), (Rows{"1100", "0110", "1011", "1001"}));
 }
@@ -115,7 +108,7 @@ TEST(Edits, DrawdownPaintReachesItsAimOnEveryShed) {
 }
 
 TEST(Edits, SizeKeepsTheClothAndGoesOnWithTheStripes) {
-  Design d = twill_design();
+  Design d = straight_twill(4, 4);
   d.draft.palette.push_back({1, 0, 0});
   d.draft.warp.color = {0, 2, 0, 2};
   const Design more = with_size(d, 7, 6, 5, 5);
@@ -177,17 +170,17 @@ TEST(Drive, TreadlesAreTheFewestInOrderOfUse) {
 
 TEST(Consistency, FindsWhatDoesNotFit) {
   EXPECT_TRUE(is_consistent(Design{}));
-  EXPECT_TRUE(is_consistent(twill_design()));
-  Design d = twill_design();
+  EXPECT_TRUE(is_consistent(straight_twill(4, 4)));
+  Design d = straight_twill(4, 4);
   d.draft.warp.color[0] = 2;
   EXPECT_FALSE(is_consistent(d));
-  d = twill_design();
+  d = straight_twill(4, 4);
   d.draft.weft.yarn[0] = 1;
   EXPECT_FALSE(is_consistent(d));
-  d = twill_design();
+  d = straight_twill(4, 4);
   d.draft.liftplan = BitMatrix(1, 1);
   EXPECT_FALSE(is_consistent(d.draft));
-  d = twill_design();
+  d = straight_twill(4, 4);
   d.draft.weft.spacing_mm.pop_back();
   EXPECT_FALSE(is_consistent(d.draft));
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "draft/design.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::draft {
@@ -38,6 +39,16 @@ inline Draft treadled(const Rows& threading, const Rows& tieup, const Rows& trea
   d.tieup = matrix_of(tieup);
   d.treadling = matrix_of(treadling);
   return d;
+}
+
+/// A 2/2 twill, straight over four shafts and treadles.
+inline Design straight_twill(int ends, int picks) {
+  Design design;
+  Draft& d = design.draft = blank_draft(ends, picks, 4, 4);
+  for (int e = 0; e < ends; ++e) d.threading.set(e, e % 4, true);
+  for (int p = 0; p < picks; ++p) d.treadling.set(p, p % 4, true);
+  for (int t = 0; t < 4; ++t) d.tieup.set(t, t, true), d.tieup.set(t, (t + 1) % 4, true);
+  return design;
 }
 
 /// The definition, a crossing at a time.

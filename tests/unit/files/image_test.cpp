@@ -4,9 +4,9 @@
 #include <fstream>
 #include <limits>
 
+#include "../scratch.h"
 #include "base/files.h"
 #include "files/files.h"
-#include "scratch.h"
 
 namespace weftlight::files {
 namespace {

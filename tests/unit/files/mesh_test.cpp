@@ -7,24 +7,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "../scratch.h"
 #include "files/files.h"
-#include "scratch.h"
+#include "sheet.h"
 
 namespace weftlight::files {
 namespace {
 
 using nlohmann::json;
-
-/// 200 x 100 mm, two triangles facing +z, u along x and v along y.
-Mesh sheet() {
-  Mesh mesh;
-  mesh.name = "sheet";
-  mesh.position_mm = {{0, 0, 0}, {200, 0, 0}, {200, 100, 0}, {0, 100, 0}};
-  mesh.uv_mm = {{0, 0}, {200, 0}, {200, 100}, {0, 100}};
-  mesh.index = {0, 1, 2, 0, 2, 3};
-  compute_frames(mesh);
-  return mesh;
-}
 
 void expect_same(const Mesh& a, const Mesh& b) {
   ASSERT_EQ(a.position_mm.size(), b.position_mm.size());

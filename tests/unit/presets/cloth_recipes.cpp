@@ -17,17 +17,6 @@
 namespace weftlight::wif {
 namespace {
 
-Rgb hex(unsigned rgb) {
-  const auto channel = [rgb](int shift) { return static_cast<float>((rgb >> shift) & 255u) / 255.0f; };
-  return {channel(16), channel(8), channel(0)};
-}
-
-std::vector<Rgb> palette(std::initializer_list<unsigned> colors) {
-  std::vector<Rgb> out;
-  for (const unsigned color : colors) out.push_back(hex(color));
-  return out;
-}
-
 /// Density, g/cm3, and share of the thread that is fibre (yarn_presets.cpp has their sources).
 struct Substance {
   double density, packing;
@@ -57,11 +46,6 @@ Design worn(Design design, const char* mesh, float azimuth, float elevation, flo
   design.scene.mesh = mesh;
   design.scene.view_azimuth = azimuth, design.scene.view_elevation = elevation;
   design.scene.view_distance = distance;
-  return design;
-}
-
-Design titled(Design design, const char* title, std::vector<std::string> notes) {
-  design.title = title, design.author = "Weftlight", design.notes = std::move(notes);
   return design;
 }
 

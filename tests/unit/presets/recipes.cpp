@@ -13,25 +13,7 @@
 namespace weftlight::wif {
 namespace {
 
-Rgb hex(unsigned rgb) {
-  const auto channel = [rgb](int shift) { return static_cast<float>((rgb >> shift) & 255u) / 255.0f; };
-  return {channel(16), channel(8), channel(0)};
-}
-
-std::vector<Rgb> palette(std::initializer_list<unsigned> colors) {
-  std::vector<Rgb> out;
-  for (const unsigned color : colors) out.push_back(hex(color));
-  return out;
-}
-
 const Yarn& yarn(const char* name) { return yarn_preset(name); }
-
-Design titled(Design design, std::string title, std::vector<std::string> notes) {
-  design.title = std::move(title);
-  design.author = "Weftlight";
-  design.notes = std::move(notes);
-  return design;
-}
 
 // Yarns first, then the sett they need.
 Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float openness = 1) {

@@ -1,7 +1,9 @@
 #pragma once
 // How each shipped draft is made. presets/drafts and presets/yarns hold what these give; a test compares.
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "draft/design.h"
@@ -16,5 +18,22 @@ struct PresetRecipe {
 std::vector<PresetRecipe> preset_recipes();
 /// Those of presets/cloths, which are among them.
 std::vector<PresetRecipe> cloth_recipes();
+
+/// 0xRRGGBB, sRGB as in a palette.
+inline Rgb hex(unsigned rgb) {
+  const auto channel = [rgb](int shift) { return static_cast<float>((rgb >> shift) & 255u) / 255.0f; };
+  return {channel(16), channel(8), channel(0)};
+}
+inline std::vector<Rgb> palette(std::initializer_list<unsigned> colors) {
+  std::vector<Rgb> out;
+  for (const unsigned color : colors) out.push_back(hex(color));
+  return out;
+}
+inline Design titled(Design design, std::string title, std::vector<std::string> notes) {
+  design.title = std::move(title);
+  design.author = "Weftlight";
+  design.notes = std::move(notes);
+  return design;
+}
 
 }  // namespace weftlight::wif

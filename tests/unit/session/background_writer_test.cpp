@@ -4,12 +4,12 @@
 
 #include <atomic>
 
-#include "scratch.h"
+#include "../scratch_fixture.h"
 
 namespace weftlight::session {
 namespace {
 
-class BackgroundWriterTest : public Scratch {
+class BackgroundWriterTest : public ScratchTest {
  protected:
   template <class Holds>
   static bool comes_true(Holds holds) {

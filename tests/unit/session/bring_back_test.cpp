@@ -2,8 +2,8 @@
 
 #include "session/bring_back.h"
 
+#include "../scratch_fixture.h"
 #include "draft/edits.h"
-#include "scratch.h"
 #include "session/journal.h"
 
 namespace weftlight::session {
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class BringBack : public Scratch {
+class BringBack : public ScratchTest {
  protected:
   static Design plain(int shafts) {
     Design d;

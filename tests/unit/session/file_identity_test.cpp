@@ -4,13 +4,13 @@
 
 #include <fstream>
 
-#include "scratch.h"
+#include "../scratch_fixture.h"
 
 namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
-using FileIdentityTest = Scratch;
+using FileIdentityTest = ScratchTest;
 
 TEST_F(FileIdentityTest, KnowsAFileThatNobodyTouched) {
   const std::string file = written("a.wif", "one");

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <random>
 
-#include "scratch.h"
+#include "../scratch_fixture.h"
 #include "session/journal_format.h"
 
 namespace weftlight::session {
@@ -69,7 +69,7 @@ TEST(JournalFormat, AChangedByteCostsWhatFollowsAndNothingElse) {
   }
 }
 
-class JournalTest : public Scratch {
+class JournalTest : public ScratchTest {
  protected:
   std::string root() const { return path("state/recovery"); }
   /// What a start after a crash would find.

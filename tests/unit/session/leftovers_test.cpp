@@ -6,13 +6,13 @@
 
 #include <set>
 
-#include "scratch.h"
+#include "../scratch_fixture.h"
 
 namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
-using Leftovers = Scratch;
+using Leftovers = ScratchTest;
 
 TEST_F(Leftovers, GoWithTheirProcessAndNothingElseDoes) {
   const pid_t child = fork();

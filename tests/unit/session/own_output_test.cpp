@@ -2,14 +2,14 @@
 
 #include "session/own_output.h"
 
-#include "scratch.h"
+#include "../scratch_fixture.h"
 
 namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
 
-class OwnOutput : public Scratch {
+class OwnOutput : public ScratchTest {
  protected:
   LiveExport live() const { return {path("live.wif"), path("state")}; }
 };

@@ -2,19 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "../draft/hand_drafts.h"
 #include "session/orbit.h"
 
 namespace weftlight::session {
 namespace {
-
-Design twill() {
-  Design d;
-  d.draft = blank_draft(6, 5, 4, 4);
-  for (int i = 0; i < 6; ++i) d.draft.threading.set(i, i % 4, true);
-  for (int i = 0; i < 5; ++i) d.draft.treadling.set(i, i % 4, true);
-  for (int i = 0; i < 4; ++i) d.draft.tieup.set(i, i, true), d.draft.tieup.set(i, (i + 1) % 4, true);
-  return d;
-}
 
 TEST(Paint, AFastDragLeavesOutNoThread) {
   const std::vector<Cell> line = line_of_cells({2, 1}, {12, 4});
@@ -26,7 +18,7 @@ TEST(Paint, AFastDragLeavesOutNoThread) {
 }
 
 TEST(Paint, AStrokeMovesEveryEndToTheShaft) {
-  const Design painted = paint_edit(GridId::kThreading, {1, 3}, {4, 3}, true, true).apply(twill());
+  const Design painted = paint_edit(GridId::kThreading, {1, 3}, {4, 3}, true, true).apply(straight_twill(6, 5));
   for (int end = 1; end <= 4; ++end) {
     EXPECT_EQ(painted.draft.threading.first(end), 3);
     EXPECT_FALSE(painted.draft.threading.get(end, 0));
@@ -36,7 +28,7 @@ TEST(Paint, AStrokeMovesEveryEndToTheShaft) {
 }
 
 TEST(Paint, CellsOfEveryGridSayWhatTheyAre) {
-  const Design d = twill();
+  const Design d = straight_twill(6, 5);
   const BitMatrix cells = drawdown(d.draft);
   EXPECT_TRUE(is_on(d.draft, cells, GridId::kThreading, {5, 1}));
   EXPECT_TRUE(is_on(d.draft, cells, GridId::kTieup, {3, 0}));
@@ -47,7 +39,7 @@ TEST(Paint, CellsOfEveryGridSayWhatTheyAre) {
 }
 
 TEST(Paint, TheStatusLineSpeaksAsAWeaverDoes) {
-  Design d = twill();
+  Design d = straight_twill(6, 5);
   BitMatrix cells = drawdown(d.draft);
   EXPECT_EQ(describe(d, cells, GridId::kThreading, {5, 0}), "End 6 on shaft 2");
   d.draft.threading.set(5, 3, true);
@@ -60,7 +52,7 @@ TEST(Paint, TheStatusLineSpeaksAsAWeaverDoes) {
 }
 
 TEST(Paint, ColourBarsPaintColourOrYarn) {
-  Design d = twill();
+  Design d = straight_twill(6, 5);
   d = bar_edit(GridId::kWarpColors, {0, 0}, {2, 0}, BarPaint::kColor, 1).apply(std::move(d));
   EXPECT_EQ(d.draft.warp.color[2], 1);
   EXPECT_EQ(d.draft.warp.color[3], 0);

@@ -7,7 +7,7 @@
 
 #include <thread>
 
-#include "scratch.h"
+#include "../scratch_fixture.h"
 #include "session/journal.h"
 
 namespace weftlight::session {
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RecoveryTest : public Scratch {
+class RecoveryTest : public ScratchTest {
  protected:
   std::string root() const { return path("recovery"); }
 

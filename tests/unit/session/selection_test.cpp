@@ -2,20 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "../draft/hand_drafts.h"
 #include "draft/edits.h"
 
 namespace weftlight::session {
 namespace {
-
-/// Eight ends straight over four shafts, six picks straight over four treadles, a 2/2 twill.
-Design twill() {
-  Design d;
-  d.draft = blank_draft(8, 6, 4, 4);
-  for (int i = 0; i < 8; ++i) d.draft.threading.set(i, i % 4, true);
-  for (int i = 0; i < 6; ++i) d.draft.treadling.set(i, i % 4, true);
-  for (int i = 0; i < 4; ++i) d.draft.tieup.set(i, i, true), d.draft.tieup.set(i, (i + 1) % 4, true);
-  return d;
-}
 
 SelectState with_selected(const Selection& s) {
   SelectState state;
@@ -40,7 +31,7 @@ TEST(SelectTool, ArrowsGoWhereTheyPointWhateverTheGridsDirection) {
 }
 
 TEST(SelectTool, WhatAMovePassesOverComesBack) {
-  const Design start = twill();
+  const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   MaybeEdit edit = move_selection(s, start, 1, 0, false);
   ASSERT_TRUE(edit.has_value());
@@ -63,9 +54,9 @@ TEST(SelectTool, WhatAMovePassesOverComesBack) {
 
 TEST(SelectTool, AnEditBetweenTwoMovesPartsThem) {
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
-  MaybeEdit edit = move_selection(s, twill(), 1, 0, false);
+  MaybeEdit edit = move_selection(s, straight_twill(8, 6), 1, 0, false);
   const uint64_t stroke = edit->stroke;
-  const Design painted = with_threading(edit->apply(twill()), 7, 0, true);
+  const Design painted = with_threading(edit->apply(straight_twill(8, 6)), 7, 0, true);
   edit = move_selection(s, painted, 2, 0, false);
   EXPECT_NE(edit->stroke, stroke);
   const Design now = edit->apply(painted);
@@ -75,15 +66,15 @@ TEST(SelectTool, AnEditBetweenTwoMovesPartsThem) {
 
 TEST(SelectTool, AMoveStaysInsideItsGrid) {
   SelectState s = with_selected({BitGrid::kTieup, 2, 4, 2, 4});
-  move_selection(s, twill(), 99, -99, false);
+  move_selection(s, straight_twill(8, 6), 99, -99, false);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kTieup, 2, 4, 0, 2}));
-  EXPECT_FALSE(move_selection(s, twill(), 2, -5, false).has_value() && s.selected.b0 != 0);
+  EXPECT_FALSE(move_selection(s, straight_twill(8, 6), 2, -5, false).has_value() && s.selected.b0 != 0);
   SelectState none;
-  EXPECT_FALSE(move_selection(none, twill(), 1, 1, false).has_value());
+  EXPECT_FALSE(move_selection(none, straight_twill(8, 6), 1, 1, false).has_value());
 }
 
 TEST(SelectTool, ACopyLeavesTheMarksWhereTheyWere) {
-  const Design start = twill();
+  const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   EXPECT_FALSE(move_selection(s, start, 0, 0, true).has_value()) << "nothing moved yet";
   const MaybeEdit edit = move_selection(s, start, 5, 0, false);
@@ -94,7 +85,7 @@ TEST(SelectTool, ACopyLeavesTheMarksWhereTheyWere) {
 }
 
 TEST(SelectTool, UndoOfAMoveTakesTheSelectionBack) {
-  const Design start = twill();
+  const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   const Design now = move_selection(s, start, 3, 0, false)->apply(start);
   follow_design(s, now, 2);
@@ -105,26 +96,26 @@ TEST(SelectTool, UndoOfAMoveTakesTheSelectionBack) {
 
 TEST(SelectTool, WhatIsGoneIsNotSelected) {
   SelectState s = with_selected({BitGrid::kThreading, 2, 6, 0, 4});
-  follow_design(s, with_size(twill(), 4, 6, 3, 4), 1);
+  follow_design(s, with_size(straight_twill(8, 6), 4, 6, 3, 4), 1);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 2, 4, 0, 3}));
   s = with_selected({BitGrid::kTreadling, 0, 2, 0, 2});
-  follow_design(s, to_liftplan(twill()), 2);
+  follow_design(s, to_liftplan(straight_twill(8, 6)), 2);
   EXPECT_TRUE(s.selected.empty()) << "a liftplan has no treadling";
 }
 
 TEST(SelectTool, TheFarCornerMoves) {
   SelectState s = with_selected({BitGrid::kThreading, 2, 4, 1, 2});
   s.anchor = {2, 1};
-  extend_selection(s, twill().draft, 2, 1);
+  extend_selection(s, straight_twill(8, 6).draft, 2, 1);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 2, 6, 1, 3}));
-  extend_selection(s, twill().draft, -5, 0);
+  extend_selection(s, straight_twill(8, 6).draft, -5, 0);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 0, 3, 1, 3})) << "past the corner where it began";
-  extend_selection(s, twill().draft, -9, 9);
+  extend_selection(s, straight_twill(8, 6).draft, -9, 9);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 0, 3, 1, 4}));
 }
 
 TEST(SelectTool, ABlockIsHeldPutDownAndSelected) {
-  const Design start = twill();
+  const Design start = straight_twill(8, 6);
   SelectState s;
   CellBlock block{BitGrid::kThreading, cells_of(start.draft, {BitGrid::kThreading, 0, 4, 0, 4})};
   hold_block(s, start.draft, block, false);
@@ -153,7 +144,7 @@ TEST(SelectTool, ABlockIsHeldPutDownAndSelected) {
 }
 
 TEST(SelectTool, ABlockInHandIsTurnedAsItIsSeen) {
-  const Design start = twill();
+  const Design start = straight_twill(8, 6);
   SelectState s;
   hold_block(s, start.draft, {BitGrid::kThreading, cells_of(start.draft, {BitGrid::kThreading, 0, 3, 0, 4})}, false);
   turn_held_block(s, mirrored_across);
@@ -169,7 +160,7 @@ TEST(SelectTool, ABlockInHandIsTurnedAsItIsSeen) {
 }
 
 TEST(SelectTool, EscapeInADragTakesTheMarksHome) {
-  const Design start = twill();
+  const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   s.drag = SelectDrag::kMove;
   const MaybeEdit away = move_selection(s, start, 3, 0, false);
@@ -186,17 +177,17 @@ TEST(SelectTool, SaysWhichCrossingsCouldNotFollow) {
   SelectState s;
   BitMatrix torn(1, 5);
   torn.set(0, 0, true);  // end 1 up, end 5 on the same shaft down
-  hold_block(s, twill().draft, {BitGrid::kDrawdown, torn}, false);
-  drop_block(s, twill(), false);
+  hold_block(s, straight_twill(8, 6).draft, {BitGrid::kDrawdown, torn}, false);
+  drop_block(s, straight_twill(8, 6), false);
   EXPECT_NE(s.notice.find("1 crossing could not follow"), std::string::npos) << s.notice;
 }
 
 TEST(SelectTool, ALiftplanBlockFindsAGridThatIsShown) {
   SelectState s;
-  hold_block(s, twill().draft, {BitGrid::kLiftplan, BitMatrix(2, 2)}, false);
-  EXPECT_TRUE(is_shown(twill().draft, s.held->grid));
-  follow_design(s, to_liftplan(twill()), 1);
-  EXPECT_TRUE(is_shown(to_liftplan(twill()).draft, s.held->grid));
+  hold_block(s, straight_twill(8, 6).draft, {BitGrid::kLiftplan, BitMatrix(2, 2)}, false);
+  EXPECT_TRUE(is_shown(straight_twill(8, 6).draft, s.held->grid));
+  follow_design(s, to_liftplan(straight_twill(8, 6)), 1);
+  EXPECT_TRUE(is_shown(to_liftplan(straight_twill(8, 6)).draft, s.held->grid));
 }
 
 TEST(SelectTool, SaysWhatIsSelected) {

@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "../files/scratch.h"
+#include "../files/sheet.h"
+#include "../scratch.h"
 #include "draft/generators.h"
 #include "texture_set/material_files.h"
 
@@ -29,16 +30,6 @@ Design sample_design() {
   design.yarns = {Yarn{}, metal};
   for (int e = 0; e < design.draft.ends(); e += 8) design.draft.warp.yarn[static_cast<size_t>(e)] = 1;
   return design;
-}
-
-Mesh sheet() {
-  Mesh mesh;
-  mesh.name = "sheet";
-  mesh.position_mm = {{0, 0, 0}, {200, 0, 0}, {200, 100, 0}, {0, 100, 0}};
-  mesh.uv_mm = {{0, 0}, {200, 0}, {200, 100}, {0, 100}};
-  mesh.index = {0, 1, 2, 0, 2, 3};
-  compute_frames(mesh);
-  return mesh;
 }
 
 TextureSetOptions options_for(Target target, int size = 128) {

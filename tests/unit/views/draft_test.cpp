@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../draft/hand_drafts.h"
 #include "views/common/cell_image.h"
 #include "views/draft/draft_layout.h"
 #include "views/shell/action_list.h"
@@ -9,17 +10,8 @@
 namespace weftlight::views {
 namespace {
 
-Design twill() {
-  Design d;
-  d.draft = blank_draft(6, 5, 4, 4);
-  for (int i = 0; i < 6; ++i) d.draft.threading.set(i, i % 4, true);
-  for (int i = 0; i < 5; ++i) d.draft.treadling.set(i, i % 4, true);
-  for (int i = 0; i < 4; ++i) d.draft.tieup.set(i, i, true), d.draft.tieup.set(i, (i + 1) % 4, true);
-  return d;
-}
-
 TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
-  Design d = twill();
+  Design d = straight_twill(6, 5);
   d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
   BitMatrix cells(5, 6);
   cells.set(0, 0, true);
@@ -43,7 +35,7 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
 }
 
 TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
-  const Design d = twill();
+  const Design d = straight_twill(6, 5);
   DocumentView view;
   const Style style;
   const DraftLayout l = lay_out_draft(d.draft, view, true, style, {0, 0}, {800, 600});

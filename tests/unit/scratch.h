@@ -1,0 +1,29 @@
+#pragma once
+// A folder of a test's own, removed at its end.
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace weftlight {
+
+class Scratch {
+ public:
+  explicit Scratch(const std::string& name = "test") {
+    std::string made = (std::filesystem::temp_directory_path() / ("weftlight-" + name + "-XXXXXX")).string();
+    folder = mkdtemp(made.data());
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  std::string operator/(const std::string& name) const { return (folder / name).string(); }
+
+  std::filesystem::path folder;
+};
+
+}  // namespace weftlight

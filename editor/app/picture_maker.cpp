@@ -38,7 +38,7 @@ bool PictureMaker::poll() {
   const bool busy = pipeline_.busy();
   const bool changed = pipeline_.poll(*renderer_);
   if (changed) has_cloth_ = dirty_ = true;
-  if (std::optional<Comparison> made = tracer_.take()) {
+  if (std::optional<PictureComparison> made = tracer_.take()) {
     comparison_ = std::move(*made);
     return true;
   }

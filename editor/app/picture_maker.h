@@ -43,7 +43,7 @@ class PictureMaker {
   void read(int& width, int& height, std::vector<uint32_t>& pixels) const;
   const FrameStats& stats() const { return stats_; }
   /// Of Compare::kSplit or kDifference; empty while nothing is traced.
-  const session::Comparison& comparison() const { return comparison_; }
+  const session::PictureComparison& comparison() const { return comparison_; }
   /// Why there is no picture, or what is wrong with the mesh.
   std::string problem() const {
     return !problem_.empty() ? problem_ : !stats_.problem.empty() ? stats_.problem : pipeline_.problem();
@@ -80,7 +80,7 @@ class PictureMaker {
 
   ReferenceTracer tracer_;
   bool traced_ = false;  // the tracer was given the picture that is drawn
-  session::Comparison comparison_;
+  session::PictureComparison comparison_;
 };
 
 }  // namespace weftlight::app

@@ -106,7 +106,7 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
   News made;
   if (drawn) maker.read(made.width, made.height, made.pixels);
-  const Comparison& c = maker.comparison();
+  const PictureComparison& c = maker.comparison();
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
   if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
   made.reference_width = c.width, made.reference_height = c.height;

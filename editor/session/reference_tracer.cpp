@@ -36,9 +36,9 @@ int threads_to_use() {
 
 }  // namespace
 
-Comparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev) {
+PictureComparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev) {
   lay_over(around, traced, exposure_ev, false);
-  Comparison c{around.width, around.height, 0, {}, {}, 0, false, {}};
+  PictureComparison c{around.width, around.height, 0, {}, {}, 0, false, {}};
   const size_t pixels = static_cast<size_t>(around.width) * static_cast<size_t>(around.height);
   c.reference.reserve(pixels);
   c.difference.reserve(pixels);
@@ -76,7 +76,7 @@ bool ReferenceTracer::busy() const {
   return made_.has_value() || worker_.busy();
 }
 
-std::optional<Comparison> ReferenceTracer::take() {
+std::optional<PictureComparison> ReferenceTracer::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(made_, std::nullopt);
 }
@@ -85,7 +85,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   TubeOptions options;
   options.max_triangles = kTriangles;
   if (std::string problem = scene_.update(*job.design, options); !problem.empty()) {
-    Comparison failed;
+    PictureComparison failed;
     failed.problem = "No ray-traced picture: " + problem;
     return publish(std::move(failed), stop);
   }
@@ -107,14 +107,14 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
     add(mean, scene_.trace(view, {}), done, view.spp);
     done += view.spp;
     if (stop.stop_requested()) return;
-    Comparison made = compare(job.around, job.preview, mean, job.exposure_ev);
+    PictureComparison made = compare(job.around, job.preview, mean, job.exposure_ev);
     made.samples = done;
     made.finished = done >= kMostSamples;
     publish(std::move(made), stop);
   }
 }
 
-void ReferenceTracer::publish(Comparison made, const std::stop_token& stop) {
+void ReferenceTracer::publish(PictureComparison made, const std::stop_token& stop) {
   const std::lock_guard lock(mutex_);
   if (!stop.stop_requested()) made_ = std::move(made);
 }

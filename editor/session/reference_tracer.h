@@ -28,7 +28,7 @@ struct TraceJob {
 
 inline constexpr float kDifferenceScale = 4;  // the picture of the difference is this much brighter
 
-struct Comparison {
+struct PictureComparison {
   int width = 0, height = 0;
   int samples = 0;                              // a pixel; 0: a coarse first picture
   std::vector<uint32_t> reference, difference;  // RGBA8, row 0 on top; the difference kDifferenceScale times
@@ -37,7 +37,7 @@ struct Comparison {
   std::string problem;
 };
 /// What the window shows of a traced picture. `around` and `preview` as in TraceJob.
-Comparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev);
+PictureComparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev);
 
 class ReferenceTracer {
  public:
@@ -46,14 +46,14 @@ class ReferenceTracer {
   void stop();
   bool busy() const;
   /// What is new since the last call.
-  std::optional<Comparison> take();
+  std::optional<PictureComparison> take();
 
  private:
   void trace(const TraceJob& job, const std::stop_token& stop);
-  void publish(Comparison made, const std::stop_token& stop);
+  void publish(PictureComparison made, const std::stop_token& stop);
 
   mutable std::mutex mutex_;  // of what is made
-  std::optional<Comparison> made_;
+  std::optional<PictureComparison> made_;
   ReferenceScene scene_;  // the worker's
   Worker worker_;         // the last to be made and the first to go: its jobs use all of the above
 };

@@ -32,7 +32,9 @@ int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
     return fail(kUsage, o.out + ": the picture must be a .png or an .exr");
   }
+  status.say("reading " + o.file);
   OpenedDesign opened = open_design(o.file);
+  status.clear();
   if (!opened.ok) return kBadInput;
   design = std::move(opened.design);
   take_options(design, o);
@@ -42,7 +44,10 @@ int PictureSetup::open(const PictureOptions& o) {
   if (!renderer) return fail(kNoGraphics, "no graphics: " + error);
   if (const std::string& problem = renderer->ladder_problem(); !problem.empty())
     std::fprintf(stderr, "weftlight: %s\n", problem.c_str());
+  const Draft& d = design.draft;
+  status.say("weaving " + std::to_string(d.ends()) + " ends by " + std::to_string(d.picks()) + " picks");
   error = upload_once(std::make_shared<const Design>(design), *renderer);
+  status.clear();
   return error.empty() ? kDone : fail(kBadInput, error);
 }
 

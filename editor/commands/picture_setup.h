@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/names.h"
+#include "commands/status_line.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 
@@ -19,6 +20,8 @@ struct PictureSetup {
   Design design;
   std::unique_ptr<HeadlessContext> context;  // outlives the renderer
   std::unique_ptr<Renderer> renderer;
+
+  StatusLine status;  // what it is at, on a terminal
 
   /// An exit code of the contract; what went wrong is printed.
   int open(const PictureOptions& options);

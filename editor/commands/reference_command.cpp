@@ -1,10 +1,6 @@
 // `weftlight reference`: the picture of `render` with the cloth ray traced thread by thread. Ground, backdrop
 // and the form under the cloth are those of the preview, so that only the cloth differs.
 
-#include <unistd.h>
-
-#include <cstdio>
-
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
 #include "upload/reference_scene.h"
@@ -12,14 +8,12 @@
 namespace weftlight::commands {
 namespace {
 
-/// Progress on a terminal only.
-Progress terminal_progress() {
-  if (!isatty(STDERR_FILENO)) return {};
-  return [last = -1](float share) mutable {
+Progress progress_on(StatusLine& status) {
+  return [&status, last = -1](float share) mutable {
     const int percent = static_cast<int>(share * 100);
     if (percent == last) return;
     last = percent;
-    std::fprintf(stderr, "\r%3d %%%s", percent, percent == 100 ? "\n" : "");
+    status.say("tracing: " + std::to_string(percent) + " %");
   };
 }
 
@@ -48,7 +42,8 @@ int reference_command(const PictureOptions& o) {
   setup.renderer->draw(design.scene, design.look, frame);
   const bool linear = writes_linear(o.out);
   Image picture = setup.renderer->read_back(linear);
-  const TracedImage traced = scene.trace(view_of(o, design.scene), terminal_progress());
+  const TracedImage traced = scene.trace(view_of(o, design.scene), progress_on(setup.status));
+  setup.status.clear();
   lay_over(picture, traced, design.look.exposure_ev, linear);
   error = write_picture(o.out, picture);
   return error.empty() ? kDone : fail(kNotWritten, error);

@@ -31,8 +31,10 @@ int render_command(const PictureOptions& o) {
   const Method asked = setup.design.look.method;
   Frame frame = setup.frame(o);
   frame.timed = !o.stats.empty();
+  setup.status.say("drawing " + std::to_string(o.width) + " x " + std::to_string(o.height) + " pixels");
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
+  setup.status.clear();
   if (!stats.problem.empty()) return fail(kNoGraphics, stats.problem);
   if (asked != Method::kAuto && asked != stats.method) {
     std::fprintf(stderr, "weftlight: drawn by %s, the nearest method that is there\n",

@@ -1,6 +1,8 @@
 // render, reference, export and drape: what they leave with, and what they leave behind, when they fail.
 
+#include <pty.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -29,6 +31,34 @@ int run_on_a_full_disk(const Args& args, int blocks) {
   for (const std::string& arg : args) line += " '" + arg + "'";
   const int status = std::system((line + " >/dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// What `weftlight ARGS` writes where stderr is a terminal.
+std::string said_on_a_terminal(const Args& args) {
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    std::vector<std::string> words = Args{WEFTLIGHT_BINARY} + args;
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  std::string said;
+  char some[512];
+  for (ssize_t n; (n = read(terminal, some, sizeof some)) > 0;) said.append(some, static_cast<size_t>(n));
+  close(terminal);
+  waitpid(child, nullptr, 0);
+  return said;
+}
+
+TEST_F(ExitCodes, a_terminal_sees_what_a_picture_is_at_and_a_file_does_not) {
+  const Args args = Args{"render", draft(), "-o", path("out.png")} + kSmall;
+  const std::string said = said_on_a_terminal(args);
+  for (const char* what : {"weaving ", "drawing 32 x 24 pixels"}) EXPECT_NE(said.find(what), std::string::npos) << said;
+  EXPECT_EQ(said.back(), '\r') << "the line is taken away at the end";
+  EXPECT_EQ(run(args).said, "");
 }
 
 TEST_F(ExitCodes, bad_usage_is_2) {

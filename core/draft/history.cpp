@@ -1,5 +1,6 @@
 #include "draft/history.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -76,6 +77,8 @@ void History::redo() {
   if (can_redo()) ++position_;
 }
 
+void History::go_to(size_t step) { position_ = std::min(step, steps_.size() - 1); }
+
 std::string History::undo_label() const { return can_undo() ? steps_[position_].label : std::string(); }
 
 std::string History::redo_label() const { return can_redo() ? steps_[position_ + 1].label : std::string(); }
@@ -84,6 +87,6 @@ void History::mark_saved() { saved_id_ = steps_[position_].id; }
 
 void History::mark_unsaved() { saved_id_ = std::numeric_limits<uint64_t>::max(); }
 
-bool History::is_saved() const { return steps_[position_].id == saved_id_; }
+bool History::is_saved() const { return is_saved(position_); }
 
 }  // namespace weftlight::draft

@@ -28,6 +28,14 @@ class History {
   bool can_redo() const { return position_ + 1 < steps_.size(); }
   void undo();
   void redo();
+  /// The steps that undo and redo walk along: the first is the oldest design that is kept, which no edit made.
+  size_t steps() const { return steps_.size(); }
+  size_t position() const { return position_; }
+  /// What made the design of a step; empty of the first.
+  const std::string& label(size_t step) const { return steps_[step].label; }
+  bool is_saved(size_t step) const { return steps_[step].id == saved_id_; }
+  /// As many undos or redos as lead there.
+  void go_to(size_t step);
   /// Label of the step that undo (redo) would take back (bring again); empty if none.
   std::string undo_label() const;
   std::string redo_label() const;

@@ -23,6 +23,8 @@ class Desk {
   virtual void commit(const Edit& edit) = 0;
   virtual void undo() = 0;
   virtual void redo() = 0;
+  /// To a step of the history.
+  virtual void go_to_step(size_t step) = 0;
 
   virtual void new_draft() = 0;
   /// The same, beginning with a weave of weave_kinds().
@@ -33,11 +35,17 @@ class Desk {
   virtual void open_copy(const std::string& path) = 0;
   virtual void save() = 0;
   virtual void save_as() = 0;
+  virtual void save_all() = 0;
   virtual void save_for_others() = 0;
   virtual void export_textures() = 0;
   /// Unsaved work that crashed sessions left.
   virtual void offer_recovery() = 0;
   virtual bool has_left_work() const = 0;
+  /// The next tab (1) or the one before (-1).
+  virtual void show_tab(int by) = 0;
+  virtual void close_tab() = 0;
+  virtual size_t tabs() const = 0;
+  virtual bool any_unsaved() const = 0;
   virtual void quit() = 0;
 
   virtual void ask_print() = 0;

@@ -31,6 +31,9 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });
   new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); }));
   add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); });
+  add(all, "File", "save_all", "Save all", "Ctrl+Alt+S", [](Desk& e) { e.save_all(); }).enabled = [](const Desk& e) {
+    return e.any_unsaved();
+  };
   add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Desk& e) { e.save_for_others(); });
   new_group(add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Desk& e) { e.export_textures(); }));
   add(all, "File", "print", "Print\xE2\x80\xA6", "Ctrl+Shift+P", [](Desk& e) { e.ask_print(); });
@@ -43,7 +46,8 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
                     [path](Desk& e) { e.open_path(path); });
     a.item.group = std::exchange(first, false);
   }
-  new_group(add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); }));
+  new_group(add(all, "File", "close", "Close", "Ctrl+W", [](Desk& e) { e.close_tab(); }));
+  add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); });
 }
 
 namespace {

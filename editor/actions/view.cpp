@@ -82,6 +82,13 @@ void add_view_actions(Actions& all) {
                           [](Desk& e) { e.settings().inspector = !e.settings().inspector; });
   inspector.item.group = true;
   inspector.checked = [](const Desk& e) { return e.settings().inspector; };
+  const auto tab = [&all](const char* id, const char* label, const char* key, int by) {
+    add(all, "View", id, label, key, [by](Desk& e) { e.show_tab(by); }).enabled = [](const Desk& e) {
+      return e.tabs() > 1;
+    };
+  };
+  tab("next_tab", "Next draft", "Ctrl+Tab", 1);
+  tab("previous_tab", "Draft before", "Ctrl+Shift+Tab", -1);
   add(all, "View", "show_remarks", "Remarks on the file", "", [](Desk& e) { e.show_remarks(); });
   add(all, "View", "theme", "Light or dark", "", [](Desk& e) { e.toggle_theme(); });
 }

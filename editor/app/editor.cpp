@@ -49,70 +49,82 @@ Editor::Editor(Window& window, const EditorOptions& options)
     : window_(window),
       options_(options),
       settings_(load_settings()),
-      document_(first_document()),
-      view_(view_of(document_, settings_.per_inch)),
-      recovery_(state_folder() + "/recovery"),
-      journal_(recovery_),
+      session_(state_folder() + "/recovery", first_document(), settings_.per_inch),
       live_export_(std::make_shared<LiveExport>(options.live_export, state_folder())),
       preview_(Window::wake),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
   actions_ = make_actions(settings_.recent);
   if (!options.file.empty()) open_path(options.file);
-  if (document_.path().empty()) show_document();
-  left_ = recovery_.left_behind();
+  follow_shown();
   offer_recovery();
 }
 
 void Editor::open() {
-  unless_unsaved([this] {
-    ask_path(FileAsk::kOpen, "Open a draft", document_.path(), [this](const std::string& path) { open_path(path); });
-  });
+  ask_path(FileAsk::kOpen, "Open a draft", document().path(), [this](const std::string& path) { open_path(path); });
 }
 
 void Editor::open_path(const std::string& path) {
-  unless_unsaved([this, path] {
-    sweep_leftovers(path);
-    OpenResult result = open_document(path);
-    if (!result.document) return report(std::move(result.remarks), path);
-    remember(settings_, path);
-    actions_ = make_actions(settings_.recent);
-    replace(std::move(*result.document));
-  });
+  if (const OpenDocument* there = session_.on_file(path)) {
+    session_.show(there->id);
+    return look_at_file();
+  }
+  sweep_leftovers(path);
+  OpenResult result = open_document(path);
+  if (!result.document) return report(std::move(result.remarks), path);
+  remember(settings_, path);
+  actions_ = make_actions(settings_.recent);
+  open_beside(std::move(*result.document), Origin::kOwn);
 }
 
 void Editor::open_copy(const std::string& path) {
-  unless_unsaved([this, path] {
-    OpenResult result = open_document(path);
-    if (!result.document) return report(std::move(result.remarks), path);
-    replace(Document(result.document->now()));
+  OpenResult result = open_document(path);
+  if (!result.document) return report(std::move(result.remarks), path);
+  open_beside(Document(result.document->now()), Origin::kShipped);
+}
+
+void Editor::save() { save_shown(nullptr); }
+
+void Editor::save_shown(std::function<void()> then) {
+  if (!document().path().empty()) return save_own(std::move(then));
+  ask_path(FileAsk::kSave, "Save the draft as", first_path(document()), [this, then](const std::string& path) {
+    if (same_file(path, document().path())) save_own(then);
+    else save_to(path, then);
   });
 }
 
-void Editor::save() {
-  if (document_.path().empty()) return save_as();
-  save_own(nullptr);
-}
-
 void Editor::save_as() {
-  ask_path(FileAsk::kSave, "Save the draft as", first_path(document_), [this](const std::string& path) {
-    if (same_file(path, document_.path())) save_own(nullptr);
+  ask_path(FileAsk::kSave, "Save the draft as", first_path(document()), [this](const std::string& path) {
+    if (same_file(path, document().path())) save_own(nullptr);
     else save_to(path, nullptr);
   });
 }
 
+void Editor::save_all() { save_each(session_.unsaved(), nullptr); }
+
+void Editor::save_each(std::vector<uint64_t> ids, std::function<void()> then) {
+  if (ids.empty()) {
+    if (then) then();
+    return;
+  }
+  session_.show(ids.front());
+  ids.erase(ids.begin());
+  save_shown([this, ids, then] { save_each(ids, then); });
+}
+
 void Editor::save_for_others() {
-  std::filesystem::path start = document_.path().empty() ? "untitled.wif" : document_.path();
+  std::filesystem::path start = document().path().empty() ? "untitled.wif" : document().path();
   start.replace_filename(start.stem().string() + "-plain.wif");
   ask_path(FileAsk::kSave, "Save for other programs and looms", start.string(), [this](const std::string& path) {
-    const std::string problem = write_file_atomically(path, write_plain_wif(document_.now()));
+    const std::string problem = write_file_atomically(path, write_plain_wif(document().now()));
     say(problem.empty() ? "Wrote " + std::filesystem::path(path).filename().string() : problem);
   });
 }
 
 void Editor::save_to(const std::string& path, std::function<void()> then) {
-  const std::string bytes = document_.writer()();
-  const std::string problem = write_file_atomically(path, bytes);
+  const OpenDocument* there = session_.on_file(path);
+  const bool taken = there != nullptr && there->id != session_.active().id;
+  const std::string problem = taken ? path + " is open in another tab." : session_.save(session_.active().id, path);
   if (!problem.empty()) {
     return ask(Question{"The draft was not saved",
                         problem + "\n\nYour work is still here; choose another place.",
@@ -121,44 +133,81 @@ void Editor::save_to(const std::string& path, std::function<void()> then) {
                  if (button == 0) save_as();
                });
   }
-  document_.mark_saved(path, bytes);
-  keep_unsaved();
   keep_live_export();
   remember(settings_, path);
   actions_ = make_actions(settings_.recent);
-  say("Saved " + document_.name());
+  say("Saved " + document().name());
   if (then) then();
 }
 
 void Editor::quit() {
-  unless_unsaved([this] { leaving_ = true; });
+  const std::vector<uint64_t> unsaved = session_.unsaved();
+  if (unsaved.empty()) {
+    leaving_ = true;
+    return;
+  }
+  if (unsaved.size() == 1) session_.show(unsaved.front());
+  std::string names;
+  for (const uint64_t id : unsaved) names += (names.empty() ? "" : ", ") + session_.find(id)->document.shown_name();
+  const bool one = unsaved.size() == 1;
+  const std::string what = one ? names : std::to_string(unsaved.size()) + " drafts";
+  ask(Question{"Save the changes to " + what + "?",
+               (one ? "" : names + "\n\n") + "What you did since the last save would be lost.",
+               {one ? "Save" : "Save all", "Do not save", "Cancel"}},
+      [this, unsaved](int button) {
+        if (button == 1) leaving_ = true;
+        if (button == 0) save_each(unsaved, [this] { leaving_ = true; });
+      });
+}
+
+void Editor::show_tab(int by) {
+  session_.step(by);
+  look_at_file();
+}
+
+void Editor::close(uint64_t id) {
+  const OpenDocument* open = session_.find(id);
+  if (open == nullptr) return;
+  if (open->document.is_saved()) return session_.close(id, first_document);
+  session_.show(id);
+  ask(Question{"Save the changes to " + open->document.shown_name() + "?",
+               "What you did since the last save would be lost.",
+               {"Save", "Do not save", "Cancel"}},
+      [this, id](int button) {
+        if (button == 1) session_.close(id, first_document);
+        if (button == 0) save_shown([this, id] { session_.close(id, first_document); });
+      });
 }
 
 void Editor::undo() {
-  if (document_.undo()) edited();
+  if (session_.undo()) edited();
 }
 
 void Editor::redo() {
-  if (document_.redo()) edited();
+  if (session_.redo()) edited();
+}
+
+void Editor::go_to_step(size_t step) {
+  if (session_.go_to(step)) edited();
 }
 
 void Editor::commit(const Edit& edit) {
-  if (document_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited();
+  if (session_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited();
   if (!edit.why) return;
-  if (std::string why = edit.why(document_.now()); !why.empty()) say(std::move(why));
+  if (std::string why = edit.why(document().now()); !why.empty()) say(std::move(why));
 }
 
 void Editor::ask_size() {
-  const Draft& d = document_.now().draft;
+  const Draft& d = document().now().draft;
   ask(SizePrompt{"Size of the draft", "Change", d.ends(), d.picks(), d.shafts, d.treadles}, [this](int) {
     const SizePrompt p = std::get<SizePrompt>(dialog_);
     commit({"Change size", [p](Design d2) { return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles); }});
-    view_.pitch = 0;
+    view().pitch = 0;
   });
 }
 
 void Editor::ask_notes() {
-  const Design& d = document_.now();
+  const Design& d = document().now();
   ask(NotesPrompt{d.title, d.author, joined(d.notes)}, [this](int) {
     const NotesPrompt p = std::get<NotesPrompt>(dialog_);
     commit({"Title and notes", [p](Design d2) {
@@ -171,13 +220,13 @@ void Editor::ask_notes() {
 }
 
 void Editor::ask_thread() {
-  const Draft& d = document_.now().draft;
-  ask(ThreadPrompt{view_.chosen.system, 1, d.ends(), d.picks()}, [this](int) {
+  const Draft& d = document().now().draft;
+  ask(ThreadPrompt{view().chosen.system, 1, d.ends(), d.picks()}, [this](int) {
     const ThreadPrompt p = std::get<ThreadPrompt>(dialog_);
-    const Draft& draft = document_.now().draft;
+    const Draft& draft = document().now().draft;
     const int thread = std::clamp(p.number, 1, draft.threads(p.system).size()) - 1;
-    scroll_to(view_, p.system, thread);
-    view_.chosen = {p.system, {thread}, thread, {}, false, false};
+    scroll_to(view(), p.system, thread);
+    view().chosen = {p.system, {thread}, thread, {}, false, false};
   });
 }
 
@@ -192,33 +241,30 @@ void Editor::toggle_theme() {
 }
 
 void Editor::keep_view() {
-  commit({"Keep view", [camera = view_.camera](Design d) {
+  commit({"Keep view", [camera = view().camera](Design d) {
             d.scene = with_orbit(d.scene, camera);
             return d;
           }});
 }
 
-void Editor::replace(Document document) {
-  document_ = std::move(document);
-  remarks_ = document_.remarks();
-  remarks_open_ = remarks_open_ && !remarks_.empty();
-  show_document();
+void Editor::open_beside(Document document, Origin origin) {
+  session_.add(std::move(document), origin, settings_.per_inch);
 }
 
-void Editor::show_document() {
-  view_ = view_of(document_, settings_.per_inch);
-  // What was open before is saved or not wanted.
-  journal_.forget(journalled_);
-  journalled_ = journal_.new_document();
+void Editor::follow_shown() {
+  if (shown_ == session_.active().id) return;
+  shown_ = session_.active().id;
+  remarks_ = session_.active().remarks;
+  remarks_open_ = remarks_open_ && !remarks_.empty();
+  analysis_ = {};
+  typed_threads_.clear();
   edited();
 }
 
-/// After every change of the design, whatever made it.
+/// After every change of the design that is shown, whatever made it.
 void Editor::edited() {
-  preview_.submit(document_.snapshot());
-  keep_unsaved();
+  preview_.submit(document().snapshot());
   keep_live_export();
-  follow_document(view_, document_);
   frames_due_ = std::max(frames_due_, 3);
 }
 
@@ -243,20 +289,6 @@ void Editor::report(std::vector<Diagnostic> remarks, const std::string& path) {
 void Editor::ask(Dialog dialog, std::function<void(int)> then) {
   dialog_ = std::move(dialog);
   answer_ = std::move(then);
-}
-
-void Editor::unless_unsaved(std::function<void()> then) {
-  if (document_.is_saved()) return then();
-  ask(Question{"Save the changes to " + document_.name() + "?",
-               "What you did since the last save would be lost.",
-               {"Save", "Do not save", "Cancel"}},
-      [this, then = std::move(then)](int button) {
-        if (button == 1) then();
-        if (button != 0) return;
-        if (!document_.path().empty()) return save_own(then);
-        ask_path(FileAsk::kSave, "Save the draft as", first_path(document_),
-                 [this, then](const std::string& path) { save_to(path, then); });
-      });
 }
 
 void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
@@ -300,7 +332,7 @@ void Editor::with_ending(const std::string& typed, const std::string& ending,
 }
 
 void Editor::update_title() {
-  const std::string title = std::string(document_.is_saved() ? "" : "\xE2\x97\x8F ") + document_.name();
+  const std::string title = std::string(document().is_saved() ? "" : "\xE2\x97\x8F ") + document().shown_name();
   if (title != title_) window_.set_title(title + " \xE2\x80\x93 Weftlight");
   title_ = title;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The editor: the open document, the panels around it, and what the actions do. Everything the weaver can
-// do is in the table of actions.h; panels return edits, which are committed here and nowhere else.
+// The editor: the open documents, the panels around the one that is shown, and what the actions do. Everything the
+// weaver can do is in the table of actions.h; panels return edits, which are committed here and nowhere else.
 
 #include <functional>
 #include <string>
@@ -17,10 +17,9 @@
 #include "session/background_writer.h"
 #include "session/document.h"
 #include "session/intent.h"
-#include "session/journal.h"
 #include "session/own_output.h"
-#include "session/recovery.h"
 #include "session/report.h"
+#include "session/session.h"
 #include "session/strokes.h"
 #include "session/user_files.h"
 #include "views/analysis/analysis_panel.h"
@@ -28,6 +27,7 @@
 #include "views/draft/draft_panel.h"
 #include "views/inspector/yarn_strip.h"
 #include "views/shell/action_list.h"
+#include "views/shell/tab_strip.h"
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {
@@ -38,12 +38,13 @@ class Editor : public Desk {
   void run();
 
   // What the actions do (actions/desk.h).
-  const Document& document() const override { return document_; }
-  DocumentView& view() override { return view_; }
-  const DocumentView& view() const override { return view_; }
+  const Document& document() const override { return session_.active().document; }
+  DocumentView& view() override { return session_.active().view; }
+  const DocumentView& view() const override { return session_.active().view; }
   void commit(const Edit& edit) override;
   void undo() override;
   void redo() override;
+  void go_to_step(size_t step) override;
   void new_draft() override;
   void new_draft_of(int weave) override;
   void open() override;
@@ -51,14 +52,19 @@ class Editor : public Desk {
   void open_copy(const std::string& path) override;
   void save() override;
   void save_as() override;
+  void save_all() override;
   void save_for_others() override;
   void export_textures() override;
   void offer_recovery() override;
-  bool has_left_work() const override { return !left_.empty(); }
+  bool has_left_work() const override { return !session_.left().empty(); }
+  void show_tab(int by) override;
+  void close_tab() override { close(session_.active().id); }
+  size_t tabs() const override { return session_.all().size(); }
+  bool any_unsaved() const override { return !session_.unsaved().empty(); }
   void quit() override;
   void ask_print() override;
   void ask_other() override;
-  const Report* last_report() const override { return reporter_.last(); }
+  const Report* last_report() const override;
   void ask_size() override;
   void ask_notes() override;
   void ask_thread() override;
@@ -72,7 +78,7 @@ class Editor : public Desk {
   void toggle_keys() override { keys_open_ = !keys_open_; }
   void toggle_theme() override;
   void keep_view() override;
-  void reset_view() override { view_.camera = orbit_of(document_.now().scene); }
+  void reset_view() override { view().camera = orbit_of(document().now().scene); }
   void say(std::string text) override;
   std::string clipboard() const override;
   void set_clipboard(const std::string& text) override;
@@ -80,7 +86,11 @@ class Editor : public Desk {
  private:
   void frame();
   void draw_window();
-  void draw_panels(PanelContext& c);
+  void draw_panels(PanelContext& c, float tabs_height);
+  std::vector<Tab> tabs_of() const;
+  /// What the weaver does with them, to be done once the frame is through.
+  TabWish draw_tabs(PanelContext& c, float height);
+  void carry_out(const TabWish& wish);
   /// What the panels of a frame asked for, in their order.
   void carry_out(Intents& wanted);
   /// Share of the room that the draft's pane takes.
@@ -97,14 +107,18 @@ class Editor : public Desk {
   void run_action(const std::string& id);
   double sleep_s();
 
-  void replace(Document document);
-  /// The view of a document just opened: fitted, its own camera, nothing under the pointer.
-  void show_document();
+  /// Another document is shown: the picture, the live export and what is derived follow it.
+  void follow_shown();
+  /// Beside the others; nothing of them is lost.
+  void open_beside(Document document, Origin origin);
   void edited();
   void report(std::vector<Diagnostic> remarks, const std::string& path);
   void ask(Dialog dialog, std::function<void(int button)> then);
-  /// Runs `then` at once, or after the weaver decided about unsaved work.
-  void unless_unsaved(std::function<void()> then);
+  /// Once the weaver decided about what is unsaved in it.
+  void close(uint64_t id);
+  void save_shown(std::function<void()> then);
+  /// One after the other, asking where for those without a file; then `then`, but not where one was not saved.
+  void save_each(std::vector<uint64_t> ids, std::function<void()> then);
   void save_to(const std::string& path, std::function<void()> then);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen, const std::string& ending = ".wif");
@@ -121,7 +135,7 @@ class Editor : public Desk {
   void look_at_file();
   void ask_about_change(bool saving, std::function<void()> then);
   void bring_back(size_t left);
-  void keep_unsaved();
+  void bring_back_all();
   void keep_live_export();
   /// What could not be written, until it is.
   std::string trouble() const;
@@ -130,18 +144,14 @@ class Editor : public Desk {
   EditorOptions options_;
   Settings settings_;
   Style style_;
-  Document document_;
-  DocumentView view_;
-  FrameNotes notes_;   // of the last frame
-  std::string focus_;  // control that the keyboard goes to next
-  std::vector<Diagnostic> remarks_;
+  Session session_;
+  uint64_t shown_ = 0;               // the document that all follows
+  FrameNotes notes_;                 // of the last frame
+  std::string focus_;                // control that the keyboard goes to next
+  std::vector<Diagnostic> remarks_;  // of the document, or on a file that could not be opened
   std::vector<Action> actions_;
   BackgroundWriter writer_;    // of the live export
   BackgroundWriter exporter_;  // apart, since it takes long
-  Recovery recovery_;
-  Journal journal_;
-  uint64_t journalled_ = 0;     // the document's number there
-  std::vector<LeftWork> left_;  // by crashed sessions, newest first
   std::shared_ptr<LiveExport> live_export_;
   std::string live_problem_, trouble_;
   FileDialog file_dialog_;
@@ -155,6 +165,7 @@ class Editor : public Desk {
   ImVec2 pane_{0, 0};
   float fitted_split_ = 0.5f;  // while the weaver has not moved the splitter
   CommandPalette commands_;
+  TabStrip tabs_;
   Dialog dialog_;
   bool dialog_busy_ = false;
   std::function<void(int)> answer_;

@@ -45,20 +45,18 @@ std::string export_textures_to(const std::string& folder, const Design& design, 
 void Editor::new_draft() { new_draft_of(0); }
 
 void Editor::new_draft_of(int weave) {
-  unless_unsaved([this, weave] {
-    const Draft& d = document_.now().draft;
-    ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
-      const WeavePrompt p = std::get<WeavePrompt>(dialog_);
-      const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
-      replace(Document(draft::new_draft(kind, p.values, {p.ends, p.picks}).design));
-    });
+  const Draft& d = document().now().draft;
+  ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
+    const WeavePrompt p = std::get<WeavePrompt>(dialog_);
+    const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
+    open_beside(Document(draft::new_draft(kind, p.values, {p.ends, p.picks}).design), Origin::kOwn);
   });
 }
 
 void Editor::ask_weave() {
   constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;  // apart from those of the mouse
-  const Draft& d = document_.now().draft;
-  const Selection& s = view_.select.selected;
+  const Draft& d = document().now().draft;
+  const Selection& s = view().select.selected;
   const bool ends = !s.empty() && (s.grid == BitGrid::kThreading || s.grid == BitGrid::kDrawdown);
   const bool picks =
       !s.empty() && (s.grid == BitGrid::kTreadling || s.grid == BitGrid::kLiftplan || s.grid == BitGrid::kDrawdown);
@@ -70,13 +68,13 @@ void Editor::ask_weave() {
   p.use.first_pick = picks ? s.b0 : 0;
   std::string weave = "twill";
   // Made by a weave before: its numbers are there to be changed.
-  for (const WeaveUse& before : document_.now().weaves)
+  for (const WeaveUse& before : document().now().weaves)
     if (before.first_end == p.use.first_end && before.ends == p.use.ends && before.first_pick == p.use.first_pick &&
         before.picks == p.use.picks)
       weave = before.weave, p.use.values = before.values;
   for (size_t i = 0; i < weave_kinds().size(); ++i)
     if (weave_kinds()[i].id == weave) p.kind = static_cast<int>(i);
-  p.base = document_.snapshot();
+  p.base = document().snapshot();
   p.stroke = kWeaveStrokes | ++weaves_asked_;
   ask(std::move(p), [](int) {});
 }
@@ -88,18 +86,18 @@ void Editor::export_textures() {
     const ExportPrompt p = std::get<ExportPrompt>(dialog_);
     dialog_ = {};
     ask_path(FileAsk::kFolder, "Folder for the textures",
-             std::filesystem::path(document_.path()).parent_path().string(),
+             std::filesystem::path(document().path()).parent_path().string(),
              [this, p](const std::string& folder) { start_export(folder, p); });
   });
 }
 
 void Editor::ask_other() {
-  ask_path(FileAsk::kOpen, "Compare with a draft", document_.path(), [this](const std::string& path) {
+  ask_path(FileAsk::kOpen, "Compare with a draft", document().path(), [this](const std::string& path) {
     OpenResult result = open_document(path);
     if (!result.document) return report(std::move(result.remarks), path);
-    view_.other = std::make_shared<const OtherDraft>(
+    view().other = std::make_shared<const OtherDraft>(
         OtherDraft{std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
-    view_.place = -1;
+    view().place = -1;
     settings_.inspector = true;
     settings_.inspector_tab = kAnalysisTab;
   });
@@ -108,11 +106,11 @@ void Editor::ask_other() {
 void Editor::ask_print() {
   PrintPrompt prompt;
   prompt.options.end1_right = settings_.end1_right;
-  prompt.preview = std::make_shared<SheetPreview>(document_.snapshot(), Window::wake);
+  prompt.preview = std::make_shared<SheetPreview>(document().snapshot(), Window::wake);
   ask(std::move(prompt), [this](int) {
     const PrintPrompt p = std::get<PrintPrompt>(dialog_);
     dialog_ = {};
-    const std::filesystem::path draft(document_.path().empty() ? "untitled.wif" : document_.path());
+    const std::filesystem::path draft(document().path().empty() ? "untitled.wif" : document().path());
     const std::string ending = ending_of(p.format);
     ask_path(
         FileAsk::kSave, "Print into", (draft.parent_path() / (draft.stem().string() + ending)).string(),
@@ -122,7 +120,7 @@ void Editor::ask_print() {
 
 void Editor::start_print(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
-    exporter_.run(path, "Printed into " + path, [path, p, design = document_.snapshot()] {
+    exporter_.run(path, "Printed into " + path, [path, p, design = document().snapshot()] {
       const print::Printed printed = print::printed(*design, p.format, chosen_options(p));
       std::string problem = printed.why;
       for (size_t i = 0; i < printed.files.size() && problem.empty(); ++i)
@@ -146,17 +144,17 @@ void Editor::start_print(const std::string& path, const PrintPrompt& p) {
 }
 
 void Editor::start_export(const std::string& folder, const ExportPrompt& p) {
-  const std::filesystem::path file(document_.path().empty() ? "untitled.wif" : document_.path());
+  const std::filesystem::path file(document().path().empty() ? "untitled.wif" : document().path());
   TextureSetOptions options;
   options.target = kTargets[p.target].target;
   options.name = file_name_of(file.stem().string());
   options.source = file.filename().string();
-  options.draft_path = document_.path();
+  options.draft_path = document().path();
   options.program_version = WEFTLIGHT_VERSION;
   options.size = p.size;
   const std::string into = (std::filesystem::path(folder) / options.name).string();
   const auto run = [this, into](const TextureSetOptions& chosen) {
-    exporter_.run(into, "Exported the textures to " + into, [into, chosen, design = document_.snapshot()] {
+    exporter_.run(into, "Exported the textures to " + into, [into, chosen, design = document().snapshot()] {
       const std::string problem = export_textures_to(into, *design, chosen);
       return problem.empty() ? problem : "Not exported: " + problem;
     });

@@ -1,6 +1,7 @@
 // The editor's frame: input, panels, sleep.
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 #include <variant>
 
@@ -69,7 +70,7 @@ void Editor::run() {
   settings_.width = width;
   settings_.height = height;
   save_settings(settings_);
-  journal_.forget(journalled_);
+  session_.forget_all();
 }
 
 double Editor::sleep_s() {
@@ -80,11 +81,12 @@ double Editor::sleep_s() {
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
   if (file_dialog_.waiting() || exporter_.busy() || reporter_.busy() || dialog_busy_) sooner(kDialogPollS);
-  if (journal_.busy() || writer_.busy()) sooner(kTroublePollS);
+  if (session_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
 }
 
 void Editor::frame() {
+  follow_shown();
   const double now = Window::seconds();
   const bool cloth_changed =
       preview_.poll() | take_export_news() | reporter_.poll() | take_dialog_news(dialog_, dialog_busy_);
@@ -98,7 +100,7 @@ void Editor::frame() {
   take_waiting_input();
   const float ratio = window_.pixel_ratio();
   preview_.ask(
-      {with_orbit(document_.now().scene, view_.camera), document_.now().look, static_cast<int>(pane_.x * ratio),
+      {with_orbit(document().now().scene, view().camera), document().now().look, static_cast<int>(pane_.x * ratio),
        static_cast<int>(pane_.y * ratio), settings_.show_rungs, settings_.compare},
       strokes_.going_on());
   window_.begin_frame();
@@ -135,10 +137,7 @@ void Editor::take_input() {
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
   strokes_.frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
   for (const std::string& key : window_.take_keys()) take_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
-  for (const std::string& path : window_.take_dropped_files()) {
-    open_path(path);
-    break;
-  }
+  for (const std::string& path : window_.take_dropped_files()) open_path(path);
 }
 
 /// A key that is no text: closes what stands open, or runs its action.
@@ -155,23 +154,26 @@ void Editor::take_key(const std::string& key) {
 }
 
 void Editor::draw_window() {
+  follow_shown();
   map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
   notes_ = {};
   Intents wanted;
   PanelContext c{{style_, map_, tip_, focus_},
-                 document_.now(),
-                 document_.cells(),
-                 document_.revision(),
-                 view_,
+                 document().now(),
+                 document().cells(),
+                 session_.revision(),
+                 view(),
                  settings_,
                  notes_,
                  wanted,
                  report()};
   push_font(style_.font.text);
   const std::vector<ActionItem> items = show(actions_, *this);
-  wanted.add_action(draw_menu_bar(c, items, title_));
-  draw_panels(c);
+  wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
+  const float tabs_height = tab_strip_height(style_, session_.all().size());
+  const TabWish wish = draw_tabs(c, tabs_height);
+  draw_panels(c, tabs_height);
   wanted.add_action(draw_selection_menu(c, items));
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
@@ -179,8 +181,10 @@ void Editor::draw_window() {
   draw_question(c);
   ImGui::PopFont();
   carry_out(wanted);
-  if (view_.select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
-  if (!view_.select.notice.empty()) say(std::exchange(view_.select.notice, {}));
+  // Now that nothing of the frame is still about the draft that was shown.
+  carry_out(wish);
+  if (view().select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
+  if (!view().select.notice.empty()) say(std::exchange(view().select.notice, {}));
   window_.use_crosshair(notes_.crosshair);
   // ImGui lays a new tip out in one frame and shows it in the next; the map wants it to stand still.
   if (tip_.drawn && !tip_.shown) frames_due_ = std::max(frames_due_, 3);
@@ -191,17 +195,53 @@ void Editor::carry_out(Intents& wanted) {
     if (const auto* edit = std::get_if<Edit>(&one)) commit(*edit);
     else if (const auto* action = std::get_if<RunAction>(&one)) run_action(action->id);
     else if (const auto* change = std::get_if<SettingsChange>(&one)) change->run(settings_);
-    else if (const MaybeEdit made = std::get<Gesture>(one).run(view_, document_.now())) commit(*made);
+    else if (const MaybeEdit made = std::get<Gesture>(one).run(view(), document().now())) commit(*made);
   }
 }
 
-void Editor::draw_panels(PanelContext& c) {
+/// "twill.wif", "Overshot"; with its folder where another has the same name.
+std::vector<Tab> Editor::tabs_of() const {
+  std::vector<Tab> tabs;
+  for (const auto& open : session_.all()) {
+    const Document& d = open->document;
+    tabs.push_back({open->id, d.shown_name(), d.path().empty() ? "Not saved yet" : d.path(), !d.is_saved()});
+  }
+  const std::vector<Tab> plain = tabs;
+  for (size_t i = 0; i < tabs.size(); ++i) {
+    const std::filesystem::path folder = std::filesystem::path(session_.all()[i]->document.path()).parent_path();
+    const auto same = std::count_if(plain.begin(), plain.end(), [&](const Tab& t) { return t.name == plain[i].name; });
+    if (same > 1 && !folder.empty()) tabs[i].name += " \xE2\x80\x93 " + folder.filename().string();
+  }
+  return tabs;
+}
+
+TabWish Editor::draw_tabs(PanelContext& c, float height) {
+  if (height <= 0) return {};
   const ImGuiViewport* view = ImGui::GetMainViewport();
-  const float room = shared_width(style_, view->WorkSize.x, settings_.inspector);
-  const WindowLayout l =
-      lay_out_window(style_, view->WorkPos, view->WorkSize, split_of(room, view->WorkSize.y), settings_.inspector);
+  begin_fixed("Tabs", {view->WorkPos, {view->WorkSize.x, height}}, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  const TabWish wish = draw_tab_strip(c, tabs_of(), session_.active().id, tabs_);
+  ImGui::End();
+  return wish;
+}
+
+void Editor::carry_out(const TabWish& wish) {
+  if (wish.kind == TabWish::Kind::kNone) return;
+  frames_due_ = kFramesAfterEvent;
+  if (wish.kind == TabWish::Kind::kMove) return session_.move(wish.id, wish.place);
+  if (wish.kind == TabWish::Kind::kClose) return close(wish.id);
+  if (wish.id == session_.active().id) return;
+  session_.show(wish.id);
+  look_at_file();
+}
+
+void Editor::draw_panels(PanelContext& c, float tabs_height) {
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
+  const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
+  const float room = shared_width(style_, size.x, settings_.inspector);
+  const WindowLayout l = lay_out_window(style_, at, size, split_of(room, size.y), settings_.inspector);
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_draft_header(c, document_.name());
+  draw_draft_header(c, document().name());
   draw_draft(c, cell_texture_);
   ImGui::End();
   draw_splitter(c, l);
@@ -244,17 +284,23 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
 }
 
 const Report* Editor::report() {
-  const bool looked_at = view_.show_floats || view_.other || (settings_.inspector && settings_.inspector_tab == 3);
-  if (!looked_at) return reporter_.last();
-  return reporter_.on(document_.snapshot(), document_.cells(), document_.revision(), view_.float_limit, view_.other);
+  const bool looked_at = view().show_floats || view().other || (settings_.inspector && settings_.inspector_tab == 3);
+  if (looked_at)
+    reporter_.on(document().snapshot(), document().cells(), session_.revision(), view().float_limit, view().other);
+  return last_report();
+}
+
+const Report* Editor::last_report() const {
+  const Report* last = reporter_.last();
+  return last != nullptr && session_.is_of_active(last->revision) ? last : nullptr;
 }
 
 float Editor::split_of(float room, float height) {
   constexpr float kLeast = 0.42f, kMost = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
   // Chosen with the first pitch, and kept while threads are added.
-  if (view_.pitch <= 0)
-    fitted_split_ = fitting_width(document_.now().draft, style_, room * kLeast, room * kMost,
+  if (view().pitch <= 0)
+    fitted_split_ = fitting_width(document().now().draft, style_, room * kLeast, room * kMost,
                                   std::max(1.0f, height - style_.px(kAround))) /
                     room;
   return fitted_split_;
@@ -271,7 +317,7 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
                 before = settings_.split > 0 ? settings_.split : fitted_split_;
     if (moved != 0) settings_.split = std::clamp(before + moved, 0.2f, 0.8f);
   }
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = view_.pitch = 0;
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = view().pitch = 0;
   tooltip(c, "Drag to give the draft more or less room; double-click for what it fills");
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
   const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));

@@ -40,7 +40,8 @@ constexpr std::pair<int, const char*> kNamedKeys[] = {{GLFW_KEY_KP_ADD, "+"},
                                                       {GLFW_KEY_PAGE_DOWN, "PageDown"},
                                                       {GLFW_KEY_ENTER, "Enter"},
                                                       {GLFW_KEY_KP_ENTER, "Enter"},
-                                                      {GLFW_KEY_ESCAPE, "Escape"}};
+                                                      {GLFW_KEY_ESCAPE, "Escape"},
+                                                      {GLFW_KEY_TAB, "Tab"}};
 
 std::string key_name(int key, int scancode) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));

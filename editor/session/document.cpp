@@ -24,6 +24,10 @@ std::string Document::name() const {
   return old_name_.empty() ? "Untitled" : old_name_;
 }
 
+std::string Document::shown_name() const {
+  return path_.empty() && old_name_.empty() && !now().title.empty() ? now().title : name();
+}
+
 WifUnit Document::unit(System system) const {
   if (!opened_) return {};
   return system == System::kWarp ? opened_->warp_unit : opened_->weft_unit;
@@ -51,6 +55,12 @@ bool Document::undo() {
 bool Document::redo() {
   const auto before = snapshot();
   if (history_.can_redo()) history_.redo();
+  return follow(before);
+}
+
+bool Document::go_to(size_t step) {
+  const auto before = snapshot();
+  history_.go_to(step);
   return follow(before);
 }
 

@@ -32,6 +32,8 @@ class Document {
   const std::string& path() const { return path_; }
   /// File name; without a file what it was once called, or "Untitled".
   std::string name() const;
+  /// The same for the eye: without a file the draft's title, where it has one.
+  std::string shown_name() const;
   /// What the opened file measures threads in.
   WifUnit unit(System system) const;
   bool is_saved() const { return history_.is_saved(); }
@@ -40,6 +42,8 @@ class Document {
   bool commit(const Edit& edit, uint64_t stroke);
   bool undo();
   bool redo();
+  /// To a step of the history.
+  bool go_to(size_t step);
   /// `bytes`: what was written.
   void mark_saved(std::string path, std::string_view bytes);
   /// Nothing on the disk is what is shown.

@@ -138,6 +138,8 @@ void Display::drag(const std::vector<Point>& along) const {
   hand(words + "mouseup 1" + pause());
 }
 
+void Display::middle_click(Point where) const { hand("mousemove " + at(where) + pause() + "click 2" + pause()); }
+
 void Display::click_holding(const std::string& key, Point where) const {
   hand("mousemove " + at(where) + pause() + "keydown " + key + pause() + "click 1" + pause() + "keyup " + key +
        pause());

@@ -50,6 +50,7 @@ class Display {
   const std::string& name() const { return name_; }
   void move(Point to) const;
   void click(Point at) const;
+  void middle_click(Point at) const;
   void drag(const std::vector<Point>& along) const;
   /// With a key held down: "shift", "ctrl".
   void click_holding(const std::string& key, Point at) const;

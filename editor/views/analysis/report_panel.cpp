@@ -33,11 +33,13 @@ void show_float(PanelContext& c, const analysis::Float& f) {
   const int across = warp ? d.picks() : d.ends(), last = std::min(f.first + f.length, across) - 1;
   const Cell from = warp ? Cell{f.thread, f.first} : Cell{f.first, f.thread};
   const Cell to = warp ? Cell{f.thread, last} : Cell{last, f.thread};
-  c.wanted.change_view([=, system = f.system, thread = f.thread, middle = (f.first + last) / 2](DocumentView& v) {
-    scroll_to(v, system, thread);
-    scroll_to(v, warp ? System::kWeft : System::kWarp, middle);
-    select_cells(v.select, selection_between(BitGrid::kDrawdown, from, to));
-  });
+  c.wanted.gesture(
+      [=, system = f.system, thread = f.thread, middle = (f.first + last) / 2](DocumentView& v, const Design& now) {
+        scroll_to(v, system, thread);
+        scroll_to(v, warp ? System::kWeft : System::kWarp, middle);
+        select_cells(v.select, clipped(selection_between(BitGrid::kDrawdown, from, to), now.draft));
+        return MaybeEdit();
+      });
 }
 
 void draw_float_list(PanelContext& c, const Report& r) {

@@ -126,7 +126,10 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
     ImGui::PopID();
   }
   ImGui::EndChild();
-  return answered(draw_buttons(c, {"Bring back", "Later", "Discard"}, true));
+  std::vector<std::string> buttons{"Bring back", "Later", "Discard"};
+  if (p.rows.size() > 1) buttons.insert(buttons.begin() + 1, "Bring back all");
+  const int pressed = draw_buttons(c, buttons, true);
+  return pressed >= 0 && p.button(pressed) == RecoveryPrompt::Button::kLater ? answered(1) : answered(pressed, -2);
 }
 
 }  // namespace
@@ -135,6 +138,12 @@ bool take_dialog_news(Dialog& dialog, bool& busy) {
   const auto* print = std::get_if<PrintPrompt>(&dialog);
   busy = print != nullptr && print->preview->busy();
   return print != nullptr && print->preview->poll();
+}
+
+RecoveryPrompt::Button RecoveryPrompt::button(int pressed) const {
+  constexpr Button kButtons[] = {Button::kOne, Button::kAll, Button::kLater, Button::kDiscard};
+  const int skipped = rows.size() > 1 || pressed == 0 ? 0 : 1;
+  return kButtons[std::clamp(pressed + skipped, 0, 3)];
 }
 
 DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {

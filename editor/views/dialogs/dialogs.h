@@ -65,6 +65,9 @@ struct RecoveryPrompt {
   };
   std::vector<Row> rows;
   int chosen = 0;
+  enum class Button { kOne, kAll, kLater, kDiscard };
+  /// What the pressed one means: of several rows, all can be brought back.
+  Button button(int pressed) const;
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, ThreadPrompt, NotesPrompt, WeavePrompt,
                             WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt>;

@@ -29,6 +29,7 @@ class BareDesk : public Desk {
   void commit(const Edit& edit) override { document_.commit(edit, edit.stroke); }
   void undo() override { document_.undo(); }
   void redo() override { document_.redo(); }
+  void go_to_step(size_t step) override { document_.go_to(step); }
   void new_draft() override {}
   void new_draft_of(int) override {}
   void ask_thread() override {}
@@ -40,10 +41,15 @@ class BareDesk : public Desk {
   void open_copy(const std::string&) override {}
   void save() override {}
   void save_as() override {}
+  void save_all() override {}
   void save_for_others() override {}
   void export_textures() override {}
   void offer_recovery() override {}
   bool has_left_work() const override { return false; }
+  void show_tab(int) override {}
+  void close_tab() override {}
+  size_t tabs() const override { return 1; }
+  bool any_unsaved() const override { return !document_.is_saved(); }
   void quit() override {}
   void ask_print() override {}
   void ask_other() override {}

@@ -1,0 +1,158 @@
+#include "session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "wif/wif.h"
+
+namespace weftlight::session {
+
+Session::Session(std::string recovery, Document first, bool per_inch)
+    : recovery_(std::move(recovery)), journal_(recovery_) {
+  all_.push_back(made(std::move(first), Origin::kFirst, per_inch));
+  left_ = recovery_.left_behind();
+}
+
+std::unique_ptr<OpenDocument> Session::made(Document document, Origin origin, bool per_inch) {
+  const DocumentView view = view_of(document, per_inch);
+  std::vector<Diagnostic> remarks = document.remarks();
+  auto open = std::make_unique<OpenDocument>(
+      OpenDocument{journal_.new_document(), std::move(document), view, std::move(remarks), origin});
+  keep_unsaved(*open);
+  return open;
+}
+
+size_t Session::place_of(uint64_t id) const {
+  const auto at = std::find_if(all_.begin(), all_.end(), [id](const auto& open) { return open->id == id; });
+  return static_cast<size_t>(at - all_.begin());
+}
+
+OpenDocument* Session::find(uint64_t id) {
+  const size_t place = place_of(id);
+  return place < all_.size() ? all_[place].get() : nullptr;
+}
+
+OpenDocument* Session::on_file(const std::string& path) {
+  for (const auto& open : all_)
+    if (!open->document.path().empty() && same_file(open->document.path(), path)) return open.get();
+  return nullptr;
+}
+
+std::vector<uint64_t> Session::unsaved() const {
+  std::vector<uint64_t> ids;
+  for (const auto& open : all_)
+    if (!open->document.is_saved()) ids.push_back(open->id);
+  return ids;
+}
+
+bool Session::gives_way(const OpenDocument& open, Origin to) const {
+  const History& history = open.document.history();
+  if (!open.document.is_saved() || history.can_undo() || history.can_redo()) return false;
+  return open.origin == Origin::kFirst || (open.origin == Origin::kShipped && to == Origin::kShipped);
+}
+
+OpenDocument& Session::add(Document document, Origin origin, bool per_inch) {
+  auto open = made(std::move(document), origin, per_inch);
+  if (gives_way(active(), origin)) all_[active_] = std::move(open);
+  else all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(++active_), std::move(open));
+  return active();
+}
+
+void Session::replace(uint64_t id, Document document, bool per_inch) {
+  const size_t place = place_of(id);
+  if (place == all_.size()) return;
+  journal_.forget(id);
+  all_[place] = made(std::move(document), Origin::kOwn, per_inch);
+}
+
+void Session::show(uint64_t id) {
+  if (const size_t place = place_of(id); place < all_.size()) active_ = place;
+}
+
+void Session::step(int by) {
+  const auto count = static_cast<int>(all_.size());
+  active_ = static_cast<size_t>((static_cast<int>(active_) + by % count + count) % count);
+}
+
+void Session::move(uint64_t id, size_t place) {
+  const size_t from = place_of(id), to = std::min(place, all_.size() - 1);
+  if (from == all_.size() || from == to) return;
+  const uint64_t shown = active().id;
+  auto open = std::move(all_[from]);
+  all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(from));
+  all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(to), std::move(open));
+  show(shown);
+}
+
+void Session::close(uint64_t id, Document (*instead)()) {
+  const size_t place = place_of(id);
+  if (place == all_.size()) return;
+  journal_.forget(id);
+  if (all_.size() == 1) {
+    all_.front() = made(instead(), Origin::kFirst, all_.front()->view.per_inch);
+    return;
+  }
+  all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(place));
+  // The tab that moves into its place is shown, or the last.
+  if (place < active_ || active_ == all_.size()) --active_;
+}
+
+bool Session::followed(bool changed) {
+  if (!changed) return false;
+  follow_document(active().view, active().document);
+  keep_unsaved(active());
+  return true;
+}
+
+bool Session::commit(const Edit& edit, uint64_t stroke) { return followed(active().document.commit(edit, stroke)); }
+bool Session::undo() { return followed(active().document.undo()); }
+bool Session::redo() { return followed(active().document.redo()); }
+bool Session::go_to(size_t step) { return followed(active().document.go_to(step)); }
+
+std::string Session::save(uint64_t id, const std::string& path) {
+  OpenDocument* open = find(id);
+  if (open == nullptr) return {};
+  const std::string bytes = open->document.writer()();
+  std::string problem = write_file_atomically(path, bytes);
+  if (!problem.empty()) return problem;
+  open->document.mark_saved(path, bytes);
+  open->origin = Origin::kOwn;
+  keep_unsaved(*open);
+  return {};
+}
+
+void Session::keep_unsaved(const OpenDocument& open) {
+  if (open.document.is_saved()) journal_.forget(open.id);
+  else journal_.keep(open.id, open.document.note(), open.document.writer());
+}
+
+void Session::forget_all() {
+  for (const auto& open : all_) journal_.forget(open->id);
+}
+
+OpenDocument* Session::bring_back(size_t which, bool per_inch, std::vector<Diagnostic>& why) {
+  const LeftWork left = left_[which];
+  OpenResult back = session::bring_back(left);
+  if (!back.document) {
+    why = std::move(back.remarks);
+    return nullptr;
+  }
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(which));
+  OpenDocument* there = back.document->path().empty() ? nullptr : on_file(back.document->path());
+  if (there != nullptr && there->document.is_saved()) {
+    show(there->id);
+    replace(there->id, std::move(*back.document), per_inch);
+  } else {
+    if (there != nullptr) back.document->without_file(back.document->name());
+    add(std::move(*back.document), Origin::kOwn, per_inch);
+  }
+  journal_.replace(left, active().id);
+  return &active();
+}
+
+void Session::discard(size_t which) {
+  journal_.discard(left_[which]);
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(which));
+}
+
+}  // namespace weftlight::session

@@ -1,0 +1,155 @@
+// Several drafts in one window: each in its tab, none lost.
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+
+using namespace draft;
+namespace {
+
+namespace fs = std::filesystem;
+
+class TabsTest : public OnDisplay {
+ protected:
+  void SetUp() override {
+    OnDisplay::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    other_ = folder_ / "other.wif";
+    put(other_, straight_draft(20, 4));
+  }
+  /// Where no zenity is, so that the window asks itself.
+  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
+
+  void open(const Window& w, const fs::path& file) const {
+    display_.key("ctrl+o");
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+    display_.key("ctrl+a");
+    display_.type(file.string());
+    display_.key("Return");
+    ASSERT_TRUE(comes_true([&] { return !w.has("dialog.path"); }));
+  }
+  /// A window with both files open, the other one shown.
+  void open_both(const Window& w) const {
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    EXPECT_FALSE(w.has("tab:1")) << "one draft needs no tabs";
+    const std::string first = w.live();
+    ASSERT_NO_FATAL_FAILURE(open(w, other_));
+    ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() != first; })) << "no tab was opened";
+  }
+  void paint(const Window& w, int end) const {
+    const std::string before = w.live();
+    display_.click(w.cell("threading", end, 3));
+    ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
+  }
+  void press(const Window& w, const std::string& button) const {
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "was not asked: " << button;
+    display_.click(w.middle_of("dialog:" + button));
+    ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
+  }
+
+  fs::path other_;
+};
+
+TEST_F(TabsTest, EachHasItsOwnWorkAndQuittingAsksOnceForAll) {
+  const std::string one = bytes_of(draft_), two = bytes_of(other_);
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_NO_FATAL_FAILURE(open_both(w));
+  EXPECT_EQ(w.live(), two);
+  ASSERT_NO_FATAL_FAILURE(paint(w, 1));
+  const std::string two_painted = w.live();
+  EXPECT_TRUE(comes_true([&] { return w.has("tab.unsaved:2") && !w.has("tab.unsaved:1"); }));
+  display_.key("ctrl+Tab");
+  EXPECT_TRUE(comes_true([&] { return w.live() == one && w.has("tab.shown:1"); })) << "the first is shown, unchanged";
+  ASSERT_NO_FATAL_FAILURE(paint(w, 2));
+  const std::string one_painted = w.live();
+  display_.key("ctrl+shift+Tab");
+  EXPECT_TRUE(comes_true([&] { return w.live() == two_painted; }));
+  display_.click(w.middle_of("tab:1"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == one_painted; }));
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == one; })) << "undo is of the draft that is shown";
+  display_.key("ctrl+shift+z");
+  ASSERT_TRUE(comes_true([&] { return w.live() == one_painted; }));
+  ASSERT_NO_FATAL_FAILURE(open(w, other_));
+  EXPECT_TRUE(comes_true([&] { return w.live() == two_painted; })) << "what is open is brought to the front";
+  EXPECT_FALSE(w.has("tab:3"));
+
+  display_.key("ctrl+q");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Save all"); }));
+  display_.click(w.middle_of("dialog:Save all"));
+  EXPECT_EQ(w.process().wait(), 0);
+  EXPECT_EQ(bytes_of(draft_), one_painted);
+  EXPECT_EQ(bytes_of(other_), two_painted);
+}
+
+TEST_F(TabsTest, WhatIsCopiedInOneIsPastedInAnother) {
+  // Of the same size, so that a cell has one place in both.
+  Design ground = design_of(straight_draft());
+  for (int end = 0; end < 24; ++end) ground = with_threading(ground, end, 7 - end % 8, true);
+  put(other_, wif::write_new_wif(ground));
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_NO_FATAL_FAILURE(open_both(w));
+  display_.key("ctrl+Tab");
+  ASSERT_TRUE(comes_true([&] { return w.live() == bytes_of(draft_); }));
+  display_.click(w.middle_of("tool:Select"));
+  display_.drag({w.cell("threading", 1, 1), w.cell("threading", 3, 3), w.cell("threading", 4, 4)});
+  display_.key("ctrl+c");
+  display_.key("ctrl+Tab");
+  ASSERT_TRUE(comes_true([&] { return w.live() == bytes_of(other_); }));
+  display_.key("ctrl+v");
+  display_.click(w.cell("threading", 6, 1));
+  Design pasted = ground;
+  for (int end = 5; end < 9; ++end) pasted = with_threading(pasted, end, end - 5, true);
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft == pasted.draft; }));
+}
+
+TEST_F(TabsTest, ClosingAsksOnlyForWhatIsUnsaved) {
+  const std::string one = bytes_of(draft_);
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_NO_FATAL_FAILURE(open_both(w));
+  ASSERT_NO_FATAL_FAILURE(paint(w, 1));
+  display_.key("ctrl+w");
+  ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
+  EXPECT_TRUE(w.has("tab:2"));
+  display_.click(w.middle_of("tab.close:2"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Do not save"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == one; })) << "the other is left, without a strip";
+  EXPECT_EQ(bytes_of(other_), straight_draft(20, 4));
+
+  ASSERT_NO_FATAL_FAILURE(open(w, other_));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab:2"); }));
+  display_.middle_click(w.middle_of("tab:1"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == bytes_of(other_); }));
+  display_.key("ctrl+w");
+  EXPECT_TRUE(comes_true([&] { return w.live() != bytes_of(other_); })) << "the last gives way to the first draft";
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0);
+}
+
+TEST_F(TabsTest, AKilledWindowOffersAllOfThem) {
+  std::string one, two;
+  {
+    Window w(display_, folder_, draft_, without_dialogs());
+    ASSERT_NO_FATAL_FAILURE(open_both(w));
+    ASSERT_NO_FATAL_FAILURE(paint(w, 1));
+    two = w.live();
+    display_.key("ctrl+Tab");
+    ASSERT_TRUE(comes_true([&] { return w.live() == bytes_of(draft_) && w.has("tab.shown:1"); }));
+    ASSERT_NO_FATAL_FAILURE(paint(w, 2));
+    one = w.live();
+    usleep(600'000);
+    w.process().kill_now();
+    w.process().wait();
+  }
+  Window w(display_, folder_, {}, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back all"));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab.unsaved:1") && w.has("tab.unsaved:2"); }));
+  EXPECT_TRUE(comes_true([&] { return w.live() == one || w.live() == two; }));
+  const std::string shown = w.live();
+  display_.key("ctrl+Tab");
+  EXPECT_TRUE(comes_true([&] { return w.live() == (shown == one ? two : one); }));
+}
+
+}  // namespace
+}  // namespace weftlight::gui

@@ -1,0 +1,245 @@
+// Several documents at once, without a window: opened, edited, closed, saved, killed and brought back.
+
+#include "session/session.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <memory>
+
+#include "../scratch_fixture.h"
+#include "draft/edits.h"
+#include "wif/wif.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+Design plain(int shafts, const std::string& title = {}) {
+  Design d;
+  d.title = title;
+  d.draft = blank_draft(8, 8, shafts, shafts);
+  for (int i = 0; i < 8; ++i) d.draft.threading.set(i, i % shafts, true);
+  return d;
+}
+
+Document first() { return Document(plain(4, "first")); }
+
+/// End 1 on another shaft.
+Edit paint(int shaft = 1) {
+  return {"Paint", [shaft](Design d) { return with_threading(std::move(d), 0, shaft, true); }};
+}
+
+class SessionTest : public ScratchTest {
+ protected:
+  std::unique_ptr<Session> session() const { return std::make_unique<Session>(path("recovery"), first(), false); }
+  std::string draft_file(const std::string& name, int shafts = 4) const {
+    return written(name, write_new_wif(plain(shafts)));
+  }
+  static OpenDocument& open(Session& s, const std::string& file) {
+    return s.add(std::move(*open_document(file).document), Origin::kOwn, false);
+  }
+  /// A session in a process of its own that opens the files, edits each, and is killed.
+  void crash_with(const std::vector<std::string>& files) const {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      const auto s = session();
+      int shaft = 0;
+      for (const std::string& file : files) {
+        open(*s, file);
+        s->commit(paint(++shaft), 0);
+      }
+      s->settle();
+      kill(getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+  static std::vector<std::string> titles(const Session& s) {
+    std::vector<std::string> all;
+    for (const auto& open : s.all()) all.push_back(open->document.now().title);
+    return all;
+  }
+};
+
+using Titles = std::vector<std::string>;
+
+TEST_F(SessionTest, EachDocumentHasItsOwnHistoryAndView) {
+  const auto s = session();
+  const uint64_t one = open(*s, draft_file("one.wif")).id;
+  s->commit(paint(), 0);
+  s->active().view.pitch = 17;
+  const Design painted = s->active().document.now();
+  const uint64_t two = open(*s, draft_file("two.wif", 8)).id;
+  EXPECT_EQ(s->active().view.pitch, 0) << "to be fitted";
+  EXPECT_FALSE(s->undo()) << "nothing was done in this one";
+  EXPECT_EQ(s->unsaved(), std::vector<uint64_t>{one});
+  s->show(one);
+  EXPECT_EQ(s->active().view.pitch, 17);
+  EXPECT_EQ(s->active().document.now(), painted);
+  EXPECT_TRUE(s->undo());
+  EXPECT_TRUE(s->unsaved().empty());
+  EXPECT_NE(one, two);
+}
+
+TEST_F(SessionTest, StatesOfTwoDocumentsAreToldApart) {
+  const auto s = session();
+  open(*s, draft_file("one.wif"));
+  const uint64_t before = s->revision();
+  open(*s, draft_file("two.wif"));
+  EXPECT_NE(s->revision(), before);
+  EXPECT_FALSE(s->is_of_active(before));
+  EXPECT_TRUE(s->is_of_active(s->revision()));
+}
+
+TEST_F(SessionTest, WhatTheWindowBeganWithGivesWayUntilItIsEdited) {
+  const auto s = session();
+  s->add(Document(plain(4, "a")), Origin::kShipped, false);
+  EXPECT_EQ(titles(*s), (Titles{"a"}));
+  s->add(Document(plain(4, "b")), Origin::kShipped, false);
+  EXPECT_EQ(titles(*s), (Titles{"b"})) << "leafing through the library";
+  s->commit(paint(), 0);
+  s->add(Document(plain(4, "c")), Origin::kShipped, false);
+  EXPECT_EQ(titles(*s), (Titles{"b", "c"})) << "an edited one stays";
+  s->add(Document(plain(4, "d")), Origin::kOwn, false);
+  EXPECT_EQ(titles(*s), (Titles{"b", "c", "d"})) << "to a file of the weaver's own a shipped one does not give way";
+}
+
+TEST_F(SessionTest, AFileThatIsOpenIsFoundByAnyOfItsNames) {
+  const auto s = session();
+  const std::string file = draft_file("one.wif");
+  const uint64_t id = open(*s, file).id;
+  fs::create_symlink(file, path("link.wif"));
+  ASSERT_NE(s->on_file(path("link.wif")), nullptr);
+  EXPECT_EQ(s->on_file(path("link.wif"))->id, id);
+  EXPECT_EQ(s->on_file(path("none.wif")), nullptr);
+  EXPECT_EQ(s->on_file(""), nullptr);
+}
+
+TEST_F(SessionTest, TabsStepRoundMoveAndClose) {
+  const auto s = session();
+  std::vector<uint64_t> ids;
+  for (const char* name : {"a", "b", "c"}) ids.push_back(s->add(Document(plain(4, name)), Origin::kOwn, false).id);
+  EXPECT_EQ(titles(*s), (Titles{"a", "b", "c"}));
+  s->step(1);
+  EXPECT_EQ(s->active().id, ids[0]);
+  s->step(-1);
+  EXPECT_EQ(s->active().id, ids[2]);
+  s->move(ids[2], 0);
+  EXPECT_EQ(titles(*s), (Titles{"c", "a", "b"}));
+  EXPECT_EQ(s->active().id, ids[2]) << "the same is shown";
+  s->show(ids[1]);
+  s->close(ids[0], first);
+  EXPECT_EQ(s->active().id, ids[1]) << "closing another leaves this one shown";
+  s->close(ids[1], first);
+  EXPECT_EQ(s->active().id, ids[2]);
+  s->close(ids[2], first);
+  EXPECT_EQ(titles(*s), (Titles{"first"})) << "never none";
+  s->close(12345, first);
+  EXPECT_EQ(s->all().size(), 1u);
+}
+
+TEST_F(SessionTest, BothAreOfferedAfterAKill) {
+  const std::string a = draft_file("a.wif"), b = draft_file("b.wif", 6);
+  ASSERT_NO_FATAL_FAILURE(crash_with({a, b}));
+  const auto s = session();
+  ASSERT_EQ(s->left().size(), 2u);
+  std::vector<Diagnostic> why;
+  while (!s->left().empty()) ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  ASSERT_EQ(s->all().size(), 2u);
+  EXPECT_EQ(s->unsaved().size(), 2u);
+  ASSERT_NE(s->on_file(a), nullptr);
+  ASSERT_NE(s->on_file(b), nullptr);
+  EXPECT_TRUE(s->on_file(a)->document.now().draft.threading.get(0, 1));
+  EXPECT_TRUE(s->on_file(b)->document.now().draft.threading.get(0, 2));
+  s->settle();
+  EXPECT_TRUE(Session(path("recovery"), first(), false).left().empty()) << "this session has them now";
+}
+
+TEST_F(SessionTest, WorkComesBackInTheTabOfItsFile) {
+  const std::string a = draft_file("a.wif");
+  ASSERT_NO_FATAL_FAILURE(crash_with({a}));
+  const auto s = session();
+  open(*s, a);
+  std::vector<Diagnostic> why;
+  ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  EXPECT_EQ(s->all().size(), 1u);
+  EXPECT_EQ(s->active().document.path(), a);
+  EXPECT_TRUE(s->active().document.now().draft.threading.get(0, 1));
+}
+
+TEST_F(SessionTest, WorkOnAFileThatIsBeingEditedComesBackBesideIt) {
+  const std::string a = draft_file("a.wif");
+  ASSERT_NO_FATAL_FAILURE(crash_with({a}));
+  const auto s = session();
+  open(*s, a);
+  s->commit(paint(3), 0);
+  std::vector<Diagnostic> why;
+  ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  EXPECT_EQ(s->all().size(), 2u);
+  EXPECT_EQ(s->active().document.path(), "") << "one file, one tab";
+  EXPECT_EQ(s->active().document.name(), "a.wif");
+}
+
+TEST_F(SessionTest, WhatIsSavedOrClosedLeavesNoJournal) {
+  const auto journals = [this] {
+    int count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(path("recovery")))
+      count += entry.path().extension() == ".journal";
+    return count;
+  };
+  const auto s = session();
+  const std::string a = draft_file("a.wif");
+  const uint64_t one = open(*s, a).id;
+  s->commit(paint(), 0);
+  const uint64_t two = open(*s, draft_file("b.wif")).id;
+  s->commit(paint(), 0);
+  s->settle();
+  EXPECT_EQ(journals(), 2);
+  EXPECT_EQ(s->save(one, a), "");
+  s->settle();
+  EXPECT_EQ(journals(), 1);
+  EXPECT_EQ(s->unsaved(), std::vector<uint64_t>{two});
+  s->close(two, first);
+  s->settle();
+  EXPECT_EQ(journals(), 0);
+  EXPECT_TRUE(open_document(a).document->now().draft.threading.get(0, 1));
+}
+
+TEST_F(SessionTest, SavesAllAndSaysWhatItCannot) {
+  const auto s = session();
+  std::vector<std::string> files{draft_file("a.wif"), draft_file("b.wif"), path("gone/c.wif")};
+  for (size_t i = 0; i < 2; ++i) {
+    open(*s, files[i]);
+    s->commit(paint(), 0);
+  }
+  const std::vector<uint64_t> ids = s->unsaved();
+  ASSERT_EQ(ids.size(), 2u);
+  for (const uint64_t id : ids) EXPECT_EQ(s->save(id, s->find(id)->document.path()), "");
+  EXPECT_TRUE(s->unsaved().empty());
+  s->commit(paint(3), 0);
+  EXPECT_NE(s->save(s->active().id, files[2]), "") << "no such folder";
+  EXPECT_EQ(s->unsaved().size(), 1u);
+  EXPECT_EQ(s->active().document.path(), files[1]);
+}
+
+TEST_F(SessionTest, GoesToAnyStepOfTheHistory) {
+  const auto s = session();
+  for (int shaft = 1; shaft < 4; ++shaft) s->commit(paint(shaft), 0);
+  const History& h = s->active().document.history();
+  ASSERT_EQ(h.steps(), 4u);
+  EXPECT_EQ(h.label(3), "Paint");
+  EXPECT_TRUE(s->go_to(0));
+  EXPECT_EQ(s->active().document.now(), first().now());
+  EXPECT_EQ(s->active().document.cells(), drawdown(first().now().draft));
+  EXPECT_TRUE(s->go_to(2));
+  EXPECT_EQ(h.position(), 2u);
+  EXPECT_TRUE(h.can_redo()) << "the future stays";
+  EXPECT_FALSE(s->go_to(2));
+}
+
+}  // namespace
+}  // namespace weftlight::session

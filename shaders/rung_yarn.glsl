@@ -70,7 +70,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
   if (pattern.plies > 1) n = ply_normal(p, pattern, texel.ply, length_mm);
   if (dot(n, x.v) <= 0.0) n = p.normal;
   vec4 look = thread_look(hit.system, thread);
-  YarnLobes lobes = thread_lobes(int(look.w), min(look.rgb * texel.tone, vec3(1.0)));
+  YarnLobes lobes = thread_lobes(int(look.w), fibre_colour(texel, look.rgb));
   Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), l, x.v);
   a.key *= texel.groove;
   if (a.key.r + a.key.g + a.key.b > 0.0) {

@@ -15,9 +15,14 @@ const float kThreadTone = 0.05f;     // a thread is this much lighter or darker 
 const float kFibreTone = 0.55f;      // contrasts at hairiness 1
 const float kStrayTone = 0.35f;
 const float kMelangeTone = 1.7f;     // contrasts at melange 1
+const float kMelangeThread = 0.12f;   // of threads and of stretches along them, at melange 1
+const float kTuftTone = 0.62f;       // of tufts, at melange 1
+const float kTuftHue = 1.5f;
 const float kStrayShare = 0.35f;     // of the places for a stray fibre, at hairiness 1
 const float kWander = 1.3f;          // grooves, at hairiness 1
 const int kFibresABundle = 4;
+const float kTuft = 5.0f;            // bundles across a tuft of one colour
+const float kTuftNodes = 5.0f;       // nodes of the tone along it
 
 // What the texture of one thread needs, worked out once a thread.
 struct ThreadTexture {
@@ -54,6 +59,7 @@ struct Texel {
   float groove;          // factor, mean over the thread independent of fade
   float tone;            // factor on the thread's colour, mean 1
   float ply;             // -1..1 across a ply: 0 at its ridge
+  float hue;             // warmer above 0, cooler below; mean 0
 };
 
 FORMULA uint mix_bits(uint a, uint b) {
@@ -97,9 +103,47 @@ FORMULA TexturePoint texture_point(ThreadTexture x, float share, float turn, flo
   return p;
 }
 
+// Fibres of unlike colours are never blended evenly: tufts of one colour lie along the twist, lighter or darker (x)
+// and, in what is dyed, warmer or cooler (y), some of them far more than the rest (neps).
+FORMULA vec2 tuft_values(uint seed, int tuft, int node) {
+  uint h = mix_bits(seed + uint(tuft) * 0x632BE5ABu, uint(node));
+  float tone = float(h & 1023u) / 511.5f - 1.0f;
+  float hue = float((h >> 10) & 1023u) / 511.5f - 1.0f;
+  return (h >> 20) < 420u ? vec2(1.6f * tone, 2.0f * hue) : vec2(0.6f * tone, 0.35f * hue);
+}
+
+// Tone and hue of the tuft at a place, mean 0.
+FORMULA vec2 tuft_at(ThreadTexture x, TexturePoint p) {
+  int nodes = max(int(float(x.nodes) / kTuftNodes), 1);
+  float share = (float(p.node) + p.blend) / float(x.nodes);
+  int advance = int(floor(float(x.advance) / kTuft + 0.5f));
+  float turn = (p.turn - float(x.advance) * share + x.phase) / kTuft + float(advance) * share;
+  int tuft = int(floor(turn));
+  // Each tuft begins and ends at a place of its own, so that no line goes around the thread.
+  float place = share * float(nodes);
+  int node = min(int(place), nodes - 1);
+  bool wraps = node + 1 == nodes;
+  float b = clamp(place - float(node), 0.0f, 1.0f);
+  vec2 here = tuft_values(x.seed ^ 0x1B873593u, tuft, node);
+  vec2 next = tuft_values(x.seed ^ 0x1B873593u, wraps ? tuft - advance : tuft, wraps ? 0 : node + 1);
+  return mix(here, next, b * b * (3.0f - 2.0f * b));
+}
+
+// What the pattern makes of the thread's colour: a factor. Grey has no hue to turn.
+FORMULA vec3 fibre_tint(Texel t, vec3 colour) {
+  float most = max(colour.x, max(colour.y, colour.z));
+  float least = min(colour.x, min(colour.y, colour.z));
+  float turned = t.hue * (1.0f - least / max(most, 1.0e-4f));
+  return t.tone * max(vec3(1.0f) + vec3(0.6f, 0.1f, -0.8f) * turned, vec3(0.1f));
+}
+
+// The colour of a place on a thread of that colour.
+FORMULA vec3 fibre_colour(Texel t, vec3 colour) { return min(colour * fibre_tint(t, colour), vec3(1.0f)); }
+
 FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
   Texel made;
-  made.tone = 1.0f + kThreadTone * x.hair * (2.0f * unit_of(mix_bits(x.seed, 3u)) - 1.0f);
+  made.tone = 1.0f + (kThreadTone * x.hair + kMelangeThread * x.melange) * (2.0f * unit_of(mix_bits(x.seed, 3u)) - 1.0f);
+  made.hue = 0.0f;
   made.groove = 1.0f - 0.2f * x.depth;
   made.ply = 0.0f;
   float fade = contrast_left(p.cycles);
@@ -140,6 +184,12 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
       float own_tone = fibre_value(x.seed ^ 0xC2B2AE35u, own, 0) - 0.5f;
       made.tone += fine * (0.06f + 0.3f * x.hair + 0.6f * x.melange) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
     }
+  }
+  float tufts = x.melange > 0.0f ? x.melange * contrast_left(p.cycles / kTuft) : 0.0f;
+  if (tufts > 0.0f) {
+    vec2 tuft = tuft_at(x, p);
+    made.tone += kTuftTone * tufts * tuft.x;
+    made.hue = kTuftHue * x.melange * tufts * tuft.y;
   }
   if (x.plies > 1) {
     float ply_turn = p.ply_turn + x.ply_phase;

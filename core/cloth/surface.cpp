@@ -245,8 +245,8 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   }
   s.groove = texel.groove;
   s.slope_spread = a.slope_spread * l.lengthened * l.lengthened;
-  s.colour = {unit_or_less(body.colour.r * texel.tone), unit_or_less(body.colour.g * texel.tone),
-              unit_or_less(body.colour.b * texel.tone)};
+  const glm::vec3 colour = fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  s.colour = {colour.r, colour.g, colour.b};
   s.thread = static_cast<uint32_t>(a.thread);
   s.system = warp ? 0 : 1;
   s.slope = warp ? Slope{across, along} : Slope{along, across};

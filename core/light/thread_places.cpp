@@ -153,9 +153,8 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
   p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
-  const auto toned = [&](float v) { return std::min(v * texel.tone, 1.0f); };
-  p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes,
-                       {toned(body.colour.r), toned(body.colour.g), toned(body.colour.b)});
+  const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes, {colour.r, colour.g, colour.b});
 }
 
 /// Adds what is seen from above; of the crossings around it, sums.

@@ -93,9 +93,8 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   if (glm::dot(normal, from) <= 0) normal = p.smooth;
   p.frame = formulas::lobe_frame(normal, hit.axis + around * texture.fibre_tan);
   const Yarn& yarn = cloth.yarns[static_cast<size_t>(body.yarn)];
-  p.lobes =
-      yarn_lobes(yarn.lobes, {std::min(body.colour.r * texel.tone, 1.0f), std::min(body.colour.g * texel.tone, 1.0f),
-                              std::min(body.colour.b * texel.tone, 1.0f)});
+  const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  p.lobes = yarn_lobes(yarn.lobes, {colour.r, colour.g, colour.b});
   p.shared = formulas::lobe_shared(p.lobes);
   p.local_out = formulas::lobe_local(p.frame, from);
   p.out = formulas::lobe_side(p.lobes, p.shared, p.local_out);

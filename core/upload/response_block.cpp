@@ -63,23 +63,27 @@ std::vector<glm::vec4> seen_of(const Faces& faces) {
   return out;
 }
 
-/// Relative RMS of a level's colours about their mean.
+/// How unlike the texels of a level are: relative RMS of their colours about their mean, or what their systems' sheen
+/// may make of it. Of a damask in one colour the blocks differ by the system that shines at the eye, and nothing else.
 float contrast(const PackedTexture& color, int level) {
+  // Ends and picks of one yarn, seen along and across, send back light that differs by so much and more.
+  constexpr double kSheen = 0.25;
   const int w = color.level_width(level), h = color.level_height(level);
-  std::array<double, 3> sum{}, square{};
+  std::array<double, 4> sum{}, square{};
   for (int y = 0; y < h; ++y) {
     for (int x = 0; x < w; ++x) {
-      for (size_t c = 0; c < 3; ++c) {
-        double v = 0;
-        for (int layer = 0; layer < 2; ++layer) v += std::pow(color.texel(level, layer, x, y)[c] / 255.0, 2.2);
-        sum[c] += v, square[c] += v * v;
-      }
+      const auto warp = color.texel(level, 0, x, y), weft = color.texel(level, 1, x, y);
+      std::array<double, 4> v{};
+      for (size_t c = 0; c < 3; ++c) v[c] = std::pow(warp[c] / 255.0, 2.2) + std::pow(weft[c] / 255.0, 2.2);
+      v[3] = kSheen * warp[3] / std::max(1.0, warp[3] + static_cast<double>(weft[3]));
+      for (size_t c = 0; c < 4; ++c) sum[c] += v[c], square[c] += v[c] * v[c];
     }
   }
   const double n = static_cast<double>(w) * h;
+  const auto spread2 = [&](size_t c) { return square[c] / n - sum[c] * sum[c] / n / n; };
   double variance = 0, mean2 = 0;
-  for (size_t c = 0; c < 3; ++c) variance += square[c] / n - sum[c] * sum[c] / n / n, mean2 += sum[c] * sum[c] / n / n;
-  return static_cast<float>(std::sqrt(std::max(variance, 0.0) / std::max(mean2, 1e-9)));
+  for (size_t c = 0; c < 3; ++c) variance += spread2(c), mean2 += sum[c] * sum[c] / n / n;
+  return static_cast<float>(std::sqrt(std::max({variance / std::max(mean2, 1e-9), spread2(3), 0.0})));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct Thread {
   ThreadTexture texture;
   formulas::YarnLobes lobes;
   formulas::LobeShared shared;
+  glm::vec3 colour;  // linear
   glm::vec3 light;
   float length;  // radii
   float pixel;   // radii
@@ -34,6 +35,7 @@ Thread thread_of(const Yarn& yarn, Rgb colour, float light_deg, int width, int h
   body.width_mm = body.height_mm = 2 * radius_mm;
   body.colour = linear_from_srgb(colour);
   t.texture = thread_texture(yarn, body, System::kWeft, 0, t.length * radius_mm);
+  t.colour = {body.colour.r, body.colour.g, body.colour.b};
   t.lobes = yarn_lobes(yarn.lobes, body.colour);
   t.shared = formulas::lobe_shared(t.lobes);
   const float a = light_deg * kPi / 180;
@@ -69,7 +71,7 @@ glm::vec3 radiance(const Thread& t, float x, float y) {
   const glm::vec3 f = wi.z > 0 ? formulas::lobe_reflect(t.lobes, t.shared, in, out, wi, wo)
                                : formulas::lobe_transmit(t.lobes, t.shared, in, out);
   const glm::vec3 lit = f * (kKey * std::abs(wi.z)) + formulas::lobe_albedo(t.lobes, t.shared, out) * kSky;
-  return lit * (texel.groove * texel.tone);
+  return lit * thread_formulas::fibre_tint(texel, t.colour) * texel.groove;
 }
 
 ImU32 shown(glm::vec3 light, float alpha) {

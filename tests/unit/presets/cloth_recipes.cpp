@@ -2,9 +2,9 @@
 //
 // Setts and counts are customary constructions. Denim 14 oz: Ne 7 by Ne 6, 66 by 43 threads an inch; chambray: Ne 30,
 // 112 by 90; oxford: two ends of Ne 32 by Ne 10, 2 x 53 by 63; gabardine: Nm 60/2, 2 : 1 (J. J. Pizzuto, Fabric
-// Science; S. Adanur, Handbook of Weaving, 2001). Tweed: Nm 5.6 woollen, 8 ends a centimetre (Harris). Flannel: Nm 14
+// Science; S. Adanur, Handbook of Weaving, 2001). Tweed: Nm 5.6 woollen, 8 ends a centimetre (Harris). Flannel: Nm 22
 // woollen. Duchesse satin, taffeta, organza, crepe de chine, charmeuse: raw silk of 20/22 denier, so many threads
-// together (the trade's descriptions of 14 to 22 momme cloth). Linen: lea 25 and 14; table damask on five shafts,
+// together (the trade's descriptions of 14 to 22 momme cloth). Linen: lea 25 and 18; table damask on five shafts,
 // lea 40.
 
 #include <cmath>
@@ -21,7 +21,9 @@ namespace {
 struct Substance {
   double density, packing;
 };
-constexpr Substance kCotton{1.52, 0.6}, kLinen{1.5, 0.62}, kSilk{1.34, 0.6}, kWorsted{1.31, 0.58}, kWoollen{1.31, 0.3};
+// Finished cloth: washing and milling open its yarns, and threads that touch close it.
+constexpr Substance kCotton{1.52, 0.5}, kLinen{1.5, 0.62}, kSilk{1.34, 0.52}, kGum{1.34, 0.6}, kWorsted{1.31, 0.48},
+    kWoollen{1.31, 0.2}, kMilled{1.31, 0.33};
 
 /// The preset spun to a count; `turns` a metre, of singles.
 Yarn spun(const char* preset, const char* name, const char* count, Substance of, float turns, int plies = 1) {
@@ -46,6 +48,12 @@ Design worn(Design design, const char* mesh, float azimuth, float elevation, flo
   design.scene.mesh = mesh;
   design.scene.view_azimuth = azimuth, design.scene.view_elevation = elevation;
   design.scene.view_distance = distance;
+  return design;
+}
+
+/// Lit from there.
+Design lit(Design design, float azimuth, float elevation) {
+  design.scene.light_azimuth = azimuth, design.scene.light_elevation = elevation;
   return design;
 }
 
@@ -145,17 +153,17 @@ Design denim() {
   warp.twist = weft.twist = Twist::kZ;
   // Indigo stays on the outside of rope-dyed ends, and wears off where they stand proud: light and dark along and
   // between.
-  warp.irregularity = 0.13f, warp.melange = 0.45f, warp.fibre_um = 45;
-  weft.irregularity = 0.1f;
+  warp.irregularity = 0.07f, warp.melange = 0.4f, warp.fibre_um = 35;
+  weft.irregularity = 0.05f;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
   return titled(worn(std::move(d), "skirt", 20, 12), "Denim",
                 {"3/1 right-hand twill, 14 oz: indigo Ne 7 over ecru Ne 6, 26 by 17 a centimetre."});
 }
 
 Design chambray() {
-  Design d = with_colors(plain({64, 64}), palette({0x3f6db0, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(plain({64, 64}), palette({0x3463a8, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Cotton", "Combed cotton", "Ne 30", kCotton, 820);
-  yarn.flattening = 0.6f, yarn.irregularity = 0.1f, yarn.fibre_um = 22, yarn.hairiness = 0.25f;
+  yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.fibre_um = 22, yarn.hairiness = 0.35f, yarn.melange = 0.15f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
   return titled(worn(std::move(d), "tunic", 20, 8), "Chambray",
                 {"Plain weave, blue warp and white weft, Ne 30, 44 by 36 a centimetre."});
@@ -167,8 +175,8 @@ Design oxford() {
   Design d = with_colors(make_design(pairs, {64, 32}), palette({0x8fb2dc, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
   Yarn warp = spun("Cotton", "Combed cotton", "Ne 32", kCotton, 850),
        weft = spun("Cotton", "Soft cotton", "Ne 10", kCotton, 380);
-  warp.irregularity = 0.06f, warp.fibre_um = 22, warp.hairiness = 0.2f;
-  weft.irregularity = 0.08f, weft.fibre_um = 30, weft.flattening = 0.75f;
+  warp.irregularity = 0.04f, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
+  weft.irregularity = 0.05f, weft.fibre_um = 30, weft.flattening = 0.7f;
   d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
   return titled(worn(std::move(d), "tunic", -20, 8), "Oxford",
                 {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
@@ -189,33 +197,35 @@ Design gabardine() {
 }
 
 Design tweed() {
-  Design d = with_colors(herringbone({2, 2}, 10, {80, 40}), palette({0x4a3b2c, 0xc4b291}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(herringbone({2, 2}, 16, {128, 128}), palette({0x54432f, 0xc9b999}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Wool", "Woollen", "Nm 5.6", kWoollen, 260);
-  yarn.twist = Twist::kZ, yarn.irregularity = 0.14f, yarn.melange = 0.75f, yarn.fibre_um = 45, yarn.hairiness = 0.9f;
-  yarn.flattening = 0.85f, yarn.lobes.fuzz = 0.5f, yarn.lobes.fuzz_width = 0.7f;
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.06f, yarn.melange = 1.0f, yarn.fibre_um = 45, yarn.hairiness = 1.0f;
+  yarn.groove_depth = 0.25f, yarn.flattening = 0.7f, yarn.lobes.fuzz = 0.6f, yarn.lobes.fuzz_width = 0.8f;
+  yarn.lobes.along_width = 0.7f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
-  return titled(worn(std::move(d), "tunic", 20, 8), "Herringbone tweed",
-                {"2/2 twill that turns every ten ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
+  return titled(
+      worn(std::move(d), "tunic", 20, 8, 0.75f), "Herringbone tweed",
+      {"2/2 twill that turns every sixteen ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
 }
 
 Design flannel() {
-  Design d = with_colors(twill({2, 2}, Lean::kRight, {64, 64}), palette({0x8a8d94, 0x9a9da3}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Wool", "Woollen", "Nm 14", kWoollen, 420);
-  yarn.twist = Twist::kZ, yarn.irregularity = 0.1f, yarn.melange = 1.0f, yarn.fibre_um = 28, yarn.hairiness = 0.9f;
-  yarn.groove_depth = 0.15f, yarn.flattening = 0.7f;
+  Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x94979d, 0xa3a6ab}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Wool", "Woollen", "Nm 22", kMilled, 250);
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.melange = 0.8f, yarn.fibre_um = 30, yarn.hairiness = 1.0f;
+  yarn.groove_depth = 0.05f, yarn.flattening = 0.35f;
   // Milled and raised: a nap over the weave.
   yarn.lobes.fuzz = 0.85f, yarn.lobes.fuzz_width = 0.95f, yarn.lobes.along_width = 0.6f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
   return titled(worn(std::move(d), "skirt", 20, 12), "Flannel",
-                {"2/2 twill of grey melange, woollen Nm 14, 19 by 17 a centimetre, milled and raised."});
+                {"2/2 twill of grey melange, woollen Nm 22, 19 by 17 a centimetre, milled and raised."});
 }
 
 Design silk_satin() {
   Design d = with_colors(satin(8, 3, Face::kFront, {16, 16}), palette({0xc9a05c, 0xb98f4e}), {{0, 1}}, {{1, 1}});
-  Yarn warp = spun("Silk", "Organzine", "63 den", kSilk, 120), weft = spun("Silk", "Tram", "126 den", kSilk, 100);
+  Yarn warp = spun("Silk", "Organzine", "63 den", kSilk, 120), weft = spun("Silk", "Tram", "252 den", kSilk, 100);
   d = set_at(with_yarns(std::move(d), warp, weft), 118, 42);
-  return titled(worn(std::move(d), "skirt", 15, 12), "Silk satin",
-                {"Duchesse: warp satin on eight shafts, 118 by 42 a centimetre, raw silk 3 and 6 fold."});
+  return titled(lit(worn(std::move(d), "skirt", 15, 12), -35, 18), "Silk satin",
+                {"Duchesse: warp satin on eight shafts, 118 by 42 a centimetre, raw silk 3 and 12 fold."});
 }
 
 Design taffeta() {
@@ -223,13 +233,13 @@ Design taffeta() {
   Yarn warp = spun("Silk", "Organzine", "84 den", kSilk, 500), weft = spun("Silk", "Tram", "126 den", kSilk, 120);
   warp.flattening = weft.flattening = 0.5f;
   d = set_at(with_yarns(std::move(d), warp, weft), 62, 46);
-  return titled(worn(std::move(d), "skirt", 15, 12), "Shot taffeta",
+  return titled(lit(worn(std::move(d), "skirt", 15, 12), -40, 25), "Shot taffeta",
                 {"Blue warp and red weft in plain weave, 62 by 46 a centimetre: the colour turns with the light."});
 }
 
 Design organza() {
-  Design d = with_colors(plain({16, 16}), palette({0xe6dff0, 0xf0eaf6}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Silk", "Gum silk", "21 den", kSilk, 1200);
+  Design d = with_colors(plain({16, 16}), palette({0xf2b8c6, 0xf6c8d2}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Silk", "Gum silk", "21 den", kGum, 1200);
   yarn.flattening = 1, yarn.lobes.transmission = 0.35f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 40);
   return titled(
@@ -238,62 +248,68 @@ Design organza() {
 }
 
 Design linen() {
-  Design d = with_colors(plain({48, 48}), palette({0xcdbf9f, 0xd6c9ab}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Linen", "Wet-spun linen", "14 lea", kLinen, 330);
-  yarn.irregularity = 0.14f, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
+  Design d = with_colors(plain({192, 192}), palette({0xcdbf9f, 0xd6c9ab}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Linen", "Wet-spun linen", "18 lea", kLinen, 330);
+  yarn.irregularity = 0.24f, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
+  yarn.flattening = 0.55f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
   return titled(worn(std::move(d), "tablecloth", 25, 24), "Linen",
-                {"Plain weave of thick and thin yarn, lea 14, 21 by 20 a centimetre."});
+                {"Plain weave of thick and thin yarn, lea 18, 21 by 20 a centimetre."});
 }
 
-/// Five-shaft satin, warp-faced in one block and weft-faced in the other; `blocks` is the order of units of five.
-Design satin_damask(const std::vector<int>& blocks, int units) {
+/// Five-shaft satin on so many blocks: `order` says which block each unit of five threads and of five picks is, and
+/// `faces` whether a block of ends is warp-faced on a block of picks.
+Design block_damask(const std::vector<int>& order, const std::vector<std::vector<int>>& faces) {
   constexpr int kShafts = 5, kStep = 2;
+  const int blocks = static_cast<int>(faces.size()), threads = kShafts * static_cast<int>(order.size());
   Recipe r;
-  r.shafts = 2 * kShafts;
-  for (const int block : blocks)
+  r.shafts = blocks * kShafts;
+  for (const int block : order)
     for (int s = 0; s < kShafts; ++s) r.threading.push_back(block * kShafts + s);
-  // Treadle 5 b + t lifts block b in warp satin and the other in weft satin.
-  for (int warp_faced = 0; warp_faced < 2; ++warp_faced) {
+  for (const std::vector<int>& row : faces) {
     for (int t = 0; t < kShafts; ++t) {
       std::vector<int> lifts;
-      for (int block = 0; block < 2; ++block) {
+      for (int block = 0; block < blocks; ++block) {
+        const bool warp_faced = row[static_cast<size_t>(block)] != 0;
         for (int s = 0; s < kShafts; ++s) {
           const bool bound = (s * kStep) % kShafts == t;
-          if (bound != (block == warp_faced)) lifts.push_back(block * kShafts + s);
+          if (bound != warp_faced) lifts.push_back(block * kShafts + s);
         }
       }
       r.tieup.push_back(lifts);
     }
   }
-  for (const int block : blocks)
+  for (const int block : order)
     for (int t = 0; t < kShafts; ++t) r.treadling.push_back(block * kShafts + t);
-  return make_design(r, {units * kShafts, units * kShafts});
+  return make_design(r, {threads, threads});
 }
 
 Design damask() {
-  std::vector<int> blocks;
-  for (const int block : {0, 0, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 0, 1}) blocks.insert(blocks.end(), 3, block);
-  Design d = with_colors(satin_damask(blocks, static_cast<int>(blocks.size())), palette({0xf3efe4, 0xf3efe4}), {{0, 1}},
-                         {{1, 1}});
+  // Half of the figure, and its mirror.
+  const std::vector<int> half{0, 0, 1, 0, 1, 1, 2, 1, 2, 2, 2, 3, 2, 3, 3, 3, 3};
+  std::vector<int> order;
+  for (const int block : half) order.insert(order.end(), 4, block);
+  for (auto block = half.rbegin(); block != half.rend(); ++block) order.insert(order.end(), 4, *block);
+  Design d = with_colors(block_damask(order, {{1, 0, 0, 0}, {0, 1, 1, 0}, {0, 1, 0, 1}, {0, 0, 1, 1}}),
+                         palette({0xf3efe4, 0xf3efe4}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Linen", "Bleached linen", "40 lea", kLinen, 480);
-  yarn.irregularity = 0.06f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
+  yarn.irregularity = 0.03f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
   // Beetled and calendered: flat threads that shine along themselves.
-  yarn.flattening = 0.5f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f;
+  yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
-  return titled(worn(std::move(d), "tablecloth", 25, 24), "Damask",
-                {"Table damask: satin on five shafts, warp-faced against weft-faced, white on white.",
+  return titled(lit(worn(std::move(d), "tablecloth", 8, 24, 0.9f), -110, 38), "Damask",
+                {"Table damask on four blocks: satin on five shafts, warp-faced against weft-faced, white on white.",
                  "Lea 40, 30 by 28 a centimetre, beetled."});
 }
 
 Design ottoman() {
-  Design d = with_colors(plain({48, 8}), palette({0x2c4a3e, 0x2a463b}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(plain({48, 8}), palette({0x3d6e5a, 0x3a6a57}), {{0, 1}}, {{1, 1}});
   Yarn warp = spun("Silk", "Organzine", "84 den", kSilk, 300),
-       weft = spun("Cotton", "Corded cotton", "Ne 8/4", kCotton, 260, 4);
+       weft = spun("Cotton", "Corded cotton", "Ne 3/4", kCotton, 160, 4);
   warp.flattening = 0.5f, weft.flattening = 1;
-  d = set_at(with_yarns(std::move(d), warp, weft), 66, 12);
-  return titled(worn(std::move(d), "skirt", 20, 12), "Ottoman",
-                {"Corded: a close silk warp covers thick cotton picks, 66 by 12 a centimetre."});
+  d = set_at(with_yarns(std::move(d), warp, weft), 66, 7);
+  return titled(lit(worn(std::move(d), "skirt", 20, 12, 0.7f), -45, 40), "Ottoman",
+                {"Corded: a close silk warp covers thick cotton picks, 66 by 7 a centimetre."});
 }
 
 }  // namespace

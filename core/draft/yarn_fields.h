@@ -18,7 +18,8 @@ struct FieldFacts {
   float from, to;     // of the slider's track: the yarns that are woven with; a figure can be typed to the whole range
   bool logarithmic;   // the track
   const char* tip;
-  const char* source;  // of default and range; the ready yarns' figures are in yarn_presets.cpp
+  const char* source;   // of default and range; the ready yarns' figures are in yarn_presets.cpp
+  bool optics = false;  // one fold below what a weaver turns, as are all lobes
 };
 
 template <class T>
@@ -40,6 +41,20 @@ inline constexpr FieldFacts kPliesFacts{"Plies",
                                         "Singles twisted together into the thread",
                                         "weaving yarns are singles to four plies, cords up to eight"};
 
+/// Of no number of its own: fibre.h.
+inline constexpr FieldFacts kLustreFacts{"",
+                                         "lustre",
+                                         "Lustre",
+                                         "",
+                                         2,
+                                         0,
+                                         1,
+                                         0,
+                                         1,
+                                         false,
+                                         "From dull to bright; in the middle as such a fibre is",
+                                         "spread along the fibre and layers, of docs/measured.md's yarns"};
+
 inline constexpr std::array<YarnField<Yarn>, 8> kYarnFields{{
     {{"Diameter", "diameter_mm", "Thickness", "mm", 2, 0, 50, 0.05f, 5, true,
       "Diameter, where the draft itself gives none", "cotton Ne 8/2 rounded up; to 50 mm for rope"},
@@ -49,10 +64,10 @@ inline constexpr std::array<YarnField<Yarn>, 8> kYarnFields{{
      &Yarn::turns_per_m},
     {{"Fibre", "fibre_um", "Fibre bundles", "\xC2\xB5m", 0, 1, 2000, 5, 500, true,
       "Width of the bundles seen between the grooves of the twist",
-      "VRST 2003, figure 3 (\"thickness\"): a few cotton fibres of 12 to 20 \xC2\xB5m; 2 mm is a slit film"},
+      "VRST 2003, figure 3 (\"thickness\"): a few cotton fibres of 12 to 20 \xC2\xB5m; 2 mm is a slit film", true},
      &Yarn::fibre_um},
     {{"Grooves", "groove_depth", "Grooves", "", 2, 0, 1, 0, 1, false, "How dark the grooves between the fibres are",
-      "VRST 2003, section 3.2; by eye"},
+      "VRST 2003, section 3.2; by eye", true},
      &Yarn::groove_depth},
     {{"Hairiness", "hairiness", "Hairiness", "", 2, 0, 1, 0, 1, false, "Stray fibres: noise along the thread",
       "rank of the Uster hairiness, wool 0.65 to filament 0.02"},

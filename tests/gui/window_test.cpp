@@ -260,6 +260,8 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   const double high = w.place_of("section.lobes").first.y;
   display_.click(w.middle_of("section.yarns"));
   ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < high; }));
+  display_.click(w.middle_of("section.lobes"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.body"); }));
   const auto seen = [&](const char* control) {
     const auto [place, size] = w.place_of(control);
     return display_.picture(place, size);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draft/fibre.h"
 #include "draft/yarn_fields.h"
 #include "draft/yarn_presets.h"
 #include "session/paint.h"
@@ -26,12 +27,11 @@ bool field_slider(const PanelContext& c, const FieldFacts& f, float& value) {
   return slider(c, {id.c_str(), f.label, f.from, f.to, format.c_str(), f.tip, f.logarithmic, f.low, f.high}, value);
 }
 
-/// The label of the field that was changed, or null.
-template <class T, size_t N>
-const char* field_sliders(const PanelContext& c, const std::array<YarnField<T>, N>& fields, T& value) {
+/// The label of the lobes' field that was changed, or null.
+const char* lobe_sliders(const PanelContext& c, Lobes& lobes) {
   const char* label = nullptr;
-  for (const YarnField<T>& field : fields)
-    if (field_slider(c, field.facts, value.*field.member)) label = field.facts.label;
+  for (const YarnField<Lobes>& field : kLobeFields)
+    if (field_slider(c, field.facts, lobes.*field.member)) label = field.facts.label;
   return label;
 }
 
@@ -96,7 +96,7 @@ bool draw_name(PanelContext& c, Yarn& yarn) {
 }
 
 bool draw_twist(PanelContext& c, Yarn& yarn) {
-  row_label(c, "Twist", "Z twist leans like the middle stroke of the letter Z, S twist like that of S");
+  row_label(c, "Hand", "Z twist leans like the middle stroke of the letter Z, S twist like that of S");
   constexpr const char* kTwists[] = {"None", "S", "Z"};
   int twist = static_cast<int>(yarn.twist);
   if (!segmented(c, "yarn.twist", kTwists, twist)) return false;
@@ -111,6 +111,55 @@ bool draw_plies(PanelContext& c, Yarn& yarn) {
   return true;
 }
 
+/// What it is spun from: its light as that fibre's ready yarn has it.
+bool draw_fibre(PanelContext& c, Yarn& yarn) {
+  row_label(c, "Fibre", "What it is spun from: sets how it shines and how hairy it is; thickness and twist stay");
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const int fibre = fibre_of(yarn);
+  const auto ready = yarn_presets();
+  if (!begin_combo(c, "yarn.fibre", ready[static_cast<size_t>(fibre)].name.c_str())) return false;
+  bool chosen = false;
+  for (int i = 0; i < static_cast<int>(ready.size()); ++i) {
+    const std::string& name = ready[static_cast<size_t>(i)].name;
+    if (ImGui::Selectable(name.c_str(), i == fibre)) yarn = with_fibre(yarn, i), chosen = true;
+    c.map.add_item("yarn.fibre:" + name);
+  }
+  end_combo();
+  return chosen;
+}
+
+bool draw_lustre(PanelContext& c, Yarn& yarn) {
+  float bright = lustre(yarn);
+  if (!field_slider(c, kLustreFacts, bright)) return false;
+  yarn = with_lustre(yarn, bright);
+  return true;
+}
+
+bool draw_field(PanelContext& c, const YarnField<Yarn>& field, Yarn& yarn) {
+  float value = yarn.*field.member;
+  if (!field_slider(c, field.facts, value)) return false;
+  if (field.member == &Yarn::hairiness) yarn = with_hairiness(yarn, value);
+  else yarn.*field.member = value;
+  return true;
+}
+
+/// The label of what was changed, or null: of what a weaver turns first, and of what the spinner did.
+const char* draw_weavers(PanelContext& c, Yarn& yarn) {
+  const char* what = nullptr;
+  if (draw_fibre(c, yarn)) what = "Fibre";
+  if (draw_lustre(c, yarn)) what = kLustreFacts.label;
+  const auto first = [](const YarnField<Yarn>& f) {
+    return f.member == &Yarn::turns_per_m || f.member == &Yarn::hairiness;
+  };
+  for (const YarnField<Yarn>& field : kYarnFields)
+    if (first(field) && draw_field(c, field, yarn)) what = field.facts.label;
+  if (draw_twist(c, yarn)) what = "Hand";
+  if (draw_plies(c, yarn)) what = kPliesFacts.label;
+  for (const YarnField<Yarn>& field : kYarnFields)
+    if (!first(field) && !field.facts.optics && draw_field(c, field, yarn)) what = field.facts.label;
+  return what;
+}
+
 /// A thread of the yarn in the colour in hand.
 void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip) {
   const float width = ImGui::GetContentRegionAvail().x, height = c.style.px(kStripHeight);
@@ -120,22 +169,22 @@ void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip)
   tooltip(c, "A thread of this yarn in the colour in hand, under the light of the plot");
 }
 
-MaybeEdit draw_light(PanelContext& c, Yarn yarn, YarnStrip& strip) {
-  if (!section(c, "section.lobes", "Light on the yarn")) return {};
-  const auto& palette = c.design.draft.palette;
-  const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.view.color, 0)), palette.size() - 1)];
-  const ImVec2 pictures = ImGui::GetCursorPos();
+/// The physical numbers, folded until somebody asks for them.
+MaybeEdit draw_optics(PanelContext& c, Yarn& yarn, Rgb colour) {
+  if (!section(c, "section.lobes", "Optics", false)) return {};
+  const ImVec2 plot = ImGui::GetCursorPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  // Kept free: drawn last, so that they show what the sliders have just become.
-  ImGui::Dummy({width, c.style.px(kStripHeight) + lobes_plot_height(c, width) + 2 * ImGui::GetStyle().ItemSpacing.y});
+  // Kept free: drawn last, so that it shows what the sliders have just become.
+  ImGui::Dummy({width, lobes_plot_height(c, width) + ImGui::GetStyle().ItemSpacing.y});
   MaybeEdit edit;
-  if (const char* what = field_sliders(c, kLobeFields, yarn.lobes)) edit = changed(c.view.yarn, yarn, what);
+  for (const YarnField<Yarn>& field : kYarnFields)
+    if (field.facts.optics && draw_field(c, field, yarn)) edit = changed(c.view.yarn, yarn, field.facts.label);
+  if (const char* what = lobe_sliders(c, yarn.lobes)) edit = changed(c.view.yarn, yarn, what);
   row_label(c, "Metallic", "Lurex and metal threads: the shine takes the thread's colour, and there is no body");
   if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.view.yarn, yarn, "Metallic");
   c.map.add_item("yarn.metallic");
   const ImVec2 after = ImGui::GetCursorPos();
-  ImGui::SetCursorPos(pictures);
-  draw_strip(c, yarn, colour, strip);
+  ImGui::SetCursorPos(plot);
   draw_lobes_plot(c, yarn.lobes, colour);
   ImGui::SetCursorPos(after);
   return edit;
@@ -145,16 +194,23 @@ MaybeEdit draw_light(PanelContext& c, Yarn yarn, YarnStrip& strip) {
 
 MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
   Yarn yarn = c.design.yarns[static_cast<size_t>(c.view.yarn)];
+  const auto& palette = c.design.draft.palette;
+  const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.view.color, 0)), palette.size() - 1)];
+  const ImVec2 picture = ImGui::GetCursorPos();
+  // Kept free: drawn last, so that it shows what the sliders have just become.
+  ImGui::Dummy({ImGui::GetContentRegionAvail().x, c.style.px(kStripHeight)});
   MaybeEdit edit;
   if (section(c, "section.yarns", "Yarns")) {
     edit = draw_choice(c);
     if (edit) return edit;
     if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, "Name");
-    if (draw_twist(c, yarn)) edit = changed(c.view.yarn, yarn, "Twist");
-    if (draw_plies(c, yarn)) edit = changed(c.view.yarn, yarn, kPliesFacts.label);
-    if (const char* what = field_sliders(c, kYarnFields, yarn)) edit = changed(c.view.yarn, yarn, what);
+    if (const char* what = draw_weavers(c, yarn)) edit = changed(c.view.yarn, yarn, what);
   }
-  if (MaybeEdit light = draw_light(c, yarn, strip)) edit = std::move(light);
+  if (MaybeEdit optics = draw_optics(c, yarn, colour)) edit = std::move(optics);
+  const ImVec2 after = ImGui::GetCursorPos();
+  ImGui::SetCursorPos(picture);
+  draw_strip(c, yarn, colour, strip);
+  ImGui::SetCursorPos(after);
   return edit;
 }
 

@@ -1,0 +1,66 @@
+#include "draft/fibre.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draft/yarn_fields.h"
+#include "draft/yarn_presets.h"
+
+namespace weftlight::draft {
+namespace {
+
+// From dull to bright the highlight along the fibre is as many times narrower, as matt and bright filaments of one
+// polymer are (delustred fibre: titanium dioxide); its layers follow by the root.
+constexpr float kLustreRange = 9.0f;
+
+const Yarn& preset_of(int preset) {
+  const auto all = yarn_presets();
+  return all[static_cast<size_t>(std::clamp(preset, 0, static_cast<int>(all.size()) - 1))];
+}
+
+/// Of what tells fibres apart and no slider of a weaver's moves: index, how they lie across, inner light, bundles.
+float unlikeness(const Yarn& a, const Yarn& b) {
+  const auto octaves = [](float x, float y) { return std::log2((x + 0.01f) / (y + 0.01f)); };
+  const float index = 40 * (a.lobes.ior - b.lobes.ior), inner = 2 * (a.lobes.inner - b.lobes.inner),
+              across = octaves(a.lobes.across_width, b.lobes.across_width), bundle = octaves(a.fibre_um, b.fibre_um),
+              groove = 4 * (a.groove_depth - b.groove_depth);
+  return (a.lobes.metallic != b.lobes.metallic ? 1e6f : 0) + index * index + inner * inner + across * across +
+         bundle * bundle + groove * groove;
+}
+
+}  // namespace
+
+int fibre_of(const Yarn& yarn) {
+  const auto all = yarn_presets();
+  const auto at = std::ranges::min_element(all, {}, [&](const Yarn& y) { return unlikeness(yarn, y); });
+  return static_cast<int>(at - all.begin());
+}
+
+Yarn with_fibre(Yarn yarn, int preset) {
+  const Yarn& of = preset_of(preset);
+  yarn.lobes = of.lobes;
+  yarn.fibre_um = of.fibre_um, yarn.groove_depth = of.groove_depth, yarn.hairiness = of.hairiness;
+  return yarn;
+}
+
+float lustre(const Yarn& yarn) {
+  const float usual = preset_of(fibre_of(yarn)).lobes.along_width, own = std::max(yarn.lobes.along_width, 1e-4f);
+  return std::clamp(0.5f + std::log(usual / own) / std::log(kLustreRange), 0.0f, 1.0f);
+}
+
+Yarn with_lustre(Yarn yarn, float lustre) {
+  const Lobes& usual = preset_of(fibre_of(yarn)).lobes;
+  const float brighter = std::pow(kLustreRange, std::clamp(lustre, 0.0f, 1.0f) - 0.5f);
+  yarn.lobes.along_width = usual.along_width / brighter;
+  yarn.lobes.layers = 1 + (usual.layers - 1) * std::sqrt(brighter);
+  return clamped(std::move(yarn));
+}
+
+Yarn with_hairiness(Yarn yarn, float hairiness) {
+  const Yarn& usual = preset_of(fibre_of(yarn));
+  yarn.hairiness = hairiness;
+  yarn.lobes.fuzz = usual.lobes.fuzz * hairiness / std::max(usual.hairiness, 0.01f);
+  return clamped(std::move(yarn));
+}
+
+}  // namespace weftlight::draft

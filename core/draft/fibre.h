@@ -1,0 +1,22 @@
+#pragma once
+// A yarn as a weaver speaks of it: its fibre, how it shines, how hairy it is. Each is a choice of the numbers of
+// yarn_fields.h, measured against the ready yarn of that fibre; nothing of it is kept beside them.
+
+#include "draft/yarn.h"
+
+namespace weftlight::draft {
+
+/// Index among yarn_presets() of the one that is most like it, whatever its lustre and hairiness.
+int fibre_of(const Yarn& yarn);
+/// The yarn spun from that preset's fibre: its light, grooves and hairiness; name, thickness, twist and spinning stay.
+Yarn with_fibre(Yarn yarn, int preset);
+
+/// 0 (dull) to 1 (bright); 1/2 as the ready yarn of its fibre shines. From the spread along the fibre.
+float lustre(const Yarn& yarn);
+/// A brighter fibre has a narrower highlight (along) from more clear layers; held in their ranges.
+Yarn with_lustre(Yarn yarn, float lustre);
+
+/// Stray fibres (0..1) and with them the fuzz that stands off, in the ratio that the fibre's ready yarn has.
+Yarn with_hairiness(Yarn yarn, float hairiness);
+
+}  // namespace weftlight::draft

@@ -1,0 +1,54 @@
+// Fibre, lustre and hairiness: choices of a yarn's numbers that read back as they were made.
+
+#include "draft/fibre.h"
+
+#include <gtest/gtest.h>
+
+#include "draft/yarn_presets.h"
+
+namespace weftlight::draft {
+namespace {
+
+TEST(Fibre, EachReadyYarnIsOfItsOwn) {
+  const auto all = yarn_presets();
+  for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+    const Yarn& yarn = all[static_cast<size_t>(i)];
+    EXPECT_EQ(fibre_of(yarn), i) << yarn.name;
+    EXPECT_NEAR(lustre(yarn), 0.5f, 1e-4f) << yarn.name;
+  }
+}
+
+TEST(Fibre, AChoiceKeepsWhatTheSpinnerMade) {
+  Yarn yarn = yarn_preset("Cotton");
+  yarn.name = "Mine", yarn.diameter_mm = 0.7f, yarn.turns_per_m = 123, yarn.irregularity = 0.1f;
+  for (int i = 0; i < static_cast<int>(yarn_presets().size()); ++i) {
+    const Yarn chosen = with_fibre(yarn, i);
+    EXPECT_EQ(fibre_of(chosen), i);
+    EXPECT_EQ(chosen.name, "Mine");
+    EXPECT_EQ(chosen.diameter_mm, 0.7f);
+    EXPECT_EQ(chosen.turns_per_m, 123);
+    EXPECT_EQ(chosen.irregularity, 0.1f);
+  }
+}
+
+TEST(Fibre, SlidersReadBackWhatTheySet) {
+  for (const Yarn& ready : yarn_presets()) {
+    float width = 100;
+    for (const float bright : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
+      const Yarn yarn = with_lustre(ready, bright);
+      EXPECT_EQ(yarn, clamped(yarn)) << ready.name;
+      EXPECT_LT(yarn.lobes.along_width, width) << ready.name << ": brighter is narrower";
+      width = yarn.lobes.along_width;
+      EXPECT_NEAR(lustre(yarn), bright, 1e-3f) << ready.name;
+      EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name, ready.name) << bright;
+    }
+    for (const float hairs : {0.0f, 0.3f, 1.0f}) {
+      const Yarn yarn = with_hairiness(ready, hairs);
+      EXPECT_EQ(yarn.hairiness, hairs);
+      EXPECT_EQ(yarn, clamped(yarn));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::draft

@@ -36,6 +36,8 @@ void add_selection_actions(Actions& all);
 void add_draft_actions(Actions& all);
 /// Choosing ends and picks for the Threads panel, and its rows; under Draft.
 void add_thread_actions(Actions& all);
+/// Weaving it, pick by pick; under Draft.
+void add_loom_actions(Actions& all);
 void add_view_actions(Actions& all);
 void add_cloth_actions(Actions& all);
 void add_library_actions(Actions& all);

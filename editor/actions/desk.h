@@ -49,6 +49,11 @@ class Desk {
   virtual void quit() = 0;
 
   virtual void ask_print() = 0;
+  /// The window shows the loom, or no longer.
+  virtual void toggle_loom() = 0;
+  virtual void step_at_loom(bool forwards) = 0;
+  virtual void connect_loom() = 0;
+  virtual void disconnect_loom() = 0;
   /// Which draft the open one is held against.
   virtual void ask_other() = 0;
   /// The last that was worked out of the draft; null: none.

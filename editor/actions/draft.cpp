@@ -72,6 +72,7 @@ void add_draft_actions(Actions& all) {
   });
   add_rules(all);
   add_thread_actions(all);
+  add_loom_actions(all);
 }
 
 }  // namespace weftlight::actions

@@ -18,4 +18,12 @@ bool runs_while_typing(const std::string& shortcut) {
   return std::find(kOfText.begin(), kOfText.end(), shortcut) == kOfText.end();
 }
 
+std::string key_at_loom(const std::string& key) {
+  constexpr const char* kOn[] = {"Space", "Enter", "Right", "Down", "PageDown"};
+  constexpr const char* kBack[] = {"Delete", "Left", "Up", "PageUp"};  // Backspace is called Delete
+  if (std::find(std::begin(kOn), std::end(kOn), key) != std::end(kOn)) return "loom_next";
+  if (std::find(std::begin(kBack), std::end(kBack), key) != std::end(kBack)) return "loom_back";
+  return key == "Escape" ? "loom" : "";
+}
+
 }  // namespace weftlight::actions

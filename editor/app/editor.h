@@ -17,6 +17,7 @@
 #include "session/background_writer.h"
 #include "session/document.h"
 #include "session/intent.h"
+#include "session/loom_link.h"
 #include "session/own_output.h"
 #include "session/report.h"
 #include "session/session.h"
@@ -63,6 +64,10 @@ class Editor : public Desk {
   bool any_unsaved() const override { return !session_.unsaved().empty(); }
   void quit() override;
   void ask_print() override;
+  void toggle_loom() override;
+  void step_at_loom(bool forwards) override;
+  void connect_loom() override;
+  void disconnect_loom() override;
   void ask_other() override;
   const Report* last_report() const override;
   void ask_size() override;
@@ -97,6 +102,7 @@ class Editor : public Desk {
   float split_of(float room, float height);
   void draw_splitter(PanelContext& c, const WindowLayout& layout);
   void draw_question(PanelContext& c);
+  void draw_status(PanelContext& c, const WindowLayout& layout);
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
   /// What the panels are to know of the draft; started anew only while somebody looks.
   const Report* report();
@@ -127,6 +133,12 @@ class Editor : public Desk {
   void start_print(const std::string& path, const PrintPrompt& prompt);
   void start_export(const std::string& folder, const ExportPrompt& prompt);
   void update_title();
+
+  // editor_loom.cpp
+  /// What the loom said; true when there is something to show.
+  bool take_loom_news();
+  void carry_out(const LoomStep& step);
+  void draw_loom_window(PanelContext& c, const WindowLayout& layout);
 
   // editor_files.cpp
   /// To the document's own file; asks when another program changed it.
@@ -173,7 +185,11 @@ class Editor : public Desk {
   bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true;
   Strokes strokes_;
   Reporter reporter_;
-  uint64_t weaves_asked_ = 0;
+  LoomLink loom_{Window::wake};
+  uint64_t loom_of_ = 0;  // the document that it weaves
+  std::string loom_address_, loom_why_;
+  LoomLink::State loom_state_ = LoomLink::State::kOff;  // as last shown
+  uint64_t weaves_asked_ = 0, sittings_ = 0;
   int frames_due_ = 5;
   Tip tip_;
   double moved_at_s_ = 0, tip_at_s_ = -1, said_at_s_ = 0;

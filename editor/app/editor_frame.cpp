@@ -88,8 +88,8 @@ double Editor::sleep_s() {
 void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
-  const bool cloth_changed =
-      preview_.poll() | take_export_news() | reporter_.poll() | take_dialog_news(dialog_, dialog_busy_);
+  const bool cloth_changed = preview_.poll() | take_export_news() | reporter_.poll() |
+                             take_dialog_news(dialog_, dialog_busy_) | take_loom_news();
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;
@@ -149,6 +149,7 @@ void Editor::take_key(const std::string& key) {
     if (!command) return;
   }
   if (commands_.open || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
+  if (const std::string id = view().at_loom.open ? key_at_loom(key) : ""; !id.empty()) return run_action(id);
   for (const Action& a : actions_)
     if (a.item.shortcut == key) return run_action(a.item.id);
 }
@@ -240,6 +241,10 @@ void Editor::draw_panels(PanelContext& c, float tabs_height) {
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
   const float room = shared_width(style_, size.x, settings_.inspector);
   const WindowLayout l = lay_out_window(style_, at, size, split_of(room, size.y), settings_.inspector);
+  if (view().at_loom.open) {
+    draw_loom_window(c, l);
+    return draw_status(c, l);
+  }
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
   draw_draft_header(c, document().name());
   draw_draft(c, cell_texture_);
@@ -253,7 +258,10 @@ void Editor::draw_panels(PanelContext& c, float tabs_height) {
   ImGui::End();
 
   if (l.inspector.shown()) draw_inspector(c, l);
+  draw_status(c, l);
+}
 
+void Editor::draw_status(PanelContext& c, const WindowLayout& l) {
   begin_fixed("Status", l.status, {style_.px(14), style_.px(6)}, kFixed);
   if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
     remarks_open_ = !remarks_open_;

@@ -41,6 +41,7 @@ constexpr std::pair<int, const char*> kNamedKeys[] = {{GLFW_KEY_KP_ADD, "+"},
                                                       {GLFW_KEY_ENTER, "Enter"},
                                                       {GLFW_KEY_KP_ENTER, "Enter"},
                                                       {GLFW_KEY_ESCAPE, "Escape"},
+                                                      {GLFW_KEY_SPACE, "Space"},
                                                       {GLFW_KEY_TAB, "Tab"}};
 
 std::string key_name(int key, int scancode) {

@@ -7,6 +7,7 @@
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
+#include "session/at_loom.h"
 #include "session/names.h"
 #include "session/orbit.h"
 #include "session/other_draft.h"
@@ -50,6 +51,7 @@ struct DocumentView {
   std::shared_ptr<const OtherDraft> other;  // that it is held against; null: none
   int place = -1;                           // of those that differ, last shown
   Stroke stroke;
+  AtLoom at_loom;
   SelectState select;
   ThreadChoice chosen;           // what the Threads panel is about
   bool per_inch = false;         // of ends and picks; else per centimetre

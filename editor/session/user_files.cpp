@@ -70,6 +70,7 @@ Settings settings_from(std::string_view text) {
     for (const auto& path : *recent)
       if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMostRecent)
         s.recent.push_back(std::move(one));
+  if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
   s.height = std::clamp(s.height, 240, 16384);
@@ -79,10 +80,16 @@ Settings settings_from(std::string_view text) {
 std::string settings_text(const Settings& s) {
   nlohmann::json recent = nlohmann::json::array();
   for (const std::string& path : s.recent) recent.push_back(path_json(path));
-  const nlohmann::json json = {
-      {"dark", s.dark},         {"end1_right", s.end1_right}, {"drawdown_style", static_cast<int>(s.drawdown_style)},
-      {"per_inch", s.per_inch}, {"inspector", s.inspector},   {"split", s.split},
-      {"width", s.width},       {"height", s.height},         {"recent", recent}};
+  const nlohmann::json json = {{"dark", s.dark},
+                               {"end1_right", s.end1_right},
+                               {"drawdown_style", static_cast<int>(s.drawdown_style)},
+                               {"per_inch", s.per_inch},
+                               {"inspector", s.inspector},
+                               {"split", s.split},
+                               {"width", s.width},
+                               {"height", s.height},
+                               {"recent", recent},
+                               {"loom", is_utf8(s.loom_address) ? s.loom_address : std::string()}};
   return json.dump(1) + "\n";
 }
 

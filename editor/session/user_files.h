@@ -22,6 +22,7 @@ struct Settings {
   float split = 0;                  // share of the window that the draft takes; 0: what it fills
   int width = 1440, height = 900;   // of the window
   std::vector<std::string> recent;  // newest first
+  std::string loom_address;         // of the loom that was last sent to
   // Of the window while it stands; not kept.
   int inspector_tab = 0;
   bool show_rungs = false;  // false colours: which method shades which pixel

@@ -19,16 +19,19 @@ constexpr ImWchar kTextRanges[] = {0x20, 0x17F, 0x2010, 0x203A, 0x2190, 0x2193, 
 constexpr ImWchar kIconRanges[] = {0xF000, 0xF2E0, 0};
 
 // Sizes at 96 dpi.
+constexpr ImWchar kFigureRanges[] = {'0', '9', 0};
+
+constexpr float kTitle = 44, kBig = 230;
 constexpr float kText = 15, kSmall = 13, kMono = 14, kMonoSmall = 12, kIcons = 16;
 
-ImFont* add(const std::string& path, float size) {
+ImFont* add(const std::string& path, float size, const ImWchar* ranges = kTextRanges) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   if (path.empty()) {
     ImFontConfig own;
     own.SizePixels = size;
     return atlas->AddFontDefault(&own);
   }
-  return atlas->AddFontFromFileTTF(path.c_str(), size, nullptr, kTextRanges);
+  return atlas->AddFontFromFileTTF(path.c_str(), size, nullptr, ranges);
 }
 
 void merge_icons(const std::string& path, float size, float drop) {
@@ -53,6 +56,8 @@ Fonts load_fonts(float pixels, float ratio) {
   fonts.bold = add(bold, kText * pixels);
   fonts.mono = add(mono, kMono * pixels);
   fonts.mono_small = add(mono, kMonoSmall * pixels);
+  fonts.title = add(bold, kTitle * pixels);
+  fonts.big = add(bold, kBig * pixels, kFigureRanges);
   end_fonts();
   return fonts;
 }

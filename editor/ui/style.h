@@ -22,7 +22,9 @@ struct Fonts {
   ImFont* bold = nullptr;
   ImFont* mono = nullptr;
   ImFont* mono_small = nullptr;
-  bool icons = false;  // Font Awesome was found
+  ImFont* title = nullptr;  // read from a step away
+  ImFont* big = nullptr;    // figures alone, read from across the room
+  bool icons = false;       // Font Awesome was found
 };
 
 struct Style {

@@ -73,5 +73,22 @@ TEST_F(ToolsTest, ShowsWhatTwoDraftsDifferIn) {
   EXPECT_TRUE(comes_true([&] { return !w.has("difference.same"); }));
 }
 
+TEST_F(ToolsTest, WeavesPickByPickAndKeepsThePlaceWithTheDraft) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("F9");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:1"); }));
+  display_.key("space");
+  display_.key("Next");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:3"); })) << "Space and a pedal's Page down are picks";
+  ASSERT_NO_FATAL_FAILURE(click(w, "loom.next"));
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:4"); }));
+  display_.key("BackSpace");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:3"); }));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; })) << "it is kept with the draft";
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.has("view"); }));
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -21,6 +21,13 @@ TEST(Keys, SavingWorksWhileTypingAndTextKeepsItsOwn) {
     EXPECT_FALSE(runs_while_typing(key)) << key;
 }
 
+TEST(Keys, PedalsAndBusyHandsStepAtTheLoom) {
+  for (const char* key : {"Space", "Enter", "Right", "Down", "PageDown"}) EXPECT_EQ(key_at_loom(key), "loom_next");
+  for (const char* key : {"Delete", "Left", "Up", "PageUp"}) EXPECT_EQ(key_at_loom(key), "loom_back");
+  EXPECT_EQ(key_at_loom("Escape"), "loom");
+  EXPECT_EQ(key_at_loom("Ctrl+Z"), "");
+}
+
 TEST(Table, IdsAndKeysAreNamedOnce) {
   std::set<std::string> ids;
   std::map<std::string, std::string> keys;

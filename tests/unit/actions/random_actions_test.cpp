@@ -52,6 +52,12 @@ class BareDesk : public Desk {
   bool any_unsaved() const override { return !document_.is_saved(); }
   void quit() override {}
   void ask_print() override {}
+  void toggle_loom() override { view_.at_loom.open = !view_.at_loom.open; }
+  void step_at_loom(bool forwards) override {
+    if (const MaybeEdit edit = step_by_hand(view_.at_loom, document_.now(), forwards, false).edit) commit(*edit);
+  }
+  void connect_loom() override {}
+  void disconnect_loom() override {}
   void ask_other() override {}
   const Report* last_report() const override { return nullptr; }
   void ask_size() override {}

@@ -1,0 +1,190 @@
+// Weaving at a loom: the place in the design, steps by hand, and a mock loom on a line that breaks off.
+
+#include "session/at_loom.h"
+
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "draft/edits.h"
+#include "session/loom_link.h"
+
+namespace weftlight::session {
+namespace {
+
+/// Four shafts, four treadles, each pick another.
+Design four_picks() {
+  Design d;
+  d.draft = blank_draft(4, 4, 4, 4);
+  for (int i = 0; i < 4; ++i) {
+    d.draft.threading.set(i, i, true);
+    d.draft.treadling.set(i, i, true);
+    d.draft.tieup.set(i, i, true);
+  }
+  return d;
+}
+
+void take(Design& d, const LoomStep& step) {
+  if (step.edit) d = step.edit->apply(std::move(d));
+}
+
+TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
+  AtLoom at;
+  Design d = four_picks();
+  for (const int next : {1, 2, 3, 0, 1}) {
+    take(d, step_by_hand(at, d, true, false));
+    EXPECT_EQ(d.loom.next_pick, next);
+  }
+  EXPECT_EQ(at.place.woven, 5);
+  take(d, step_by_hand(at, d, false, false));
+  EXPECT_EQ(d.loom.next_pick, 0);
+  EXPECT_EQ(at.place.woven, 4);
+  const LoomStep one = step_by_hand(at, d, true, false), two = step_by_hand(at, one.edit->apply(d), true, false);
+  EXPECT_EQ(one.edit->stroke, two.edit->stroke) << "a sitting is one step of undo";
+}
+
+TEST(AtLoom, ASectionIsWovenOverAndOver) {
+  AtLoom at;
+  Design d = four_picks();
+  take(d, keep_to_section(at, d, {1, 3}));
+  EXPECT_EQ(d.loom.next_pick, 1) << "it begins where the section does";
+  for (const int next : {2, 1, 2}) {
+    take(d, step_by_hand(at, d, true, false));
+    EXPECT_EQ(d.loom.next_pick, next);
+  }
+  take(d, go_to_pick(at, d, 0));
+  EXPECT_EQ(d.loom.next_pick, 1);
+}
+
+TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
+  AtLoom at;
+  Design d = four_picks();
+  d.loom.next_pick = 2;  // from the file, or by undo
+  EXPECT_EQ(place_of(at, d).next_pick, 2);
+  d.loom.next_pick = 90;
+  EXPECT_EQ(place_of(at, d).next_pick, 3) << "the draft has become shorter";
+}
+
+TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
+  AtLoom at;
+  Design d = four_picks();
+  LoomStep step = step_by_hand(at, d, true, true);
+  EXPECT_EQ(step.send, "C00000001\n");
+  EXPECT_FALSE(step.edit);
+  step = step_by_hand(at, d, true, true);
+  EXPECT_EQ(step.send, "C00000002\n");
+  take(d, step);
+  EXPECT_EQ(d.loom.next_pick, 1);
+}
+
+TEST(AtLoom, FeetAndHandsAreTold) {
+  Design d = four_picks();
+  d.draft.treadling.set(2, 0, true);
+  EXPECT_EQ(to_press(d.draft, 2), (std::vector<int>{0, 2}));
+  EXPECT_TRUE(to_press(d.draft, 9).empty());
+  EXPECT_EQ(to_press(to_liftplan(d).draft, 1), std::vector<int>{1});
+}
+
+/// A port of this machine that a loom can be found at.
+class Port {
+ public:
+  Port() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in at{};
+    at.sin_family = AF_INET;
+    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof at;
+    ::bind(socket_, reinterpret_cast<sockaddr*>(&at), size);
+    ::listen(socket_, 1);
+    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&at), &size);
+    address_ = "tcp:127.0.0.1:" + std::to_string(ntohs(at.sin_port));
+  }
+  ~Port() { ::close(socket_); }
+  const std::string& address() const { return address_; }
+  int accept() const { return ::accept(socket_, nullptr, nullptr); }
+
+ private:
+  int socket_;
+  std::string address_;
+};
+
+std::string read_line(int fd) {
+  std::string line;
+  for (char c; ::read(fd, &c, 1) == 1 && c != '\n';) line += c;
+  return line;
+}
+
+bool comes_true(const std::function<bool()>& holds) {
+  for (int i = 0; i < 3000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return holds();
+}
+
+/// The window's part: greets, hears, answers.
+struct Weaver {
+  AtLoom at{};
+  Design design = four_picks();
+  LoomLink link{[] {}};
+  int greeted = 0;
+
+  void poll() {
+    const LoomLink::News news = link.take();
+    const auto carry_out = [this](const LoomStep& step) {
+      link.send(step.send);
+      take(design, step);
+    };
+    greeted += news.connected;
+    if (news.connected) carry_out(greet(at, design));
+    for (const loom::LoomReport& report : news.reports) carry_out(hear(at, design, report));
+  }
+};
+
+TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
+  const Port port;
+  Weaver w;
+  w.link.connect(port.address());
+  int loom = port.accept();
+  ASSERT_TRUE(comes_true([&] {
+    w.poll();
+    return w.greeted == 1;
+  }));
+  EXPECT_EQ(read_line(loom), "U0");
+  const auto ask = [&](int picks_so_far, const char* shafts) {
+    ASSERT_EQ(::write(loom, "p\n", 2), 2);
+    ASSERT_TRUE(comes_true([&] {
+      w.poll();
+      return w.at.place.waiting && w.at.place.woven == picks_so_far;
+    }));
+    EXPECT_EQ(read_line(loom), shafts);
+  };
+  ASSERT_NO_FATAL_FAILURE(ask(0, "C00000001"));
+  ASSERT_NO_FATAL_FAILURE(ask(1, "C00000002"));
+  ::close(loom);
+  ASSERT_TRUE(comes_true([&] { return w.link.state() == LoomLink::State::kConnecting; }));
+  loom = port.accept();
+  ASSERT_TRUE(comes_true([&] {
+    w.poll();
+    return w.greeted == 2;
+  }));
+  EXPECT_EQ(read_line(loom), "U0");
+  EXPECT_EQ(read_line(loom), "C00000002") << "the pick that was on its way, once more";
+  ASSERT_NO_FATAL_FAILURE(ask(2, "C00000004"));
+  EXPECT_EQ(w.design.loom.next_pick, 2);
+  w.link.disconnect();
+  EXPECT_EQ(w.link.state(), LoomLink::State::kOff);
+  ::close(loom);
+}
+
+TEST(LoomLink, SaysWhyThereIsNoLoom) {
+  LoomLink link([] {});
+  link.connect("somewhere");
+  ASSERT_TRUE(comes_true([&] { return !link.why().empty(); }));
+  EXPECT_NE(link.why().find("tcp:HOST:PORT"), std::string::npos);
+  EXPECT_EQ(link.state(), LoomLink::State::kConnecting) << "it goes on trying";
+}
+
+}  // namespace
+}  // namespace weftlight::session

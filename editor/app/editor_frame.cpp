@@ -241,7 +241,7 @@ void Editor::draw_panels(PanelContext& c, float tabs_height) {
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
   const float room = shared_width(style_, size.x, settings_.inspector);
   const WindowLayout l = lay_out_window(style_, at, size, split_of(room, size.y), settings_.inspector);
-  if (view().at_loom.open) {
+  if (c.view.at_loom.open) {
     draw_loom_window(c, l);
     return draw_status(c, l);
   }

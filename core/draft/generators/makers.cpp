@@ -1,0 +1,178 @@
+// The weaves that are made of more than one call of generators.h.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "draft/generators/families.h"
+#include "draft/generators/weave_values.h"
+
+namespace weftlight::draft {
+namespace {
+
+/// The picks of a twill taken in an order of their own.
+Design broken_twill(const OverUnder& order, const std::vector<int>& breaks, Lean to, ClothSize size) {
+  const Draft whole = twill(order, to, {1, 1}).draft;
+  Recipe recipe{whole.shafts, {}, {}, {}};
+  for (int s = 0; s < whole.shafts; ++s) recipe.threading.push_back(s);
+  for (int t = 0; t < whole.treadles; ++t) {
+    recipe.tieup.emplace_back();
+    for (int s = 0; s < whole.shafts; ++s)
+      if (whole.tieup.get(t, s)) recipe.tieup.back().push_back(s);
+  }
+  for (const int pick : breaks) recipe.treadling.push_back(pick % whole.treadles);
+  return make_design(recipe, size);
+}
+
+/// A pattern line of `ends` ends that swings `height` shafts up and down.
+std::vector<int> pattern_line(std::string_view form, int ends, int height) {
+  std::vector<int> line;
+  for (int e = 0; e < ends; ++e) {
+    const double t = static_cast<double>(e) / std::max(ends, 1);
+    const double wave = form == "points" ? 1 - std::abs(2 * t - 1)
+                        : form == "saw"  ? t
+                                         : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * t);
+    line.push_back(static_cast<int>(std::lround(wave * height)));
+  }
+  return line;
+}
+
+}  // namespace
+
+Made make_broken(const WeaveValues& v, ClothSize size) {
+  Made made;
+  const OverUnder order = ratio(v, made.why);
+  const int shafts = std::accumulate(order.begin(), order.end(), 0);
+  SequenceRead read = read_sequence(text(v, "order"), shafts);
+  if (!read.why.empty()) made.why = read.why;
+  if (read.threads.empty()) read.threads = {0, 1, 3, 2};
+  made.design = broken_twill(order, read.threads, lean(v), size);
+  return made;
+}
+
+Made make_satin(const WeaveValues& v, ClothSize size) {
+  const int shafts = count(v, "shafts"), wanted = count(v, "step");
+  const std::vector<int> steps = satin_steps(shafts);
+  if (steps.empty())
+    return {twill({shafts - 1, 1}, Lean::kRight, size),
+            "there is no satin of " + std::to_string(shafts) + " shafts; the twill stands in its place"};
+  const int step = *std::ranges::min_element(steps, {}, [wanted](int s) { return std::abs(s - wanted); });
+  Made made{satin(shafts, step, is(v, "face", "weft") ? Face::kBack : Face::kFront, size), {}};
+  if (step == wanted) return made;
+  made.why = "a satin of " + std::to_string(shafts) + " has the steps";
+  for (const int s : steps) made.why.append(" ").append(std::to_string(s));
+  made.why += "; " + std::to_string(step) + " was taken";
+  return made;
+}
+
+Made make_network(const WeaveValues& v, ClothSize size) {
+  Made made;
+  const OverUnder order = ratio(v, made.why);
+  const int shafts = std::accumulate(order.begin(), order.end(), 0);
+  SequenceRead initial = read_sequence(text(v, "initial"), 16);
+  if (!initial.why.empty() || initial.threads.empty()) {
+    made.why = quoted(text(v, "initial")) + " is not an initial like 1-4; that was taken";
+    initial.threads = {0, 1, 2, 3};
+  }
+  const int rows = *std::ranges::max_element(initial.threads) + 1;
+  initial.threads.resize(static_cast<size_t>(std::max(rows, static_cast<int>(initial.threads.size()))), 0);
+  const std::vector<int> draw =
+      network_threading(initial.threads, pattern_line(text(v, "line"), count(v, "length"), count(v, "height")), shafts);
+  const Draft whole = twill(order, lean(v), {1, 1}).draft;
+  Recipe recipe{shafts, draw, {}, {}};
+  for (int t = 0; t < whole.treadles; ++t) {
+    recipe.tieup.emplace_back();
+    for (int s = 0; s < whole.shafts; ++s)
+      if (whole.tieup.get(t, s)) recipe.tieup.back().push_back(s);
+    recipe.treadling.push_back(t);
+  }
+  if (is(v, "treadling", "as drawn in")) recipe.treadling = draw;
+  made.design = make_design(recipe, size);
+  return made;
+}
+
+/// Blocks A 1232, B 2343, C 3414, D 4121; between two blocks the first thread of the old one again, so that no two
+/// ends of one parity stand together. Based on: Mary Snyder, The Crackle Weave, 1961.
+Made make_crackle(const WeaveValues& v, ClothSize size) {
+  Made made;
+  const std::vector<int> blocks = profile(v, 4, made.why);
+  Recipe recipe{4, {}, {{2, 3}, {0, 3}, {0, 1}, {1, 2}, {0, 2}, {1, 3}}, {}};
+  for (size_t i = 0; i < blocks.size(); ++i) {
+    const int block = blocks[i], next = blocks[(i + 1) % blocks.size()];
+    for (const int step : {0, 1, 2, 1}) recipe.threading.push_back((block + step) % 4);
+    // Round the blocks the short way.
+    const int away = (next - block + 4) % 4;
+    for (int k = 0; k < (away == 3 ? 1 : away); ++k) recipe.threading.push_back((block + k) % 4);
+  }
+  for (const int block : blocks)
+    for (int i = 0; i < count(v, "picks"); ++i) {
+      recipe.treadling.push_back(block);
+      recipe.treadling.push_back(4 + static_cast<int>(recipe.treadling.size()) / 2 % 2);
+    }
+  made.design = make_design(recipe, size);
+  return made;
+}
+
+Made make_substitution(const WeaveValues& v, ClothSize size) {
+  Made made;
+  const auto templates = block_templates();
+  const std::string id = text(v, "template");
+  const auto found = std::ranges::find_if(templates, [&](const BlockTemplate& t) { return id == t.id; });
+  BlockTemplate unit = found != templates.end() ? *found : templates.front();
+  const std::string warp = text(v, "warp"), weft = text(v, "weft");
+  if (id == "own") unit = {"own", "Own", count(v, "ties"), warp.c_str(), weft.c_str()};
+  std::string why;
+  const std::vector<int> blocks = profile(v, 8, why);
+  made = substituted(unit, blocks, read_profile(text(v, "weft_profile")), size);
+  if (made.why.empty()) made.why = why;
+  return made;
+}
+
+Made make_sections(const WeaveValues& v, ClothSize size) {
+  Made made;
+  const int shafts = count(v, "shafts");
+  Recipe recipe{shafts, {}, {}, {}};
+  const auto read = [&](const char* id, int most) {
+    SequenceRead r = read_sequence(text(v, id), most);
+    if (!r.why.empty() && made.why.empty()) made.why = std::string(id) + ": " + r.why;
+    return r.threads.empty() ? std::vector<int>{0} : std::move(r.threads);
+  };
+  recipe.threading = read("threading", shafts);
+  std::string treadle;
+  const std::string ties = text(v, "tieup") + "|";
+  for (const char c : ties) {
+    if (c != '|') {
+      treadle += c;
+      continue;
+    }
+    SequenceRead r = read_sequence(treadle, shafts);
+    if (!r.why.empty() && made.why.empty()) made.why = "tie-up: " + r.why;
+    recipe.tieup.push_back(std::move(r.threads));
+    treadle.clear();
+    if (recipe.tieup.size() >= static_cast<size_t>(kMaxShafts)) break;
+  }
+  recipe.treadling = read("treadling", static_cast<int>(recipe.tieup.size()));
+  made.design = make_design(recipe, size);
+  return made;
+}
+
+Made make_sett(const WeaveValues& v, ClothSize size) {
+  Made made;
+  made.design = twill(ratio(v, made.why), lean(v), size);
+  SettRead sett = read_sett(text(v, "sett"));
+  if (!sett.why.empty()) made.why = sett.why;
+  if (!sett.palette.empty())
+    made.design = with_colors(std::move(made.design), sett.palette, sett.stripes, sett.stripes);
+  return made;
+}
+
+Made make_double(const WeaveValues& v, ClothSize size) {
+  Made made;
+  const OverUnder order = ratio(v, made.why);
+  const bool wide = is(v, "kind", "double width");
+  made.design = double_cloth(wide ? DoubleCloth::kDoubleWidth : DoubleCloth::kLayers, order, size);
+  return made;
+}
+
+}  // namespace weftlight::draft

@@ -22,6 +22,7 @@ std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& des
     items.push_back(a.item);
     items.back().enabled = !a.enabled || a.enabled(desk);
     items.back().checked = a.checked && a.checked(desk);
+    if (a.label) items.back().label = a.label(desk);
   }
   return items;
 }

@@ -14,8 +14,9 @@ namespace weftlight::actions {
 struct Action {
   ActionItem item;  // `enabled` and `checked` are filled in by show()
   std::function<void(Desk&)> run;
-  std::function<bool(const Desk&)> enabled = nullptr;  // null: always
-  std::function<bool(const Desk&)> checked = nullptr;  // null: never
+  std::function<bool(const Desk&)> enabled = nullptr;       // null: always
+  std::function<bool(const Desk&)> checked = nullptr;       // null: never
+  std::function<std::string(const Desk&)> label = nullptr;  // null: as it stands in the item
 };
 
 /// `recent`: files offered under File.

@@ -28,6 +28,7 @@
 #include "views/draft/draft_panel.h"
 #include "views/inspector/yarn_strip.h"
 #include "views/shell/action_list.h"
+#include "views/shell/history_window.h"
 #include "views/shell/tab_strip.h"
 #include "views/shell/window_layout.h"
 
@@ -178,6 +179,7 @@ class Editor : public Desk {
   float fitted_split_ = 0.5f;  // while the weaver has not moved the splitter
   CommandPalette commands_;
   TabStrip tabs_;
+  HistoryWindow history_;
   Dialog dialog_;
   bool dialog_busy_ = false;
   std::function<void(int)> answer_;

@@ -18,6 +18,7 @@
 #include "views/inspector/scene_panel.h"
 #include "views/inspector/threads_panel.h"
 #include "views/inspector/yarn_panel.h"
+#include "views/shell/history_window.h"
 #include "views/shell/status_bar.h"
 
 namespace weftlight::app {
@@ -178,6 +179,7 @@ void Editor::draw_window() {
   wanted.add_action(draw_selection_menu(c, items));
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
+  draw_history(c, document(), history_);
   draw_keys_window(c, items, keys_open_);
   draw_question(c);
   ImGui::PopFont();
@@ -196,6 +198,7 @@ void Editor::carry_out(Intents& wanted) {
     if (const auto* edit = std::get_if<Edit>(&one)) commit(*edit);
     else if (const auto* action = std::get_if<RunAction>(&one)) run_action(action->id);
     else if (const auto* change = std::get_if<SettingsChange>(&one)) change->run(settings_);
+    else if (const auto* to = std::get_if<GoToStep>(&one)) go_to_step(to->step);
     else if (const MaybeEdit made = std::get<Gesture>(one).run(view(), document().now())) commit(*made);
   }
 }

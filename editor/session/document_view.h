@@ -20,7 +20,7 @@ namespace weftlight::session {
 class Document;
 
 enum class GridId { kNone, kThreading, kTieup, kTreadling, kLiftplan, kDrawdown, kWarpColors, kWeftColors };
-/// Name in the --ui-map, also the label of its strokes.
+/// Name in the --ui-map.
 const char* grid_name(GridId grid);
 
 enum class BarPaint { kColor, kYarn };

@@ -25,7 +25,10 @@ struct Gesture {
 struct SettingsChange {
   std::function<void(Settings&)> run;
 };
-using Intent = std::variant<Edit, RunAction, Gesture, SettingsChange>;
+struct GoToStep {
+  size_t step = 0;  // of the history
+};
+using Intent = std::variant<Edit, RunAction, Gesture, SettingsChange, GoToStep>;
 
 class Intents {
  public:
@@ -47,6 +50,7 @@ class Intents {
     });
   }
   void change_settings(std::function<void(Settings&)> run) { all_.emplace_back(SettingsChange{std::move(run)}); }
+  void go_to(size_t step) { all_.emplace_back(GoToStep{step}); }
   std::vector<Intent> take() { return std::exchange(all_, {}); }
 
  private:

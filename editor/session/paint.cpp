@@ -109,7 +109,8 @@ Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
 }
 
 Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only) {
-  Edit edit{std::string("Paint ") + grid_name(grid), [=](Design design) {
+  constexpr const char* kSpoken[] = {"", "threading", "tie-up", "treadling", "liftplan", "drawdown", "", ""};
+  Edit edit{std::string("Paint ") + kSpoken[static_cast<int>(grid)], [=](Design design) {
               for (const Cell& at : line_of_cells(from, to)) design = with_cell(std::move(design), grid, at, on, only);
               return design;
             }};

@@ -25,6 +25,7 @@ struct Settings {
   std::string loom_address;         // of the loom that was last sent to
   // Of the window while it stands; not kept.
   int inspector_tab = 0;
+  bool show_history = false;
   bool show_rungs = false;  // false colours: which method shades which pixel
   Compare compare = Compare::kOff;
   float compare_split = 0.5f;  // of the pane's width

@@ -42,6 +42,8 @@ void set_colors(ImVec4* at, const Colors& c) {
   at[ImGuiCol_HeaderActive] = vec(c.accent, 0.20f);
   at[ImGuiCol_Separator] = vec(c.line);
   at[ImGuiCol_SeparatorHovered] = at[ImGuiCol_SeparatorActive] = vec(c.accent);
+  at[ImGuiCol_ResizeGrip] = vec(c.line_strong, 0);
+  at[ImGuiCol_ResizeGripHovered] = at[ImGuiCol_ResizeGripActive] = vec(c.line_strong, 0.6f);
   at[ImGuiCol_TextSelectedBg] = vec(c.accent, 0.28f);
   at[kFocusColor] = vec(c.accent, 0.8f);
   at[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.28f);

@@ -151,5 +151,26 @@ TEST_F(TabsTest, AKilledWindowOffersAllOfThem) {
   EXPECT_TRUE(comes_true([&] { return w.live() == (shown == one ? two : one); }));
 }
 
+TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  std::vector<std::string> states{w.live()};
+  for (int end = 1; end <= 3; ++end) {
+    ASSERT_NO_FATAL_FAILURE(paint(w, end == 3 ? 4 : end));  // end 3 is on shaft 3 already
+    states.push_back(w.live());
+  }
+  display_.key("ctrl+h");
+  ASSERT_TRUE(comes_true([&] { return w.has("history:3"); }));
+  display_.click(w.middle_of("history:1"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == states[1]; }));
+  EXPECT_TRUE(w.has("history:3")) << "the future is still there";
+  display_.click(w.middle_of("history:3"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == states[3]; }));
+  display_.click(w.middle_of("history:0"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == states[0]; })) << "to the byte";
+  display_.key("ctrl+h");
+  EXPECT_TRUE(comes_true([&] { return !w.has("history:0"); }));
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -73,6 +73,30 @@ TEST(History, DragThatTakesItselfBackLeavesNoStep) {
   EXPECT_EQ(h.now().title, "a");
 }
 
+TEST(History, GoesToAnyStepAndKeepsWhatLiesAhead) {
+  History h(called("a"));
+  h.commit(called("b"), "to b");
+  h.mark_saved();
+  h.commit(called("c"), "to c");
+  ASSERT_EQ(h.steps(), 3u);
+  EXPECT_EQ(h.label(0), "");
+  EXPECT_EQ(h.label(2), "to c");
+  EXPECT_EQ(h.position(), 2u);
+  h.go_to(0);
+  EXPECT_EQ(h.now().title, "a");
+  EXPECT_EQ(h.redo_label(), "to b");
+  EXPECT_EQ(h.steps(), 3u);
+  h.go_to(1);
+  EXPECT_TRUE(h.is_saved());
+  EXPECT_TRUE(h.is_saved(1));
+  EXPECT_FALSE(h.is_saved(2));
+  h.go_to(99);
+  EXPECT_EQ(h.now().title, "c") << "the last there is";
+  h.go_to(1);
+  h.commit(called("d"), "to d");
+  EXPECT_EQ(h.steps(), 3u) << "what lay ahead is gone once something else is done";
+}
+
 TEST(History, SavedMarkIsAPosition) {
   History h(called("a"));
   EXPECT_TRUE(h.is_saved());

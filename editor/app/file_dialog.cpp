@@ -41,34 +41,78 @@ std::string output_of(std::vector<std::string> words) {
   return text;
 }
 
-}  // namespace
-
-bool FileDialog::is_there() {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "");
+bool is_program(const std::string& path, const std::string& name) {
+  std::istringstream folders(path);
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((folder + "/zenity").c_str(), X_OK) == 0) return true;
+    if (access((folder + "/" + name).c_str(), X_OK) == 0) return true;
   return false;
 }
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+struct Filter {
+  std::string name, patterns;
+};
+std::vector<Filter> filters_of(FileAsk what, const std::string& ending) {
+  std::vector<Filter> filters;
+  if (what == FileAsk::kOpen) filters.push_back({"Weaving drafts", "*.wif *.WIF *.wifw *.dtx *.DTX *.wpo *.WPO"});
+  filters.push_back(ending == ".wif" ? Filter{"WIF drafts", "*.wif *.WIF"} : Filter{"*" + ending, "*" + ending});
+  filters.push_back({"All files", "*"});
+  return filters;
+}
+
+std::vector<std::string> zenity_words(FileAsk what, const std::string& title, const std::string& start,
+                                      const std::string& ending) {
+  std::vector<std::string> words = {"zenity", "--file-selection", "--title=" + title};
+  if (what == FileAsk::kFolder) words.push_back("--directory");
+  else
+    for (const Filter& f : filters_of(what, ending)) words.push_back("--file-filter=" + f.name + " | " + f.patterns);
+  if (!start.empty()) words.push_back("--filename=" + start);
+  if (what == FileAsk::kSave) words.insert(words.end(), {"--save", "--confirm-overwrite"});
+  return words;
+}
+
+/// kdialog asks by itself before it gives a file that is there.
+std::vector<std::string> kdialog_words(FileAsk what, const std::string& title, const std::string& start,
+                                       const std::string& ending) {
+  const char* verb = what == FileAsk::kFolder ? "--getexistingdirectory"
+                     : what == FileAsk::kSave ? "--getsavefilename"
+                                              : "--getopenfilename";
+  std::vector<std::string> words = {"kdialog", "--title", title, verb, start.empty() ? "." : start};
+  if (what == FileAsk::kFolder) return words;
+  std::string all;
+  for (const Filter& f : filters_of(what, ending)) {
+    if (!all.empty()) all += "|";
+    all.append(f.name).append(" (").append(f.patterns).append(")");
+  }
+  words.push_back(std::move(all));
+  return words;
+}
+
+}  // namespace
+
+Asker find_asker(const std::string& path, const std::string& desktop) {
+  const bool zenity = is_program(path, "zenity"), kdialog = is_program(path, "kdialog");
+  if (kdialog && (!zenity || desktop.find("KDE") != std::string::npos)) return Asker::kKdialog;
+  return zenity ? Asker::kZenity : Asker::kNone;
+}
+
+std::vector<std::string> asker_words(Asker asker, FileAsk what, const std::string& title, const std::string& start,
+                                     const std::string& ending) {
+  return asker == Asker::kKdialog ? kdialog_words(what, title, start, ending)
+                                  : zenity_words(what, title, start, ending);
+}
+
+bool FileDialog::is_there() { return find_asker(variable("PATH"), variable("XDG_CURRENT_DESKTOP")) != Asker::kNone; }
 
 void FileDialog::ask(FileAsk what, const std::string& title, const std::string& start, const std::string& ending,
                      std::function<void(const std::string&)> chosen) {
   if (waiting()) return;
-  std::vector<std::string> words = {"zenity", "--file-selection", "--title=" + title};
-  if (what == FileAsk::kFolder) {
-    words.push_back("--directory");
-  } else {
-    if (what != FileAsk::kSave)
-      words.push_back("--file-filter=Weaving drafts | *.wif *.WIF *.wifw *.dtx *.DTX *.wpo *.WPO");
-    if (ending == ".wif") words.push_back("--file-filter=WIF drafts (*.wif) | *.wif *.WIF");
-    else words.push_back("--file-filter=*" + ending + " | *" + ending);
-    words.push_back("--file-filter=All files | *");
-  }
-  if (!start.empty()) words.push_back("--filename=" + start);
-  if (what == FileAsk::kSave) {
-    words.push_back("--save");
-    words.push_back("--confirm-overwrite");
-  }
+  const Asker asker = find_asker(variable("PATH"), variable("XDG_CURRENT_DESKTOP"));
+  std::vector<std::string> words = asker_words(asker, what, title, start, ending);
   chosen_ = std::move(chosen);
   answer_ = std::async(std::launch::async, [words = std::move(words)] { return output_of(words); });
 }

@@ -1,10 +1,11 @@
 #pragma once
-// The system's file dialog, through zenity, which runs beside the window.
+// The system's file dialog, through zenity or kdialog, which runs beside the window.
 
 #include <functional>
 #include <future>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/names.h"
 
@@ -12,9 +13,17 @@ namespace weftlight::app {
 
 enum class FileAsk { kOpen, kSave, kFolder };
 
+/// Programs that ask for a file.
+enum class Asker { kNone, kZenity, kKdialog };
+/// The one of the desktop, else the one that is there. `path`: folders as in $PATH; `desktop`: as $XDG_CURRENT_DESKTOP.
+Asker find_asker(const std::string& path, const std::string& desktop);
+/// The program and its arguments; it prints the chosen path. `ending`: of what is saved or opened, ".wif".
+std::vector<std::string> asker_words(Asker asker, FileAsk what, const std::string& title, const std::string& start,
+                                     const std::string& ending);
+
 class FileDialog {
  public:
-  /// False without zenity: ask inside the window instead.
+  /// False without a program that asks: ask inside the window instead.
   static bool is_there();
   /// `ending`: of what is saved, ".wif".
   void ask(FileAsk what, const std::string& title, const std::string& start, const std::string& ending,

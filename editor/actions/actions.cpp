@@ -4,7 +4,8 @@
 
 namespace weftlight::actions {
 
-std::vector<Action> make_actions(const std::vector<std::string>& recent) {
+std::vector<Action> make_actions(const std::vector<std::string>& recent,
+                                 const std::map<std::string, std::string>& keys) {
   Actions all;
   add_file_actions(all, recent);
   add_edit_actions(all);
@@ -13,6 +14,10 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent) {
   add_cloth_actions(all);
   add_library_actions(all);
   add_help_actions(all);
+  for (Action& a : all) {
+    a.item.shipped = a.item.shortcut;
+    if (const auto own = keys.find(a.item.id); own != keys.end()) a.item.shortcut = own->second;
+  }
   return all;
 }
 

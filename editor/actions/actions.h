@@ -2,6 +2,7 @@
 // The one table of what can be done: it feeds the menus, the keys, the toolbar and the command palette.
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct Action {
   std::function<std::string(const Desk&)> label = nullptr;  // null: as it stands in the item
 };
 
-/// `recent`: files offered under File.
-std::vector<Action> make_actions(const std::vector<std::string>& recent);
+/// `recent`: files offered under File. `keys`: shortcuts that the weaver gave, by action (Settings::keys).
+std::vector<Action> make_actions(const std::vector<std::string>& recent,
+                                 const std::map<std::string, std::string>& keys = {});
 /// The table as the panels show it, with what holds now.
 std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& desk);
 

@@ -54,7 +54,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       preview_(Window::wake),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
-  actions_ = make_actions(settings_.recent);
+  actions_ = make_actions(settings_.recent, settings_.keys);
   if (!options.file.empty()) open_path(options.file);
   follow_shown();
   offer_recovery();
@@ -73,7 +73,7 @@ void Editor::open_path(const std::string& path) {
   OpenResult result = open_document(path);
   if (!result.document) return report(std::move(result.remarks), path);
   remember(settings_, path);
-  actions_ = make_actions(settings_.recent);
+  actions_ = make_actions(settings_.recent, settings_.keys);
   open_beside(std::move(*result.document), Origin::kOwn);
 }
 
@@ -135,7 +135,7 @@ void Editor::save_to(const std::string& path, std::function<void()> then) {
   }
   keep_live_export();
   remember(settings_, path);
-  actions_ = make_actions(settings_.recent);
+  actions_ = make_actions(settings_.recent, settings_.keys);
   say("Saved " + document().name());
   if (then) then();
 }
@@ -293,6 +293,13 @@ void Editor::ask(Dialog dialog, std::function<void(int)> then) {
 
 void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
                       std::function<void(const std::string&)> chosen, const std::string& ending) {
+  // The system's dialog leaves the window free: what was asked is about the draft that was shown then.
+  if (what != FileAsk::kOpen)
+    chosen = [this, about = session_.active().id, then = std::move(chosen)](const std::string& path) {
+      if (session_.find(about) == nullptr) return say("Not written: the draft was closed meanwhile");
+      session_.show(about);
+      then(path);
+    };
   if (FileDialog::is_there()) {
     if (what == FileAsk::kSave)
       chosen = [this, ending, then = std::move(chosen)](const std::string& path) { with_ending(path, ending, then); };

@@ -81,7 +81,7 @@ class Editor : public Desk {
   const Settings& settings() const override { return settings_; }
   void show_commands() override;
   void show_remarks() override { remarks_open_ = true; }
-  void toggle_keys() override { keys_open_ = !keys_open_; }
+  void toggle_keys() override { keys_.open = !keys_.open; }
   void toggle_theme() override;
   void keep_view() override;
   void reset_view() override { view().camera = orbit_of(document().now().scene); }
@@ -99,6 +99,7 @@ class Editor : public Desk {
   void carry_out(const TabWish& wish);
   /// What the panels of a frame asked for, in their order.
   void carry_out(Intents& wanted);
+  void change_settings(const SettingsChange& change);
   /// Share of the room that the draft's pane takes.
   float split_of(float room, float height);
   void draw_splitter(PanelContext& c, const WindowLayout& layout);
@@ -180,11 +181,12 @@ class Editor : public Desk {
   CommandPalette commands_;
   TabStrip tabs_;
   HistoryWindow history_;
+  KeysWindow keys_;
   Dialog dialog_;
   bool dialog_busy_ = false;
   std::function<void(int)> answer_;
   std::string message_, title_;
-  bool remarks_open_ = false, keys_open_ = false, leaving_ = false, restyle_ = true;
+  bool remarks_open_ = false, leaving_ = false, restyle_ = true;
   Strokes strokes_;
   Reporter reporter_;
   LoomLink loom_{Window::wake};

@@ -138,11 +138,16 @@ void Editor::take_input() {
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
   strokes_.frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
   for (const std::string& key : window_.take_keys()) take_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
-  for (const std::string& path : window_.take_dropped_files()) open_path(path);
+  if (std::holds_alternative<std::monostate>(dialog_))
+    for (const std::string& path : window_.take_dropped_files()) open_path(path);
 }
 
 /// A key that is no text: closes what stands open, or runs its action.
 void Editor::take_key(const std::string& key) {
+  if (!keys_.waiting.empty()) {
+    keys_.pressed = key;
+    return;
+  }
   if (!std::holds_alternative<std::monostate>(dialog_)) return;  // it sees to its own
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     const bool command = runs_while_typing(key);
@@ -180,7 +185,7 @@ void Editor::draw_window() {
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
   draw_history(c, document(), history_);
-  draw_keys_window(c, items, keys_open_);
+  draw_keys_window(c, items, keys_);
   draw_question(c);
   ImGui::PopFont();
   carry_out(wanted);
@@ -194,13 +199,23 @@ void Editor::draw_window() {
 }
 
 void Editor::carry_out(Intents& wanted) {
+  const uint64_t about = shown_;
   for (const Intent& one : wanted.take()) {
+    // An action may show another draft; what was done to the one before is not done to that.
+    const bool of_window = std::holds_alternative<RunAction>(one) || std::holds_alternative<SettingsChange>(one);
+    if (!of_window && session_.active().id != about) continue;
     if (const auto* edit = std::get_if<Edit>(&one)) commit(*edit);
     else if (const auto* action = std::get_if<RunAction>(&one)) run_action(action->id);
-    else if (const auto* change = std::get_if<SettingsChange>(&one)) change->run(settings_);
+    else if (const auto* change = std::get_if<SettingsChange>(&one)) change_settings(*change);
     else if (const auto* to = std::get_if<GoToStep>(&one)) go_to_step(to->step);
     else if (const MaybeEdit made = std::get<Gesture>(one).run(view(), document().now())) commit(*made);
   }
+}
+
+void Editor::change_settings(const SettingsChange& change) {
+  const auto keys = settings_.keys;
+  change.run(settings_);
+  if (settings_.keys != keys) actions_ = make_actions(settings_.recent, settings_.keys);
 }
 
 /// "twill.wif", "Overshot"; with its folder where another has the same name.

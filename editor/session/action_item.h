@@ -13,6 +13,7 @@ struct ActionItem {
   std::string submenu;   // "Repeat": items that follow each other with the same one stand in it
   std::string label;     // "Save"
   std::string shortcut;  // "Ctrl+S"
+  std::string shipped;   // shortcut, before the weaver chose another
   bool enabled = true;
   bool checked = false;
   bool group = false;         // a line above it in the menu

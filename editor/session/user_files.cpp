@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr size_t kMostRecent = 10;
+constexpr size_t kMostKeys = 1000, kLongestKey = 64;
 constexpr uint64_t kMostBytes = uint64_t{1} << 20;
 
 fs::path settings_path() { return fs::path(config_folder()) / "settings.json"; }
@@ -71,6 +72,10 @@ Settings settings_from(std::string_view text) {
       if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMostRecent)
         s.recent.push_back(std::move(one));
   if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
+  if (const auto keys = json.find("keys"); keys != json.end() && keys->is_object())
+    for (const auto& [action, key] : keys->items())
+      if (key.is_string() && key.get_ref<const std::string&>().size() <= kLongestKey && s.keys.size() < kMostKeys)
+        s.keys[action] = key.get<std::string>();
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
   s.height = std::clamp(s.height, 240, 16384);
@@ -89,6 +94,7 @@ std::string settings_text(const Settings& s) {
                                {"width", s.width},
                                {"height", s.height},
                                {"recent", recent},
+                               {"keys", s.keys},
                                {"loom", is_utf8(s.loom_address) ? s.loom_address : std::string()}};
   return json.dump(1) + "\n";
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The user's settings: what all documents of the window are seen with.
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +18,13 @@ enum class Compare { kOff, kSplit, kDifference };
 struct Settings {
   bool dark = false, end1_right = true;
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
-  bool per_inch = false;            // ends and picks are counted in an inch
-  bool inspector = true;            // is shown
-  float split = 0;                  // share of the window that the draft takes; 0: what it fills
-  int width = 1440, height = 900;   // of the window
-  std::vector<std::string> recent;  // newest first
-  std::string loom_address;         // of the loom that was last sent to
+  bool per_inch = false;                    // ends and picks are counted in an inch
+  bool inspector = true;                    // is shown
+  float split = 0;                          // share of the window that the draft takes; 0: what it fills
+  int width = 1440, height = 900;           // of the window
+  std::vector<std::string> recent;          // newest first
+  std::string loom_address;                 // of the loom that was last sent to
+  std::map<std::string, std::string> keys;  // by action: the shortcut that the weaver gave it; empty: none
   // Of the window while it stands; not kept.
   int inspector_tab = 0;
   bool show_history = false;

@@ -172,5 +172,31 @@ TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
   EXPECT_TRUE(comes_true([&] { return !w.has("history:0"); }));
 }
 
+TEST_F(TabsTest, KeysAreTheWeaversOwnAndKept) {
+  {
+    Window w(display_, folder_, draft_, without_dialogs());
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    display_.key("F1");
+    ASSERT_TRUE(comes_true([&] { return w.has("key:history"); }));
+    display_.click(w.middle_of("keys.typed"));
+    display_.type("history");
+    ASSERT_TRUE(comes_true([&] { return !w.has("key:save"); })) << "narrowed by typing";
+    display_.click(w.middle_of("key:history"));
+    display_.key("ctrl+z");
+    ASSERT_TRUE(comes_true([&] { return w.has("key.take"); })) << "said that another command has it";
+    display_.key("ctrl+u");
+    ASSERT_TRUE(comes_true([&] { return w.has("keys.shipped"); })) << "nothing was changed";
+    display_.key("ctrl+u");
+    EXPECT_TRUE(comes_true([&] { return w.has("history:0"); })) << "the new key does nothing";
+    display_.key("ctrl+q");
+    EXPECT_EQ(w.process().wait(), 0);
+  }
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+h");
+  display_.key("ctrl+u");
+  EXPECT_TRUE(comes_true([&] { return w.has("history:0"); })) << "the old key does nothing, the new one was kept";
+}
+
 }  // namespace
 }  // namespace weftlight::gui

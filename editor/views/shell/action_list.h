@@ -20,8 +20,17 @@ std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> i
 /// The menu of a right click on the selection, when FrameNotes wants it or it stands open.
 std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items);
 
-/// What the mouse does, and every action that has a key, in a window of their own.
-void draw_keys_window(const PanelContext& c, std::span<const ActionItem> items, bool& open);
+/// What the mouse does, and the key of every action, in a window of their own. A click on a key waits for another.
+struct KeysWindow {
+  bool open = false;
+  std::string typed;    // what is looked for
+  std::string waiting;  // action that the next key is for
+  std::string pressed;  // that key, when it came
+  std::string wanted;   // a key that another action has
+};
+void draw_keys_window(PanelContext& c, std::span<const ActionItem> items, KeysWindow& window);
+/// The action that has the key, other than `but`; null: none.
+const ActionItem* holder_of(std::span<const ActionItem> items, const std::string& key, const std::string& but);
 
 struct CommandPalette {
   bool open = false;

@@ -39,6 +39,20 @@ TEST(Table, IdsAndKeysAreNamedOnce) {
   }
 }
 
+TEST(Table, TheWeaversKeysTakeThePlaceOfTheShippedOnes) {
+  const std::vector<Action> all = make_actions({}, {{"save", "Ctrl+U"}, {"quit", ""}, {"no such action", "F24"}});
+  for (const Action& a : all) {
+    if (a.item.id == "save") {
+      EXPECT_EQ(a.item.shortcut, "Ctrl+U");
+      EXPECT_EQ(a.item.shipped, "Ctrl+S");
+    }
+    if (a.item.id == "quit") {
+      EXPECT_EQ(a.item.shortcut, "");
+    }
+    EXPECT_NE(a.item.shortcut, "F24");
+  }
+}
+
 TEST(Table, WeavesAreFoundAmongTheCommands) {
   std::string labels;
   for (const Action& a : make_actions({})) labels += a.item.label + "\n";

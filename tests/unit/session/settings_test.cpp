@@ -21,6 +21,14 @@ TEST(Settings, a_path_that_is_no_utf8_is_kept_and_loses_nothing_else) {
   EXPECT_EQ(back.width, 1234);
 }
 
+TEST(Settings, keys_are_kept) {
+  Settings s;
+  s.keys = {{"save", "Ctrl+U"}, {"quit", ""}};
+  EXPECT_EQ(settings_from(settings_text(s)).keys, s.keys);
+  EXPECT_TRUE(settings_from("{\"keys\": [\"save\"]}").keys.empty());
+  EXPECT_EQ(settings_from("{\"keys\": {\"save\": 3, \"open\": \"F3\"}}").keys.size(), 1u);
+}
+
 TEST(Settings, what_is_wrong_is_as_if_it_were_missing) {
   for (const char* text : {"", "[]", "{", "{\"width\": \"wide\", \"recent\": 3, \"dark\": 1}", "\xFF\xFE"}) {
     const Settings s = settings_from(text);

@@ -1,11 +1,12 @@
 // What engines make of an exported texture set: Lambert, anisotropic GGX and a sheen of their own kind. The first
-// kind is what three.js r187 does, operation by operation but for its compensation of rough metals; rung `engine` is it.
+// kind is what three.js r187 does, operation by operation; rung `engine` is it.
 // GLSL 3.30 and C++20. Frame: x along the wider axis of the highlight, z the normal.
 //
 // Based on: Walter et al. 2007 and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017, Neubelt, Pettineo 2013 (Charlie
 //   sheen of glTF and HDRP); Zeltner, Burley, Chiang 2022, by the rational fits of MaterialX 1.39 (fuzz of OpenPBR and
 //   Blender 4); Ashikhmin, Premoze 2007 as in Unreal's cloth model (inverse GGX); Burley 2012 (sheen of U3M's
-//   principled shader and of Blender 3).
+//   principled shader and of Blender 3); Turquin 2019, "Practical multiple scattering compensation for microfacet
+//   models", by a polynomial through three.js' table (RMS 0.02).
 
 #ifndef FORMULA
 #define FORMULA
@@ -26,14 +27,15 @@ struct EngineMaterial {
   vec3 sheen;
   float sheen_roughness;
   vec2 alpha;            // along the frame's x and y
-  float specular;        // scales the dielectric reflectance at every angle, 0..1
+  float f0;              // reflectance of the dielectric, straight
+  float f90;             // and grazing
   float occlusion;
 };
 
 // For a unit of irradiance at right angles.
 struct EngineParts {
   vec3 body;             // scattered, and what metals mirror
-  vec3 gloss;            // mirrored by dielectrics for specular = 1
+  vec2 gloss;            // mirrored by the dielectric, of f0 = 1 and of f90 = 1
   vec3 fuzz;
   float kept;            // share of body and gloss that the sheen leaves
 };
@@ -84,10 +86,19 @@ FORMULA float inverse_ggx_sheen(float nh, float nl, float nv, float roughness) {
   return density * 0.25f / max(nl + nv - nl * nv, 1.0e-4f);
 }
 
+// What a lobe loses to facets that hide each other, over what it keeps.
+FORMULA float engine_loss(float mu, float roughness) {
+  float r = clamp(roughness, 0.0f, 1.0f);
+  float a = 2.7166f + mu * (-7.5874f + mu * 5.1539f);
+  float b = -6.3507f + mu * (24.2405f - mu * 19.9307f);
+  float c = 3.7680f + mu * (-14.5021f + mu * 14.7363f);
+  return max(r * r * (a + r * (b + r * c)), 0.0f);
+}
+
 FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
   EngineParts p;
   p.body = vec3(0.0f);
-  p.gloss = vec3(0.0f);
+  p.gloss = vec2(0.0f);
   p.fuzz = vec3(0.0f);
   p.kept = 1.0f;
   if (wi.z <= 0.0f) return p;
@@ -103,11 +114,13 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float shine = d * 0.5f / max(g_o + g_i, 1.0e-6f);
   float k = 1.0f - clamp(dot(wo, h), 0.0f, 1.0f);
   float k5 = k * k * k * k * k;
-  float dielectric = kEngineF0 + (1.0f - kEngineF0) * k5;
-  float body = (1.0f - m.metal) * (1.0f - m.specular * dielectric) / kPi;
-  vec3 metal = (m.base + (1.0f - m.base) * k5) * (m.metal * shine);
+  // Only glTF's kind gives back what rough lobes lose.
+  float loss = sheen == kSheenCharlie ? engine_loss(nv, sqrt(min(ax, ay))) : 0.0f;
+  float dielectric = clamp(m.f0 + (m.f90 - m.f0) * k5, 0.0f, 1.0f);
+  float body = (1.0f - m.metal) * (1.0f - dielectric) / kPi;
+  vec3 metal = (m.base + (1.0f - m.base) * k5) * (1.0f + m.base * loss) * (m.metal * shine);
   p.body = (m.base * body + metal) * nl;
-  p.gloss = vec3(dielectric * (1.0f - m.metal) * shine * nl);
+  p.gloss = vec2(1.0f - k5, k5) * ((1.0f - m.metal) * shine * (1.0f + m.f0 * loss) * nl);
   float most = max(max(m.sheen.x, m.sheen.y), m.sheen.z);
   if (sheen == kSheenCharlie) {
     p.fuzz = m.sheen * (charlie_sheen(h.z, nl, nv, m.sheen_roughness) * nl);
@@ -131,8 +144,8 @@ FORMULA Answer engine_answer(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
   float fuzz = charlie_albedo(clamp(wo.z, 0.0f, 1.0f), m.sheen_roughness);
   float kept = 1.0f - max(max(m.sheen.x, m.sheen.y), m.sheen.z) * fuzz;
   Answer a;
-  a.key = (p.body + p.gloss * m.specular) * p.kept + p.fuzz;
+  a.key = (p.body + (p.gloss.x * m.f0 + p.gloss.y * m.f90)) * p.kept + p.fuzz;
   a.soft = (m.base * ((1.0f - m.metal) * kept) + m.sheen * fuzz) * m.occlusion;
-  a.glossy = mix(vec3(kEngineF0 * m.specular), m.base, m.metal) * (kept * m.occlusion);
+  a.glossy = mix(vec3(m.f0), m.base, m.metal) * (kept * m.occlusion);
   return a;
 }

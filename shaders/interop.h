@@ -81,6 +81,15 @@ struct SystemData {
   vec4 facets;  // means of the unit normal's x, y and of their squares
 };
 
+// Material of an exported set of one face (core/light/engine_fit.h).
+struct EngineData {
+  vec4 base;   // rgb factors of base colour; reflectance of dielectrics, straight
+  vec4 sheen;  // factor, roughness; reflectance of dielectrics, grazing
+  // Warp, weft.
+  vec4 lobes[2];  // direction of the wider axis, roughness of the narrow one, strength of the anisotropy
+  vec4 body[2];   // rgb: base colour over the thread's; metal
+};
+
 struct ClothData {
   SystemData systems[4];
   float width_mm;
@@ -95,12 +104,7 @@ struct ClothData {
   float back_sky;
   float even_yarns;  // yarns a pixel from which on the period's colour is even
   float spare;
-  // Of an exported set's material (core/light/engine_fit.h): rgb factors of base colour, specular; then the sheen's
-  // factor and roughness, and the variances of the normals along x and y that its roughness holds.
-  vec4 front_engine_base;
-  vec4 front_engine_sheen;
-  vec4 back_engine_base;
-  vec4 back_engine_sheen;
+  EngineData engine[2];  // front, back
 };
 
 #ifdef __cplusplus
@@ -154,6 +158,6 @@ static_assert(offsetof(interop::SystemData, fibre_tan) == sizeof(interop::YarnDa
 static_assert(offsetof(interop::SystemData, color) == sizeof(interop::YarnData) + sizeof(glm::vec4));
 static_assert(sizeof(interop::SystemData) == sizeof(interop::YarnData) + 3 * sizeof(glm::vec4));
 static_assert(offsetof(interop::ClothData, width_mm) == 4 * sizeof(interop::SystemData));
-static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 7 * sizeof(glm::vec4));
+static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 15 * sizeof(glm::vec4));
 }  // namespace weftlight
 #endif

@@ -62,8 +62,8 @@ struct GltfMaterial {
   Linear sheen_color{0, 0, 0};
   float sheen_roughness = 0.5f;
   float anisotropy_strength = 0, anisotropy_rotation = 0;
-  float specular = 1;      // KHR_materials_specular
-  float transmission = 0;  // share of the body's light that leaves behind
+  float f0 = 0.04f, f90 = 1;  // of its dielectric, straight and grazing: KHR_materials_specular
+  float transmission = 0;     // share of the body's light that leaves behind
   GltfAlpha alpha = GltfAlpha::kOpaque;
 };
 /// Writes a .glb (or .gltf with files beside it) of the mesh; without material when `front` is null. With `back` the

@@ -182,6 +182,8 @@ json add_texture(Document& doc, const GltfMaterial& material, const std::string&
           {"extensions", {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
 }
 
+constexpr float kUsualF0 = 0.04f;  // of an index of refraction of 1.5
+
 bool has_sheen(const GltfMaterial& m) { return m.sheen_color.r > 0 || m.sheen_color.g > 0 || m.sheen_color.b > 0; }
 
 json sheen_extension(Document& doc, const GltfMaterial& m) {
@@ -207,6 +209,12 @@ json transmission_extension(Document& doc, const GltfMaterial& m) {
   return out;
 }
 
+/// The factor is the grazing reflectance; the colour, over the usual one, makes the straight one of it.
+json specular_extension(const GltfMaterial& m) {
+  const float factor = std::clamp(std::max(m.f90, m.f0), 1e-3f, 1.0f), colour = m.f0 / (kUsualF0 * factor);
+  return {{"specularFactor", factor}, {"specularColorFactor", {colour, colour, colour}}};
+}
+
 void use(Document& doc, const char* extension) {
   json& used = doc.root["extensionsUsed"];
   if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
@@ -229,9 +237,7 @@ json material_of(Document& doc, const GltfMaterial& m, bool double_sided) {
   if (!m.normal.empty()) material["normalTexture"] = add_texture(doc, m, "normal", m.normal);
   if (m.alpha != GltfAlpha::kOpaque) material["alphaMode"] = m.alpha == GltfAlpha::kMask ? "MASK" : "BLEND";
   if (has_sheen(m)) extend(doc, material, "KHR_materials_sheen", sheen_extension(doc, m));
-  if (m.specular < 1) extend(doc, material, "KHR_materials_specular", {{"specularFactor", m.specular}});
-  if (m.specular > 1)
-    extend(doc, material, "KHR_materials_specular", {{"specularColorFactor", {m.specular, m.specular, m.specular}}});
+  if (m.f0 != kUsualF0 || m.f90 != 1) extend(doc, material, "KHR_materials_specular", specular_extension(m));
   if (m.anisotropy_strength > 0) extend(doc, material, "KHR_materials_anisotropy", anisotropy_extension(doc, m));
   if (m.transmission > 0 && !doc.embed)
     extend(doc, material, "KHR_materials_diffuse_transmission", transmission_extension(doc, m));

@@ -1,5 +1,6 @@
-// Linear least squares over pairs of views and lights, relative to what is sent and to the mean of the view; the
-// sheen's roughness by trial; what couples the parts (Fresnel, and what sheen leaves) is taken from the round before.
+// Linear least squares over pairs of views and lights, relative to what is sent and to the mean of the view; the widths
+// of the lobe and the sheen's roughness by a search down the error; what couples the parts (Fresnel, and what sheen
+// leaves) is taken from the round before.
 
 #include "light/engine_fit.h"
 
@@ -16,26 +17,18 @@ namespace {
 using formulas::EngineMaterial;
 using formulas::EngineParts;
 
-constexpr int kSide = 8;            // texels as fine as the maps: so many squared
-constexpr float kMostSlope = 4.0f;  // 76 degrees: one grazing facet is not a wide lobe
-constexpr int kRounds = 3;
-constexpr float kMostSpecular = 2.0f;  // of the dielectric reflectance; engines end there
-constexpr float kMostShift = 0.15f;    // of base colour, for the sake of the sum alone
-constexpr float kMostScale = 4.0f;     // of base colour and of sheen
-constexpr size_t kUnknowns = 5;        // base r, g, b, specular, sheen
-constexpr std::array<float, 7> kSheenRoughness{0.25f, 0.35f, 0.45f, 0.55f, 0.7f, 0.85f, 1.0f};
+constexpr int kRounds = 3;  // of least squares, for what couples the parts
+constexpr float kLeastBase = 0.25f;
+constexpr float kMostScale = 4.0f;                           // of base colour and of sheen
+constexpr size_t kUnknowns = 6;                              // base r, g, b, f0, f90, sheen
+constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;        // of the search, in logarithms
+constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // of the variances, where all of the spread is in them
+constexpr float kSmoothestSheen = 0.2f, kRoughestSheen = 1.0f;
+constexpr float kHighlightShare = 0.2f;  // of what is sent in the size of an error; the rest is the mean of the view
+constexpr float kHue = 0.05f;            // pull of the base colour's factors to their mean: a dark channel tells little
+constexpr float kSteepView = 0.26f, kSteepViewShare = 0.3f;  // weight of views past 75 degrees
 
 glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
-
-/// Axes over a normal: the first lies along the texture's x, seen from above.
-struct Axes {
-  glm::vec3 t, b;
-};
-Axes axes_over(const glm::vec3& n) {
-  glm::vec3 t = glm::vec3(1, 0, 0) - n * n.x;
-  t = glm::dot(t, t) > 1e-12f ? glm::normalize(t) : glm::vec3(0, 0, -1);
-  return {t, glm::cross(n, t)};
-}
 
 /// Density of a slope's angle, between the middles of the bins, as a texture unit reads it.
 float density_at(const std::array<float, kSlopeBins>& bins, float slope) {
@@ -107,8 +100,9 @@ struct Problem {
   std::vector<Pair> pairs;
 };
 
-Problem problem_of(const Cloth& cloth, const ClothResponse& response) {
-  Problem out{nodes(4, 8, kViewAzimuths), nodes(3, 8, kLightAzimuths), {}};
+Problem problem_of(const Cloth& cloth, const ClothResponse& response, size_t lowest, size_t views_around,
+                   size_t lights_around) {
+  Problem out{nodes(lowest, views_around, kViewAzimuths), nodes(lowest, lights_around, kLightAzimuths), {}};
   const std::array<formulas::YarnLobes, 2> yarns = mean_yarns(cloth, response);
   for (size_t v = 0; v < out.views.size(); ++v) {
     const size_t first = out.pairs.size();
@@ -122,9 +116,33 @@ Problem problem_of(const Cloth& cloth, const ClothResponse& response) {
     const float mean = std::max(sum / std::max(shares, 1e-9f), 1e-4f);
     for (size_t i = first; i < out.pairs.size(); ++i) {
       const glm::vec3& wanted = out.pairs[i].wanted;
-      const float size = 0.5f * (mean + wanted.r + wanted.g + wanted.b);
-      out.pairs[i].weight = out.pairs[i].share / (size * size);
+      const float size = (1 - kHighlightShare) * mean + kHighlightShare * (wanted.r + wanted.g + wanted.b);
+      out.pairs[i].weight =
+          out.pairs[i].share / (size * size) * (out.views[v].w.z < kSteepView ? kSteepViewShare : 1.0f);
     }
+  }
+  return out;
+}
+
+/// A pixel of the engine, its lobe made.
+struct Shaded {
+  EngineMaterial material;
+  formulas::LobeFrame frame;
+  float share = 0;
+};
+
+std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model, const EngineFit& fit) {
+  std::vector<Shaded> out;
+  float total = 1e-9f;
+  for (const EngineTexel& t : texels.texels) total += t.weight;
+  for (const EngineTexel& t : texels.texels) {
+    const EngineLobe lobe = engine_lobe(t, fit.lobe, texels.share);
+    EngineMaterial m = t.material;
+    m.base = glm::min(m.base * fit.base, glm::vec3(1));
+    m.sheen = glm::min(m.sheen * fit.sheen, glm::vec3(1));
+    m.sheen_roughness = fit.sheen_roughness, m.f0 = fit.f0, m.f90 = fit.f90;
+    m.alpha = model.anisotropic ? lobe.alpha() : glm::vec2(std::sqrt(lobe.alpha().x * lobe.alpha().y));
+    out.push_back({m, formulas::lobe_frame(t.normal, {lobe.axis, 0}), t.weight / total});
   }
   return out;
 }
@@ -132,43 +150,32 @@ Problem problem_of(const Cloth& cloth, const ClothResponse& response) {
 /// What the texels send for each pair, part by part, for factors of one.
 struct Sent {
   glm::vec3 body{0}, fuzz{0};
-  float gloss = 0;
+  glm::vec2 gloss{0};
 };
 
-EngineMaterial fitted(EngineMaterial m, const EngineFit& fit) {
-  m.base = glm::min(m.base * fit.base, glm::vec3(1));
-  m.sheen = glm::min(m.sheen * fit.sheen, glm::vec3(1));
-  m.sheen_roughness = fit.sheen_roughness, m.specular = fit.specular;
-  return m;
-}
-
-/// What a channel of a part is for a factor of one.
-glm::vec3 over(const glm::vec3& part, const glm::vec3& factor) { return part / glm::max(factor, glm::vec3(1e-3f)); }
-
-std::vector<Sent> sent_by(std::span<const EngineTexel> texels, const Problem& problem, const EngineFit& fit,
-                          int sheen) {
+std::vector<Sent> sent_by(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
+                          const EngineFit& fit) {
   std::vector<Sent> out(problem.pairs.size());
-  float total = 0;
-  for (const EngineTexel& t : texels) total += t.weight;
-  for (const EngineTexel& t : texels) {
-    const EngineMaterial m = fitted(t.material, fit);
-    const formulas::LobeFrame f = formulas::lobe_frame(t.normal, {t.wide_axis, 0});
-    std::vector<glm::vec3> wi, wo;
-    for (const Node& n : problem.lights) wi.push_back(formulas::lobe_local(f, n.w));
-    for (const Node& n : problem.views) wo.push_back(formulas::lobe_local(f, n.w));
-    const float share = t.weight / std::max(total, 1e-9f);
+  std::vector<glm::vec3> wi(problem.lights.size()), wo(problem.views.size());
+  for (const Shaded& t : shaded(texels, model, fit)) {
+    for (size_t i = 0; i < wi.size(); ++i) wi[i] = formulas::lobe_local(t.frame, problem.lights[i].w);
+    for (size_t i = 0; i < wo.size(); ++i) wo[i] = formulas::lobe_local(t.frame, problem.views[i].w);
     for (size_t i = 0; i < out.size(); ++i) {
       const Pair& pair = problem.pairs[i];
-      const EngineParts p = formulas::engine_parts(m, sheen, wi[pair.light], wo[pair.view]);
-      out[i].body += over(p.body * (p.kept * share), fit.base);
-      out[i].fuzz += p.fuzz * (share / std::max(fit.sheen, 1e-3f));
-      out[i].gloss += p.gloss.r * p.kept * share;
+      const EngineParts p = formulas::engine_parts(t.material, model.sheen, wi[pair.light], wo[pair.view]);
+      out[i].body += p.body * (p.kept * t.share) / fit.base;
+      out[i].fuzz += p.fuzz * (t.share / std::max(fit.sheen, 1e-3f));
+      out[i].gloss += p.gloss * (p.kept * t.share);
     }
   }
   return out;
 }
 
-/// Non-negative least squares by coordinates; `held` unknowns stay as they are.
+glm::vec3 whole(const Sent& sent, const EngineFit& fit) {
+  return sent.body * fit.base + glm::vec3(glm::dot(sent.gloss, glm::vec2(fit.f0, fit.f90))) + sent.fuzz * fit.sheen;
+}
+
+/// Bounded least squares by coordinates; an unknown whose bounds meet stays as it is.
 using Unknowns = std::array<float, kUnknowns>;
 struct Normal {
   std::array<std::array<double, kUnknowns>, kUnknowns> a{};
@@ -181,13 +188,17 @@ struct Normal {
     }
     wanted2 += static_cast<double>(weight * wanted * wanted);
   }
-  void solve(Unknowns& x, const Unknowns& most, const std::array<bool, kUnknowns>& held) const {
-    for (int round = 0; round < 400; ++round) {
+  void solve(Unknowns& x, const Unknowns& least, const Unknowns& most) const {
+    const double pull = static_cast<double>(kHue) * std::max({a[0][0], a[1][1], a[2][2]});
+    for (int round = 0; round < 200; ++round) {
+      const double mean = static_cast<double>(x[0] + x[1] + x[2]) / 3;
       for (size_t i = 0; i < kUnknowns; ++i) {
-        if (held[i] || a[i][i] <= 1e-12) continue;
-        double rest = b[i];
+        if (a[i][i] <= 1e-12) continue;
+        double rest = b[i], own = a[i][i];
         for (size_t j = 0; j < kUnknowns; ++j) rest -= j == i ? 0.0 : a[i][j] * static_cast<double>(x[j]);
-        x[i] = std::clamp(static_cast<float>(rest / a[i][i]), 0.0f, most[i]);
+        if (i < 3) rest += pull * mean, own += pull;
+        x[i] = std::clamp(static_cast<float>(rest / own), least[i], most[i]);
+        if (i == kF90) x[i] = std::max(x[i], std::min(x[kF0], most[i]));  // grazing facets mirror no less
       }
     }
   }
@@ -199,197 +210,91 @@ struct Normal {
     }
     return static_cast<float>(std::sqrt(std::max(sum, 0.0) / std::max(wanted2, 1e-30)));
   }
+  static constexpr size_t kF0 = 3, kF90 = 4;
 };
 
 Normal normal_of(const Problem& problem, const std::vector<Sent>& sent) {
   Normal out;
   for (size_t i = 0; i < sent.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
-      Unknowns row{};
-      row[static_cast<size_t>(c)] = sent[i].body[c], row[3] = sent[i].gloss, row[4] = sent[i].fuzz[c];
+      Unknowns row{0, 0, 0, sent[i].gloss.x, sent[i].gloss.y, sent[i].fuzz[c]};
+      row[static_cast<size_t>(c)] = sent[i].body[c];
       out.add(row, problem.pairs[i].wanted[c], problem.pairs[i].weight);
     }
   }
   return out;
 }
 
-/// Sums over all views and lights become the measured ones, by the base colour.
-void keep_sums(EngineFit& fit, const Problem& problem, const std::vector<Sent>& sent) {
-  for (int c = 0; c < 3; ++c) {
-    float wanted = 0, body = 0, rest = 0;
-    for (size_t i = 0; i < sent.size(); ++i) {
-      const float share = problem.pairs[i].share;
-      wanted += share * problem.pairs[i].wanted[c], body += share * sent[i].body[c];
-      rest += share * (sent[i].gloss * fit.specular + sent[i].fuzz[c] * fit.sheen);
-    }
-    // A highlight that the model lacks is not to be spread over all directions.
-    const float base = std::max(fit.base[c], 0.02f);
-    if (body > 1e-9f)
-      fit.base[c] = std::clamp((wanted - rest) / body, (1 - kMostShift) * base, (1 + kMostShift) * base);
-  }
-}
-
-EngineFit fit_with(std::span<const EngineTexel> texels, const Problem& problem, const EngineModel& model,
-                   float sheen_roughness) {
-  EngineFit fit;
-  fit.sheen_roughness = sheen_roughness;
-  if (model.sheen == formulas::kSheenNone) fit.sheen = 0;
+/// What bounds the unknowns: a base colour that is white, a sheen that is, and what the model has.
+struct Bounds {
+  Unknowns least{}, most{};
+};
+Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
   float most_sheen = 1e-3f;
-  for (const EngineTexel& t : texels)
+  for (const EngineTexel& t : texels.texels)
     most_sheen = std::max({most_sheen, t.material.sheen.r, t.material.sheen.g, t.material.sheen.b});
-  const Unknowns most{kMostScale, kMostScale, kMostScale, kMostSpecular, std::min(kMostScale, 1 / most_sheen)};
-  const std::array<bool, kUnknowns> held{false, false, false, !model.specular, model.sheen == formulas::kSheenNone};
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<Sent> sent = sent_by(texels, problem, fit, model.sheen);
-    const Normal normal = normal_of(problem, sent);
-    Unknowns x{fit.base.r, fit.base.g, fit.base.b, fit.specular, fit.sheen};
-    normal.solve(x, most, held);
-    fit.base = {x[0], x[1], x[2]}, fit.specular = x[3], fit.sheen = x[4];
-    keep_sums(fit, problem, sent);
-    fit.error = normal.error({fit.base.r, fit.base.g, fit.base.b, fit.specular, fit.sheen});
+  const bool fixed = model.most_f0 <= formulas::kEngineF0, plain = model.sheen == formulas::kSheenNone;
+  return {{kLeastBase, kLeastBase, kLeastBase, fixed ? formulas::kEngineF0 : 0, model.grazing ? 0.0f : 1.0f, 0},
+          {kMostScale, kMostScale, kMostScale, model.most_f0, 1, plain ? 0 : std::min(kMostScale, 1 / most_sheen)}};
+}
+
+/// The best for these widths of the lobe and this roughness of the sheen.
+void solve(EngineFit& fit, const EngineTexels& texels, const Problem& problem, const EngineModel& model,
+           const Bounds& bounds, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    const Normal normal = normal_of(problem, sent_by(texels, problem, model, fit));
+    Unknowns x{fit.base.r, fit.base.g, fit.base.b, fit.f0, fit.f90, fit.sheen};
+    normal.solve(x, bounds.least, bounds.most);
+    fit.base = {x[0], x[1], x[2]}, fit.f0 = x[3], fit.f90 = x[4], fit.sheen = x[5];
+    fit.error = normal.error(x);
   }
-  return fit;
 }
 
-/// The thread nearest to a place across its system, mm; the maps' own may be gone.
-const ThreadBody& nearest_thread(const std::vector<ThreadBody>& threads, float at_mm) {
-  return *std::min_element(threads.begin(), threads.end(), [at_mm](const ThreadBody& a, const ThreadBody& b) {
-    return std::abs(a.centre_mm - at_mm) < std::abs(b.centre_mm - at_mm);
-  });
+/// What is searched: the lobe's two factors and the sheen's roughness.
+float* searched(EngineFit& fit, int which) {
+  return which == 0 ? &fit.lobe.x : which == 1 ? &fit.lobe.y : &fit.sheen_roughness;
 }
 
-/// Of one texel of the maps.
-EngineTexel texel_of(const Cloth& cloth, const Maps& maps, glm::vec2 spread, int x, int y) {
-  const bool weft = maps.system.at(x, y) != 0;
-  const float u_mm = (static_cast<float>(x) + 0.5f) / static_cast<float>(maps.coverage.width) * maps.width_mm;
-  const float v_mm = (static_cast<float>(y) + 0.5f) / static_cast<float>(maps.coverage.height) * maps.depth_mm;
-  const ThreadBody& body = weft ? nearest_thread(cloth.picks, v_mm) : nearest_thread(cloth.ends, u_mm);
-  const Lobes& lobes = cloth.yarns[static_cast<size_t>(body.yarn)].lobes;
-  const glm::vec3 dye = vec(maps.colour.at(x, y)), colour = dye * maps.groove.at(x, y);
-  const Slope slope = maps.slope.at(x, y);
-  const Direction fibre = maps.tangent.at(x, y);
-  EngineTexel out;
-  out.weight = maps.coverage.at(x, y);
-  out.normal = glm::normalize(glm::vec3(slope.x, slope.y, 1));
-  out.material.base =
-      lobes.metallic ? colour * vec(linear_from_srgb(lobes.specular_tint)) * lobes.specular : colour * lobes.body;
-  out.material.metal = lobes.metallic ? 1.0f : 0.0f;
-  out.material.sheen = glm::sqrt(dye) * lobes.fuzz;
-  out.material.occlusion = maps.occlusion.at(x, y);
-  const glm::vec3 covariance = facet_covariance(out.normal, {fibre.x, fibre.y, fibre.z}, lobes);
-  const FacetAlphas alphas = facet_alphas(covariance + glm::vec3(spread.x, 0, spread.y));
-  out.material.alpha = alphas.alpha, out.wide_axis = alphas.axis;
-  return out;
-}
-
-/// One of side x side places; rows and columns are set off by the golden ratio, since threads are as regular as a grid.
-glm::ivec2 place(const Maps& maps, int i, int j, int side) {
-  const auto along = [side](int a, int b) {
-    return (static_cast<float>(a) + std::fmod(0.5f + 0.618034f * static_cast<float>(b), 1.0f)) /
-           static_cast<float>(side);
-  };
-  const int x = static_cast<int>(along(i, j) * static_cast<float>(maps.coverage.width));
-  const int y = static_cast<int>(along(j, i) * static_cast<float>(maps.coverage.height));
-  return {std::min(x, maps.coverage.width - 1), std::min(y, maps.coverage.height - 1)};
-}
-
-/// Variances of the slopes of the normals about their mean, over the period.
-glm::vec2 spread_of(const Maps& maps) {
-  constexpr int kPlaces = 64;
-  glm::vec2 sum(0), squares(0);
-  float total = 1e-6f;
-  for (int j = 0; j < kPlaces; ++j) {
-    for (int i = 0; i < kPlaces; ++i) {
-      const glm::ivec2 at = place(maps, i, j, kPlaces);
-      const Slope slope = maps.slope.at(at.x, at.y);
-      const glm::vec2 s = glm::clamp(glm::vec2(slope.x, slope.y), -kMostSlope, kMostSlope);
-      const float w = maps.coverage.at(at.x, at.y);
-      total += w, sum += w * s, squares += w * s * s;
-    }
-  }
-  const glm::vec2 mean = sum / total;
-  return glm::max(squares / total - mean * mean, glm::vec2(0));
-}
-
-/// The last mip of an engine: means of what the images hold.
-EngineTexel mean_of(std::span<const EngineTexel> texels) {
-  EngineTexel out = texels[0];
-  glm::vec3 base(0), sheen(0), normal(0);
-  glm::vec2 roughness(0), axis(0);
-  float total = 1e-9f, metal = 0, occlusion = 0;
-  for (const EngineTexel& t : texels) {
-    const float w = t.weight;
-    total += w, base += t.material.base * w, sheen += t.material.sheen * w, normal += t.normal * w;
-    metal += t.material.metal * w, occlusion += t.material.occlusion * w;
-    roughness += glm::sqrt(t.material.alpha) * w;
-    axis += (std::abs(t.wide_axis.x) > std::abs(t.wide_axis.y) ? glm::sign(t.wide_axis.x) : glm::sign(t.wide_axis.y)) *
-            t.wide_axis * w;
-  }
-  out.material.base = base / total, out.material.sheen = sheen / total;
-  out.material.metal = metal / total, out.material.occlusion = occlusion / total;
-  out.normal = glm::normalize(normal + glm::vec3(0, 0, 1e-6f));
-  out.material.alpha = roughness / total * (roughness / total);
-  out.wide_axis = glm::dot(axis, axis) > 1e-9f ? glm::normalize(axis) : glm::vec2(1, 0);
-  out.weight = total;
-  return out;
-}
+/// The sheen's roughness is its own in these models alone.
+bool own_roughness(int sheen) { return sheen == formulas::kSheenCharlie || sheen == formulas::kSheenZeltner; }
 
 }  // namespace
 
-glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
-  const Axes axes = axes_over(normal);
-  const float x = glm::dot(fibre, axes.t), y = glm::dot(fibre, axes.b);
-  const float length2 = std::max(x * x + y * y, 1e-12f);
-  const float along2 = lobes.along_width * lobes.along_width / length2;
-  const float across2 = lobes.across_width * lobes.across_width / length2;
-  return {along2 * x * x + across2 * y * y, (along2 - across2) * x * y, along2 * y * y + across2 * x * x};
-}
-
-FacetAlphas facet_alphas(const glm::vec3& c) {
-  const auto alpha = [](float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); };
-  const float middle = 0.5f * (c.x + c.z), half_gap = 0.5f * (c.x - c.z);
-  const float root = std::sqrt(half_gap * half_gap + c.y * c.y);
-  const float angle = root > 1e-9f ? 0.5f * std::atan2(c.y, half_gap) : 0.0f;
-  return {{alpha(middle + root), alpha(middle - root)}, {std::cos(angle), std::sin(angle)}};
-}
-
-float spread_share(float footprint_mm, float spacing_mm) {
-  return std::clamp(0.5f * footprint_mm / std::max(spacing_mm, 1e-6f), 0.0f, 1.0f);
-}
-
-EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float share) {
-  EngineTexels out;
-  if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width < 1 || maps.coverage.height < 1) return out;
-  out.spread = spread_of(maps) * share;
-  for (int j = 0; j < kSide; ++j) {
-    for (int i = 0; i < kSide; ++i) {
-      const glm::ivec2 at = place(maps, i, j, kSide);
-      const EngineTexel t = texel_of(cloth, maps, out.spread, at.x, at.y);
-      if (t.weight > 0) out.texels.push_back(t);
+EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                     const EngineModel& model) {
+  if (texels.texels.empty()) return {};
+  const Problem problem = problem_of(cloth, response, 3, 8, 8);
+  const Bounds bounds = bounds_of(texels, model);
+  const float narrowest = std::pow(kNarrowestLobe, texels.share), widest = std::pow(kWidestLobe, texels.share);
+  EngineFit best;
+  if (model.sheen == formulas::kSheenNone) best.sheen = 0;
+  solve(best, texels, problem, model, bounds, kRounds);
+  for (float step = kFirstStep; step > kLastStep; step *= 0.5f) {
+    for (bool better = true; better;) {
+      better = false;
+      const bool fuzzy = own_roughness(model.sheen) && (best.sheen > 0 || step == kFirstStep);
+      for (int which = 0; which < (fuzzy ? 3 : 2); ++which) {
+        for (const float by : {-step, step}) {
+          EngineFit other = best;
+          float* const at = searched(other, which);
+          const float before = *at;
+          *at = which < 2 ? std::clamp(*at * std::exp(2 * by), narrowest, widest)
+                          : std::clamp(*at * std::exp(by), kSmoothestSheen, kRoughestSheen);
+          if (*at == before) continue;
+          solve(other, texels, problem, model, bounds, 1);
+          if (other.error >= best.error) continue;
+          best = other, better = true;
+          break;
+        }
+      }
     }
   }
-  if (!out.texels.empty()) out.texels.push_back(mean_of(out.texels));
-  return out;
-}
-
-EngineFit fit_engine(std::span<const EngineTexel> texels, const Cloth& cloth, const ClothResponse& response,
-                     const EngineModel& model) {
-  if (texels.empty()) return {};
-  const Problem problem = problem_of(cloth, response);
-  EngineFit best;
-  best.error = std::numeric_limits<float>::infinity();
-  for (const float roughness : kSheenRoughness) {
-    const EngineFit fit = fit_with(texels, problem, model, roughness);
-    if (fit.error < best.error) best = fit;
-    if (model.sheen == formulas::kSheenNone || model.sheen == formulas::kSheenDisney ||
-        model.sheen == formulas::kSheenInverseGgx)
-      break;  // their roughness is not the sheen's own
-  }
+  solve(best, texels, problem, model, bounds, kRounds);
   return best;
 }
 
-std::vector<EngineCheck> check_engine(std::span<const EngineTexel> texels, const Cloth& cloth,
-                                      const ClothResponse& response, const EngineModel& model, const EngineFit& fit) {
+std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                                      const EngineModel& model, const EngineFit& fit) {
   constexpr size_t kLight = 6 * kLightAzimuths + kLightAzimuths / 4 * 3;  // from -v, which is the top of an image
   const std::array<formulas::YarnLobes, 2> yarns = mean_yarns(cloth, response);
   const std::array<glm::vec3, kResponseViews> w = response_views();
@@ -401,12 +306,30 @@ std::vector<EngineCheck> check_engine(std::span<const EngineTexel> texels, const
       problem.pairs.push_back({problem.views.size() - 1, 0, cloth_answer(yarns, response, view, kLight), 1, 1});
     }
   }
-  const std::vector<Sent> sent = sent_by(texels, problem, fit, model.sheen);
+  const std::vector<Sent> sent = sent_by(texels, problem, model, fit);
   std::vector<EngineCheck> out;
-  for (size_t i = 0; i < sent.size(); ++i) {
-    const glm::vec3 engine =
-        sent[i].body * fit.base + glm::vec3(sent[i].gloss * fit.specular) + sent[i].fuzz * fit.sheen;
-    out.push_back({problem.views[i].w, problem.lights[0].w, problem.pairs[i].wanted, engine});
+  for (size_t i = 0; i < sent.size(); ++i)
+    out.push_back({problem.views[i].w, problem.lights[0].w, problem.pairs[i].wanted, whole(sent[i], fit)});
+  return out;
+}
+
+std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                                      const EngineModel& model, const EngineFit& fit) {
+  constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
+  const Problem problem = problem_of(cloth, response, 3, kViewAzimuths / 2, kLightAzimuths);
+  const std::vector<Sent> sent = sent_by(texels, problem, model, fit);
+  std::vector<EngineScore> out;
+  for (size_t k = kResponseElevations; k-- > 3;) {
+    float engine = 0, wanted = 1e-9f, square = 0, squares = 1e-12f;
+    for (size_t i = 0; i < sent.size(); ++i) {
+      const Pair& pair = problem.pairs[i];
+      if (problem.views[pair.view].index / kViewAzimuths != k) continue;
+      const float a = glm::dot(whole(sent[i], fit), kLuminance), b = glm::dot(pair.wanted, kLuminance);
+      engine += pair.share * a, wanted += pair.share * b;
+      square += pair.share * (a - b) * (a - b), squares += pair.share * b * b;
+    }
+    const float z = response_views()[k * kViewAzimuths].z;
+    out.push_back({std::acos(std::min(z, 1.0f)) * 57.29578f, engine / wanted, std::sqrt(square / squares)});
   }
   return out;
 }

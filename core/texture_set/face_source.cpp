@@ -18,7 +18,6 @@ constexpr int kSamplesAThread = 4;
 constexpr float kOcclusionTexels = 6;    // of the coarse maps, a thread, that show where it is dark
 constexpr int kResponsePlaces = 512;     // means of the answer then hold 4 percent
 constexpr float kMeanOcclusion = 0.98f;  // the fit holds all other shade
-constexpr float kMostSpread = 4.0f;
 
 /// Texels baked for each texel of the set, a side: at least two, so that rims are smooth and the spread of normals is
 /// known; more where threads are finer than texels.
@@ -84,7 +83,7 @@ FaceSource::FaceSource(Cloth cloth, const FaceOptions& options)
   const int64_t row = int64_t{width} * factor_ * factor_;
   band_ = height;
   while (band_ > 1 && row * band_ > kMostPieceTexels) band_ /= 2;
-  take_spread();
+  take_footprints();
   take_means();
   finish(small_, 0);
   take_range();
@@ -102,40 +101,43 @@ void FaceSource::take_range() {
 }
 
 void FaceSource::measure(const Maps& maps) {
-  const float spacing = 0.5f * (cloth_.width_mm / static_cast<float>(cloth_.ends.size()) +
-                                cloth_.depth_mm / static_cast<float>(cloth_.picks.size()));
-  const float share = spread_share(options_.footprint_mm, spacing);
-  const std::vector<EngineTexel> texels = engine_texels(cloth_, maps, share).texels;
+  const EngineTexels texels = engine_texels(cloth_, maps, options_.footprint_mm);
   const ClothResponse response = cloth_response(cloth_, maps, kResponsePlaces);
   fit_ = fit_engine(texels, cloth_, response, options_.model);
+  share_ = texels.share;
   checks_ = check_engine(texels, cloth_, response, options_.model, fit_);
+  scores_ = score_engine(texels, cloth_, response, options_.model, fit_);
 }
 
-void FaceSource::take_spread() {
+void FaceSource::take_footprints() {
   const float texel_mm = small_.width_mm / static_cast<float>(small_.texels.width);
-  const int levels = static_cast<int>(std::lround(std::log2(std::max(options_.footprint_mm / texel_mm, 1.0f))));
-  if (levels < 1) return;
-  Surface level{small_.width_mm, small_.depth_mm, small_.texels, {}, {}};
-  for (int k = 0; k < levels; ++k) level = half_of(level);
-  const int width = level.texels.width, height = level.texels.height;
-  const int step_x = small_.texels.width / width, step_y = small_.texels.height / height;
-  spread_ = Plane<glm::vec3>(width, height);
-  for_each_job(height, [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      glm::vec3 own(0);
-      float weight = 1e-6f;
+  const float window_mm = lobe_window_mm(options_.footprint_mm, thread_spacing_mm(cloth_));
+  const int step = 1 << std::max(static_cast<int>(std::lround(std::log2(std::max(window_mm / texel_mm, 1.0f)))), 0);
+  if (share_ <= 0) return;
+  const int step_x = std::min(step, small_.texels.width), step_y = std::min(step, small_.texels.height);
+  footprints_ = Plane<glm::vec4>(small_.texels.width / step_x, small_.texels.height / step_y);
+  for_each_job(footprints_.height, [&](int y) {
+    for (int x = 0; x < footprints_.width; ++x) {
+      std::vector<LobePart> parts;
       for (int j = 0; j < step_y; ++j) {
         for (int i = 0; i < step_x; ++i) {
           const SurfaceTexel& t = small_.texels.at(x * step_x + i, y * step_y + j);
-          weight += t.coverage;
-          own += t.coverage * t.slope_cov;
+          parts.push_back({t.normal, t.slope_cov, grain_of(t.fibre), t.coverage});
         }
       }
-      const glm::vec3& all = level.texels.at(x, y).slope_cov;
-      spread_.at(x, y) = {std::clamp(all[0] - own[0] / weight, 0.0f, kMostSpread), 0,
-                          std::clamp(all[2] - own[2] / weight, 0.0f, kMostSpread)};
+      const FootprintLobe lobe = footprint_lobe(parts);
+      footprints_.at(x, y) = glm::vec4(lobe.covariance, lobe.grain.x);
     }
   });
+}
+
+void FaceSource::take_footprint(SurfaceTexel& texel, float u, float v) const {
+  const glm::vec4 at = between(footprints_, u, v);
+  const FootprintLobe lobe{glm::vec3(at), {at.w, 1 - at.w}};
+  texel.slope_cov = glm::mix(texel.slope_cov, scaled_covariance(lobe, fit_.lobe), share_);
+  // Whose way its lobe runs: so that neighbours agree, as those of one system do.
+  const glm::vec2 axis = glm::abs(facet_alphas(texel.slope_cov).axis);
+  if (share_ > 0.5f) texel.system = axis.y > axis.x ? 1 : 0;
 }
 
 void FaceSource::take_means() {
@@ -175,10 +177,8 @@ void FaceSource::finish(Surface& surface, int y0) const {
       SurfaceTexel& t = surface.texels.at(x, y);
       const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width);
       if (!all && occlusion_.width > 0) t.occlusion = between(occlusion_, u, v);
-      if (spread_.width > 0) {
-        t.slope_cov += between(spread_, u, v);
-      }
       if (!options_.fitted) continue;
+      if (footprints_.width > 0) take_footprint(t, u, v);
       t.base = times(t.base, fit_.base);
       t.sheen = times(t.sheen, glm::vec3(fit_.sheen));
       t.sheen_roughness = fit_.sheen_roughness;

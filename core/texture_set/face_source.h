@@ -6,6 +6,7 @@
 
 #include "cloth/cloth.h"
 #include "light/engine_fit.h"
+#include "light/engine_texels.h"
 #include "texture_set/names.h"
 #include "texture_set/surface.h"
 
@@ -23,7 +24,7 @@ struct FaceOptions {
   bool horizon = false;    // kept in small()
   bool fitted = true;      // colours, sheen and occlusion as an engine needs them; false: the cloth's own
   EngineModel model;       // that it is fitted to
-  float footprint_mm = 0;  // of a pixel: roughness holds the spread of the normals in it; 0: of a texel alone
+  float footprint_mm = 0;  // of a pixel, whose facets roughness holds; 0: of a texel alone
 };
 
 /// Deterministic: the same bits however many bands are asked for.
@@ -39,13 +40,15 @@ class FaceSource {
   int band() const { return band_; }
   const EngineFit& fit() const { return fit_; }
   const std::vector<EngineCheck>& checks() const { return checks_; }
+  const std::vector<EngineScore>& scores() const { return scores_; }
   float coverage() const { return coverage_; }  // mean, 0..1
   Linear mean_base() const { return mean_base_; }
   TextureSize size() const { return options_.size; }
 
  private:
   void measure(const Maps& maps);
-  void take_spread();
+  void take_footprints();
+  void take_footprint(SurfaceTexel& texel, float u, float v) const;
   void take_means();
   void take_range();
   void finish(Surface& surface, int y0) const;
@@ -54,11 +57,14 @@ class FaceSource {
   Cloth cloth_;
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
-  Surface small_, whole_;    // whole_: empty where the face is too large for one piece
-  Plane<float> occlusion_;   // of the coarse maps; empty: each piece finds its own
-  Plane<glm::vec3> spread_;  // covariance of the normals within a footprint
+  Surface small_, whole_;   // whole_: empty where the face is too large for one piece
+  Plane<float> occlusion_;  // of the coarse maps; empty: each piece finds its own
+  // Of the footprints: covariance of their facets, and xx of their grain.
+  Plane<glm::vec4> footprints_;
+  float share_ = 0;  // how far a texel takes the lobe of its footprint for its own
   EngineFit fit_;
   std::vector<EngineCheck> checks_;
+  std::vector<EngineScore> scores_;
   float coverage_ = 1, occlusion_gain_ = 1;
   Linear mean_base_;
 };

@@ -83,7 +83,7 @@ def face(side, specular, sheen_roughness):
     feed(shader, image(side + "_anisotropic.png"), "Anisotropic")
     feed(shader, normal_map(side + "_normal.png"), "Normal")
     feed(shader, normal_map(side + "_tangent.png"), "Tangent")
-    value(shader, 0.5 * specular, "Specular IOR Level", "Specular")
+    value(shader, specular, "Specular IOR Level", "Specular")
     if "Sheen Weight" in shader.inputs:
         shader.inputs["Sheen Weight"].default_value = 1
         shader.inputs["Sheen Roughness"].default_value = sheen_roughness
@@ -130,8 +130,8 @@ std::string write_blender_script(const SetFacts& set) {
                        {"BLEND", blend_of(set.alpha)},
                        {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
                        {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
-                       {"SPECULAR", number(static_cast<double>(front.specular))},
-                       {"BACK_SPECULAR", number(static_cast<double>(back.specular))},
+                       {"SPECULAR", number(static_cast<double>(front.specular()))},
+                       {"BACK_SPECULAR", number(static_cast<double>(back.specular()))},
                        {"SHEEN_ROUGHNESS", number(static_cast<double>(front.sheen_roughness))},
                        {"BACK_SHEEN_ROUGHNESS", number(static_cast<double>(back.sheen_roughness))}}));
 }

@@ -1,8 +1,10 @@
 // Godot 4, Unreal 5, Unity 2021 and later: the text files that each reads, or the script that it runs.
 
+#include <cmath>
 #include <cstdio>
 
 #include "base/files.h"
+#include "cloth/srgb.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_images.h"
 
@@ -108,7 +110,7 @@ def material(side, specular):
     lib.connect_material_property(sample("_FC", 4), "RGB", slot.MP_SUBSURFACE_COLOR)  # fuzz colour: its hue
     lib.connect_material_property(sample("_CW", 5), "A", slot.MP_CUSTOM_DATA0)        # cloth: its weight, once
     shine = lib.create_material_expression(made, unreal.MaterialExpressionConstant, -500, 1500)
-    shine.set_editor_property("r", 0.5 * specular)
+    shine.set_editor_property("r", specular)
     lib.connect_material_property(shine, "", slot.MP_SPECULAR)
     lib.recompile_material(made)
     unreal.EditorAssetLibrary.save_loaded_asset(made)
@@ -165,7 +167,7 @@ Material:
 {FLOATS}    m_Colors:
     - _BaseColor: {r: 1, g: 1, b: 1, a: 1}
     - _Color: {r: 1, g: 1, b: 1, a: 1}
-)";
+{COLORS})";
 
 constexpr const char* kHdrpLit = "6e4ae4064600d784cac1e41a9e6f2e59";
 constexpr const char* kUrpLit = "933532a4fcc9baf4fa0491de14d08ed7";
@@ -204,7 +206,19 @@ std::string write_unity_images(const SetFacts& set, Face face) {
   return {};
 }
 
-std::vector<std::string> unity_floats(const SetFacts& set, bool hdrp) {
+/// HDRP's Lit has a specular colour or metal.
+bool has_specular_color(const SetFacts& set, Face face) {
+  return set.target == Target::kUnityHdrp && std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
+}
+
+/// As its inspector takes colours: encoded.
+std::string unity_colors(const SetFacts& set, Face face) {
+  if (!has_specular_color(set, face)) return {};
+  const std::string f0 = number(static_cast<double>(srgb_encoded(set.of(face).fit().f0)));
+  return "    - _SpecularColor: {r: " + f0 + ", g: " + f0 + ", b: " + f0 + ", a: 1}\n";
+}
+
+std::vector<std::string> unity_floats(const SetFacts& set, Face face, bool hdrp) {
   const std::string cut = set.alpha == Alpha::kMask || set.alpha == Alpha::kHashed ? "1" : "0";
   const std::string blend = set.alpha == Alpha::kBlend ? "1" : "0";
   if (hdrp)
@@ -212,7 +226,7 @@ std::vector<std::string> unity_floats(const SetFacts& set, bool hdrp) {
             "_AlphaCutoff: 0.5",
             "_SurfaceType: " + blend,
             "_CullMode: 2",
-            "_MaterialID: 1",
+            has_specular_color(set, face) ? "_MaterialID: 4" : "_MaterialID: 1",
             "_NormalScale: 1",
             "_Metallic: 1",
             "_UVBase: 0",
@@ -236,6 +250,7 @@ std::string write_unity_face(const SetFacts& set, Face face) {
   std::vector<std::string> words{"_NORMALMAP"};
   if (hdrp) words.insert(words.end(), {"_MASKMAP", "_NORMALMAP_TANGENT_SPACE"});
   else words.insert(words.end(), {"_METALLICSPECGLOSSMAP", "_OCCLUSIONMAP"});
+  if (has_specular_color(set, face)) words.emplace_back("_MATERIAL_FEATURE_SPECULAR_COLOR");
   if (set.alpha == Alpha::kMask || set.alpha == Alpha::kHashed) words.emplace_back("_ALPHATEST_ON");
   if (set.alpha == Alpha::kBlend) words.emplace_back("_SURFACE_TYPE_TRANSPARENT");
   std::string keywords;
@@ -249,7 +264,8 @@ std::string write_unity_face(const SetFacts& set, Face face) {
                                                                  : set.alpha == Alpha::kOpaque ? "-1"
                                                                                                : "2450"},
                                                        {"TEXTURES", lines(textures)},
-                                                       {"FLOATS", lines(unity_floats(set, hdrp))}}));
+                                                       {"FLOATS", lines(unity_floats(set, face, hdrp))},
+                                                       {"COLORS", unity_colors(set, face)}}));
   if (!problem.empty()) return problem;
   return write_file_atomically(set.folder + "/" + file + ".meta", filled(kUnityMaterialMeta, {{"GUID", guid(file)}}));
 }
@@ -285,7 +301,7 @@ std::string write_godot_face(const SetFacts& set, Face face) {
                               {"FLOW", image_named(set, "_flowmap", face)},
                               {"TRANSPARENCY", transparency},
                               {"CULL", face == Face::kBack ? "1" : "0"},
-                              {"SPECULAR", number(0.5 * static_cast<double>(source.fit().specular))},
+                              {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0) / 0.16))},
                               {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
                               {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
                               {"STEPS", front ? "6" : "5"},
@@ -308,8 +324,8 @@ std::string write_unreal_script(const SetFacts& set) {
                              {"ALPHA", alpha_name(set.alpha)},
                              {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
                              {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
-                             {"SPECULAR", number(static_cast<double>(set.front.fit().specular))},
-                             {"BACK_SPECULAR", number(static_cast<double>(set.back.fit().specular))}}));
+                             {"SPECULAR", number(static_cast<double>(set.front.fit().specular()))},
+                             {"BACK_SPECULAR", number(static_cast<double>(set.back.fit().specular()))}}));
 }
 
 std::string write_unity_material(const SetFacts& set) {

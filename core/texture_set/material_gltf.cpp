@@ -46,7 +46,7 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   }
   m.uv_scale_u = 1 / source.small().width_mm;
   m.uv_scale_v = 1 / source.small().depth_mm;
-  m.specular = source.fit().specular;
+  m.f0 = source.fit().f0, m.f90 = source.fit().f90;
   m.transmission = mean_transmission(source.cloth());
   m.alpha = set.alpha == Alpha::kOpaque ? GltfAlpha::kOpaque
             : set.alpha == Alpha::kMask ? GltfAlpha::kMask

@@ -174,7 +174,7 @@ json visual(const SetFacts& set, Face face) {
       {"sheen_value", scalar(set, "_sheen", face, sheen)},
       {"sheen_tint", constant(1)},
       {"displacement", scalar(set, "_displacement", face, 0, range)},
-      {"specular_value", constant(0.5 * static_cast<double>(source.fit().specular))},
+      {"specular_value", constant(static_cast<double>(source.fit().specular()))},
       {"specular_tint", constant(0)},
       {"transmission", constant(std::clamp(through, 0.0, 1.0))},
       {"ior", constant(1.5)},

@@ -2,6 +2,7 @@
 // renderers that know it.
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/files.h"
 #include "files/zip.h"
@@ -77,7 +78,7 @@ constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
   <open_pbr_surface name="SR_{NAME}" type="surfaceshader">
     <input name="base_color" type="color3" nodegraph="NG_{NAME}" output="basecolor_out" />
     <input name="base_metalness" type="float" nodegraph="NG_{NAME}" output="metalness_out" />
-    <input name="specular_weight" type="float" value="{SPECULAR}" />
+    <input name="specular_ior" type="float" value="{IOR}" />
     <input name="specular_roughness" type="float" nodegraph="NG_{NAME}" output="roughness_out" />
     <input name="specular_roughness_anisotropy" type="float" nodegraph="NG_{NAME}" output="anisotropy_out" />
     <input name="fuzz_weight" type="float" value="{FUZZ_WEIGHT}" />
@@ -150,6 +151,7 @@ constexpr const char* kPreview = R"(        def Material "{MATERIAL}"
                 float inputs:metallic.connect = </{PRIM}/Materials/{MATERIAL}/metalness.outputs:r>
                 float inputs:occlusion.connect = </{PRIM}/Materials/{MATERIAL}/occlusion.outputs:r>
                 normal3f inputs:normal.connect = </{PRIM}/Materials/{MATERIAL}/normal.outputs:rgb>
+                float inputs:ior = {IOR}
 {USD_OPACITY}                token outputs:surface
             }
 
@@ -194,6 +196,9 @@ std::string prim_name(std::string name) {
   return name.empty() || (name[0] >= '0' && name[0] <= '9') ? "_" + name : name;
 }
 
+/// Index of refraction whose straight reflectance is this.
+double ior_of(double f0) { return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0)); }
+
 Values values_of(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
   const auto image = [&](const char* suffix) { return image_named(set, suffix, face); };
@@ -209,7 +214,7 @@ Values values_of(const SetFacts& set, Face face) {
           {"OPACITY", image("_opacity")},
           {"NORMAL", image("_normal")},
           {"TURN", image("_turn")},
-          {"SPECULAR", number(std::min(static_cast<double>(source.fit().specular), 1.0))},
+          {"IOR", number(ior_of(static_cast<double>(source.fit().f0)))},
           {"FUZZ_WEIGHT", source.fit().sheen > 0 ? "1" : "0"},
           {"FUZZ_ROUGHNESS", number(static_cast<double>(source.fit().sheen_roughness))}};
 }
@@ -253,6 +258,7 @@ std::string usd_material(const SetFacts& set, Face face) {
   const Surface& s = set.of(face).small();
   return filled(kPreview, {{"TEXTURES", textures},
                            {"USD_OPACITY", opacity},
+                           {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0)))},
                            {"PRIM", prim},
                            {"MATERIAL", material},
                            {"SCALE_U", number(1 / static_cast<double>(s.width_mm))},

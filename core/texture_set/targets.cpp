@@ -104,24 +104,24 @@ constexpr ImageRow kRows[] = {
 static_assert(std::is_sorted(std::begin(kRows), std::end(kRows),
                              [](const ImageRow& a, const ImageRow& b) { return a.target < b.target; }));
 
+const float kF0 = formulas::kEngineF0;
 struct TargetRow {
   Target target;
   const char* name;
   const char* normal;
-  int sheen;      // its model
-  bool specular;  // its dielectric reflectance can be scaled
-  Alpha open;     // for open cloth
+  EngineModel model;
+  Alpha open;  // for open cloth
 };
-constexpr TargetRow kTargets[] = {
-    {Target::kRaw, "raw", "+Y", formulas::kSheenNone, true, Alpha::kBlend},
-    {Target::kGltf, "gltf", "+Y", formulas::kSheenCharlie, true, Alpha::kBlend},
-    {Target::kUnreal, "unreal", "-Y", formulas::kSheenInverseGgx, true, Alpha::kHashed},
-    {Target::kUnityHdrp, "unity-hdrp", "+Y", formulas::kSheenNone, true, Alpha::kBlend},
-    {Target::kUnityUrp, "unity-urp", "+Y", formulas::kSheenNone, false, Alpha::kBlend},
-    {Target::kGodot, "godot", "+Y", formulas::kSheenNone, true, Alpha::kHashed},
-    {Target::kBlender, "blender", "+Y", formulas::kSheenZeltner, true, Alpha::kHashed},
-    {Target::kU3m, "u3m", "+Y", formulas::kSheenDisney, true, Alpha::kBlend},
-    {Target::kMaterialX, "materialx", "+Y", formulas::kSheenZeltner, true, Alpha::kBlend},
+const TargetRow kTargets[] = {
+    {Target::kRaw, "raw", "+Y", {formulas::kSheenNone, 1, true, true}, Alpha::kBlend},
+    {Target::kGltf, "gltf", "+Y", {formulas::kSheenCharlie, 1, true, true}, Alpha::kBlend},
+    {Target::kUnreal, "unreal", "-Y", {formulas::kSheenInverseGgx, 2 * kF0, false, false}, Alpha::kHashed},
+    {Target::kUnityHdrp, "unity-hdrp", "+Y", {formulas::kSheenNone, 1, false, false}, Alpha::kBlend},
+    {Target::kUnityUrp, "unity-urp", "+Y", {formulas::kSheenNone, kF0, false, false}, Alpha::kBlend},
+    {Target::kGodot, "godot", "+Y", {formulas::kSheenNone, 4 * kF0, false, true}, Alpha::kHashed},
+    {Target::kBlender, "blender", "+Y", {formulas::kSheenZeltner, 2 * kF0, false, true}, Alpha::kHashed},
+    {Target::kU3m, "u3m", "+Y", {formulas::kSheenDisney, 2 * kF0, false, true}, Alpha::kBlend},
+    {Target::kMaterialX, "materialx", "+Y", {formulas::kSheenZeltner, 0.25f, false, true}, Alpha::kBlend},
 };
 
 const TargetRow& target_row(Target target) { return kTargets[static_cast<size_t>(target)]; }
@@ -273,7 +273,12 @@ std::optional<Target> target_named(const std::string& name) {
   return std::nullopt;
 }
 
-EngineModel engine_model(Target target) { return {target_row(target).sheen, target_row(target).specular}; }
+EngineModel engine_model(Target target, bool metal) {
+  EngineModel model = target_row(target).model;
+  // HDRP's Lit takes a specular colour in place of metal.
+  if (target == Target::kUnityHdrp && metal) model.most_f0 = kF0;
+  return model;
+}
 
 namespace {
 constexpr float kPinholes = 0.98f;  // coverage from which on gaps are no windows

@@ -87,8 +87,8 @@ struct ImageRow {
   std::array<Channel, 4> channels;
 };
 
-/// What the target's material has, that a set is fitted to (core/light/engine_fit.h).
-EngineModel engine_model(Target target);
+/// What the target's material has, that a set is fitted to (core/light/engine_fit.h). metal: there are metal yarns.
+EngineModel engine_model(Target target, bool metal);
 
 /// The rows of a target, in the order of the contact sheet.
 std::span<const ImageRow> image_rows(Target target);

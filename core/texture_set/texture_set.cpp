@@ -75,10 +75,24 @@ json checks_of(const FaceSource& face) {
   return out;
 }
 
+/// How near the material comes, by the elevation of the view.
+json scores_of(const FaceSource& face) {
+  json out = json::array();
+  for (const EngineScore& s : face.scores())
+    out.push_back({{"view_deg", s.view_deg}, {"mean", s.mean}, {"rms_error", s.error}});
+  return out;
+}
+
 json fit_of(const FaceSource& face) {
   const EngineFit& f = face.fit();
-  return {{"base_color", {f.base.r, f.base.g, f.base.b}}, {"specular", f.specular}, {"sheen", f.sheen},
-          {"sheen_roughness", f.sheen_roughness},         {"rms_error", f.error},   {"radiance", checks_of(face)}};
+  return {{"base_color", {f.base.r, f.base.g, f.base.b}},
+          {"reflectance", {f.f0, f.f90}},
+          {"highlight", {f.lobe.x, f.lobe.y}},
+          {"sheen", f.sheen},
+          {"sheen_roughness", f.sheen_roughness},
+          {"rms_error", f.error},
+          {"views", scores_of(face)},
+          {"radiance", checks_of(face)}};
 }
 
 std::string list_of(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
@@ -146,12 +160,16 @@ Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float ti
                repeats_for(cloth.depth_mm, tile_mm, cloth.picks.size()));
 }
 
+bool has_metal(const Cloth& cloth) {
+  return std::any_of(cloth.yarns.begin(), cloth.yarns.end(), [](const Yarn& y) { return y.lobes.metallic; });
+}
+
 FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
   Cloth cloth = cloth_of(design, cells, face, options.tile_mm);
   const bool raw = options.target == Target::kRaw;
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
-  of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target);
+  of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth));
   of.footprint_mm = raw ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(cloth), of};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "light/engine_texels.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::upload {
@@ -71,11 +72,7 @@ float mean_height_mm(const std::vector<ThreadBody>& threads) {
 
 }  // namespace
 
-float mean_spacing_mm(const Cloth& cloth) {
-  const float ends = static_cast<float>(std::max<size_t>(1, cloth.ends.size()));
-  const float picks = static_cast<float>(std::max<size_t>(1, cloth.picks.size()));
-  return 0.5f * (cloth.width_mm / ends + cloth.depth_mm / picks);
-}
+float mean_spacing_mm(const Cloth& cloth) { return thread_spacing_mm(cloth); }
 
 interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
   interop::ClothData data{};
@@ -93,8 +90,8 @@ interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
   data.rim_mm = 0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks));
   data.open = data.systems[0].coverage + data.systems[1].coverage < kClosed ? 1.0f : 0.0f;
   data.front_sky = data.back_sky = 1;
-  data.front_engine_base = data.back_engine_base = {1, 1, 1, 1};
-  data.front_engine_sheen = data.back_engine_sheen = {1, 0.5f, 0, 0};
+  for (interop::EngineData& e : data.engine)
+    e = {{1, 1, 1, 0.04f}, {1, 0.5f, 1, 0}, {{1, 0, 1, 0}, {1, 0, 1, 0}}, {{1, 1, 1, 0}, {1, 1, 1, 0}}};
   return data;
 }
 

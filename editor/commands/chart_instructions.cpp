@@ -165,7 +165,7 @@ vec3 repeat_pixel(const PixelInput& x) {
 }
 
 vec3 engine_pixel(const PixelInput& x) {
-  const EngineMaterial m{x.color, 0, sqrt(x.color), 0.5f, sqrt(2.0f * vec2(x.slopes.x, x.slopes.z)), 1, 0.8f};
+  const EngineMaterial m{x.color, 0, sqrt(x.color), 0.5f, sqrt(2.0f * vec2(x.slopes.x, x.slopes.z)), 0.04f, 1, 0.8f};
   return engine_answer(m, lobe_frame(normalize(x.n), vec3(1, 0, 0)), x.l, x.v).key * x.key;
 }
 

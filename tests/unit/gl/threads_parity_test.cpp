@@ -251,7 +251,7 @@ constexpr const char* kRungMain = R"(
   if (row == 2) answer = vec4(system_answer(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, e.w, l, v).key, 0.0);
   if (row == 3) answer = vec4(response_coord(v), half_slopes(l, v));
   if (row == 4) {
-    EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), 0.5 + e.x, e.x);
+    EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), 0.5 + e.x, 0.9 - 0.5 * e.y, e.x);
     answer = vec4(engine_answer(m, lobe_frame(normalize(vec3(e.xy - 0.5, 1.0)), vec3(1.0, 0.0, 0.0)), l, v).key, 0.0);
   }
   if (row == 5) answer = vec4(lean_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), float(yarn_samples(e.x, 48)));
@@ -281,7 +281,8 @@ vec4 rung_on_cpu(const RungCase& given, int row) {
     case 3:
       return {response_coord(v), half_slopes(l, v)};
     case 4: {
-      const EngineMaterial m{color, data.tint.w, color * e.x, 0.1f + e.y, {0.1f + e.z, 0.1f + e.w}, 0.5f + e.x, e.x};
+      const EngineMaterial m{color,      data.tint.w,       color * e.x, 0.1f + e.y, {0.1f + e.z, 0.1f + e.w},
+                             0.5f + e.x, 0.9f - 0.5f * e.y, e.x};
       return {engine_answer(m, lobe_frame(n, vec3(1, 0, 0)), l, v).key, 0};
     }
     case 5:

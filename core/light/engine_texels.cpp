@@ -1,0 +1,288 @@
+#include "light/engine_texels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace weftlight::light {
+namespace {
+
+constexpr float kMostSlope = 4.0f;  // 76 degrees: one grazing facet is not a wide lobe
+// So many a side:
+constexpr int kPixels = 4;
+constexpr int kFacets = 4;  // of a pixel; of the window of its lobe, twice as many
+constexpr int kTexels = 8;  // where a pixel is one texel
+constexpr int kMeans = 64;  // places for the means of the whole face
+
+glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
+
+/// Axes over a normal: the first lies along the texture's x, seen from above.
+struct Axes {
+  glm::vec3 t, b;
+};
+Axes axes_over(const glm::vec3& n) {
+  glm::vec3 t = glm::vec3(1, 0, 0) - n * n.x;
+  t = glm::dot(t, t) > 1e-12f ? glm::normalize(t) : glm::vec3(0, 0, -1);
+  return {t, glm::cross(n, t)};
+}
+
+/// The thread nearest to a place across its system, mm; the maps' own may be gone.
+const ThreadBody& nearest_thread(const std::vector<ThreadBody>& threads, float at_mm) {
+  const auto after = std::lower_bound(threads.begin(), threads.end(), at_mm,
+                                      [](const ThreadBody& t, float at) { return t.centre_mm < at; });
+  if (after == threads.begin()) return *after;
+  if (after == threads.end() || at_mm - std::prev(after)->centre_mm < after->centre_mm - at_mm)
+    return *std::prev(after);
+  return *after;
+}
+
+/// One texel of the maps: material without alphas, and its facets without the spread.
+struct Sample {
+  formulas::EngineMaterial material{};
+  glm::vec3 normal{0, 0, 1};
+  glm::vec2 grain{0.5f};
+  EngineFacet facet;
+};
+
+const Lobes& lobes_at(const Cloth& cloth, const Maps& maps, int x, int y) {
+  const bool weft = maps.system.at(x, y) != 0;
+  const float u_mm = (static_cast<float>(x) + 0.5f) / static_cast<float>(maps.coverage.width) * maps.width_mm;
+  const float v_mm = (static_cast<float>(y) + 0.5f) / static_cast<float>(maps.coverage.height) * maps.depth_mm;
+  const ThreadBody& body = weft ? nearest_thread(cloth.picks, v_mm) : nearest_thread(cloth.ends, u_mm);
+  return cloth.yarns[static_cast<size_t>(body.yarn)].lobes;
+}
+
+glm::vec3 base_of(const Lobes& lobes, const glm::vec3& colour) {
+  return lobes.metallic ? colour * vec(linear_from_srgb(lobes.specular_tint)) * lobes.specular : colour * lobes.body;
+}
+
+Sample sample(const Cloth& cloth, const Maps& maps, int x, int y) {
+  const Lobes& lobes = lobes_at(cloth, maps, x, y);
+  const glm::vec3 dye = vec(maps.colour.at(x, y));
+  const Slope slope = maps.slope.at(x, y);
+  const Direction fibre = maps.tangent.at(x, y);
+  const glm::vec3 along{fibre.x, fibre.y, fibre.z};
+  Sample out;
+  out.normal = glm::normalize(glm::vec3(slope.x, slope.y, 1));
+  out.material.base = base_of(lobes, dye * maps.groove.at(x, y));
+  out.material.metal = lobes.metallic ? 1.0f : 0.0f;
+  out.material.sheen = glm::sqrt(dye) * lobes.fuzz;
+  out.material.occlusion = maps.occlusion.at(x, y);
+  out.facet.covariance = facet_covariance(out.normal, along, lobes);
+  out.grain = grain_of(along);
+  out.facet.weft = maps.system.at(x, y) != 0;
+  out.facet.weight = maps.coverage.at(x, y);
+  return out;
+}
+
+/// One of side x side places, 0..1; rows and columns are set off by the golden ratio, since threads are as regular as a
+/// grid.
+glm::vec2 place(int i, int j, int side) {
+  const auto along = [side](int a, int b) {
+    return (static_cast<float>(a) + std::fmod(0.5f + 0.618034f * static_cast<float>(b), 1.0f)) /
+           static_cast<float>(side);
+  };
+  return {along(i, j), along(j, i)};
+}
+
+Sample sample_at(const Cloth& cloth, const Maps& maps, glm::vec2 at) {
+  const int x = static_cast<int>((at.x - std::floor(at.x)) * static_cast<float>(maps.coverage.width));
+  const int y = static_cast<int>((at.y - std::floor(at.y)) * static_cast<float>(maps.coverage.height));
+  return sample(cloth, maps, std::min(x, maps.coverage.width - 1), std::min(y, maps.coverage.height - 1));
+}
+
+glm::vec3 mean_normal(const std::vector<Sample>& samples) {
+  glm::vec3 sum(0, 0, 1e-6f);
+  for (const Sample& s : samples) sum += s.facet.weight * s.normal;
+  return glm::normalize(sum);
+}
+
+/// Means of what the images hold.
+EngineTexel pixel_of(const std::vector<Sample>& samples, bool keep_facets) {
+  EngineTexel out;
+  float total = 1e-9f;
+  for (const Sample& s : samples) {
+    const float w = s.facet.weight;
+    total += w;
+    out.material.base += w * s.material.base, out.material.sheen += w * s.material.sheen;
+    out.material.metal += w * s.material.metal, out.material.occlusion += w * s.material.occlusion;
+    if (keep_facets && w > 0) out.facets.push_back(s.facet);
+  }
+  out.material.base /= total, out.material.sheen /= total, out.material.metal /= total, out.material.occlusion /= total;
+  out.normal = mean_normal(samples);
+  out.weight = total;
+  return out;
+}
+
+FootprintLobe lobe_of(const std::vector<Sample>& samples) {
+  std::vector<LobePart> parts;
+  for (const Sample& s : samples) parts.push_back({s.normal, s.facet.covariance, s.grain, s.facet.weight});
+  return footprint_lobe(parts);
+}
+
+/// Of a box (its sides in periods) of the face.
+std::vector<Sample> samples_in(const Cloth& cloth, const Maps& maps, glm::vec2 middle, glm::vec2 box, int side) {
+  std::vector<Sample> out;
+  for (int l = 0; l < side; ++l) {
+    for (int k = 0; k < side; ++k)
+      out.push_back(sample_at(cloth, maps, middle + (place(k, l, side) - 0.5f) * glm::min(box, glm::vec2(1))));
+  }
+  return out;
+}
+
+/// Pixels whose means are those of the whole face, whatever lies in them.
+void keep_means(std::vector<EngineTexel>& texels, const Cloth& cloth, const Maps& maps) {
+  glm::vec3 base(0), sheen(0), seen_base(1e-6f), seen_sheen(1e-6f);
+  float total = 1e-9f, seen = 1e-9f;
+  for (int j = 0; j < kMeans; ++j) {
+    for (int i = 0; i < kMeans; ++i) {
+      const glm::vec2 at = place(i, j, kMeans);
+      const int x = std::min(static_cast<int>(at.x * static_cast<float>(maps.coverage.width)), maps.coverage.width - 1);
+      const int y =
+          std::min(static_cast<int>(at.y * static_cast<float>(maps.coverage.height)), maps.coverage.height - 1);
+      const Lobes& lobes = lobes_at(cloth, maps, x, y);
+      const glm::vec3 dye = vec(maps.colour.at(x, y));
+      const float w = maps.coverage.at(x, y);
+      total += w, base += w * base_of(lobes, dye * maps.groove.at(x, y)), sheen += w * glm::sqrt(dye) * lobes.fuzz;
+    }
+  }
+  for (const EngineTexel& t : texels)
+    seen += t.weight, seen_base += t.weight * t.material.base, seen_sheen += t.weight * t.material.sheen;
+  for (EngineTexel& t : texels)
+    t.material.base *= base * seen / (total * seen_base), t.material.sheen *= sheen * seen / (total * seen_sheen);
+}
+
+}  // namespace
+
+glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
+  const Axes axes = axes_over(normal);
+  const float x = glm::dot(fibre, axes.t), y = glm::dot(fibre, axes.b);
+  const float length2 = std::max(x * x + y * y, 1e-12f);
+  const float along2 = lobes.along_width * lobes.along_width / length2;
+  const float across2 = lobes.across_width * lobes.across_width / length2;
+  return {along2 * x * x + across2 * y * y, (along2 - across2) * x * y, along2 * y * y + across2 * x * x};
+}
+
+glm::vec2 grain_of(const glm::vec3& fibre) {
+  const glm::vec2 squares{fibre.x * fibre.x, fibre.y * fibre.y};
+  return squares / std::max(squares.x + squares.y, 1e-12f);
+}
+
+FootprintLobe footprint_lobe(std::span<const LobePart> parts) {
+  FootprintLobe out{glm::vec3(0), glm::vec2(1e-9f)};
+  glm::vec3 normal(0, 0, 1e-6f);
+  for (const LobePart& p : parts) normal += p.weight * p.normal;
+  normal = glm::normalize(normal);
+  const Axes axes = axes_over(normal);
+  float total = 1e-9f;
+  for (const LobePart& p : parts) {
+    const float up = std::max(glm::dot(p.normal, normal), 1 / kMostSlope);
+    const glm::vec2 slope =
+        glm::clamp(glm::vec2(glm::dot(p.normal, axes.t), glm::dot(p.normal, axes.b)) / up, -kMostSlope, kMostSlope);
+    out.covariance += p.weight * (p.covariance + glm::vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y));
+    out.grain += p.weight * p.grain, total += p.weight;
+  }
+  out.covariance /= total, out.grain /= out.grain.x + out.grain.y;
+  return out;
+}
+
+glm::vec3 scaled_covariance(const FootprintLobe& lobe, const glm::vec2& scale) {
+  const glm::vec2 root = glm::sqrt(glm::max(scale, glm::vec2(1e-6f)));  // of slopes
+  const float alike = lobe.grain.x - lobe.grain.y, middle = std::sqrt(root.x * root.y);
+  const float more = std::pow(root.x / root.y, 0.5f * alike);
+  const glm::vec2 by{middle * more, middle / more};
+  return lobe.covariance * glm::vec3(by.x * by.x, by.x * by.y, by.y * by.y);
+}
+
+FacetAlphas facet_alphas(const glm::vec3& c) {
+  const auto alpha = [](float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); };
+  const float middle = 0.5f * (c.x + c.z), half_gap = 0.5f * (c.x - c.z);
+  const float root = std::sqrt(half_gap * half_gap + c.y * c.y);
+  // Half of the angle of (half_gap, c.y), without leaving the roots.
+  const float cosine = root > 1e-9f ? std::sqrt(std::max(0.5f + 0.5f * half_gap / root, 0.0f)) : 1.0f;
+  const float sine = root > 1e-9f ? std::sqrt(std::max(0.5f - 0.5f * half_gap / root, 0.0f)) : 0.0f;
+  return {{alpha(middle + root), alpha(middle - root)}, {cosine, c.y < 0 ? -sine : sine}};
+}
+
+glm::vec2 EngineLobe::alpha() const {
+  const float narrow = roughness * roughness;
+  return {narrow + (1 - narrow) * strength * strength, narrow};
+}
+
+EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float share) {
+  EngineLobe out{{0, 0}, 0, 0};
+  float total = 1e-9f;
+  const auto add = [&](const glm::vec3& covariance, bool weft, float w) {
+    const FacetAlphas a = facet_alphas(covariance);
+    // Both senses of an axis mean the same: across a warp it is +x, across a weft +y; of a footprint by the longer
+    // part.
+    const bool up = share > 0.5f ? std::abs(a.axis.y) > std::abs(a.axis.x) : weft;
+    out.axis += ((up ? a.axis.y : a.axis.x) < 0 ? -w : w) * a.axis, total += w;
+    out.roughness += w * std::sqrt(a.alpha.y);
+    out.strength += w * (a.alpha.y < 1 ? std::sqrt(std::max(a.alpha.x - a.alpha.y, 0.0f) / (1 - a.alpha.y)) : 0.0f);
+  };
+  const glm::vec3 whole = scaled_covariance(texel.lobe, scale);
+  if (texel.facets.empty()) add(whole, false, 1);
+  for (const EngineFacet& f : texel.facets) add(glm::mix(f.covariance, whole, share), f.weft, f.weight);
+  out.roughness /= total, out.strength /= total;
+  out.axis = glm::dot(out.axis, out.axis) > 1e-12f ? glm::normalize(out.axis) : glm::vec2(1, 0);
+  return out;
+}
+
+float thread_spacing_mm(const Cloth& cloth) {
+  return 0.5f * (cloth.width_mm / static_cast<float>(std::max<size_t>(1, cloth.ends.size())) +
+                 cloth.depth_mm / static_cast<float>(std::max<size_t>(1, cloth.picks.size())));
+}
+
+float lobe_window_mm(float footprint_mm, float spacing_mm) { return std::max(footprint_mm, 2 * spacing_mm); }
+
+float footprint_share(float footprint_mm, float spacing_mm) {
+  return std::clamp(0.5f * footprint_mm / std::max(spacing_mm, 1e-6f), 0.0f, 1.0f);
+}
+
+EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm) {
+  EngineTexels out;
+  if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width < 1 || maps.coverage.height < 1) return out;
+  const float spacing_mm = thread_spacing_mm(cloth);
+  const glm::vec2 period(cloth.width_mm, cloth.depth_mm);
+  const glm::vec2 pixel = footprint_mm / period, window = lobe_window_mm(footprint_mm, spacing_mm) / period;
+  out.share = footprint_share(footprint_mm, spacing_mm);
+  const bool single = footprint_mm <= cloth.width_mm / static_cast<float>(maps.coverage.width);
+  const int side = single ? kTexels : kPixels;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const glm::vec2 middle = place(i, j, side);
+      out.texels.push_back(pixel_of(
+          single ? std::vector{sample_at(cloth, maps, middle)} : samples_in(cloth, maps, middle, pixel, kFacets),
+          out.share < 1));
+      if (out.share > 0) out.texels.back().lobe = lobe_of(samples_in(cloth, maps, middle, window, 2 * kFacets));
+      if (out.texels.back().weight <= 1e-6f) out.texels.pop_back();
+    }
+  }
+  keep_means(out.texels, cloth, maps);
+  return out;
+}
+
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale) {
+  // A line through what the pixels hold, by the share of their weft.
+  constexpr float kAlike = 1e-3f;  // variance of that share that tells nothing
+  glm::vec4 mean(0), both(0);
+  float total = 1e-9f, at = 0, square = 0;
+  for (const EngineTexel& t : texels.texels) {
+    const EngineLobe lobe = engine_lobe(t, scale, texels.share);
+    const glm::vec4 v(lobe.axis, lobe.roughness, lobe.strength);
+    const float x = t.lobe.grain.x, w = t.weight;
+    total += w, mean += w * v, both += w * x * v, at += w * x, square += w * x * x;
+  }
+  mean /= total, both /= total, at /= total, square /= total;
+  const float variance = square - at * at;
+  const glm::vec4 rise = variance > kAlike ? (both - at * mean) / variance : glm::vec4(0);
+  std::array<EngineLobe, 2> out;
+  for (size_t s = 0; s < 2; ++s) {
+    const glm::vec4 v = mean + rise * (static_cast<float>(s) - at);
+    out[s] = {{v.x, v.y}, std::clamp(v.z, 0.0f, 1.0f), std::clamp(v.w, 0.0f, 1.0f)};
+  }
+  return out;
+}
+
+}  // namespace weftlight::light

@@ -326,6 +326,10 @@ CommandLine run_command_line(int argc, char** argv) {
                    "Samples a pixel near the threads, at the most; " + std::to_string(kMost) +
                        ", without a graphics card " + std::to_string(kSoftwareSamples))
       ->check(whole_number(1, kMost));
+  render_verb
+      ->add_option("--turntable", picture.turntable,
+                   "So many pictures of one turn, PICTURE_001.png and on, the view going to the right")
+      ->check(whole_number(1, 3600));
   reference_verb->add_option("--spp", picture.spp, "Samples a pixel")->check(whole_number(1, 1 << 20));
   reference_verb->add_option("--bounces", picture.bounces, "Indirect bounces")->check(whole_number(0, 16));
 

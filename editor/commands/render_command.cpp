@@ -1,6 +1,8 @@
 // `weftlight render`: the lit, draped cloth as a picture, without a window.
 
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands/picture_setup.h"
@@ -23,11 +25,46 @@ std::string write_stats(const std::string& path, const FrameStats& stats, const 
   return write_file_atomically(path, json.dump(2) + "\n");
 }
 
+/// PICTURE_001.png of PICTURE.png.
+std::string numbered(const std::string& path, int number) {
+  const std::filesystem::path p(path);
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "_%03d", number);
+  return (p.parent_path() / (p.stem().string() + digits + p.extension().string())).string();
+}
+
+/// One turn of the view around what is seen, in even steps from where it stands.
+int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
+  const Frame frame = setup.frame(o);
+  Scene scene = setup.design.scene;
+  const float from = scene.view_azimuth;
+  for (int k = 0; k < o.turntable; ++k) {
+    setup.status.say("drawing picture " + std::to_string(k + 1) + " of " + std::to_string(o.turntable));
+    scene.view_azimuth =
+        std::remainder(from + 360.0f * static_cast<float>(k) / static_cast<float>(o.turntable), 360.0f);
+    setup.renderer->draw(scene, setup.design.look, frame);
+    if (const FrameStats stats = setup.renderer->measure(); !stats.problem.empty()) {
+      setup.status.clear();
+      return fail(kNoGraphics, stats.problem);
+    }
+    const std::string error = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
+    if (!error.empty()) {
+      setup.status.clear();
+      return fail(kNotWritten, error);
+    }
+  }
+  setup.status.clear();
+  return kDone;
+}
+
 }  // namespace
 
 int render_command(const PictureOptions& o) {
   PictureSetup setup;
+  if (o.turntable > 0 && !o.stats.empty())
+    return fail(kUsage, "--stats is of one picture: leave it or --turntable out");
   if (const int code = setup.open(o); code != kDone) return code;
+  if (o.turntable > 0) return draw_turntable(setup, o);
   const Method asked = setup.design.look.method;
   Frame frame = setup.frame(o);
   frame.timed = !o.stats.empty();

@@ -1,5 +1,6 @@
 // render and reference show one scene: the same threads at the same pixels of the same drape.
 
+#include <filesystem>
 #include <optional>
 
 #include "../relative_rms.h"
@@ -57,6 +58,26 @@ TEST_F(Pictures, what_is_behind_shows_through_the_pinholes_of_a_near_weave) {
       difference("twill_2_2", {"--mesh", "plane", "--view", "20,15", "--yarns-per-pixel", "0.04"});
   if (!off) GTEST_SKIP() << "no graphics";
   EXPECT_LT(*off, 0.3);
+}
+
+TEST_F(Pictures, a_turntable_is_one_turn_in_even_steps) {
+  const std::vector<std::string> line{
+      "render", presets_dir() + "/drafts/plain.wif", "--mesh", "skirt", "--size", "64x48", "--method", "cloth", "-o"};
+  const auto drawn = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> all = line;
+    all.push_back(path(out));
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all).code;
+  };
+  const int code = drawn("turn.png", {"--turntable", "3", "--view", "100,10"});
+  if (code == kNoGraphics) GTEST_SKIP() << "no graphics";
+  ASSERT_EQ(code, kDone);
+  ASSERT_EQ(drawn("alone.png", {"--view", "-140,10"}), kDone);
+  EXPECT_EQ(read_file(path("turn_002.png")).bytes, read_file(path("alone.png")).bytes);
+  EXPECT_NE(read_file(path("turn_001.png")).bytes, read_file(path("turn_003.png")).bytes);
+  EXPECT_FALSE(std::filesystem::exists(path("turn.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("turn_004.png")));
+  EXPECT_EQ(drawn("turn.png", {"--turntable", "3", "--stats", path("s.json")}), kUsage);
 }
 
 }  // namespace

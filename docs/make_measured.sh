@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Draws docs/measured/*.svg: what measured cloths send back, and what ours do. Usage: docs/make_measured.sh [weftlight]
+# Draws docs/measured/*.svg: what measured cloths send back, and what ours do; 32,768 rays a direction of the traced
+# threads (SPP=32). Usage: docs/make_measured.sh [weftlight]; KEEP=FOLDER keeps the tables.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 weftlight=${1:-$root/build/release/weftlight}
@@ -47,11 +48,12 @@ svg() {  # name title free
 cloth() {  # table name title column of the table, of ours
   local table=$root/tests/measured/$1 name=$2
   for method in cloth reference; do
-    "$weftlight" response "$root/presets/cloths/$name.wif" -o "$work/$method.csv" --method $method
+    "$weftlight" response "$root/presets/cloths/$name.wif" -o "$work/$method.csv" --method $method --spp "${SPP:-32}"
   done
   paste -d, <(grep "^$name," "$table" | cut -d, -f2-4,"$4") <(tail -n +2 "$work/cloth.csv" | cut -d, -f5) \
     <(tail -n +2 "$work/reference.csv" | cut -d, -f5) > "$work/table"
   svg "$name" "$3" "$5"
+  [[ -z ${KEEP:-} ]] || cp "$work/table" "$KEEP/$name.csv"  # measured, cloth, reference of one channel
 }
 
 cloth sadeghi2013.csv linen_plain "Linen, plain weave (green)" 6 0

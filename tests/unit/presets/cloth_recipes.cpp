@@ -109,14 +109,17 @@ Design polyester_charmeuse() {
   Recipe crowfoot;  // four-shaft satin, warp-faced
   crowfoot.shafts = 4, crowfoot.threading = {0, 1, 2, 3}, crowfoot.treadling = {0, 1, 3, 2};
   crowfoot.tieup = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-  const Rgb rose = dye(0.2f, 0.08f, 0.08f);
-  Yarn warp = fitted("Polyester filament", "Polyester 48 den", 0.09f, 0.325f, 29);
-  warp.lobes.specular = 0.8f, warp.lobes.along_width = 0.057f, warp.lobes.across_width = 0.69f, warp.lobes.layers = 16;
-  Yarn weft = fitted("Polyester filament", "Polyester 96 den", 0.127f, 0.61f, 10);
-  weft.lobes.specular = 0.83f, weft.lobes.along_width = 0.038f, weft.lobes.across_width = 0.05f;
-  return titled(worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.3f, 0.35f), "skirt", 15, 12),
+  const Rgb rose = dye(0.1775f, 0.0695f, 0.0695f);
+  Yarn warp = fitted("Polyester filament", "Polyester 60 den", 0.1f, 0.323f, 29);
+  warp.groove_depth = 0.092f;
+  warp.lobes.specular = 0.873f, warp.lobes.along_width = 0.0851f, warp.lobes.across_width = 0.733f,
+  warp.lobes.layers = 16, warp.lobes.inner = 0.101f, warp.lobes.body = 0.584f, warp.lobes.fuzz = 0.001f;
+  Yarn weft = fitted("Polyester filament", "Polyester 95 den", 0.127f, 1, 10);
+  weft.lobes.specular = 0.956f, weft.lobes.along_width = 0.0736f, weft.lobes.across_width = 0.02f,
+  weft.lobes.layers = 10.6f, weft.lobes.inner = 0.055f, weft.lobes.body = 1;
+  return titled(worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.284f, 0.3f), "skirt", 15, 12),
                 "Polyester satin charmeuse, measured",
-                {"Warp satin on four shafts, 33 by 29 a centimetre (Sadeghi and others 2013)."});
+                {"Warp satin on four shafts, 35 by 33 a centimetre (Sadeghi and others 2013)."});
 }
 
 Design cotton_denim() {

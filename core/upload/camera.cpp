@@ -80,4 +80,10 @@ Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, 
   return camera;
 }
 
+float distance_of_height(const Bounds& bounds, float aspect, float height_mm) {
+  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
+  const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth;
+  return std::min(1.0f, height_mm / (2 * kMargin * std::max(half.y, girth / aspect)));
+}
+
 }  // namespace weftlight::upload

@@ -30,4 +30,7 @@ struct Camera {
 Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, int width, int height,
                     float yarns_per_pixel, float mean_spacing_mm);
 
+/// The view_distance, at most 1, at which a picture straight on shows so much of the height of the bounds.
+float distance_of_height(const Bounds& bounds, float aspect, float height_mm);
+
 }  // namespace weftlight::upload

@@ -15,6 +15,9 @@ void add_cloth_actions(Actions& all) {
     });
     a.checked = [name](const Desk& e) { return e.document().now().scene.mesh == name; };
   }
+  Action& flat = add(all, "Cloth", "flat", "Flat swatch, straight on", "F", [](Desk& e) { e.toggle_flat(); });
+  flat.item.group = true;
+  flat.checked = [](const Desk& e) { return e.view().flat; };
   Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6",
                       [](Desk& e) { e.settings().show_rungs = !e.settings().show_rungs; });
   rungs.item.group = true;

@@ -75,6 +75,8 @@ class Desk {
   virtual void toggle_theme() = 0;
   virtual void keep_view() = 0;
   virtual void reset_view() = 0;
+  /// A flat swatch in the place of the drape, or the drape again.
+  virtual void toggle_flat() = 0;
   /// In the status line, for a while.
   virtual void say(std::string text) = 0;
 

@@ -240,7 +240,29 @@ void Editor::toggle_theme() {
   restyle_ = true;
 }
 
+void Editor::reset_view() {
+  const Design& d = document().now();
+  view().camera = view().flat ? flat_orbit(d, pane_.x, pane_.y) : orbit_of(d.scene);
+}
+
+void Editor::toggle_flat() {
+  DocumentView& v = view();
+  v.flat = !v.flat;
+  if (v.flat) v.draped = v.camera;
+  v.camera = v.flat ? flat_orbit(document().now(), pane_.x, pane_.y) : v.draped;
+  preview_.submit(hung());
+  frames_due_ = std::max(frames_due_, 3);
+}
+
+std::shared_ptr<const Design> Editor::hung() const {
+  if (!view().flat) return document().snapshot();
+  Design flat = document().now();
+  flat.scene.mesh = kFlatMesh;
+  return std::make_shared<const Design>(std::move(flat));
+}
+
 void Editor::keep_view() {
+  if (view().flat) return say("The flat swatch is always seen alike; F goes back to the drape, whose view can be kept");
   commit({"Keep view", [camera = view().camera](Design d) {
             d.scene = with_orbit(d.scene, camera);
             return d;
@@ -263,7 +285,7 @@ void Editor::follow_shown() {
 
 /// After every change of the design that is shown, whatever made it.
 void Editor::edited() {
-  preview_.submit(document().snapshot());
+  preview_.submit(hung());
   keep_live_export();
   frames_due_ = std::max(frames_due_, 3);
 }

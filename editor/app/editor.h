@@ -84,7 +84,8 @@ class Editor : public Desk {
   void toggle_keys() override { keys_.open = !keys_.open; }
   void toggle_theme() override;
   void keep_view() override;
-  void reset_view() override { view().camera = orbit_of(document().now().scene); }
+  void reset_view() override;
+  void toggle_flat() override;
   void say(std::string text) override;
   std::string clipboard() const override;
   void set_clipboard(const std::string& text) override;
@@ -117,6 +118,8 @@ class Editor : public Desk {
 
   /// Another document is shown: the picture, the live export and what is derived follow it.
   void follow_shown();
+  /// The design with what the cloth hangs over: its drape, or the flat swatch.
+  std::shared_ptr<const Design> hung() const;
   /// Beside the others; nothing of them is lost.
   void open_beside(Document document, Origin origin);
   void edited();

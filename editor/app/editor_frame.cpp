@@ -100,10 +100,11 @@ void Editor::frame() {
   restyle_ = false;
   take_waiting_input();
   const float ratio = window_.pixel_ratio();
-  preview_.ask(
-      {with_orbit(document().now().scene, view().camera), document().now().look, static_cast<int>(pane_.x * ratio),
-       static_cast<int>(pane_.y * ratio), settings_.show_rungs, settings_.compare},
-      strokes_.going_on());
+  Scene scene = with_orbit(document().now().scene, view().camera);
+  if (view().flat) scene.mesh = kFlatMesh;
+  preview_.ask({scene, document().now().look, static_cast<int>(pane_.x * ratio), static_cast<int>(pane_.y * ratio),
+                settings_.show_rungs, settings_.compare},
+               strokes_.going_on());
   window_.begin_frame();
   take_input();
   draw_window();

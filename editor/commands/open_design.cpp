@@ -1,73 +1,10 @@
-#include <cctype>
 #include <cstdio>
-#include <set>
 
 #include "commands/commands.h"
-#include "draft/generators/families.h"
-#include "files/files.h"
+#include "files/picture_draft.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::commands {
-namespace {
-
-bool is_picture(const std::string& path) {
-  std::string end = path.substr(path.find_last_of('.') + 1);
-  for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return end == "png" || end == "tif" || end == "tiff" || end == "bmp";
-}
-
-/// A pixel a crossing, laid out as `drawdown` draws: end 1 at the right, pick 1 at the top.
-Pixels pixels_of(const Image& image) {
-  Pixels out{image.width, image.height, {}};
-  const auto channels = static_cast<size_t>(image.channels);
-  const size_t second = channels >= 3 ? 1 : 0, third = channels >= 3 ? 2 : 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = image.width - 1; x >= 0; --x) {
-      const size_t at = (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) * channels;
-      out.rgb.push_back({image.texels[at], image.texels[at + second], image.texels[at + third]});
-    }
-  return out;
-}
-
-/// Two colours are crossings, the darker with the warp on top; of more each becomes a weave.
-BitMatrix crossings_of(const Pixels& picture) {
-  std::set<std::tuple<float, float, float>> colors;
-  for (const Rgb& c : picture.rgb)
-    if (colors.size() < 9) colors.insert({c.r, c.g, c.b});
-  PictureWeave how;
-  how.colors = static_cast<int>(std::min(colors.size(), size_t{8}));
-  if (colors.size() > 2) return picture_weave(picture, how);
-  const Reduced reduced = reduced_colors(picture, 2);
-  BitMatrix cells(picture.height, picture.width);
-  for (size_t i = 0; i < reduced.index.size(); ++i)
-    if (reduced.index[i] == 0)
-      cells.set(static_cast<int>(i) / picture.width, static_cast<int>(i) % picture.width, true);
-  return cells;
-}
-
-/// A picture as a draft for a Jacquard machine: a liftplan with a shaft an end.
-WifRead read_picture(const std::string& path) {
-  const ReadImage read = read_image(path);
-  const auto refuse = [](std::string what, std::string remedy) {
-    return WifRead{{}, {{Severity::kError, 0, std::move(what), std::move(remedy)}}};
-  };
-  if (!read.image || read.image->channels < 1) return refuse(read.error, "choose a PNG or TIFF picture");
-  if (read.image->width > kMaxShafts || read.image->height > kMaxThreads)
-    return refuse("the picture is " + std::to_string(read.image->width) + " by " + std::to_string(read.image->height),
-                  "at most " + std::to_string(kMaxShafts) + " pixels across and " + std::to_string(kMaxThreads) +
-                      " down become a draft; make it smaller");
-  const std::optional<Design> design = jacquard_design(crossings_of(pixels_of(*read.image)));
-  if (!design) return refuse("the picture has no pixels", "choose another");
-  WifFile file;
-  file.design = *design;
-  file.bytes = write_new_wif(*design);
-  file.format = "picture";
-  file.has_liftplan = file.rising_stated = true;
-  return {std::move(file), {}};
-}
-
-}  // namespace
-
 void print_diagnostic(const std::string& path, const Diagnostic& d) {
   const std::string place = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
   std::fprintf(stderr, "%s: %s%s; %s\n", place.c_str(),
@@ -81,7 +18,7 @@ OpenedDesign open_design(const std::string& path, bool print_warnings) {
     std::fprintf(stderr, "%s: %s; give the path of a draft\n", path.c_str(), file.error.c_str());
     return result;
   }
-  WifRead read = is_picture(path) ? read_picture(path) : read_draft(file.bytes);
+  WifRead read = is_picture(path) ? read_picture_draft(path) : read_draft(file.bytes);
   for (const Diagnostic& d : read.diagnostics) {
     const bool warning = print_warnings && d.severity == Severity::kWarning;
     if (d.severity == Severity::kError || warning) print_diagnostic(path, d);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "draft/edits.h"
+#include "files/picture_draft.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::session {
@@ -95,7 +96,7 @@ OpenResult open_document(const std::string& path) {
   FileBytes file = read_file(path);
   if (!file.error.empty())
     return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
-  WifRead read = read_draft(file.bytes);
+  WifRead read = files::is_picture(path) ? files::read_picture_draft(path) : read_draft(file.bytes);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   identity.hash = content_hash(file.bytes);
   if (read.file->format == "wif")

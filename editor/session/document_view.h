@@ -43,7 +43,9 @@ struct DocumentView {
   float scroll_end = 0, scroll_pick = 0, scroll_shaft = 0, scroll_treadle = 0;
   float seen_ends = 0, seen_picks = 0;  // in the pane, as it was last drawn
   Face face = Face::kFront;
-  Orbit camera;  // of the cloth
+  Orbit camera;       // of the cloth
+  bool flat = false;  // a swatch straight on in the place of the drape
+  Orbit draped;       // the camera that comes back after it
   BarPaint bar_paint = BarPaint::kColor;
   int color = 0, yarn = 0;                  // what the colour bars are painted with
   int float_limit = 5;                      // threads that a float may cross

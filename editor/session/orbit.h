@@ -12,11 +12,15 @@ struct Orbit {
   bool operator==(const Orbit&) const = default;
 };
 Orbit orbit_of(const Scene& scene);
+/// Straight on to a flat swatch that fills a picture of so many pixels, its threads a few pixels wide.
+Orbit flat_orbit(const Design& design, float width_px, float height_px);
 Scene with_orbit(Scene scene, const Orbit& camera);
 
 /// Drag by (dx, dy) and zoom about (x, y), all in pane widths and heights from the middle, y up.
 Orbit orbited(Orbit camera, float dx_px, float dy_px, float degrees_a_px);
 Orbit zoomed(Orbit camera, float steps, float x, float y);
+/// The drape of a flat swatch.
+inline constexpr const char* kFlatMesh = "plane";
 /// -180 to 180.
 float wrapped_degrees(float degrees);
 

@@ -164,15 +164,28 @@ void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& 
                                       text.c_str(), nullptr, width);
 }
 
-}  // namespace
+/// Drape or flat swatch, over the picture's corner; before the view below it, so that it takes the pointer first.
+void draw_hanging(PanelContext& c, ImVec2 a, ImVec2 pane) {
+  constexpr const char* kWays[] = {"Drape", "Flat"};
+  constexpr float kWidth = 120, kLeastPane = 260;  // pixels at 96 dpi
+  if (pane.x < c.style.px(kLeastPane)) return;
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  dl->ChannelsSetCurrent(1);
+  ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
+  int way = c.view.flat ? 1 : 0;
+  if (segmented(c, "hanging", kWays, way, c.style.px(kWidth))) c.wanted.add_action("flat");
+  dl->ChannelsSetCurrent(0);
+  ImGui::SetCursorScreenPos(a);
+}
 
-void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
+void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
   const ImVec2 a = ImGui::GetCursorScreenPos();
   pane = ImGui::GetContentRegionAvail();
   const ImVec2 b{a.x + pane.x, a.y + pane.y};
   if (pane.x < 8 || pane.y < 8) return;
   const bool comparing = c.settings.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
+  draw_hanging(c, a, pane);
   hit_area("view", pane,
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
@@ -184,11 +197,7 @@ void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) 
                           y = ((a.y + b.y) / 2 - io.MousePos.y) / pane.x](DocumentView& v) {
       v.camera = zoomed(v.camera, steps, x, y);
     });
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-    c.wanted.gesture([](DocumentView& v, const Design& design) {
-      v.camera = orbit_of(design.scene);
-      return MaybeEdit();
-    });
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) c.wanted.add_action("reset_view");
 
   ImDrawList* dl = ImGui::GetWindowDrawList();
   if (picture.texture != 0) {
@@ -203,6 +212,15 @@ void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) 
   if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);
   if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);
   else if (!picture.problem.empty()) draw_note(c, {a.x + c.style.px(16), a.y + c.style.px(12)}, picture.problem);
+}
+
+}  // namespace
+
+void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  dl->ChannelsSplit(2);
+  draw_view(c, picture, pane);
+  dl->ChannelsMerge();
 }
 
 }  // namespace weftlight::views

@@ -68,6 +68,7 @@ class BareDesk : public Desk {
   void toggle_theme() override {}
   void keep_view() override {}
   void reset_view() override {}
+  void toggle_flat() override { view_.flat = !view_.flat; }
   void focus(std::string) override {}
   Hover hover() const override { return {}; }
   void say(std::string) override {}

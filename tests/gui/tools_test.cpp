@@ -90,5 +90,20 @@ TEST_F(ToolsTest, WeavesPickByPickAndKeepsThePlaceWithTheDraft) {
   EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.has("view"); }));
 }
 
+TEST_F(ToolsTest, AFlatSwatchFillsThePaneAndTheDrapeComesBack) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }));
+  const auto [at, size] = w.place_of("view");
+  const auto corner = [&, at = at, size = size] { return display_.picture({at.x + 4, at.y + size.y / 2}, {40, 40}); };
+  const auto is_plain = [](const std::string& ppm) {
+    return ppm.size() > 100 && ppm.find_first_not_of(ppm.back(), ppm.size() - 60) == std::string::npos;
+  };
+  ASSERT_NO_FATAL_FAILURE(click(w, "hanging:Flat"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.busy") && !is_plain(corner()); })) << "no cloth at the pane's edge";
+  display_.key("f");
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.busy"); }));
+  EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "looking changes nothing";
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -1,0 +1,33 @@
+// Files of other kinds become documents without a name of their own.
+
+#include "session/document.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "files/files.h"
+
+namespace weftlight::session {
+namespace {
+
+TEST(Document, APictureBecomesADraftThatIsSavedUnderANewName) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("weftlight-picture-" + std::to_string(getpid()) + ".png")).string();
+  files::Image image{3, 2, 1, {0, 1, 1, 1, 0, 1}};
+  ASSERT_EQ(files::write_image(path, image, files::PixelType::kU8), "");
+  const OpenResult opened = open_document(path);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(opened.document);
+  const Document& d = *opened.document;
+  EXPECT_EQ(d.path(), "");
+  EXPECT_TRUE(d.name().ends_with(".wif")) << d.name();
+  EXPECT_EQ(d.now().draft.ends(), 3);
+  EXPECT_TRUE(d.cells().get(0, 2)) << "the picture's left is the last end";
+  EXPECT_TRUE(d.cells().get(1, 1));
+  EXPECT_EQ(d.cells().count(), 2);
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -18,14 +18,17 @@ const Yarn& preset_of(int preset) {
   return all[static_cast<size_t>(std::clamp(preset, 0, static_cast<int>(all.size()) - 1))];
 }
 
-/// Of what tells fibres apart and no slider of a weaver's moves: index, how they lie across, inner light, bundles.
+/// Of what tells fibres apart and no slider of a weaver's moves: index, strength, how they lie across, inner light,
+/// what passes through, bundles.
 float unlikeness(const Yarn& a, const Yarn& b) {
   const auto octaves = [](float x, float y) { return std::log2((x + 0.01f) / (y + 0.01f)); };
-  const float index = 40 * (a.lobes.ior - b.lobes.ior), inner = 2 * (a.lobes.inner - b.lobes.inner),
-              across = octaves(a.lobes.across_width, b.lobes.across_width), bundle = octaves(a.fibre_um, b.fibre_um),
-              groove = 4 * (a.groove_depth - b.groove_depth);
+  const float index = 40 * (a.lobes.ior - b.lobes.ior), inner = 5 * (a.lobes.inner - b.lobes.inner),
+              across = octaves(a.lobes.across_width, b.lobes.across_width),
+              bundle = 0.4f * octaves(a.fibre_um, b.fibre_um), groove = 2 * (a.groove_depth - b.groove_depth),
+              specular = 8 * (a.lobes.specular - b.lobes.specular),
+              through = 20 * (a.lobes.transmission - b.lobes.transmission);
   return (a.lobes.metallic != b.lobes.metallic ? 1e6f : 0) + index * index + inner * inner + across * across +
-         bundle * bundle + groove * groove;
+         bundle * bundle + groove * groove + specular * specular + through * through;
 }
 
 }  // namespace

@@ -18,6 +18,20 @@ TEST(Fibre, EachReadyYarnIsOfItsOwn) {
   }
 }
 
+TEST(Fibre, AFinishLeavesItWhatItIs) {
+  Yarn tweed = yarn_preset("Wool");
+  tweed.fibre_um = 45, tweed.groove_depth = 0.25f, tweed.hairiness = 1;
+  tweed.lobes.fuzz = 0.6f, tweed.lobes.along_width = 0.7f, tweed.lobes.across_width = 0.8f;
+  EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(tweed))].name, "Wool");
+  Yarn gabardine = yarn_preset("Wool");
+  gabardine.fibre_um = 24, gabardine.groove_depth = 0.3f, gabardine.hairiness = 0.12f;
+  gabardine.lobes.fuzz = 0.08f, gabardine.lobes.along_width = 0.24f;
+  EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(gabardine))].name, "Wool");
+  Yarn damask = yarn_preset("Linen");
+  damask.fibre_um = 30, damask.groove_depth = 0.3f, damask.lobes.along_width = 0.13f, damask.lobes.layers = 7;
+  EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(damask))].name, "Linen");
+}
+
 TEST(Fibre, AChoiceKeepsWhatTheSpinnerMade) {
   Yarn yarn = yarn_preset("Cotton");
   yarn.name = "Mine", yarn.diameter_mm = 0.7f, yarn.turns_per_m = 123, yarn.irregularity = 0.1f;

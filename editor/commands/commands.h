@@ -41,10 +41,10 @@ struct PictureOptions {
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
-  int turntable = 0;   // render only: pictures of one turn
-  int samples = 0;     // render only; 0: all, without a graphics card kSoftwareSamples
-  int spp = 64;        // reference only
-  int bounces = 0;     // reference only
+  int turntable = 0;  // render only: pictures of one turn
+  int samples = 0;    // render only; 0: all, without a graphics card kSoftwareSamples
+  int spp = 64;       // reference only
+  int bounces = 0;    // reference only
 };
 struct ExportOptions {
   std::vector<std::string> files;  // or folders of drafts

@@ -43,6 +43,20 @@ void leave_to_yarn(Desk& e) {
             }});
 }
 
+/// The colours of one system for the threads of the other, over and over.
+Design with_colors_of(Design d, System from) {
+  const System to = from == System::kWarp ? System::kWeft : System::kWarp;
+  const std::vector<int> colors = d.draft.threads(from).color;
+  const int threads = d.draft.threads(to).size();
+  for (int i = 0; i < threads && !colors.empty(); ++i)
+    d = with_thread_color(std::move(d), to, i, colors[static_cast<size_t>(i) % colors.size()]);
+  return d;
+}
+
+void copy_colors(Desk& e, const char* label, System from) {
+  e.commit({label, [from](Design d) { return with_colors_of(std::move(d), from); }});
+}
+
 }  // namespace
 
 void add_thread_actions(Actions& all) {
@@ -55,6 +69,10 @@ void add_thread_actions(Actions& all) {
   new_group(add_focus(all, "threads.set_thickness", "Thickness\xE2\x80\xA6", "T", "threads.thickness"));
   add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
   add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");
+  new_group(add_one(all, "threads.weft_as_warp", "Weft colours as the warp", "",
+                    [](Desk& e) { copy_colors(e, "Weft colours as the warp", System::kWarp); }));
+  add_one(all, "threads.warp_as_weft", "Warp colours as the weft", "",
+          [](Desk& e) { copy_colors(e, "Warp colours as the weft", System::kWeft); });
   add_one(all, "threads.from_yarn", "Leave thickness and spacing to the yarn", "", leave_to_yarn);
 }
 

@@ -53,6 +53,21 @@ void go_on_with_stroke(PanelContext& c, const GridPane& pane) {
   if (at.valid() && at != c.view.stroke.last) paint_to(c, c.view.stroke, at);
 }
 
+/// What the hand can do there, beside what the cell is.
+const char* paint_hint(GridId id) {
+  switch (id) {
+    case GridId::kThreading:
+      return "Drag: paint; Shift: keep the end's other shafts; right: clear; Ctrl+drag: select";
+    case GridId::kTreadling:
+      return "Drag: paint; Shift: keep the pick's other treadles; right: clear; Ctrl+drag: select";
+    case GridId::kWarpColors:
+    case GridId::kWeftColors:
+      return "Drag: colour threads; Alt+click: take the colour; Shift or Ctrl: choose threads";
+    default:
+      return "Drag: paint; right: clear; Ctrl+drag: select";
+  }
+}
+
 void grid_input(PanelContext& c, const GridPane& pane) {
   const ImVec2 a = pane.min(), b = pane.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return;
@@ -63,6 +78,7 @@ void grid_input(PanelContext& c, const GridPane& pane) {
   if (ImGui::IsItemHovered() || active) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     c.frame.hover = {pane.id, active ? pane.nearest(mouse) : pane.at(mouse)};
+    if (c.view.select.tool == Tool::kPaint) c.frame.hint = paint_hint(pane.id);
   }
   if (selects(c, pane)) return select_input(c, pane);
   if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);

@@ -59,6 +59,7 @@ std::string status_text(const PanelContext& c, const std::string& message) {
   if (s.held || s.drag != SelectDrag::kNone) return selected;
   if (s.tool == Tool::kSelect && !message.empty()) return message;
   if (s.tool == Tool::kSelect && !selected.empty()) return selected;
+  if (!hover.empty() && message.empty() && *c.frame.hint != '\0') return hover + "    " + c.frame.hint;
   return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.frame.hint;
 }
 

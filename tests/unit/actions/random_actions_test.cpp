@@ -234,5 +234,18 @@ TEST_F(RandomActions, LeaveTheDraftWholeAndAreAllTakenBack) {
   RecordProperty("megabytes", static_cast<int>(after >> 20));
 }
 
+TEST(ThreadActions, ColoursGoFromOneBarToTheOther) {
+  Design d;
+  d.draft = blank_draft(3, 7, 2, 2);
+  d.draft.palette.resize(4);
+  d.draft.warp.color = {2, 3, 1};
+  BareDesk desk(d);
+  for (const Action& a : make_actions({}))
+    if (a.item.id == "threads.weft_as_warp") a.run(desk);
+  EXPECT_EQ(desk.document().now().draft.weft.color, (std::vector<int>{2, 3, 1, 2, 3, 1, 2})) << "over and over";
+  desk.undo();
+  EXPECT_EQ(desk.document().now(), d) << "one step of undo";
+}
+
 }  // namespace
 }  // namespace weftlight::actions

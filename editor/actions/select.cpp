@@ -152,6 +152,46 @@ void turn(Desk& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
   if (!missed.empty()) e.say(label + missed);
 }
 
+/// Row 0 becomes the last column.
+BitMatrix turned_on(const BitMatrix& cells) {
+  BitMatrix out(cells.cols(), cells.rows());
+  for (int r = 0; r < cells.rows(); ++r)
+    for_each_bit(cells.row(r), [&](int c) { out.set(c, cells.rows() - 1 - r, true); });
+  return out;
+}
+
+BitMatrix turned_back(const BitMatrix& cells) { return half_turned(turned_on(cells)); }
+
+/// With the clock, as it is seen: a grid that is drawn mirrored turns the other way.
+void quarter_turn(Desk& e) {
+  const SelectState& state = e.view().select;
+  const BitGrid grid = state.held ? state.held->grid : selected(e).grid;
+  const Cell right = screen_step(grid, e.settings().end1_right, 1, 0);
+  const Cell down = screen_step(grid, e.settings().end1_right, 0, 1);
+  const BlockTurn turned = (right.a > 0) == (down.b > 0) ? turned_on : turned_back;
+  if (has_block(e)) return turn_held_block(e.view().select, turned);
+  const Draft& draft = e.document().now().draft;
+  const Selection s = clipped(selected(e), draft);
+  const BitMatrix block = turned(cells_of(draft, s));
+  const int columns = std::min(block.cols(), columns_of(draft, grid)),
+            rows = std::min(block.rows(), rows_of(draft, grid));
+  const int a = std::min(s.a0, columns_of(draft, grid) - columns), b = std::min(s.b0, rows_of(draft, grid) - rows);
+  // What it was and what it becomes are one block, so that crossings are found for both at once.
+  const Selection both{grid, std::min(a, s.a0), std::max(a + columns, s.a1), std::min(b, s.b0),
+                       std::max(b + rows, s.b1)};
+  BitMatrix cells = cells_of(draft, both);
+  for (int y = 0; y < s.rows(); ++y)
+    for (int x = 0; x < s.columns(); ++x) cells.set(s.b0 - both.b0 + y, s.a0 - both.a0 + x, false);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) cells.set(b - both.b0 + y, a - both.a0 + x, block.get(y, x));
+  e.commit({"Turn by a quarter", [both, cells](Design d) {
+              return with_block(std::move(d), both.grid, both.a0, both.b0, cells, Write::kInside);
+            }});
+  const std::string missed = missed_text(e.document().now().draft, grid, both.a0, both.b0, cells);
+  if (!missed.empty()) e.say("Turned by a quarter" + missed);
+  select_cells(e.view().select, {grid, a, a + columns, b, b + rows});
+}
+
 void add_turns(Actions& all) {
   const auto add_turn = [&all](const char* id, const char* label, const char* key, SelectionEdit edit,
                                BlockTurn of_block) {
@@ -161,6 +201,8 @@ void add_turns(Actions& all) {
   };
   new_group(*add_turn("mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across, mirrored_across));
   add_turn("mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down, mirrored_down);
+  on_selection(add(all, "Edit", "quarter_turn", "Turn by a quarter", "R", quarter_turn), kTurn).enabled =
+      [](const Desk& e) { return has_selection(e) || has_block(e); };
   add_turn("half_turn", "Turn by half", "Shift+R", with_half_turn, half_turned);
   add_turn(
       "invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); },

@@ -247,5 +247,31 @@ TEST(ThreadActions, ColoursGoFromOneBarToTheOther) {
   EXPECT_EQ(desk.document().now(), d) << "one step of undo";
 }
 
+TEST(SelectionActions, AQuarterTurnIsWithTheClockAsItIsSeen) {
+  Design d;
+  d.draft = blank_draft(6, 6, 4, 4);
+  d.draft.threading.set(0, 0, true);  // end 1 at the right, shaft 1 at the bottom
+  d.draft.threading.set(1, 0, true);
+  BareDesk desk(d);
+  const auto turn = [&desk] {
+    for (const Action& a : make_actions({}))
+      if (a.item.id == "quarter_turn") a.run(desk);
+  };
+  select_cells(desk.view().select, {BitGrid::kThreading, 0, 2, 0, 2});
+  turn();
+  // The lower row of the two by two is now its left column.
+  const BitMatrix& threading = desk.document().now().draft.threading;
+  EXPECT_TRUE(threading.get(1, 0));
+  EXPECT_TRUE(threading.get(1, 1));
+  EXPECT_EQ(threading.count(), 2);
+  for (int i = 0; i < 3; ++i) turn();
+  EXPECT_EQ(desk.document().now(), d) << "four quarters are none";
+  // One that is longer than wide stays in its grid.
+  select_cells(desk.view().select, {BitGrid::kThreading, 0, 4, 3, 4});
+  turn();
+  const Selection& now = desk.view().select.selected;
+  EXPECT_EQ(now, (Selection{BitGrid::kThreading, 0, 1, 0, 4}));
+}
+
 }  // namespace
 }  // namespace weftlight::actions

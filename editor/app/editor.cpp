@@ -56,6 +56,8 @@ Editor::Editor(Window& window, const EditorOptions& options)
   style_.dark = settings_.dark;
   actions_ = make_actions(settings_.recent, settings_.keys);
   if (!options.file.empty()) open_path(options.file);
+  // A program that drives the window knows its way.
+  if (!settings_.toured && options.ui_map.empty() && options.live_export.empty()) settings_.tour = 0;
   follow_shown();
   offer_recovery();
 }

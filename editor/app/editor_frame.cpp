@@ -20,6 +20,7 @@
 #include "views/inspector/yarn_panel.h"
 #include "views/shell/history_window.h"
 #include "views/shell/status_bar.h"
+#include "views/shell/tour.h"
 
 namespace weftlight::app {
 namespace {
@@ -187,6 +188,7 @@ void Editor::draw_window() {
   draw_remarks(c, remarks_, remarks_open_);
   draw_history(c, document(), history_);
   draw_keys_window(c, items, keys_);
+  if (std::holds_alternative<std::monostate>(dialog_)) draw_tour(c);
   draw_question(c);
   ImGui::PopFont();
   carry_out(wanted);

@@ -64,6 +64,7 @@ Settings settings_from(std::string_view text) {
   s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
   take(json, "per_inch", s.per_inch);
   take(json, "inspector", s.inspector);
+  take(json, "toured", s.toured);
   take(json, "split", s.split);
   take(json, "width", s.width);
   take(json, "height", s.height);
@@ -90,6 +91,7 @@ std::string settings_text(const Settings& s) {
                                {"drawdown_style", static_cast<int>(s.drawdown_style)},
                                {"per_inch", s.per_inch},
                                {"inspector", s.inspector},
+                               {"toured", s.toured},
                                {"split", s.split},
                                {"width", s.width},
                                {"height", s.height},

@@ -25,7 +25,9 @@ struct Settings {
   std::vector<std::string> recent;          // newest first
   std::string loom_address;                 // of the loom that was last sent to
   std::map<std::string, std::string> keys;  // by action: the shortcut that the weaver gave it; empty: none
+  bool toured = false;                      // has seen the tour, or left it
   // Of the window while it stands; not kept.
+  int tour = -1;  // its step; -1: it is not shown
   int inspector_tab = 0;
   bool show_history = false;
   bool show_rungs = false;  // false colours: which method shades which pixel

@@ -172,6 +172,32 @@ TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
   EXPECT_TRUE(comes_true([&] { return !w.has("history:0"); }));
 }
 
+TEST_F(TabsTest, TheTourLeadsRoundWithoutBeingInTheWay) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_FALSE(w.has("tour.next")) << "who drives the window by flags is not led about";
+  display_.click(w.middle_of("menu:Help"));
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.tour"); }));
+  display_.click(w.middle_of("menu.tour"));
+  ASSERT_TRUE(comes_true([&] { return w.has("tour.next"); }));
+  ASSERT_NO_FATAL_FAILURE(paint(w, 1));
+  for (int step = 1; step < 5; ++step) {
+    const Point before = w.middle_of("tour.next");
+    display_.click(before);
+    ASSERT_TRUE(comes_true([&] {
+      const Point now = w.middle_of("tour.next");
+      return now.x != before.x || now.y != before.y;
+    })) << "step "
+        << step;
+  }
+  display_.click(w.middle_of("tour.next"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tour.next"); }));
+  display_.key("ctrl+s");
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0);
+  EXPECT_NE(bytes_of(folder_ / "config/weftlight/settings.json").find("\"toured\": true"), std::string::npos);
+}
+
 TEST_F(TabsTest, KeysAreTheWeaversOwnAndKept) {
   {
     Window w(display_, folder_, draft_, without_dialogs());

@@ -1,0 +1,135 @@
+#include "views/shell/tour.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "ui/imgui_compat.h"
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+namespace {
+
+constexpr float kWidth = 300, kGap = 14;  // pixels at 96 dpi
+
+struct Step {
+  const char* control;  // or grid, of the map
+  const char *title, *text;
+};
+constexpr Step kSteps[kTourSteps] = {
+    {"threading", "Paint the draft",
+     "Click or drag in the threading, the tie-up, the treadling or the drawdown itself: the cloth follows at once. "
+     "From a "
+     "filled cell a drag clears; the right button always does. Ctrl+Z takes back any step."},
+    {"view", "See it as cloth",
+     "Drag to turn it, the wheel comes nearer until single yarns are seen, the right button moves the light."},
+    {"palette:1", "Colours and yarns",
+     "Take a colour in hand, then drag along the colour bars of warp and weft. The tabs above hold the yarns, what the "
+     "cloth hangs over, and what the weave is like on the loom."},
+    {"tool:Select", "Rework what is there",
+     "The select tool (S) takes any rectangle: copy, mirror, turn, repeat it; a right click shows everything. Drag "
+     "along "
+     "the numbers of the ends or picks to choose whole threads."},
+    {"menu:Library", "Where to begin",
+     "The library has drafts and whole cloths; Ctrl+N begins from a weave. Ctrl+P finds every command by its name, and "
+     "F1 "
+     "lists the keys."},
+};
+
+struct Rect {
+  ImVec2 a, b;
+};
+
+std::optional<Rect> place_of(const UiMap& map, const std::string& control) {
+  for (const UiControl& item : map.controls)
+    if (item.name == control) return Rect{{item.x, item.y}, {item.x + item.w, item.y + item.h}};
+  for (const UiGrid& g : map.grids) {
+    if (g.name != control) continue;
+    const auto width = static_cast<float>(g.count_a), height = static_cast<float>(g.count_b);
+    const float x = g.origin[0] + g.step_a[0] * (width - 1), y = g.origin[1] + g.step_b[1] * (height - 1);
+    return Rect{{std::min(x, g.origin[0]), std::min(y, g.origin[1])},
+                {std::max(x, g.origin[0]), std::max(y, g.origin[1])}};
+  }
+  return {};
+}
+
+/// Beside what it is about, within the window: below, else to the left, else over its middle.
+ImVec2 card_at(const PanelContext& c, const Rect& r, ImVec2 size) {
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const float gap = c.style.px(kGap);
+  const ImVec2 low{view->WorkPos.x + gap, view->WorkPos.y + gap};
+  const ImVec2 high{view->WorkPos.x + view->WorkSize.x - size.x - gap,
+                    view->WorkPos.y + view->WorkSize.y - size.y - gap};
+  ImVec2 at{(r.a.x + r.b.x - size.x) / 2, r.b.y + gap};
+  if (at.y > high.y) at = {r.a.x - size.x - gap, (r.a.y + r.b.y - size.y) / 2};
+  if (at.x < low.x && r.b.y + gap > high.y) at = {(r.a.x + r.b.x - size.x) / 2, (r.a.y + r.b.y - size.y) / 2};
+  return {std::max(low.x, std::min(at.x, high.x)), std::max(low.y, std::min(at.y, high.y))};
+}
+
+void go_to(PanelContext& c, int step) {
+  c.wanted.change_settings([step](Settings& s) {
+    s.tour = step < kTourSteps ? step : -1;
+    if (s.tour < 0) s.toured = true;
+  });
+}
+
+void draw_dots(const PanelContext& c, int step) {
+  const float r = c.style.px(3), apart = c.style.px(12);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float y = at.y + ImGui::GetFrameHeight() / 2;
+  for (int i = 0; i < kTourSteps; ++i)
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + r + apart * static_cast<float>(i), y}, r,
+                                                i == step ? c.style.color.accent : c.style.color.line_strong);
+}
+
+void draw_card(PanelContext& c, int step) {
+  const Step& s = kSteps[step];
+  push_font(c.style.font.bold);
+  ImGui::TextUnformatted(s.title);
+  ImGui::PopFont();
+  ImGui::PushTextWrapPos(c.style.px(kWidth - 16));
+  ImGui::TextUnformatted(s.text);
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({c.style.px(kWidth - 32), c.style.px(2)});
+  draw_dots(c, step);
+  const bool last = step + 1 == kTourSteps;
+  ImGui::SetCursorPosX(c.style.px(last ? 226 : 166));
+  if (!last) {
+    ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+    if (text_button(c, "tour.leave", "Leave", nullptr)) go_to(c, kTourSteps);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+  }
+  if (text_button(c, "tour.next", last ? "Done" : "Next", nullptr)) go_to(c, step + 1);
+}
+
+}  // namespace
+
+void draw_tour(PanelContext& c) {
+  const int step = c.settings.tour;
+  if (step < 0 || step >= kTourSteps) return;
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const ImVec2 middle{view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y / 2};
+  const std::optional<Rect> about = place_of(c.map, kSteps[step].control);
+  const Rect r = about.value_or(Rect{middle, middle});
+  const float round = c.style.px(6), room = c.style.px(6);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(16), c.style.px(12)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
+  ImGui::PushStyleColor(ImGuiCol_Border, c.style.color.accent);
+  const ImVec2 size{c.style.px(kWidth), c.style.px(190)};
+  ImGui::SetNextWindowPos(card_at(c, r, size));
+  ImGui::Begin("Tour", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  draw_card(c, step);
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(3);
+  if (about)
+    ImGui::GetForegroundDrawList()->AddRect({r.a.x - room, r.a.y - room}, {r.b.x + room, r.b.y + room},
+                                            c.style.color.accent, round, 0, c.style.px(2));
+}
+
+}  // namespace weftlight::views

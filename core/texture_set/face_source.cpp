@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kLeastSide = 16;
 constexpr int kAzimuths = 16;                            // of the horizon, which occlusion is made from
-constexpr int64_t kMostCoarseTexels = int64_t{1} << 22;  // about 300 MB of maps
+constexpr int64_t kMostCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
+constexpr int64_t kMostRawTexels = int64_t{1} << 22;     // with the horizons that raw sets keep
 constexpr int64_t kMostPieceTexels = int64_t{1} << 21;
 constexpr int kMostPieceSide = 16384;  // of a window of the maps
 constexpr int kSmallSide = 1024;
@@ -62,8 +63,9 @@ TextureSize texture_size(float width_mm, float depth_mm, int size) {
 FaceSource::FaceSource(Cloth cloth, const FaceOptions& options)
     : cloth_(std::move(cloth)), options_(options), factor_(supersampling(cloth_, options.size)) {
   const int width = options.size.width, height = options.size.height;
+  const int64_t most = options.horizon ? kMostRawTexels : kMostCoarseTexels;
   int shrink = 1;
-  while (int64_t{width} * factor_ / shrink * (int64_t{height} * factor_ / shrink) > kMostCoarseTexels) shrink *= 2;
+  while (int64_t{width} * factor_ / shrink * (int64_t{height} * factor_ / shrink) > most) shrink *= 2;
   const int coarse_x = std::max(width * factor_ / shrink, 1), coarse_y = std::max(height * factor_ / shrink, 1);
   Maps maps = bake(cloth_, {coarse_x, coarse_y, kAzimuths});
   if (options.fitted) measure(maps);
@@ -156,12 +158,14 @@ void FaceSource::take_means() {
       fit_.base);
   if (!options_.fitted) return;
   // The least gain whose mean is wanted; what is bright already stays at 1.
+  std::vector<std::array<float, 2>> seen_texels;  // coverage, occlusion
+  for (const SurfaceTexel& t : small_.texels.at_) seen_texels.push_back({t.coverage, t.occlusion});
   float low = 1, high = 8;
   for (int round = 0; round < 12; ++round) {
     const float gain = 0.5f * (low + high);
     double sum = 0;
-    for (const SurfaceTexel& t : small_.texels.at_)
-      sum += static_cast<double>(t.coverage * std::min(t.occlusion * gain, 1.0f));
+    for (const auto& [covered, occlusion] : seen_texels)
+      sum += static_cast<double>(covered * std::min(occlusion * gain, 1.0f));
     (sum * over < static_cast<double>(kMeanOcclusion) ? low : high) = gain;
   }
   occlusion_gain_ = high;

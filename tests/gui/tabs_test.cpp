@@ -32,9 +32,9 @@ class TabsTest : public OnDisplay {
   void open_both(const Window& w) const {
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
     EXPECT_FALSE(w.has("tab:1")) << "one draft needs no tabs";
-    const std::string first = w.live();
     ASSERT_NO_FATAL_FAILURE(open(w, other_));
-    ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() != first; })) << "no tab was opened";
+    ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() == bytes_of(other_); }))
+        << "no tab was opened";
   }
   void paint(const Window& w, int end) const {
     const std::string before = w.live();
@@ -54,7 +54,6 @@ TEST_F(TabsTest, EachHasItsOwnWorkAndQuittingAsksOnceForAll) {
   const std::string one = bytes_of(draft_), two = bytes_of(other_);
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_NO_FATAL_FAILURE(open_both(w));
-  EXPECT_EQ(w.live(), two);
   ASSERT_NO_FATAL_FAILURE(paint(w, 1));
   const std::string two_painted = w.live();
   EXPECT_TRUE(comes_true([&] { return w.has("tab.unsaved:2") && !w.has("tab.unsaved:1"); }));

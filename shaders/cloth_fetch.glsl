@@ -6,6 +6,7 @@
 #include "lobes.glsl"
 #include "rungs.glsl"
 #include "engine.glsl"
+#include "lattice.glsl"
 
 uniform sampler2DArray color_map;
 uniform sampler2DArray relief_map;
@@ -100,6 +101,9 @@ Footprint footprint_here() {
   f.yarns = sqrt(max(area, major2 / 256.0) / max(texels.x * texels.y, 1.0) * cloth.width_mm * cloth.depth_mm) / cloth.spacing_mm;
   return f;
 }
+
+// 0 to 1, other in each pixel and far from that of its neighbours (Jimenez 2014, interleaved gradient noise).
+float pixel_turn() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
 
 // One thread system of the footprint.
 struct System {

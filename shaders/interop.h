@@ -43,7 +43,7 @@ struct FrameData {
   vec4 sky[SH_COEFFICIENTS];  // rgb radiance, spherical harmonics, real, bands 0..2
   vec4 background;            // rgb linear, display-referred; w: 1 where the background is left out
   vec4 picture;               // width, height in pixels; z: 1 writes scene-linear
-  vec4 samples;               // of rung yarn: x: the first one's number; y: how many at the most
+  vec4 samples;               // of rung yarn: x: number of the pass; y: how many at the most
   vec4 shadow;                // x: texel of the shadow map; y: radius of its filter in texels;
                               // z: normal offset in mm; w: opacity of the cloth to the key light
   vec4 tile;                  // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
@@ -51,6 +51,7 @@ struct FrameData {
   vec4 rungs;                 // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
   vec4 hair;                  // stray fibres: x: pieces that each is drawn with; zw: mean length on the
                               // mesh's front and back, mm
+  vec4 lattices[2];           // of rung yarn: footprints from which on each finer lattice is needed (lattice.glsl)
 };
 
 // The lobes of a yarn as the shaders take them (yarn_of() of rungs.glsl), or means of several yarns.
@@ -150,7 +151,7 @@ enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kHair, kAtt
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{"in_position", "in_normal", "in_tangent",
                                                                           "in_uv_mm",    "in_sky",    "in_hair"};
 
-static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 8)) * sizeof(float));
+static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 10)) * sizeof(float));
 static_assert(offsetof(interop::FrameData, background) == (32 + 4 * (3 + SH_COEFFICIENTS)) * sizeof(float));
 static_assert(sizeof(interop::YarnData) == YARN_TEXELS * sizeof(glm::vec4));
 static_assert(offsetof(interop::YarnData, tint) == 2 * sizeof(glm::vec4));

@@ -15,9 +15,11 @@ vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 t = o - cell;
   float layer = cell.y * views + cell.x;
   float next = cell.x > views - 1.5 ? cell.y * views : layer + 1.0;
-  vec4 near = mix(textureLod(response_map, vec3(at, layer), 0.0), textureLod(response_map, vec3(at, next), 0.0), t.x);
-  vec4 far = mix(textureLod(response_map, vec3(at, layer + views), 0.0), textureLod(response_map, vec3(at, next + views), 0.0), t.x);
-  return mix(near, far, t.y);
+  // Over the half of the cell that it lies in, by three of its corners.
+  float corner = t.x + t.y < 1.0 ? layer : next + views;
+  vec2 side = t.x + t.y < 1.0 ? t : 1.0 - t.yx;
+  return textureLod(response_map, vec3(at, corner), 0.0) * (1.0 - side.x - side.y)
+       + textureLod(response_map, vec3(at, next), 0.0) * side.x + textureLod(response_map, vec3(at, layer + views), 0.0) * side.y;
 }
 
 Answer answer_from_afar(Side side, Lights x, int which, vec2 slopes, vec3 color) {
@@ -48,11 +50,11 @@ struct Local {
 };
 
 // Four samples a pixel: two by two in a square one, a row in a long one (zigzag between), each read where the mips are
-// about as wide as they lie apart. at: the pixel's middle, on the tile.
-Local fetch_local(Side s, Footprint f, int which, vec2 at) {
+// about as wide as they lie apart; between two mips so many from each as its share says, which costs half of reading
+// both. at: the pixel's middle, on the tile; part: 0..1, of a sample, by pixel.
+Local fetch_local(Side s, Footprint f, int which, vec2 at, float part) {
   Local y;
   y.color = vec4(0.0);
-  y.around = 0.0;
   vec4 sum = vec4(0.0);
   vec2 texels = vec2(textureSize(color_map, 0).xy);
   vec2 x_side = f.dx * texels;
@@ -63,17 +65,19 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   float row = min(0.25 * abs(log2(max(squares, 1e-6))), 1.0);   // 1 where four times as long as wide
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
-  float level = f.level - 1.0 - row;
-  float wide = max(level, log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm));   // mips of four yarns, read between texels
+  float level = max(f.level - 1.0 - row, 0.0);
   for (int i = 0; i < 4; ++i) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;
     vec3 p = vec3(at + longer * (half_side + turn * 0.125 * row) + aside * turn, float(system));
-    y.color += 0.25 * textureLod(color_map, p, level);
-    sum += 0.25 * textureLod(relief_map, p, level);
-    y.around += 0.25 * textureLod(color_map, p, wide).a;
+    float mip = floor(level + (float(i == 1 ? 2 : i == 2 ? 1 : i) + part) * 0.25);
+    y.color += 0.25 * textureLod(color_map, p, mip);
+    sum += 0.25 * textureLod(relief_map, p, mip);
   }
   y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
+  // Mips of four yarns, read between texels.
+  float wide = ceil(log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm));
+  y.around = wide > level ? textureLod(color_map, vec3(at, float(system)), wide).a : y.color.a;
   return y;
 }
 
@@ -90,8 +94,9 @@ vec3 repeat_light(Side side, Lights x, Footprint f) {
   Seen seen = seen_systems(side.face, x.v);
   // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
   vec2 towards = x.v.xy / (x.v.z * vec2(cloth.width_mm, cloth.depth_mm));
-  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
-  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
+  float part = pixel_turn();
+  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x, part);
+  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y, part);
   vec2 share = vec2(cloth.systems[side.face * 2].share, cloth.systems[side.face * 2 + 1].share);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(share, vec2(1e-3));
   vec2 region = vec2(warp.around, weft.around) / max(share * (warp.around + weft.around), vec2(1e-3));

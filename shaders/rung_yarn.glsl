@@ -2,7 +2,7 @@
 // meets, take that thread's own frame, pattern and lobes, and follow a ray to the light; so threads hide and shade
 // each other as bodies do, light from behind comes through the thread alone, and gaps are where no thread is.
 //
-// Based on: Roberts 2018 (R2, the places of the samples); Vogel 1979 (those on the light's disc).
+// Based on: Vogel 1979 (places on the light's disc); those in the pixel: lattice.glsl.
 
 #include "thread_fetch.glsl"
 
@@ -23,12 +23,12 @@ struct YarnSums {
   float cover;
 };
 
-// Towards a point of the light's disc.
-vec3 light_sample(vec3 l, int i) {
+// Towards a point of the light's disc. own: 0 to 1, of the pixel, so that few samples leave grain and no false edge.
+vec3 light_sample(vec3 l, int i, float own) {
   // Radii by van der Corput's halves, so that any first few of them are spread.
-  float part = fract(float(i) * 0.5 + float(i / 2) * 0.25 + float(i / 4) * 0.125 + float(i / 8) * 0.0625 + 0.03125);
+  float part = fract(float(i) * 0.5 + float(i / 2) * 0.25 + float(i / 4) * 0.125 + float(i / 8) * 0.0625 + own);
   float r = sqrt(part) * frame.light.w;
-  float turn = 2.39996323 * float(i);
+  float turn = 2.39996323 * float(i) + 6.2831853 * own;
   vec3 a = normalize(abs(l.z) < 0.9 ? cross(l, vec3(0.0, 0.0, 1.0)) : cross(l, vec3(1.0, 0.0, 0.0)));
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
 }
@@ -89,20 +89,19 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
 // Radiance of what is covered, and cover.
 vec4 shade_yarn(Side side, Lights x, Footprint f) {
   ThreadGrid g = thread_grid(side.face);
-  int first = int(frame.samples.x);
-  int count = yarn_samples(f.yarns, int(frame.samples.y));
-#if defined(QUICK)
-  count = 1;
-#endif
+  int pass = int(frame.samples.x);
+  ivec2 lattice = lattice_of(lattice_for(f.yarns, frame.lattices[0], frame.lattices[1], int(frame.samples.y)));
+  int count = lattice.x;
   vec2 middle = fract(f.at) * g.period;
   float sample_mm = f.yarns * g.spacing / sqrt(float(count));
   float level = f.level - 1.0 - 0.5 * log2(float(count));   // of the horizons, at half size
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-  // Where pixels hold whole yarns, equal samples would meet equal places of the weave in all of them.
-  float turn = f.yarns < 1.0 ? 0.0 : fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them.
+  float own = pixel_turn();
+  float turn = own * clamp(f.yarns * 8.0 - 1.0, 0.0, 1.0);
   for (int i = 0; i < count; ++i) {
-    vec2 r = fract(vec2(0.75487767, 0.56984029) * (float(first + i) + 0.5) + turn) - 0.5;
-    add_sample(sums, g, x, middle + (f.dx * r.x + f.dy * r.y) * g.period, light_sample(x.l, first + i), sample_mm,
+    vec2 r = lattice_point(lattice, i, pass, turn);
+    add_sample(sums, g, x, middle + (f.dx * r.x + f.dy * r.y) * g.period, light_sample(x.l, pass * count + i, own), sample_mm,
                side.face, level);
   }
   if (sums.cover < 0.5) return vec4(0.0);

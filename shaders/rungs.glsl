@@ -23,14 +23,6 @@ struct Answer {
   vec3 glossy;   // share of the sky as it is mirrored
 };
 
-// Samples that rung yarn takes of a pixel so many yarns across (root of its area): about fourteen across a thread, which
-// holds the filtering error near 0.05 (docs/chart.md).
-const int kLeastYarnSamples = 16;
-const int kMostYarnSamples = 48;
-FORMULA int yarn_samples(float yarns, int most) {
-  return min(int(clamp(ceil(yarns * yarns * 192.0f), float(kLeastYarnSamples), float(kMostYarnSamples))), most);
-}
-
 // Lobes of a yarn, or of a mean of yarns, on a thread of that colour.
 FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   YarnLobes y;

@@ -37,6 +37,7 @@ inline float exp(float x) {
 #include "shaders/filter.glsl"
 #include "shaders/hair.glsl"
 #include "shaders/horizon.glsl"
+#include "shaders/lattice.glsl"
 #include "shaders/lobes.glsl"
 #include "shaders/rung_colors.glsl"
 #include "shaders/rungs.glsl"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 namespace weftlight::light {
 namespace {
@@ -12,10 +13,10 @@ namespace {
 float error_of(const LadderPoint& p) { return std::max(p.filtering_error, p.model_error); }
 float cost_of(const LadderPoint& p) { return p.cost_ns; }
 
-float interpolate(const Ladder& ladder, Method method, float yarns, float (*value)(const LadderPoint&)) {
+float interpolate(const Ladder& ladder, Method method, int samples, float yarns, float (*value)(const LadderPoint&)) {
   const LadderPoint *below = nullptr, *above = nullptr;
   for (const LadderPoint& p : ladder) {
-    if (p.method != method) continue;
+    if (p.method != method || p.samples != samples) continue;
     if (p.yarns_per_pixel <= yarns && (!below || p.yarns_per_pixel > below->yarns_per_pixel)) below = &p;
     if (p.yarns_per_pixel >= yarns && (!above || p.yarns_per_pixel < above->yarns_per_pixel)) above = &p;
   }
@@ -38,6 +39,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+constexpr float kMostSamples = 1e6f;  // far more than any row has
+
 /// What was measured lies far within 1e12; beyond, sums would leave a float's range.
 std::optional<float> number(std::string_view text) {
   constexpr float kMost = 1e12f;
@@ -52,11 +55,12 @@ struct Gathered {
   LadderPoint worst;
   int rows = 0;
 };
-using Gathering = std::map<std::pair<Method, float>, Gathered>;
+using Gathering = std::map<std::tuple<Method, int, float>, Gathered>;
 
 void gather(Gathering& all, const LadderPoint& p) {
-  Gathered& g = all[{p.method, p.yarns_per_pixel}];
+  Gathered& g = all[{p.method, p.samples, p.yarns_per_pixel}];
   g.worst.method = p.method;
+  g.worst.samples = p.samples;
   g.worst.yarns_per_pixel = p.yarns_per_pixel;
   g.worst.cost_ns += p.cost_ns;
   g.worst.filtering_error = std::max(g.worst.filtering_error, p.filtering_error);
@@ -65,6 +69,18 @@ void gather(Gathering& all, const LadderPoint& p) {
 }
 
 }  // namespace
+
+/// `all`: rung yarn, its cost that of one sample, its error that of all. Fewer err by more, as they grow sparser.
+static void add_lattices(Ladder& ladder, const LadderPoint& all) {
+  for (int i = 0; i < formulas::kLattices; ++i) {
+    LadderPoint p = all;
+    p.samples = formulas::lattice_of(i).x;
+    const float share = static_cast<float>(p.samples) / static_cast<float>(formulas::kMostYarnSamples);
+    p.cost_ns *= static_cast<float>(p.samples);
+    p.filtering_error = p.model_error = all.model_error / std::sqrt(share);
+    ladder.push_back(p);
+  }
+}
 
 Ladder default_ladder() {
   // Each rung holds its band (1/4, 2, 8 yarns a pixel are the borders) and doubles its error an octave
@@ -84,18 +100,19 @@ Ladder default_ladder() {
       // The finest rung has no finer one to fall back to; cell is good enough only down to its own band.
       const float below = b.method == Method::kCell ? std::max(std::log2(0.25f / yarns), 0.0f) : 0.0f;
       const float error = 0.04f * std::exp2(octaves + below);
-      ladder.push_back({b.method, yarns, b.cost_ns, error, error});
+      if (b.method != Method::kYarn) ladder.push_back({b.method, yarns, b.cost_ns, error, error});
+      else add_lattices(ladder, {b.method, yarns, b.cost_ns, error, error});
     }
   return ladder;
 }
 
 Ladder read_ladder(std::string_view csv, std::string& problem) {
-  constexpr std::string_view kColumns[] = {"method", "yarns_per_pixel", "ns_per_pixel", "rel_rmse_filtering",
-                                           "rel_rmse_model"};
+  constexpr std::array<std::string_view, 6> kColumns{
+      "method", "samples", "yarns_per_pixel", "ns_per_pixel", "rel_rmse_filtering", "rel_rmse_model"};
   const std::vector<std::string_view> lines = split(csv, '\n');
   const std::vector<std::string_view> head = split(lines.front(), ',');
-  size_t at[5] = {};
-  for (size_t c = 0; c < 5; ++c) {
+  std::array<size_t, kColumns.size()> at{};
+  for (size_t c = 0; c < at.size(); ++c) {
     at[c] = static_cast<size_t>(std::find(head.begin(), head.end(), kColumns[c]) - head.begin());
     if (at[c] == head.size()) {
       problem = "line 1: column " + std::string(kColumns[c]) + " is missing";
@@ -106,14 +123,16 @@ Ladder read_ladder(std::string_view csv, std::string& problem) {
   for (size_t l = 1; l < lines.size(); ++l) {
     if (lines[l].empty()) continue;
     const std::vector<std::string_view> cells = split(lines[l], ',');
-    std::optional<float> v[4];
+    std::array<std::optional<float>, kColumns.size() - 1> v;
     const bool whole = cells.size() >= head.size();
-    for (size_t c = 0; whole && c < 4; ++c) v[c] = number(cells[at[c + 1]]);
-    if (!v[0] || *v[0] <= 0 || !v[1] || !v[2] || !v[3]) {
+    for (size_t c = 0; whole && c < v.size(); ++c) v[c] = number(cells[at[c + 1]]);
+    const bool numbers = std::all_of(v.begin(), v.end(), [](const auto& n) { return n.has_value(); });
+    if (!numbers || *v[0] < 1 || *v[0] > kMostSamples || *v[1] <= 0) {
       problem = "line " + std::to_string(l + 1) + ": not a row of numbers";
       return {};
     }
-    if (const std::optional<Method> m = method_from_name(cells[at[0]])) gather(all, {*m, *v[0], *v[1], *v[2], *v[3]});
+    if (const std::optional<Method> m = method_from_name(cells[at[0]]))
+      gather(all, {*m, *v[1], *v[2], *v[3], *v[4], static_cast<int>(*v[0])});
   }
   Ladder ladder;
   for (auto& [key, g] : all) {
@@ -123,38 +142,105 @@ Ladder read_ladder(std::string_view csv, std::string& problem) {
   return ladder;
 }
 
-float expected_error(const Ladder& ladder, Method method, float yarns_per_pixel) {
-  return interpolate(ladder, method, std::max(yarns_per_pixel, 1e-6f), error_of);
+float expected_error(const Ladder& ladder, Method method, float yarns_per_pixel, int samples) {
+  return interpolate(ladder, method, samples, std::max(yarns_per_pixel, 1e-6f), error_of);
 }
 
-float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel) {
-  return interpolate(ladder, method, std::max(yarns_per_pixel, 1e-6f), cost_of);
+float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel, int samples) {
+  return interpolate(ladder, method, samples, std::max(yarns_per_pixel, 1e-6f), cost_of);
 }
 
-Method choose_rung(const Ladder& ladder, float yarns_per_pixel, float tolerance) {
-  constexpr float kAsGood = 1.1f;  // errors nearer to each other than this are told apart by no eye
+namespace {
+
+constexpr float kAsGood = 1.1f;  // errors nearer to each other than this are told apart by no eye
+
+/// All that can be chosen: rung yarn by its lattices, the others.
+std::vector<Choice> offered(const LadderDemand& demand) {
+  std::vector<Choice> all;
+  for (int i = 0; i < formulas::kLattices; ++i) {
+    const int points = formulas::lattice_of(i).x;
+    if (i == 0 || points <= demand.samples) all.push_back({Method::kYarn, points});
+  }
+  for (const Method m : {Method::kCell, Method::kRepeat, Method::kCloth}) all.push_back({m, 1});
+  return all;
+}
+
+Choice cheapest(const Ladder& ladder, float yarns, float tolerance, const std::vector<Choice>& among) {
   float least = std::numeric_limits<float>::infinity();
-  for (const Method m : kRungs) least = std::min(least, expected_error(ladder, m, yarns_per_pixel));
+  for (const Choice& c : among) least = std::min(least, expected_error(ladder, c.method, yarns, c.samples));
   const float held = std::max(tolerance, least * kAsGood);
-  Method best = Method::kYarn;
+  Choice best;
   float best_cost = std::numeric_limits<float>::infinity();
-  for (const Method m : kRungs) {
-    const float cost = expected_cost(ladder, m, yarns_per_pixel);
-    if (expected_error(ladder, m, yarns_per_pixel) <= held && cost < best_cost) best_cost = cost, best = m;
+  for (const Choice& c : among) {
+    const float cost = expected_cost(ladder, c.method, yarns, c.samples);
+    if (expected_error(ladder, c.method, yarns, c.samples) <= held && cost < best_cost) best_cost = cost, best = c;
   }
   return best;
 }
 
-std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance) {
+constexpr float kLeastOctave = -6, kMostOctave = 6, kOctaveStep = 0.25f;
+
+std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance, const std::vector<Choice>& among) {
   std::array<float, 3> edges{1e6f, 1e6f, 1e6f};
   int rank = 3;  // the finest rung any coarser footprint needs
-  for (float octave = 6.0f; octave >= -6.0f; octave -= 0.25f) {
+  for (float octave = kMostOctave; octave >= kLeastOctave; octave -= kOctaveStep) {
     const float yarns = std::exp2(octave);
-    const Method m = choose_rung(ladder, yarns, tolerance);
+    const Method m = cheapest(ladder, yarns, tolerance, among).method;
     rank = std::min(rank, static_cast<int>(std::find(std::begin(kRungs), std::end(kRungs), m) - std::begin(kRungs)));
     for (int k = 0; k < rank; ++k) edges[static_cast<size_t>(k)] = yarns;
   }
   return edges;
+}
+
+std::array<float, 8> lattice_edges(const Ladder& ladder, float tolerance, std::vector<Choice> lattices) {
+  static_assert(formulas::kLattices == 8);
+  std::erase_if(lattices, [](const Choice& c) { return c.method != Method::kYarn; });
+  std::array<float, 8> edges;
+  edges.fill(1e6f);
+  size_t enough = 0;
+  for (float octave = kLeastOctave; octave <= kMostOctave; octave += kOctaveStep) {
+    const float yarns = std::exp2(octave);
+    const int points = cheapest(ladder, yarns, tolerance, lattices).samples;
+    // From half a step before: between the two the error grows.
+    while (enough + 1 < lattices.size() && lattices[enough].samples < points)
+      edges[enough++] = yarns * std::exp2(-0.5f * kOctaveStep);
+  }
+  return edges;
+}
+
+int lattice_at(const Plan& plan, float yarns) {
+  const std::array<float, 8>& l = plan.lattices;
+  return formulas::lattice_for(yarns, {l[0], l[1], l[2], l[3]}, {l[4], l[5], l[6], l[7]}, plan.samples);
+}
+
+}  // namespace
+
+Choice choose(const Ladder& ladder, float yarns_per_pixel, const LadderDemand& demand) {
+  return cheapest(ladder, yarns_per_pixel, demand.tolerance, offered(demand));
+}
+
+Plan plan_of(const Ladder& ladder, const LadderDemand& demand) {
+  const std::vector<Choice> among = offered(demand);
+  return {rung_edges(ladder, demand.tolerance, among), lattice_edges(ladder, demand.tolerance, among), demand.samples};
+}
+
+int samples_at(const Plan& plan, float yarns_per_pixel) {
+  return formulas::lattice_of(lattice_at(plan, yarns_per_pixel)).x;
+}
+
+Expected expected(const Ladder& ladder, const Plan& plan, float yarns_per_pixel) {
+  const glm::vec4 weight = formulas::rung_weights(yarns_per_pixel, {plan.rungs[0], plan.rungs[1], plan.rungs[2]});
+  Expected sum;
+  for (size_t k = 0; k < std::size(kRungs); ++k) {
+    const float w = weight[static_cast<int>(k)];
+    if (w <= 0) continue;
+    const int samples = kRungs[k] == Method::kYarn ? samples_at(plan, yarns_per_pixel) : 1;
+    const float error = expected_error(ladder, kRungs[k], yarns_per_pixel, samples);
+    const float cost = expected_cost(ladder, kRungs[k], yarns_per_pixel, samples);
+    if (std::isfinite(error)) sum.error += w * error;
+    if (std::isfinite(cost)) sum.cost_ns += cost;
+  }
+  return sum;
 }
 
 }  // namespace weftlight::light

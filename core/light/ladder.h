@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "draft/methods.h"
+#include "light/formulas.h"
 #include "light/names.h"
 
 namespace weftlight::light {
@@ -19,27 +20,53 @@ struct LadderPoint {
   float cost_ns = 0;          // a shaded pixel
   float filtering_error = 0;  // relative RMSE against the method's own supersampled picture
   float model_error = 0;      // relative RMSE against the ray-traced truth
+  int samples = 1;            // a pixel; of rung yarn alone more than one
 };
 using Ladder = std::vector<LadderPoint>;
 
 /// The bands of the model before any measurement.
 Ladder default_ladder();
 
-/// From the text of chart.csv (columns by name; others are ignored). Empty, with `problem` set, when a
+/// From the text of ladder.csv or chart.csv (columns by name; others are ignored). Empty, with `problem` set, when a
 /// column is missing or a number cannot be read.
 Ladder read_ladder(std::string_view csv, std::string& problem);
 
 /// Larger of both errors, interpolated in the logarithm of the footprint, held beyond the ends.
-/// Infinity when the ladder has no point of the method.
-float expected_error(const Ladder& ladder, Method method, float yarns_per_pixel);
-float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel);
+/// Infinity when the ladder has no point of the method with so many samples.
+float expected_error(const Ladder& ladder, Method method, float yarns_per_pixel, int samples = 1);
+float expected_cost(const Ladder& ladder, Method method, float yarns_per_pixel, int samples = 1);
 
-/// Among yarn, cell, repeat and cloth the cheapest whose expected error is within the tolerance; if none,
+/// What is asked of a picture.
+struct LadderDemand {
+  float tolerance = 0.15f;                   // relative RMSE
+  int samples = formulas::kMostYarnSamples;  // of rung yarn, at the most
+};
+
+struct Choice {
+  Method method = Method::kYarn;
+  int samples = 1;
+};
+/// Among yarn (by samples), cell, repeat and cloth the cheapest whose expected error is within the tolerance; if none,
 /// the cheapest of those within a tenth of the least error.
-Method choose_rung(const Ladder& ladder, float yarns_per_pixel, float tolerance);
+Choice choose(const Ladder& ladder, float yarns_per_pixel, const LadderDemand& demand);
 
-/// Footprints where yarn gives way to cell, cell to repeat, repeat to cloth (filter.glsl, rung_weights):
-/// rising; the finer rung is kept as long as any coarser footprint still needs it.
-std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance);
+/// How a picture is drawn, by the footprint of each pixel.
+struct Plan {
+  // Where yarn gives way to cell, cell to repeat, repeat to cloth (filter.glsl, rung_weights): rising; the finer rung
+  // is kept as long as any coarser footprint still needs it.
+  std::array<float, 3> rungs{};
+  // From where on rung yarn needs each finer lattice (lattice.glsl, lattice_for): rising; the last is unused.
+  std::array<float, 8> lattices{};
+  int samples = formulas::kMostYarnSamples;  // at the most
+};
+Plan plan_of(const Ladder& ladder, const LadderDemand& demand);
+/// Samples of rung yarn.
+int samples_at(const Plan& plan, float yarns_per_pixel);
+
+/// What `auto` costs a pixel of so many yarns, and how far it is off.
+struct Expected {
+  float cost_ns = 0, error = 0;
+};
+Expected expected(const Ladder& ladder, const Plan& plan, float yarns_per_pixel);
 
 }  // namespace weftlight::light

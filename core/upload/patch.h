@@ -14,12 +14,14 @@ namespace weftlight::upload {
 struct FlatPatch {
   int width = 0, height = 0;
   glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
-  glm::vec3 view{0, 0, 1};                   // unit, towards the eye, z > 0
-  glm::vec3 light_towards{0, 0, 1};          // unit
-  float light_sine = 0;                      // half angle of the light's disc, as a sine
-  glm::vec3 light_irradiance{3.14159265f};   // on a surface that faces it
-  int samples = formulas::kMostYarnSamples;  // a pixel of rung yarn, at the most
-  Face face = Face::kFront;                  // which face of the cloth lies up, x along the weft on both
+  glm::vec3 view{0, 0, 1};                  // unit, towards the eye, z > 0
+  glm::vec3 light_towards{0, 0, 1};         // unit
+  float light_sine = 0;                     // half angle of the light's disc, as a sine
+  glm::vec3 light_irradiance{3.14159265f};  // on a surface that faces it
+  float sky = 0;                            // radiance straight above, falling to 0 straight below
+  int samples = 0;                          // a pixel of rung yarn: its largest lattice of no more; 0: by the tolerance
+  int pass = 0;                             // shifts the samples
+  Face face = Face::kFront;                 // which face of the cloth lies up, x along the weft on both
 };
 
 /// The patch and a margin around it as two triangles that face the eye.

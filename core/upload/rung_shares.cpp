@@ -28,7 +28,40 @@ float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
   return shown.x * shown.y / std::max(all.x * all.y, 1e-6f);
 }
 
+constexpr float kBinsAnOctave = 3, kFirstOctave = -8;
+
+size_t bin_of(float yarns) {
+  const float bin = (std::log2(std::max(yarns, 1e-6f)) - kFirstOctave) * kBinsAnOctave;
+  return static_cast<size_t>(std::clamp(bin, 0.0f, static_cast<float>(kFootprintBins - 1)));
+}
+
 }  // namespace
+
+float footprint_of_bin(size_t k) { return std::exp2(kFirstOctave + (static_cast<float>(k) + 0.5f) / kBinsAnOctave); }
+
+float expected_ms(const Ladder& ladder, const RungShares& shares, float pixels, const LadderDemand& demand) {
+  const Plan plan = plan_of(ladder, demand);
+  float ns = 0;
+  for (size_t k = 0; k < kFootprintBins; ++k) {
+    if (shares.footprints[k] > 0) ns += shares.footprints[k] * expected(ladder, plan, footprint_of_bin(k)).cost_ns;
+  }
+  return ns * pixels * 1e-6f;
+}
+
+float tolerance_within(const Ladder& ladder, const RungShares& shares, float pixels, float as_measured,
+                       float budget_ms) {
+  // By bisection of the logarithm: the coarser, the cheaper.
+  float fine = std::log2(kFinestTolerance), coarse = std::log2(kCoarsestTolerance);
+  const auto fits = [&](float octave) {
+    return expected_ms(ladder, shares, pixels, {std::exp2(octave)}) * as_measured <= budget_ms;
+  };
+  if (fits(fine)) return kFinestTolerance;
+  for (int k = 0; k < 8; ++k) {
+    const float middle = 0.5f * (fine + coarse);
+    (fits(middle) ? coarse : fine) = middle;
+  }
+  return std::exp2(coarse);
+}
 
 RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int width, int height, float spacing_mm,
                        const std::array<float, 3>& edges) {
@@ -63,11 +96,13 @@ RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int w
     for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseenWeight ? on_screen : 0;
     for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;
     octaves += std::log2(std::max(yarns, 1e-6f)) * on_screen;
+    shares.footprints[bin_of(yarns)] += on_screen;
     all += on_screen;
   }
   for (size_t k = 0; k < 4; ++k) shares.needed[k] = wanted[k] > kSlivers * all;
   if (all <= 0) return shares;
   for (float& s : shares.of) s /= all;
+  for (float& s : shares.footprints) s /= all;
   shares.yarns_per_pixel = std::exp2(octaves / all);
   return shares;
 }

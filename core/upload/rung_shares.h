@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "light/ladder.h"
 #include "upload/ambient.h"
 #include "upload/camera.h"
 #include "upload/names.h"
@@ -13,12 +14,25 @@ namespace weftlight::upload {
 /// So little of a rung changes no colour by what an eye could tell.
 inline constexpr float kUnseenWeight = 0.05f;
 
+inline constexpr size_t kFootprintBins = 48;  // three an octave, from 1/256 to 256 yarns a pixel
+
 struct RungShares {
   std::array<float, 4> of{};     // yarn, cell, repeat, cloth; sum 1, or all 0 without cloth on screen
   float yarns_per_pixel = 0;     // mean of the logarithm
   std::array<bool, 4> needed{};  // by more than a few pixels
+  // Shares of the cloth by its pixels' size: bin k about footprint_of_bin(k).
+  std::array<float, kFootprintBins> footprints{};
 };
+/// Yarns a pixel.
+float footprint_of_bin(size_t k);
 RungShares rung_shares(const PreparedMesh& mesh, const Camera& camera, int width, int height, float spacing_mm,
                        const std::array<float, 3>& edges);
+
+/// The least error within a budget: the tolerance to ask for. pixels: of cloth; as_measured: what this machine takes
+/// over what the ladder's took. Between kFinestTolerance and kCoarsestTolerance, whatever the budget.
+inline constexpr float kFinestTolerance = 0.02f, kCoarsestTolerance = 0.5f;
+float expected_ms(const Ladder& ladder, const RungShares& shares, float pixels, const LadderDemand& demand);
+float tolerance_within(const Ladder& ladder, const RungShares& shares, float pixels, float as_measured,
+                       float budget_ms);
 
 }  // namespace weftlight::upload

@@ -104,7 +104,7 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
     all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
   frame.samples = samples_a_pass_;
   frame.all_samples = all_samples_;
-  if (scale == 1) frame.pass = passes_, frame.first_sample = samples_;
+  if (scale == 1) frame.pass = passes_;
   stats_ = renderer_->draw(request.scene, request.look, frame);
   if (scale == 1) stats_ = renderer_->measure();
   if (stats_.gpu_ms > 0 && passes_ == 0)

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <thread>
 
-#include "commands/chart_instructions.h"
 #include "commands/commands.h"
+#include "commands/flip.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
 #include "gl/shader_program.h"
@@ -26,6 +28,13 @@ namespace {
 constexpr glm::vec3 kIrradiance{kKeyIrradiance};
 constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm: no pixel begins where a thread does
 constexpr int kTile = 1024;                 // of a finer picture
+
+/// Of all threads of this process.
+double processor_ns() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
+}
 
 Pixels colours(const Image& image) {
   Pixels pixels;
@@ -110,9 +119,11 @@ double method_bytes(const PackedCloth& cloth, Method method) {
   return bytes;
 }
 
-std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, int& code, std::string& error) {
+std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter,
+                                               int& code, std::string& error) {
   std::unique_ptr<ChartBench> bench(new ChartBench);
   bench->effort_ = effort;
+  bench->counter_ = std::move(counter);
   bench->context_ = HeadlessContext::create(error);
   if (bench->context_) bench->renderer_ = Renderer::create(error);
   if (!bench->renderer_) {
@@ -161,12 +172,16 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   made->packed = stages.packed();
   const BitMatrix cells = drawdown(opened.design.draft);
   made->cloth = lay_out(opened.design, cells, Face::kFront, choose_period(opened.design, cells));
-  TubeOptions options;
-  options.around = effort_.tube_facets;
-  made->tubes = TubeScene::build(made->cloth, options, error);
-  if (!made->tubes) return nullptr;
   slot = std::move(made);
   return slot.get();
+}
+
+const TubeScene* ChartBench::tubes(Loaded& loaded, std::string& error) {
+  if (loaded.tubes) return loaded.tubes.get();
+  TubeOptions options;
+  options.around = effort_.tube_facets;
+  loaded.tubes = TubeScene::build(loaded.cloth, options, error);
+  return loaded.tubes.get();
 }
 
 bool ChartBench::show(size_t scene, std::string& error) {
@@ -177,8 +192,8 @@ bool ChartBench::show(size_t scene, std::string& error) {
   return true;
 }
 
-Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width,
-                        int height, int samples) {
+FlatPatch ChartBench::patch_of(double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
+                               int samples) const {
   FlatPatch patch;
   patch.samples = samples;
   patch.width = width, patch.height = height;
@@ -187,10 +202,33 @@ Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const 
   patch.light_towards = chart_light();
   patch.light_sine = kKeyRadius;
   patch.light_irradiance = kIrradiance;
+  return patch;
+}
+
+Pixels ChartBench::draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width,
+                        int height, int samples) {
   Look look;
   look.method = method;
-  renderer_->draw_patch(patch, look);
+  renderer_->draw_patch(patch_of(view_deg, corner, steps, width, height, samples), look);
   return colours(renderer_->read_patch());
+}
+
+PixelSteps ChartBench::pixel_of(const ChartRow& cell) const {
+  const double spacing = static_cast<double>(loaded_[scene_of(cell)]->packed.mean_spacing_mm);
+  return pixel_steps(cell.view_deg, cell.yarns_per_pixel * spacing);
+}
+
+bool ChartBench::draw_counted(const CountedDraw& what, const Ladder& ladder, int pixels) {
+  std::string error;
+  if (!show(what.scene, error)) return false;
+  renderer_->set_ladder(ladder);
+  ChartRow cell;
+  cell.scene = kChartScenes[what.scene].name, cell.view_deg = what.view_deg;
+  cell.yarns_per_pixel = what.yarns_per_pixel;
+  Look look;
+  look.method = what.method;
+  renderer_->draw_patch(patch_of(what.view_deg, kCorner, pixel_of(cell), pixels, pixels, what.samples), look);
+  return true;
 }
 
 std::vector<Method> ChartBench::methods() {
@@ -210,11 +248,12 @@ const Truth* ChartBench::truth(const ChartRow& cell, std::string& error) {
   Truth& truth = loaded->truths[{cell.view_deg, cell.yarns_per_pixel}];
   if (!truth.half.empty()) return &truth;
   const int pixels = patch_pixels(cell.yarns_per_pixel, effort_);
-  const PixelSteps steps =
-      pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded->packed.mean_spacing_mm));
+  const TubeScene* traced = tubes(*loaded, error);
+  if (!traced) return nullptr;
   for (const uint64_t seed : {1u, 2u}) {
-    const FlatPicture picture = flat_picture(cell.view_deg, kCorner, steps, pixels, effort_.truth_budget, seed);
-    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(*loaded->tubes, picture, {}));
+    const FlatPicture picture =
+        flat_picture(cell.view_deg, kCorner, pixel_of(cell), pixels, effort_.truth_budget, seed);
+    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(*traced, picture, {}));
   }
   return &truth;
 }
@@ -246,8 +285,12 @@ Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, cons
 
 double ChartBench::filtering_error(const ChartRow& cell, const PixelSteps& pixel) {
   const FineGrid grid = fine_grid(cell.view_deg, cell.yarns_per_pixel, effort_);
-  const Pixels truth = supersampled(cell, grid, pixel);
-  return relative_rmse(draw(cell.method, cell.view_deg, kCorner, pixel, grid.pixels, grid.pixels), truth);
+  // Of rung yarn the same whatever its samples.
+  Pixels own;
+  Pixels& truth =
+      cell.method == Method::kYarn ? loaded_[scene_of(cell)]->fine[{cell.view_deg, cell.yarns_per_pixel}] : own;
+  if (truth.empty()) truth = supersampled(cell, grid, pixel);
+  return relative_rmse(draw(cell.method, cell.view_deg, kCorner, pixel, grid.pixels, grid.pixels, cell.samples), truth);
 }
 
 double ChartBench::flicker(const ChartRow& cell, const PixelSteps& pixel) {
@@ -255,53 +298,98 @@ double ChartBench::flicker(const ChartRow& cell, const PixelSteps& pixel) {
   std::vector<Pixels> pans;
   for (int k = 0; k < effort_.pans; ++k) {
     const float part = static_cast<float>(k) / static_cast<float>(effort_.pans);
-    pans.push_back(draw(cell.method, cell.view_deg, kCorner + part * pixel.x, pixel, size, size));
+    pans.push_back(draw(cell.method, cell.view_deg, kCorner + part * pixel.x, pixel, size, size, cell.samples));
   }
   return flicker_of(pans);
 }
 
+/// Nanoseconds of a draw. A card's by its own clock. A software renderer's by the time that the processor spent on it,
+/// shared among its cores: what else the machine does is not in it.
+double ChartBench::patch_ns(const FlatPatch& patch, const Look& look) {
+  const double before = processor_ns();
+  renderer_->draw_patch(patch, look);
+  const FrameStats stats = renderer_->measure();
+  if (!renderer_->is_software()) return stats.gpu_ms * 1e6;
+  return (processor_ns() - before) / std::max(1u, std::thread::hardware_concurrency());
+}
+
 double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
+  const int size = cell.method == Method::kYarn ? effort_.yarn_timing_size : effort_.timing_size;
+  const FlatPatch patch = patch_of(cell.view_deg, kCorner, pixel, size, size, cell.samples);
+  Look look;
+  look.method = cell.method;
+  patch_ns(patch, look);  // programs are compiled
   std::vector<double> times;
   double spent = 0;
   for (int k = 0; k < effort_.timing_repeats && spent < effort_.timing_enough_ns; ++k) {
-    draw(cell.method, cell.view_deg, kCorner, pixel, effort_.timing_size, effort_.timing_size);
-    const FrameStats stats = renderer_->measure();
-    times.push_back(stats.gpu_ms * 1e6 / std::max(stats.shaded_pixels, 1.0));
-    spent += stats.gpu_ms * 1e6;
+    const double ns = patch_ns(patch, look);
+    times.push_back(ns / (static_cast<double>(size) * size));
+    spent += ns;
   }
   // The least: whatever else the machine does only adds.
   return *std::min_element(times.begin(), times.end());
 }
 
-/// yarns: a pixel's, by the root of its area.
-double ChartBench::rung_instructions(size_t scene, int view_deg, Method method, double yarns) {
-  if (!effort_.count_everywhere) scene = 0, view_deg = 0;
-  const int samples =
-      method == Method::kYarn ? formulas::yarn_samples(static_cast<float>(yarns), formulas::kMostYarnSamples) : 1;
-  const auto [at, fresh] = counted_.try_emplace({scene, view_deg, method}, 0.0);  // of a sample
-  if (fresh) {
-    // Single steps are slow, and samples are alike: a few stand for all.
-    const int taken = method == Method::kYarn ? effort_.counted_samples : 1;
-    const auto counted =
-        formula_instructions(method, loaded_[scene]->cloth, chart_view(view_deg), chart_light(), taken);
-    at->second = static_cast<double>(counted.value_or(0)) / taken;
-  }
-  return at->second * samples;
+std::optional<double> ChartBench::frame_ms(const Look& look, double yarns_per_pixel, std::array<int, 2> size,
+                                           std::string& error) {
+  constexpr size_t kDamask = 3;
+  if (!show(kDamask, error)) return std::nullopt;
+  const bool whole = !renderer_->is_software();
+  const double pixels = static_cast<double>(size[0]) * size[1];
+  double& known = frame_ns_[{look.method, look.tolerance, yarns_per_pixel}];  // a pixel
+  if (!whole && known > 0) return known * pixels * 1e-6;
+  const int width = whole ? size[0] : effort_.frame_size, height = whole ? size[1] : effort_.frame_size;
+  const PixelSteps steps =
+      pixel_steps(0, yarns_per_pixel * static_cast<double>(loaded_[kDamask]->packed.mean_spacing_mm));
+  const FlatPatch patch = patch_of(0, kCorner, steps, width, height, 0);
+  patch_ns(patch, look);
+  known = std::min(patch_ns(patch, look), patch_ns(patch, look)) / (static_cast<double>(width) * height);
+  return known * pixels * 1e-6;
 }
 
-double ChartBench::instructions(const ChartRow& cell) {
+std::optional<LightRow> ChartBench::under(ChartLight light, const ChartRow& cell, std::string& error) {
   const size_t scene = scene_of(cell);
-  const double yarns = cell.yarns_per_pixel / std::sqrt(std::cos(cell.view_deg * 0.017453292519943295));
-  if (cell.method != Method::kAuto) return rung_instructions(scene, cell.view_deg, cell.method, yarns);
-  // The rungs that it mixes where a pixel is so large.
-  const std::array<float, 3> edges = rung_edges(ladder_, Look{}.tolerance);
-  const glm::vec4 weights = formulas::rung_weights(static_cast<float>(yarns), glm::vec3(edges[0], edges[1], edges[2]));
-  double sum = 0;
-  for (int k = 0; k < 4; ++k) {
-    if (weights[k] > kUnseenWeight)
-      sum += rung_instructions(scene, cell.view_deg, kRungs[static_cast<size_t>(k)], yarns);
+  if (!show(scene, error)) return std::nullopt;
+  const TubeScene* traced = tubes(*loaded_[scene], error);
+  if (!traced) return std::nullopt;
+  const PixelSteps pixel = pixel_of(cell);
+  const int size = patch_pixels(cell.yarns_per_pixel, effort_);
+  FlatPatch patch = patch_of(cell.view_deg, kCorner, pixel, size, size, cell.samples);
+  if (light == ChartLight::kBehind) patch.light_towards.z *= -1;
+  if (light == ChartLight::kSky) patch.light_irradiance = glm::vec3(0), patch.sky = 1;
+  Truth truth;
+  for (const uint64_t seed : {1u, 2u}) {
+    FlatPicture picture = flat_picture(cell.view_deg, kCorner, pixel, size, effort_.truth_budget, seed);
+    picture.around.light_towards = patch.light_towards, picture.around.light_irradiance = patch.light_irradiance;
+    if (light == ChartLight::kSky) picture.around.sky = [](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * d.z); };
+    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(*traced, picture, {}));
   }
-  return sum;
+  Look look;
+  look.method = cell.method;
+  renderer_->draw_patch(patch, look);
+  const Pixels drawn = colours(renderer_->read_patch());
+  LightRow row{cell, light};
+  row.cell.model_error = relative_rmse(drawn, truth.half, truth.other_half);
+  row.cell.energy_ratio = 0.5 * (mean_ratio(drawn, truth.half) + mean_ratio(drawn, truth.other_half));
+  return row;
+}
+
+/// 0 where they cannot be counted.
+double ChartBench::instructions(const ChartRow& cell) {
+  if (!counter_) return 0;
+  CountedDraw what{scene_of(cell), cell.view_deg, cell.yarns_per_pixel, cell.method, cell.samples};
+  // Single steps are slow, and samples are alike: from a few of them on each costs as much as the one before.
+  constexpr int kFew = 3;
+  const auto count = [&](int samples) {
+    what.samples = samples;
+    const auto [at, fresh] =
+        counted_.try_emplace({what.scene, what.view_deg, what.yarns_per_pixel, what.method, samples}, 0.0);
+    if (fresh) at->second = counter_->per_pixel(what, ladder_).value_or(0);
+    return at->second;
+  };
+  if (cell.samples <= kFew) return count(cell.samples);
+  const double one = count(1), few = count(kFew);
+  return one + (few - one) / (kFew - 1) * (cell.samples - 1);
 }
 
 std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& error) {
@@ -309,13 +397,15 @@ std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& e
   if (!show(scene, error)) return std::nullopt;
   const Truth* known = truth(cell, error);
   if (!known) return std::nullopt;
-  const PixelSteps pixel =
-      pixel_steps(cell.view_deg, cell.yarns_per_pixel * static_cast<double>(loaded_[scene]->packed.mean_spacing_mm));
+  const PixelSteps pixel = pixel_of(cell);
   const int size = patch_pixels(cell.yarns_per_pixel, effort_);
-  const Pixels drawn = draw(cell.method, cell.view_deg, kCorner, pixel, size, size);
+  const Pixels drawn = draw(cell.method, cell.view_deg, kCorner, pixel, size, size, cell.samples);
   ChartRow row = cell;
   row.model_error = relative_rmse(drawn, known->half, known->other_half);
   row.energy_ratio = 0.5 * (mean_ratio(drawn, known->half) + mean_ratio(drawn, known->other_half));
+  Pixels traced = known->half;
+  for (size_t i = 0; i < traced.size(); ++i) traced[i] = 0.5f * (traced[i] + known->other_half[i]);
+  row.flip = flip_error(drawn, traced, size, size);
   row.filtering_error = filtering_error(cell, pixel);
   row.flicker = flicker(cell, pixel);
   row.ns_per_pixel = nanoseconds(cell, pixel);
@@ -333,8 +423,10 @@ std::optional<double> ChartBench::brightness(size_t scene, double view_deg, std:
   const PixelSteps steps = pixel_steps(view_deg, kYarns * static_cast<double>(loaded.packed.mean_spacing_mm));
   const double white = static_cast<double>(kIrradiance.x * chart_light().z) / 3.141592653589793;
   if (method) return mean_value(draw(*method, view_deg, kCorner, steps, kPixels, kPixels)) / white;
+  const TubeScene* traced = tubes(loaded, error);
+  if (!traced) return std::nullopt;
   return mean_value(colours(
-             trace_flat(*loaded.tubes, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) /
+             trace_flat(*traced, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) /
          white;
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "commands/chart_counter.h"
 #include "commands/chart_error.h"
 #include "commands/chart_rows.h"
 #include "commands/chart_scene.h"
@@ -24,10 +25,16 @@ struct Truth {
   Pixels half, other_half;
 };
 
+struct LightRow {
+  ChartRow cell;
+  ChartLight light = ChartLight::kKey;
+};
+
 class ChartBench {
  public:
-  /// Null with the exit code and `error` set: no graphics, or a preset that cannot be read.
-  static std::unique_ptr<ChartBench> create(const ChartEffort& effort, int& code, std::string& error);
+  /// Null with the exit code and `error` set: no graphics. counter: counts instructions, if there is one.
+  static std::unique_ptr<ChartBench> create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter, int& code,
+                                            std::string& error);
 
   /// Methods that the renderer draws as themselves.
   std::vector<Method> methods();
@@ -35,32 +42,44 @@ class ChartBench {
   std::optional<ChartRow> measure(const ChartRow& cell, std::string& error);
   /// Mean reflected light over that of a white Lambertian under the same light: by the method, or traced.
   std::optional<double> brightness(size_t scene, double view_deg, std::optional<Method> method, std::string& error);
+  /// Model error and mean brightness alone, under another light.
+  std::optional<LightRow> under(ChartLight light, const ChartRow& cell, std::string& error);
+  /// Milliseconds of a frame full of the damask, seen straight on. Of a software renderer: processor time of a smaller
+  /// patch, shared among its cores and scaled.
+  std::optional<double> frame_ms(const Look& look, double yarns_per_pixel, std::array<int, 2> size, std::string& error);
   double truth_noise(const ChartRow& cell, std::string& error);
   /// What auto chooses by from now on.
   void use_ladder(const Ladder& ladder);
   /// Graphics, formulas and figures: rows of another fingerprint are measured anew.
   std::string fingerprint() const;
   std::string device() const { return renderer_->device(); }
+  /// Draws a patch and waits for it; false where the preset cannot be read.
+  bool draw_counted(const CountedDraw& what, const Ladder& ladder, int pixels);
 
  private:
   struct Loaded {
     Cloth cloth;
     PackedCloth packed;
-    std::unique_ptr<TubeScene> tubes;
+    std::unique_ptr<TubeScene> tubes;  // made when the first truth is asked for
     std::map<std::pair<int, double>, Truth> truths;
+    std::map<std::pair<int, double>, Pixels> fine;  // supersampled, of rung yarn
   };
   ChartBench() = default;
   Loaded* load(size_t scene, std::string& error);
+  const TubeScene* tubes(Loaded& loaded, std::string& error);
   bool show(size_t scene, std::string& error);
   const Truth* truth(const ChartRow& cell, std::string& error);
+  FlatPatch patch_of(double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
+                     int samples) const;
   Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
               int samples = FlatPatch{}.samples);
+  PixelSteps pixel_of(const ChartRow& cell) const;
   Pixels supersampled(const ChartRow& cell, const FineGrid& grid, const PixelSteps& pixel);
   double filtering_error(const ChartRow& cell, const PixelSteps& pixel);
   double flicker(const ChartRow& cell, const PixelSteps& pixel);
+  double patch_ns(const FlatPatch& patch, const Look& look);
   double nanoseconds(const ChartRow& cell, const PixelSteps& pixel);
   double instructions(const ChartRow& cell);
-  double rung_instructions(size_t scene, int view_deg, Method method, double yarns);
 
   ChartEffort effort_;
   std::unique_ptr<HeadlessContext> context_;  // outlives the renderer
@@ -68,7 +87,9 @@ class ChartBench {
   std::array<std::unique_ptr<Loaded>, kChartScenes.size()> loaded_;
   std::optional<size_t> shown_;
   Ladder ladder_;
-  std::map<std::tuple<size_t, int, Method>, double> counted_;
+  std::unique_ptr<DrawCounter> counter_;
+  std::map<std::tuple<Method, float, double>, double> frame_ns_;
+  std::map<std::tuple<size_t, int, double, Method, int>, double> counted_;
 };
 
 /// Texture memory that a method reads, both faces.

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "base/files.h"
 #include "commands/chart_bench.h"
@@ -26,6 +27,15 @@ std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Those with which a method is measured.
+std::vector<int> samples_of(Method method) {
+  if (method == Method::kAuto) return {0};
+  if (method != Method::kYarn) return {1};
+  std::vector<int> all;
+  for (int i = 0; i < formulas::kLattices; ++i) all.push_back(formulas::lattice_of(i).x);
+  return all;
+}
+
 /// Every row to be measured, in the order of the file.
 std::vector<ChartRow> cells_of(const std::vector<Method>& methods) {
   std::vector<ChartRow> cells;
@@ -35,7 +45,7 @@ std::vector<ChartRow> cells_of(const std::vector<Method>& methods) {
         for (const Method method : methods) {
           ChartRow cell;
           cell.scene = scene.name, cell.view_deg = view, cell.yarns_per_pixel = footprint, cell.method = method;
-          cells.push_back(cell);
+          for (const int samples : samples_of(method)) cell.samples = samples, cells.push_back(cell);
         }
       }
     }
@@ -115,7 +125,57 @@ class Run {
     const std::vector<Brightness> brightness = albedo(error);
     const std::vector<TruthNoise> noise = truth_noise(error);
     if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);
+    const std::string light = error.empty() ? other_lights(error) : "";
+    if (error.empty()) error = write_file_atomically(dir_ + "/light.csv", light);
+    const std::string whole = error.empty() ? frames(error) : "";
+    if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", whole);
     return error.empty() ? kDone : fail(kNotWritten, error);
+  }
+
+  /// Near the threads and from afar, straight on and at a slant.
+  std::string other_lights(std::string& error) {
+    std::ostringstream out;
+    out << "light,scene,view_deg,yarns_per_pixel,method,rel_rmse_model,energy_ratio\n";
+    for (const ChartLight light : {ChartLight::kSky, ChartLight::kBehind}) {
+      for (const ChartScene& scene : kChartScenes) {
+        for (const int view : {0, 60}) {
+          for (const double footprint : {0.125, 2.0}) {
+            for (const Method method : {Method::kYarn, Method::kRepeat, Method::kCloth}) {
+              ChartRow cell;
+              cell.scene = scene.name, cell.view_deg = view, cell.yarns_per_pixel = footprint, cell.method = method;
+              if (method == Method::kYarn) cell.samples = formulas::kMostYarnSamples;
+              const auto row = bench_.under(light, cell, error);
+              if (!row) return {};
+              out << light_name(light) << ',' << scene.name << ',' << view << ',' << footprint << ','
+                  << method_name(method) << ',' << row->cell.model_error << ',' << row->cell.energy_ratio << '\n';
+            }
+          }
+        }
+      }
+    }
+    return out.str();
+  }
+
+  /// What a whole picture of cloth costs, by method and by what `auto` is asked for.
+  std::string frames(std::string& error) {
+    std::vector<Look> looks;
+    for (const Method method : bench_.methods()) {
+      if (method != Method::kAuto) looks.push_back({method});
+    }
+    for (const float tolerance : kFrameTolerances) looks.push_back({Method::kAuto, tolerance});
+    std::ostringstream out;
+    out << "device,method,tolerance,yarns_per_pixel,width,height,ms\n";
+    for (const Look& look : looks) {
+      for (const double footprint : kFrameFootprints) {
+        for (const auto& size : kFrameSizes) {
+          const auto ms = bench_.frame_ms(look, footprint, size, error);
+          if (!ms) return {};
+          out << '"' << bench_.device() << "\"," << method_name(look.method) << ',' << look.tolerance << ','
+              << footprint << ',' << size[0] << ',' << size[1] << ',' << *ms << '\n';
+        }
+      }
+    }
+    return out.str();
   }
 
   std::vector<Brightness> albedo(std::string& error) {
@@ -148,6 +208,17 @@ class Run {
   std::vector<ChartRow> cells_, rows_;
 };
 
+/// The other process has a bench of its own.
+std::unique_ptr<DrawCounter> start_counter(const ChartEffort& effort) {
+  return DrawCounter::start([effort, bench = std::shared_ptr<ChartBench>()](const CountedDraw& what,
+                                                                            const Ladder& ladder, int pixels) mutable {
+    int code = kDone;
+    std::string error;
+    if (!bench) bench = ChartBench::create(effort, nullptr, code, error);
+    return bench && bench->draw_counted(what, ladder, pixels);
+  });
+}
+
 }  // namespace
 
 int chart_command(const ChartOptions& options) {
@@ -155,9 +226,11 @@ int chart_command(const ChartOptions& options) {
   std::filesystem::create_directories(options.out, problem);
   if (!std::filesystem::is_directory(options.out))
     return fail(kNotWritten, options.out + ": the folder cannot be made");
+  const ChartEffort effort = chart_effort(options.quick);
   int code = kDone;
   std::string error;
-  const auto bench = ChartBench::create(chart_effort(options.quick), code, error);
+  const auto bench =
+      ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, code, error);
   if (!bench) return fail(code, error);
   return Run(*bench, options.out).all();
 }

@@ -34,9 +34,13 @@ constexpr std::array<Style, 8> kStyles{{
     {Method::kEngine, {0.55, 0.38, 0.68}, Marker::kRing},
     {Method::kAuto, {0.10, 0.11, 0.13}, Marker::kStar},
 }};
-constexpr std::array<Ink, 5> kFootprintInks{
-    {{0.75, 0.22, 0.17}, {0.88, 0.53, 0.17}, {0.55, 0.60, 0.20}, {0.15, 0.55, 0.55}, {0.17, 0.30, 0.60}}};
-const std::vector<std::string> kFootprintNames{"1/8", "1/2", "1", "2", "8"};
+constexpr std::array<Ink, 6> kFootprintInks{{{0.60, 0.15, 0.35},
+                                             {0.75, 0.22, 0.17},
+                                             {0.88, 0.53, 0.17},
+                                             {0.55, 0.60, 0.20},
+                                             {0.15, 0.55, 0.55},
+                                             {0.17, 0.30, 0.60}}};
+const std::vector<std::string> kFootprintNames{"1/16", "1/8", "1/2", "1", "2", "8"};
 
 const Style& style_of(Method method) {
   return *std::find_if(kStyles.begin(), kStyles.end() - 1, [method](const Style& s) { return s.method == method; });
@@ -57,6 +61,9 @@ std::vector<ChartRow> rows_at(const std::vector<ChartRow>& rows, const std::stri
                [&](const ChartRow& r) { return r.scene == scene && r.view_deg == view; });
   return picked;
 }
+
+/// Of rung yarn with all samples.
+bool whole(const ChartRow& r) { return r.method != Method::kYarn || r.samples == formulas::kMostYarnSamples; }
 
 std::vector<KeyEntry> method_key(const std::vector<ChartRow>& rows, bool coloured, bool line) {
   std::vector<KeyEntry> key;
@@ -127,7 +134,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
                         const std::string& subtitle, double goal) {
   Figure figure;
   figure.title = title, figure.subtitle = subtitle;
-  Axis x{"yarns a pixel", 0.1, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
+  Axis x{"yarns a pixel", 0.05, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
   const Axis y = log_axis("error", values_of(rows, error));
   for (const int view : kChartViews) {
     for (const ChartScene& scene : kChartScenes) {
@@ -142,7 +149,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
                     s.method == Method::kAuto,
                     {}};
         for (const ChartRow& r : here) {
-          if (r.method == s.method)
+          if (r.method == s.method && whole(r))
             curve.points.push_back({r.yarns_per_pixel, std::max(r.*error, kLeastError), s.marker, false, {}});
         }
         std::sort(curve.points.begin(), curve.points.end(),
@@ -201,7 +208,7 @@ std::vector<Memory> memory_points(const std::vector<ChartRow>& rows) {
     for (const Style& s : kStyles) {
       double count = 0, bytes = 0, error = 0;
       for (const ChartRow& r : rows) {
-        if (r.method != s.method || r.yarns_per_pixel != footprint) continue;
+        if (r.method != s.method || r.yarns_per_pixel != footprint || !whole(r)) continue;
         count += 1, bytes += std::log(std::max(r.bytes, 1.0)), error += std::log(std::max(r.model_error, kLeastError));
       }
       if (count > 0) points.push_back({s.method, footprint, std::exp(bytes / count), std::exp(error / count)});
@@ -215,7 +222,7 @@ Figure memory_figure(const std::vector<Memory>& points, const std::vector<ChartR
   figure.title = "Memory against error";
   figure.subtitle =
       "Texture bytes that a method reads, both faces, against its error; geometric means over scenes and views";
-  figure.columns = 5, figure.panel_width = 230;
+  figure.columns = 6, figure.panel_width = 230;
   figure.key = method_key(rows, true, false);
   std::vector<double> bytes, errors;
   for (const Memory& m : points) bytes.push_back(m.bytes), errors.push_back(m.error);
@@ -262,9 +269,10 @@ std::string noise_csv(const std::vector<TruthNoise>& noise) {
 /// The columns that a picture shows.
 std::string part_csv(const std::vector<ChartRow>& rows, const std::string& name, double ChartRow::*field, bool front) {
   std::ostringstream out;
-  out << "scene,view_deg,yarns_per_pixel,method," << name << (front ? ",rel_rmse_model,on_front\n" : "\n");
+  out << "scene,view_deg,yarns_per_pixel,method,samples," << name << (front ? ",rel_rmse_model,on_front\n" : "\n");
   for (const ChartRow& r : rows) {
-    out << r.scene << ',' << r.view_deg << ',' << r.yarns_per_pixel << ',' << method_name(r.method) << ',' << r.*field;
+    out << r.scene << ',' << r.view_deg << ',' << r.yarns_per_pixel << ',' << method_name(r.method) << ',' << r.samples
+        << ',' << r.*field;
     if (front) out << ',' << r.model_error << ',' << (r.on_front ? 1 : 0);
     out << '\n';
   }

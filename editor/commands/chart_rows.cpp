@@ -45,54 +45,62 @@ double value(const std::string& cell, bool& good) {
 
 bool read_row(std::string_view line, ChartRow& row) {
   const std::vector<std::string> cells = cells_of(line);
-  if (cells.size() != 12) return false;
+  if (cells.size() != 14) return false;
   const auto method = method_from_name(cells[3]);
   bool good = method.has_value();
   row.scene = cells[0];
   row.view_deg = static_cast<int>(value(cells[1], good));
   row.yarns_per_pixel = value(cells[2], good);
   row.method = method.value_or(Method::kAuto);
-  double* const numbers[] = {&row.ns_per_pixel, &row.instructions_per_pixel,
-                             &row.model_error,  &row.filtering_error,
-                             &row.energy_ratio, &row.flicker,
-                             &row.bytes};
-  for (size_t i = 0; i < std::size(numbers); ++i) *numbers[i] = value(cells[4 + i], good);
-  row.on_front = cells[11] == "1";
+  row.samples = static_cast<int>(value(cells[4], good));
+  double* const numbers[] = {&row.ns_per_pixel, &row.instructions_per_pixel, &row.model_error, &row.filtering_error,
+                             &row.flip,         &row.energy_ratio,           &row.flicker,     &row.bytes};
+  for (size_t i = 0; i < std::size(numbers); ++i) *numbers[i] = value(cells[5 + i], good);
+  row.on_front = cells[13] == "1";
   return good;
 }
 
 double cosine(int view_deg) { return std::cos(view_deg * std::numbers::pi / 180); }
 
-/// The rows of one method on one scene and view, at the footprints that the shaders measure.
-Ladder place_ladder(const std::vector<ChartRow>& rows, const ChartRow& place, Method method) {
+/// A rung with so many samples.
+struct Rung {
+  Method method;
+  int samples;
+};
+
+std::vector<Rung> rungs() {
+  std::vector<Rung> all;
+  for (int i = 0; i < formulas::kLattices; ++i) all.push_back({Method::kYarn, formulas::lattice_of(i).x});
+  for (const Method m : {Method::kCell, Method::kRepeat, Method::kCloth}) all.push_back({m, 1});
+  return all;
+}
+
+/// The rows of one rung on one scene and view, at the footprints that the shaders measure.
+Ladder place_ladder(const std::vector<ChartRow>& rows, const ChartRow& place, const Rung& rung) {
   Ladder ladder;
   for (const ChartRow& r : rows) {
-    if (r.method != method || r.scene != place.scene || r.view_deg != place.view_deg) continue;
-    ladder.push_back({method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))),
+    if (r.method != rung.method || r.samples != rung.samples) continue;
+    if (r.scene != place.scene || r.view_deg != place.view_deg) continue;
+    ladder.push_back({r.method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))),
                       static_cast<float>(r.ns_per_pixel), static_cast<float>(r.filtering_error),
-                      static_cast<float>(r.model_error)});
+                      static_cast<float>(r.model_error), r.samples});
   }
   return ladder;
 }
 
-float error_at(Ladder ladder, Method method, float yarns, float LadderPoint::*error) {
+float error_at(Ladder ladder, const Rung& rung, float yarns, float LadderPoint::*error) {
   for (LadderPoint& p : ladder) p.filtering_error = p.model_error = p.*error;
-  return expected_error(ladder, method, yarns);
+  return expected_error(ladder, rung.method, yarns, rung.samples);
 }
 
-/// Errors as root mean squares over places, cost as the mean.
-LadderPoint point_of(const std::vector<Ladder>& places, Method method, float yarns) {
-  LadderPoint p{method, yarns, 0, 0, 0};
-  const float share = 1.0f / static_cast<float>(places.size());
+/// Errors of the worst place, cost as the mean: what is asked for is held everywhere that was measured.
+LadderPoint point_of(const std::vector<Ladder>& places, const Rung& rung, float yarns) {
+  LadderPoint p{rung.method, yarns, 0, 0, 0, rung.samples};
   for (const Ladder& place : places) {
-    const float filtering = error_at(place, method, yarns, &LadderPoint::filtering_error);
-    const float model = error_at(place, method, yarns, &LadderPoint::model_error);
-    p.cost_ns += expected_cost(place, method, yarns) * share;
-    p.filtering_error += filtering * filtering * share;
-    p.model_error += model * model * share;
+    p.cost_ns += expected_cost(place, rung.method, yarns, rung.samples) / static_cast<float>(places.size());
+    p.filtering_error = std::max(p.filtering_error, error_at(place, rung, yarns, &LadderPoint::filtering_error));
+    p.model_error = std::max(p.model_error, error_at(place, rung, yarns, &LadderPoint::model_error));
   }
-  p.filtering_error = std::sqrt(p.filtering_error);
-  p.model_error = std::sqrt(p.model_error);
   return p;
 }
 
@@ -101,16 +109,18 @@ LadderPoint point_of(const std::vector<Ladder>& places, Method method, float yar
 bool ChartRow::same_place(const ChartRow& o) const {
   return scene == o.scene && view_deg == o.view_deg && yarns_per_pixel == o.yarns_per_pixel;
 }
-bool ChartRow::same_cell(const ChartRow& o) const { return same_place(o) && method == o.method; }
+bool ChartRow::same_cell(const ChartRow& o) const {
+  return same_place(o) && method == o.method && samples == o.samples;
+}
 
 std::string chart_csv(const std::vector<ChartRow>& rows) {
   std::string text(kChartColumns);
   text += '\n';
   for (const ChartRow& r : rows) {
     text += r.scene + ',' + std::to_string(r.view_deg) + ',' + number(r.yarns_per_pixel) + ',' +
-            std::string(method_name(r.method));
-    for (const double v : {r.ns_per_pixel, r.instructions_per_pixel, r.model_error, r.filtering_error, r.energy_ratio,
-                           r.flicker, r.bytes}) {
+            std::string(method_name(r.method)) + ',' + std::to_string(r.samples);
+    for (const double v : {r.ns_per_pixel, r.instructions_per_pixel, r.model_error, r.filtering_error, r.flip,
+                           r.energy_ratio, r.flicker, r.bytes}) {
       text += ',' + number(v);
     }
     text += r.on_front ? ",1\n" : ",0\n";
@@ -154,22 +164,22 @@ Ladder ladder_of(const std::vector<ChartRow>& rows) {
     if (!seen) places.push_back(row);
   }
   Ladder ladder;
-  for (const Method method : kRungs) {
+  for (const Rung& rung : rungs()) {
     std::vector<Ladder> measured;
     for (const ChartRow& place : places) {
-      if (Ladder one = place_ladder(rows, place, method); !one.empty()) measured.push_back(std::move(one));
+      if (Ladder one = place_ladder(rows, place, rung); !one.empty()) measured.push_back(std::move(one));
     }
     for (const float yarns : footprints) {
-      if (!measured.empty()) ladder.push_back(point_of(measured, method, yarns));
+      if (!measured.empty()) ladder.push_back(point_of(measured, rung, yarns));
     }
   }
   return ladder;
 }
 
 std::string ladder_csv(const Ladder& ladder) {
-  std::string text = "method,yarns_per_pixel,ns_per_pixel,rel_rmse_filtering,rel_rmse_model\n";
+  std::string text = "method,samples,yarns_per_pixel,ns_per_pixel,rel_rmse_filtering,rel_rmse_model\n";
   for (const LadderPoint& p : ladder) {
-    text += std::string(method_name(p.method));
+    text += std::string(method_name(p.method)) + ',' + std::to_string(p.samples);
     for (const float v : {p.yarns_per_pixel, p.cost_ns, p.filtering_error, p.model_error})
       text += ',' + number(static_cast<double>(v));
     text += '\n';

@@ -16,21 +16,24 @@ struct ChartRow {
   int view_deg = 0;            // from the normal
   double yarns_per_pixel = 1;  // across the tilt; along it a pixel is longer by 1 / cos(view)
   Method method = Method::kYarn;
+  int samples = 1;  // a pixel: of rung yarn those of its lattice; of auto 0, as its tolerance asks
   double ns_per_pixel = 0, instructions_per_pixel = 0;
   double model_error = 0;      // relative RMSE against the traced threads
   double filtering_error = 0;  // relative RMSE against the method's own picture, supersampled
   double energy_ratio = 1;     // mean over the truth's mean
+  double flip = 0;             // FLIP against the mean of both halves of the truth (flip.h)
   double flicker = 0;
   double bytes = 0;
   bool on_front = false;
 
   bool same_place(const ChartRow& other) const;  // scene, view and footprint
-  bool same_cell(const ChartRow& other) const;   // and method
+  bool same_cell(const ChartRow& other) const;   // and method, and samples
 };
 
 inline constexpr std::string_view kChartColumns =
-    "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_filtering,"
-    "energy_ratio,flicker,bytes,on_front";
+    "scene,view_deg,yarns_per_pixel,method,samples,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_"
+    "filtering,"
+    "flip,energy_ratio,flicker,bytes,on_front";
 
 std::string chart_csv(const std::vector<ChartRow>& rows);
 /// Rows that cannot be read are left out; empty when the columns are others.
@@ -42,7 +45,7 @@ ChartRow as_written(ChartRow row);
 /// on_front: no other method at the same place is both cheaper (nanoseconds) and nearer the truth.
 void mark_front(std::vector<ChartRow>& rows);
 
-/// Errors (root mean squares over scenes and views) and mean cost of each rung at each footprint. The footprint
+/// Errors (of the worst scene and view) and mean cost of each rung at each footprint. The footprint
 /// of the ladder is that of the shaders, the root of the pixel's area, so rows of a tilted view move along.
 Ladder ladder_of(const std::vector<ChartRow>& rows);
 /// In the form of presets/ladder.csv (core/light/ladder.h, read_ladder).

@@ -30,9 +30,9 @@ PixelSteps pixel_steps(double view_deg, double side_mm) {
 ChartEffort chart_effort(bool quick) {
   if (!quick) return {};
   ChartEffort e;
-  e.samples_a_yarn = 4, e.fine_budget = 32'000, e.fine_samples = 4, e.truth_budget = 16'000;
-  e.timing_size = 32, e.timing_repeats = 3, e.timing_enough_ns = 2e7;
-  e.pans = 3, e.counted_samples = 1, e.count_everywhere = false;
+  e.samples_a_yarn = 4, e.fine_budget = 32'000, e.fine_samples = 3, e.truth_budget = 16'000;
+  e.timing_size = e.yarn_timing_size = e.frame_size = 32, e.timing_repeats = 3, e.timing_enough_ns = 2e7;
+  e.pans = 3, e.count_instructions = false;
   e.patch_least = 12, e.patch_yarns = 4, e.tube_facets = 24;
   return e;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the chart measures on: four cloths, two views, five footprints, one light; and the pixels of each.
+// What the chart measures on: four cloths, two views, six footprints, one light; and the pixels of each.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -16,8 +16,8 @@ struct ChartScene {
 };
 inline constexpr std::array<ChartScene, 4> kChartScenes{
     {{"plain", "plain.wif"}, {"twill", "twill_2_2.wif"}, {"satin", "satin_8.wif"}, {"damask", "twill_damask.wif"}}};
-inline constexpr std::array<int, 2> kChartViews{0, 80};                        // degrees from the normal
-inline constexpr std::array<double, 5> kChartFootprints{0.125, 0.5, 1, 2, 8};  // yarns a pixel
+inline constexpr std::array<int, 2> kChartViews{0, 80};                                // degrees from the normal
+inline constexpr std::array<double, 6> kChartFootprints{0.0625, 0.125, 0.5, 1, 2, 8};  // yarns a pixel
 inline constexpr std::array kChartMethods{Method::kFlat, Method::kVrst03, Method::kCloth,  Method::kRepeat,
                                           Method::kCell, Method::kYarn,   Method::kEngine, Method::kAuto};
 
@@ -26,23 +26,36 @@ glm::vec3 chart_view(double degrees);
 /// Towards the light: 40 degrees from the normal, on another azimuth.
 glm::vec3 chart_light();
 
+/// Lights beside the chart's own, for rows of their own: the sky alone, 1 straight above falling to 0 straight below,
+/// and the key light from behind the cloth.
+enum class ChartLight { kKey, kSky, kBehind };
+constexpr const char* light_name(ChartLight light) {
+  return light == ChartLight::kKey ? "key" : light == ChartLight::kSky ? "sky" : "behind";
+}
+
 /// One pixel on the plane as a camera at chart_view sees it: `side_mm` across the tilt, longer along it.
 struct PixelSteps {
   glm::vec2 x, y;  // rows run down
 };
 PixelSteps pixel_steps(double view_deg, double side_mm);
 
+/// The table of frames: sizes in pixels, yarns a pixel, and what `auto` is asked for.
+inline constexpr std::array<std::array<int, 2>, 3> kFrameSizes{{{1280, 720}, {1920, 1080}, {3840, 2160}}};
+inline constexpr std::array<double, 8> kFrameFootprints{0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8};
+inline constexpr std::array<float, 3> kFrameTolerances{0.05f, 0.15f, 0.3f};
+
 /// How much is spent on a figure.
 struct ChartEffort {
   double samples_a_yarn = 16;  // of the finer picture, along each side, and never less than 32 a pixel
   int fine_budget = 260'000;   // pixels of the finer picture, where 4 x 4 pixels do not need more
-  int fine_samples = 16;       // of rung yarn in each: the light's disc must be covered, too
+  int fine_samples = 5;        // of rung yarn in each: the light's disc must be covered, too
   int truth_budget = 150'000;  // rays of each half of the truth
   int timing_size = 256, timing_repeats = 5;
+  int yarn_timing_size = 128;  // it takes so much longer
   int pans = 8;
-  int counted_samples = 6;          // of rung yarn; one of six follows a ray to the light
   double timing_enough_ns = 1.5e9;  // of pictures that are slow enough to be timed by few
-  bool count_everywhere = true;     // instructions: else in the first scene, seen straight on
+  bool count_instructions = true;   // single steps, which take minutes a place
+  int frame_size = 128;             // a software renderer's frames are scaled from a patch of so many pixels a side
   int patch_least = 16;             // pixels along a side
   double patch_yarns = 8;           // or more, to hold so many
   int tube_facets = 48;             // of the truth

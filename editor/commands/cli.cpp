@@ -321,11 +321,24 @@ CommandLine run_command_line(int argc, char** argv) {
   auto* reference_verb = app.add_subcommand("reference", "The same picture by ray tracing the threads");
   add_picture_options(reference_verb, picture, picture_text);
   constexpr int kMost = formulas::kMostYarnSamples;
+  auto* samples =
+      render_verb
+          ->add_option("--samples", picture.samples,
+                       "Samples a pixel near the threads, whatever the tolerance: 1, 2, 3, 5, 8, 13, 21 or " +
+                           std::to_string(kMost) + ", or what of these is next below")
+          ->check(whole_number(1, 1024));
+  auto* tolerance = render_verb
+                        ->add_option("--tolerance", picture.tolerance,
+                                     "Error allowed to the method auto, as a share of the brightness: 0.05 is 5%")
+                        ->check(above_zero())
+                        ->check(CLI::Range(0.01, 1.0));
   render_verb
-      ->add_option("--samples", picture.samples,
-                   "Samples a pixel near the threads, at the most; " + std::to_string(kMost) +
-                       ", without a graphics card " + std::to_string(kSoftwareSamples))
-      ->check(whole_number(1, kMost));
+      ->add_option("--budget-ms", picture.budget_ms,
+                   "The least error with which the cloth is drawn in so many milliseconds")
+      ->check(above_zero())
+      ->check(CLI::Range(0.01, 1e7))
+      ->excludes(samples)
+      ->excludes(tolerance);
   render_verb
       ->add_option("--turntable", picture.turntable,
                    "So many pictures of one turn, PICTURE_001.png and on, the view going to the right")

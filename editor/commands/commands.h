@@ -31,9 +31,6 @@ struct ConvertOptions {
   bool plain = false;
   ConvertDrive drive = ConvertDrive::kAsIs;
 };
-/// Of the threads, a pixel: 1280 x 800 of the starter's cloth then take 37 s on two cores, with all samples 129 s.
-inline constexpr int kSoftwareSamples = 16;
-
 /// NaN or empty: as the design says.
 struct PictureOptions {
   std::string file, out, mesh, method, stats;
@@ -41,10 +38,12 @@ struct PictureOptions {
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
-  int turntable = 0;  // render only: pictures of one turn
-  int samples = 0;    // render only; 0: all, without a graphics card kSoftwareSamples
-  int spp = 64;       // reference only
-  int bounces = 0;    // reference only
+  int turntable = 0;     // render only: pictures of one turn
+  int samples = 0;       // render only; 0: as many as the tolerance asks for
+  float tolerance = 0;   // render only; 0: the design's
+  double budget_ms = 0;  // render only; > 0: as near the truth as the cloth is drawn in so many
+  int spp = 64;          // reference only
+  int bounces = 0;       // reference only
 };
 struct ExportOptions {
   std::vector<std::string> files;  // or folders of drafts

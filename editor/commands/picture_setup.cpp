@@ -18,6 +18,7 @@ void take_options(Design& design, const PictureOptions& o) {
   if (!o.mesh.empty()) scene.mesh = o.mesh;
   if (!std::isnan(o.view_azimuth)) scene.view_azimuth = o.view_azimuth, scene.view_elevation = o.view_elevation;
   if (!std::isnan(o.light_azimuth)) scene.light_azimuth = o.light_azimuth, scene.light_elevation = o.light_elevation;
+  if (o.tolerance > 0) design.look.tolerance = o.tolerance;
   if (!o.method.empty()) design.look.method = method_from_name(o.method).value_or(Method::kAuto);
 }
 
@@ -56,8 +57,7 @@ Frame PictureSetup::frame(const PictureOptions& o) const {
   frame.width = o.width, frame.height = o.height;
   frame.yarns_per_pixel = o.yarns_per_pixel;
   frame.front = o.face;
-  if (o.samples > 0) frame.samples = frame.all_samples = o.samples;
-  else if (renderer && renderer->is_software()) frame.samples = kSoftwareSamples;
+  if (o.samples > 0) frame.samples = frame.all_samples = o.samples, frame.exact_samples = true;
   return frame;
 }
 

@@ -7,17 +7,20 @@
 
 #include "commands/picture_setup.h"
 #include "light/ladder.h"
+#include "upload/rung_shares.h"
 #include "wif/wif.h"
 
 namespace weftlight::commands {
 namespace {
 
-std::string write_stats(const std::string& path, const FrameStats& stats, const PictureOptions& o) {
+std::string write_stats(const std::string& path, const FrameStats& stats, float tolerance, const PictureOptions& o) {
   const nlohmann::json json{{"method", method_name(stats.method)},
                             {"gpu_ms", stats.gpu_ms},
                             {"hair_ms", stats.hair_ms},
                             {"hairs", stats.hairs},
                             {"shaded_pixels", stats.shaded_pixels},
+                            {"tolerance", tolerance},
+                            {"estimated_error", stats.estimated_error},
                             {"yarns_per_pixel", stats.yarns_per_pixel},
                             {"bytes", stats.texture_bytes},
                             {"width", o.width},
@@ -57,6 +60,16 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
   return kDone;
 }
 
+/// Draws once to have the programs compiled, and once to see what this machine takes.
+void keep_within(double budget_ms, PictureSetup& setup, Frame frame) {
+  Look& look = setup.design.look;
+  look.tolerance = kCoarsestTolerance;
+  frame.timed = true;
+  for (int k = 0; k < 2; ++k) setup.renderer->draw(setup.design.scene, look, frame);
+  const float held = setup.renderer->tolerance_within(static_cast<float>(budget_ms));
+  if (held > 0) look.tolerance = held;
+}
+
 }  // namespace
 
 int render_command(const PictureOptions& o) {
@@ -64,6 +77,7 @@ int render_command(const PictureOptions& o) {
   if (o.turntable > 0 && !o.stats.empty())
     return fail(kUsage, "--stats is of one picture: leave it or --turntable out");
   if (const int code = setup.open(o); code != kDone) return code;
+  if (o.budget_ms > 0) keep_within(o.budget_ms, setup, setup.frame(o));
   if (o.turntable > 0) return draw_turntable(setup, o);
   const Method asked = setup.design.look.method;
   Frame frame = setup.frame(o);
@@ -78,7 +92,7 @@ int render_command(const PictureOptions& o) {
                  std::string(method_name(stats.method)).c_str());
   }
   std::string error = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
-  if (error.empty() && !o.stats.empty()) error = write_stats(o.stats, stats, o);
+  if (error.empty() && !o.stats.empty()) error = write_stats(o.stats, stats, setup.design.look.tolerance, o);
   return error.empty() ? kDone : fail(kNotWritten, error);
 }
 

@@ -88,6 +88,7 @@ FlatPatch far_patch(const PackedCloth& packed, Face face) {
   patch.step_x_mm = {side(packed.width_mm) / kDrawnPixels, 0};
   patch.step_y_mm = {0, side(packed.depth_mm) / kDrawnPixels};
   patch.face = face;
+  patch.samples = formulas::kMostYarnSamples;
   patch.light_irradiance = glm::vec3(1);
   return patch;
 }

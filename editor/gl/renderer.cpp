@@ -75,8 +75,8 @@ struct Renderer::Parts {
   bool build(std::string& error);
   const ClothProgram& cloth_program(Method method, int taps, int rungs);
   int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
-  void tell_rungs(const RungShares& shares);
-  std::array<float, 3> edges_of(const DrawnFrame& drawn) const;
+  void tell_rungs(const DrawnFrame& drawn);
+  Plan plan_for(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
                                 const GpuMesh& on) const;
   void upload_frame(const interop::FrameData& data);
@@ -89,6 +89,7 @@ struct Renderer::Parts {
   /// Share of the key light that the cloth keeps from what is behind it.
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].coverage + cloth.data().systems[1].coverage); }
   float ground_opacity = -1;
+  RungShares shares;  // of the last picture
   bool has_gaps() const;
   void take_queries(bool wait);
 };
@@ -108,19 +109,21 @@ bool Renderer::Parts::build(std::string& error) {
   return error.empty();
 }
 
-/// Where one rung gives way to the next, yarns a pixel. A picture that will not get all samples of the threads in its
-/// time gives way at as many samples a yarn, which leaves the same noise.
-std::array<float, 3> Renderer::Parts::edges_of(const DrawnFrame& drawn) const {
-  constexpr float kMoving = 2;  // a picture of one sample, seen for a moment
-  std::array<float, 3> edges = rung_edges(ladder, drawn.look.tolerance);
-  const float taken = drawn.frame.render_scale < 1 ? kMoving : static_cast<float>(drawn.frame.all_samples);
-  const float share = std::sqrt(std::clamp(taken / static_cast<float>(formulas::kMostYarnSamples), 0.0f, 1.0f));
-  const bool straight_to_repeat = edges[1] <= edges[0];
-  edges[0] *= cloth.has_threads() ? share : 0;
-  if (straight_to_repeat) edges[1] = edges[0];
+/// Which rungs and how many samples a picture takes, by footprint. What moves is given two samples at the most: a
+/// blurred thread hides more than a rough one.
+Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
+  constexpr int kMoving = 2;
+  const bool moving = drawn.frame.render_scale < 1;
+  const int all = moving ? std::min(kMoving, drawn.frame.all_samples) : drawn.frame.all_samples;
+  Plan plan = plan_of(ladder, {drawn.look.tolerance, all});
+  plan.samples = std::min(all, drawn.frame.samples);
+  if (drawn.frame.exact_samples) plan.lattices = {};
+  const bool straight_to_repeat = plan.rungs[1] <= plan.rungs[0];
+  if (!cloth.has_threads()) plan.rungs[0] = 0;
+  if (straight_to_repeat) plan.rungs[1] = plan.rungs[0];
   // One answer for all the cloth holds only where its pattern is no longer seen.
-  edges[2] = std::max(edges[2], cloth.data().even_yarns);
-  return edges;
+  plan.rungs[2] = std::max(plan.rungs[2], cloth.data().even_yarns);
+  return plan;
 }
 
 const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs) {
@@ -152,8 +155,11 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
   data.picture = {static_cast<float>(drawn.frame.width), static_cast<float>(drawn.frame.height),
                   linear_out ? 1.0f : 0.0f, 0};
-  data.samples = {static_cast<float>(drawn.frame.first_sample), static_cast<float>(std::max(1, drawn.frame.samples)), 0,
+  const Plan plan = plan_for(drawn);
+  data.samples = {static_cast<float>(std::max(0, drawn.frame.pass)), static_cast<float>(std::max(1, plan.samples)), 0,
                   0};
+  data.lattices[0] = glm::make_vec4(plan.lattices.data());
+  data.lattices[1] = glm::make_vec4(plan.lattices.data() + 4);
   const bool quick = drawn.frame.render_scale < 1;
   data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 2.5f,
                  opacity()};
@@ -166,8 +172,7 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   }
   const glm::vec3 centre = prepared.bounds.centre();
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
-  const std::array<float, 3> edges = edges_of(drawn);
-  data.rungs = {edges[0], edges[1], edges[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
+  data.rungs = {plan.rungs[0], plan.rungs[1], plan.rungs[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
   const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
   data.hair = {static_cast<float>(hair_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0], growth.length_mm[1]};
   return data;
@@ -305,37 +310,40 @@ bool Renderer::Parts::has_gaps() const {
 int Renderer::Parts::rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
   const float scale = drawn.frame.render_scale;
   const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };
-  const std::array<float, 3> edges = edges_of(drawn);
-  const RungShares shares = rung_shares(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
-                                        cloth.mean_spacing_mm(), edges);
-  tell_rungs(shares);
+  const Plan plan = plan_for(drawn);
+  shares = rung_shares(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
+                       cloth.mean_spacing_mm(), plan.rungs);
+  tell_rungs(drawn);
   if (stats.method != Method::kAuto || shares.yarns_per_pixel <= 0) return kAllRungs;
   if (scale < 1) {
     // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
     constexpr float kFairPart = 0.05f;
     return shares.of[0] > kFairPart ? kYarnRung : shares.of[1] > kFairPart ? kCellRung : kRepeatRung;
   }
-  if (!software) return edges[0] < edges[1] ? kAllRungs : kAllRungs & ~kCellRung;
+  if (!software) return plan.rungs[0] < plan.rungs[1] ? kAllRungs : kAllRungs & ~kCellRung;
   int needed = 0;
   for (size_t k = 0; k < shares.needed.size(); ++k) needed |= shares.needed[k] ? 1 << k : 0;
   return needed;
 }
 
-/// Shares of the rungs and the error to expect.
-void Renderer::Parts::tell_rungs(const RungShares& shares) {
+/// Shares of the rungs and the error to expect; of several passes when all are drawn.
+void Renderer::Parts::tell_rungs(const DrawnFrame& drawn) {
   stats.rung_shares = shares.of;
   stats.estimated_error = 0;
-  if (shares.yarns_per_pixel <= 0) return;
+  const float yarns = shares.yarns_per_pixel;
+  if (yarns <= 0) return;
+  Plan plan = plan_for(drawn);
+  if (drawn.frame.pass >= 0) plan.samples = drawn.frame.all_samples;
+  constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+  const auto error_of = [&](Method m) {
+    const float error = expected_error(ladder, m, yarns, m == Method::kYarn ? samples_at(plan, yarns) : 1);
+    return std::isfinite(error) ? error : 0.0f;
+  };
   if (stats.method != Method::kAuto) {
-    const float error = expected_error(ladder, stats.method, shares.yarns_per_pixel);
-    stats.estimated_error = std::isfinite(error) ? error : 0;
+    stats.estimated_error = error_of(stats.method);
     return;
   }
-  constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
-  for (size_t k = 0; k < kDrawn.size(); ++k) {
-    const float error = expected_error(ladder, kDrawn[k], shares.yarns_per_pixel);
-    if (std::isfinite(error)) stats.estimated_error += shares.of[k] * error;
-  }
+  for (size_t k = 0; k < kDrawn.size(); ++k) stats.estimated_error += shares.of[k] * error_of(kDrawn[k]);
 }
 
 void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
@@ -344,12 +352,15 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   DrawnFrame drawn{{}, look, {}};
   drawn.scene.sky_strength = 0;
   drawn.frame.width = p.width, drawn.frame.height = p.height, drawn.frame.timed = true;
-  drawn.frame.samples = p.samples;
+  if (p.samples > 0) drawn.frame.samples = p.samples, drawn.frame.exact_samples = true;
+  drawn.frame.pass = p.pass;
   drawn.frame.front = p.face;
   if (!linear.begin(p.width, p.height, 1)) return;
   interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);
   data.light_color = vec(p.light_irradiance, 1);
+  // 0.5 + 0.5 z in spherical harmonics.
+  data.sky[0] = vec(glm::vec3(0.5f * p.sky / 0.282095f), 0), data.sky[2] = vec(glm::vec3(0.5f * p.sky / 0.488603f), 0);
   // Every point falls beyond the border of the shadow map, where it is lit.
   data.world_to_shadow = glm::mat4(0.0f);
   data.world_to_shadow[3] = {2, 2, 0, 1};
@@ -433,6 +444,17 @@ Image Renderer::read_back(bool linear) const {
 }
 
 void Renderer::read_pixels(std::vector<uint32_t>& pixels) const { parts_->screen.read(pixels); }
+
+float Renderer::tolerance_within(float budget_ms) {
+  const FrameStats& s = measure();
+  const float pixels = static_cast<float>(s.shaded_pixels);
+  const DrawnFrame& drawn = parts_->last;
+  const LadderDemand demand{drawn.look.tolerance, drawn.frame.all_samples};
+  const float expected = expected_ms(parts_->ladder, parts_->shares, pixels, demand);
+  if (s.gpu_ms <= 0 || expected <= 0) return 0;
+  return upload::tolerance_within(parts_->ladder, parts_->shares, pixels, static_cast<float>(s.gpu_ms) / expected,
+                                  budget_ms);
+}
 
 void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
 bool Renderer::is_software() const { return parts_->software; }

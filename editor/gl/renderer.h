@@ -29,11 +29,12 @@ struct Frame {
   bool cloth = true;          // false: everything but the cloth (the ray-traced one is laid over it)
   bool transparent = false;   // leave the background out (alpha 0)
   bool false_color_rungs = false;
-  // Samples a pixel of rung yarn, at the most; of a picture made of several passes the first sample of this one,
-  // and its number: the mean of all passes stands in the picture (pass < 0: this one alone).
-  int samples = formulas::kMostYarnSamples, first_sample = 0, pass = -1;
-  int all_samples = formulas::kMostYarnSamples;  // of all passes, what rung auto may count on
-  bool timed = false;  // wait for the cloth on a software renderer, so that gpu_ms is measured there too
+  // Samples a pixel of rung yarn: as many as the tolerance asks for, and no more than these. A picture may be the mean
+  // of several passes, each with so many (pass < 0: this one alone); `all_samples`: of all of them.
+  int samples = formulas::kMostYarnSamples, pass = -1;
+  int all_samples = formulas::kMostYarnSamples;
+  bool exact_samples = false;  // not by tolerance: the largest lattice of no more than `samples`
+  bool timed = false;          // wait for the cloth on a software renderer, so that gpu_ms is measured there too
 };
 
 struct FrameStats {
@@ -74,6 +75,9 @@ class Renderer {
   /// The last picture's bytes as the screen takes them: sRGB-encoded RGBA8, row 0 at the bottom.
   void read_pixels(std::vector<uint32_t>& pixels) const;
 
+  /// The tolerance at which rung auto draws the last picture again within so many milliseconds of the cloth's pass, by
+  /// what its own pass took; 0 where that was not measured. Waits for it.
+  float tolerance_within(float budget_ms);
   /// What rung auto chooses by; the shipped ladder until then.
   void set_ladder(const Ladder& ladder);
   /// Drawn by the processor (Mesa's llvmpipe).

@@ -79,6 +79,7 @@ TEST_F(Gate, FromBehindTheComplementIsSeenMirrored) {
     return draw();
   };
   look.method = Method::kYarn;
+  look.tolerance = 0.03f;
   const Image behind = drawn(faced(3, Twist::kZ), 180, 155), front = drawn(complemented(faced(3, Twist::kS)), 0, 25);
   Image mirrored = front;
   for (int y = 0; y < front.height; ++y) {

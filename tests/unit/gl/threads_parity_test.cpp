@@ -254,7 +254,7 @@ constexpr const char* kRungMain = R"(
     EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), 0.5 + e.x, 0.9 - 0.5 * e.y, e.x);
     answer = vec4(engine_answer(m, lobe_frame(normalize(vec3(e.xy - 0.5, 1.0)), vec3(1.0, 0.0, 0.0)), l, v).key, 0.0);
   }
-  if (row == 5) answer = vec4(lean_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), float(yarn_samples(e.x, 48)));
+  if (row == 5) answer = vec4(lean_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), lattice_point(lattice_of(lattice_for(e.x, vec4(0.1, 0.2, 0.3, 0.4), vec4(0.5, 0.6, 0.7, 9.0), 21)), 5, 3, e.y).x);
   if (row == 6) answer = vec4(hair_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), hair_share(e.w));
   if (row == 7) answer = vec4(hair_soft(color, color * e.x), 0.0);
 )";
@@ -286,8 +286,10 @@ vec4 rung_on_cpu(const RungCase& given, int row) {
       return {engine_answer(m, lobe_frame(n, vec3(1, 0, 0)), l, v).key, 0};
     }
     case 5:
-      return {lean_factor(given[2], given[3], e), region_factor(e.x, e.y + 0.1f), slope_coord(l.x / l.z),
-              static_cast<float>(yarn_samples(e.x, 48))};
+      return {
+          lean_factor(given[2], given[3], e), region_factor(e.x, e.y + 0.1f), slope_coord(l.x / l.z),
+          lattice_point(lattice_of(lattice_for(e.x, {0.1f, 0.2f, 0.3f, 0.4f}, {0.5f, 0.6f, 0.7f, 9.0f}, 21)), 5, 3, e.y)
+              .x};
     case 6:
       return {hair_key(color, color * e.x, normalize(vec3(e) - 0.5f), vec3(0, 0, 1), l, v), hair_share(e.w)};
     default:
@@ -313,7 +315,8 @@ TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
                      four()});
   }
   const std::vector<vec4> all = run_pixels(
-      pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "engine.glsl", "thread_records.glsl", "hair.glsl"},
+      pixel_program({"tables.glsl", "lobes.glsl", "lattice.glsl", "rungs.glsl", "engine.glsl", "thread_records.glsl",
+                     "hair.glsl"},
                     kRungMain),
       cases, kRungRows);
   for (int row = 0; row < kRungRows; ++row) {

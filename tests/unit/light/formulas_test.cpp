@@ -119,11 +119,11 @@ TEST(Ladder, NamesComeBack) {
 
 TEST(Ladder, DefaultBandsAreTheModels) {
   const Ladder ladder = default_ladder();
-  EXPECT_EQ(choose_rung(ladder, 0.1f, 0.05f), Method::kYarn);
-  EXPECT_EQ(choose_rung(ladder, 1, 0.05f), Method::kCell);
-  EXPECT_EQ(choose_rung(ladder, 4, 0.05f), Method::kRepeat);
-  EXPECT_EQ(choose_rung(ladder, 20, 0.05f), Method::kCloth);
-  const auto edges = rung_edges(ladder, 0.05f);
+  EXPECT_EQ(choose(ladder, 0.1f, {0.05f}).method, Method::kYarn);
+  EXPECT_EQ(choose(ladder, 1, {0.05f}).method, Method::kCell);
+  EXPECT_EQ(choose(ladder, 4, {0.05f}).method, Method::kRepeat);
+  EXPECT_EQ(choose(ladder, 20, {0.05f}).method, Method::kCloth);
+  const auto edges = plan_of(ladder, {0.05f}).rungs;
   EXPECT_NEAR(std::log2(edges[0]), -2, 0.51f);
   EXPECT_NEAR(std::log2(edges[1]), 1, 0.51f);
   EXPECT_NEAR(std::log2(edges[2]), 3, 0.51f);
@@ -131,9 +131,9 @@ TEST(Ladder, DefaultBandsAreTheModels) {
 
 TEST(Ladder, MoreToleranceNeverAsksForMore) {
   const Ladder ladder = default_ladder();
-  auto last = rung_edges(ladder, 0.01f);
+  auto last = plan_of(ladder, {0.01f}).rungs;
   for (const float tolerance : {0.05f, 0.1f, 0.5f}) {
-    const auto edges = rung_edges(ladder, tolerance);
+    const auto edges = plan_of(ladder, {tolerance}).rungs;
     EXPECT_LE(edges[0], edges[1]);
     EXPECT_LE(edges[1], edges[2]);
     for (size_t k = 0; k < 3 && tolerance > 0.05f; ++k) EXPECT_LE(edges[k], last[k]);
@@ -141,25 +141,90 @@ TEST(Ladder, MoreToleranceNeverAsksForMore) {
   }
 }
 
+TEST(Ladder, SamplesFollowToleranceAndFootprint) {
+  // Half the error at four times the samples, as much again every octave.
+  Ladder ladder;
+  for (int i = 0; i < formulas::kLattices; ++i) {
+    for (const float yarns : {0.0625f, 0.25f, 1.0f}) {
+      const int samples = formulas::lattice_of(i).x;
+      const float error = 0.3f * yarns / std::sqrt(static_cast<float>(samples));
+      ladder.push_back({Method::kYarn, yarns, 10.0f * static_cast<float>(samples), error, error, samples});
+    }
+  }
+  const Plan loose = plan_of(ladder, {0.15f}), tight = plan_of(ladder, {0.05f});
+  EXPECT_EQ(samples_at(loose, 0.06f), 1);
+  EXPECT_EQ(samples_at(loose, 1), 5);  // 4 hold it
+  EXPECT_EQ(samples_at(tight, 1), formulas::kMostYarnSamples);
+  for (float yarns = 0.05f; yarns < 4; yarns *= 1.1f) {
+    EXPECT_GE(samples_at(tight, yarns), samples_at(loose, yarns)) << yarns;
+    EXPECT_GE(samples_at(loose, yarns * 1.1f), samples_at(loose, yarns)) << yarns;
+  }
+  EXPECT_LE(samples_at(plan_of(ladder, {0.01f, 2}), 1), 2);
+  EXPECT_GT(expected(ladder, tight, 1).cost_ns, expected(ladder, loose, 1).cost_ns);
+  EXPECT_LT(expected(ladder, tight, 1).error, expected(ladder, loose, 1).error);
+}
+
+TEST(Lattice, PointsSpreadOverThePixelAndPassesFillIn) {
+  using namespace formulas;
+  EXPECT_EQ(lattice_of(kLattices - 1).x, kMostYarnSamples);
+  for (int k = 0; k < kLattices; ++k) {
+    const ivec2 lattice = lattice_of(k);
+    double x = 0, least = 1;
+    std::vector<vec2> points;
+    for (int i = 0; i < lattice.x; ++i) {
+      const vec2 p = lattice_point(lattice, i, 0, 0);
+      EXPECT_TRUE(std::abs(p.x) <= 0.5f && std::abs(p.y) <= 0.5f);
+      x += static_cast<double>(p.x);
+      for (const vec2& q : points) {
+        const vec2 d = p - q - round(p - q);  // pixels lie side by side
+        least = std::min(least, static_cast<double>(length(d)));
+      }
+      points.push_back(p);
+    }
+    EXPECT_NEAR(x, 0, 1e-5);
+    // The densest packing of n points has them sqrt(1.155 / n) apart; those here have at least 0.6 of it.
+    if (k > 0) {
+      EXPECT_GT(least, 0.6 * std::sqrt(1.155 / lattice.x)) << lattice.x;
+    }
+  }
+  // Forty passes of two points: none comes near another.
+  double least = 1;
+  std::vector<vec2> all;
+  for (int pass = 0; pass < 40; ++pass) {
+    for (int i = 0; i < 2; ++i) {
+      const vec2 p = lattice_point(lattice_of(1), i, pass, 0);
+      for (const vec2& q : all) least = std::min(least, static_cast<double>(length(p - q - round(p - q))));
+      all.push_back(p);
+    }
+  }
+  EXPECT_GT(least, 0.25 * std::sqrt(1.155 / 80));
+}
+
 TEST(Ladder, ReadsWhatTheChartWrote) {
   const std::string csv =
-      "scene,view_deg,yarns_per_pixel,method,ns_per_pixel,instructions_per_pixel,rel_rmse_model,"
+      "scene,view_deg,yarns_per_pixel,method,samples,ns_per_pixel,instructions_per_pixel,rel_rmse_model,"
       "rel_rmse_filtering,energy_ratio,flicker,bytes,on_front\r\n"
-      "plain,0,1,cell,20,100,0.1,0.02,1,0,10,1\r\n"
-      "satin,80,1,cell,30,100,0.05,0.12,1,0,10,1\r\n"
-      "satin,80,4,cell,30,100,0.3,0.12,1,0,10,0\r\n";
+      "plain,0,1,cell,1,20,100,0.1,0.02,1,0,10,1\r\n"
+      "satin,80,1,cell,1,30,100,0.05,0.12,1,0,10,1\r\n"
+      "satin,80,4,cell,1,30,100,0.3,0.12,1,0,10,0\r\n"
+      "satin,80,4,yarn,8,90,100,0.03,0.02,1,0,10,0\r\n";
   std::string problem;
   const Ladder ladder = read_ladder(csv, problem);
   EXPECT_EQ(problem, "");
-  ASSERT_EQ(ladder.size(), 2u);
+  ASSERT_EQ(ladder.size(), 3u);
   EXPECT_FLOAT_EQ(expected_error(ladder, Method::kCell, 1), 0.12f);
   EXPECT_FLOAT_EQ(expected_error(ladder, Method::kCell, 2), 0.21f);
   EXPECT_FLOAT_EQ(expected_cost(ladder, Method::kCell, 1), 25);
-  EXPECT_TRUE(read_ladder("scene,method\n", problem).empty());
+  EXPECT_FLOAT_EQ(expected_error(ladder, Method::kYarn, 1, 8), 0.03f);
+  EXPECT_TRUE(std::isinf(expected_error(ladder, Method::kYarn, 1, 5)));
+  EXPECT_TRUE(read_ladder("scene,method,samples\n", problem).empty());
   EXPECT_NE(problem.find("yarns_per_pixel"), std::string::npos);
-  problem.clear();
-  EXPECT_TRUE(read_ladder(csv + "plain,0,nan,cell,1,1,1,1,1,0,1,1\n", problem).empty());
-  EXPECT_NE(problem.find("line 5"), std::string::npos);
+  for (const char* bad : {"plain,0,nan,cell,1,1,1,1,1,1,0,1,1\n", "plain,0,1,yarn,0,1,1,1,1,1,0,1,1\n",
+                          "plain,0,1,yarn,1e9,1,1,1,1,1,0,1,1\n"}) {
+    problem.clear();
+    EXPECT_TRUE(read_ladder(csv + bad, problem).empty());
+    EXPECT_NE(problem.find("line 6"), std::string::npos) << problem;
+  }
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -173,7 +238,7 @@ TEST(Glsl, EveryFormulaFileParses) {
   if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "glslangValidator is not installed";
   const std::filesystem::path shaders = std::filesystem::path(WEFTLIGHT_SOURCE_DIR) / "shaders";
-  for (const char* file : {"lobes.glsl", "vrst03.glsl", "horizon.glsl", "filter.glsl"}) {
+  for (const char* file : {"lobes.glsl", "vrst03.glsl", "horizon.glsl", "filter.glsl", "lattice.glsl"}) {
     std::string text = "#version 330 core\n";
     if (std::string_view(file) == "lobes.glsl") text += text_of(shaders / "tables.glsl");
     const std::string body = text_of(shaders / file);

@@ -1,0 +1,112 @@
+#include "commands/chart_counter.h"
+
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <type_traits>
+
+namespace weftlight::commands {
+namespace {
+
+constexpr int kSmall = 4, kLarge = 12;  // pixels along the sides of both patches
+constexpr unsigned kPatienceS = 600;
+
+static_assert(std::is_trivially_copyable_v<CountedDraw> && std::is_trivially_copyable_v<LadderPoint>);
+
+// The processor's trap flag: a signal after every instruction.
+volatile long steps_taken = 0;
+void count_step(int) { steps_taken = steps_taken + 1; }
+
+#if defined(__x86_64__)
+constexpr bool kCanStep = true;
+void trap_each() { asm volatile("pushfq\n\torq $0x100, (%%rsp)\n\tpopfq" ::: "memory", "cc"); }
+void trap_no_more() { asm volatile("pushfq\n\tandq $~0x100, (%%rsp)\n\tpopfq" ::: "memory", "cc"); }
+#else
+constexpr bool kCanStep = false;
+void trap_each() {}
+void trap_no_more() {}
+#endif
+
+bool read_all(int from, void* to, size_t bytes) {
+  for (size_t got = 0; got < bytes;) {
+    const ssize_t n = read(from, static_cast<char*>(to) + got, bytes - got);
+    if (n <= 0) return false;
+    got += static_cast<size_t>(n);
+  }
+  return true;
+}
+
+bool write_all(int to, const void* from, size_t bytes) {
+  for (size_t sent = 0; sent < bytes;) {
+    const ssize_t n = send(to, static_cast<const char*>(from) + sent, bytes - sent, MSG_NOSIGNAL);
+    if (n <= 0) return false;
+    sent += static_cast<size_t>(n);
+  }
+  return true;
+}
+
+/// The other process: each patch is drawn once before it is counted, so that programs are compiled and pages are there.
+[[noreturn]] void serve(int line, const DrawCounter::Draw& draw) {
+  setenv("LP_NUM_THREADS", "0", 1);
+  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+  std::signal(SIGTRAP, count_step);
+  CountedDraw what;
+  size_t points = 0;
+  while (read_all(line, &what, sizeof what) && read_all(line, &points, sizeof points)) {
+    Ladder ladder(points);
+    if (!read_all(line, ladder.data(), points * sizeof(LadderPoint))) break;
+    alarm(kPatienceS);  // what hangs is given up
+    std::array<long, 2> steps{};
+    for (size_t k = 0; k < steps.size(); ++k) {
+      const int pixels = k == 0 ? kSmall : kLarge;
+      if (!draw(what, ladder, pixels) || !draw(what, ladder, pixels)) _exit(1);
+      steps_taken = 0;
+      trap_each();
+      draw(what, ladder, pixels);
+      trap_no_more();
+      steps[k] = steps_taken;
+    }
+    alarm(0);
+    if (!write_all(line, steps.data(), sizeof steps)) break;
+  }
+  _exit(0);
+}
+
+}  // namespace
+
+std::unique_ptr<DrawCounter> DrawCounter::start(Draw draw) {
+  std::array<int, 2> ends{};
+  if (!kCanStep || socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) return nullptr;
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    serve(ends[1], draw);
+  }
+  close(ends[1]);
+  std::unique_ptr<DrawCounter> counter(new DrawCounter);
+  counter->child_ = child, counter->line_ = ends[0];
+  return child < 0 ? nullptr : std::move(counter);
+}
+
+DrawCounter::~DrawCounter() {
+  close(line_);
+  if (child_ < 0) return;
+  kill(child_, SIGKILL);
+  waitpid(child_, nullptr, 0);
+}
+
+std::optional<double> DrawCounter::per_pixel(const CountedDraw& what, const Ladder& ladder) {
+  const size_t points = ladder.size();
+  std::array<long, 2> steps{};
+  const bool counted = write_all(line_, &what, sizeof what) && write_all(line_, &points, sizeof points) &&
+                       write_all(line_, ladder.data(), points * sizeof(LadderPoint)) &&
+                       read_all(line_, steps.data(), sizeof steps);
+  if (!counted) return std::nullopt;
+  return static_cast<double>(steps[1] - steps[0]) / (kLarge * kLarge - kSmall * kSmall);
+}
+
+}  // namespace weftlight::commands

@@ -98,7 +98,8 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them.
   float own = pixel_turn();
-  float turn = own * clamp(f.yarns * 8.0 - 1.0, 0.0, 1.0);
+  // So many steps of R2 as spread them over the whole pixel, not along one line of it.
+  float turn = 64.0 * own * clamp(f.yarns * 8.0 - 1.0, 0.0, 1.0);
   for (int i = 0; i < count; ++i) {
     vec2 r = lattice_point(lattice, i, pass, turn);
     add_sample(sums, g, x, middle + (f.dx * r.x + f.dy * r.y) * g.period, light_sample(x.l, pass * count + i, own), sample_mm,

@@ -50,9 +50,8 @@ struct Local {
 };
 
 // Four samples a pixel: two by two in a square one, a row in a long one (zigzag between), each read where the mips are
-// about as wide as they lie apart; between two mips so many from each as its share says, which costs half of reading
-// both. at: the pixel's middle, on the tile; part: 0..1, of a sample, by pixel.
-Local fetch_local(Side s, Footprint f, int which, vec2 at, float part) {
+// about as wide as they lie apart. at: the pixel's middle, on the tile.
+Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   Local y;
   y.color = vec4(0.0);
   vec4 sum = vec4(0.0);
@@ -65,19 +64,18 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at, float part) {
   float row = min(0.25 * abs(log2(max(squares, 1e-6))), 1.0);   // 1 where four times as long as wide
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
-  float level = max(f.level - 1.0 - row, 0.0);
+  float level = f.level - 1.0 - row;
   for (int i = 0; i < 4; ++i) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;
     vec3 p = vec3(at + longer * (half_side + turn * 0.125 * row) + aside * turn, float(system));
-    float mip = floor(level + (float(i == 1 ? 2 : i == 2 ? 1 : i) + part) * 0.25);
-    y.color += 0.25 * textureLod(color_map, p, mip);
-    sum += 0.25 * textureLod(relief_map, p, mip);
+    y.color += 0.25 * textureLod(color_map, p, level);
+    sum += 0.25 * textureLod(relief_map, p, level);
   }
-  y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
   // Mips of four yarns, read between texels.
-  float wide = ceil(log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm));
+  float wide = log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm);
   y.around = wide > level ? textureLod(color_map, vec3(at, float(system)), wide).a : y.color.a;
+  y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
   return y;
 }
 
@@ -94,9 +92,8 @@ vec3 repeat_light(Side side, Lights x, Footprint f) {
   Seen seen = seen_systems(side.face, x.v);
   // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
   vec2 towards = x.v.xy / (x.v.z * vec2(cloth.width_mm, cloth.depth_mm));
-  float part = pixel_turn();
-  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x, part);
-  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y, part);
+  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
+  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
   vec2 share = vec2(cloth.systems[side.face * 2].share, cloth.systems[side.face * 2 + 1].share);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(share, vec2(1e-3));
   vec2 region = vec2(warp.around, weft.around) / max(share * (warp.around + weft.around), vec2(1e-3));

@@ -25,10 +25,9 @@ struct YarnSums {
 
 // Towards a point of the light's disc. own: 0 to 1, of the pixel, so that few samples leave grain and no false edge.
 vec3 light_sample(vec3 l, int i, float own) {
-  // Radii by van der Corput's halves, so that any first few of them are spread.
-  float part = fract(float(i) * 0.5 + float(i / 2) * 0.25 + float(i / 4) * 0.125 + float(i / 8) * 0.0625 + own);
-  float r = sqrt(part) * frame.light.w;
-  float turn = 2.39996323 * float(i) + 6.2831853 * own;
+  // Steps that agree with none of the lattices', or each side of the pixel would see one side of the light.
+  float r = sqrt(fract(0.56984029 * float(i) + 5.0 * own)) * frame.light.w;
+  float turn = 6.2831853 * (0.41421356 * float(i) + own);
   vec3 a = normalize(abs(l.z) < 0.9 ? cross(l, vec3(0.0, 0.0, 1.0)) : cross(l, vec3(1.0, 0.0, 0.0)));
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
 }
@@ -53,7 +52,9 @@ bool on_top(ThreadGrid g, ThreadHit hit) {
   return other <= hit.at.z;
 }
 
-void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, float sample_mm, int face, float level) {
+// One sample at `at`, dx by dy large, all on the middle plane in mm; l: to a point of the light. It hides and shades by
+// that point alone; what the thread answers is of all the light's disc and of all the surface that the sample covers.
+void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, vec2 dy, vec3 l, int face, float level) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
   sums.cover += 1.0;
@@ -61,6 +62,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
   float length_mm = hit.system == 0 ? g.period.y : g.period.x;
   ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
   ThreadTexture pattern = thread_pattern(hit.system, thread, g.side);
+  float sample_mm = sqrt(abs(dx.x * dy.y - dx.y * dy.x));
   float across = sample_mm / (6.2831853 * pattern.radius_mm * max(abs(p.normal.z), 0.1));
   float along = sample_mm / length_mm;
   float cycles = max(pattern.fibres * across, abs(float(pattern.advance)) * along);
@@ -71,7 +73,9 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec3 l, fl
   if (dot(n, x.v) <= 0.0) n = p.normal;
   vec4 look = thread_look(hit.system, thread);
   YarnLobes lobes = thread_lobes(int(look.w), fibre_colour(texel, look.rgb));
-  Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), l, x.v);
+  float disc = frame.light.w * frame.light.w / 16.0;   // of the half vector's slopes
+  lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) + vec3(disc, 0.0, disc));
+  Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;
   if (a.key.r + a.key.g + a.key.b > 0.0) {
     // Light from behind crosses this thread itself; every other one stops it.
@@ -93,16 +97,18 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   ivec2 lattice = lattice_of(lattice_for(f.yarns, frame.lattices[0], frame.lattices[1], int(frame.samples.y)));
   int count = lattice.x;
   vec2 middle = fract(f.at) * g.period;
-  float sample_mm = f.yarns * g.spacing / sqrt(float(count));
+  float part = inversesqrt(float(count));
+  vec2 dx = f.dx * g.period;
+  vec2 dy = f.dy * g.period;
   float level = f.level - 1.0 - 0.5 * log2(float(count));   // of the horizons, at half size
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them.
   float own = pixel_turn();
   // So many steps of R2 as spread them over the whole pixel, not along one line of it.
-  float turn = 64.0 * own * clamp(f.yarns * 8.0 - 1.0, 0.0, 1.0);
+  float turn = 64.0 * own * clamp(f.yarns * 4.0 - 1.0, 0.0, 1.0);
   for (int i = 0; i < count; ++i) {
     vec2 r = lattice_point(lattice, i, pass, turn);
-    add_sample(sums, g, x, middle + (f.dx * r.x + f.dy * r.y) * g.period, light_sample(x.l, pass * count + i, own), sample_mm,
+    add_sample(sums, g, x, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own),
                side.face, level);
   }
   if (sums.cover < 0.5) return vec4(0.0);

@@ -331,6 +331,7 @@ struct ThreadPoint {
   vec3 around;      // along the section, towards +across
   float turn;       // around the thread: 0 on its ridge, a quarter towards +across
   float along;      // of the section
+  vec2 bend;        // curvature along the axis and around the thread, 1/mm
 };
 
 FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
@@ -354,7 +355,27 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   t.around = normalize(aside - t.normal * dot(aside, t.normal) + t.axis * 1.0e-6f);
   t.turn = 0.25f - atan(y, x) * 0.15915494f;
   t.along = q.z;
+  float size = inversesqrt(side * side + up * up);
+  float room = s.half_width * s.half_height;
+  t.bend = vec2(c.z * n * n * n * up * size, size * size * size / (room * room));
   return t;
+}
+
+// Variances of the slopes of the surface that a sample covers, along the fibre (tan_fibre: its tangent to the axis),
+// between both, across it. dx, dy: sides of the sample on the middle plane, seen along v.
+FORMULA vec3 slope_spread(ThreadPoint t, float tan_fibre, vec3 v, vec2 dx, vec2 dy) {
+  const float kMost = 0.25f;   // all that is seen of a round thread
+  float scale = 1.0f / max(dot(t.normal, v), 0.25f);
+  vec3 a = vec3(dx, 0.0f) - v * (dot(vec2(t.normal.x, t.normal.y), dx) * scale);
+  vec3 b = vec3(dy, 0.0f) - v * (dot(vec2(t.normal.x, t.normal.y), dy) * scale);
+  vec2 along = vec2(dot(a, t.axis), dot(b, t.axis)) * t.bend.x;
+  vec2 around = vec2(dot(a, t.around), dot(b, t.around)) * t.bend.y;
+  // Of a box of width 1 the variance is 1/12.
+  float x = min(dot(along, along) / 12.0f, kMost);
+  float y = min(dot(around, around) / 12.0f, kMost);
+  float square = 1.0f / (1.0f + tan_fibre * tan_fibre);
+  float turned = tan_fibre * tan_fibre;
+  return vec3(x + turned * y, tan_fibre * (y - x), turned * x + y) * square;
 }
 
 // Normal between plies. ply: Texel.ply; length: the thread's period.

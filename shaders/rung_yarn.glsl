@@ -32,29 +32,9 @@ vec3 light_sample(vec3 l, int i, float own) {
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
 }
 
-// 1 or -1 where the horizons of a place leave no doubt that the light reaches it or does not; else 0.
-float surely_lit(int face, vec2 at, float level, vec3 l) {
-  int count = int(cloth.azimuths);
-  float base = float(face * (count + 1));
-  float turn = atan(l.y, l.x) * 0.15915494;
-  float bin = (turn - floor(turn)) * float(count);
-  float next = mod(floor(bin) + 1.0, float(count));
-  vec2 a = textureLod(horizon_map, vec3(at, base + min(floor(bin), float(count) - 1.0)), level).rg;
-  vec2 b = textureLod(horizon_map, vec3(at, base + next), level).rg;
-  if (l.z > max(a.x + 1.5 * a.y, b.x + 1.5 * b.y) + 0.1) return 1.0;
-  return l.z < min(a.x - 1.5 * a.y, b.x - 1.5 * b.y) - 0.1 ? -1.0 : 0.0;
-}
-
-// Horizons are those of what is on top: a place that is seen below another thread's edge has none.
-bool on_top(ThreadGrid g, ThreadHit hit) {
-  Crossing c = crossing_near(g, hit.at.xy);
-  float other = hit.system == 0 ? strand_top(c.weft, hit.at.y, hit.at.x) : strand_top(c.warp, hit.at.x, hit.at.y);
-  return other <= hit.at.z;
-}
-
 // One sample at `at`, dx by dy large, all on the middle plane in mm; l: to a point of the light. It hides and shades by
 // that point alone; what the thread answers is of all the light's disc and of all the surface that the sample covers.
-void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, vec2 dy, vec3 l, int face, float level) {
+void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
   sums.cover += 1.0;
@@ -77,13 +57,8 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, v
   lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) + vec3(disc, 0.0, disc));
   Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;
-  if (a.key.r + a.key.g + a.key.b > 0.0) {
-    // Light from behind crosses this thread itself; every other one stops it.
-    float sure = dot(p.normal, l) <= 0.0 || l.z <= 0.0 ? 0.0 : surely_lit(face, hit.at.xy / g.period, level, l);
-    if (sure > 0.0 && !on_top(g, hit)) sure = 0.0;
-    if (sure < 0.0) a.key = vec3(0.0);
-    if (sure == 0.0 && threads_block(g, hit.at, l, kLightCells, hit.system, thread)) a.key = vec3(0.0);
-  }
+  // Light from behind crosses this thread itself; every other one stops it.
+  if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, hit.at, l, kLightCells, hit.system, thread)) a.key = vec3(0.0);
   sums.key += a.key;
   sums.soft += a.soft * texel.groove;
   sums.glossy += a.glossy * texel.groove;
@@ -100,16 +75,14 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   float part = inversesqrt(float(count));
   vec2 dx = f.dx * g.period;
   vec2 dy = f.dy * g.period;
-  float level = f.level - 1.0 - 0.5 * log2(float(count));   // of the horizons, at half size
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-  // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them.
   float own = pixel_turn();
-  // So many steps of R2 as spread them over the whole pixel, not along one line of it.
+  // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them. So many
+  // steps of R2 as spread them over the whole pixel, not along one line of it.
   float turn = 64.0 * own * clamp(f.yarns * 4.0 - 1.0, 0.0, 1.0);
   for (int i = 0; i < count; ++i) {
     vec2 r = lattice_point(lattice, i, pass, turn);
-    add_sample(sums, g, x, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own),
-               side.face, level);
+    add_sample(sums, g, x, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
   }
   if (sums.cover < 0.5) return vec4(0.0);
   float scale = 1.0 / sums.cover;

@@ -93,14 +93,21 @@ float error_at(Ladder ladder, const Rung& rung, float yarns, float LadderPoint::
   return expected_error(ladder, rung.method, yarns, rung.samples);
 }
 
-/// Errors of the worst place, cost as the mean: what is asked for is held everywhere that was measured.
+/// Cost as the mean over places. Of samples the error of the worst place: more of them mend it. Of the others the root
+/// mean square: the one cloth that shines most would have all the others traced at thirty times the cost.
 LadderPoint point_of(const std::vector<Ladder>& places, const Rung& rung, float yarns) {
   LadderPoint p{rung.method, yarns, 0, 0, 0, rung.samples};
-  for (const Ladder& place : places) {
-    p.cost_ns += expected_cost(place, rung.method, yarns, rung.samples) / static_cast<float>(places.size());
-    p.filtering_error = std::max(p.filtering_error, error_at(place, rung, yarns, &LadderPoint::filtering_error));
-    p.model_error = std::max(p.model_error, error_at(place, rung, yarns, &LadderPoint::model_error));
-  }
+  const float share = 1.0f / static_cast<float>(places.size());
+  const auto gathered = [&](float LadderPoint::*error) {
+    float worst = 0, squares = 0;
+    for (const Ladder& place : places) {
+      const float e = error_at(place, rung, yarns, error);
+      worst = std::max(worst, e), squares += e * e * share;
+    }
+    return rung.method == Method::kYarn ? worst : std::sqrt(squares);
+  };
+  for (const Ladder& place : places) p.cost_ns += expected_cost(place, rung.method, yarns, rung.samples) * share;
+  p.filtering_error = gathered(&LadderPoint::filtering_error), p.model_error = gathered(&LadderPoint::model_error);
   return p;
 }
 

@@ -51,6 +51,16 @@ void step_place(Desk& e, int by) {
   show_place(e.view(), next, r->places[static_cast<size_t>(next)]);
 }
 
+void add_heavy_lines(Actions& all) {
+  for (const int every : {0, 4, 5, 6, 8, 10}) {
+    const std::string words = every == 0 ? "None" : "Every " + std::to_string(every) + " threads";
+    Action& a = add(all, "View", ("heavy." + std::to_string(every)).c_str(), words.c_str(), "",
+                    [every](Desk& e) { e.settings().heavy_lines = every; });
+    a.item.submenu = "Heavier lines";
+    a.checked = [every](const Desk& e) { return e.settings().heavy_lines == every; };
+  }
+}
+
 void add_comparison(Actions& all) {
   const auto held = [](const Desk& e) { return e.view().other != nullptr; };
   new_group(add(all, "View", "compare_draft", "Compare with a draft\xE2\x80\xA6", "", [](Desk& e) { e.ask_other(); }));
@@ -70,6 +80,7 @@ void add_view_actions(Actions& all) {
       [](Desk& e) { e.view().pitch = zoomed_pitch(e.view().pitch, -1); });
   add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](Desk& e) { e.view().pitch = 0; });
   add_moves(all);
+  add_heavy_lines(all);
   add_drawdown_looks(all);
   new_group(
       add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));

@@ -62,6 +62,8 @@ Settings settings_from(std::string_view text) {
   int style = 0;
   take(json, "drawdown_style", style);
   s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
+  take(json, "heavy_lines", s.heavy_lines);
+  s.heavy_lines = std::clamp(s.heavy_lines, 0, 64);
   take(json, "per_inch", s.per_inch);
   take(json, "inspector", s.inspector);
   take(json, "toured", s.toured);
@@ -97,6 +99,7 @@ std::string settings_text(const Settings& s) {
                                {"height", s.height},
                                {"recent", recent},
                                {"keys", s.keys},
+                               {"heavy_lines", s.heavy_lines},
                                {"loom", is_utf8(s.loom_address) ? s.loom_address : std::string()}};
   return json.dump(1) + "\n";
 }

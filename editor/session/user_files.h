@@ -18,6 +18,7 @@ enum class Compare { kOff, kSplit, kDifference };
 struct Settings {
   bool dark = false, end1_right = true;
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
+  int heavy_lines = 5;                      // a heavier line of the grids every so many threads; 0: none
   bool per_inch = false;                    // ends and picks are counted in an inch
   bool inspector = true;                    // is shown
   float split = 0;                          // share of the window that the draft takes; 0: what it fills

@@ -18,7 +18,8 @@ constexpr float kGapsFrom = 8;      // from which a gap parts threads without da
 void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
   const Colors& k = c.style.color;
   const ImVec2 a = pane.min(), b = pane.max();
-  const auto color = [&](int i) { return i % 5 == 0 ? k.line_strong : k.line; };
+  const int every = c.settings.heavy_lines;
+  const auto color = [&](int i) { return every > 0 && i % every == 0 ? k.line_strong : k.line; };
   if (pane.x.pitch >= kLinesFrom)
     for (int i = pane.x.first_visible(); i <= pane.x.end_visible(); ++i) {
       const float x = pane.x.reversed ? pane.x.high(i) : pane.x.low(i);

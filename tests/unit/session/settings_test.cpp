@@ -21,6 +21,16 @@ TEST(Settings, a_path_that_is_no_utf8_is_kept_and_loses_nothing_else) {
   EXPECT_EQ(back.width, 1234);
 }
 
+TEST(Settings, the_loom_and_the_lines_are_kept) {
+  Settings s;
+  s.loom_address = "tcp:localhost:8000";
+  s.heavy_lines = 8;
+  const Settings back = settings_from(settings_text(s));
+  EXPECT_EQ(back.loom_address, s.loom_address);
+  EXPECT_EQ(back.heavy_lines, 8);
+  EXPECT_EQ(settings_from("{\"heavy_lines\": -3, \"loom\": 4}").heavy_lines, 0);
+}
+
 TEST(Settings, keys_are_kept) {
   Settings s;
   s.keys = {{"save", "Ctrl+U"}, {"quit", ""}};

@@ -12,6 +12,11 @@
 namespace weftlight::texture_set {
 namespace {
 
+constexpr const char* kImage = R"(    <image name="{WHAT}" type="{TYPE}">
+      <input name="file" type="filename" value="{FILE}"{SPACE} />
+      <input name="texcoord" type="vector2" nodename="uv" />
+    </image>
+)";
 // One face. Texture coordinates are millimetres, right and up the image.
 constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
     <texcoord name="uv_mm" type="vector2" />
@@ -19,41 +24,9 @@ constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
       <input name="in1" type="vector2" nodename="uv_mm" />
       <input name="in2" type="vector2" value="{SCALE_U}, {SCALE_V}" />
     </multiply>
-    <image name="basecolor" type="color3">
-      <input name="file" type="filename" value="{BASECOLOR}" colorspace="srgb_texture" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <image name="roughness" type="float">
-      <input name="file" type="filename" value="{ROUGHNESS}" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <image name="metalness" type="float">
-      <input name="file" type="filename" value="{METALNESS}" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <image name="anisotropy" type="float">
-      <input name="file" type="filename" value="{ANISOTROPY}" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <image name="fuzz" type="color3">
-      <input name="file" type="filename" value="{FUZZ}" colorspace="srgb_texture" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <image name="opacity" type="float">
-      <input name="file" type="filename" value="{OPACITY}" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <image name="normal_image" type="vector3">
-      <input name="file" type="filename" value="{NORMAL}" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
-    <normalmap name="normal" type="vector3">
+{IMAGES}    <normalmap name="normal" type="vector3">
       <input name="in" type="vector3" nodename="normal_image" />
     </normalmap>
-    <image name="turn" type="float">
-      <input name="file" type="filename" value="{TURN}" />
-      <input name="texcoord" type="vector2" nodename="uv" />
-    </image>
     <multiply name="degrees" type="float">
       <input name="in1" type="float" nodename="turn" />
       <input name="in2" type="float" value="360" />
@@ -199,21 +172,38 @@ std::string prim_name(std::string name) {
 /// Index of refraction whose straight reflectance is this.
 double ior_of(double f0) { return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0)); }
 
+struct MtlxImage {
+  const char* suffix;
+  const char* what;
+  const char* type;
+  bool srgb;
+};
+constexpr MtlxImage kMtlxImages[] = {{"_basecolor", "basecolor", "color3", true},
+                                     {"_roughness", "roughness", "float", false},
+                                     {"_metalness", "metalness", "float", false},
+                                     {"_anisotropy", "anisotropy", "float", false},
+                                     {"_fuzz", "fuzz", "color3", true},
+                                     {"_opacity", "opacity", "float", false},
+                                     {"_normal", "normal_image", "vector3", false},
+                                     {"_turn", "turn", "float", false}};
+
+std::string mtlx_images(const SetFacts& set, Face face) {
+  std::string text;
+  for (const MtlxImage& image : kMtlxImages)
+    text += filled(kImage, {{"WHAT", image.what},
+                            {"TYPE", image.type},
+                            {"FILE", image_named(set, image.suffix, face)},
+                            {"SPACE", image.srgb ? " colorspace=\"srgb_texture\"" : ""}});
+  return text;
+}
+
 Values values_of(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
-  const auto image = [&](const char* suffix) { return image_named(set, suffix, face); };
-  return {{"OPACITY_INPUT", set.alpha == Alpha::kOpaque ? "" : kOpacityInput},
+  return {{"IMAGES", mtlx_images(set, face)},
+          {"OPACITY_INPUT", set.alpha == Alpha::kOpaque ? "" : kOpacityInput},
           {"NAME", prim_name(material_name(set, face))},
           {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
           {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
-          {"BASECOLOR", image("_basecolor")},
-          {"ROUGHNESS", image("_roughness")},
-          {"METALNESS", image("_metalness")},
-          {"ANISOTROPY", image("_anisotropy")},
-          {"FUZZ", image("_fuzz")},
-          {"OPACITY", image("_opacity")},
-          {"NORMAL", image("_normal")},
-          {"TURN", image("_turn")},
           {"IOR", number(ior_of(static_cast<double>(source.fit().f0)))},
           {"FUZZ_WEIGHT", source.fit().sheen > 0 ? "1" : "0"},
           {"FUZZ_ROUGHNESS", number(static_cast<double>(source.fit().sheen_roughness))}};

@@ -314,11 +314,10 @@ TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
                      four() + vec4(0, 0.05f, 0.05f, 0), tint, vec4(0.02f + 0.1f * u(rng), 1 + 5 * u(rng), 0, 0), four(),
                      four()});
   }
-  const std::vector<vec4> all = run_pixels(
-      pixel_program({"tables.glsl", "lobes.glsl", "lattice.glsl", "rungs.glsl", "engine.glsl", "thread_records.glsl",
-                     "hair.glsl"},
-                    kRungMain),
-      cases, kRungRows);
+  const std::vector<vec4> all = run_pixels(pixel_program({"tables.glsl", "lobes.glsl", "lattice.glsl", "rungs.glsl",
+                                                          "engine.glsl", "thread_records.glsl", "hair.glsl"},
+                                                         kRungMain),
+                                           cases, kRungRows);
   for (int row = 0; row < kRungRows; ++row) {
     std::vector<vec4> cpu;
     for (const RungCase& c : cases) cpu.push_back(rung_on_cpu(c, row));

@@ -226,7 +226,8 @@ int chart_command(const ChartOptions& options) {
   std::filesystem::create_directories(options.out, problem);
   if (!std::filesystem::is_directory(options.out))
     return fail(kNotWritten, options.out + ": the folder cannot be made");
-  const ChartEffort effort = chart_effort(options.quick);
+  ChartEffort effort = chart_effort(options.quick);
+  effort.count_instructions = options.count;
   int code = kDone;
   std::string error;
   const auto bench =

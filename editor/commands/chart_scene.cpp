@@ -32,7 +32,7 @@ ChartEffort chart_effort(bool quick) {
   ChartEffort e;
   e.samples_a_yarn = 4, e.fine_budget = 32'000, e.fine_samples = 3, e.truth_budget = 16'000;
   e.timing_size = e.yarn_timing_size = e.frame_size = 32, e.timing_repeats = 3, e.timing_enough_ns = 2e7;
-  e.pans = 3, e.count_instructions = false;
+  e.pans = 3;
   e.patch_least = 12, e.patch_yarns = 4, e.tube_facets = 24;
   return e;
 }

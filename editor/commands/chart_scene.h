@@ -54,7 +54,7 @@ struct ChartEffort {
   int yarn_timing_size = 128;  // it takes so much longer
   int pans = 8;
   double timing_enough_ns = 1.5e9;  // of pictures that are slow enough to be timed by few
-  bool count_instructions = true;   // single steps, which take minutes a place
+  bool count_instructions = false;  // single steps, which take minutes a place
   int frame_size = 128;             // a software renderer's frames are scaled from a patch of so many pixels a side
   int patch_least = 16;             // pixels along a side
   double patch_yarns = 8;           // or more, to hold so many

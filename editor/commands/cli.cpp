@@ -378,6 +378,7 @@ CommandLine run_command_line(int argc, char** argv) {
   auto* chart_verb = app.add_subcommand("chart", "Speed against accuracy, measured");
   chart_verb->add_option("-o,--output", chart.out, "Folder")->required()->check(some_name());
   chart_verb->add_flag("--quick", chart.quick, "Within a minute");
+  chart_verb->add_flag("--count", chart.count, "Instructions too, by single steps of the processor: hours");
 
   ResponseOptions response;
   std::string response_views, response_lights, response_face = "front";

@@ -60,6 +60,7 @@ struct ExportOptions {
 struct ChartOptions {
   std::string out;
   bool quick = false;
+  bool count = false;  // instructions too
 };
 struct ResponseOptions {
   std::string file, out, method = "cloth", plane = "both";  // plane: warp, weft or both

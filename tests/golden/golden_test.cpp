@@ -19,6 +19,7 @@ struct Golden {
   const char* name;
   const char* draft;
   const char* options;
+  const char* mesh = "plane";
 };
 
 constexpr Golden kGoldens[] = {
@@ -28,6 +29,12 @@ constexpr Golden kGoldens[] = {
     {"twill_vrst03", "twill_2_2", "--method vrst03 --yarns-per-pixel 0.1"},
     {"satin_threads", "satin_8", "--method yarn --yarns-per-pixel 0.05"},
     {"gauze_gaps", "gauze", "--method yarn --yarns-per-pixel 0.08"},
+    {"starter_auto", "starter", "--method auto --yarns-per-pixel 1.5 --view 20,40"},
+    {"overshot_repeat", "overshot", "--method repeat --yarns-per-pixel 1"},
+    {"damask_cell", "twill_damask", "--method cell --yarns-per-pixel 1"},
+    {"denim_cloth", "denim", "--method cloth --view 0,25"},
+    {"satin_engine", "satin_8", "--method engine --yarns-per-pixel 0.3"},
+    {"starter_draped", "starter", "--method auto", "tablecloth"},
 };
 
 void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
@@ -36,7 +43,7 @@ class GoldenTest : public testing::TestWithParam<Golden> {};
 
 int run_render(const Golden& golden, const std::string& out) {
   const std::string command = std::string(WEFTLIGHT_BINARY) + " render " WEFTLIGHT_DRAFTS "/" + golden.draft +
-                              ".wif -o '" + out + "' --mesh plane --size 256x256 " + golden.options;
+                              ".wif -o '" + out + "' --mesh " + golden.mesh + " --size 256x256 " + golden.options;
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

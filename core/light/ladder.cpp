@@ -95,7 +95,8 @@ Ladder default_ladder() {
                             {Method::kCloth, 8, 64, 10}};
   Ladder ladder;
   for (const Band& b : bands)
-    for (float yarns = 1.0f / 64; yarns <= 64; yarns *= 2) {
+    for (int octave = -6; octave <= 6; ++octave) {
+      const float yarns = std::exp2(static_cast<float>(octave));
       const float octaves = std::max({std::log2(b.from / yarns), std::log2(yarns / b.to), 0.0f});
       // The finest rung has no finer one to fall back to; cell is good enough only down to its own band.
       const float below = b.method == Method::kCell ? std::max(std::log2(0.25f / yarns), 0.0f) : 0.0f;
@@ -186,13 +187,16 @@ Choice cheapest(const Ladder& ladder, float yarns, float tolerance, const std::v
   return best;
 }
 
-constexpr float kLeastOctave = -6, kMostOctave = 6, kOctaveStep = 0.25f;
+constexpr int kMostStep = 24;  // from 1/64 to 64 yarns a pixel
+constexpr float kOctaveStep = 0.25f;
+
+float yarns_at(int step) { return std::exp2(kOctaveStep * static_cast<float>(step)); }
 
 std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance, const std::vector<Choice>& among) {
   std::array<float, 3> edges{1e6f, 1e6f, 1e6f};
   int rank = 3;  // the finest rung any coarser footprint needs
-  for (float octave = kMostOctave; octave >= kLeastOctave; octave -= kOctaveStep) {
-    const float yarns = std::exp2(octave);
+  for (int step = kMostStep; step >= -kMostStep; --step) {
+    const float yarns = yarns_at(step);
     const Method m = cheapest(ladder, yarns, tolerance, among).method;
     rank = std::min(rank, static_cast<int>(std::find(std::begin(kRungs), std::end(kRungs), m) - std::begin(kRungs)));
     for (int k = 0; k < rank; ++k) edges[static_cast<size_t>(k)] = yarns;
@@ -206,8 +210,8 @@ std::array<float, 8> lattice_edges(const Ladder& ladder, float tolerance, std::v
   std::array<float, 8> edges;
   edges.fill(1e6f);
   size_t enough = 0;
-  for (float octave = kLeastOctave; octave <= kMostOctave; octave += kOctaveStep) {
-    const float yarns = std::exp2(octave);
+  for (int step = -kMostStep; step <= kMostStep; ++step) {
+    const float yarns = yarns_at(step);
     const int points = cheapest(ladder, yarns, tolerance, lattices).samples;
     // From half a step before: between the two the error grows.
     while (enough + 1 < lattices.size() && lattices[enough].samples < points)

@@ -28,7 +28,7 @@ class DrawCounter {
   using Draw = std::function<bool(const CountedDraw&, const Ladder&, int pixels)>;
   /// Before this process has made any context of OpenGL; `draw` is called in the other one. Null where this
   /// kind of processor is not known.
-  static std::unique_ptr<DrawCounter> start(Draw draw);
+  static std::unique_ptr<DrawCounter> start(const Draw& draw);
   ~DrawCounter();
 
   /// Instructions a pixel: the difference of two patches, so that what is done once a draw is not in it.

@@ -187,7 +187,7 @@ DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p) {
   ImGui::Dummy({0, c.style.px(4)});
   draw_format(c, p, width);
   ImGui::EndChild();
-  const DialogAnswer answer = answered(draw_buttons(c, {"Save\xE2\x80\xA6", "Cancel"}, true));
+  DialogAnswer answer = answered(draw_buttons(c, {"Save\xE2\x80\xA6", "Cancel"}, true));
   ImGui::EndGroup();
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
   p.preview->ask(chosen_options(p), p.sheet,

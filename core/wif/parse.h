@@ -11,7 +11,7 @@
 
 namespace weftlight::wif {
 
-/// A diagnostic for each kind of finding, with a count of the further lines it concerns. Its texts are lines of
+/// A diagnostic for each kind of finding, with the further lines it concerns, or their number. Its texts are lines of
 /// UTF-8, whatever of the file they quote.
 class Findings {
  public:
@@ -27,6 +27,7 @@ class Findings {
   struct Item {
     Diagnostic diagnostic;
     int more = 0;
+    std::vector<int> lines;  // of those more, the first few, from 1
   };
   std::vector<Item> items_;
   NameIndex by_kind_;  // of items_

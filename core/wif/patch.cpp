@@ -297,8 +297,13 @@ void change_section(Patch& patch, const WifSection& section, const WifEntries* b
   }
 }
 
-/// The section's headings, keys and blank lines; comments stay.
+/// The section's headings, keys and blank lines; comments stay. Where it holds lines that were not understood, its keys
+/// alone.
 void remove_section(Patch& patch, const WifSection& section) {
+  if (!section.other_lines.empty()) {
+    for (const WifKey& key : section.keys) patch.remove_line(key.line);
+    return;
+  }
   for (const WifSection::Block& block : section.blocks) {
     for (int line = std::max(block.header, 0); line < block.end; ++line) {
       const std::string_view text = trimmed(patch.text().line(line));
@@ -371,8 +376,9 @@ std::optional<std::string> patched(const WifText& text, const std::vector<WifEnt
   }
   for (const WifEntries& section : before) {
     if (find(now, section.name)) continue;
-    if (const WifSection* lines = text.find(section.name)) remove_section(patch, *lines);
-    strike_from_contents(patch, section.name);
+    const WifSection* lines = text.find(section.name);
+    if (lines) remove_section(patch, *lines);
+    if (!lines || lines->other_lines.empty()) strike_from_contents(patch, section.name);
   }
   trim_tables(patch, "WARP", before, now);
   trim_tables(patch, "WEFT", before, now);

@@ -310,57 +310,6 @@ void read_head(const Reader& r, WifFile* info) {
   info->source_version = r.words(r.wif("Source Version"));
 }
 
-/// Sections whose lines must all be keys; others may hold free text.
-constexpr const char* kKeyedSections[] = {
-    "WIF",         "CONTENTS",     "COLOR PALETTE", "WEAVING",        "WARP",           "WEFT",
-    "TIEUP",       "COLOR TABLE",  "THREADING",     "TREADLING",      "LIFTPLAN",       "WARP COLORS",
-    "WEFT COLORS", "WARP SPACING", "WEFT SPACING",  "WARP THICKNESS", "WEFT THICKNESS", "NOTES"};
-
-void check_lines(const Reader& r) {
-  for (const int line : r.text.unclosed_headers) {
-    r.findings.warn(line, "bracket", "a section heading has no closing bracket", "read as if it had one");
-  }
-  if (r.text.second_warp_colors >= 0) {
-    r.findings.warn(r.text.second_warp_colors, {}, "a second [WARP COLORS] and no [WEFT COLORS]",
-                    "read as the colours of the weft, as Luminescence writes them");
-  }
-  for (const char* name : kKeyedSections) {
-    const WifSection* section = r.text.find(name);
-    if (!section) continue;
-    if (section->blocks.size() > 1) {
-      r.findings.warn(section->blocks[1].header, {}, "[" + section->name + "] is there more than once",
-                      "read as one section");
-    }
-    for (const int line : section->other_lines) {
-      r.findings.warn(line, "no key", "a line is neither a key, a comment nor a heading", "ignored and kept");
-    }
-  }
-}
-
-void check_contents(const Reader& r) {
-  const WifSection* contents = r.text.find("CONTENTS");
-  if (!contents) {
-    r.findings.warn(-1, {}, "there is no [CONTENTS]", "sections were found by their headings");
-    return;
-  }
-  for (const WifKey& key : contents->keys) {
-    if (word_as_bool(key.value) == true && !r.text.find(uppercase(key.key))) {
-      r.findings.warn(key.line, "missing", "[CONTENTS] lists " + std::string(key.key) + ", which is not there",
-                      "taken as absent; remove the line");
-    }
-  }
-  for (const WifSection& section : r.text.sections) {
-    if (section.name.empty() || section.name == "WIF" || section.name == "CONTENTS" || section.name == "TRANSLATIONS")
-      continue;
-    const WifKey* key = contents->find(section.name);
-    if (!key || word_as_bool(key->value) != true) {
-      r.findings.add(Severity::kNote, section.blocks.front().header, "unlisted",
-                     "[" + section.name + "] is not listed in [CONTENTS]",
-                     "read all the same; other programs may skip it");
-    }
-  }
-}
-
 bool is_usable(const WifText& text, Findings& findings) {
   const auto refuse = [&](std::string what, std::string remedy) {
     findings.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, std::move(what), std::move(remedy));
@@ -380,6 +329,9 @@ bool is_usable(const WifText& text, Findings& findings) {
 
 }  // namespace
 
+// What is odd about the lines themselves: check_lines.cpp.
+void check_lines(const WifText& text, Findings& findings);
+void check_contents(const WifText& text, Findings& findings);
 // Colours and measures of the threads: read_threads.cpp.
 void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Draft& draft, WifFile* info);
 
@@ -393,8 +345,8 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, W
   Reader r{parsed.text, findings, parsed.habits, parsed.design};
   if (!is_usable(r.text, findings)) return std::nullopt;
   read_head(r, info);
-  check_lines(r);
-  check_contents(r);
+  check_lines(r.text, findings);
+  check_contents(r.text, findings);
   const int ends = read_thread_count(r, "WARP", {"THREADING", "WARP COLORS"});
   const int picks = read_thread_count(r, "WEFT", {"TREADLING", "LIFTPLAN", "WEFT COLORS"});
   Draft& draft = r.draft();

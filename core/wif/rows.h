@@ -16,7 +16,7 @@ int row_base(const WifSection& section, int count);
 /// equal keys counts; others, and rows out of range, are reported.
 template <class Use>
 void each_row(const WifSection& section, int count, int base, Findings& findings, Use use) {
-  std::vector<std::string_view> first(static_cast<size_t>(count));
+  std::vector<const WifKey*> first(static_cast<size_t>(count), nullptr);
   for (const WifKey& key : section.keys) {
     if (key.value.empty()) continue;
     if (key.number < 0) {
@@ -32,17 +32,19 @@ void each_row(const WifSection& section, int count, int base, Findings& findings
                     "ignored; raise the count or remove the line");
       continue;
     }
-    std::string_view& before = first[static_cast<size_t>(index)];
-    if (before.data()) {
-      if (before != key.value) {
-        findings.warn(
-            key.line, section.name + " twice",
-            "[" + section.name + "] line " + std::to_string(key.number) + " is there twice, with other values",
-            "the first was used; remove one");
-      }
+    const WifKey*& before = first[static_cast<size_t>(index)];
+    if (before) {
+      const std::string what = "[" + section.name + "] line " + std::to_string(key.number) + " is there twice";
+      const std::string where = "the first, in line " + std::to_string(before->line + 1);
+      if (before->value != key.value)
+        findings.warn(key.line, section.name + " twice", what + ", with other values",
+                      where + ", was used; remove one");
+      else
+        findings.add(Severity::kNote, key.line, section.name + " again", what + " with one value",
+                     where + ", says the same; kept");
       continue;
     }
-    before = key.value;
+    before = &key;
     use(index, key);
   }
 }

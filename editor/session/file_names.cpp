@@ -10,7 +10,8 @@ std::string with_file_ending(const std::string& path, const std::string& wanted)
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == wanted || path.empty() ? path : path + wanted;
+  const bool other_wif = wanted == ".wif" && ending == ".wifw";  // as Mac programs name theirs
+  return ending == wanted || other_wif || path.empty() ? path : path + wanted;
 }
 
 }  // namespace weftlight::session

@@ -7,7 +7,7 @@
 
 namespace weftlight::session {
 
-/// "name" as "name.wif"; a path that ends in it (".wif"), in any case, as it is.
+/// "name" as "name.wif"; a path that ends in it (".wif"; drafts also in ".wifw"), in any case, as it is.
 std::string with_file_ending(const std::string& path, const std::string& ending);
 
 }  // namespace weftlight::session

@@ -223,5 +223,21 @@ TEST_F(TabsTest, KeysAreTheWeaversOwnAndKept) {
   EXPECT_TRUE(comes_true([&] { return w.has("history:0"); })) << "the old key does nothing, the new one was kept";
 }
 
+TEST_F(TabsTest, AWifwIsOpenedAndSavedUnderItsName) {
+  const fs::path mac = folder_ / "scarf.wifw", copy = folder_ / "shawl.wifw";
+  put(mac, straight_draft(20, 4));
+  Window w(display_, folder_, mac, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(paint(w, 1));
+  display_.key("ctrl+s");
+  EXPECT_TRUE(comes_true([&] { return bytes_of(mac) == w.live(); }));
+  display_.key("ctrl+shift+s");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type(copy.string());
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return bytes_of(copy) == w.live(); })) << "saved under another name";
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -32,7 +32,8 @@ TEST_F(FileDialogTest, BothAreAskedForTheSame) {
   using Words = std::vector<std::string>;
   EXPECT_EQ(asker_words(Asker::kKdialog, FileAsk::kOpen, "Open", "/drafts/", ".wif"),
             (Words{"kdialog", "--title", "Open", "--getopenfilename", "/drafts/",
-                   "Weaving drafts (*.wif *.WIF *.wifw *.dtx *.DTX *.wpo *.WPO)|WIF drafts (*.wif *.WIF)|"
+                   "Weaving drafts (*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO)|"
+                   "WIF drafts (*.wif *.WIF *.wifw *.WIFW)|"
                    "Pictures, a pixel a crossing (*.png *.PNG *.tif *.tiff *.TIF *.bmp)|All files (*)"}));
   EXPECT_EQ(asker_words(Asker::kKdialog, FileAsk::kFolder, "Folder", "", ""),
             (Words{"kdialog", "--title", "Folder", "--getexistingdirectory", "."}));

@@ -49,6 +49,14 @@ TEST(edit, threading) {
                 {"0=2\n"});
 }
 
+TEST(edit, lines_without_a_key_stay) {
+  const auto diff = [](const std::function<void(Design&)>& edit) { return diff_of("odd_lines.wif", edit); };
+  expect_change(diff([](Design& d) { d = with_threading(d, 2, 0, true); }), {"3=3\r\n"}, {"3=1\r\n"});
+  expect_change(diff([](Design& d) { d.notes.clear(); }), {"1=One\r\n", "2=Two\r\n"}, {});
+  expect_change(diff([](Design& d) { d.title = "Other"; }), {"Title=Odd lines\r\n"}, {"Title=Other\r\n"});
+  expect_change(diff([](Design& d) { d.title.clear(); }), {"Title=Odd lines\r\n"}, {});
+}
+
 TEST(edit, a_comment_behind_a_number_stays) {
   expect_change(diff_of("untidy.wif", [](Design& d) { d = with_treadling(d, 3, 0, true); }), {"4 = 4   ; a pick\n"},
                 {"4 = 1   ; a pick\n"});

@@ -158,6 +158,29 @@ TEST(read, refuses_what_is_no_draft) {
   }
 }
 
+TEST(read, odd_lines_are_listed_one_by_one) {
+  const WifRead read = read_wif(fixture("odd_lines.wif"));
+  ASSERT_TRUE(read.file);
+  EXPECT_EQ(read.file->source_program, "Weftlight") << "the first of two counts";
+  EXPECT_EQ(read.file->design.draft.treadles, 4);
+  EXPECT_EQ(cloth(read.file->design.draft), (Lines{"1100", "0110", "0011", "1001"}));
+  EXPECT_EQ(read.file->design.notes, (Lines{"One", "Two"}));
+  EXPECT_TRUE(says(read, 1, "stands before [WIF]"));
+  EXPECT_TRUE(says(read, 2, "'a line of nobody's' stands before the first heading"));
+  EXPECT_TRUE(says(read, 3, "[CONTENTS] stands before [WIF]"));
+  EXPECT_TRUE(says(read, 12, "Weaving is in [CONTENTS] a second time, as in line 4"));
+  EXPECT_TRUE(says(read, 17, "Source Program is in [WIF] a second time, with another value"));
+  EXPECT_TRUE(says(read, 20, "'written by hand' in [TEXT] has no ="));
+  EXPECT_TRUE(says(read, 25, "Shafts is in [WEAVING] a second time, as in line 22"));
+  EXPECT_TRUE(says(read, 26, "Treadles is in [WEAVING] a second time, with another value"));
+  EXPECT_TRUE(says(read, 29, "'Threads 8' in [WARP] has no ="));
+  EXPECT_TRUE(says(read, 35, "[THREADING] line 2 is there twice, with other values"));
+  EXPECT_TRUE(says(read, 36, "'3 3' in [THREADING] has no ="));
+  EXPECT_TRUE(says(read, 39, "[THREADING] line 4 is there twice with one value"));
+  EXPECT_TRUE(says(read, 45, "'4 4' in [TIEUP] has no = (and 1 more like it: line 46)"));
+  EXPECT_TRUE(says(read, 54, "in [NOTES] has no ="));
+}
+
 TEST(read, many_like_warnings_are_one) {
   std::string bytes = "[WARP]\nThreads=1\n[WEFT]\nThreads=1\n[THREADING]\n";
   for (int i = 1; i < 1000; ++i) bytes += std::to_string(i) + "=1\n";

@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "base/files.h"
-#include "commands/chart_bench.h"
-#include "commands/chart_figures.h"
+#include "commands/chart/bench.h"
+#include "commands/chart/figures.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
 
@@ -212,9 +212,8 @@ class Run {
 std::unique_ptr<DrawCounter> start_counter(const ChartEffort& effort) {
   return DrawCounter::start([effort, bench = std::shared_ptr<ChartBench>()](const CountedDraw& what,
                                                                             const Ladder& ladder, int pixels) mutable {
-    int code = kDone;
     std::string error;
-    if (!bench) bench = ChartBench::create(effort, nullptr, code, error);
+    if (!bench) bench = ChartBench::create(effort, nullptr, error);
     return bench && bench->draw_counted(what, ladder, pixels);
   });
 }
@@ -228,11 +227,9 @@ int chart_command(const ChartOptions& options) {
     return fail(kNotWritten, options.out + ": the folder cannot be made");
   ChartEffort effort = chart_effort(options.quick);
   effort.count_instructions = options.count;
-  int code = kDone;
   std::string error;
-  const auto bench =
-      ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, code, error);
-  if (!bench) return fail(code, error);
+  const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, error);
+  if (!bench) return fail(kNoGraphics, error);
   return Run(*bench, options.out).all();
 }
 

@@ -9,12 +9,12 @@
 #include <iterator>
 #include <set>
 
-#include "commands/chart_counter.h"
-#include "commands/chart_error.h"
-#include "commands/chart_rows.h"
-#include "commands/chart_scene.h"
+#include "commands/chart/counter.h"
+#include "commands/chart/error.h"
+#include "commands/chart/flip.h"
+#include "commands/chart/rows.h"
+#include "commands/chart/scene.h"
 #include "commands/commands.h"
-#include "commands/flip.h"
 #include "draft/generators.h"
 #include "gl/context.h"
 

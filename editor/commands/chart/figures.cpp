@@ -1,4 +1,4 @@
-#include "commands/chart_figures.h"
+#include "commands/chart/figures.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "base/files.h"
-#include "commands/chart_plot.h"
-#include "commands/chart_scene.h"
+#include "commands/chart/plot.h"
+#include "commands/chart/scene.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 using namespace plot;
@@ -322,4 +322,4 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
   return {};
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -1,9 +1,9 @@
-#include "commands/chart_error.h"
+#include "commands/chart/error.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 using Span = std::span<const glm::vec3>;
@@ -80,4 +80,4 @@ Pixels box_average(Span samples, int width, int height, int nx, int ny) {
   return means;
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

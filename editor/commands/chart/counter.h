@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
-#include "commands/names.h"
+#include "commands/chart/names.h"
 #include "light/ladder.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 struct CountedDraw {
   size_t scene = 0;
@@ -40,4 +40,4 @@ class DrawCounter {
   int line_ = -1;  // this end of it
 };
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

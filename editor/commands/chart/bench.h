@@ -8,17 +8,17 @@
 #include <tuple>
 #include <vector>
 
-#include "commands/chart_counter.h"
-#include "commands/chart_error.h"
-#include "commands/chart_rows.h"
-#include "commands/chart_scene.h"
-#include "commands/names.h"
+#include "commands/chart/counter.h"
+#include "commands/chart/error.h"
+#include "commands/chart/names.h"
+#include "commands/chart/rows.h"
+#include "commands/chart/scene.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
 #include "upload/packed_maps.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 /// The traced patch, twice, with other random numbers.
 struct Truth {
@@ -32,8 +32,8 @@ struct LightRow {
 
 class ChartBench {
  public:
-  /// Null with the exit code and `error` set: no graphics. counter: counts instructions, if there is one.
-  static std::unique_ptr<ChartBench> create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter, int& code,
+  /// Null with `error` set: no graphics. counter: counts instructions, if there is one.
+  static std::unique_ptr<ChartBench> create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter,
                                             std::string& error);
 
   /// Methods that the renderer draws as themselves.
@@ -95,4 +95,4 @@ class ChartBench {
 /// Texture memory that a method reads, both faces.
 double method_bytes(const PackedCloth& cloth, Method method);
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

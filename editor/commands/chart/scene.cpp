@@ -1,9 +1,9 @@
-#include "commands/chart_scene.h"
+#include "commands/chart/scene.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 constexpr double kViewAzimuth = -73, kLightAzimuth = 35, kLightTilt = 40;  // degrees; 0 is along the weft
@@ -52,4 +52,4 @@ FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& e
   return grid;
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -1,4 +1,4 @@
-#include "commands/chart_rows.h"
+#include "commands/chart/rows.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 std::string number(double v) {
@@ -194,4 +194,4 @@ std::string ladder_csv(const Ladder& ladder) {
   return text;
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

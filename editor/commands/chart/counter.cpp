@@ -1,4 +1,4 @@
-#include "commands/chart_counter.h"
+#include "commands/chart/counter.h"
 
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <type_traits>
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 constexpr int kSmall = 4, kLarge = 12;  // pixels along the sides of both patches
@@ -110,4 +110,4 @@ std::optional<double> DrawCounter::per_pixel(const CountedDraw& what, const Ladd
   return static_cast<double>(steps[1] - steps[0]) / (kLarge * kLarge - kSmall * kSmall);
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "commands/names.h"
+#include "commands/chart/names.h"
 
-namespace weftlight::commands::plot {
+namespace weftlight::chart::plot {
 
 struct Ink {
   double r = 0, g = 0, b = 0;
@@ -66,4 +66,4 @@ std::string write_figure(const Figure& figure, const std::string& base);
 /// The least and greatest power-of-ten bounds with some room around the values.
 void fit_log(Axis& axis, const std::vector<double>& values);
 
-}  // namespace weftlight::commands::plot
+}  // namespace weftlight::chart::plot

@@ -1,4 +1,4 @@
-#include "commands/chart_plot.h"
+#include "commands/chart/plot.h"
 
 #include <cairo-svg.h>
 #include <cairo.h>
@@ -10,7 +10,7 @@
 
 #include "base/files.h"
 
-namespace weftlight::commands::plot {
+namespace weftlight::chart::plot {
 namespace {
 
 constexpr double kLeft = 52, kRight = 56, kTop = 30, kBottom = 44;  // room around the square of a panel
@@ -318,4 +318,4 @@ void fit_log(Axis& axis, const std::vector<double>& values) {
   axis.from = least / 1.25, axis.to = most * 1.25;
 }
 
-}  // namespace weftlight::commands::plot
+}  // namespace weftlight::chart::plot

@@ -1,4 +1,4 @@
-#include "commands/chart_bench.h"
+#include "commands/chart/bench.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include <sstream>
 #include <thread>
 
-#include "commands/commands.h"
-#include "commands/flip.h"
+#include "base/files.h"
+#include "commands/chart/flip.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
 #include "gl/shader_program.h"
@@ -21,8 +21,9 @@
 #include "upload/rung_shares.h"
 #include "upload/shipped_ladder.h"
 #include "upload/stages.h"
+#include "wif/other_formats.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 constexpr glm::vec3 kIrradiance{kKeyIrradiance};
@@ -120,14 +121,14 @@ double method_bytes(const PackedCloth& cloth, Method method) {
 }
 
 std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter,
-                                               int& code, std::string& error) {
+                                               std::string& error) {
   std::unique_ptr<ChartBench> bench(new ChartBench);
   bench->effort_ = effort;
   bench->counter_ = std::move(counter);
   bench->context_ = HeadlessContext::create(error);
   if (bench->context_) bench->renderer_ = Renderer::create(error);
   if (!bench->renderer_) {
-    code = kNoGraphics, error = "no graphics: " + error;
+    error = "no graphics: " + error;
     return nullptr;
   }
   bench->use_ladder(shipped_ladder().ladder);
@@ -160,18 +161,19 @@ std::string ChartBench::fingerprint() const {
 ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   std::unique_ptr<Loaded>& slot = loaded_[scene];
   if (slot) return slot.get();
-  OpenedDesign opened = open_design(presets_dir() + "/drafts/" + kChartScenes[scene].preset);
-  if (!opened.ok) {
+  const WifRead read = read_draft(read_file(presets_dir() + "/drafts/" + kChartScenes[scene].preset).bytes);
+  if (!read.file) {
     error = std::string(kChartScenes[scene].preset) + ": the preset cannot be read";
     return nullptr;
   }
   auto made = std::make_unique<Loaded>();
-  opened.design.look.method = Method::kVrst03;  // the only one that asks for maps of its own
+  Design design = read.file->design;
+  design.look.method = Method::kVrst03;  // the only one that asks for maps of its own
   Stages stages;
-  stages.update(std::make_shared<const Design>(opened.design));
+  stages.update(std::make_shared<const Design>(design));
   made->packed = stages.packed();
-  const BitMatrix cells = drawdown(opened.design.draft);
-  made->cloth = lay_out(opened.design, cells, Face::kFront, choose_period(opened.design, cells));
+  const BitMatrix cells = drawdown(design.draft);
+  made->cloth = lay_out(design, cells, Face::kFront, choose_period(design, cells));
   slot = std::move(made);
   return slot.get();
 }
@@ -430,4 +432,4 @@ std::optional<double> ChartBench::brightness(size_t scene, double view_deg, std:
          white;
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -5,10 +5,10 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "commands/names.h"
+#include "commands/chart/names.h"
 #include "light/ladder.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 struct ChartScene {
   const char* name;
@@ -72,4 +72,4 @@ struct FineGrid {
 };
 FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& effort);
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

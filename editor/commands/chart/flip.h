@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 /// A desktop screen: 0.7 m away, 0.7 m wide, 3,840 pixels.
 inline constexpr double kPixelsADegree = 67.0206;
@@ -16,4 +16,4 @@ inline constexpr double kPixelsADegree = 67.0206;
 double flip_error(std::span<const glm::vec3> picture, std::span<const glm::vec3> truth, int width, int height,
                   double pixels_a_degree = kPixelsADegree);
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "commands/names.h"
+#include "commands/chart/names.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 using Pixels = std::vector<glm::vec3>;
 
@@ -31,4 +31,4 @@ double flicker_of(const std::vector<Pixels>& pans);
 /// Means of blocks of nx x ny samples; width and height are whole blocks.
 Pixels box_average(std::span<const glm::vec3> samples, int width, int height, int nx, int ny);
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

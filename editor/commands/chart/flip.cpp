@@ -1,11 +1,11 @@
-#include "commands/flip.h"
+#include "commands/chart/flip.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 namespace {
 
 using glm::dvec2;
@@ -150,4 +150,4 @@ double flip_error(std::span<const glm::vec3> picture, std::span<const glm::vec3>
   return sum / (static_cast<double>(width) * height);
 }
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "commands/chart_rows.h"
-#include "commands/names.h"
+#include "commands/chart/names.h"
+#include "commands/chart/rows.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 /// Reflected light over a white Lambertian's, by view angle.
 struct Brightness {
@@ -25,4 +25,4 @@ struct TruthNoise {
 std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
                                 const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise);
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/names.h"
+#include "commands/chart/names.h"
 #include "light/ladder.h"
 
-namespace weftlight::commands {
+namespace weftlight::chart {
 
 struct ChartRow {
   std::string scene;
@@ -51,4 +51,4 @@ Ladder ladder_of(const std::vector<ChartRow>& rows);
 /// In the form of presets/ladder.csv (core/light/ladder.h, read_ladder).
 std::string ladder_csv(const Ladder& ladder);
 
-}  // namespace weftlight::commands
+}  // namespace weftlight::chart

@@ -25,6 +25,9 @@ constexpr int64_t kMaxValues = int64_t{1} << 29;  // 2 GiB of floats
 constexpr float kMaxHalf = 65504.0f;
 // zlib level of PNG. 2048^2 RGBA8: level 1 takes 0.5 s, OpenImageIO's own 6 takes 1.9 s for files 10 % smaller.
 constexpr int kPngLevel = 1;
+// Each row less the one above. Of our maps at 2048^2, libpng's choice among five filters takes twice the time of level
+// 1 for files as long (normal map: 112 against 64 ms, 1560 against 1573 KB).
+constexpr int kPngFilterUp = 32;
 
 std::string check_shape(const Image& image) {
   const int64_t values = int64_t{image.width} * image.height * image.channels;
@@ -42,8 +45,10 @@ template <class T>
 std::vector<T> quantised(const std::vector<float>& values) {
   constexpr float top = static_cast<float>(static_cast<T>(~T{0}));
   std::vector<T> out(values.size());
-  std::transform(values.begin(), values.end(), out.begin(),
-                 [](float v) { return static_cast<T>(v > 0 ? std::min(v, 1.0f) * top + 0.5f : 0.0f); });
+  std::transform(
+      values.begin(), values.end(), out.begin(),
+      // By way of int, which processors convert to several at a time.
+      [](float v) { return static_cast<T>(static_cast<int>(v > 0 ? std::min(v, 1.0f) * top + 0.5f : 0.0f)); });
   return out;
 }
 
@@ -78,6 +83,7 @@ OIIO::ImageSpec spec_for(const Image& image, PixelType type, const Names& names 
   OIIO::ImageSpec spec(image.width, image.height, image.channels, type_desc(type));
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("png:compressionLevel", kPngLevel);
+  spec.attribute("png:filter", kPngFilterUp);
   if (!names.empty()) {
     spec.channelnames = names;
     const auto alpha = std::find(names.begin(), names.end(), "A");

@@ -34,9 +34,9 @@ class FaceSource {
   const Cloth& cloth() const { return cloth_; }
   /// The whole face, at most 1024 texels a side.
   const Surface& small() const { return small_; }
-  /// Rows [y0, y1) of the full size, without horizons.
+  /// Rows [y0, y1) of the full size, without horizons; made by the caller's thread alone.
   Surface rows(int y0, int y1) const;
-  /// Rows that fit into memory at a time; a power of two that divides the height.
+  /// Rows that are made at a time; a power of two that divides the height.
   int band() const { return band_; }
   const EngineFit& fit() const { return fit_; }
   const std::vector<EngineCheck>& checks() const { return checks_; }
@@ -48,10 +48,10 @@ class FaceSource {
  private:
   void measure(const Maps& maps);
   void take_footprints();
-  void take_footprint(SurfaceTexel& texel, float u, float v) const;
+  void take_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void take_means();
   void take_range();
-  void finish(Surface& surface, int y0) const;
+  void finish(Surface& surface, int y0, int threads) const;
   Surface piece(int x0, int x1, int y0, int y1) const;
 
   Cloth cloth_;
@@ -59,8 +59,7 @@ class FaceSource {
   int factor_ = 1, band_ = 1;
   Surface small_, whole_;   // whole_: empty where the face is too large for one piece
   Plane<float> occlusion_;  // of the coarse maps; empty: each piece finds its own
-  // Of the footprints: covariance of their facets, and xx of their grain.
-  Plane<glm::vec4> footprints_;
+  Plane<glm::vec3> footprints_;  // covariance of their facets, as the fit scales it
   float share_ = 0;  // how far a texel takes the lobe of its footprint for its own
   EngineFit fit_;
   std::vector<EngineCheck> checks_;

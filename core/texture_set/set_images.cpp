@@ -76,6 +76,7 @@ void for_all(size_t count, const Job& job) {
 class Mips {
  public:
   explicit Mips(bool wanted) : wanted_(wanted) {}
+  bool wanted() const { return wanted_; }
   void add(const Surface& band) {
     if (!wanted_) return;
     Surface level = band;
@@ -154,6 +155,19 @@ void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, cons
   set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(image)});
 }
 
+/// Some rows of the face: those of every image, and the surface where it is wanted further.
+struct PackedBand {
+  std::vector<Image> images;
+  Surface surface;
+};
+
+PackedBand packed_band(std::span<const ImageRow> rows, Surface surface, bool keep) {
+  PackedBand out;
+  for (const ImageRow& row : rows) out.images.push_back(pack(row, surface, 1));
+  if (keep) out.surface = std::move(surface);
+  return out;
+}
+
 /// The images of the table and, for `raw`, what their mips are made of.
 void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, Mips& mips) {
   const std::span<const ImageRow> rows = image_rows(set.target);
@@ -171,11 +185,21 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     }
     return !set.problem.empty();
   };
-  for (int y = 0; y < size.height; y += source.band()) {
-    const Surface band = source.rows(y, y + source.band());
-    for_all(rows.size(), [&](size_t i) { problems[i] = images[i]->add(pack(rows[i], band)); });
+  // A band a core, then an image a core, which takes them in their order.
+  const size_t most = static_cast<size_t>(core_count());
+  std::vector<PackedBand> bands;
+  for (int y = 0; y < size.height; y += source.band() * static_cast<int>(bands.size())) {
+    bands.resize(std::min(most, static_cast<size_t>((size.height - y) / source.band())));
+    for_all(bands.size(), [&](size_t b) {
+      const int y0 = y + static_cast<int>(b) * source.band();
+      bands[b] = packed_band(rows, source.rows(y0, y0 + source.band()), mips.wanted());
+    });
+    for_all(rows.size(), [&](size_t i) {
+      for (const PackedBand& band : bands)
+        if (problems[i].empty()) problems[i] = images[i]->add(band.images[i]);
+    });
     if (first_problem()) return;
-    mips.add(band);
+    for (const PackedBand& band : bands) mips.add(band.surface);
   }
   for_all(rows.size(), [&](size_t i) { problems[i] = images[i]->close(); });
   first_problem();

@@ -173,14 +173,18 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
   return out;
 }
 
-Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height) {
+Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads) {
   const int block_x = maps.colour.width / width, block_y = maps.colour.height / height;
   assert(block_x * width == maps.colour.width && block_y * height == maps.colour.height);
   Surface out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
   const std::vector<YarnFacts> yarns = facts_of(cloth.yarns);
-  for_each_job(height, [&](int y) {
+  for_each_job(height, threads, [&](int y) {
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
     for (int x = 0; x < width; ++x) {
+      if (parts.size() == 1) {
+        out.texels.at(x, y) = sample(cloth, yarns, maps, x, y);
+        continue;
+      }
       size_t n = 0;
       for (int j = 0; j < block_y; ++j) {
         for (int i = 0; i < block_x; ++i) parts[n++] = sample(cloth, yarns, maps, x * block_x + i, y * block_y + j);

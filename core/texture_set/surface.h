@@ -41,7 +41,7 @@ struct Surface {
 };
 
 /// Means over blocks of texels; the sizes of `maps` are multiples of `width` and `height`.
-Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height);
+Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads = 0);
 
 /// The next mip: half as many texels a side (at least 1). Sizes are powers of two.
 Surface half_of(const Surface& fine);

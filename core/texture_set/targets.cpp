@@ -126,7 +126,27 @@ const TargetRow kTargets[] = {
 
 const TargetRow& target_row(Target target) { return kTargets[static_cast<size_t>(target)]; }
 
-float encoded(float linear, bool srgb) { return srgb ? srgb_encoded(std::clamp(linear, 0.0f, 1.0f)) : linear; }
+/// The sRGB curve between so many places: to 0.0004, a tenth of a step of 8 bits.
+class SrgbTable {
+ public:
+  SrgbTable() {
+    for (size_t i = 0; i < at_.size(); ++i) at_[i] = srgb_encoded(static_cast<float>(i) / kSteps);
+  }
+  float encoded(float linear) const {
+    const float x = std::clamp(linear, 0.0f, 1.0f) * kSteps;
+    const size_t i = std::min(static_cast<size_t>(x), at_.size() - 2);
+    return at_[i] + (at_[i + 1] - at_[i]) * (x - static_cast<float>(i));
+  }
+
+ private:
+  static constexpr float kSteps = 4096;
+  std::array<float, 4097> at_;
+};
+
+float encoded(float linear, bool srgb) {
+  static const SrgbTable table;
+  return srgb ? table.encoded(linear) : linear;
+}
 
 float half_range(float v) { return 0.5f + 0.5f * v; }
 
@@ -153,7 +173,28 @@ float turn_of(const std::array<float, 2>& axis) {
   return turn < 0 ? turn + 0.5f : std::min(turn, 0.5f);
 }
 
-float value(Channel channel, const SurfaceTexel& t, bool srgb, const Surface& surface) {
+/// Reads ggx_alphas().
+bool needs_alphas(Channel channel) {
+  switch (channel) {
+    case kOpenPbrRoughness:
+    case kOpenPbrAnisotropy:
+    case kTurn:
+    case kDetailSmoothness:
+    case kRoughness:
+    case kSmoothness:
+    case kRoughnessNarrow:
+    case kWideX:
+    case kWideY:
+    case kGltfAnisotropy:
+    case kAspectAnisotropy:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// alphas: of the texel, where the channel needs them.
+float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const Surface& surface) {
   switch (channel) {
     case kNone:
       return 0;
@@ -162,13 +203,11 @@ float value(Channel channel, const SurfaceTexel& t, bool srgb, const Surface& su
     case kMiddle:
       return 0.5f;
     case kOpenPbrRoughness:
-      return openpbr_roughness(ggx_alphas(t));
-    case kOpenPbrAnisotropy: {
-      const GgxAlphas a = ggx_alphas(t);
-      return a.wide > 0 ? 1 - a.narrow / a.wide : 0.0f;
-    }
+      return openpbr_roughness(alphas);
+    case kOpenPbrAnisotropy:
+      return alphas.wide > 0 ? 1 - alphas.narrow / alphas.wide : 0.0f;
     case kTurn:
-      return turn_of(ggx_alphas(t).wide_axis);
+      return turn_of(alphas.wide_axis);
     case kHeightShare:
       return (t.height_mm - surface.low_mm) / std::max(surface.high_mm - surface.low_mm, 1e-6f);
     case kDetailNormalX:
@@ -176,7 +215,7 @@ float value(Channel channel, const SurfaceTexel& t, bool srgb, const Surface& su
     case kDetailNormalY:
       return half_range(-t.normal[1]);
     case kDetailSmoothness:
-      return half_range(1 - round_roughness(ggx_alphas(t)) - surface.smoothness);
+      return half_range(1 - round_roughness(alphas) - surface.smoothness);
     case kDetailOcclusion:
       return t.occlusion;
     case kSheenHueR:
@@ -198,11 +237,11 @@ float value(Channel channel, const SurfaceTexel& t, bool srgb, const Surface& su
     case kMetal:
       return t.metal;
     case kRoughness:
-      return round_roughness(ggx_alphas(t));
+      return round_roughness(alphas);
     case kSmoothness:
-      return 1 - round_roughness(ggx_alphas(t));
+      return 1 - round_roughness(alphas);
     case kRoughnessNarrow:
-      return std::sqrt(ggx_alphas(t).narrow);
+      return std::sqrt(alphas.narrow);
     case kRoughnessAlong:
       return std::sqrt(ggx_along_across(t)[0]);
     case kRoughnessAcross:
@@ -222,13 +261,13 @@ float value(Channel channel, const SurfaceTexel& t, bool srgb, const Surface& su
     case kFibreZ:
       return half_range(t.fibre[2]);
     case kWideX:
-      return half_range(ggx_alphas(t).wide_axis[0]);
+      return half_range(alphas.wide_axis[0]);
     case kWideY:
-      return half_range(ggx_alphas(t).wide_axis[1]);
+      return half_range(alphas.wide_axis[1]);
     case kGltfAnisotropy:
-      return gltf_strength(ggx_alphas(t));
+      return gltf_strength(alphas);
     case kAspectAnisotropy:
-      return aspect_anisotropy(ggx_alphas(t));
+      return aspect_anisotropy(alphas);
     case kSheenR:
       return encoded(t.sheen.r, srgb);
     case kSheenG:
@@ -437,19 +476,21 @@ const char* exr_name(Channel channel) {
   }
 }
 
-Image pack(const ImageRow& row, const Surface& surface) {
+Image pack(const ImageRow& row, const Surface& surface, int threads) {
   const int width = surface.texels.width, height = surface.texels.height;
   const auto end = std::find(row.channels.begin(), row.channels.end(), kNone);
   const int channels = static_cast<int>(end - row.channels.begin());
   Image image{
       width, height, channels,
       std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
-  for_each_job(height, [&](int y) {
+  const bool lobes = std::any_of(row.channels.begin(), end, needs_alphas);
+  for_each_job(height, threads, [&](int y) {
     const SurfaceTexel* texel = surface.texels.row(y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
     for (int x = width - 1; x >= 0; --x) {
+      const GgxAlphas alphas = lobes ? ggx_alphas(texel[x]) : GgxAlphas{};
       for (int c = 0; c < channels; ++c)
-        *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], row.srgb, surface);
+        *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], alphas, row.srgb, surface);
     }
   });
   return image;

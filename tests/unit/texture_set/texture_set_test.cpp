@@ -389,6 +389,25 @@ TEST(TextureSet, BandsAreTheWholeCutUp) {
   EXPECT_LT(apart(a, last, b, 0), 1.5 * within + 1);
 }
 
+TEST(TextureSet, OneSampleATexelWillDoWhereThreadsAreWide) {
+  const Design design = twill({2, 2}, Lean::kRight, {8, 8});
+  const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
+  const int size = 64 * static_cast<int>(cloth.ends.size());  // the least that is sampled once a texel
+  const Surface once = make_surface(cloth, bake(cloth, {size, size, 0}), size, size);
+  const Surface often = make_surface(cloth, bake(cloth, {4 * size, 4 * size, 0}), size, size);
+  double colour = 0, normal = 0, mean = 0;
+  for (size_t i = 0; i < once.texels.at_.size(); ++i) {
+    const SurfaceTexel &a = once.texels.at_[i], &b = often.texels.at_[i];
+    colour += std::pow(static_cast<double>(a.base.g - b.base.g), 2.0);
+    normal += static_cast<double>(glm::dot(a.normal - b.normal, a.normal - b.normal)) / 3;
+    mean += static_cast<double>(a.base.g - b.base.g);
+  }
+  const double count = static_cast<double>(once.texels.at_.size());
+  EXPECT_LT(std::sqrt(colour / count), 0.04);
+  EXPECT_LT(std::sqrt(normal / count), 0.07);  // twice what an image of 0..1 holds
+  EXPECT_NEAR(mean / count, 0, 5e-4);
+}
+
 TEST(TextureSet, BothFacesHaveTheirOwnImages) {
   const Scratch scratch("faces");
   Design design = twill({3, 1}, Lean::kRight, {8, 8});  // warp-faced; its back shows the weft

@@ -28,7 +28,8 @@ void for_each_crossing(const Selection& s, int a, int b, const BitMatrix& cells,
   for (int pick = s.b0; pick < s.b1; ++pick)
     for (int end = s.a0; end < s.a1; ++end) {
       const bool up = cells.get(pick - b, end - a);
-      if (up || write != Write::kAdd) visit(end, pick, up);
+      const bool leaves = write == Write::kAdd || write == Write::kErase;
+      if (up || !leaves) visit(end, pick, up && write != Write::kErase);
     }
 }
 

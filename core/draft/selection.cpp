@@ -69,7 +69,8 @@ void write_bits(BitMatrix& m, const Selection& s, int a, int b, const BitMatrix&
   for (int y = s.b0; y < s.b1; ++y)
     for (int x = s.a0; x < s.a1; ++x) {
       const bool on = cells.get(y - b, x - a);
-      if (on || write != Write::kAdd) m.set(by_column ? x : y, by_column ? y : x, on);
+      const bool leaves = write == Write::kAdd || write == Write::kErase;
+      if (on || !leaves) m.set(by_column ? x : y, by_column ? y : x, on && write != Write::kErase);
     }
 }
 

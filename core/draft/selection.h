@@ -32,6 +32,7 @@ enum class Write {
   kInside,   // its rectangle becomes the block, and nothing else changes
   kThreads,  // also an end (pick) that gets a mark leaves the shafts (treadles) outside: as painting does
   kAdd,      // only marks are added
+  kErase,    // where the block has marks, those that are there go
 };
 
 int columns_of(const Draft& draft, BitGrid grid);

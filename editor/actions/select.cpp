@@ -112,8 +112,9 @@ void delete_threads(Desk& e) {
   select_cells(e.view().select, {});
 }
 
-/// One thing at a time: the drag, the block in hand, the selection.
+/// One thing at a time: the shape being drawn, the drag, the block in hand, the selection.
 void let_go(Desk& e) {
+  if (e.view().shape) return e.view().shape.reset();
   SelectState& s = e.view().select;
   if (s.drag == SelectDrag::kNone) {
     escape(s);
@@ -135,7 +136,7 @@ void add_clipboard(Actions& all) {
   on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads))
       .enabled = has_threads;
   add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const Desk& e) {
-    return has_selection(e) || has_block(e);
+    return has_selection(e) || has_block(e) || e.view().shape;
   };
 }
 
@@ -307,12 +308,27 @@ void add_keys(Actions& all) {
 
 void add_tools(Actions& all) {
   const auto tool = [&all](const char* id, const char* label, const char* key, Tool to) {
-    Action& a = add(all, "Edit", id, label, key, [to](Desk& e) { e.view().select.tool = to; });
+    Action& a = add(all, "Edit", id, label, key, [to](Desk& e) {
+      e.view().select.tool = to;
+      e.view().shape.reset();
+    });
     a.checked = [to](const Desk& e) { return e.view().select.tool == to; };
+    a.item.submenu = "Tools";
     return &a;
   };
   tool("tool_paint", "Paint tool", "P", Tool::kPaint)->item.group = true;
   tool("tool_select", "Select tool", "S", Tool::kSelect);
+  tool("tool_line", "Line tool", "L", Tool::kLine);
+  tool("tool_rectangle", "Rectangle tool", "U", Tool::kRectangle);
+  tool("tool_filled", "Filled rectangle tool", "Shift+U", Tool::kFilledRectangle);
+  tool("tool_fill", "Fill tool", "G", Tool::kFill);
+  const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
+    Action& a = add(all, "Edit", id, label, key, [on](Desk& e) { e.view().*on = !(e.view().*on); });
+    a.checked = [on](const Desk& e) { return e.view().*on; };
+    a.item.submenu = "Symmetric pen";
+  };
+  mirror("mirror_ends", "Draw mirrored across the ends", "M", &DocumentView::mirror_ends);
+  mirror("mirror_picks", "Draw mirrored across the picks", "Shift+M", &DocumentView::mirror_picks);
 }
 
 }  // namespace

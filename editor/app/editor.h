@@ -93,7 +93,7 @@ class Editor : public Desk {
  private:
   void frame();
   void draw_window();
-  void draw_panels(PanelContext& c, float tabs_height);
+  void draw_panels(PanelContext& c, float tabs_height, const std::vector<ActionItem>& items);
   std::vector<Tab> tabs_of() const;
   /// What the weaver does with them, to be done once the frame is through.
   TabWish draw_tabs(PanelContext& c, float height);

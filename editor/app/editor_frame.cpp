@@ -182,7 +182,7 @@ void Editor::draw_window() {
   wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
   const float tabs_height = tab_strip_height(style_, session_.all().size());
   const TabWish wish = draw_tabs(c, tabs_height);
-  draw_panels(c, tabs_height);
+  draw_panels(c, tabs_height, items);
   wanted.add_action(draw_selection_menu(c, items));
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
@@ -256,7 +256,7 @@ void Editor::carry_out(const TabWish& wish) {
   look_at_file();
 }
 
-void Editor::draw_panels(PanelContext& c, float tabs_height) {
+void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<ActionItem>& items) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
@@ -267,7 +267,7 @@ void Editor::draw_panels(PanelContext& c, float tabs_height) {
     return draw_status(c, l);
   }
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_draft_header(c, document().name());
+  draw_draft_header(c, document().name(), items);
   draw_draft(c, cell_texture_);
   ImGui::End();
   draw_splitter(c, l);

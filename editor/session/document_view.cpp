@@ -28,6 +28,7 @@ void follow_document(DocumentView& v, const Document& document) {
   const Design& d = document.now();
   follow_design(v.select, d, document.revision());
   limit_choice(v.chosen, d.draft);
+  if (v.shape && !is_shown(d.draft, *bit_grid_of(v.shape->grid))) v.shape.reset();
   v.color = std::clamp(v.color, 0, static_cast<int>(d.draft.palette.size()) - 1);
   v.yarn = std::clamp(v.yarn, 0, static_cast<int>(d.yarns.size()) - 1);
 }

@@ -3,6 +3,7 @@
 // painted with. It is not saved, but for the camera where the weaver keeps it with the draft.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "draft/design.h"
@@ -38,6 +39,14 @@ struct Stroke {
   Cell last;
 };
 
+/// A line or rectangle on its way: drawn as a ghost until it is let go.
+struct ShapeInHand {
+  Tool tool = Tool::kLine;
+  GridId grid = GridId::kNone;
+  Cell from, to;
+  bool on = true;
+};
+
 struct DocumentView {
   float pitch = 0;  // pixels a thread; 0: choose so that the draft fits
   float scroll_end = 0, scroll_pick = 0, scroll_shaft = 0, scroll_treadle = 0;
@@ -53,6 +62,8 @@ struct DocumentView {
   std::shared_ptr<const OtherDraft> other;  // that it is held against; null: none
   int place = -1;                           // of those that differ, last shown
   Stroke stroke;
+  std::optional<ShapeInHand> shape;
+  bool mirror_ends = false, mirror_picks = false;  // what is drawn is drawn mirrored, too
   AtLoom at_loom;
   SelectState select;
   ThreadChoice chosen;           // what the Threads panel is about

@@ -108,10 +108,12 @@ Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
   }
 }
 
-Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only) {
+Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror) {
   constexpr const char* kSpoken[] = {"", "threading", "tie-up", "treadling", "liftplan", "drawdown", "", ""};
   Edit edit{std::string("Paint ") + kSpoken[static_cast<int>(grid)], [=](Design design) {
-              for (const Cell& at : line_of_cells(from, to)) design = with_cell(std::move(design), grid, at, on, only);
+              for (const Cell& at : line_of_cells(from, to))
+                for (const Cell& image : images_of(mirror, grid, at))
+                  design = with_cell(std::move(design), grid, image, on, only);
               return design;
             }};
   edit.why = [=](const Design& design) {
@@ -124,15 +126,16 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only) {
   return edit;
 }
 
-Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index) {
+Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror) {
   const System system = grid == GridId::kWarpColors ? System::kWarp : System::kWeft;
   const std::string label = what == BarPaint::kColor ? "Colour threads" : "Choose yarn of threads";
   return {label, [=](Design design) {
-            for (const Cell& at : line_of_cells(from, to)) {
-              const int thread = system == System::kWarp ? at.a : at.b;
-              design = what == BarPaint::kColor ? with_thread_color(std::move(design), system, thread, index)
-                                                : with_thread_yarn(std::move(design), system, thread, index);
-            }
+            for (const Cell& at : line_of_cells(from, to))
+              for (const Cell& image : images_of(mirror, grid, at)) {
+                const int thread = system == System::kWarp ? image.a : image.b;
+                design = what == BarPaint::kColor ? with_thread_color(std::move(design), system, thread, index)
+                                                  : with_thread_yarn(std::move(design), system, thread, index);
+              }
             return design;
           }};
 }

@@ -7,6 +7,7 @@
 #include "draft/edits.h"
 #include "session/document_view.h"
 #include "session/edit.h"
+#include "session/mirror.h"
 #include "session/names.h"
 
 namespace weftlight::session {
@@ -20,10 +21,10 @@ bool is_on(const Draft& draft, const BitMatrix& cells, GridId grid, Cell at);
 /// One cell of a grid set. `only`: a thread keeps no other shaft or treadle.
 Design with_cell(Design design, GridId grid, Cell at, bool on, bool only);
 
-/// The edit of a stroke that moved from one cell to the next.
-Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only);
+/// The edit of a stroke that moved from one cell to the next, and of its images.
+Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror = {});
 /// The same on a colour bar: every thread passed takes the colour (or the yarn).
-Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index);
+Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror = {});
 
 /// A sentence on the cell under the pointer: "End 12 on shaft 3". Empty when there is none.
 std::string describe(const Design& design, const BitMatrix& cells, GridId grid, Cell at);

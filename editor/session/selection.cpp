@@ -188,7 +188,10 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
 }
 
 std::string missed_text(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
-  const int64_t missed = grid == BitGrid::kDrawdown ? missed_cells(d, grid, a, b, cells) : 0;
+  return missed_text(grid == BitGrid::kDrawdown ? missed_cells(d, grid, a, b, cells) : 0);
+}
+
+std::string missed_text(int64_t missed) {
   if (missed == 0) return {};
   return "; " + std::to_string(missed) + (missed == 1 ? " crossing" : " crossings") +
          " could not follow: ends on the same shafts rise together";

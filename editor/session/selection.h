@@ -52,6 +52,8 @@ MaybeEdit drop_block(SelectState& state, const Design& design, bool keep);
 /// "; 3 crossings could not follow: ..." when a block in the drawdown asks more than the threading can do; else
 /// empty.
 std::string missed_text(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
+/// The same of so many crossings.
+std::string missed_text(int64_t crossings);
 /// "8 ends x 4 shafts".
 std::string size_text(BitGrid grid, int columns, int rows);
 /// What is selected or in hand, and what can be done with it; empty for neither.

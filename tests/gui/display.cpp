@@ -132,10 +132,17 @@ void Display::move(Point to) const { hand("mousemove " + at(to)); }
 
 void Display::click(Point where) const { drag({where}); }
 
-void Display::drag(const std::vector<Point>& along) const {
+void Display::drag(const std::vector<Point>& along, const std::string& then) const {
   std::string words = "mousemove " + at(along.front()) + pause() + "mousedown 1" + pause();
   for (const Point& p : along) words += "mousemove " + at(p) + pause();
+  if (!then.empty()) words += then + pause();
   hand(words + "mouseup 1" + pause());
+}
+
+void Display::drag_holding(const std::string& key, const std::vector<Point>& along) const {
+  hand("keydown " + key + pause());
+  drag(along);
+  hand("keyup " + key + pause());
 }
 
 void Display::middle_click(Point where) const { hand("mousemove " + at(where) + pause() + "click 2" + pause()); }

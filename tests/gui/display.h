@@ -51,7 +51,10 @@ class Display {
   void move(Point to) const;
   void click(Point at) const;
   void middle_click(Point at) const;
-  void drag(const std::vector<Point>& along) const;
+  /// `then`: what the hand does before it lets go, as xdotool writes it: "key Escape".
+  void drag(const std::vector<Point>& along, const std::string& then = {}) const;
+  /// With a key held down until after the button is let go.
+  void drag_holding(const std::string& key, const std::vector<Point>& along) const;
   /// With a key held down: "shift", "ctrl".
   void click_holding(const std::string& key, Point at) const;
   void key(const std::string& keys) const;

@@ -2,33 +2,111 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/draft/tool_icons.h"
 
 namespace weftlight::views {
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kMargin = 14, kGap = 10, kTools = 112, kLooks = 214, kToolList = 84, kLookList = 96, kLeastTitle = 60;
-constexpr std::array<const char*, 2> kToolWords = {"Paint", "Select"};
+constexpr float kMargin = 14, kGap = 10, kIconCell = 28, kIcon = 14, kLooks = 214, kToolList = 92, kLookList = 96,
+                kLeastTitle = 60;
 constexpr std::array<const char*, 3> kLookWords = {"Threads", "Colour", "Structure"};
 
-/// Side by side, or in a list of its own where there is no room for that.
-bool choose(PanelContext& c, const char* id, std::span<const char* const> words, bool listed, float width,
-            int& chosen) {
-  if (!listed) return segmented(c, id, words, chosen, width);
-  ImGui::SetNextItemWidth(width);
-  const int before = chosen;
-  if (begin_combo(c, id, words[static_cast<size_t>(chosen)])) {
-    for (size_t i = 0; i < words.size(); ++i) {
-      if (ImGui::Selectable(words[i], static_cast<int>(i) == chosen)) chosen = static_cast<int>(i);
-      c.map.add_item(std::string(id) + ":" + words[i]);
+struct ToolButton {
+  const char *word, *action;
+};
+/// In the order of the tools.
+constexpr std::array kTools = {ToolButton{"Paint", "tool_paint"},   ToolButton{"Select", "tool_select"},
+                               ToolButton{"Line", "tool_line"},     ToolButton{"Rectangle", "tool_rectangle"},
+                               ToolButton{"Filled", "tool_filled"}, ToolButton{"Fill", "tool_fill"}};
+constexpr std::array kMirrors = {ToolButton{"Ends", "mirror_ends"}, ToolButton{"Picks", "mirror_picks"}};
+
+const ActionItem* item_of(std::span<const ActionItem> items, const char* id) {
+  for (const ActionItem& item : items)
+    if (item.id == id) return &item;
+  return nullptr;
+}
+
+std::string tip_of(const ActionItem& item) {
+  return item.shortcut.empty() ? item.label : item.label + "   " + item.shortcut;
+}
+
+/// Buttons side by side on one ground, each an action with a picture.
+template <class Draw>
+void draw_buttons(PanelContext& c, const char* id, std::span<const ToolButton> buttons,
+                  std::span<const ActionItem> items, Draw draw_icon) {
+  const Style& s = c.style;
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float w = s.px(kIconCell), h = ImGui::GetFrameHeight(), r = ImGui::GetStyle().FrameRounding;
+  dl->AddRectFilled(at, {at.x + w * static_cast<float>(buttons.size()), at.y + h},
+                    blend(s.color.panel, s.color.text, 0.08f), r);
+  ImGui::PushID(id);
+  for (size_t i = 0; i < buttons.size(); ++i) {
+    const ActionItem* item = item_of(items, buttons[i].action);
+    if (item == nullptr) continue;
+    const ImVec2 a{at.x + w * static_cast<float>(i), at.y}, b{a.x + w, a.y + h};
+    ImGui::SetCursorScreenPos(a);
+    if (hit_area(buttons[i].word, {w, h})) c.wanted.add_action(item->id);
+    c.map.add_item(std::string(id) + ":" + buttons[i].word);
+    if (item->checked) {
+      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, s.color.raised, r - 1);
+      dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, s.color.line, r - 1);
     }
-    end_combo();
+    const ImU32 color = item->checked ? s.color.accent : ImGui::IsItemHovered() ? s.color.text : s.color.muted;
+    draw_icon(dl, i, ImVec2{(a.x + b.x) / 2, (a.y + b.y) / 2}, s.px(kIcon), color);
+    tooltip(c, tip_of(*item).c_str());
   }
-  return chosen != before;
+  ImGui::PopID();
+}
+
+void draw_tool_buttons(PanelContext& c, std::span<const ActionItem> items) {
+  const ImVec2 at = ImGui::GetCursorPos();
+  draw_buttons(c, "tool", kTools, items, [](ImDrawList* dl, size_t i, ImVec2 middle, float size, ImU32 color) {
+    draw_tool_icon(dl, static_cast<Tool>(i), middle, size, color);
+  });
+  ImGui::SetCursorPos({at.x + c.style.px(kIconCell) * kTools.size() + c.style.px(kGap), at.y});
+  draw_buttons(c, "mirror", kMirrors, items, [](ImDrawList* dl, size_t i, ImVec2 middle, float size, ImU32 color) {
+    draw_mirror_icon(dl, i == 0, middle, size, color);
+  });
+}
+
+/// The same in a list.
+void draw_tool_list(PanelContext& c, std::span<const ActionItem> items) {
+  ImGui::SetNextItemWidth(c.style.px(kToolList));
+  if (!begin_combo(c, "tool", kTools[static_cast<size_t>(c.view.select.tool)].word)) return;
+  const auto draw = [&](const char* id, const ToolButton& button) {
+    const ActionItem* item = item_of(items, button.action);
+    if (item != nullptr && ImGui::Selectable(item->label.c_str(), item->checked)) c.wanted.add_action(item->id);
+    c.map.add_item(std::string(id) + ":" + button.word);
+  };
+  for (const ToolButton& tool : kTools) draw("tool", tool);
+  ImGui::Separator();
+  for (const ToolButton& mirror : kMirrors) draw("mirror", mirror);
+  end_combo();
+}
+
+/// Side by side, or in a list where there is no room for that.
+void draw_looks(PanelContext& c, bool listed) {
+  int look = static_cast<int>(c.settings.drawdown_style);
+  if (!listed) {
+    segmented(c, "look", kLookWords, look, c.style.px(kLooks));
+  } else {
+    ImGui::SetNextItemWidth(c.style.px(kLookList));
+    if (begin_combo(c, "look", kLookWords[static_cast<size_t>(look)])) {
+      for (size_t i = 0; i < kLookWords.size(); ++i) {
+        if (ImGui::Selectable(kLookWords[i], static_cast<int>(i) == look)) look = static_cast<int>(i);
+        c.map.add_item(std::string("look:") + kLookWords[i]);
+      }
+      end_combo();
+    }
+  }
+  const auto chosen = static_cast<DrawdownStyle>(look);
+  if (chosen != c.settings.drawdown_style)
+    c.wanted.change_settings([chosen](Settings& s) { s.drawdown_style = chosen; });
 }
 
 void draw_title(PanelContext& c, const std::string& title, float room) {
@@ -42,24 +120,23 @@ void draw_title(PanelContext& c, const std::string& title, float room) {
 
 }  // namespace
 
-void draw_draft_header(PanelContext& c, const std::string& name) {
+void draw_draft_header(PanelContext& c, const std::string& name, std::span<const ActionItem> items) {
   const Style& s = c.style;
   const ImVec2 at = ImGui::GetCursorPos();
-  const float width = ImGui::GetWindowWidth(), gap = s.px(kGap), margin = s.px(kMargin);
-  const bool listed = width < 2 * margin + s.px(kTools) + gap + s.px(kLooks) + gap + s.px(kLeastTitle);
-  const float tools = s.px(listed ? kToolList : kTools), looks = s.px(listed ? kLookList : kLooks);
-  const float tools_x = std::max(margin, width - looks - tools - gap - margin);
+  const float gap = s.px(kGap), margin = s.px(kMargin), room = ImGui::GetWindowWidth() - 2 * margin;
+  const float buttons = s.px(kIconCell) * (kTools.size() + kMirrors.size()) + gap, title = s.px(kLeastTitle) + gap;
+  const bool list_looks = room < title + buttons + gap + s.px(kLooks);
+  const bool list_tools = room < buttons + gap + s.px(kLookList);
+  const float tools = list_tools ? s.px(kToolList) : buttons, looks = s.px(list_looks ? kLookList : kLooks);
+  const float tools_x = std::max(margin, margin + room - looks - tools - gap);
   const float title_room = tools_x - margin - gap;
   ImGui::SetCursorPos({at.x + margin, at.y + gap});
   if (title_room >= s.px(kLeastTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
   ImGui::SetCursorPos({at.x + tools_x, at.y + gap});
-  int tool = static_cast<int>(c.view.select.tool);
-  if (choose(c, "tool", kToolWords, listed, tools, tool))
-    c.wanted.change_view([tool](DocumentView& v) { v.select.tool = static_cast<Tool>(tool); });
-  ImGui::SameLine(0, gap);
-  int look = static_cast<int>(c.settings.drawdown_style);
-  if (choose(c, "look", kLookWords, listed, looks, look))
-    c.wanted.change_settings([look](Settings& s2) { s2.drawdown_style = static_cast<DrawdownStyle>(look); });
+  if (list_tools) draw_tool_list(c, items);
+  else draw_tool_buttons(c, items);
+  ImGui::SetCursorPos({at.x + tools_x + tools + gap, at.y + gap});
+  draw_looks(c, list_looks);
   ImGui::SetCursorPos({at.x, at.y + gap + ImGui::GetFrameHeight() + s.px(8)});
 }
 

@@ -6,6 +6,7 @@
 #include "session/paint.h"
 #include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
+#include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
 #include "views/draft/select_input.h"
 #include "views/draft/selection_draw.h"
@@ -19,9 +20,11 @@ bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeft
 Edit stroke_edit(const PanelContext& c, const Stroke& stroke, Cell to) {
   const DocumentView& v = c.view;
   const bool colors = v.bar_paint == BarPaint::kColor;
-  if (is_bar(stroke.grid)) return bar_edit(stroke.grid, stroke.last, to, v.bar_paint, colors ? v.color : v.yarn);
+  const Mirror mirror = mirror_of(v, c.design.draft);
+  if (is_bar(stroke.grid))
+    return bar_edit(stroke.grid, stroke.last, to, v.bar_paint, colors ? v.color : v.yarn, mirror);
   // Shift keeps the thread's other shafts or treadles.
-  return paint_edit(stroke.grid, stroke.last, to, stroke.on, !ImGui::GetIO().KeyShift);
+  return paint_edit(stroke.grid, stroke.last, to, stroke.on, !ImGui::GetIO().KeyShift, mirror);
 }
 
 /// Paints from where the stroke is to a cell.
@@ -78,10 +81,11 @@ void grid_input(PanelContext& c, const GridPane& pane) {
   if (ImGui::IsItemHovered() || active) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     c.frame.hover = {pane.id, active ? pane.nearest(mouse) : pane.at(mouse)};
-    if (c.view.select.tool == Tool::kPaint) c.frame.hint = paint_hint(pane.id);
+    c.frame.hint = c.view.select.tool == Tool::kPaint ? paint_hint(pane.id) : tool_hint(c.view.select.tool);
   }
   if (selects(c, pane)) return select_input(c, pane);
   if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);
+  if (draws_shapes(c, pane)) return draw_with_tool(c, pane);
   if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
   if (active && c.view.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
   if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
@@ -217,7 +221,9 @@ void draw_draft(PanelContext& c, CellTexture& texture) {
   draw_chosen(dl, c, l);
   draw_rulers(dl, c, l);
   draw_origin(dl, c, l);
+  draw_shape(dl, c, l);
   draw_selection(dl, c, l);
+  draw_mirrors(dl, c, l);
   draw_block_in_hand(dl, c, l);
   draw_hover(dl, c, l);
   if (!ImGui::IsAnyMouseDown() && c.view.select.drag != SelectDrag::kNone)

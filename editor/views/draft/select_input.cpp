@@ -73,7 +73,7 @@ void take_press(PanelContext& c, BitGrid grid, Cell at) {
 
 bool selects(const PanelContext& c, const GridPane& pane) {
   const SelectState& s = c.view.select;
-  if (!bit_grid_of(pane.id) || c.view.stroke.grid != GridId::kNone) return false;
+  if (!bit_grid_of(pane.id) || c.view.stroke.grid != GridId::kNone || c.view.shape) return false;
   return s.held || s.tool == Tool::kSelect || s.drag != SelectDrag::kNone || ImGui::GetIO().KeyCtrl;
 }
 

@@ -20,6 +20,10 @@ constexpr MouseHint kPaintHints[] = {{"Drag", "paint; from a filled cell: clear"
                                      {"Right drag", "clear"},
                                      {"Ctrl+drag", "select, without changing the tool"},
                                      {"Alt+click on a colour bar", "take that thread's colour and yarn in hand"}};
+constexpr MouseHint kShapeHints[] = {{"Drag", "a line or rectangle; from a filled cell: clear"},
+                                     {"Shift+drag", "straight or at 45 degrees; a square"},
+                                     {"Right drag", "clear"},
+                                     {"Escape", "give up what is being drawn"}};
 constexpr MouseHint kSelectHints[] = {{"Drag", "select a rectangle"},
                                       {"Shift+click", "extend it to there"},
                                       {"Drag inside", "move the marks"},
@@ -138,6 +142,8 @@ void draw_keys(PanelContext& c, std::span<const ActionItem> items, KeysWindow& w
 void draw_mouse(const PanelContext& c) {
   heading(c, "Mouse, paint tool");
   for (const MouseHint& hint : kPaintHints) row(c, hint.what, hint.does);
+  heading(c, "Mouse, line and rectangle tools");
+  for (const MouseHint& hint : kShapeHints) row(c, hint.what, hint.does);
   heading(c, "Mouse, select tool");
   for (const MouseHint& hint : kSelectHints) row(c, hint.what, hint.does);
   heading(c, "Mouse, view");

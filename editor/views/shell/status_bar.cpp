@@ -4,6 +4,7 @@
 
 #include "session/paint.h"
 #include "session/selection.h"
+#include "session/shapes.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -50,12 +51,13 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
-/// A block in hand and a drag speak first; with the select tool news come before the selection, and that
+/// A shape, a block in hand and a drag speak first; with the select tool news come before the selection, and that
 /// before the cell under the pointer.
 std::string status_text(const PanelContext& c, const std::string& message) {
   const SelectState& s = c.view.select;
   const std::string selected = selection_text(s),
                     hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
+  if (c.view.shape) return shape_text(*c.view.shape);
   if (s.held || s.drag != SelectDrag::kNone) return selected;
   if (s.tool == Tool::kSelect && !message.empty()) return message;
   if (s.tool == Tool::kSelect && !selected.empty()) return selected;

@@ -12,6 +12,7 @@
 #include "session/journal_format.h"
 #include "session/paint.h"
 #include "session/selection.h"
+#include "session/shapes.h"
 
 namespace weftlight::actions {
 namespace {
@@ -124,7 +125,14 @@ void RandomActions::paint() {
   const Cell from = cell(), to = cell();
   if (grid == GridId::kWarpColors || grid == GridId::kWeftColors)
     return desk_.commit(bar_edit(grid, from, to, roll(2) == 0 ? BarPaint::kColor : BarPaint::kYarn, roll(4)));
-  Edit edit = paint_edit(grid, from, to, roll(3) != 0, roll(2) == 0);
+  const Mirror mirror = mirror_of(desk_.view(), draft());
+  if (roll(3) == 0 && from.valid() && to.valid()) {
+    constexpr Tool kShapes[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
+    desk_.view().shape = ShapeInHand{kShapes[roll(3)], grid, from, to, roll(2) == 0};
+    if (const MaybeEdit edit = finish_shape(desk_.view(), desk_.document().now())) desk_.commit(*edit);
+    return;
+  }
+  Edit edit = paint_edit(grid, from, to, roll(3) != 0, roll(2) == 0, mirror);
   edit.stroke = static_cast<uint64_t>(roll(3));  // some join the one before
   desk_.commit(edit);
 }

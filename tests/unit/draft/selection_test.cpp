@@ -43,6 +43,11 @@ TEST(Selection, PastedEndsLeaveTheirOtherShafts) {
   const Design added = with_block(twill_design(), BitGrid::kThreading, 0, 0, block, Write::kAdd);
   EXPECT_EQ(threading(added)[2], "1010");
   EXPECT_EQ(threading(added)[0], "1000");
+  const Design erased =
+      with_block(twill_design(), BitGrid::kThreading, 0, 0, matrix_of({"1010", "0101"}), Write::kErase);
+  EXPECT_EQ(threading(erased), (Rows{"0000", "0000", "0010", "0001", "1000", "0100"})) << "only under its marks";
+  const Design raised = with_block(twill_design(), BitGrid::kLiftplan, 0, 0, matrix_of({"1000"}), Write::kErase);
+  EXPECT_EQ(raised.draft.liftplan.row(0)[0], 0b0010u);
 }
 
 TEST(Selection, WhatHangsOverTheEdgeIsLeftOut) {

@@ -1,0 +1,215 @@
+#include "views/draft/drawing_tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/mirror.h"
+#include "session/paint.h"
+#include "session/selection.h"
+#include "session/shapes.h"
+
+namespace weftlight::views {
+namespace {
+
+constexpr float kCellsFrom = 4;  // pixels a cell from which the cells of a ghost are drawn one by one
+
+bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
+
+void begin_shape(PanelContext& c, GridId grid, Cell at) {
+  if (!at.valid()) return;
+  const bool on = !ImGui::IsMouseDown(ImGuiMouseButton_Right) && !is_on(c.design.draft, c.cells, grid, at);
+  c.wanted.change_view([s = ShapeInHand{c.view.select.tool, grid, at, at, on}](DocumentView& v) { v.shape = s; });
+}
+
+void go_on_with_shape(PanelContext& c, const GridPane& pane) {
+  const ShapeInHand& s = *c.view.shape;
+  Cell to = pane.nearest(ImGui::GetIO().MousePos);
+  if (!to.valid()) return;
+  if (ImGui::GetIO().KeyShift) to = constrained(s.tool, s.from, to, pane.x.count, pane.y.count);
+  if (to == s.to) return;
+  c.wanted.change_view([to](DocumentView& v) {
+    if (v.shape) v.shape->to = to;
+  });
+}
+
+void fill(PanelContext& c, GridId grid, Cell at) {
+  if (!at.valid()) return;
+  const DocumentView& v = c.view;
+  if (is_bar(grid))
+    return c.wanted.add(
+        fill_bar_edit(c.design.draft, grid, at, v.bar_paint, v.bar_paint == BarPaint::kColor ? v.color : v.yarn));
+  const bool on = is_on(c.design.draft, c.cells, grid, at);
+  const bool erase = ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  if (erase && !on) return;
+  c.wanted.gesture([grid, on, region = region_about(c.design.draft, c.cells, grid, at)](
+                       DocumentView& view, const Design& d) { return fill_region(view, d, grid, region, !on); });
+}
+
+const GridPane* pane_of(const DraftLayout& l, GridId grid) {
+  for (const GridPane* pane : l.panes())
+    if (pane->id == grid) return pane;
+  return nullptr;
+}
+
+struct Box {
+  ImVec2 min, max;
+};
+
+/// The pixels from one cell to another, both included.
+Box box_between(const GridPane& p, Cell one, Cell other) {
+  const auto low = [](const Axis& x, int i, int j) { return std::min(x.low(i), x.low(j)); };
+  const auto high = [](const Axis& x, int i, int j) { return std::max(x.high(i), x.high(j)); };
+  return {{low(p.x, one.a, other.a), low(p.y, one.b, other.b)}, {high(p.x, one.a, other.a), high(p.y, one.b, other.b)}};
+}
+
+struct Ghost {
+  ImU32 mark, edge, leaves;  // cells of the shape and their border; what a line takes its threads off
+};
+
+Ghost ghost_of(const PanelContext& c, const ShapeInHand& s) {
+  const Colors& k = c.style.color;
+  const bool turned = s.grid == GridId::kDrawdown && c.view.face == Face::kBack;  // the back shows the other threads
+  const bool filled = s.on != turned;
+  return {filled ? blend(k.accent, k.ink, 0.25f) : k.paper, filled ? k.paper : k.accent, with_alpha(k.paper, 0.7f)};
+}
+
+void draw_cell(ImDrawList* dl, const GridPane& p, const Ghost& g, Cell at) {
+  const float gap = std::min(p.x.pitch, p.y.pitch) >= 5 ? 1.0f : 0.0f;
+  const ImVec2 a{p.x.low(at.a) + gap, p.y.low(at.b) + gap}, b{p.x.high(at.a), p.y.high(at.b)};
+  dl->AddRectFilled(a, b, g.mark);
+  // A line around each stands out from threads of any colour.
+  if (gap > 0) dl->AddRect(a, b, with_alpha(g.edge, 0.8f));
+}
+
+void draw_cells(ImDrawList* dl, const GridPane& p, const CellMask& mask, const Ghost& g) {
+  const int a0 = std::max(mask.at.a, p.x.first_visible()), b0 = std::max(mask.at.b, p.y.first_visible());
+  const int a1 = std::min(mask.at.a + mask.cells.cols(), p.x.end_visible()),
+            b1 = std::min(mask.at.b + mask.cells.rows(), p.y.end_visible());
+  for (int b = b0; b < b1; ++b)
+    for (int a = a0; a < a1; ++a)
+      if (mask.cells.get(b - mask.at.b, a - mask.at.a)) draw_cell(dl, p, g, {a, b});
+}
+
+/// From afar: the outline of what it takes.
+void draw_far(ImDrawList* dl, const GridPane& p, const ShapeInHand& s, Cell from, Cell to, ImU32 color) {
+  const Box box = box_between(p, from, to);
+  const ImVec2 b{std::max(box.max.x, box.min.x + 1), std::max(box.max.y, box.min.y + 1)};
+  if (s.tool == Tool::kFilledRectangle) return dl->AddRectFilled(box.min, b, with_alpha(color, 0.8f));
+  const float thick = std::max(1.5f, p.x.pitch);
+  if (s.tool == Tool::kRectangle) return dl->AddRect(box.min, b, color, 0, 0, thick);
+  const auto middle = [](const Axis& x, int i) { return (x.low(i) + x.high(i)) / 2; };
+  dl->AddLine({middle(p.x, from.a), middle(p.y, from.b)}, {middle(p.x, to.a), middle(p.y, to.b)}, color, thick);
+}
+
+/// The threads that a line moves lose what else they had.
+void fade_threads(ImDrawList* dl, const GridPane& p, Cell from, Cell to, ImU32 color) {
+  const Box box = box_between(p, from, to);
+  const ImVec2 a = p.min(), b = p.max();
+  if (p.id == GridId::kThreading) dl->AddRectFilled({box.min.x, a.y}, {box.max.x, b.y}, color);
+  else dl->AddRectFilled({a.x, box.min.y}, {b.x, box.max.y}, color);
+}
+
+/// Pixel of the axis that cells are mirrored about.
+float axis_pixel(const Axis& axis, int sum) {
+  const auto middle = [&](int i) { return (axis.low(i) + axis.high(i)) / 2; };
+  return std::round((middle(sum / 2) + middle(sum - sum / 2)) / 2) - 1;
+}
+
+/// Dashes on a line of paper: they stand out from threads of any colour.
+void draw_axis(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
+  const bool upright = a.x == b.x;
+  const float dash = c.style.px(6), gap = c.style.px(4), length = upright ? b.y - a.y : b.x - a.x;
+  const auto stroke = [&](float from, float to, float halo, ImU32 color) {
+    if (upright) dl->AddRectFilled({a.x - halo, a.y + from}, {a.x + 2 + halo, a.y + to}, color);
+    else dl->AddRectFilled({a.x + from, a.y - halo}, {a.x + to, a.y + 2 + halo}, color);
+  };
+  stroke(0, length, 1, with_alpha(c.style.color.paper, 0.8f));
+  for (float t = 0; t < length; t += dash + gap) stroke(t, std::min(t + dash, length), 0, c.style.color.accent);
+}
+
+void draw_axes(ImDrawList* dl, const PanelContext& c, const GridPane& p, const Mirror& m) {
+  const ImVec2 a = p.min(), b = p.max();
+  if (m.ends && has_ends(p.id)) {
+    const float x = axis_pixel(p.x, *m.ends);
+    if (x >= a.x && x <= b.x) draw_axis(dl, c, {x, a.y}, {x, b.y});
+  }
+  if (m.picks && has_picks(p.id)) {
+    const float y = axis_pixel(p.y, *m.picks);
+    if (y >= a.y && y <= b.y) draw_axis(dl, c, {a.x, y}, {b.x, y});
+  }
+}
+
+/// While a tool that is mirrored is in hand.
+bool pen_is_mirrored(const PanelContext& c) {
+  const Tool tool = c.view.select.tool;
+  return (c.view.mirror_ends || c.view.mirror_picks) && (tool == Tool::kPaint || is_shape(tool));
+}
+
+}  // namespace
+
+bool draws_shapes(const PanelContext& c, const GridPane& pane) {
+  const Tool tool = c.view.select.tool;
+  return tool == Tool::kFill || (is_shape(tool) && !is_bar(pane.id));
+}
+
+void draw_with_tool(PanelContext& c, const GridPane& pane) {
+  const bool active = ImGui::IsItemActive(), mine = c.view.shape && c.view.shape->grid == pane.id;
+  if (ImGui::IsItemHovered() || active) c.frame.crosshair = true;
+  const Cell at = pane.at(ImGui::GetIO().MousePos);
+  if (c.view.select.tool == Tool::kFill) {
+    if (ImGui::IsItemActivated()) fill(c, pane.id, at);
+  } else if (ImGui::IsItemActivated()) {
+    begin_shape(c, pane.id, at);
+  } else if (active && mine) {
+    go_on_with_shape(c, pane);
+  } else if (mine) {
+    c.wanted.gesture([](DocumentView& v, const Design& design) { return finish_shape(v, design); });
+  }
+}
+
+const char* tool_hint(Tool tool) {
+  switch (tool) {
+    case Tool::kLine:
+      return "Drag: a line; Shift: straight or at 45 degrees; from a filled cell or right: clear; Esc gives up";
+    case Tool::kRectangle:
+    case Tool::kFilledRectangle:
+      return "Drag: a rectangle; Shift: a square; from a filled cell or right: clear; Esc gives up";
+    case Tool::kFill:
+      return "Click: turn over all cells like this one that hang together; right: clear them";
+    default:
+      return "";
+  }
+}
+
+void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+  const GridPane* pane = c.view.shape ? pane_of(l, c.view.shape->grid) : nullptr;
+  if (pane == nullptr) return;
+  const ShapeInHand& s = *c.view.shape;
+  const Mirror mirror = mirror_of(c.view, c.design.draft);
+  const Ghost ghost = ghost_of(c, s);
+  const std::vector<Cell> from = images_of(mirror, s.grid, s.from), to = images_of(mirror, s.grid, s.to);
+  dl->PushClipRect(pane->min(), {pane->max().x + 1, pane->max().y + 1}, true);
+  for (size_t i = 0; i < from.size(); ++i) {
+    if (leaves_others(s)) fade_threads(dl, *pane, from[i], to[i], ghost.leaves);
+    if (std::min(pane->x.pitch, pane->y.pitch) < kCellsFrom) draw_far(dl, *pane, s, from[i], to[i], ghost.mark);
+    else draw_cells(dl, *pane, cells_of_shape(s.tool, s.grid, from[i], to[i]), ghost);
+  }
+  dl->PopClipRect();
+}
+
+void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+  if (!pen_is_mirrored(c)) return;
+  const Mirror mirror = mirror_of(c.view, c.design.draft);
+  for (const GridPane* pane : l.panes()) draw_axes(dl, c, *pane, mirror);
+  const GridPane* over = c.frame.hover.cell.valid() ? pane_of(l, c.frame.hover.grid) : nullptr;
+  if (over == nullptr) return;
+  dl->PushClipRect(over->min(), {over->max().x + 1, over->max().y + 1}, true);
+  const std::vector<Cell> images = images_of(mirror, over->id, c.frame.hover.cell);
+  for (size_t i = 1; i < images.size(); ++i) {
+    const Box box = box_between(*over, images[i], images[i]);
+    dl->AddRect(box.min, {box.max.x + 1, box.max.y + 1}, with_alpha(c.style.color.accent, 0.75f), 0, 0, 1.5f);
+  }
+  dl->PopClipRect();
+}
+
+}  // namespace weftlight::views

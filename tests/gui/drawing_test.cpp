@@ -1,0 +1,97 @@
+// The drawing tools in the real window: lines, rectangles and fills by mouse and keys, each one step of undo.
+
+#include <gtest/gtest.h>
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+namespace {
+
+class DrawingTest : public OnDisplay {
+ protected:
+  void SetUp() override {
+    OnDisplay::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    blank_.draft = draft::blank_draft(24, 24, 8, 8);
+    blank_.scene.mesh = "plane";
+    put(draft_, wif::write_new_wif(blank_));
+  }
+  static draft::Draft draft_of(const Window& w) { return design_of(w.live()).draft; }
+  void undone(const Window& w, const char* what) {
+    display_.key("ctrl+z");
+    EXPECT_TRUE(comes_true([&] { return draft_of(w) == blank_.draft; })) << what << ": one undo did not take it back";
+  }
+
+  draft::Design blank_;
+};
+
+TEST_F(DrawingTest, LinesRectanglesAndFillsAreOneStepEach) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("l");
+  display_.drag({w.cell("threading", 1, 1), w.cell("threading", 5, 3), w.cell("threading", 8, 8)});
+  EXPECT_TRUE(comes_true([&] {
+    const draft::Draft d = draft_of(w);
+    for (int end = 0; end < 8; ++end)
+      if (d.threading.first(end) != end) return false;
+    return d.threading.count() == 8;
+  })) << "a line is one shaft an end";
+  undone(w, "line");
+
+  display_.key("u");
+  display_.drag({w.cell("tieup", 2, 2), w.cell("tieup", 4, 3), w.cell("tieup", 5, 5)});
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).tieup.count() == 12; }));
+  display_.key("g");
+  display_.click(w.cell("tieup", 3, 3));
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).tieup.count() == 16; })) << "the fill";
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).tieup.count() == 12; }));
+  undone(w, "rectangle");
+
+  display_.click(w.middle_of("tool:Filled"));
+  display_.drag({w.cell("treadling", 1, 1), w.cell("treadling", 3, 4)});
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).treadling.count() == 12; }));
+  undone(w, "filled rectangle");
+}
+
+TEST_F(DrawingTest, ShiftConstrainsAndEscapeGivesUp) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("l");
+  display_.drag_holding("shift", {w.cell("treadling", 1, 1), w.cell("treadling", 4, 6), w.cell("treadling", 5, 6)});
+  EXPECT_TRUE(comes_true([&] {
+    const draft::Draft d = draft_of(w);
+    for (int pick = 0; pick < 6; ++pick)
+      if (d.treadling.first(pick) != pick) return false;
+    return d.treadling.count() == 6;
+  })) << "45 degrees: one treadle a pick";
+  undone(w, "line");
+  display_.drag({w.cell("threading", 1, 1), w.cell("threading", 6, 6)}, "key Escape");
+  display_.drag({w.cell("threading", 9, 2), w.cell("threading", 10, 3)});
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.count() == 2; })) << "what was given up came all the same";
+}
+
+TEST_F(DrawingTest, TheSymmetricPenDrawsBothSides) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.click(w.middle_of("mirror:Ends"));
+  display_.click(w.cell("threading", 3, 2));
+  EXPECT_TRUE(comes_true([&] {
+    const draft::Draft d = draft_of(w);
+    return d.threading.get(2, 1) && d.threading.get(21, 1) && d.threading.count() == 2;
+  }));
+  undone(w, "a mirrored click");
+  display_.key("shift+m");
+  display_.key("l");
+  display_.drag({w.cell("treadling", 1, 1), w.cell("treadling", 4, 6), w.cell("treadling", 8, 8)});
+  EXPECT_TRUE(comes_true([&] {
+    const draft::Draft d = draft_of(w);
+    for (int i = 0; i < 8; ++i)
+      if (!d.treadling.get(i, i) || !d.treadling.get(23 - i, i)) return false;
+    return d.treadling.count() == 16;
+  }));
+  undone(w, "a mirrored line");
+}
+
+}  // namespace
+}  // namespace weftlight::gui

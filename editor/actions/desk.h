@@ -33,6 +33,8 @@ class Desk {
   virtual void open_path(const std::string& path) = 0;
   /// As a new, unnamed draft: a shipped one is never overwritten.
   virtual void open_copy(const std::string& path) = 0;
+  /// The drafts that were open lately, or the library, with pictures.
+  virtual void show_gallery(bool library) = 0;
   virtual void save() = 0;
   virtual void save_as() = 0;
   virtual void save_all() = 0;

@@ -1,22 +1,29 @@
 // Files: new, open, save, export, the library of shipped drafts.
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
 #include "actions/action_parts.h"
 #include "draft/generators/table.h"
-#include "files/files.h"
+#include "session/library.h"
 
 namespace weftlight::actions {
 namespace {
 
-/// "twill_2_2" -> "Twill 2 2".
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
+void add_recent(Actions& all, const std::vector<std::string>& recent) {
+  constexpr const char* kMenu = "Open recent";
+  constexpr size_t kMost = 10;  // of a menu; the page with pictures shows all
+  add(all, "File", "recent", "All, with pictures\xE2\x80\xA6", "Ctrl+Shift+O", [](Desk& e) {
+    e.show_gallery(false);
+  }).item.submenu = kMenu;
+  for (size_t i = 0; i < std::min(recent.size(), kMost); ++i) {
+    const std::string& path = recent[i];
+    Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().c_str(), "",
+                    [path](Desk& e) { e.open_path(path); });
+    a.item.submenu = kMenu;
+    a.item.group = i == 0;
+  }
 }
 
 }  // namespace
@@ -29,6 +36,7 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
         (std::string("New draft: ") + weave.name + "\xE2\x80\xA6").c_str(), "",
         [at = number++](Desk& e) { e.new_draft_of(at); });
   add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });
+  add_recent(all, recent);
   new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); }));
   add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); });
   add(all, "File", "save_all", "Save all", "Ctrl+Alt+S", [](Desk& e) { e.save_all(); }).enabled = [](const Desk& e) {
@@ -40,38 +48,19 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   Action& left =
       add(all, "File", "recovery", "Bring back unsaved work\xE2\x80\xA6", "", [](Desk& e) { e.offer_recovery(); });
   left.enabled = [](const Desk& e) { return e.has_left_work(); };
-  bool first = true;
-  for (const std::string& path : recent) {
-    Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().c_str(), "",
-                    [path](Desk& e) { e.open_path(path); });
-    a.item.group = std::exchange(first, false);
-  }
   new_group(add(all, "File", "close", "Close", "Ctrl+W", [](Desk& e) { e.close_tab(); }));
   add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); });
 }
 
-namespace {
-
-/// The .wif files of a folder of presets, by name; `submenu`: the menu they stand in, with `id` before their names.
-void add_presets(Actions& all, const char* folder, const std::string& id, const char* submenu) {
-  std::vector<std::filesystem::path> files;
-  std::error_code missing;  // no presets, no library
-  for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + folder, missing))
-    if (entry.path().extension() == ".wif") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& path : files) {
-    const std::string name = path.stem().string();
-    add(all, "Library", (id + name).c_str(), spoken(name).c_str(), "", [file = path.string()](Desk& e) {
-      e.open_copy(file);
-    }).item.submenu = submenu;
-  }
-}
-
-}  // namespace
-
 void add_library_actions(Actions& all) {
-  add_presets(all, "/cloths", "library.cloth.", "Cloths");
-  add_presets(all, "/drafts", "library.", "");
+  add(all, "Library", "library", "All, with pictures\xE2\x80\xA6", "Ctrl+L", [](Desk& e) { e.show_gallery(true); });
+  bool first = true;
+  for (const LibraryFile& file : library_files()) {
+    Action& a = add(all, "Library", ("library." + file.id).c_str(), file.name.c_str(), "",
+                    [path = file.path](Desk& e) { e.open_copy(path); });
+    a.item.submenu = file.cloth ? "Cloths" : "";
+    a.item.group = std::exchange(first, false);
+  }
 }
 
 }  // namespace weftlight::actions

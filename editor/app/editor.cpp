@@ -7,6 +7,7 @@
 #include "draft/edits.h"
 #include "files/files.h"
 #include "session/file_names.h"
+#include "session/gallery.h"
 #include "session/leftovers.h"
 #include "session/user_folders.h"
 
@@ -60,6 +61,9 @@ Editor::Editor(Window& window, const EditorOptions& options)
   if (!settings_.toured && options.ui_map.empty() && options.live_export.empty()) settings_.tour = 0;
   follow_shown();
   offer_recovery();
+  const bool driven = !options.ui_map.empty() || !options.live_export.empty();
+  if (std::holds_alternative<std::monostate>(dialog_) && opens_with_gallery(settings_, !options.file.empty(), driven))
+    show_gallery(settings_.recent.empty());
 }
 
 void Editor::open() {

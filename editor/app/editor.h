@@ -52,6 +52,7 @@ class Editor : public Desk {
   void open() override;
   void open_path(const std::string& path) override;
   void open_copy(const std::string& path) override;
+  void show_gallery(bool library) override;
   void save() override;
   void save_as() override;
   void save_all() override;

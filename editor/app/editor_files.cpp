@@ -2,11 +2,14 @@
 // meanwhile, and what could not be written.
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 #include "app/editor.h"
 #include "session/bring_back.h"
+#include "session/gallery.h"
+#include "session/user_folders.h"
 
 namespace weftlight::app {
 namespace {
@@ -98,6 +101,23 @@ void Editor::ask_about_change(bool saving, std::function<void()> then) {
         session_.replace(session_.active().id, std::move(*result.document), settings_.per_inch);
         say("Reloaded " + document().name());
       });
+}
+
+void Editor::show_gallery(bool library) {
+  GalleryPrompt prompt;
+  const char* home = std::getenv("HOME");
+  prompt.page = library ? 1 : 0;
+  prompt.recent = recent_cards(settings_.recent, home != nullptr ? home : "");
+  prompt.library = library_cards();
+  prompt.pictures = std::make_shared<GalleryPictures>(cache_folder() + "/drafts", Window::wake, now_ns());
+  ask(std::move(prompt), [this](int button) {
+    const GalleryCard card = std::get<GalleryPrompt>(dialog_).open;
+    dialog_ = {};
+    if (button == GalleryPrompt::kBrowse) return open();
+    if (button == GalleryPrompt::kNew) return new_draft();
+    if (card.copy) open_copy(card.path);
+    else open_path(card.path);
+  });
 }
 
 void Editor::offer_recovery() {

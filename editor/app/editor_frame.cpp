@@ -140,8 +140,11 @@ void Editor::take_input() {
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
   strokes_.frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
   for (const std::string& key : window_.take_keys()) take_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
-  if (std::holds_alternative<std::monostate>(dialog_))
-    for (const std::string& path : window_.take_dropped_files()) open_path(path);
+  if (std::holds_alternative<std::monostate>(dialog_) || std::holds_alternative<GalleryPrompt>(dialog_))
+    for (const std::string& path : window_.take_dropped_files()) {
+      if (std::exchange(dialog_, {}).index() != 0) close_popups();
+      open_path(path);
+    }
 }
 
 /// A key that is no text: closes what stands open, or runs its action.
@@ -217,8 +220,9 @@ void Editor::carry_out(Intents& wanted) {
 
 void Editor::change_settings(const SettingsChange& change) {
   const auto keys = settings_.keys;
+  const auto recent = settings_.recent;
   change.run(settings_);
-  if (settings_.keys != keys) actions_ = make_actions(settings_.recent, settings_.keys);
+  if (settings_.keys != keys || settings_.recent != recent) actions_ = make_actions(settings_.recent, settings_.keys);
 }
 
 /// "twill.wif", "Overshot"; with its folder where another has the same name.

@@ -14,7 +14,7 @@ namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMostRecent = 10;
+constexpr size_t kMostRecent = 40;
 constexpr size_t kMostKeys = 1000, kLongestKey = 64;
 constexpr uint64_t kMostBytes = uint64_t{1} << 20;
 
@@ -67,6 +67,7 @@ Settings settings_from(std::string_view text) {
   take(json, "per_inch", s.per_inch);
   take(json, "inspector", s.inspector);
   take(json, "toured", s.toured);
+  take(json, "start_page", s.start_page);
   take(json, "split", s.split);
   take(json, "width", s.width);
   take(json, "height", s.height);
@@ -94,6 +95,7 @@ std::string settings_text(const Settings& s) {
                                {"per_inch", s.per_inch},
                                {"inspector", s.inspector},
                                {"toured", s.toured},
+                               {"start_page", s.start_page},
                                {"split", s.split},
                                {"width", s.width},
                                {"height", s.height},
@@ -118,5 +120,7 @@ void remember(Settings& settings, const std::string& path) {
   settings.recent.insert(settings.recent.begin(), text);
   if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
 }
+
+void forget(Settings& settings, const std::string& path) { std::erase(settings.recent, path); }
 
 }  // namespace weftlight::session

@@ -26,6 +26,7 @@ struct Settings {
   std::vector<std::string> recent;          // newest first
   std::string loom_address;                 // of the loom that was last sent to
   std::map<std::string, std::string> keys;  // by action: the shortcut that the weaver gave it; empty: none
+  bool start_page = true;                   // what was open lately is shown at the start
   bool toured = false;                      // has seen the tour, or left it
   // Of the window while it stands; not kept.
   int tour = -1;  // its step; -1: it is not shown
@@ -43,5 +44,7 @@ Settings settings_from(std::string_view json);
 std::string settings_text(const Settings& settings);
 void save_settings(const Settings& settings);
 void remember(Settings& settings, const std::string& path);
+/// No longer among those that were open lately.
+void forget(Settings& settings, const std::string& path);
 
 }  // namespace weftlight::session

@@ -19,6 +19,7 @@ std::string user_folder(const char* variable, const char* fallback) {
 }  // namespace
 
 std::string config_folder() { return user_folder("XDG_CONFIG_HOME", ".config"); }
+std::string cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 std::string state_folder() { return user_folder("XDG_STATE_HOME", ".local/state"); }
 
 }  // namespace weftlight::session

@@ -9,5 +9,7 @@ namespace weftlight::session {
 std::string config_folder();
 /// $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight: unsaved work, what --live-export wrote.
 std::string state_folder();
+/// $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight: what can be made again, as small pictures of drafts.
+std::string cache_folder();
 
 }  // namespace weftlight::session

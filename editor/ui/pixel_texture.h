@@ -19,7 +19,8 @@ class PixelTexture {
   PixelTexture& operator=(const PixelTexture&) = delete;
 
   /// width x height pixels as ImGui packs them, row 0 on top. Other pixels have another name (Damage asks for it).
-  void set(int width, int height, std::span<const ImU32> pixels);
+  /// `smooth`: to be shown at another size, at least half its own.
+  void set(int width, int height, std::span<const ImU32> pixels, bool smooth = false);
   bool empty() const { return name() == 0; }
   unsigned name() const { return names_[shown_]; }
   ImTextureID id() const { return texture_of(name()); }

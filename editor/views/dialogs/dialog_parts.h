@@ -24,6 +24,7 @@ bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& val
 DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 /// The draft as it was before.
 MaybeEdit given_back(const WeaveOverPrompt& p);
+DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p);
 DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p);
 DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 

@@ -100,6 +100,8 @@ DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
 
 DialogAnswer draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
 
+DialogAnswer draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
+
 DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
   constexpr int kMostRows = 8;
   heading(c, "Bring back unsaved work?");
@@ -135,6 +137,10 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
 }  // namespace
 
 bool take_dialog_news(Dialog& dialog, bool& busy) {
+  if (const auto* gallery = std::get_if<GalleryPrompt>(&dialog)) {
+    busy = gallery->pictures->busy();
+    return gallery->pictures->poll();
+  }
   const auto* print = std::get_if<PrintPrompt>(&dialog);
   busy = print != nullptr && print->preview->busy();
   return print != nullptr && print->preview->poll();
@@ -153,11 +159,13 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   // One that the draft follows stands beside it.
   const bool live = std::holds_alternative<WeaveOverPrompt>(dialog);
+  const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
-                           view->WorkPos.y + view->WorkSize.y * 0.4f},
+                           view->WorkPos.y + view->WorkSize.y * (tall ? 0.5f : 0.4f)},
                           ImGuiCond_Always, {live ? 1.0f : 0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({1, 1}, {std::max(1.0f, view->WorkSize.x), std::max(1.0f, view->WorkSize.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(10));
   // A dialog lies higher than the panels: its fields stand out from its own ground.
   const Colors& color = c.style.color;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, blend(color.raised, color.text, 0.08f));
@@ -175,7 +183,7 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
     ImGui::EndPopup();
   }
   ImGui::PopStyleColor(4);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   return answer;
 }
 

@@ -9,6 +9,7 @@
 #include "draft/generators/table.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
+#include "views/dialogs/gallery.h"
 #include "views/dialogs/print_dialog.h"
 
 namespace weftlight::views {
@@ -70,7 +71,7 @@ struct RecoveryPrompt {
   Button button(int pressed) const;
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, ThreadPrompt, NotesPrompt, WeavePrompt,
-                            WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt>;
+                            WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt, GalleryPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };

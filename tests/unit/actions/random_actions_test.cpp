@@ -40,6 +40,7 @@ class BareDesk : public Desk {
   void open() override {}
   void open_path(const std::string&) override {}
   void open_copy(const std::string&) override {}
+  void show_gallery(bool) override {}
   void save() override {}
   void save_as() override {}
   void save_all() override {}

@@ -1,5 +1,6 @@
 #include "texture_set/set_images.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 

@@ -5,6 +5,7 @@
 
 #include "texture_set/surface.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../draft/hand_drafts.h"
 
 namespace weftlight::analysis {

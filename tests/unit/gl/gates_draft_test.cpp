@@ -1,5 +1,6 @@
 // Gates of drafts that programs draw wrong: the back, many threads, uv far from their origin, one thread, none.
 
+#include <algorithm>
 #include <array>
 
 #include "gate.h"

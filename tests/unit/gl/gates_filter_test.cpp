@@ -1,5 +1,6 @@
 // Gates of what a pixel's footprint does: near and far, pans, gaps, borders between rungs. Each runs what fails there.
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "light/separable.h"
 #include "sampling.h"
 #include "seed_brdfs.h"

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cloth/maps.h"
 #include "cloth/thread_scene.h"
 #include "draft/draft.h"

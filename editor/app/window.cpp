@@ -102,6 +102,17 @@ GLFWwindow* make_window(int width, int height) {
   return glfwCreateWindow(width, height, "Weftlight", nullptr, nullptr);
 }
 
+/// No part of it lies beyond the screen, however small that is.
+void fit_to_screen(GLFWwindow* window) {
+  GLFWmonitor* screen = glfwGetPrimaryMonitor();
+  if (screen == nullptr) return;
+  int x, y, room_x, room_y, width, height;
+  glfwGetMonitorWorkarea(screen, &x, &y, &room_x, &room_y);
+  glfwGetWindowSize(window, &width, &height);
+  if (room_x > 0 && room_y > 0 && (width > room_x || height > room_y))
+    glfwSetWindowSize(window, std::min(width, room_x), std::min(height, room_y));
+}
+
 std::string glfw_problem() {
   const char* text = nullptr;
   glfwGetError(&text);
@@ -254,6 +265,7 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& error) 
     error = "no window with OpenGL 3.3 can be made (" + glfw_problem() + "); install or update the graphics driver";
     return nullptr;
   }
+  fit_to_screen(w->window_);
   glfwMakeContextCurrent(w->window_);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(w->window_, w->inbox_.get());

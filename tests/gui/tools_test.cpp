@@ -90,6 +90,19 @@ TEST_F(ToolsTest, WeavesPickByPickAndKeepsThePlaceWithTheDraft) {
   EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.has("view"); }));
 }
 
+TEST_F(ToolsTest, OnASmallScreenNothingLiesBeyondIt) {
+  const Display small(1000, 640);
+  ASSERT_TRUE(small.is_up());
+  Window w(small, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("inspector:Analysis"); }));
+  EXPECT_TRUE(comes_true([&] {
+    const auto [at, size] = w.place_of("inspector:Analysis");
+    return at.x + size.x <= 1000;
+  }));
+  const auto [at, size] = w.place_of("view");
+  EXPECT_LE(at.y + size.y, 640);
+}
+
 TEST_F(ToolsTest, AFlatSwatchFillsThePaneAndTheDrapeComesBack) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }));

@@ -5,6 +5,7 @@
 #include "actions/action_parts.h"
 #include "draft/block_text.h"
 #include "session/selection.h"
+#include "session/typing.h"
 
 namespace weftlight::actions {
 namespace {
@@ -311,6 +312,7 @@ void add_tools(Actions& all) {
     Action& a = add(all, "Edit", id, label, key, [to](Desk& e) {
       e.view().select.tool = to;
       e.view().shape.reset();
+      e.view().cursor.typed = 0;
     });
     a.checked = [to](const Desk& e) { return e.view().select.tool == to; };
     a.item.submenu = "Tools";
@@ -322,6 +324,9 @@ void add_tools(Actions& all) {
   tool("tool_rectangle", "Rectangle tool", "U", Tool::kRectangle);
   tool("tool_filled", "Filled rectangle tool", "Shift+U", Tool::kFilledRectangle);
   tool("tool_fill", "Fill tool", "G", Tool::kFill);
+  tool("tool_type", "Type shaft and treadle numbers", "N", Tool::kType)->run = [](Desk& e) {
+    begin_typing(e.view(), e.document().now().draft, e.hover());
+  };
   const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
     Action& a = add(all, "Edit", id, label, key, [on](Desk& e) { e.view().*on = !(e.view().*on); });
     a.checked = [on](const Desk& e) { return e.view().*on; };

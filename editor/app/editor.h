@@ -22,6 +22,7 @@
 #include "session/report.h"
 #include "session/session.h"
 #include "session/strokes.h"
+#include "session/typing.h"
 #include "session/user_files.h"
 #include "views/analysis/analysis_panel.h"
 #include "views/dialogs/dialogs.h"
@@ -144,6 +145,7 @@ class Editor : public Desk {
   /// What the loom said; true when there is something to show.
   bool take_loom_news();
   void carry_out(const LoomStep& step);
+  bool carry_out(const TypedKey& typed);
   void draw_loom_window(PanelContext& c, const WindowLayout& layout);
 
   // editor_files.cpp

@@ -82,6 +82,7 @@ double Editor::sleep_s() {
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
+  if (const auto until = waits_until(view())) sooner(std::max(0.0, *until - now));
   if (file_dialog_.waiting() || exporter_.busy() || reporter_.busy() || dialog_busy_) sooner(kDialogPollS);
   if (session_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
@@ -91,7 +92,8 @@ void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
   const bool cloth_changed = preview_.poll() | take_export_news() | reporter_.poll() |
-                             take_dialog_news(dialog_, dialog_busy_) | take_loom_news();
+                             take_dialog_news(dialog_, dialog_busy_) | take_loom_news() |
+                             carry_out(type_after_wait(view(), document().now(), now));
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;
@@ -161,8 +163,17 @@ void Editor::take_key(const std::string& key) {
   }
   if (commands_.open || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
   if (const std::string id = view().at_loom.open ? key_at_loom(key) : ""; !id.empty()) return run_action(id);
+  if (view().select.tool == Tool::kType &&
+      carry_out(type_key(view(), document().now(), settings_.end1_right, key, Window::seconds())))
+    return;
   for (const Action& a : actions_)
     if (a.item.shortcut == key) return run_action(a.item.id);
+}
+
+/// True when there was something to do.
+bool Editor::carry_out(const TypedKey& typed) {
+  for (const Edit& edit : typed.edits) commit(edit);
+  return typed.taken;
 }
 
 void Editor::draw_window() {

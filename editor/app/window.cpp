@@ -126,6 +126,7 @@ struct Window::Inbox {
   InputQueue input;
   std::vector<std::string> dropped;
   std::vector<std::string> shortcuts;                     // of the frame
+  bool key_of_character = false;                          // the last of them may type the next character
   bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as the window system last said
   double x = kOutside, y = kOutside;                      // of the last move
   ImVec2 given_pointer = {kOutside, kOutside};            // as ImGui knows them
@@ -228,13 +229,20 @@ void Window::Inbox::give(InputEvent& e) {
       feed_wheel(static_cast<float>(e.x), static_cast<float>(e.y));
       break;
     case Kind::kKey:
-      if (!e.shortcut.empty()) shortcuts.push_back(std::move(e.shortcut));
+      key_of_character = !e.shortcut.empty();
+      if (key_of_character) shortcuts.push_back(std::move(e.shortcut));
       [[fallthrough]];
     case Kind::kModifier:
       given_keys[e.code] = e.down;
       feed_key(static_cast<int>(e.code), e.down);
       break;
     case Kind::kCharacter:
+      // A digit is one on any keyboard, also where it takes Shift and on the number pad.
+      if (e.code >= '0' && e.code <= '9') {
+        if (key_of_character) shortcuts.pop_back();
+        shortcuts.emplace_back(1, static_cast<char>(e.code));
+      }
+      key_of_character = false;
       ImGui::GetIO().AddInputCharacter(e.code);
       break;
   }

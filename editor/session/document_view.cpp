@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "session/document.h"
+#include "session/mirror.h"
 #include "session/selection.h"
+#include "session/typing.h"
 
 namespace weftlight::session {
 namespace {
@@ -28,6 +30,7 @@ void follow_document(DocumentView& v, const Document& document) {
   const Design& d = document.now();
   follow_design(v.select, d, document.revision());
   limit_choice(v.chosen, d.draft);
+  follow_draft(v.cursor, d.draft);
   if (v.shape && !is_shown(d.draft, *bit_grid_of(v.shape->grid))) v.shape.reset();
   v.color = std::clamp(v.color, 0, static_cast<int>(d.draft.palette.size()) - 1);
   v.yarn = std::clamp(v.yarn, 0, static_cast<int>(d.yarns.size()) - 1);
@@ -48,6 +51,18 @@ void page_ends(DocumentView& v, int pages) {
 
 void page_picks(DocumentView& v, int pages) {
   v.scroll_pick += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_picks);
+}
+
+void bring_into_sight(DocumentView& v, GridId grid, Cell at) {
+  const auto see = [](float& scroll, float seen, int cell) {
+    constexpr float kBeside = 1;  // cells
+    const auto first = static_cast<float>(cell);
+    if (seen < 2 * kBeside + 1) scroll = first;
+    else scroll = std::clamp(scroll, first + 1 + kBeside - seen, first - kBeside);
+  };
+  const bool ends = has_ends(grid), picks = has_picks(grid);
+  see(ends ? v.scroll_end : v.scroll_treadle, ends ? v.seen_ends : v.seen_treadles, at.a);
+  see(picks ? v.scroll_pick : v.scroll_shaft, picks ? v.seen_picks : v.seen_shafts, at.b);
 }
 
 void show_place(DocumentView& v, int index, const CellRect& at) {

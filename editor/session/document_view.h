@@ -47,10 +47,20 @@ struct ShapeInHand {
   bool on = true;
 };
 
+/// Where numbers are typed (typing.h).
+struct TypeCursor {
+  GridId grid = GridId::kThreading;
+  Cell at{0, 0};
+  int typed = 0;       // a number that may go on; 0: none
+  double until_s = 0;  // when it is taken as it is
+  bool fresh = false;  // the last key completed a number, so that a comma after it says nothing new
+};
+
 struct DocumentView {
   float pitch = 0;  // pixels a thread; 0: choose so that the draft fits
   float scroll_end = 0, scroll_pick = 0, scroll_shaft = 0, scroll_treadle = 0;
-  float seen_ends = 0, seen_picks = 0;  // in the pane, as it was last drawn
+  // In the pane, as it was last drawn.
+  float seen_ends = 0, seen_picks = 0, seen_shafts = 0, seen_treadles = 0;
   Face face = Face::kFront;
   Orbit camera;       // of the cloth
   bool flat = false;  // a swatch straight on in the place of the drape
@@ -63,6 +73,7 @@ struct DocumentView {
   int place = -1;                           // of those that differ, last shown
   Stroke stroke;
   std::optional<ShapeInHand> shape;
+  TypeCursor cursor;
   bool mirror_ends = false, mirror_picks = false;  // what is drawn is drawn mirrored, too
   AtLoom at_loom;
   SelectState select;
@@ -83,6 +94,8 @@ float zoomed_pitch(float pitch, float steps);
 /// A page on (1) or back (-1), a tenth of it kept in sight.
 void page_ends(DocumentView& view, int pages);
 void page_picks(DocumentView& view, int pages);
+/// The cell into sight, with its neighbours, by as little as that takes.
+void bring_into_sight(DocumentView& view, GridId grid, Cell at);
 /// The thread, from 0, into the middle of the pane.
 void scroll_to(DocumentView& view, System system, int thread);
 /// Place `index` of those that differ from another draft, into the middle of the pane.

@@ -20,7 +20,7 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-enum class Tool { kPaint, kSelect, kLine, kRectangle, kFilledRectangle, kFill };
+enum class Tool { kPaint, kSelect, kLine, kRectangle, kFilledRectangle, kFill, kType };
 enum class SelectDrag { kNone, kBand, kMove };
 
 /// Marks on their way: the design that they left from, and from where.

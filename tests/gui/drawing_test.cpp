@@ -93,5 +93,33 @@ TEST_F(DrawingTest, TheSymmetricPenDrawsBothSides) {
   undone(w, "a mirrored line");
 }
 
+TEST_F(DrawingTest, NumbersAreTypedIntoThreadingAndTreadling) {
+  blank_.draft = draft::blank_draft(24, 24, 12, 12);
+  put(draft_, wif::write_new_wif(blank_));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("n");
+  ASSERT_TRUE(comes_true([&] { return w.has("type.cursor"); }));
+  display_.click(w.cell("threading", 1, 1));
+  display_.type("2312,");
+  const auto shaft = [&](int end) { return draft_of(w).threading.first(end - 1) + 1; };
+  EXPECT_TRUE(comes_true([&] { return shaft(1) == 2 && shaft(2) == 3 && shaft(3) == 12; }));
+  display_.type("1");
+  EXPECT_TRUE(comes_true([&] { return shaft(4) == 1; })) << "taken after a second";
+  display_.key("KP_4");
+  EXPECT_TRUE(comes_true([&] { return shaft(5) == 4; })) << "the number pad";
+  display_.key("ctrl+z ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return shaft(4) == 0 && shaft(3) == 12; })) << "an entry is a step of undo";
+  display_.click(w.cell("treadling", 3, 2));
+  display_.type("54");
+  display_.key("Up space");
+  EXPECT_TRUE(comes_true([&] {
+    const draft::BitMatrix t = draft_of(w).treadling;
+    return t.first(1) == 4 && t.first(2) == -1;
+  })) << "Space turns over the cell that the arrow went to";
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("type.cursor"); }));
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -21,7 +21,8 @@ struct ToolButton {
 /// In the order of the tools.
 constexpr std::array kTools = {ToolButton{"Paint", "tool_paint"},   ToolButton{"Select", "tool_select"},
                                ToolButton{"Line", "tool_line"},     ToolButton{"Rectangle", "tool_rectangle"},
-                               ToolButton{"Filled", "tool_filled"}, ToolButton{"Fill", "tool_fill"}};
+                               ToolButton{"Filled", "tool_filled"}, ToolButton{"Fill", "tool_fill"},
+                               ToolButton{"Type", "tool_type"}};
 constexpr std::array kMirrors = {ToolButton{"Ends", "mirror_ends"}, ToolButton{"Picks", "mirror_picks"}};
 
 const ActionItem* item_of(std::span<const ActionItem> items, const char* id) {

@@ -113,13 +113,16 @@ void settle(DocumentView& v, const DraftLayout& l) {
   v.scroll_end = ends.scroll, v.scroll_pick = picks.scroll;
   v.scroll_shaft = l.threading.y.scroll, v.scroll_treadle = l.lift.x.scroll;
   v.seen_ends = ends.length / ends.pitch, v.seen_picks = picks.length / picks.pitch;
+  v.seen_shafts = l.threading.y.length / l.threading.y.pitch, v.seen_treadles = l.lift.x.length / l.lift.x.pitch;
 }
 
 bool is_settled(const DocumentView& v, const DraftLayout& l) {
   const Axis &ends = l.drawdown.x, &picks = l.drawdown.y;
   return v.pitch == l.pitch && v.scroll_end == ends.scroll && v.scroll_pick == picks.scroll &&
          v.scroll_shaft == l.threading.y.scroll && v.scroll_treadle == l.lift.x.scroll &&
-         v.seen_ends == ends.length / ends.pitch && v.seen_picks == picks.length / picks.pitch;
+         v.seen_ends == ends.length / ends.pitch && v.seen_picks == picks.length / picks.pitch &&
+         v.seen_shafts == l.threading.y.length / l.threading.y.pitch &&
+         v.seen_treadles == l.lift.x.length / l.lift.x.pitch;
 }
 
 UiGrid map_of(const GridPane& pane) {

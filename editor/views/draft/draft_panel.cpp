@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "session/paint.h"
+#include "session/typing.h"
 #include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/drawing_tools.h"
@@ -71,6 +72,13 @@ const char* paint_hint(GridId id) {
   }
 }
 
+/// A click with the tool that types numbers.
+void place_cursor(PanelContext& c, const GridPane& pane) {
+  const Cell at = pane.at(ImGui::GetIO().MousePos);
+  if (ImGui::IsItemActivated() && at.valid())
+    c.wanted.change_view([grid = pane.id, at](DocumentView& v) { put_cursor(v, grid, at); });
+}
+
 void grid_input(PanelContext& c, const GridPane& pane) {
   const ImVec2 a = pane.min(), b = pane.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return;
@@ -86,6 +94,7 @@ void grid_input(PanelContext& c, const GridPane& pane) {
   if (selects(c, pane)) return select_input(c, pane);
   if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);
   if (draws_shapes(c, pane)) return draw_with_tool(c, pane);
+  if (c.view.select.tool == Tool::kType && !is_bar(pane.id)) return place_cursor(c, pane);
   if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
   if (active && c.view.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
   if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
@@ -224,6 +233,7 @@ void draw_draft(PanelContext& c, CellTexture& texture) {
   draw_shape(dl, c, l);
   draw_selection(dl, c, l);
   draw_mirrors(dl, c, l);
+  draw_type_cursor(dl, c, l);
   draw_block_in_hand(dl, c, l);
   draw_hover(dl, c, l);
   if (!ImGui::IsAnyMouseDown() && c.view.select.drag != SelectDrag::kNone)

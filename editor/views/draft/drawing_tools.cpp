@@ -7,6 +7,7 @@
 #include "session/paint.h"
 #include "session/selection.h"
 #include "session/shapes.h"
+#include "ui/imgui_compat.h"
 
 namespace weftlight::views {
 namespace {
@@ -176,6 +177,8 @@ const char* tool_hint(Tool tool) {
       return "Drag: a rectangle; Shift: a square; from a filled cell or right: clear; Esc gives up";
     case Tool::kFill:
       return "Click: turn over all cells like this one that hang together; right: clear them";
+    case Tool::kType:
+      return "Click: type here";
     default:
       return "";
   }
@@ -210,6 +213,33 @@ void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
     dl->AddRect(box.min, {box.max.x + 1, box.max.y + 1}, with_alpha(c.style.color.accent, 0.75f), 0, 0, 1.5f);
   }
   dl->PopClipRect();
+}
+
+void draw_type_cursor(ImDrawList* dl, PanelContext& c, const DraftLayout& l) {
+  const TypeCursor& cursor = c.view.cursor;
+  const GridPane* pane = c.view.select.tool == Tool::kType ? pane_of(l, cursor.grid) : nullptr;
+  if (pane == nullptr) return;
+  const Style& s = c.style;
+  const Box cell = box_between(*pane, cursor.at, cursor.at);
+  const ImVec2 min = pane->min(), max = pane->max();
+  const float thick = s.px(2);
+  dl->PushClipRect({min.x - thick, min.y - thick}, {max.x + 1 + thick, max.y + 1 + thick}, true);
+  const ImU32 band = with_alpha(s.color.accent, 0.13f);
+  const bool along_ends = cursor.grid == GridId::kThreading || cursor.grid == GridId::kTieup;
+  if (along_ends) dl->AddRectFilled({cell.min.x, min.y}, {cell.max.x + 1, max.y}, band);
+  else dl->AddRectFilled({min.x, cell.min.y}, {max.x, cell.max.y + 1}, band);
+  dl->AddRect({cell.min.x - 1, cell.min.y - 1}, {cell.max.x + 2, cell.max.y + 2}, s.color.accent, s.px(2), 0, thick);
+  dl->PopClipRect();
+  c.map.add("type.cursor", cell.min.x, cell.min.y, cell.max.x - cell.min.x, cell.max.y - cell.min.y);
+  if (cursor.typed == 0) return;
+  // Above all else, beside the cell.
+  const std::string text = std::to_string(cursor.typed) + "\xE2\x80\xA6";
+  const ImVec2 size = s.font.bold->CalcTextSizeA(font_size(s.font.bold), FLT_MAX, 0, text.c_str());
+  const ImVec2 at{std::round((cell.min.x + cell.max.x - size.x) / 2), std::round(cell.min.y - size.y - s.px(9))};
+  const float pad = s.px(5);
+  dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2}, s.color.accent,
+                    s.px(4));
+  dl->AddText(s.font.bold, font_size(s.font.bold), at, reading_color(s.color.accent), text.c_str());
 }
 
 }  // namespace weftlight::views

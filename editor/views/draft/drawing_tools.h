@@ -19,4 +19,7 @@ void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout
 /// Where the pen is mirrored, and the images of the cell under the pointer.
 void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
+/// Where numbers are typed, with what was typed so far.
+void draw_type_cursor(ImDrawList* dl, PanelContext& c, const DraftLayout& layout);
+
 }  // namespace weftlight::views

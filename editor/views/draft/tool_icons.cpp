@@ -62,6 +62,12 @@ void draw_tool_icon(ImDrawList* dl, Tool tool, ImVec2 middle, float size, ImU32 
       return dl->AddRectFilled(p.at(-0.85f, -0.65f), p.at(0.85f, 0.65f), color);
     case Tool::kFill:
       return draw_drop(p);
+    case Tool::kType:
+      // A cell with a caret in it.
+      dl->AddRect(p.at(-0.9f, -0.7f), p.at(0.9f, 0.7f), color, size / 8, 0, p.thick * 0.75f);
+      p.line(p.at(-0.45f, -0.35f), p.at(-0.45f, 0.35f));
+      dl->AddCircleFilled(p.at(0.05f, 0.28f), p.thick * 0.6f, color);
+      return dl->AddCircleFilled(p.at(0.45f, 0.28f), p.thick * 0.6f, color);
   }
 }
 

@@ -24,6 +24,12 @@ constexpr MouseHint kShapeHints[] = {{"Drag", "a line or rectangle; from a fille
                                      {"Shift+drag", "straight or at 45 degrees; a square"},
                                      {"Right drag", "clear"},
                                      {"Escape", "give up what is being drawn"}};
+constexpr MouseHint kTypeHints[] = {{"Digits", "a shaft or treadle; then the next thread"},
+                                    {"Enter, comma, a second", "take a number that could go on"},
+                                    {"0, Delete", "clear the thread and go on; clear and stay"},
+                                    {"Space", "turn the cell over, in any grid"},
+                                    {"Arrows, Home, End, Tab", "move the cursor; to the next grid"},
+                                    {"Escape", "drop the number; done"}};
 constexpr MouseHint kSelectHints[] = {{"Drag", "select a rectangle"},
                                       {"Shift+click", "extend it to there"},
                                       {"Drag inside", "move the marks"},
@@ -144,6 +150,8 @@ void draw_mouse(const PanelContext& c) {
   for (const MouseHint& hint : kPaintHints) row(c, hint.what, hint.does);
   heading(c, "Mouse, line and rectangle tools");
   for (const MouseHint& hint : kShapeHints) row(c, hint.what, hint.does);
+  heading(c, "Keys, typing numbers");
+  for (const MouseHint& hint : kTypeHints) row(c, hint.what, hint.does);
   heading(c, "Mouse, select tool");
   for (const MouseHint& hint : kSelectHints) row(c, hint.what, hint.does);
   heading(c, "Mouse, view");

@@ -5,6 +5,7 @@
 #include "session/paint.h"
 #include "session/selection.h"
 #include "session/shapes.h"
+#include "session/typing.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -58,6 +59,7 @@ std::string status_text(const PanelContext& c, const std::string& message) {
   const std::string selected = selection_text(s),
                     hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
   if (c.view.shape) return shape_text(*c.view.shape);
+  if (s.tool == Tool::kType && message.empty()) return typing_text(c.view, c.design, c.cells);
   if (s.held || s.drag != SelectDrag::kNone) return selected;
   if (s.tool == Tool::kSelect && !message.empty()) return message;
   if (s.tool == Tool::kSelect && !selected.empty()) return selected;

@@ -19,7 +19,7 @@ using glm::vec4;
 // Texels of the map of threads (thread_records.glsl): its width, its head, a thread, a yarn. Where in a thread's
 // texels its body, its colour and its pattern begin. Crossings lie in square blocks so many texels wide.
 #define THREAD_MAP_WIDTH 1024
-#define THREAD_HEAD_TEXELS 4
+#define THREAD_HEAD_TEXELS 5
 #define THREAD_TEXELS 6
 #define THREAD_BODY 0
 #define THREAD_COLOR 1

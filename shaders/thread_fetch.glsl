@@ -14,7 +14,7 @@ int record_at(int system, int thread) { return threads_head.threads[system] + th
 vec4 thread_body(int system, int thread) { return record_body(thread_texel(record_at(system, thread) + THREAD_BODY)); }
 
 int thread_bin(int system, int bin) {
-  uvec4 four = thread_texel(threads_head.first[system] + bin / 4);
+  uvec4 four = thread_texel(threads_head.bins[system] + bin / 4);
   return int(four[bin & 3]);
 }
 
@@ -23,20 +23,18 @@ vec4 crossing_at(int end, int pick) {
   return texelFetch(crossing_map, ivec3(end & (CROSSING_BLOCK - 1), pick & (CROSSING_BLOCK - 1), block), 0);
 }
 
+ThreadHead head_at(int i) {
+  return thread_head(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3), thread_texel(i + 4));
+}
+
+ThreadGrid thread_layer(int layer, float side) { return grid_of(head_at(layer * THREAD_HEAD_TEXELS), side); }
+
 #include "threads.glsl"
 
 // Once a pixel, before all else here.
 ThreadGrid thread_grid(int face) {
-  threads_head = thread_head(thread_texel(0), thread_texel(1), thread_texel(2), thread_texel(3));
-  ThreadGrid g;
-  g.count = threads_head.count;
-  g.bins = threads_head.bins;
-  g.period = threads_head.period;
-  g.spacing = threads_head.spacing;
-  g.top = threads_head.top;
-  g.side = face == 0 ? 1.0 : -1.0;
-  g.even = threads_head.even;
-  return g;
+  threads_head = head_at(0);
+  return grid_of(threads_head, face == 0 ? 1.0 : -1.0);
 }
 
 // A thread's linear colour, and its yarn in w.

@@ -1,7 +1,8 @@
 // The threads as texels of four whole numbers each: how the records lie in them, and how each is taken out again.
 // GLSL 3.30 and C++20 (core/upload/thread_block.h fills them from these same structs; interop.h has their sizes).
 //
-//   a head; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the yarns' lobes
+//   a head for each layer; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the
+//   yarns' lobes
 
 #include "interop.h"
 #include "thread_texture.glsl"
@@ -11,16 +12,20 @@
 #endif
 
 struct ThreadHead {
-  ivec2 count;          // ends, picks
-  ivec2 bins;
+  ivec2 count;          // ends, picks, of the layer
+  ivec2 first;          // of them
   vec2 period;          // mm
   float spacing;        // mean of both systems, mm
   float top;            // no thread is higher, mm
   ivec2 threads;        // first texels of the ends' records, of the picks'
-  ivec2 first;          // of their bins
+  ivec2 bins;           // of their bins
   int yarns;            // first texel of the yarns
   int crossing_blocks;  // from one row of blocks of crossings to the next
   vec2 even;            // the room of each thread where a system's are alike, else 0
+  float bottom;         // no thread is lower, mm
+  float reach;          // as high as the layer's weave is above its own middle plane, mm
+  int layers;           // of the cloth
+  int spare;
 };
 
 struct ThreadRecord {
@@ -30,19 +35,52 @@ struct ThreadRecord {
   ThreadTexture pattern;
 };
 
-FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {
   ThreadHead h;
   h.count = ivec2(int(a.x), int(a.y));
-  h.bins = ivec2(int(a.z), int(a.w));
+  h.first = ivec2(int(a.z), int(a.w));
   h.period = vec2(uintBitsToFloat(b.x), uintBitsToFloat(b.y));
   h.spacing = uintBitsToFloat(b.z);
   h.top = uintBitsToFloat(b.w);
   h.threads = ivec2(int(c.x), int(c.y));
-  h.first = ivec2(int(c.z), int(c.w));
+  h.bins = ivec2(int(c.z), int(c.w));
   h.yarns = int(d.x);
   h.crossing_blocks = int(d.y);
   h.even = vec2(uintBitsToFloat(d.z), uintBitsToFloat(d.w));
+  h.bottom = uintBitsToFloat(e.x);
+  h.reach = uintBitsToFloat(e.y);
+  h.layers = int(e.z);
+  h.spare = int(e.w);
   return h;
+}
+
+// One layer's threads, for rays (threads.glsl).
+struct ThreadGrid {
+  int layers;       // of the cloth
+  ivec2 count;      // ends, picks of the layer
+  ivec2 first;      // of them, among those of the cloth
+  vec2 period;
+  float spacing;    // mean
+  float top;        // no thread is higher
+  float bottom;     // none lower
+  float reach;      // as high as its weave is above its own middle plane
+  float side;       // 1: the front; -1: the back, where heights turn over
+  vec2 even;        // the room of each thread where a system's are alike, else 0
+};
+
+FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
+  ThreadGrid g;
+  g.layers = h.layers;
+  g.count = h.count;
+  g.first = h.first;
+  g.period = h.period;
+  g.spacing = h.spacing;
+  g.top = side > 0.0f ? h.top : -h.bottom;
+  g.bottom = side > 0.0f ? h.bottom : -h.top;
+  g.reach = h.reach;
+  g.side = side;
+  g.even = h.even;
+  return g;
 }
 
 // From THREAD_BODY.

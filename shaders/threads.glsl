@@ -11,6 +11,9 @@
 //   vec4 thread_body(int system, int thread)       centre, half its room, half width, half height
 //   int thread_bin(int system, int bin)            the first thread that reaches past the bin's start
 //   vec4 crossing_at(int end, int pick)            height and slope of the warp, of the weft
+//   ThreadGrid thread_layer(int i, float side)     the cloth's layer i: thread_records.glsl's grid_of()
+//
+// Cloth of several layers has a grid for each; a place has one end and one pick of each layer over and under it.
 //
 // Based on: F. T. Peirce 1937 (crimp; the heights are core/cloth/centre_line.cpp's); Policarpo, Oliveira, Comba
 //   2005 (linear steps along a ray, then the secant). Differs: the shape is evaluated, not fetched from a map of
@@ -23,16 +26,7 @@ const float kStepsInTop = 5.0f;
 const int kLeastStepsInCell = 4;
 const int kMostStepsInCell = 10;
 const int kMostHalvings = 24;   // among 2^24 threads
-
-struct ThreadGrid {
-  ivec2 count;      // ends, picks
-  ivec2 bins;
-  vec2 period;
-  float spacing;    // mean
-  float top;        // no thread is higher
-  float side;       // 1: the front; -1: the back, where heights turn over
-  vec2 even;        // the room of each thread where all of a system have the same, else 0
-};
+const int kBinsAThread = 4;
 
 // One thread between two crossings.
 struct Strand {
@@ -109,10 +103,12 @@ FORMULA float strand_near(Strand s, float across, float along, float z) {
 
 // The first thread that reaches past a place of 0..period.
 FORMULA int thread_at(ThreadGrid g, int system, float place) {
-  if (g.even[system] > 0.0f) return clamp(int(place / g.even[system]), 0, g.count[system] - 1);
-  int bin = clamp(int(place / g.period[system] * float(g.bins[system])), 0, g.bins[system] - 1);
-  int thread = thread_bin(system, bin);
-  int last = bin + 1 < g.bins[system] ? thread_bin(system, bin + 1) : g.count[system] - 1;
+  int first = g.first[system];
+  if (g.even[system] > 0.0f) return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
+  int bins = g.count[system] * kBinsAThread;
+  int bin = clamp(int(place / g.period[system] * float(bins)), 0, bins - 1);
+  int thread = thread_bin(system, first * kBinsAThread + bin);
+  int last = bin + 1 < bins ? thread_bin(system, first * kBinsAThread + bin + 1) : first + g.count[system] - 1;
   // Most bins hold one border at most; those of the finest threads among coarse ones, thousands.
   for (int k = 0; k < kMostHalvings && thread < last; ++k) {
     int middle = (thread + last) / 2;
@@ -141,9 +137,10 @@ FORMULA Strand strand_of(int thread, vec4 body, float base, float start, float s
 // A thread's neighbour: its index in x; the place of its centre, which may lie in the next period, in y.
 FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
   int n = g.count[system];
-  int next = thread + step;
+  int first = g.first[system];
+  int next = thread - first + step;
   if (g.even[system] > 0.0f) {
-    return vec2(float(next < 0 ? n - 1 : next >= n ? 0 : next), (float(next) + 0.5f) * g.even[system]);
+    return vec2(float(first + (next < 0 ? n - 1 : next >= n ? 0 : next)), (float(next) + 0.5f) * g.even[system]);
   }
   float shift = 0.0f;
   if (next < 0) {
@@ -154,7 +151,7 @@ FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
     next = 0;
     shift = g.period[system];
   }
-  return vec2(float(next), thread_body(system, next).x + shift);
+  return vec2(float(first + next), thread_body(system, first + next).x + shift);
 }
 
 FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
@@ -195,6 +192,7 @@ FORMULA vec2 distances(Crossing c, vec3 p) {
 
 struct ThreadHit {
   int system;       // -1: a gap
+  int layer;
   Strand strand;
   vec3 at;
 };
@@ -203,6 +201,7 @@ FORMULA ThreadHit hit_of(Crossing c, vec3 p, vec2 d) {
   ThreadHit hit;
   bool warp = d.x <= d.y;
   hit.system = warp ? 0 : 1;
+  hit.layer = 0;
   hit.strand = c.weft;
   if (warp) hit.strand = c.warp;
   hit.at = p;
@@ -218,7 +217,7 @@ FORMULA ThreadHit thread_below(ThreadGrid g, vec2 at, vec2 lean) {
   for (int k = 0; k < 2; ++k) {
     warp = strand_top(c.warp, p.x, p.y);
     weft = strand_top(c.weft, p.y, p.x);
-    float z = max(max(warp, weft), -g.top);
+    float z = max(max(warp, weft), g.bottom);
     vec2 there = at + lean * z;
     p = vec3(there, z);
     if (!holds(c, there)) c = crossing_near(g, there);
@@ -238,7 +237,9 @@ FORMULA float cell_exit(Crossing c, vec2 at, vec2 lean, float way) {
 }
 
 FORMULA int steps_in_cell(ThreadGrid g, float rise) {
-  return int(clamp(ceil(rise * kStepsInTop / g.top), float(kLeastStepsInCell), float(kMostStepsInCell)));
+  float most = float(kMostStepsInCell);
+  if (g.layers > 1) most *= max(0.5f * (g.top - g.bottom) / g.reach, 1.0f);
+  return int(clamp(ceil(rise * kStepsInTop / g.reach), float(kLeastStepsInCell), most));
 }
 
 FORMULA float distance_to(ThreadHit h, vec3 p) {
@@ -266,22 +267,20 @@ FORMULA vec3 surface_between(ThreadHit h, vec2 at, vec2 lean, float high, float 
   return p;
 }
 
-// First thread on the ray that crosses the middle plane at `at`, coming from v. most: cells at the most; 0 asks
-// for the thread straight below. It goes from cell to cell, since fetching a crossing costs more than the steps in it,
-// and looks for the surface last, so that rays side by side do so together.
-FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
-  vec2 lean = vec2(v.x, v.y) / max(v.z, 0.04f);   // for a height of 1
+// It goes from cell to cell, since fetching a crossing costs more than the steps in it, and looks for the surface
+// last, so that rays side by side do so together.
+FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   float slant = length(lean);
-  if (most == 0 || 2.0f * g.top * slant < 0.06f * g.spacing) return thread_below(g, at, lean);
+  if (most == 0 || (g.top - g.bottom) * slant < 0.06f * g.spacing) return thread_below(g, at, lean);
   float nudge = 1.0e-4f * g.spacing / slant;
   float z = g.top;
   float next = z;
-  float above = g.top;
-  vec2 d = vec2(g.top);
+  float above = g.reach;
+  vec2 d = vec2(g.reach);
   Crossing c = crossing_near(g, at + lean * z);
-  for (int i = 0; i < most && z > -g.top && min(d.x, d.y) >= 0.0f; ++i) {
+  for (int i = 0; i < most && z > g.bottom && min(d.x, d.y) >= 0.0f; ++i) {
     if (i > 0) c = crossing_near(g, at + lean * (z - nudge));
-    float end = max(min(cell_exit(c, at, lean, -1.0f), z - nudge), -g.top);
+    float end = max(min(cell_exit(c, at, lean, -1.0f), z - nudge), g.bottom);
     int steps = steps_in_cell(g, z - end);
     float down = (z - end) / float(steps);
     for (int k = 0; k < steps; ++k) {
@@ -298,18 +297,36 @@ FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
   return hit;
 }
 
-// Whether a thread stands between a point and a light far away, on either side of the cloth; most: cells at the most.
-// The thread that the point is on does not count: it bends too little to stand before itself. system -1: all do.
-FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system, int thread) {
+// First thread on the ray that crosses the middle plane at `at`, coming from v. most: cells at the most; 0 asks
+// for the thread straight below.
+FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
+  vec2 lean = vec2(v.x, v.y) / max(v.z, 0.04f);   // for a height of 1
+  ThreadHit hit;
+  hit.system = -1;
+  ThreadGrid layer = g;
+  for (int i = 0; i < g.layers; ++i) {
+    if (i > 0) layer = thread_layer(i, g.side);
+    ThreadHit found = first_in_layer(layer, at, lean, most);
+    if (i > 0 && (found.system < 0 || (hit.system >= 0 && found.at.z <= hit.at.z))) continue;
+    hit = found;
+    hit.layer = i;
+  }
+  return hit;
+}
+
+FORMULA bool layer_blocks(ThreadGrid g, vec3 from, vec3 l, int most, int system, int thread) {
   float way = l.z < 0.0f ? -1.0f : 1.0f;
   vec2 lean = vec2(l.x, l.y) / (way * max(abs(l.z), 0.02f));
   vec2 at = vec2(from.x, from.y) - lean * from.z;
   float nudge = 1.0e-4f * g.spacing / max(length(lean), 1.0e-3f);
+  float last = way > 0.0f ? g.top : -g.bottom;
   float z = way * from.z;   // grows towards the light
+  // A layer that the light reaches later.
+  if (g.layers > 1) z = max(z, way > 0.0f ? g.bottom : -g.top);
   bool blocked = false;
-  for (int i = 0; i < most && z < g.top && !blocked; ++i) {
+  for (int i = 0; i < most && z < last && !blocked; ++i) {
     Crossing c = crossing_near(g, at + lean * (way * (z + nudge)));
-    float end = min(max(way * cell_exit(c, at, lean, way), z + nudge), g.top);
+    float end = min(max(way * cell_exit(c, at, lean, way), z + nudge), last);
     int steps = steps_in_cell(g, end - z);
     float up = (end - z) / float(steps);
     for (int k = 0; k < steps; ++k) {
@@ -320,6 +337,18 @@ FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system
       blocked = blocked || min(d.x, d.y) < 0.0f;
     }
     z = end;
+  }
+  return blocked;
+}
+
+// Whether a thread stands between a point and a light far away, on either side of the cloth; most: cells at the most.
+// The thread that the point is on does not count: it bends too little to stand before itself. system -1: all do.
+FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system, int thread) {
+  ThreadGrid layer = g;
+  bool blocked = false;
+  for (int i = 0; i < g.layers && !blocked; ++i) {
+    if (i > 0) layer = thread_layer(i, g.side);
+    blocked = layer_blocks(layer, from, l, most, system, thread);
   }
   return blocked;
 }

@@ -6,6 +6,7 @@
 
 #include "base/loops.h"
 #include "cloth/bake_parts.h"
+#include "cloth/layers.h"
 
 namespace weftlight::cloth {
 namespace {
@@ -68,12 +69,13 @@ void put(Maps& m, int x, int y, const SurfaceSample& s) {
 
 /// Calls put(x, y, sample) for the texels of a rectangle inside the period.
 template <class Put>
-void sample_texels(const Cloth& cloth, const SampleGrid& grid, const TexelRect& r, const Put& put) {
+void sample_texels(const Cloth& cloth, std::span<const Cloth> layers, const SampleGrid& grid, const TexelRect& r,
+                   const Put& put) {
   const int nx = grid.per_texel_x, ny = grid.per_texel_y;
-  SurfaceSampler sampler(cloth, grid, r.x0 * nx, r.x1 * nx, r.y0 * ny, r.y1 * ny);
+  LayeredSampler sampler(cloth, layers, grid, r.x0 * nx, r.x1 * nx, r.y0 * ny, r.y1 * ny);
   const size_t texels = static_cast<size_t>(r.x1 - r.x0);
   std::vector<SurfaceSample> row(texels * static_cast<size_t>(nx));
-  std::vector<SurfaceSampler::Beside> beside;
+  std::vector<LayeredSampler::Beside> beside;
   std::vector<TexelSum> sums;
   for (int y = r.y0; y < r.y1; ++y) {
     if (nx * ny == 1) {
@@ -182,11 +184,12 @@ Plane<float> bake_field(Maps& maps, const Cloth& cloth, const SampleGrid& grid, 
   for (const TexelRect& r : pieces(field, w, h))
     for (int y = r.y0; y < r.y1; y += kBandRows) bands.push_back({r.x0, y, r.x1, std::min(r.y1, y + kBandRows)});
   Plane<float> height(width_of(field), height_of(field));
+  const std::vector<Cloth> layers = layers_apart(cloth);
   const int wx = wrap(window.x0, w), wy = wrap(window.y0, h);
   for_each_job(static_cast<int>(bands.size()), threads, [&](int i) {
     const TexelRect& r = bands[static_cast<size_t>(i)];
     const int to_x = wrap(r.x0 - field.x0, w) - r.x0, to_y = wrap(r.y0 - field.y0, h) - r.y0;
-    sample_texels(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
+    sample_texels(cloth, layers, grid, r, [&](int x, int y, const SurfaceSample& s) {
       height.at(x + to_x, y + to_y) = s.height_mm;
       const int in_x = x < wx ? x - wx + w : x - wx, in_y = y < wy ? y - wy + h : y - wy;
       if (in_x < maps.coverage.width && in_y < maps.coverage.height) put(maps, in_x, in_y, s);
@@ -205,8 +208,9 @@ TexelRect cut_to_period(const TexelRect& window, int w, int h) {
 
 Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k) {
   const double azimuth = 2.0 * std::numbers::pi * k / azimuths;
-  const float spacing = std::max(cloth.width_mm / static_cast<float>(cloth.ends.size()),
-                                 cloth.depth_mm / static_cast<float>(cloth.picks.size()));
+  const float layers = static_cast<float>(layer_count(cloth));
+  const float spacing = std::max(layers * cloth.width_mm / static_cast<float>(cloth.ends.size()),
+                                 layers * cloth.depth_mm / static_cast<float>(cloth.picks.size()));
   return sweep_towards(azimuth, width, height, cloth.width_mm / static_cast<float>(width),
                        cloth.depth_mm / static_cast<float>(height), kShadowReach * spacing);
 }
@@ -227,7 +231,7 @@ void bake_occlusion(Maps& maps, const TexelRect& r) {
 }
 
 void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r) {
-  sample_texels(cloth, grid, r, [&](int x, int y, const SurfaceSample& s) {
+  sample_texels(cloth, layers_apart(cloth), grid, r, [&](int x, int y, const SurfaceSample& s) {
     maps.height_mm.at(x, y) = s.height_mm;
     put(maps, x, y, s);
   });

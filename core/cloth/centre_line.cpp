@@ -96,6 +96,20 @@ struct Cells {
   }
 };
 
+/// Of a layer among others.
+void add_levels(CentreLines& lines, const Cloth& cloth) {
+  if (cloth.warp_level_mm.empty()) return;
+  const int ends = cloth.up.cols(), picks = cloth.up.rows();
+  size_t out = 0;
+  for (int p = lines.window.pick0; p < lines.window.pick1; ++p) {
+    const size_t row = static_cast<size_t>(wrap(p, picks)) * static_cast<size_t>(ends);
+    for (int e = lines.window.end0; e < lines.window.end1; ++e, ++out) {
+      const size_t from = row + static_cast<size_t>(wrap(e, ends));
+      lines.warp_mm[out] += cloth.warp_level_mm[from], lines.weft_mm[out] += cloth.weft_level_mm[from];
+    }
+  }
+}
+
 }  // namespace
 
 CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
@@ -127,6 +141,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
       lines.weft_mm[out] = -side * ((1.0f - share) * apart + f.rise * rise(at, 1));
     }
   }
+  add_levels(lines, cloth);
   return lines;
 }
 

@@ -32,7 +32,8 @@ struct CentreLines {
   }
 };
 
-/// Height of the crossings of `window` (8 bytes a crossing). Cloth without threads: empty.
+/// Height of the crossings of `window` (8 bytes a crossing). Cloth without threads: empty. Of several layers: of one
+/// of them (layers.h).
 CentreLines centre_lines(const Cloth& cloth, const CellRect& window);
 /// The whole period, with the margin that centre_at needs at its borders.
 CentreLines centre_lines(const Cloth& cloth);

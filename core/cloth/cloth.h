@@ -28,6 +28,12 @@ struct ThreadBody {
   int yarn = 0;          // index into Cloth::yarns
 };
 
+/// Threads that lie side by side, in a cloth of several layers: runs of its ends and picks.
+struct Layer {
+  int first_end = 0, ends = 0, first_pick = 0, picks = 0;
+  bool operator==(const Layer&) const = default;
+};
+
 /// One period of one face. Front: up = drawdown; back: its complement, same end order, seen with +z
 /// towards the viewer.
 struct Cloth {
@@ -35,6 +41,12 @@ struct Cloth {
   BitMatrix up;                      // picks x ends; 1: warp on top of this face
   std::vector<ThreadBody> ends, picks;
   std::vector<Yarn> yarns;
+  // Double cloth and its like (layers.h); empty: one layer, threads in the draft's order. Else threads stand layer by
+  // layer; those of each layer fill the whole period.
+  std::vector<Layer> layers;
+  // Then, as `up`: how far each thread's centre line is moved where it crosses one of its own layer.
+  std::vector<float> warp_level_mm, weft_level_mm;
+  int first_end = 0, first_pick = 0;  // of one layer alone: where its threads stand in the cloth
 };
 
 enum class Period { kWholeDraft, kRepeat };

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cloth/cloth.h"
+#include "cloth/layers.h"
 #include "cloth/srgb.h"
 #include "cloth/thread_texture.h"
 #include "draft/repeat.h"
@@ -71,25 +73,92 @@ float thickness_factor(const Yarn& yarn, System system, int thread) {
   return std::clamp(1 + 2 * spread * sum, 1 / 3.0f, 3.0f);
 }
 
+/// Thread i in so much room; below zero: left to the yarn.
+ThreadBody thread_in_room(const Design& design, System system, int i, float spacing) {
+  const Threads& threads = design.draft.threads(system);
+  const Yarn& yarn = yarn_of(design, threads, i);
+  const float even = diameter_of(design, threads, i);
+  const float factor = thickness_factor(yarn, system, i);
+  ThreadBody body = body_of(even * factor, spacing, yarn);
+  // A thread has the room that its even yarn would have: the reed does not know where it is thick.
+  if (factor != 1) body.spacing_mm = body_of(even, spacing, yarn).spacing_mm;
+  body.yarn = static_cast<int>(&yarn - design.yarns.data());
+  body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
+  return body;
+}
+
 std::vector<ThreadBody> bodies(const Design& design, System system, int count, float& period) {
   const Threads& threads = design.draft.threads(system);
   std::vector<ThreadBody> out;
   out.reserve(static_cast<size_t>(count));
   double edge = 0;
   for (int i = 0; i < count; ++i) {
-    const Yarn& yarn = yarn_of(design, threads, i);
-    const float even = diameter_of(design, threads, i), spacing = entry(threads.spacing_mm, i, kFromYarn);
-    const float factor = thickness_factor(yarn, system, i);
-    ThreadBody body = body_of(even * factor, spacing, yarn);
-    // A thread has the room that its even yarn would have: the reed does not know where it is thick.
-    if (factor != 1) body.spacing_mm = body_of(even, spacing, yarn).spacing_mm;
-    body.yarn = static_cast<int>(&yarn - design.yarns.data());
-    body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
+    ThreadBody body = thread_in_room(design, system, i, entry(threads.spacing_mm, i, kFromYarn));
     body.centre_mm = static_cast<float>(edge + 0.5 * static_cast<double>(body.spacing_mm));
     edge += static_cast<double>(body.spacing_mm);
     out.push_back(body);
   }
   period = static_cast<float>(edge);
+  return out;
+}
+
+/// Threads in an order that goes layer by layer.
+std::vector<int> layer_order(const std::vector<uint8_t>& layer_of) {
+  std::vector<int> order(layer_of.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int i) { return layer_of[static_cast<size_t>(i)]; });
+  return order;
+}
+
+/// Ends of the least groups of threads of which each layer has its share of all.
+std::vector<int> shared_groups(const std::vector<uint8_t>& layer_of, int layers) {
+  std::vector<int64_t> all(static_cast<size_t>(layers)), so_far(all);
+  for (const uint8_t l : layer_of) ++all[l];
+  std::vector<int> ends;
+  for (size_t i = 0; i < layer_of.size(); ++i) {
+    ++so_far[layer_of[i]];
+    const auto even = [&](size_t l) { return so_far[l] * all[0] == so_far[0] * all[l]; };
+    bool shared = true;
+    for (size_t l = 1; l < all.size(); ++l) shared = shared && even(l);
+    if (shared) ends.push_back(static_cast<int>(i) + 1);
+  }
+  return ends;
+}
+
+/// Threads in layers, in the order that goes layer by layer: each layer's own fill the cloth. A group is as wide as the
+/// draft's spacings add up to; where the yarn alone rules, as its widest layer.
+std::vector<ThreadBody> layered_bodies(const Design& design, System system, const std::vector<uint8_t>& layer_of,
+                                       int layers, float& period) {
+  const Threads& threads = design.draft.threads(system);
+  std::vector<std::vector<ThreadBody>> by_layer(static_cast<size_t>(layers));
+  double edge = 0;
+  int first = 0;
+  for (const int last : shared_groups(layer_of, layers)) {
+    std::vector<double> own(static_cast<size_t>(layers));
+    double room = 0;
+    bool given = false;
+    for (int i = first; i < last; ++i) {
+      const float spacing = entry(threads.spacing_mm, i, kFromYarn);
+      given = given || spacing > 0;
+      own[layer_of[static_cast<size_t>(i)]] +=
+          static_cast<double>(thread_in_room(design, system, i, spacing).spacing_mm);
+    }
+    for (const double sum : own) room = given ? room + sum : std::max(room, sum);
+    std::vector<double> at(static_cast<size_t>(layers), edge);
+    for (int i = first; i < last; ++i) {
+      const size_t layer = layer_of[static_cast<size_t>(i)];
+      const float alone = thread_in_room(design, system, i, entry(threads.spacing_mm, i, kFromYarn)).spacing_mm;
+      const double mine = static_cast<double>(alone) * room / own[layer];
+      ThreadBody body = thread_in_room(design, system, i, static_cast<float>(mine));
+      body.centre_mm = static_cast<float>(at[layer] + 0.5 * mine);
+      at[layer] += mine;
+      by_layer[layer].push_back(body);
+    }
+    edge += room, first = last;
+  }
+  period = static_cast<float>(edge);
+  std::vector<ThreadBody> out;
+  for (const std::vector<ThreadBody>& layer : by_layer) out.insert(out.end(), layer.begin(), layer.end());
   return out;
 }
 
@@ -102,6 +171,12 @@ BitMatrix top_left(const BitMatrix& cells, int picks, int ends, bool flip) {
     if (!to.empty()) to.back() &= out.last_word_mask();
   }
   return out;
+}
+
+void turn_over(Cloth& cloth) {
+  cloth.up = top_left(cloth.up, cloth.up.rows(), cloth.up.cols(), true);
+  for (float& level : cloth.warp_level_mm) level = -level;
+  for (float& level : cloth.weft_level_mm) level = -level;
 }
 
 }  // namespace
@@ -122,9 +197,17 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   if (period == Period::kRepeat && size.ends > 0 && size.picks > 0) size = design_repeat(design, cells);
   Cloth cloth;
   cloth.yarns = design.yarns.empty() ? std::vector<Yarn>{Yarn{}} : design.yarns;
-  cloth.up = top_left(cells, size.picks, size.ends, face == Face::kBack);
-  cloth.ends = bodies(design, System::kWarp, size.ends, cloth.width_mm);
-  cloth.picks = bodies(design, System::kWeft, size.picks, cloth.depth_mm);
+  cloth.up = top_left(cells, size.picks, size.ends, false);
+  const LayerPlan plan = find_layers(cloth.up);
+  if (plan.layers > 1) {
+    cloth.ends = layered_bodies(design, System::kWarp, plan.end_layer, plan.layers, cloth.width_mm);
+    cloth.picks = layered_bodies(design, System::kWeft, plan.pick_layer, plan.layers, cloth.depth_mm);
+    put_in_layers(cloth, plan, layer_order(plan.end_layer), layer_order(plan.pick_layer));
+  } else {
+    cloth.ends = bodies(design, System::kWarp, size.ends, cloth.width_mm);
+    cloth.picks = bodies(design, System::kWeft, size.picks, cloth.depth_mm);
+  }
+  if (face == Face::kBack) turn_over(cloth);
   return cloth;
 }
 

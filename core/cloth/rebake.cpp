@@ -184,8 +184,13 @@ std::vector<TexelRect> resweep(Maps& maps, const Sweep& s, int k, const std::vec
 }  // namespace
 
 std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& after) {
-  if (is_empty(after) || before.up == after.up) return {};
+  if (is_empty(after) || (before.up == after.up && before.layers == after.layers)) return {};
   const int w = maps.height_mm.width, h = maps.height_mm.height;
+  if (!before.layers.empty() || !after.layers.empty()) {
+    // A cell may tie layers that lay apart, or part them.
+    maps = bake(after, {w, h, maps.azimuths});
+    return {{0, 0, w, h}};
+  }
   const SampleGrid grid = sample_grid(after, w, h);
   BitMatrix touched = seen_in(moved_crossings(before.up, after.up), after, grid);
   const std::vector<TexelRect> changed = cover(touched, kSamplerOverhead);

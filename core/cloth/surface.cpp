@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace weftlight::cloth {
@@ -90,18 +91,21 @@ float floor_mm(const Cloth& cloth) {
   float end = 0, pick = 0;
   for (const ThreadBody& t : cloth.ends) end = std::max(end, t.height_mm);
   for (const ThreadBody& t : cloth.picks) pick = std::max(pick, t.height_mm);
-  return -0.5f * (end + pick);
+  float lowest = 0;
+  for (const float level : cloth.warp_level_mm) lowest = std::min(lowest, level);
+  return lowest - 0.5f * (end + pick);
 }
 
 SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System system, float from_mm, float to_mm,
                                                   float step, float step_along) {
   const auto& threads = threads_of(cloth, system);
   const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
+  const int own = system == System::kWarp ? cloth.first_end : cloth.first_pick;
   Textures out;
   out.first = thread_at(threads, from_mm);
   for (int i = out.first, last = thread_at(threads, to_mm); i <= last; ++i) {
     const ThreadBody& body = threads[static_cast<size_t>(i)];
-    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length));
+    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, own + i, length));
     const ThreadTexture& t = out.of.back();
     // On the ridge, where grooves are seen at their widest.
     const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
@@ -247,7 +251,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   s.slope_spread = a.slope_spread * l.lengthened * l.lengthened;
   const glm::vec3 colour = fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
   s.colour = {colour.r, colour.g, colour.b};
-  s.thread = static_cast<uint32_t>(a.thread);
+  s.thread = static_cast<uint32_t>(a.thread + (warp ? cloth_.first_end : cloth_.first_pick));
   s.system = warp ? 0 : 1;
   s.slope = warp ? Slope{across, along} : Slope{along, across};
   // Fibre: the axis turned by the helix angle in the surface's tangent plane.
@@ -289,6 +293,49 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
       beside.push_back({static_cast<int>(i), warp_first ? finish(System::kWeft, across_row, pick, weft)
                                                         : finish(System::kWarp, column, end, warp)});
   }
+}
+
+LayeredSampler::LayeredSampler(const Cloth& cloth, std::span<const Cloth> layers, const SampleGrid& grid, int x0,
+                               int x1, int y0, int y1) {
+  if (layers.empty()) layers_.push_back({SurfaceSampler(cloth, grid, x0, x1, y0, y1), {}, {}});
+  for (const Cloth& layer : layers) {
+    layers_.push_back({SurfaceSampler(layer, grid, x0, x1, y0, y1), {}, {}});
+    layers_.back().out.resize(static_cast<size_t>(x1 - x0));
+  }
+}
+
+void LayeredSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
+  if (layers_.size() == 1) return layers_.front().sampler.row(y, out, beside);
+  for (Shown& layer : layers_) layer.sampler.row(y, layer.out, layer.beside), layer.next = 0;
+  beside.clear();
+  for (size_t i = 0; i < out.size(); ++i) {
+    const std::vector<SurfaceSample>& seen = stacked(i);
+    const auto most = std::ranges::max_element(seen, {}, &SurfaceSample::cover);
+    out[i] = *most;
+    for (const SurfaceSample& s : seen)
+      if (&s != &*most && s.cover > kLeastShown) beside.push_back({static_cast<int>(i), s});
+  }
+}
+
+const std::vector<SurfaceSample>& LayeredSampler::stacked(size_t i) {
+  order_.clear();
+  for (Shown& layer : layers_) order_.push_back(&layer);
+  std::ranges::stable_sort(order_, std::greater{}, [&](const Shown* layer) { return layer->out[i].height_mm; });
+  stack_.clear();
+  float open = 1;
+  for (Shown* layer : order_) {
+    float covered = 0;
+    const auto add = [&](SurfaceSample s) {
+      covered += s.cover;
+      s.cover *= open;
+      stack_.push_back(s);
+    };
+    add(layer->out[i]);
+    if (layer->next < layer->beside.size() && layer->beside[layer->next].sample == static_cast<int>(i))
+      add(layer->beside[layer->next++].shows);
+    open *= std::max(0.0f, 1 - covered);
+  }
+  return stack_;
 }
 
 }  // namespace weftlight::cloth

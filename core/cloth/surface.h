@@ -104,4 +104,29 @@ class SurfaceSampler {
   int pick_ = -1;
 };
 
+/// The same of all layers of a cloth: what is higher hides what is lower but for its gaps. `beside` may have several
+/// entries a sample.
+class LayeredSampler {
+ public:
+  using Beside = SurfaceSampler::Beside;
+  /// layers: each one of the cloth's (one_layer); empty where it has one alone.
+  LayeredSampler(const Cloth& cloth, std::span<const Cloth> layers, const SampleGrid& grid, int x0, int x1, int y0,
+                 int y1);
+  void row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside);
+
+ private:
+  struct Shown {
+    SurfaceSampler sampler;
+    std::vector<SurfaceSample> out;
+    std::vector<Beside> beside;
+    size_t next = 0;  // of beside
+  };
+  /// What shows of each layer at a sample, with its share.
+  const std::vector<SurfaceSample>& stacked(size_t i);
+
+  std::vector<Shown> layers_;
+  std::vector<Shown*> order_;
+  std::vector<SurfaceSample> stack_;
+};
+
 }  // namespace weftlight::cloth

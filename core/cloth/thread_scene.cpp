@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cloth/centre_line.h"
+#include "cloth/layers.h"
 
 namespace weftlight::cloth {
 namespace {
 
-constexpr int kBinsAThread = 4;
+constexpr int kBinsAThread = 4;  // of shaders/threads.glsl
 
 std::vector<glm::vec4> bodies_of(const std::vector<ThreadBody>& threads) {
   std::vector<glm::vec4> out;
@@ -18,16 +20,15 @@ std::vector<glm::vec4> bodies_of(const std::vector<ThreadBody>& threads) {
   return out;
 }
 
-std::vector<int> bins_of(const std::vector<glm::vec4>& bodies, float period) {
-  const size_t count = bodies.size() * kBinsAThread;
-  std::vector<int> first(count);
-  size_t thread = 0;
+/// Adds the bins of the threads [from, to), which fill the period.
+void add_bins(std::vector<int>& first, const std::vector<glm::vec4>& bodies, size_t from, size_t to, float period) {
+  const size_t count = (to - from) * kBinsAThread;
+  size_t thread = from;
   for (size_t bin = 0; bin < count; ++bin) {
     const float start = period * static_cast<float>(bin) / static_cast<float>(count);
-    while (thread + 1 < bodies.size() && bodies[thread].x + bodies[thread].y <= start) ++thread;
-    first[bin] = static_cast<int>(thread);
+    while (thread + 1 < to && bodies[thread].x + bodies[thread].y <= start) ++thread;
+    first.push_back(static_cast<int>(thread));
   }
-  return first;
 }
 
 /// Threads that all have the same room can be found by a division.
@@ -59,9 +60,29 @@ std::vector<float> places_of(const std::vector<ThreadBody>& threads, float perio
 
 }  // namespace
 
+namespace {
+
+/// Each layer's crossings in their place among those of all.
+std::vector<glm::vec4> layered_crossings(const Cloth& cloth) {
+  const size_t ends = cloth.ends.size();
+  std::vector<glm::vec4> out(ends * cloth.picks.size(), glm::vec4(0));
+  for (int i = 0; i < layer_count(cloth); ++i) {
+    const Layer& l = cloth.layers[static_cast<size_t>(i)];
+    const std::vector<glm::vec4> own = thread_crossings(one_layer(cloth, i), {0, l.ends, 0, l.picks});
+    for (int p = 0; p < l.picks; ++p)
+      std::copy_n(
+          own.begin() + static_cast<std::ptrdiff_t>(p) * l.ends, l.ends,
+          out.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(l.first_pick + p) * ends) + l.first_end);
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
   std::vector<glm::vec4> out;
   if (cloth.ends.empty() || cloth.picks.empty() || w.empty()) return out;
+  if (!cloth.layers.empty()) return layered_crossings(cloth);
   const CentreLines lines = centre_lines(cloth, {w.end0 - 1, w.end1 + 1, w.pick0 - 1, w.pick1 + 1});
   const std::vector<float> x = places_of(cloth.ends, cloth.width_mm, w.end0 - 1, w.end1 + 1);
   const std::vector<float> y = places_of(cloth.picks, cloth.depth_mm, w.pick0 - 1, w.pick1 + 1);
@@ -81,6 +102,26 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
   return out;
 }
 
+namespace {
+
+/// Lowest and highest place that threads with such crossings reach; they bulge between them.
+glm::vec2 span_of(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
+  float end = 0, pick = 0;
+  for (const ThreadBody& t : cloth.ends) end = std::max(end, 0.5f * t.height_mm);
+  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, 0.5f * t.height_mm);
+  const float between_ends = widest_room(cloth.ends), between_picks = widest_room(cloth.picks);
+  glm::vec2 span(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
+  // Between crossings a cubic rises above them by a quarter of its slopes' rise at the most.
+  for (const glm::vec4& c : crossings) {
+    const float warp = end * std::sqrt(1 + c.y * c.y) + 0.25f * std::abs(c.y) * between_picks;
+    const float weft = pick * std::sqrt(1 + c.w * c.w) + 0.25f * std::abs(c.w) * between_ends;
+    span.x = std::min({span.x, c.x - warp, c.z - weft}), span.y = std::max({span.y, c.x + warp, c.z + weft});
+  }
+  return span;
+}
+
+}  // namespace
+
 float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
   float end = 0, pick = 0, most = 0;
   for (const ThreadBody& t : cloth.ends) end = std::max(end, 0.5f * t.height_mm);
@@ -95,24 +136,67 @@ float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings
   return std::clamp(most, 1e-5f, std::max(1e-5f, 3 * (end + pick)));
 }
 
-ThreadTables thread_tables(const Cloth& cloth) {
+namespace {
+
+thread_formulas::ThreadHead head_of(const Cloth& one, int layers) {
+  thread_formulas::ThreadHead h{};
+  h.layers = layers;
+  h.count = {static_cast<int>(one.ends.size()), static_cast<int>(one.picks.size())};
+  h.first = {one.first_end, one.first_pick};
+  h.period = {one.width_mm, one.depth_mm};
+  if (one.ends.empty() || one.picks.empty()) return h;
+  h.even = {even_room(one.ends), even_room(one.picks)};
+  h.spacing = 0.5f * (h.period.x / static_cast<float>(h.count.x) + h.period.y / static_cast<float>(h.count.y));
+  return h;
+}
+
+/// Heights of a layer among others: rays look for it there alone.
+void take_span(thread_formulas::ThreadHead& h, Cloth one) {
+  const CellRect all{0, h.count.x, 0, h.count.y};
+  const glm::vec2 span = span_of(one, thread_crossings(one, all));
+  h.bottom = span.x, h.top = span.y;
+  one.warp_level_mm.clear(), one.weft_level_mm.clear();
+  h.reach = highest_thread(one, thread_crossings(one, all));
+}
+
+}  // namespace
+
+ThreadTables thread_tables(const Cloth& cloth, float top_mm) {
   ThreadTables t;
-  t.count = {static_cast<int>(cloth.ends.size()), static_cast<int>(cloth.picks.size())};
-  t.period = {cloth.width_mm, cloth.depth_mm};
   t.bodies = {bodies_of(cloth.ends), bodies_of(cloth.picks)};
-  t.first = {bins_of(t.bodies[0], t.period.x), bins_of(t.bodies[1], t.period.y)};
-  t.bins = t.count * kBinsAThread;
-  if (cloth.ends.empty() || cloth.picks.empty()) return t;
-  t.even = {even_room(cloth.ends), even_room(cloth.picks)};
-  t.spacing = 0.5f * (t.period.x / static_cast<float>(t.count.x) + t.period.y / static_cast<float>(t.count.y));
+  const int layers = layer_count(cloth);
+  for (int i = 0; i < layers; ++i) {
+    const Layer l = cloth.layers.empty()
+                        ? Layer{0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())}
+                        : cloth.layers[static_cast<size_t>(i)];
+    add_bins(t.first[0], t.bodies[0], static_cast<size_t>(l.first_end), static_cast<size_t>(l.first_end + l.ends),
+             cloth.width_mm);
+    add_bins(t.first[1], t.bodies[1], static_cast<size_t>(l.first_pick), static_cast<size_t>(l.first_pick + l.picks),
+             cloth.depth_mm);
+    if (layers > 1) {
+      Cloth one = one_layer(cloth, i);
+      t.layers.push_back(head_of(one, layers));
+      take_span(t.layers.back(), std::move(one));
+    } else {
+      t.layers.push_back(head_of(cloth, 1));
+      t.layers.back().top = t.layers.back().reach = top_mm, t.layers.back().bottom = -top_mm;
+    }
+  }
   return t;
 }
 
-thread_formulas::ThreadScene::ThreadScene(const Cloth& cloth, Face face)
-    : tables_(thread_tables(cloth)),
-      crossings_(thread_crossings(cloth, {0, tables_.count.x, 0, tables_.count.y})),
-      side_(face == Face::kFront ? 1.0f : -1.0f) {
-  tables_.top = highest_thread(cloth, crossings_);
+namespace {
+
+float top_of(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
+  return cloth.layers.empty() ? highest_thread(cloth, crossings) : 0.0f;
 }
+
+}  // namespace
+
+thread_formulas::ThreadScene::ThreadScene(const Cloth& cloth, Face face)
+    : crossings_(
+          thread_crossings(cloth, {0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())})),
+      tables_(thread_tables(cloth, top_of(cloth, crossings_))),
+      side_(face == Face::kFront ? 1.0f : -1.0f) {}
 
 }  // namespace weftlight::cloth

@@ -14,23 +14,19 @@ namespace weftlight::cloth {
 
 /// What the formulas fetch. Systems: 0 warp, 1 weft.
 struct ThreadTables {
-  glm::ivec2 count{0}, bins{0};
-  glm::vec2 period{0};                           // mm
-  float spacing = 0;                             // mean of both systems, mm
-  float top = 0;                                 // no thread is higher, mm
-  glm::vec2 even{0};                             // the room of each thread where a system's are alike, else 0
-  std::array<std::vector<glm::vec4>, 2> bodies;  // centre, half the room, half width, half height, mm
-  std::array<std::vector<int>, 2> first;         // of the threads that reach past a bin's start
+  std::vector<thread_formulas::ThreadHead> layers;  // at least one; without the places of records
+  std::array<std::vector<glm::vec4>, 2> bodies;     // centre, half the room, half width, half height, mm
+  std::array<std::vector<int>, 2> first;            // of the threads that reach past a bin's start
 };
 
-/// All but the crossings; `top` from the crossings of the whole period.
-ThreadTables thread_tables(const Cloth& cloth);
+/// All but the crossings. top_mm: of a cloth in one layer, a bound of its threads' heights.
+ThreadTables thread_tables(const Cloth& cloth, float top_mm);
 
 /// Crossings of a window (it may run outside 0..count, where it wraps), row-major, a row a pick: height and slope
-/// of the warp, of the weft, on the front.
+/// of the warp, of the weft, on the front. Of several layers: the whole period alone, 0 where threads of two cross.
 std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& window);
 
-/// Bound of the heights of threads with such crossings.
+/// Bound of the heights of threads with such crossings, of a cloth in one layer.
 float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings);
 
 namespace thread_formulas {
@@ -47,18 +43,18 @@ class ThreadScene {
     return tables_.first[static_cast<size_t>(system)][static_cast<size_t>(bin)];
   }
   vec4 crossing_at(int end, int pick) const {
-    return crossings_[static_cast<size_t>(pick) * static_cast<size_t>(tables_.count.x) + static_cast<size_t>(end)];
+    return crossings_[static_cast<size_t>(pick) * tables_.bodies[0].size() + static_cast<size_t>(end)];
   }
 #define FORMULA
 #include "shaders/threads.glsl"
 #undef FORMULA
-  ThreadGrid grid() const {
-    return {tables_.count, tables_.bins, tables_.period, tables_.spacing, tables_.top, side_, tables_.even};
-  }
+  using ThreadGrid = thread_formulas::ThreadGrid;
+  ThreadGrid thread_layer(int i, float side) const { return grid_of(tables_.layers[static_cast<size_t>(i)], side); }
+  ThreadGrid grid() const { return thread_layer(0, side_); }
 
  private:
-  ThreadTables tables_;
   std::vector<glm::vec4> crossings_;
+  ThreadTables tables_;
   float side_;
 };
 

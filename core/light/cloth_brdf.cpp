@@ -10,6 +10,8 @@
 #include <bit>
 #include <cmath>
 
+#include "cloth/layers.h"
+
 namespace weftlight::light {
 namespace {
 
@@ -137,7 +139,8 @@ ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float si
   return {p, table_of_g(p, nodes)};
 }
 
-ClothBrdf cloth_brdf(const Cloth& cloth) {
+ClothBrdf cloth_brdf(const Cloth& whole) {
+  const Cloth cloth = one_layer(whole, front_layer(whole));
   const BitMatrix& up = cloth.up;
   const int picks = up.rows(), ends = up.cols();
   const Mean warp = mean_of(cloth.ends), weft = mean_of(cloth.picks);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "cloth/layers.h"
+
 namespace weftlight::light {
 namespace {
 
@@ -46,6 +48,10 @@ struct Sample {
 
 const Lobes& lobes_at(const Cloth& cloth, const Maps& maps, int x, int y) {
   const bool weft = maps.system.at(x, y) != 0;
+  if (!cloth.layers.empty() && !maps.thread.at_.empty()) {
+    const ThreadBody& seen = (weft ? cloth.picks : cloth.ends)[maps.thread.at(x, y)];
+    return cloth.yarns[static_cast<size_t>(seen.yarn)].lobes;
+  }
   const float u_mm = (static_cast<float>(x) + 0.5f) / static_cast<float>(maps.coverage.width) * maps.width_mm;
   const float v_mm = (static_cast<float>(y) + 0.5f) / static_cast<float>(maps.coverage.height) * maps.depth_mm;
   const ThreadBody& body = weft ? nearest_thread(cloth.picks, v_mm) : nearest_thread(cloth.ends, u_mm);
@@ -230,8 +236,10 @@ EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float s
 }
 
 float thread_spacing_mm(const Cloth& cloth) {
-  return 0.5f * (cloth.width_mm / static_cast<float>(std::max<size_t>(1, cloth.ends.size())) +
-                 cloth.depth_mm / static_cast<float>(std::max<size_t>(1, cloth.picks.size())));
+  const float layers = static_cast<float>(layer_count(cloth));
+  return 0.5f * layers *
+         (cloth.width_mm / static_cast<float>(std::max<size_t>(1, cloth.ends.size())) +
+          cloth.depth_mm / static_cast<float>(std::max<size_t>(1, cloth.picks.size())));
 }
 
 float lobe_window_mm(float footprint_mm, float spacing_mm) { return std::max(footprint_mm, 2 * spacing_mm); }

@@ -60,6 +60,7 @@ std::vector<Cloth> windows_of(const Cloth& cloth) {
 class Placer {
  public:
   explicit Placer(const Cloth& cloth) : cloth_(cloth), scene_(cloth), grid_(scene_.grid()), views_(response_views()) {
+    for (int i = 0; i < grid_.layers; ++i) layers_.push_back(scene_.thread_layer(i, 1));
     for (int s = 0; s < 2; ++s) {
       const std::vector<ThreadBody>& bodies = s == 0 ? cloth.ends : cloth.picks;
       for (size_t i = 0; i < bodies.size(); ++i) {
@@ -75,7 +76,7 @@ class Placer {
 
  private:
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
-  float warp_around(int end, int pick) const;
+  float warp_around(int layer, int end, int pick) const;
   glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
   void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point);
   void look_around(ThreadPlace& p, glm::vec3 at, int thread);
@@ -83,20 +84,23 @@ class Placer {
   const Cloth& cloth_;
   ThreadScene scene_;
   thread_formulas::ThreadScene::ThreadGrid grid_;
+  std::vector<thread_formulas::ThreadScene::ThreadGrid> layers_;
   std::array<std::vector<ThreadTexture>, 2> textures_;
   std::array<glm::vec3, kResponseViews> views_;
 };
 
 /// The warp's share of the crossings around one, by a tent: what mips of four yarns see, read between texels.
-float Placer::warp_around(int end, int pick) const {
+float Placer::warp_around(int layer, int end, int pick) const {
   constexpr int kReach = 4, kTop = kReach + 1;
-  const int ends = static_cast<int>(cloth_.ends.size()), picks = static_cast<int>(cloth_.picks.size());
+  const auto& grid = layers_[static_cast<size_t>(layer)];
+  const int ends = grid.count.x, picks = grid.count.y;
+  end -= grid.first.x, pick -= grid.first.y;
   int sum = 0;
   for (int j = -kReach; j <= kReach; ++j) {
-    const int row = (pick + picks * kReach + j) % picks;
+    const int row = grid.first.y + (pick + picks * kReach + j) % picks;
     int along = 0;
     for (int i = -kReach; i <= kReach; ++i)
-      along += (kTop - std::abs(i)) * cloth_.up.get(row, (end + ends * kReach + i) % ends);
+      along += (kTop - std::abs(i)) * cloth_.up.get(row, grid.first.x + (end + ends * kReach + i) % ends);
     sum += (kTop - std::abs(j)) * along;
   }
   return static_cast<float>(sum) / (kTop * kTop * kTop * kTop);
@@ -107,7 +111,8 @@ ThreadPlace Placer::place(int system, int k, int count) {
   const float u = 2 * part(k, 0.5497004779019703) - 1;
   const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u),
               density = kPi * (kEvenTurns + 3 * (1 - kEvenTurns) * u * u);
-  const auto crossing = scene_.crossing_near(grid_, at);
+  const int layer = k % grid_.layers;
+  const auto crossing = scene_.crossing_near(layers_[static_cast<size_t>(layer)], at);
   const auto& s = system == 0 ? crossing.warp : crossing.weft;
   const float along = system == 0 ? at.y : at.x;
   const glm::vec3 c = scene_.strand_curve(s, along);
@@ -119,7 +124,7 @@ ThreadPlace Placer::place(int system, int k, int count) {
   ThreadPlace p;
   p.system = system;
   if (apart <= 0 || room <= 0) return p;
-  p.area = around * apart * density * 2 / (room * static_cast<float>(count));
+  p.area = around * apart * density * 2 * static_cast<float>(grid_.layers) / (room * static_cast<float>(count));
   const float aside = s.centre + s.half_width * x, level = c.x + s.half_height * y / lean;
   const float ahead = along - s.half_height * y * c.y / lean;
   const glm::vec3 where = system == 0 ? glm::vec3(aside, ahead, level) : glm::vec3(ahead, aside, level);
@@ -130,7 +135,7 @@ ThreadPlace Placer::place(int system, int k, int count) {
     p.area = 0;
     return p;
   }
-  const float warp = warp_around(crossing.warp.thread, crossing.weft.thread);
+  const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
   p.around = system == 0 ? warp : 1 - warp;
   dress(p, s.thread, scene_.thread_point(system, s, where));
   look_around(p, where, s.thread);
@@ -161,10 +166,11 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
 void Placer::look_down(int first, int count, ThreadPlaces& out) {
   for (int k = first; k < first + count; ++k) {
     const glm::vec2 at = glm::vec2(part(k, 0.7548776662466927), part(k, 0.5698402909980532)) * grid_.period;
-    const auto crossing = scene_.crossing_near(grid_, at);
-    const float warp = warp_around(crossing.warp.thread, crossing.weft.thread);
+    const auto hit = scene_.first_thread(grid_, at, glm::vec3(0, 0, 1), 0);
+    const int layer = hit.system < 0 ? 0 : hit.layer;
+    const auto crossing = scene_.crossing_near(layers_[static_cast<size_t>(layer)], at);
+    const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
     out.around_mean += warp, out.around_variance += warp * warp;
-    const auto hit = scene_.thread_below(grid_, at, glm::vec2(0));
     if (hit.system < 0) continue;
     const auto point = scene_.thread_point(hit.system, hit.strand, hit.at);
     const size_t s = static_cast<size_t>(hit.system), thread = static_cast<size_t>(hit.strand.thread);
@@ -223,7 +229,7 @@ FacetMoments facet_moments(const glm::vec3& n) { return {n.x, n.y, n.x * n.x, n.
 ThreadPlaces thread_places(const Cloth& cloth, int count) {
   ThreadPlaces out;
   if (cloth.ends.empty() || cloth.picks.empty()) return out;
-  const bool large = cloth.ends.size() * cloth.picks.size() > kWhole;
+  const bool large = cloth.layers.empty() && cloth.ends.size() * cloth.picks.size() > kWhole;
   const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
   const int windows = static_cast<int>(parts.size());
   const int each = std::max(1, count / 2 / windows), above = kAbove / windows;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cloth/centre_line.h"
+#include "cloth/layers.h"
 #include "reference/embree.h"
 
 namespace weftlight::reference {
@@ -48,7 +49,8 @@ glm::vec3 place(System s, float centre, const Ring& r) {
 
 struct TubeScene::Parts {
   Cloth cloth;
-  CentreLines lines;
+  std::vector<Cloth> layers;
+  std::vector<CentreLines> lines;  // of each
   int around = 0;
   int rings[2] = {0, 0};  // segments along a tube of each system over the tile
   // Segments beyond both of its ends: sections lean, so what is on top at the tile's edge may start outside it.
@@ -85,7 +87,10 @@ struct TubeScene::Parts {
   Ring ring_at(System s, int thread, float along) const {
     const float period = period_along(s);
     const float wrapped = along - std::floor(along / period) * period;
-    const CentrePoint p = centre_at(lines, s, thread, centre_step(cloth, s, wrapped));
+    const size_t layer = static_cast<size_t>(layer_of(cloth, s, thread));
+    const Cloth& own = layers[layer];
+    const int in_layer = thread - (s == System::kWarp ? own.first_end : own.first_pick);
+    const CentrePoint p = centre_at(lines[layer], s, in_layer, centre_step(own, s, wrapped));
     return {along, p.height_mm, p.slope};
   }
 
@@ -277,7 +282,10 @@ std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOption
             " picks is too large to trace thread by thread; use `render`, or trace a smaller draft";
     return nullptr;
   }
-  parts.lines = centre_lines(cloth);
+  for (int i = 0; i < layer_count(cloth); ++i) {
+    parts.layers.push_back(one_layer(cloth, i));
+    parts.lines.push_back(centre_lines(parts.layers.back()));
+  }
   if (!parts.make_scene()) {
     error = "the ray tracer (Embree) could not be started, or memory is short";
     return nullptr;

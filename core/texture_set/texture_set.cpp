@@ -225,24 +225,53 @@ std::string key_of(const TextureSetOptions& o) {
          number(static_cast<double>(o.tile_mm));
 }
 
-Cloth tiled(const Cloth& cloth, int across, int up) {
-  const auto repeated = [](const std::vector<ThreadBody>& threads, int times, float period_mm) {
-    std::vector<ThreadBody> out;
+namespace {
+
+/// Threads laid side by side so many times, layer by layer. from: which thread each is.
+struct Tiled {
+  std::vector<ThreadBody> threads;
+  std::vector<int> from;
+};
+
+Tiled repeated(const std::vector<ThreadBody>& threads, const std::vector<std::pair<int, int>>& runs, int times,
+               float period_mm) {
+  Tiled out;
+  for (const auto& [first, count] : runs) {
     for (int k = 0; k < times; ++k) {
-      for (ThreadBody t : threads) {
+      for (int i = first; i < first + count; ++i) {
+        ThreadBody t = threads[static_cast<size_t>(i)];
         t.centre_mm += static_cast<float>(k) * period_mm;
-        out.push_back(t);
+        out.threads.push_back(t), out.from.push_back(i);
       }
     }
-    return out;
-  };
+  }
+  return out;
+}
+
+}  // namespace
+
+Cloth tiled(const Cloth& cloth, int across, int up) {
+  std::vector<std::pair<int, int>> end_runs{{0, cloth.up.cols()}}, pick_runs{{0, cloth.up.rows()}};
+  if (!cloth.layers.empty()) end_runs.clear(), pick_runs.clear();
   Cloth out = cloth;
+  for (Layer& l : out.layers) {
+    end_runs.emplace_back(l.first_end, l.ends), pick_runs.emplace_back(l.first_pick, l.picks);
+    l = {l.first_end * across, l.ends * across, l.first_pick * up, l.picks * up};
+  }
+  const Tiled ends = repeated(cloth.ends, end_runs, across, cloth.width_mm),
+              picks = repeated(cloth.picks, pick_runs, up, cloth.depth_mm);
   out.width_mm *= static_cast<float>(across), out.depth_mm *= static_cast<float>(up);
-  out.ends = repeated(cloth.ends, across, cloth.width_mm), out.picks = repeated(cloth.picks, up, cloth.depth_mm);
+  out.ends = ends.threads, out.picks = picks.threads;
   out.up = BitMatrix(cloth.up.rows() * up, cloth.up.cols() * across);
+  out.warp_level_mm.clear(), out.weft_level_mm.clear();
   for (int pick = 0; pick < out.up.rows(); ++pick) {
-    for (int end = 0; end < out.up.cols(); ++end)
-      out.up.set(pick, end, cloth.up.get(pick % cloth.up.rows(), end % cloth.up.cols()));
+    for (int end = 0; end < out.up.cols(); ++end) {
+      const int p = picks.from[static_cast<size_t>(pick)], e = ends.from[static_cast<size_t>(end)];
+      out.up.set(pick, end, cloth.up.get(p, e));
+      if (cloth.layers.empty()) continue;
+      const size_t at = static_cast<size_t>(p) * static_cast<size_t>(cloth.up.cols()) + static_cast<size_t>(e);
+      out.warp_level_mm.push_back(cloth.warp_level_mm[at]), out.weft_level_mm.push_back(cloth.weft_level_mm[at]);
+    }
   }
   return out;
 }

@@ -51,7 +51,7 @@ bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>
 
 bool same_layout(const Cloth& a, const Cloth& b) {
   return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && same_bodies(a.ends, b.ends) &&
-         same_bodies(a.picks, b.picks);
+         same_bodies(a.picks, b.picks) && a.layers.empty() && b.layers.empty();
 }
 
 int power_of_two(double v) {
@@ -170,7 +170,7 @@ void Stages::take_threads() {
   packed_.crossings.clear(), packed_.lobes.threads.clear();
   if (int64_t{packed_.ends} * packed_.picks > kMostCrossings) return;
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, {0, packed_.ends, 0, packed_.picks});
-  top_mm_ = highest_thread(cloth, crossings);
+  top_mm_ = cloth.layers.empty() ? highest_thread(cloth, crossings) : 0;
   packed_.crossings = packed_crossings(crossings);
 }
 

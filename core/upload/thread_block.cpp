@@ -47,24 +47,26 @@ void append_bins(std::vector<glm::uvec4>& to, const std::vector<int>& first) {
 }  // namespace
 
 std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
-  const ThreadTables t = thread_tables(cloth);
-  std::vector<glm::uvec4> to(THREAD_HEAD_TEXELS);
+  ThreadTables t = thread_tables(cloth, top_mm);
+  std::vector<glm::uvec4> to(THREAD_HEAD_TEXELS * t.layers.size());
   ThreadHead head{};
-  head.count = t.count, head.bins = t.bins;
-  head.period = t.period, head.spacing = t.spacing, head.top = top_mm, head.even = t.even;
   for (const System s : {System::kWarp, System::kWeft}) {
     const int k = s == System::kWarp ? 0 : 1;
     head.threads[k] = static_cast<int>(to.size());
     append_threads(to, cloth, s, t.bodies[static_cast<size_t>(k)]);
-    head.first[k] = static_cast<int>(to.size());
+    head.bins[k] = static_cast<int>(to.size());
     append_bins(to, t.first[static_cast<size_t>(k)]);
   }
   head.yarns = static_cast<int>(to.size());
   for (const Yarn& yarn : cloth.yarns) append(to, yarn_data(yarn.lobes));
-  head.crossing_blocks = (t.count.x + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
-  std::vector<glm::uvec4> first;
-  append(first, head);
-  std::copy(first.begin(), first.end(), to.begin());
+  const int ends = static_cast<int>(cloth.ends.size());
+  std::vector<glm::uvec4> heads;
+  for (ThreadHead& layer : t.layers) {
+    layer.threads = head.threads, layer.bins = head.bins, layer.yarns = head.yarns;
+    layer.crossing_blocks = (ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
+    append(heads, layer);
+  }
+  std::copy(heads.begin(), heads.end(), to.begin());
   to.resize((to.size() + THREAD_MAP_WIDTH - 1) / THREAD_MAP_WIDTH * THREAD_MAP_WIDTH, glm::uvec4(0));
   return to;
 }

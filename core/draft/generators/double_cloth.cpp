@@ -47,7 +47,12 @@ Design double_cloth(DoubleCloth kind, const OverUnder& order, ClothSize size) {
     const bool below_first = kind == DoubleCloth::kDoubleWidth && p / 2 % 2 == 1;
     recipe.treadling.push_back(2 * (p / 2 % n) + ((p % 2 == 1) != below_first ? 1 : 0));
   }
-  return make_design(recipe, size);
+  // Each layer at the sett that it would have alone.
+  const Design alone = twill(ratio, Lean::kRight, {n, n});
+  Design design = make_design(recipe, size);
+  for (const System system : {System::kWarp, System::kWeft})
+    for (float& mm : design.draft.threads(system).spacing_mm) mm = 0.5f * alone.draft.threads(system).spacing_mm[0];
+  return design;
 }
 
 }  // namespace weftlight::draft

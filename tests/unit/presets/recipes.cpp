@@ -170,6 +170,35 @@ Design summer_winter() {
                 {"Two blocks, light on the one face where dark on the other."});
 }
 
+// Two plain weaves, dark and light, one on the other; in squares they change places, and each square is a pocket.
+// Two blocks of four shafts: dark, light, dark, light.
+Design double_weave() {
+  constexpr int kSquare = 24;  // threads of a square, half of them on each face
+  Recipe recipe{8, {}, {}, {}};
+  for (int e = 0; e < 2 * kSquare; ++e) recipe.threading.push_back(e / kSquare * 4 + e % 4);
+  for (int t = 0; t < 8; ++t) {
+    const bool dark = t % 2 == 0;
+    std::vector<int> raised;
+    for (int s = 0; s < 8; ++s) {
+      const bool own = (s % 2 == 0) == dark, dark_above = s / 4 == t / 4;
+      if (own ? s / 2 % 2 == t / 2 % 2 : dark != dark_above) raised.push_back(s);
+    }
+    recipe.tieup.push_back(raised);
+  }
+  for (int p = 0; p < 2 * kSquare; ++p) recipe.treadling.push_back(p / kSquare * 4 + p % 4);
+  Design d = with_colors(make_design(recipe, {4 * kSquare, 4 * kSquare}), palette({0x24385c, 0xe8d9b5}),
+                         {{0, 1}, {1, 1}}, {{0, 1}, {1, 1}});
+  // Each layer at the sett of a plain weave of its own.
+  const Design alone = in_yarns(plain({2, 2}), yarn("Cotton"), yarn("Cotton"));
+  d = with_yarns(std::move(d), yarn("Cotton"), yarn("Cotton"));
+  for (const System system : {System::kWarp, System::kWeft})
+    for (float& mm : d.draft.threads(system).spacing_mm) mm = 0.5f * alone.draft.threads(system).spacing_mm[0];
+  return titled(
+      std::move(d), "Double weave",
+      {"Two plain weaves on eight shafts, one on the other; they change places in every square, which makes it a "
+       "pocket."});
+}
+
 Design swatch(const Yarn& preset) {
   Design d = with_colors(plain({16, 16}), palette({0xd8cdbb, 0xe6ddcd}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), preset, preset), preset.name, {"Plain weave swatch of one yarn."});
@@ -203,6 +232,7 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/gauze.wif", gauze()},
       {"drafts/undulating_twill.wif", undulating()},
       {"drafts/summer_and_winter.wif", summer_winter()},
+      {"drafts/double_weave.wif", double_weave()},
   };
   for (const Yarn& preset : yarn_presets()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
   for (PresetRecipe& cloth : cloth_recipes()) all.push_back(std::move(cloth));

@@ -43,15 +43,31 @@ Cloth with_thick_ends() {
   return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
 }
 
+/// Two layers of plain weave that change places every 16 threads.
+Cloth pockets() {
+  Design design;
+  design.draft = blank_draft(32, 32, 4, 4);
+  BitMatrix cells(32, 32);
+  for (int p = 0; p < 32; ++p) {
+    for (int e = 0; e < 32; ++e) {
+      const bool first = e % 2 == 0, above = (e / 16 + p / 16) % 2 == 0;
+      cells.set(p, e, first == (p % 2 == 0) ? (e / 2 + p / 2) % 2 == 0 : first == above);
+    }
+  }
+  return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
+}
+
 class Threads : public testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    cloth = GetParam() == kThick ? with_thick_ends() : twill(GetParam(), 3 - GetParam() / 2);
+    cloth = GetParam() == kThick     ? with_thick_ends()
+            : GetParam() == kPockets ? pockets()
+                                     : twill(GetParam(), 3 - GetParam() / 2);
     std::string error;
     tubes = TubeScene::build(cloth, {}, error);
     ASSERT_TRUE(tubes) << error;
   }
-  static constexpr int kThick = 4;
+  static constexpr int kThick = 4, kPockets = 5;
   Cloth cloth;
   std::unique_ptr<TubeScene> tubes;
 };
@@ -87,10 +103,12 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
           threads.threads_block(grid, found.at, light, 24, found.system, found.strand.thread))
         ++other_shadow;
     }
-    EXPECT_LT(other, 0.03 * kRays) << tilt;
-    EXPECT_LT(apart / kRays, 0.005 * static_cast<double>(grid.top)) << tilt;
+    // Plain weave of touching threads, and steep where layers change places: the quick distance takes a grazing ray for
+    // met a little early.
+    EXPECT_LT(other, (GetParam() == kPockets ? tilt > 60 ? 0.25 : 0.04 : 0.03) * kRays) << tilt;
+    EXPECT_LT(apart / kRays, (GetParam() == kPockets ? 0.012 : 0.005) * static_cast<double>(grid.top)) << tilt;
     // Fine picks bend sharply about thick ends.
-    EXPECT_LT(turned / kRays, GetParam() == kThick ? 0.035 : 0.01) << tilt;
+    EXPECT_LT(turned / kRays, GetParam() >= kThick ? 0.035 : 0.01) << tilt;
     EXPECT_LT(other_shadow, 0.03 * lit) << tilt;
   }
 }
@@ -120,7 +138,8 @@ TEST_P(Threads, TheTileHasNoSeam) {
     at[i % 2] = (unit(random) - 0.5f) * 0.2f * grid.spacing;
     TubeHit hit;
     if (!tubes->intersect(glm::vec3(at, 2 * grid.top), {0, 0, -1}, 0, hit)) continue;
-    EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z, 0.1f * grid.top)
+    EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z,
+                (GetParam() == kPockets ? 0.2f : 0.1f) * grid.top)
         << at.x << ' ' << at.y;
   }
 }
@@ -129,15 +148,21 @@ TEST_P(Threads, TheBackIsTheFrontTurnedOver) {
   Cloth back = cloth;
   for (int p = 0; p < cloth.up.rows(); ++p)
     for (int e = 0; e < cloth.up.cols(); ++e) back.up.set(p, e, !cloth.up.get(p, e));
+  for (float& level : back.warp_level_mm) level = -level;
+  for (float& level : back.weft_level_mm) level = -level;
   ThreadScene turned(cloth, Face::kBack), complement(back);
   const auto a = turned.grid(), b = complement.grid();
   for (int i = 0; i < 500; ++i) {
     const glm::vec2 at = glm::fract(glm::vec2(0.7549f, 0.5698f) * static_cast<float>(i)) * a.period;
-    EXPECT_NEAR(turned.thread_below(a, at, {0, 0}).at.z, complement.thread_below(b, at, {0, 0}).at.z, 1e-5f);
+    const auto front = turned.first_thread(a, at, {0, 0, 1}, 0), other = complement.first_thread(b, at, {0, 0, 1}, 0);
+    ASSERT_EQ(front.system, other.system);
+    if (front.system >= 0) {
+      EXPECT_NEAR(front.at.z, other.at.z, 1e-5f);
+    }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4, 5));
 
 }  // namespace
 }  // namespace weftlight::reference

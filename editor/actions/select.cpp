@@ -168,8 +168,8 @@ BitMatrix turned_back(const BitMatrix& cells) { return half_turned(turned_on(cel
 void quarter_turn(Desk& e) {
   const SelectState& state = e.view().select;
   const BitGrid grid = state.held ? state.held->grid : selected(e).grid;
-  const Cell right = screen_step(grid, e.settings().end1_right, 1, 0);
-  const Cell down = screen_step(grid, e.settings().end1_right, 0, 1);
+  const Cell right = screen_step(grid, e.settings(), 1, 0);
+  const Cell down = screen_step(grid, e.settings(), 0, 1);
   const BlockTurn turned = (right.a > 0) == (down.b > 0) ? turned_on : turned_back;
   if (has_block(e)) return turn_held_block(e.view().select, turned);
   const Draft& draft = e.document().now().draft;
@@ -253,7 +253,7 @@ void step(Desk& e, int dx, int dy) {
   SelectState& s = e.view().select;
   const Design& design = e.document().now();
   const BitGrid grid = s.held ? s.held->grid : s.selected.grid;
-  const Cell by = screen_step(grid, e.settings().end1_right, dx, dy);
+  const Cell by = screen_step(grid, e.settings(), dx, dy);
   if (s.held) {
     const Cell at{std::clamp(s.held->at.a + by.a, 0, columns_of(design.draft, grid) - 1),
                   std::clamp(s.held->at.b + by.b, 0, rows_of(design.draft, grid) - 1)};
@@ -264,7 +264,7 @@ void step(Desk& e, int dx, int dy) {
 }
 
 void shift_by_one(Desk& e, const char* label, int dx, int dy) {
-  const Cell by = screen_step(selected(e).grid, e.settings().end1_right, dx, dy);
+  const Cell by = screen_step(selected(e).grid, e.settings(), dx, dy);
   const bool looks = e.view().select.with_looks;
   e.commit(
       {label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
@@ -297,7 +297,7 @@ void add_keys(Actions& all) {
     }).enabled = [](const Desk& e) { return has_selection(e) || has_block(e); };
     add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(),
         [way](Desk& e) {
-          const Cell by = screen_step(selected(e).grid, e.settings().end1_right, way.dx, way.dy);
+          const Cell by = screen_step(selected(e).grid, e.settings(), way.dx, way.dy);
           extend_selection(e.view().select, e.document().now().draft, by.a, by.b);
         })
         .enabled = has_selection;

@@ -21,9 +21,15 @@ void add_drawdown_looks(Actions& all) {
   Action& back = add(all, "View", "back", "Back of the cloth in the drawdown", "Ctrl+B",
                      [](Desk& e) { e.view().face = e.view().face == Face::kFront ? Face::kBack : Face::kFront; });
   back.checked = [](const Desk& e) { return e.view().face == Face::kBack; };
-  Action& right = add(all, "View", "end1_right", "End 1 at the right", "",
-                      [](Desk& e) { e.settings().end1_right = !e.settings().end1_right; });
-  right.checked = [](const Desk& e) { return e.settings().end1_right; };
+  const auto option = [&all](const char* id, const char* label, const char* key, bool Settings::*on) {
+    Action& a = add(all, "View", id, label, key, [on](Desk& e) { e.settings().*on = !(e.settings().*on); });
+    a.checked = [on](const Desk& e) { return e.settings().*on; };
+  };
+  option("end1_right", "End 1 at the right", "", &Settings::end1_right);
+  option("threading_below", "Threading below the drawdown", "", &Settings::threading_below);
+  option("minimap", "Overview of a large drawdown", "O", &Settings::minimap);
+  option("tiled", "Drawdown repeated beyond its edges", "Shift+T", &Settings::tiled);
+  option("show_repeat", "Repeat outlined", "F2", &Settings::show_repeat);
 }
 
 void add_moves(Actions& all) {

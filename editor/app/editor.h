@@ -176,7 +176,7 @@ class Editor : public Desk {
   std::string live_problem_, trouble_;
   FileDialog file_dialog_;
   PreviewPane preview_;
-  CellTexture cell_texture_;
+  DraftPictures draft_pictures_;
   YarnStrip strip_;
   std::string typed_threads_;
   AnalysisState analysis_;

@@ -164,7 +164,7 @@ void Editor::take_key(const std::string& key) {
   if (commands_.open || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
   if (const std::string id = view().at_loom.open ? key_at_loom(key) : ""; !id.empty()) return run_action(id);
   if (view().select.tool == Tool::kType &&
-      carry_out(type_key(view(), document().now(), settings_.end1_right, key, Window::seconds())))
+      carry_out(type_key(view(), document().now(), settings_, key, Window::seconds())))
     return;
   for (const Action& a : actions_)
     if (a.item.shortcut == key) return run_action(a.item.id);
@@ -283,7 +283,7 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
   }
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
   draw_draft_header(c, document().name(), items);
-  draw_draft(c, cell_texture_);
+  draw_draft(c, draft_pictures_);
   ImGui::End();
   draw_splitter(c, l);
 
@@ -328,7 +328,8 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
 }
 
 const Report* Editor::report() {
-  const bool looked_at = view().show_floats || view().other || (settings_.inspector && settings_.inspector_tab == 3);
+  const bool looked_at = view().show_floats || settings_.show_repeat || view().other ||
+                         (settings_.inspector && settings_.inspector_tab == 3);
   if (looked_at)
     reporter_.on(document().snapshot(), document().cells(), session_.revision(), view().float_limit, view().other);
   return last_report();

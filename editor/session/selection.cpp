@@ -91,10 +91,10 @@ bool holds(const Selection& s, BitGrid grid, Cell at) {
   return s.grid == grid && at.a >= s.a0 && at.a < s.a1 && at.b >= s.b0 && at.b < s.b1;
 }
 
-Cell screen_step(BitGrid grid, bool end1_right, int dx, int dy) {
+Cell screen_step(BitGrid grid, const Settings& settings, int dx, int dy) {
   const bool ends = grid == BitGrid::kThreading || grid == BitGrid::kDrawdown;
-  const bool shafts_up = grid == BitGrid::kThreading || grid == BitGrid::kTieup;
-  return {ends && end1_right ? -dx : dx, shafts_up ? -dy : dy};
+  const bool shafts_up = !settings.threading_below && (grid == BitGrid::kThreading || grid == BitGrid::kTieup);
+  return {ends && settings.end1_right ? -dx : dx, shafts_up ? -dy : dy};
 }
 
 void select_cells(SelectState& state, const Selection& selection) {

@@ -10,6 +10,7 @@
 #include "session/document_view.h"
 #include "session/edit.h"
 #include "session/names.h"
+#include "session/user_files.h"
 
 namespace weftlight::session {
 
@@ -22,7 +23,7 @@ bool is_shown(const Draft& draft, BitGrid grid);
 Selection selection_between(BitGrid grid, Cell one, Cell other);
 bool holds(const Selection& selection, BitGrid grid, Cell at);
 /// (a, b) of one cell to the right (dx) or down (dy) on the screen.
-Cell screen_step(BitGrid grid, bool end1_right, int dx, int dy);
+Cell screen_step(BitGrid grid, const Settings& settings, int dx, int dy);
 
 void select_cells(SelectState& state, const Selection& selection);
 /// After every change of the design: what is no longer there is no longer selected; a move taken back by undo

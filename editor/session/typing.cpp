@@ -146,11 +146,11 @@ struct Way {
 constexpr Way kWays[] = {{"Left", -1, 0}, {"Right", 1, 0}, {"Up", 0, -1}, {"Down", 0, 1}};
 
 /// Whether the key moves the cursor; it does.
-bool move_by(DocumentView& v, const Draft& d, bool end1_right, const std::string& key) {
+bool move_by(DocumentView& v, const Draft& d, const Settings& settings, const std::string& key) {
   const TypeCursor& c = v.cursor;
   for (const Way& way : kWays)
     if (key == way.key) {
-      const Cell by = screen_step(*bit_grid_of(c.grid), end1_right, way.dx, way.dy);
+      const Cell by = screen_step(*bit_grid_of(c.grid), settings, way.dx, way.dy);
       go(v, d, by.a, by.b);
       return true;
     }
@@ -162,7 +162,8 @@ bool move_by(DocumentView& v, const Draft& d, bool end1_right, const std::string
 
 }  // namespace
 
-TypedKey type_key(DocumentView& v, const Design& design, bool end1_right, const std::string& key, double now_s) {
+TypedKey type_key(DocumentView& v, const Design& design, const Settings& settings, const std::string& key,
+                  double now_s) {
   const Draft& d = design.draft;
   const bool waiting = v.cursor.typed > 0, fresh = std::exchange(v.cursor.fresh, false);
   const bool parts = key == "Enter" || key == "," || key == "Space";
@@ -183,7 +184,7 @@ TypedKey type_key(DocumentView& v, const Design& design, bool end1_right, const 
   } else if (!parts) {
     add_to(typed.edits, take_number(v, design));
     if (key == "Tab") next_grid(v, d);
-    else typed.taken = move_by(v, d, end1_right, key);
+    else typed.taken = move_by(v, d, settings, key);
   }
   return typed;
 }

@@ -9,6 +9,7 @@
 #include "session/document_view.h"
 #include "session/edit.h"
 #include "session/names.h"
+#include "session/user_files.h"
 
 namespace weftlight::session {
 
@@ -24,7 +25,8 @@ struct TypedKey {
 /// next number. 0 clears the thread and goes on, Delete clears and stays. In tie-up and liftplan a number turns one
 /// mark over, and Enter goes on. A comma after a number that was taken already says nothing new. A blank turns the cell
 /// over; Tab goes to the next grid.
-TypedKey type_key(DocumentView& view, const Design& design, bool end1_right, const std::string& key, double now_s);
+TypedKey type_key(DocumentView& view, const Design& design, const Settings& settings, const std::string& key,
+                  double now_s);
 /// The number that waited long enough.
 TypedKey type_after_wait(DocumentView& view, const Design& design, double now_s);
 /// Until when one waits.

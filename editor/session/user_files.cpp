@@ -59,6 +59,10 @@ Settings settings_from(std::string_view text) {
   if (!json.is_object()) return s;
   take(json, "dark", s.dark);
   take(json, "end1_right", s.end1_right);
+  take(json, "threading_below", s.threading_below);
+  take(json, "minimap", s.minimap);
+  take(json, "tiled", s.tiled);
+  take(json, "show_repeat", s.show_repeat);
   int style = 0;
   take(json, "drawdown_style", style);
   s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
@@ -91,6 +95,10 @@ std::string settings_text(const Settings& s) {
   for (const std::string& path : s.recent) recent.push_back(path_json(path));
   const nlohmann::json json = {{"dark", s.dark},
                                {"end1_right", s.end1_right},
+                               {"threading_below", s.threading_below},
+                               {"minimap", s.minimap},
+                               {"tiled", s.tiled},
+                               {"show_repeat", s.show_repeat},
                                {"drawdown_style", static_cast<int>(s.drawdown_style)},
                                {"per_inch", s.per_inch},
                                {"inspector", s.inspector},

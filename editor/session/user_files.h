@@ -17,6 +17,10 @@ enum class Compare { kOff, kSplit, kDifference };
 
 struct Settings {
   bool dark = false, end1_right = true;
+  bool threading_below = false;  // the drawdown, with shaft 1 next to it; else above
+  bool minimap = true;           // of a drawdown that is not all in sight
+  bool tiled = false;            // the drawdown goes on beyond its edges
+  bool show_repeat = false;      // outlined in the drawdown
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
   int heavy_lines = 5;                      // a heavier line of the grids every so many threads; 0: none
   bool per_inch = false;                    // ends and picks are counted in an inch

@@ -12,13 +12,12 @@ float hidden(const Axis& a) { return std::round(a.scroll * a.pitch); }
 /// Pixels from index 0's side of the pane to the near edge of cell i.
 float offset(const Axis& a, int i) { return std::round(static_cast<float>(i) * a.pitch) - hidden(a); }
 
-/// Cell at a pixel, also beyond the grid.
+}  // namespace
+
 int cell_at(const Axis& a, float pixel) {
   if (a.reversed) return static_cast<int>(std::ceil((a.start + a.length - pixel + hidden(a)) / a.pitch)) - 1;
   return static_cast<int>(std::floor((pixel - a.start + hidden(a)) / a.pitch));
 }
-
-}  // namespace
 
 float Axis::low(int i) const { return reversed ? start + length - offset(*this, i + 1) : start + offset(*this, i); }
 

@@ -27,6 +27,8 @@ struct Axis {
   float extent() const { return pitch * static_cast<float>(count); }
 };
 
+/// Cell at a pixel, also beyond pane and grid.
+int cell_at(const Axis& axis, float pixel);
 /// Scroll that is possible: 0 to what leaves the last cell at the pane's edge.
 float clamp_scroll(const Axis& axis, float scroll);
 /// Scroll that keeps the cell under `pixel` where it is when the pitch becomes `new_pitch`.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "on_display.h"
 
 namespace weftlight::gui {
@@ -119,6 +121,72 @@ TEST_F(DrawingTest, NumbersAreTypedIntoThreadingAndTreadling) {
   })) << "Space turns over the cell that the arrow went to";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !w.has("type.cursor"); }));
+}
+
+TEST_F(DrawingTest, SidesAreTurnedAndTheMapFollows) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const auto by_name = [&](const std::string& words) {
+    display_.key("ctrl+p");
+    display_.type(words);
+    display_.key("Return");
+  };
+  ASSERT_LT(w.cell("threading", 1, 1).y, w.cell("drawdown", 1, 1).y);
+  by_name("threading below");
+  ASSERT_TRUE(comes_true([&] { return w.cell("threading", 1, 1).y > w.cell("drawdown", 1, 24).y; }));
+  EXPECT_LT(w.cell("threading", 1, 1).y, w.cell("threading", 1, 8).y) << "shaft 1 lies next to the drawdown";
+  by_name("end 1 at the right");
+  ASSERT_TRUE(comes_true([&] { return w.cell("drawdown", 1, 1).x < w.cell("drawdown", 24, 1).x; }));
+  display_.click(w.cell("threading", 3, 7));
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(2, 6); })) << "the click went elsewhere";
+  display_.click(w.cell("tieup", 2, 5));
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).tieup.get(1, 4); }));
+  display_.drag({w.cell("warp_colors", 20, 1), w.cell("warp_colors", 24, 1)});
+  display_.key("n");
+  display_.click(w.cell("threading", 5, 1));
+  display_.key("Right Down space");
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(5, 1); })) << "arrows go as it is seen";
+}
+
+TEST_F(DrawingTest, TheDrawdownGoesOnBeyondItsEdgesAndShowsItsRepeat) {
+  put(draft_, straight_draft(24, 8));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  for (int i = 0; i < 4; ++i) display_.key("ctrl+minus");
+  const auto below = [&] {
+    const Point last = w.cell("drawdown", 20, 24), before = w.cell("drawdown", 20, 23);
+    return display_.picture({last.x, last.y + 3 * (last.y - before.y)}, {30, 30});
+  };
+  std::string plain;
+  comes_true([&] { return std::exchange(plain, below()) == plain; });
+  display_.key("shift+t");
+  EXPECT_TRUE(comes_true([&] { return below() != plain; })) << "nothing beyond the last pick";
+  display_.click(w.cell("threading", 3, 7));
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(2, 6); }));
+  display_.key("ctrl+z");
+  const auto edge = [&] { return display_.picture(w.cell("drawdown", 8, 8), {12, 12}); };
+  comes_true([&] { return std::exchange(plain, edge()) == plain; });
+  display_.key("F2");
+  EXPECT_TRUE(comes_true([&] { return edge() != plain; })) << "the repeat of eight is not outlined";
+}
+
+TEST_F(DrawingTest, TheOverviewShowsWhereOneIsAndGoesThere) {
+  put(draft_, straight_draft(400, 8));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
+  ASSERT_TRUE(comes_true([&] { return w.has("minimap"); }));
+  const auto [at, size] = w.place_of("minimap");
+  const Point far_corner{at.x + 6, at.y + size.y - 6};
+  const double before = w.cell("drawdown", 400, 400).x;
+  display_.click(far_corner);
+  EXPECT_TRUE(comes_true([&] { return w.cell("drawdown", 400, 400).x > 0 && w.cell("drawdown", 400, 400).x > before; }))
+      << "the last end is still out of sight";
+  EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "the click went through to the drawdown";
+  display_.drag({far_corner, {at.x + size.x / 2, at.y + size.y / 2}, {at.x + size.x - 6, at.y + 6}});
+  EXPECT_TRUE(comes_true([&] { return w.cell("drawdown", 1, 1).y > w.cell("threading", 1, 1).y; }));
+  display_.key("o");
+  EXPECT_TRUE(comes_true([&] { return !w.has("minimap"); }));
 }
 
 }  // namespace

@@ -23,14 +23,19 @@ struct Mean {
 using Samples = std::array<int, kSamples>;
 
 /// Cells sampled by each pixel along an axis; -1: none. One sample where a pixel lies within a cell.
-std::vector<Samples> samples_along(const Axis& axis, int pixels) {
+std::vector<Samples> samples_along(const Axis& axis, int pixels, bool tiled) {
   std::vector<Samples> all(static_cast<size_t>(pixels));
   const int n = axis.pitch >= 1 ? 1 : kSamples;
+  const auto cell = [&](float pixel) {
+    if (!tiled || axis.count == 0) return axis.at(pixel);
+    const int at = cell_at(axis, pixel) % axis.count;
+    return at < 0 ? at + axis.count : at;
+  };
   for (int p = 0; p < pixels; ++p) {
     all[static_cast<size_t>(p)].fill(-1);
     for (int k = 0; k < n; ++k)
       all[static_cast<size_t>(p)][static_cast<size_t>(k)] =
-          axis.at(axis.start + static_cast<float>(p) + (static_cast<float>(k) + 0.5f) / static_cast<float>(n));
+          cell(axis.start + static_cast<float>(p) + (static_cast<float>(k) + 0.5f) / static_cast<float>(n));
   }
   return all;
 }
@@ -44,7 +49,7 @@ std::vector<ImU32> thread_colors(const Draft& draft, System system) {
 }
 
 CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look, const Colors& colors,
-                     const Axis& ends, const Axis& picks) {
+                     const Axis& ends, const Axis& picks, bool tiled) {
   CellImage image{static_cast<int>(ends.length), static_cast<int>(picks.length), {}};
   image.pixels.resize(static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
   const bool structure = look == DrawdownStyle::kStructure;
@@ -52,7 +57,7 @@ CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, Draw
                               : thread_colors(draft, System::kWarp);
   const auto weft = structure ? std::vector<ImU32>(static_cast<size_t>(draft.picks()), colors.paper)
                               : thread_colors(draft, System::kWeft);
-  const auto across = samples_along(ends, image.width), down = samples_along(picks, image.height);
+  const auto across = samples_along(ends, image.width, tiled), down = samples_along(picks, image.height, tiled);
   size_t at = 0;
   for (const Samples& rows : down)
     for (const Samples& columns : across) {

@@ -24,8 +24,9 @@ struct CellImage {
   std::vector<ImU32> pixels;  // row 0 on top
 };
 
-/// What the panes of the two axes show, a pixel a pixel. kStructure: ink where the warp is on top.
+/// What the panes of the two axes show, a pixel a pixel. kStructure: ink where the warp is on top. `tiled`: the
+/// drawdown goes on beyond its edges, over and over.
 CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look, const Colors& colors,
-                     const Axis& ends, const Axis& picks);
+                     const Axis& ends, const Axis& picks, bool tiled = false);
 
 }  // namespace weftlight::views

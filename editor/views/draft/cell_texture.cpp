@@ -4,13 +4,14 @@
 
 namespace weftlight::views {
 
-ImTextureID CellTexture::of(const PanelContext& c, const GridPane& p) {
-  const Key key{
-      c.revision, c.view.face, c.settings.drawdown_style, c.style.dark, p.x.reversed, p.x.pitch, p.x.scroll, p.y.scroll,
-      p.x.length, p.y.length};
+ImTextureID CellTexture::of(const PanelContext& c, const GridPane& p, bool tiled) {
+  const Key key{c.revision,   c.view.face,  c.settings.drawdown_style,
+                c.style.dark, p.x.reversed, tiled,
+                p.x.pitch,    p.x.scroll,   p.y.scroll,
+                p.x.length,   p.y.length};
   if (texture_.empty() || !(key == key_)) {
     const CellImage image =
-        cell_image(c.design.draft, c.cells, c.view.face, c.settings.drawdown_style, c.style.color, p.x, p.y);
+        cell_image(c.design.draft, c.cells, c.view.face, c.settings.drawdown_style, c.style.color, p.x, p.y, tiled);
     texture_.set(image.width, image.height, image.pixels);
     key_ = key;
   }

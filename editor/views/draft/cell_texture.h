@@ -9,14 +9,15 @@ namespace weftlight::views {
 
 class CellTexture {
  public:
-  ImTextureID of(const PanelContext& c, const GridPane& drawdown);
+  /// `tiled`: the drawdown goes on beyond its edges.
+  ImTextureID of(const PanelContext& c, const GridPane& drawdown, bool tiled = false);
 
  private:
   struct Key {
     uint64_t revision = 0;
     Face face = Face::kFront;
     DrawdownStyle look = DrawdownStyle::kColor;
-    bool dark = false, reversed = false;
+    bool dark = false, reversed = false, tiled = false;
     float pitch = 0, scroll_x = 0, scroll_y = 0, width = 0, height = 0;
     bool operator==(const Key&) const = default;
   };

@@ -70,35 +70,69 @@ float fitting_width(const Draft& d, const Style& s, float least, float most, flo
   return std::clamp(width, least, most);
 }
 
-DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, bool end1_right, const Style& s, ImVec2 min,
+namespace {
+
+/// Where things stand from top to bottom.
+struct Rows {
+  float heads, bar, threading, drawdown;  // their upper edges
+};
+
+/// Numbers, bar, threading, drawdown; or the other way round, below the bar that scrolls the ends. `lift`: height that
+/// the drawdown takes, `shafts`: that the threading takes.
+Rows rows_of(const Style& s, float top, float shafts, float lift, bool below) {
+  const float heads = s.px(kEndRuler), bar = s.px(kBar), gap = s.px(kGap);
+  if (!below) return {top, top + heads, top + heads + bar + gap, top + heads + bar + gap + shafts + gap};
+  const float drawdown = top + s.px(kScrollbar) + gap, threading = drawdown + lift + gap;
+  return {threading + shafts + gap + bar, threading + shafts + gap, threading, drawdown};
+}
+
+/// The axis over a longer stretch, its cells where they are: beyond its ends they go on.
+Axis widened(Axis a, float start, float length) {
+  const float before = a.reversed ? start + length - a.start - a.length : a.start - start;
+  a.scroll -= before / a.pitch;
+  a.start = start;
+  a.length = length;
+  return a;
+}
+
+}  // namespace
+
+DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings& settings, const Style& s, ImVec2 min,
                           ImVec2 max) {
   const Room room = room_of(s, min, max);
+  const bool below = settings.threading_below;
   DraftLayout l;
   l.pitch = v.pitch > 0 ? v.pitch : fitting_pitch(d, s, room);
   const float loom = loom_pitch(s, l.pitch);
 
   l.min = min;
   l.max = max;
-  const float x0 = min.x + s.px(kMargin), y0 = min.y;
-  const float bar_y = y0 + s.px(kEndRuler), threading_y = bar_y + s.px(kBar) + s.px(kGap);
-  const Axis shafts = axis(threading_y, room.height * kThreadingShare, loom, v.scroll_shaft, d.shafts, true);
-  const float drawdown_y = threading_y + shafts.length + s.px(kGap);
-  Axis picks = axis(drawdown_y, room.height - shafts.length, l.pitch, v.scroll_pick, d.picks(), false);
+  l.threading_below = below;
+  Axis shafts = axis(0, room.height * kThreadingShare, loom, v.scroll_shaft, d.shafts, !below);
+  Axis picks = axis(0, room.height - shafts.length, l.pitch, v.scroll_pick, d.picks(), false);
+  const float high = settings.tiled ? std::floor(std::max(picks.length, room.height - shafts.length)) : picks.length;
+  const Rows y = rows_of(s, min.y, shafts.length, high, below);
+  shafts.start = y.threading;
+  picks.start = below ? y.drawdown + high - picks.length : y.drawdown;
 
+  const float x0 = min.x + s.px(kMargin);
   const float lift_width = std::min(static_cast<float>(lift_columns(d)) * loom, std::floor(room.width * kLiftShare));
-  Axis ends = axis(x0, room.width - lift_width, l.pitch, v.scroll_end, d.ends(), end1_right);
-  const float lift_x = x0 + ends.length + s.px(kShaftNumbers);
+  Axis ends = axis(x0, room.width - lift_width, l.pitch, v.scroll_end, d.ends(), settings.end1_right);
+  const float wide = settings.tiled ? std::floor(std::max(ends.length, room.width - lift_width)) : ends.length;
+  if (settings.end1_right) ends.start = x0 + wide - ends.length;
+  const float lift_x = x0 + wide + s.px(kShaftNumbers);
   const Axis treadles = axis(lift_x, lift_width, loom, v.scroll_treadle, lift_columns(d), false);
   const float weft_x = lift_x + treadles.length + s.px(kGap);
 
   const bool plan = d.drive == Drive::kLiftplan;
-  l.warp_bar = {GridId::kWarpColors, ends, single(bar_y, s.px(kBar))};
+  l.warp_bar = {GridId::kWarpColors, ends, single(y.bar, s.px(kBar))};
   l.threading = {GridId::kThreading, ends, shafts};
   l.tieup = {GridId::kTieup, treadles, shafts};
   l.drawdown = {GridId::kDrawdown, ends, picks};
+  l.beyond = {GridId::kDrawdown, widened(ends, x0, wide), widened(picks, y.drawdown, high)};
   l.lift = {plan ? GridId::kLiftplan : GridId::kTreadling, treadles, picks};
   l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
-  l.warp_heads = {GridId::kWarpColors, ends, single(y0, s.px(kEndRuler))};
+  l.warp_heads = {GridId::kWarpColors, ends, single(y.heads, s.px(kEndRuler))};
   l.weft_heads = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
   l.scroll_shafts = shafts.extent() > shafts.length + 1;
   l.scroll_treadles = treadles.extent() > treadles.length + 1;

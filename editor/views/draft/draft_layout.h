@@ -1,6 +1,6 @@
 #pragma once
-// Where the grids of a draft lie in their pane: threading above, tie-up in the corner, drawdown below,
-// treadling or liftplan at the side, colour bars along the outer edges.
+// Where the grids of a draft lie in their pane: threading above the drawdown or, as the weaver likes, below it, tie-up
+// in the corner, treadling or liftplan at the side, colour bars along the outer edges.
 
 #include <vector>
 
@@ -25,7 +25,9 @@ struct DraftLayout {
   GridPane warp_bar, threading, tieup, drawdown, lift, weft_bar;  // lift: treadling or liftplan
   GridPane warp_heads, weft_heads;                                // the numbers of ends and picks, beside their bars
   ImVec2 min, max;                                                // of the whole pane
-  float pitch = 0;                                                // pixels a thread
+  GridPane beyond;  // the drawdown's room, where it goes on over its edges
+  float pitch = 0;  // pixels a thread
+  bool threading_below = false;
   bool scroll_ends = false, scroll_picks = false, scroll_shafts = false, scroll_treadles = false;  // not all in sight
 
   /// All grids; the tie-up is left out of a draft driven by its liftplan.
@@ -36,8 +38,8 @@ struct DraftLayout {
 float fitting_width(const Draft& draft, const Style& style, float least, float most, float height);
 
 /// With a pitch that fits where the view has none, and its scroll brought into range.
-DraftLayout lay_out_draft(const Draft& draft, const DocumentView& view, bool end1_right, const Style& style, ImVec2 min,
-                          ImVec2 max);
+DraftLayout lay_out_draft(const Draft& draft, const DocumentView& view, const Settings& settings, const Style& style,
+                          ImVec2 min, ImVec2 max);
 /// The view becomes what the layout shows of it.
 void settle(DocumentView& view, const DraftLayout& layout);
 /// It is that already.

@@ -6,6 +6,7 @@
 #include "session/paint.h"
 #include "session/typing.h"
 #include "ui/widgets.h"
+#include "views/draft/beyond_draw.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
@@ -165,7 +166,8 @@ void scrollbar(PanelContext& c, const char* id, const Axis& axis, Scroll scroll,
 
 void scrollbars(PanelContext& c, const DraftLayout& l) {
   const ImVec2 a = l.drawdown.min(), b = l.drawdown.max(), lift = l.lift.max(), shafts = l.threading.min();
-  const float thick = c.style.px(9), below = b.y + 3;
+  // On the side away from the threading.
+  const float thick = c.style.px(9), below = l.threading_below ? a.y - 3 - thick : b.y + 3;
   if (l.scroll_ends)
     scrollbar(c, "scroll.ends", l.drawdown.x, &DocumentView::scroll_end, {a.x, below}, {b.x, below + thick}, true);
   if (l.scroll_treadles)
@@ -196,28 +198,33 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   draw_ruler_above(dl, c, l.drawdown.x, l.warp_heads.min().y, l.warp_heads.y.length, on_end ? h.a : -1);
   draw_ruler_beside(dl, c, l.drawdown.y, l.weft_heads.min().x + c.style.px(6), on_pick ? h.b : -1);
   draw_ruler_beside(dl, c, l.threading.y, l.threading.max().x + c.style.px(6), on_shaft ? h.b : -1);
-  draw_ruler_above(dl, c, l.lift.x, l.threading.min().y - c.style.px(18), c.style.px(16), on_lift ? h.a : -1);
+  const float treadles_y =
+      l.threading_below ? l.threading.max().y + c.style.px(2) : l.threading.min().y - c.style.px(18);
+  draw_ruler_above(dl, c, l.lift.x, treadles_y, c.style.px(16), on_lift ? h.a : -1);
 }
 
-void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, CellTexture& texture) {
+void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, DraftPictures& pictures) {
+  if (c.settings.tiled) draw_beyond(dl, c, l, pictures.beyond);
   draw_color_bar(dl, c, l.warp_bar, System::kWarp);
   draw_color_bar(dl, c, l.weft_bar, System::kWeft);
   draw_bits(dl, c, l.threading);
   draw_bits(dl, c, l.lift);
   if (l.lift.id == GridId::kTreadling) draw_bits(dl, c, l.tieup);
   if (draws_cells(c, l.drawdown)) draw_drawdown_cells(dl, c, l.drawdown);
-  else dl->AddImage(texture.of(c, l.drawdown), l.drawdown.min(), l.drawdown.max());
+  else dl->AddImage(pictures.cells.of(c, l.drawdown), l.drawdown.min(), l.drawdown.max());
   draw_long_floats(dl, c, l.drawdown);
   draw_differences(dl, c, l.drawdown);
+  if (c.settings.show_repeat) draw_repeat(dl, c, l.drawdown);
 }
 
 }  // namespace
 
-void draw_draft(PanelContext& c, CellTexture& texture) {
+void draw_draft(PanelContext& c, DraftPictures& pictures) {
   const ImVec2 min = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const DraftLayout l =
-      lay_out_draft(c.design.draft, c.view, c.settings.end1_right, c.style, min, {min.x + room.x, min.y + room.y});
+      lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y});
   if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v, l); });
+  pictures.minimap.take_input(c, l);
   for (const GridPane* pane : l.panes()) {
     grid_input(c, *pane);
     c.map.grids.push_back(map_of(*pane));
@@ -226,7 +233,7 @@ void draw_draft(PanelContext& c, CellTexture& texture) {
   scrollbars(c, l);
   navigate(c, l);
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  draw_grids(dl, c, l, texture);
+  draw_grids(dl, c, l, pictures);
   draw_chosen(dl, c, l);
   draw_rulers(dl, c, l);
   draw_origin(dl, c, l);
@@ -236,6 +243,7 @@ void draw_draft(PanelContext& c, CellTexture& texture) {
   draw_type_cursor(dl, c, l);
   draw_block_in_hand(dl, c, l);
   draw_hover(dl, c, l);
+  pictures.minimap.draw(dl, c, l);
   if (!ImGui::IsAnyMouseDown() && c.view.select.drag != SelectDrag::kNone)
     c.wanted.change_view([](DocumentView& v) { v.select.drag = SelectDrag::kNone; });
 }

@@ -4,10 +4,17 @@
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/draft/cell_texture.h"
+#include "views/draft/minimap.h"
 
 namespace weftlight::views {
 
 /// Fills what is left of the current ImGui window.
-void draw_draft(PanelContext& c, CellTexture& texture);
+/// What is kept of the drawdown between frames.
+struct DraftPictures {
+  CellTexture cells, beyond;
+  Minimap minimap;
+};
+
+void draw_draft(PanelContext& c, DraftPictures& pictures);
 
 }  // namespace weftlight::views

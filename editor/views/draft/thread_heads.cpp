@@ -106,11 +106,13 @@ void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const GridPane& marks = warp ? l.threading : l.lift;
   const ImU32 soft = c.style.color.accent_soft, band = with_alpha(c.style.color.accent, 0.13f);
   const float r = c.style.px(3), thick = c.style.px(2);
-  const ImVec2 a = warp ? heads.min() : bar.min(), b = warp ? bar.max() : heads.max();
+  const ImVec2 a{std::min(heads.min().x, bar.min().x), std::min(heads.min().y, bar.min().y)};
+  const ImVec2 b{std::max(heads.max().x, bar.max().x), std::max(heads.max().y, bar.max().y)};
+  const ImDrawFlags outer = l.threading_below ? ImDrawFlags_RoundCornersBottom : ImDrawFlags_RoundCornersTop;
   dl->PushClipRect({a.x - thick, a.y - thick}, {b.x + thick + 1, b.y + thick + 1}, true);
   each_run(c.view.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) {
-      dl->AddRectFilled({low, heads.min().y}, {high + 1, heads.max().y}, soft, r, ImDrawFlags_RoundCornersTop);
+      dl->AddRectFilled({low, heads.min().y}, {high + 1, heads.max().y}, soft, r, outer);
       draw_frame(dl, c, {low, bar.min().y}, {high, bar.max().y});
     } else {
       dl->AddRectFilled({heads.min().x, low}, {heads.max().x, high + 1}, soft, r, ImDrawFlags_RoundCornersRight);

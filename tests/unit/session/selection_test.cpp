@@ -23,11 +23,16 @@ TEST(SelectTool, ARectangleHoldsBothOfItsCorners) {
 }
 
 TEST(SelectTool, ArrowsGoWhereTheyPointWhateverTheGridsDirection) {
-  EXPECT_EQ(screen_step(BitGrid::kThreading, true, 1, 0), (Cell{-1, 0})) << "end 1 at the right";
-  EXPECT_EQ(screen_step(BitGrid::kThreading, false, 1, 0), (Cell{1, 0}));
-  EXPECT_EQ(screen_step(BitGrid::kThreading, true, 0, -1).b, 1) << "shaft 1 lies lowest";
-  EXPECT_EQ(screen_step(BitGrid::kTreadling, true, 1, 1), (Cell{1, 1}));
-  EXPECT_EQ(screen_step(BitGrid::kDrawdown, true, -1, 1), (Cell{1, 1}));
+  const Settings right;
+  Settings left, below;
+  left.end1_right = false;
+  below.threading_below = true;
+  EXPECT_EQ(screen_step(BitGrid::kThreading, right, 1, 0), (Cell{-1, 0})) << "end 1 at the right";
+  EXPECT_EQ(screen_step(BitGrid::kThreading, left, 1, 0), (Cell{1, 0}));
+  EXPECT_EQ(screen_step(BitGrid::kThreading, right, 0, -1).b, 1) << "shaft 1 lies lowest";
+  EXPECT_EQ(screen_step(BitGrid::kTreadling, right, 1, 1), (Cell{1, 1}));
+  EXPECT_EQ(screen_step(BitGrid::kDrawdown, right, -1, 1), (Cell{1, 1}));
+  EXPECT_EQ(screen_step(BitGrid::kThreading, below, 0, -1).b, -1) << "shaft 1 lies highest, next to the drawdown";
 }
 
 TEST(SelectTool, WhatAMovePassesOverComesBack) {

@@ -31,6 +31,16 @@ TEST(Settings, the_loom_and_the_lines_are_kept) {
   EXPECT_EQ(settings_from("{\"heavy_lines\": -3, \"loom\": 4}").heavy_lines, 0);
 }
 
+TEST(Settings, how_the_draft_is_seen_is_kept) {
+  Settings s;
+  s.end1_right = s.minimap = false;
+  s.threading_below = s.tiled = s.show_repeat = true;
+  const Settings back = settings_from(settings_text(s));
+  EXPECT_FALSE(back.end1_right || back.minimap);
+  EXPECT_TRUE(back.threading_below && back.tiled && back.show_repeat);
+  EXPECT_TRUE(settings_from("{}").minimap);
+}
+
 TEST(Settings, keys_are_kept) {
   Settings s;
   s.keys = {{"save", "Ctrl+U"}, {"quit", ""}};

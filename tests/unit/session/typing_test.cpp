@@ -21,8 +21,8 @@ class Typist {
       const std::string key = keys.substr(at, end - at);
       at = end + 1;
       if (key == "wait") now_s += kDigitWaitS + 0.01;
-      TypedKey typed = key == "wait" ? type_after_wait(view, document.now(), now_s)
-                                     : type_key(view, document.now(), true, key, now_s);
+      TypedKey typed =
+          key == "wait" ? type_after_wait(view, document.now(), now_s) : type_key(view, document.now(), {}, key, now_s);
       for (const Edit& edit : typed.edits) steps += document.commit(edit, 0);
       follow_document(view, document);
       taken = typed.taken;

@@ -38,7 +38,7 @@ TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
   const Design d = straight_twill(6, 5);
   DocumentView view;
   const Style style;
-  const DraftLayout l = lay_out_draft(d.draft, view, true, style, {0, 0}, {800, 600});
+  const DraftLayout l = lay_out_draft(d.draft, view, {}, style, {0, 0}, {800, 600});
   EXPECT_EQ(l.threading.x.start, l.drawdown.x.start);
   EXPECT_EQ(l.tieup.y.start, l.threading.y.start);
   EXPECT_EQ(l.tieup.x.start, l.lift.x.start);
@@ -52,18 +52,73 @@ TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
     }
 }
 
+TEST(Layout, ThreadingBelowAndEnd1LeftTurnAllThatFollows) {
+  const Design d = straight_twill(6, 5);
+  for (const bool right : {false, true})
+    for (const bool below : {false, true})
+      for (const bool tiled : {false, true}) {
+        Settings settings;
+        settings.end1_right = right;
+        settings.threading_below = below;
+        settings.tiled = tiled;
+        const DraftLayout l = lay_out_draft(d.draft, {}, settings, Style{}, {0, 0}, {800, 600});
+        EXPECT_EQ(l.threading.min().y > l.drawdown.max().y - 1, below);
+        EXPECT_EQ(l.warp_bar.min().y > l.threading.max().y - 1, below) << "bar and numbers lie outermost";
+        EXPECT_EQ(l.warp_heads.min().y > l.warp_bar.max().y - 1, below);
+        EXPECT_EQ(l.tieup.y.start, l.threading.y.start);
+        EXPECT_LE(std::max(l.warp_heads.max().y, l.drawdown.max().y), 600);
+        EXPECT_LE(l.weft_heads.max().x, 800);
+        // Shaft 1 lies next to the drawdown, end 1 next to the treadling or at the left.
+        const UiGrid grid = map_of(l.threading);
+        EXPECT_EQ(grid.step_b[1] > 0, below);
+        EXPECT_EQ(grid.step_a[0] < 0, right);
+        for (const GridPane* pane : l.panes()) {
+          const UiGrid map = map_of(*pane);
+          for (int a = 0; a < map.count_a; ++a)
+            for (int b = 0; b < map.count_b; ++b) {
+              const ImVec2 at{map.origin[0] + static_cast<float>(a) * map.step_a[0],
+                              map.origin[1] + static_cast<float>(b) * map.step_b[1]};
+              ASSERT_EQ(pane->at(at), (Cell{a, b})) << map.name << " right " << right << " below " << below;
+            }
+        }
+        // What goes on beyond the edges agrees with the drawdown where it is.
+        EXPECT_EQ(cell_at(l.beyond.x, l.drawdown.x.low(2) + 1), 2);
+        EXPECT_EQ(cell_at(l.beyond.y, l.drawdown.y.low(3) + 1), 3);
+        EXPECT_EQ(l.beyond.x.length > l.drawdown.x.length, tiled);
+      }
+}
+
+TEST(CellImage, GoesOnBeyondTheEdgesWhereItIsTiled) {
+  Design d = straight_twill(4, 3);
+  d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
+  BitMatrix cells(3, 4);
+  cells.set(0, 0, true);
+  const Axis ends{0, 24, 2, -4, 4, true}, picks{0, 18, 2, -1, 3, false};
+  const CellImage image =
+      cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks, true);
+  int black = 0;
+  for (int y = 0; y < 18; ++y)
+    for (int x = 0; x < 24; ++x) {
+      const ImU32 pixel = image.pixels[static_cast<size_t>(24 * y + x)];
+      black += pixel == IM_COL32(0, 0, 0, 255);
+      EXPECT_EQ(pixel, image.pixels[static_cast<size_t>(24 * y + (x + 8) % 24)]);
+      EXPECT_EQ(pixel, image.pixels[static_cast<size_t>(24 * ((y + 6) % 18) + x)]);
+    }
+  EXPECT_EQ(black, 3 * 3 * 4) << "one crossing of twelve, two by two pixels, nine times";
+}
+
 TEST(Layout, TenThousandThreadsStayInThePane) {
   const Draft d = blank_draft(10000, 10000, 32, 32);
   for (float pitch : {0.0f, 0.02f, 1.0f, 20.0f}) {
     DocumentView view;
     view.pitch = pitch;
     view.scroll_end = 1e9f;
-    const DraftLayout l = lay_out_draft(d, view, true, Style{}, {0, 0}, {640, 800});
+    const DraftLayout l = lay_out_draft(d, view, {}, Style{}, {0, 0}, {640, 800});
     EXPECT_LE(l.weft_bar.max().x, 640);
     EXPECT_LE(l.drawdown.max().y, 800);
     settle(view, l);
     EXPECT_LE(view.scroll_end, 10000);
-    EXPECT_TRUE(is_settled(view, lay_out_draft(d, view, true, Style{}, {0, 0}, {640, 800})));
+    EXPECT_TRUE(is_settled(view, lay_out_draft(d, view, {}, Style{}, {0, 0}, {640, 800})));
   }
 }
 
@@ -72,7 +127,7 @@ TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
   const Draft d = blank_draft(16, 16, 4, 4);
   DocumentView view;
   const float width = fitting_width(d, style, 400, 700, 800);
-  const DraftLayout l = lay_out_draft(d, view, true, style, {0, 0}, {width, 800});
+  const DraftLayout l = lay_out_draft(d, view, {}, style, {0, 0}, {width, 800});
   EXPECT_GE(l.pitch, 24);
   EXPECT_LE(l.pitch, 28);
   EXPECT_EQ(l.pitch, static_cast<float>(static_cast<int>(l.pitch))) << "whole pixels";

@@ -1,7 +1,11 @@
 // What is done with chosen threads, by menu and keys: the way round the mouse for the Threads panel.
 
+#include <numeric>
+#include <span>
+
 #include "actions/action_parts.h"
 #include "draft/edits.h"
+#include "draft/look_text.h"
 
 namespace weftlight::actions {
 namespace {
@@ -53,8 +57,40 @@ Design with_colors_of(Design d, System from) {
   return d;
 }
 
-void copy_colors(Desk& e, const char* label, System from) {
-  e.commit({label, [from](Design d) { return with_colors_of(std::move(d), from); }});
+/// The same of their thicknesses.
+Design with_thickness_of(Design d, System from) {
+  const System to = from == System::kWarp ? System::kWeft : System::kWarp;
+  const ThreadLooks looks{{}, d.draft.threads(from).thickness_mm};
+  std::vector<int> threads(static_cast<size_t>(d.draft.threads(to).size()));
+  std::iota(threads.begin(), threads.end(), 0);
+  return with_looks(std::move(d), to, threads, looks);
+}
+
+void copy_bar(Desk& e, const char* label, Design (*with)(Design, System), System from) {
+  e.commit({label, [=](Design d) { return with(std::move(d), from); }});
+}
+
+using LookText = std::string (*)(const Draft&, System, std::span<const int>);
+
+/// Of the chosen threads, or of all of the system.
+void copy_looks(Desk& e, const char* what, LookText text) {
+  const ThreadChoice& choice = e.view().chosen;
+  const Draft& d = e.document().now().draft;
+  const std::vector<int> threads = concerned(choice, d);
+  e.set_clipboard(text(d, choice.system, threads));
+  e.say("Copied the " + thread_label(what, choice.system, threads.size()));
+}
+
+void paste_looks(Desk& e) {
+  const LooksRead read = read_look_text(e.clipboard());
+  if (!read.looks) return e.say(read.problem);
+  const ThreadChoice& choice = e.view().chosen;
+  const std::vector<int> threads = concerned(choice, e.document().now().draft);
+  const char* what = read.looks->colors.empty() ? "Paste thickness" : "Paste colours";
+  e.commit({thread_label(what, choice.system, threads.size()),
+            [threads, system = choice.system, looks = *read.looks](Design d) {
+              return with_looks(std::move(d), system, threads, looks);
+            }});
 }
 
 }  // namespace
@@ -70,9 +106,18 @@ void add_thread_actions(Actions& all) {
   add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
   add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");
   new_group(add_one(all, "threads.weft_as_warp", "Weft colours as the warp", "",
-                    [](Desk& e) { copy_colors(e, "Weft colours as the warp", System::kWarp); }));
+                    [](Desk& e) { copy_bar(e, "Weft colours as the warp", with_colors_of, System::kWarp); }));
   add_one(all, "threads.warp_as_weft", "Warp colours as the weft", "",
-          [](Desk& e) { copy_colors(e, "Warp colours as the weft", System::kWeft); });
+          [](Desk& e) { copy_bar(e, "Warp colours as the weft", with_colors_of, System::kWeft); });
+  add_one(all, "threads.weft_thick_as_warp", "Weft thickness as the warp", "",
+          [](Desk& e) { copy_bar(e, "Weft thickness as the warp", with_thickness_of, System::kWarp); });
+  add_one(all, "threads.warp_thick_as_weft", "Warp thickness as the weft", "",
+          [](Desk& e) { copy_bar(e, "Warp thickness as the weft", with_thickness_of, System::kWeft); });
+  new_group(add_one(all, "threads.copy_colors", "Copy their colours", "Ctrl+Alt+C",
+                    [](Desk& e) { copy_looks(e, "colours", color_text); }));
+  add_one(all, "threads.copy_thickness", "Copy their thickness", "",
+          [](Desk& e) { copy_looks(e, "thickness", thickness_text); });
+  add_one(all, "threads.paste_looks", "Paste colours or thickness", "Ctrl+Alt+V", paste_looks);
   add_one(all, "threads.from_yarn", "Leave thickness and spacing to the yarn", "", leave_to_yarn);
 }
 

@@ -189,5 +189,22 @@ TEST_F(DrawingTest, TheOverviewShowsWhereOneIsAndGoesThere) {
   EXPECT_TRUE(comes_true([&] { return !w.has("minimap"); }));
 }
 
+TEST_F(DrawingTest, ColoursOfThreadsAreCopiedAlone) {
+  blank_.draft.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+  blank_.draft.warp.color[0] = blank_.draft.warp.color[2] = 2;
+  put(draft_, wif::write_new_wif(blank_));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.drag({w.cell("warp_numbers", 1, 1), w.cell("warp_numbers", 2, 1)});
+  display_.key("ctrl+alt+c");
+  display_.drag({w.cell("weft_numbers", 1, 5), w.cell("weft_numbers", 1, 8)});
+  display_.key("ctrl+alt+v");
+  EXPECT_TRUE(comes_true([&] {
+    const std::vector<int> weft = draft_of(w).weft.color;
+    return weft.size() > 8 && weft[4] == 2 && weft[5] == 0 && weft[6] == 2 && weft[7] == 0 && weft[8] == 1;
+  }));
+  undone(w, "the paste");
+}
+
 }  // namespace
 }  // namespace weftlight::gui

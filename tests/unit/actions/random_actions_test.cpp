@@ -256,6 +256,31 @@ TEST(ThreadActions, ColoursGoFromOneBarToTheOther) {
   EXPECT_EQ(desk.document().now(), d) << "one step of undo";
 }
 
+TEST(ThreadActions, ColoursAndThicknessesAreCopiedAlone) {
+  Design d;
+  d.draft = blank_draft(3, 5, 2, 2);
+  d.draft.palette.resize(4, {0.5f, 0.25f, 1});
+  d.draft.palette[2] = {1, 0, 0};
+  d.draft.warp.color = {2, 0, 1};
+  d.draft.warp.thickness_mm = {0.5f, kFromYarn, 2};
+  BareDesk desk(d);
+  const auto run = [&desk](const char* id) {
+    for (const Action& a : make_actions({}))
+      if (a.item.id == id) return a.run(desk);
+    FAIL() << id;
+  };
+  desk.view().chosen = {System::kWarp, {0, 2}, 0, {}, false, false};
+  run("threads.copy_colors");
+  desk.view().chosen = {System::kWeft, {1, 2, 3}, 1, {}, false, false};
+  run("threads.paste_looks");
+  EXPECT_EQ(desk.document().now().draft.weft.color, (std::vector<int>{1, 2, 1, 2, 1}));
+  EXPECT_EQ(desk.document().now().draft.weft.thickness_mm, d.draft.weft.thickness_mm);
+  desk.undo();
+  run("threads.weft_thick_as_warp");
+  EXPECT_EQ(desk.document().now().draft.weft.thickness_mm, (std::vector<float>{0.5f, kFromYarn, 2, 0.5f, kFromYarn}));
+  EXPECT_EQ(desk.document().now().draft.weft.color, d.draft.weft.color);
+}
+
 TEST(SelectionActions, AQuarterTurnIsWithTheClockAsItIsSeen) {
   Design d;
   d.draft = blank_draft(6, 6, 4, 4);

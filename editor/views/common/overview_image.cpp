@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <span>
+#include <utility>
 
 #include "base/loops.h"
 
@@ -56,6 +57,15 @@ class Counter {
   size_t digits_ = 0;
 };
 
+/// The half-open range of threads whose colour is another by now.
+std::pair<int, int> take_colors(std::vector<ImU32>& before, const std::vector<ImU32>& now) {
+  const auto first = std::mismatch(before.begin(), before.end(), now.begin(), now.end()).second;
+  const auto last = std::mismatch(before.rbegin(), before.rend(), now.rbegin(), now.rend()).second.base();
+  const std::pair range{static_cast<int>(first - now.begin()), static_cast<int>(last - now.begin())};
+  if (range.first < range.second) before = now;
+  return range;
+}
+
 }  // namespace
 
 bool OverviewImage::follow(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp,
@@ -63,19 +73,25 @@ bool OverviewImage::follow(const BitMatrix& cells, bool front, const std::vector
   width = std::min(width, cells.cols());
   height = std::min(height, cells.rows());
   made_ = 0;
-  const bool anew = image_.width != width || image_.height != height || cells_.rows() != cells.rows() ||
-                    cells_.cols() != cells.cols() || front_ != front || warp_ != warp || weft_ != weft;
   if (width <= 0 || height <= 0) return false;
+  const bool anew = image_.width != width || image_.height != height || cells_.rows() != cells.rows() ||
+                    cells_.cols() != cells.cols() || front_ != front;
   if (anew) {
     image_ = {width, height, std::vector<ImU32>(static_cast<size_t>(width) * static_cast<size_t>(height))};
     cells_ = cells;
     front_ = front;
     warp_ = warp;
     weft_ = weft;
+    make(whole());
+    return true;
   }
-  const Area area = anew ? whole() : take_changes(cells);
-  make(area);
-  return !area.empty();
+  const auto [end0, end1] = take_colors(warp_, warp);
+  const auto [pick0, pick1] = take_colors(weft_, weft);
+  make(take_changes(cells));
+  if (end0 < end1) make({pixel_of(end0, width, cells.cols()), pixel_of(end1 - 1, width, cells.cols()) + 1, 0, height});
+  if (pick0 < pick1)
+    make({0, width, pixel_of(pick0, height, cells.rows()), pixel_of(pick1 - 1, height, cells.rows()) + 1});
+  return made_ > 0;
 }
 
 OverviewImage::Area OverviewImage::take_changes(const BitMatrix& cells) {
@@ -98,7 +114,7 @@ OverviewImage::Area OverviewImage::take_changes(const BitMatrix& cells) {
 
 void OverviewImage::make(const Area& area) {
   if (area.empty()) return;
-  made_ = int64_t{area.x1 - area.x0} * (area.y1 - area.y0);
+  made_ += int64_t{area.x1 - area.x0} * (area.y1 - area.y0);
   for_each_job(area.y1 - area.y0, [&](int i) { make_row(area.y0 + i, area.x0, area.x1); });
 }
 

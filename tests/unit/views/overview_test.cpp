@@ -62,6 +62,13 @@ TEST(Overview, AnEditMakesOnlyThePixelsThatItTouches) {
   for (int p = 0; p < 1500; ++p) c.cells.set(p, 1999, true);
   overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
   EXPECT_LE(overview.made(), 8 * 112);
+  c.warp[600] = IM_COL32(1, 2, 3, 255);
+  overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
+  EXPECT_EQ(overview.made(), 112) << "one end's column";
+  c.weft[900] = IM_COL32(1, 2, 3, 255);
+  c.cells.set(3, 3, !c.cells.get(3, 3));
+  overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
+  EXPECT_LE(overview.made(), 150 + 8) << "one pick's row, and a crossing";
   OverviewImage anew;
   anew.follow(c.cells, true, c.warp, c.weft, 150, 112);
   EXPECT_EQ(overview.image().pixels, anew.image().pixels);

@@ -58,7 +58,7 @@ void bring_into_sight(DocumentView& v, GridId grid, Cell at) {
     constexpr float kBeside = 1;  // cells
     const auto first = static_cast<float>(cell);
     if (seen < 2 * kBeside + 1) scroll = first;
-    else scroll = std::clamp(scroll, first + 1 + kBeside - seen, first - kBeside);
+    else scroll = std::max(0.0f, std::clamp(scroll, first + 1 + kBeside - seen, first - kBeside));
   };
   const bool ends = has_ends(grid), picks = has_picks(grid);
   see(ends ? v.scroll_end : v.scroll_treadle, ends ? v.seen_ends : v.seen_treadles, at.a);

@@ -12,7 +12,8 @@
 namespace weftlight::views {
 namespace {
 
-constexpr float kCellsFrom = 4;  // pixels a cell from which the cells of a ghost are drawn one by one
+// Pixels a cell from which the cells of a ghost are drawn one by one; those of a filled rectangle are many.
+constexpr float kCellsFrom = 2, kFilledFrom = 4;
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
 
@@ -190,11 +191,12 @@ void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const ShapeInHand& s = *c.view.shape;
   const Mirror mirror = mirror_of(c.view, c.design.draft);
   const Ghost ghost = ghost_of(c, s);
+  const float from_pitch = s.tool == Tool::kFilledRectangle ? kFilledFrom : kCellsFrom;
   const std::vector<Cell> from = images_of(mirror, s.grid, s.from), to = images_of(mirror, s.grid, s.to);
   dl->PushClipRect(pane->min(), {pane->max().x + 1, pane->max().y + 1}, true);
   for (size_t i = 0; i < from.size(); ++i) {
     if (leaves_others(s)) fade_threads(dl, *pane, from[i], to[i], ghost.leaves);
-    if (std::min(pane->x.pitch, pane->y.pitch) < kCellsFrom) draw_far(dl, *pane, s, from[i], to[i], ghost.mark);
+    if (std::min(pane->x.pitch, pane->y.pitch) < from_pitch) draw_far(dl, *pane, s, from[i], to[i], ghost.mark);
     else draw_cells(dl, *pane, cells_of_shape(s.tool, s.grid, from[i], to[i]), ghost);
   }
   dl->PopClipRect();

@@ -5,6 +5,23 @@
 namespace weftlight::session {
 namespace {
 
+TEST(DocumentView, ACellComesIntoSightByAsLittleAsThatTakes) {
+  DocumentView v;
+  v.seen_ends = v.seen_picks = 10;
+  v.seen_shafts = v.seen_treadles = 4;
+  bring_into_sight(v, GridId::kThreading, {5, 1});
+  EXPECT_EQ(v.scroll_end, 0) << "it was in sight";
+  bring_into_sight(v, GridId::kThreading, {20, 6});
+  EXPECT_EQ(v.scroll_end, 12) << "with its neighbour";
+  EXPECT_EQ(v.scroll_shaft, 4);
+  EXPECT_EQ(v.scroll_pick, 0);
+  bring_into_sight(v, GridId::kTreadling, {2, 30});
+  EXPECT_EQ(v.scroll_pick, 22);
+  EXPECT_EQ(v.scroll_treadle, 0);
+  bring_into_sight(v, GridId::kDrawdown, {3, 40});
+  EXPECT_EQ(v.scroll_end, 2);
+}
+
 TEST(DocumentView, PagesKeepATenthInSight) {
   DocumentView w;
   w.seen_ends = 40;

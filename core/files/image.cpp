@@ -209,7 +209,22 @@ struct ImageRows::File {
 };
 
 ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
-ImageRows::~ImageRows() = default;
+
+/// One that is given up: libpng tells the console of a file that ends before its first texels are out, and its buffers
+/// hold them back until there are many.
+ImageRows::~ImageRows() {
+  constexpr size_t kOut = size_t{1} << 18;  // bytes that are out then, if they look like noise
+  if (!file_ || !file_->out || !file_->disk || file_->next >= file_->height) return;
+  const File& f = *file_;
+  std::vector<uint16_t> row(static_cast<size_t>(f.width) * static_cast<size_t>(f.channels));
+  const size_t bytes = row.size() * (f.type == PixelType::kU8 ? 1 : 2);
+  uint32_t noise = 1;
+  for (int y = f.next; y < f.height && static_cast<size_t>(y - f.next) * bytes < kOut; ++y) {
+    for (uint16_t& v : row) v = static_cast<uint16_t>((noise = noise * 1664525u + 1013904223u) >> 16);
+    f.out->write_scanlines(y, y + 1, 0, f.type == PixelType::kU8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16,
+                           row.data());
+  }
+}
 
 std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, int height, int channels, PixelType type,
                                            const Names& names, std::string& problem) {

@@ -57,10 +57,10 @@ class FaceSource {
   Cloth cloth_;
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
-  Surface small_, whole_;   // whole_: empty where the face is too large for one piece
-  Plane<float> occlusion_;  // of the coarse maps; empty: each piece finds its own
+  Surface small_, whole_;        // whole_: empty where the face is too large for one piece
+  Plane<float> occlusion_;       // of the coarse maps; empty: each piece finds its own
   Plane<glm::vec3> footprints_;  // covariance of their facets, as the fit scales it
-  float share_ = 0;  // how far a texel takes the lobe of its footprint for its own
+  float share_ = 0;              // how far a texel takes the lobe of its footprint for its own
   EngineFit fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;

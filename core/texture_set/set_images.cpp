@@ -6,6 +6,7 @@
 
 #include "base/loops.h"
 #include "files/image_rows.h"
+#include "texture_set/texture_set.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -37,10 +38,6 @@ void record(SetImages& set, const std::string& file, Face face, bool srgb, Pixel
                       {"width", size.width},
                       {"height", size.height},
                       {"channels", std::move(channels)}});
-}
-
-int channels_of(const ImageRow& row) {
-  return static_cast<int>(std::find(row.channels.begin(), row.channels.end(), Channel::kNone) - row.channels.begin());
 }
 
 /// Of an .exr, which has names for its channels; else none.
@@ -199,6 +196,8 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
       for (const PackedBand& band : bands)
         if (problems[i].empty()) problems[i] = images[i]->add(band.images[i]);
     });
+    const int done = y + source.band() * static_cast<int>(bands.size());
+    if (set.going && !set.going(static_cast<float>(done) / static_cast<float>(size.height))) set.problem = kStopped;
     if (first_problem()) return;
     for (const PackedBand& band : bands) mips.add(band.surface);
   }

@@ -2,6 +2,7 @@
 // The images of a set: every row of a target's table packed band by band, and what the list and the contact sheet say
 // of them.
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct SetImages {
   nlohmann::json maps = nlohmann::json::array();
   std::vector<SheetEntry> sheet;
   std::string problem;  // empty until something goes wrong; then nothing more is written
+  // Told after each band: 0..1 of the face that is written. False: nobody wants the set any more.
+  std::function<bool(float share)> going{};
 };
 
 /// Between the name and the suffix of a file: "" or "_front" of the front, "_back" of the back.

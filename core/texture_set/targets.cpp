@@ -107,21 +107,31 @@ static_assert(std::is_sorted(std::begin(kRows), std::end(kRows),
 const float kF0 = formulas::kEngineF0;
 struct TargetRow {
   Target target;
-  const char* name;
+  const char *name, *title;
   const char* normal;
   EngineModel model;
   Alpha open;  // for open cloth
 };
 const TargetRow kTargets[] = {
-    {Target::kRaw, "raw", "+Y", {formulas::kSheenNone, 1, true, true}, Alpha::kBlend},
-    {Target::kGltf, "gltf", "+Y", {formulas::kSheenCharlie, 1, true, true}, Alpha::kBlend},
-    {Target::kUnreal, "unreal", "-Y", {formulas::kSheenInverseGgx, 2 * kF0, false, false}, Alpha::kHashed},
-    {Target::kUnityHdrp, "unity-hdrp", "+Y", {formulas::kSheenNone, 1, false, false}, Alpha::kBlend},
-    {Target::kUnityUrp, "unity-urp", "+Y", {formulas::kSheenNone, kF0, false, false}, Alpha::kBlend},
-    {Target::kGodot, "godot", "+Y", {formulas::kSheenNone, 4 * kF0, false, true}, Alpha::kHashed},
-    {Target::kBlender, "blender", "+Y", {formulas::kSheenZeltner, 2 * kF0, false, true}, Alpha::kHashed},
-    {Target::kU3m, "u3m", "+Y", {formulas::kSheenDisney, 2 * kF0, false, true}, Alpha::kBlend},
-    {Target::kMaterialX, "materialx", "+Y", {formulas::kSheenZeltner, 0.25f, false, true}, Alpha::kBlend},
+    {Target::kRaw, "raw", "Raw maps", "+Y", {formulas::kSheenNone, 1, true, true}, Alpha::kBlend},
+    {Target::kGltf, "gltf", "glTF", "+Y", {formulas::kSheenCharlie, 1, true, true}, Alpha::kBlend},
+    {Target::kUnreal,
+     "unreal",
+     "Unreal Engine",
+     "-Y",
+     {formulas::kSheenInverseGgx, 2 * kF0, false, false},
+     Alpha::kHashed},
+    {Target::kUnityHdrp, "unity-hdrp", "Unity HDRP", "+Y", {formulas::kSheenNone, 1, false, false}, Alpha::kBlend},
+    {Target::kUnityUrp, "unity-urp", "Unity URP", "+Y", {formulas::kSheenNone, kF0, false, false}, Alpha::kBlend},
+    {Target::kGodot, "godot", "Godot", "+Y", {formulas::kSheenNone, 4 * kF0, false, true}, Alpha::kHashed},
+    {Target::kBlender, "blender", "Blender", "+Y", {formulas::kSheenZeltner, 2 * kF0, false, true}, Alpha::kHashed},
+    {Target::kU3m, "u3m", "U3M", "+Y", {formulas::kSheenDisney, 2 * kF0, false, true}, Alpha::kBlend},
+    {Target::kMaterialX,
+     "materialx",
+     "MaterialX, USD",
+     "+Y",
+     {formulas::kSheenZeltner, 0.25f, false, true},
+     Alpha::kBlend},
 };
 
 const TargetRow& target_row(Target target) { return kTargets[static_cast<size_t>(target)]; }
@@ -305,6 +315,10 @@ std::span<const ImageRow> image_rows(Target target) {
   return {first, last};
 }
 
+int channels_of(const ImageRow& row) {
+  return static_cast<int>(std::find(row.channels.begin(), row.channels.end(), Channel::kNone) - row.channels.begin());
+}
+
 std::optional<Target> target_named(const std::string& name) {
   for (const TargetRow& row : kTargets) {
     if (name == row.name) return row.target;
@@ -347,6 +361,7 @@ std::optional<Alpha> alpha_named(const std::string& name) {
 const char* alpha_name(Alpha alpha) { return kAlphas[static_cast<size_t>(alpha)].name; }
 
 const char* target_name(Target target) { return target_row(target).name; }
+const char* target_title(Target target) { return target_row(target).title; }
 const char* normal_convention(Target target) { return target_row(target).normal; }
 
 const char* channel_words(Channel channel) {

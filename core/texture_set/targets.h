@@ -93,8 +93,12 @@ EngineModel engine_model(Target target, bool metal);
 /// The rows of a target, in the order of the contact sheet.
 std::span<const ImageRow> image_rows(Target target);
 
+int channels_of(const ImageRow& row);
+
 std::optional<Target> target_named(const std::string& name);
 const char* target_name(Target target);
+/// As its makers call it: "Unreal Engine".
+const char* target_title(Target target);
 /// Which way green runs in the target's normal map: "+Y" or "-Y".
 const char* normal_convention(Target target);
 /// Words for texture_set.json.

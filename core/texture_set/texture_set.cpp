@@ -174,16 +174,28 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   return {std::move(cloth), of};
 }
 
+// How much of the work is done, about: once a face is measured, its images are written, and all of both.
+constexpr float kMeasured = 0.1f, kFaceDone = 0.45f;
+
+/// Tells how far a face is; false: nobody wants it.
+std::function<bool(float)> part_of(const Progress& progress, float from) {
+  return [&progress, from](float share) {
+    if (progress.tell) progress.tell(from + kMeasured + share * (kFaceDone - kMeasured));
+    return !progress.stop.stop_requested();
+  };
+}
+
 /// Writes into `folder` what will stand in `place`.
 std::string write_into(const std::string& folder, const std::string& place, const Design& design, const Mesh& mesh,
-                       const TextureSetOptions& options) {
+                       const TextureSetOptions& options, const Progress& progress) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder, options.name, options.target, json::array(), {}, {}};
+  SetImages images{folder, options.name, options.target, json::array(), {}, {}, part_of(progress, 0)};
   write_face(images, front, Face::kFront);
   if (!images.problem.empty()) return images.problem;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
+  images.going = part_of(progress, kFaceDone);
   write_face(images, back, Face::kBack);
   if (!images.problem.empty()) return images.problem;
   const SetFacts set{folder,
@@ -196,7 +208,7 @@ std::string write_into(const std::string& folder, const std::string& place, cons
                      back,
                      mesh};
   const MaterialFile material = write_materials(set);
-  std::string problem = material.error;
+  std::string problem = progress.stop.stop_requested() ? std::string(kStopped) : material.error;
   if (problem.empty()) problem = write_sheet(images, set);
   if (problem.empty()) problem = write_file_atomically(folder + "/README.md", readme(front, options));
   if (problem.empty())
@@ -284,6 +296,33 @@ int size_for(const Design& design, float texels_per_mm, float tile_mm) {
   return size;
 }
 
+SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
+  const BitMatrix cells = drawdown(design.draft);
+  if (cells.rows() < 1 || cells.cols() < 1) return {};
+  const Cloth cloth = cloth_of(design, cells, Face::kFront, options.tile_mm);
+  SetFigures out{cloth.width_mm,
+                 cloth.depth_mm,
+                 cloth.ends.size(),
+                 cloth.picks.size(),
+                 texture_size(cloth.width_mm, cloth.depth_mm, options.size),
+                 0,
+                 0};
+  const int64_t texels = int64_t{out.size.width} * out.size.height;
+  for (const ImageRow& row : image_rows(options.target)) {
+    // Cards hold one, two or four channels.
+    const int channels = channels_of(row), held = channels == 3 ? 4 : channels;
+    out.images += 2;
+    out.texel_bytes += 2 * texels * held * (row.type == PixelType::kU8 ? 1 : 2) * 4 / 3;
+  }
+  return out;
+}
+
+FaceSource face_at(const Design& design, Face face, const TextureSetOptions& options, int side) {
+  TextureSetOptions small = options;
+  small.size = std::min(options.size, side);
+  return face_of(design, drawdown(design.draft), face, small);
+}
+
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return {};
@@ -300,13 +339,13 @@ std::string who_is_there(const std::string& folder, const TextureSetOptions& opt
 }
 
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                              const TextureSetOptions& options) {
+                              const TextureSetOptions& options, const Progress& progress) {
   std::string problem = options.force ? std::string{} : who_is_there(folder, options);
   if (!problem.empty()) return problem;
   const fs::path made = make_staging(folder, problem);
   if (!problem.empty()) return problem;
   try {
-    problem = write_into(made.string(), folder, design, mesh, options);
+    problem = write_into(made.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
     problem = "not enough memory; export a smaller --size";
   }

@@ -2,6 +2,8 @@
 // A texture set: one full repeat of structure and colour as named, packed images for an engine, with its
 // materials, a README of three lines, a contact sheet and a machine-readable texture_set.json.
 
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -43,13 +45,34 @@ int size_for(const Design& design, float texels_per_mm, float tile_mm);
 /// What is amiss with the choices for this design; none: nothing.
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);
 
+/// How far a set is, and whether anybody still wants it.
+struct Progress {
+  std::function<void(float share)> tell{};  // 0..1, from the thread that asked for the set; empty: nobody listens
+  std::stop_token stop{};
+};
+/// What a set that was stopped has for a problem; what was there before stands.
+inline constexpr const char* kStopped = "stopped";
+
 /// Targets without a .glb take no mesh: it may then be empty.
 ///
 /// Writes the set into `folder`: all of it or, on failure, what was there before. Only files that an earlier set of the
 /// same draft and target lists are replaced or taken away (texture_set/set_folder.h). Empty string: done; else what
 /// went wrong.
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                              const TextureSetOptions& options);
+                              const TextureSetOptions& options, const Progress& progress = {});
+
+/// What a set will be, both faces together, known before anything is made.
+struct SetFigures {
+  float width_mm = 0, depth_mm = 0;  // of the tile
+  size_t ends = 0, picks = 0;        // in it
+  TextureSize size;
+  int images = 0;
+  int64_t texel_bytes = 0;  // of all images with their mips, as a graphics card holds them uncompressed
+};
+/// Zeros for a draft without cloth.
+SetFigures figures_of(const Design& design, const TextureSetOptions& options);
+/// One face as the set's images are made of it, at most `side` texels a side. The draft has cloth.
+FaceSource face_at(const Design& design, Face face, const TextureSetOptions& options, int side);
 
 /// Empty where write_texture_set() may write without `force`, else what is there and what to do.
 std::string who_is_there(const std::string& folder, const TextureSetOptions& options);

@@ -43,7 +43,8 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
     return e.any_unsaved();
   };
   add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Desk& e) { e.save_for_others(); });
-  new_group(add(all, "File", "export", "Export textures\xE2\x80\xA6", "Ctrl+E", [](Desk& e) { e.export_textures(); }));
+  new_group(
+      add(all, "File", "export", "Export texture set\xE2\x80\xA6", "Ctrl+E", [](Desk& e) { e.export_textures(); }));
   add(all, "File", "print", "Print\xE2\x80\xA6", "Ctrl+Shift+P", [](Desk& e) { e.ask_print(); });
   Action& left =
       add(all, "File", "recovery", "Bring back unsaved work\xE2\x80\xA6", "", [](Desk& e) { e.offer_recovery(); });

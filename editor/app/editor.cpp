@@ -293,6 +293,7 @@ void Editor::follow_shown() {
 void Editor::edited() {
   preview_.submit(hung());
   keep_live_export();
+  export_again();
   frames_due_ = std::max(frames_due_, 3);
 }
 

@@ -16,6 +16,7 @@
 #include "commands/commands.h"
 #include "session/background_writer.h"
 #include "session/document.h"
+#include "session/exporter.h"
 #include "session/intent.h"
 #include "session/loom_link.h"
 #include "session/own_output.h"
@@ -138,7 +139,7 @@ class Editor : public Desk {
   void with_ending(const std::string& typed, const std::string& ending,
                    const std::function<void(const std::string&)>& then);
   void start_print(const std::string& path, const PrintPrompt& prompt);
-  void start_export(const std::string& folder, const ExportPrompt& prompt);
+  void export_again();
   void update_title();
 
   // editor_loom.cpp
@@ -172,6 +173,9 @@ class Editor : public Desk {
   std::vector<Action> actions_;
   BackgroundWriter writer_;    // of the live export
   BackgroundWriter exporter_;  // apart, since it takes long
+  Exporter sets_{Window::wake};
+  std::shared_ptr<ExportPlan> export_plan_ = std::make_shared<ExportPlan>();
+  uint64_t exported_ = 0;  // the document that the sets are of
   std::shared_ptr<LiveExport> live_export_;
   std::string live_problem_, trouble_;
   FileDialog file_dialog_;

@@ -1,44 +1,15 @@
 // The editor's longer questions: a new draft's weave, and the export of textures.
 
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "app/editor.h"
-#include "files/files.h"
-#include "texture_set/material_files.h"
-#include "texture_set/texture_set.h"
 
 namespace weftlight::app {
 namespace {
 
 constexpr int kAnalysisTab = 3;
-
-struct TargetName {
-  Target target;
-  const char* name;
-};
-constexpr TargetName kTargets[] = {
-    {Target::kGltf, "glTF"},
-    {Target::kBlender, "Blender"},
-    {Target::kUnreal, "Unreal Engine"},
-    {Target::kUnityHdrp, "Unity HDRP"},
-    {Target::kUnityUrp, "Unity URP"},
-    {Target::kGodot, "Godot"},
-    {Target::kU3m, "U3M"},
-    {Target::kMaterialX, "MaterialX and USD"},
-    {Target::kRaw, "Raw maps"},
-};
-
-/// Empty: done; else what went wrong. Any thread.
-std::string export_textures_to(const std::string& folder, const Design& design, const TextureSetOptions& options) {
-  Mesh mesh;
-  if (needs_mesh(options.target)) {
-    ReadMesh read = load_drape(design.scene.mesh);
-    if (!read.mesh) return read.error;
-    mesh = std::move(*read.mesh);
-  }
-  return write_texture_set(folder, design, mesh, options);
-}
 
 }  // namespace
 
@@ -80,15 +51,31 @@ void Editor::ask_weave() {
 }
 
 void Editor::export_textures() {
+  if (export_plan_->folder.empty()) {
+    const std::filesystem::path beside = std::filesystem::path(document().path()).parent_path();
+    const char* home = std::getenv("HOME");
+    export_plan_->folder = ((beside.empty() ? std::filesystem::path(home ? home : ".") : beside) / "textures").string();
+  }
   ExportPrompt prompt;
-  for (const TargetName& t : kTargets) prompt.targets.push_back(t.name);
+  prompt.plan = export_plan_;
+  prompt.design = document().snapshot();
+  prompt.draft_path = document().path(), prompt.version = WEFTLIGHT_VERSION;
+  prompt.exporter = &sets_;
+  prompt.stage = std::make_shared<ExportStage>(prompt.design, Window::wake);
+  exported_ = session_.active().id;
   ask(std::move(prompt), [this](int) {
-    const ExportPrompt p = std::get<ExportPrompt>(dialog_);
     dialog_ = {};
-    ask_path(FileAsk::kFolder, "Folder for the textures",
-             std::filesystem::path(document().path()).parent_path().string(),
-             [this, p](const std::string& folder) { start_export(folder, p); });
+    ask_path(FileAsk::kFolder, "Folder for the textures", export_plan_->folder, [this](const std::string& folder) {
+      export_plan_->folder = folder;
+      export_textures();
+    });
   });
+}
+
+/// The sets follow the draft that they were exported of.
+void Editor::export_again() {
+  if (!export_plan_->watch || session_.active().id != exported_ || !sets_.began()) return;
+  sets_.start(jobs_of(*export_plan_, document().now(), document().path(), WEFTLIGHT_VERSION), document().snapshot());
 }
 
 void Editor::ask_other() {
@@ -141,35 +128,6 @@ void Editor::start_print(const std::string& path, const PrintPrompt& p) {
                    if (button == 0) write();
                  });
   write();
-}
-
-void Editor::start_export(const std::string& folder, const ExportPrompt& p) {
-  const std::filesystem::path file(document().path().empty() ? "untitled.wif" : document().path());
-  TextureSetOptions options;
-  options.target = kTargets[p.target].target;
-  options.name = file_name_of(file.stem().string());
-  options.source = file.filename().string();
-  options.draft_path = document().path();
-  options.program_version = WEFTLIGHT_VERSION;
-  options.size = p.size;
-  const std::string into = (std::filesystem::path(folder) / options.name).string();
-  const auto run = [this, into](const TextureSetOptions& chosen) {
-    exporter_.run(into, "Exported the textures to " + into, [into, chosen, design = document().snapshot()] {
-      const std::string problem = export_textures_to(into, *design, chosen);
-      return problem.empty() ? problem : "Not exported: " + problem;
-    });
-    say("Exporting the textures\xE2\x80\xA6");
-  };
-  const std::string there = who_is_there(into, options);
-  if (there.empty()) return run(options);
-  const std::string text =
-      there.substr(0, there.find("; choose")) + ". Files of the same names would be replaced; all others stay.";
-  ask(Question{"Write the textures there?", text, {"Leave it", "Write there"}}, [run, options](int button) {
-    if (button != 1) return;
-    TextureSetOptions forced = options;
-    forced.force = true;
-    run(forced);
-  });
 }
 
 }  // namespace weftlight::app

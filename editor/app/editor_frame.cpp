@@ -83,7 +83,8 @@ double Editor::sleep_s() {
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
   if (const auto until = waits_until(view())) sooner(std::max(0.0, *until - now));
-  if (file_dialog_.waiting() || exporter_.busy() || reporter_.busy() || dialog_busy_) sooner(kDialogPollS);
+  if (file_dialog_.waiting() || exporter_.busy() || sets_.busy() || reporter_.busy() || dialog_busy_)
+    sooner(kDialogPollS);
   if (session_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
 }
@@ -91,9 +92,11 @@ double Editor::sleep_s() {
 void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
-  const bool cloth_changed = preview_.poll() | take_export_news() | reporter_.poll() |
-                             take_dialog_news(dialog_, dialog_busy_) | take_loom_news() |
+  const bool dialog_changed = take_export_news() | take_dialog_news(dialog_, dialog_busy_);
+  const bool cloth_changed = preview_.poll() | dialog_changed | reporter_.poll() | take_loom_news() |
                              carry_out(type_after_wait(view(), document().now(), now));
+  // What it holds may lay it out anew, and the map wants it to stand still.
+  if (dialog_changed) frames_due_ = std::max(frames_due_, 2);
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;
@@ -133,8 +136,9 @@ void Editor::take_waiting_input() {
 bool Editor::take_export_news() {
   std::string news = exporter_.take_error();
   if (news.empty()) news = exporter_.take_message();
+  if (news.empty()) news = sets_.take_message();
   if (!news.empty()) say(news);
-  return !news.empty();
+  return sets_.take_news() || !news.empty();
 }
 
 void Editor::take_input() {

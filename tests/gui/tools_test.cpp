@@ -44,6 +44,39 @@ TEST_F(ToolsTest, PrintsWhatWasSeen) {
   EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "printing changes nothing";
 }
 
+TEST_F(ToolsTest, ExportsWhatWasSeenAndFollowsTheDraft) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const fs::path other = folder_ / "textures/straight";
+  fs::create_directories(other);
+  put(other / "notes.txt", "of the artist");
+  display_.key("ctrl+e");
+  ASSERT_TRUE(comes_true([&] { return w.has("export.ready") && w.has("export.map:straight_basecolor.png"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "export.for:godot"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "export.for:gltf"));
+  EXPECT_TRUE(comes_true([&] { return w.has("export.ready") && w.has("export.map:straight_flowmap.png"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "export.face:Back"));
+  EXPECT_TRUE(comes_true([&] { return w.has("export.map:straight_back_albedo.png"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "export.size:512"));
+  EXPECT_TRUE(w.has("export.images:8"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "export.watch"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Export"));
+  ASSERT_TRUE(comes_true([&] { return w.has("export.asked"); })) << "there is something of the artist's";
+  EXPECT_FALSE(fs::exists(other / "texture_set.json"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Write there"));
+  ASSERT_TRUE(comes_true([&] { return w.has("export.written"); }));
+  EXPECT_EQ(bytes_of(other / "notes.txt"), "of the artist");
+  const std::string before = bytes_of(other / "straight_albedo.png");
+  EXPECT_FALSE(before.empty());
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Close"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("export.watch"); }));
+  display_.click(w.cell("threading", 5, 1));
+  EXPECT_TRUE(comes_true([&] {
+    const std::string now = bytes_of(other / "straight_albedo.png");
+    return !now.empty() && now != before;
+  })) << "the set does not follow the draft";
+}
+
 TEST_F(ToolsTest, ShowsWhatTwoDraftsDifferIn) {
   Window w(display_, folder_, draft_, without_dialogs());
   const fs::path other = folder_ / "other.wif";

@@ -25,6 +25,7 @@ DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 /// The draft as it was before.
 MaybeEdit given_back(const WeaveOverPrompt& p);
 DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p);
+DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p);
 DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p);
 DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 

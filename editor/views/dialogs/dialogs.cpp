@@ -78,25 +78,7 @@ DialogAnswer draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(
 
 DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, ExportPrompt& p) {
-  heading(c, "Export textures");
-  row_label(c, "For", "Which program reads them: names, packing and normals are made for it");
-  ImGui::SetNextItemWidth(c.style.px(280));
-  if (begin_combo(c, "export.target", p.targets[static_cast<size_t>(p.target)].c_str())) {
-    for (int i = 0; i < static_cast<int>(p.targets.size()); ++i) {
-      if (ImGui::Selectable(p.targets[static_cast<size_t>(i)].c_str(), i == p.target)) p.target = i;
-      c.map.add_item("export.target:" + p.targets[static_cast<size_t>(i)]);
-    }
-    end_combo();
-  }
-  row_label(c, "Size", "Texels of the longer side of one repeat");
-  constexpr const char* kSizes[] = {"512", "1024", "2048", "4096"};
-  int step = 0;
-  while (step < 3 && (512 << step) < p.size) ++step;
-  segmented(c, "export.size", kSizes, step, c.style.px(280));
-  p.size = 512 << step;
-  return answered(draw_buttons(c, {"Choose folder\xE2\x80\xA6", "Cancel"}, true));
-}
+DialogAnswer draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
 
 DialogAnswer draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
 
@@ -140,6 +122,10 @@ bool take_dialog_news(Dialog& dialog, bool& busy) {
   if (const auto* gallery = std::get_if<GalleryPrompt>(&dialog)) {
     busy = gallery->pictures->busy();
     return gallery->pictures->poll();
+  }
+  if (const auto* exported = std::get_if<ExportPrompt>(&dialog)) {
+    busy = exported->stage->preview.busy();
+    return exported->stage->poll();
   }
   const auto* print = std::get_if<PrintPrompt>(&dialog);
   busy = print != nullptr && print->preview->busy();

@@ -9,6 +9,7 @@
 #include "draft/generators/table.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
+#include "views/dialogs/export_dialog.h"
 #include "views/dialogs/gallery.h"
 #include "views/dialogs/print_dialog.h"
 
@@ -37,12 +38,6 @@ struct WeavePrompt {
 };
 /// With the first numbers of the weave, about so large.
 WeavePrompt prompt_for(int kind, ClothSize about);
-/// What is asked before textures are exported.
-struct ExportPrompt {
-  std::vector<std::string> targets;
-  int target = 0;
-  int size = 1024;  // texels of the longer side
-};
 struct ThreadPrompt {
   System system = System::kWarp;
   int number = 1, ends = 1, picks = 1;

@@ -1,0 +1,114 @@
+#include "session/exporter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "files/files.h"
+#include "texture_set/material_files.h"
+
+namespace weftlight::session {
+namespace {
+
+constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of the window
+
+}  // namespace
+
+Exporter::Exporter(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+void Exporter::start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> design) {
+  {
+    const std::lock_guard lock(mutex_);
+    state_ = {};
+    state_.busy = true, state_.sets = jobs.size();
+  }
+  worker_.post([this, jobs = std::move(jobs), design = std::move(design)](const std::stop_token& stop) {
+    run(jobs, *design, stop);
+  });
+}
+
+void Exporter::stop() {
+  worker_.drop();
+  const std::lock_guard lock(mutex_);
+  if (!state_.busy) return;
+  state_.busy = false, state_.stopped = true;
+  message_ = "The export was stopped; what stood there before stands";
+}
+
+Exporter::State Exporter::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+bool Exporter::busy() const { return state().busy; }
+
+bool Exporter::began() const {
+  const std::lock_guard lock(mutex_);
+  return state_.sets > 0;
+}
+
+bool Exporter::take_news() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(news_, false);
+}
+
+std::string Exporter::take_message() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(message_, {});
+}
+
+void Exporter::tell(size_t set, size_t sets, float share) {
+  const float all = (static_cast<float>(set) + share) / static_cast<float>(std::max<size_t>(sets, 1));
+  {
+    const std::lock_guard lock(mutex_);
+    const bool same = state_.set == set && state_.sets == sets && std::abs(all - state_.share) < kStep;
+    state_.set = set, state_.sets = sets;
+    if (same) return;
+    state_.share = all, news_ = true;
+  }
+  wake_();
+}
+
+bool Exporter::take_mesh(const std::vector<ExportJob>& jobs, const Design& design) {
+  const bool wanted =
+      std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return needs_mesh(j.options.target); });
+  if (!wanted || mesh_name_ == design.scene.mesh) return true;
+  ReadMesh read = load_drape(design.scene.mesh);
+  if (!read.mesh) {
+    const std::lock_guard lock(mutex_);
+    state_.problems.push_back(read.error);
+    return false;
+  }
+  mesh_ = std::move(*read.mesh), mesh_name_ = design.scene.mesh;
+  return true;
+}
+
+void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, const std::stop_token& stop) {
+  const bool ready = take_mesh(jobs, design);
+  for (size_t i = 0; ready && i < jobs.size() && !stop.stop_requested(); ++i) {
+    tell(i, jobs.size(), 0);
+    const Progress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
+    std::string problem = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
+    if (problem == kStopped) return;  // who stopped it has told, or a newer run will
+    const std::lock_guard lock(mutex_);
+    (problem.empty() ? state_.written : state_.problems).push_back(problem.empty() ? jobs[i].folder : problem);
+  }
+  if (!stop.stop_requested()) end();
+}
+
+void Exporter::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    state_.busy = false, state_.share = 1, news_ = true;
+    const size_t count = state_.written.size();
+    if (!state_.problems.empty()) message_ = "Not exported: " + state_.problems.front();
+    else if (count == 1) message_ = "Exported the textures to " + state_.written.front();
+    else if (count > 1)
+      message_ = "Exported " + std::to_string(count) + " sets to " +
+                 std::filesystem::path(state_.written.front()).parent_path().string();
+  }
+  wake_();
+}
+
+}  // namespace weftlight::session

@@ -215,6 +215,7 @@ void Editor::draw_window() {
   if (view().select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
   if (!view().select.notice.empty()) say(std::exchange(view().select.notice, {}));
   window_.use_crosshair(notes_.crosshair);
+  if (notes_.again) frames_due_ = std::max(frames_due_, 1);
   // ImGui lays a new tip out in one frame and shows it in the next; the map wants it to stand still.
   if (tip_.drawn && !tip_.shown) frames_due_ = std::max(frames_due_, 3);
 }

@@ -80,6 +80,10 @@ Edit clear_edit(const TypeCursor& c, const Draft& d) {
 MaybeEdit take_number(DocumentView& v, const Design& design) {
   const int number = std::exchange(v.cursor.typed, 0);
   if (number == 0) return {};
+  if (std::string why = why_locked(design, *bit_grid_of(v.cursor.grid)); !why.empty()) {
+    v.select.notice = std::move(why);
+    return {};
+  }
   if (holds_one(v.cursor.grid)) v.cursor.at = numbered(v.cursor, number);
   return number_edit(v.cursor, design, number);
 }

@@ -206,5 +206,27 @@ TEST_F(DrawingTest, ColoursOfThreadsAreCopiedAlone) {
   undone(w, "the paste");
 }
 
+TEST_F(DrawingTest, ADragBeyondTheEdgeTakesTheGridAlong) {
+  blank_.draft = draft::blank_draft(400, 24, 8, 8);
+  put(draft_, wif::write_new_wif(blank_));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
+  const auto is_seen = [&](int end) { return w.cell("drawdown", end, 1).x > 14; };
+  ASSERT_TRUE(comes_true([&] { return w.has("minimap") && !is_seen(150); }));
+  const Point from = w.cell("threading", 20, 3);
+  display_.drag({from, {60, from.y}, {3, from.y}}, "sleep 1.5");
+  EXPECT_TRUE(comes_true([&] { return is_seen(80); })) << "the ends did not come along";
+  int painted = 0;
+  EXPECT_TRUE(comes_true([&] {
+    painted = 0;
+    const draft::Draft d = draft_of(w);
+    while (d.threading.get(19 + painted, 2)) ++painted;
+    return painted > 60 && d.threading.count() == painted;
+  })) << painted
+      << " ends painted, and none left out";
+  undone(w, "the drag");
+}
+
 }  // namespace
 }  // namespace weftlight::gui

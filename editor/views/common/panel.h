@@ -21,6 +21,7 @@ struct FrameNotes {
   const char* hint = "";        // how to use what the pointer is over, for the status line
   bool crosshair = false;       // the pointer draws a rectangle here
   bool selection_menu = false;  // a right click: the menu opens in this frame
+  bool again = false;           // something moves on by itself: another frame
 };
 
 struct PanelContext : Context {

@@ -8,6 +8,7 @@
 #include "ui/widgets.h"
 #include "views/draft/beyond_draw.h"
 #include "views/draft/draft_layout.h"
+#include "views/draft/drag_scroll.h"
 #include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
 #include "views/draft/select_input.h"
@@ -232,6 +233,7 @@ void draw_draft(PanelContext& c, DraftPictures& pictures) {
   choose_by_heads(c, l);
   scrollbars(c, l);
   navigate(c, l);
+  scroll_with_drag(c, l);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   draw_grids(dl, c, l, pictures);
   draw_chosen(dl, c, l);

@@ -159,6 +159,17 @@ TEST(Typing, WhatCannotBeIsSaid) {
   EXPECT_EQ(t.steps, 0);
 }
 
+TEST(Typing, ALockedGridIsLeftAndTheCursorStays) {
+  Design d = blank(6, 4);
+  d.loom.authority = Authority::kDrawdown;
+  d.loom.locked = true;
+  Typist t(d);
+  t.type("2");
+  EXPECT_EQ(t.steps, 0);
+  EXPECT_EQ(t.view.cursor.at.a, 0);
+  EXPECT_EQ(t.view.select.notice, "this follows the drawdown and is locked");
+}
+
 TEST(Typing, TheCursorFollowsADraftThatShrinksOrChangesItsDrive) {
   TypeCursor c{GridId::kTreadling, {3, 5}};
   Draft d = blank_draft(4, 4, 2, 2);

@@ -5,6 +5,7 @@
 #include "../draft/hand_drafts.h"
 #include "views/common/cell_image.h"
 #include "views/draft/draft_layout.h"
+#include "views/draft/drag_scroll.h"
 #include "views/shell/action_list.h"
 
 namespace weftlight::views {
@@ -105,6 +106,18 @@ TEST(CellImage, GoesOnBeyondTheEdgesWhereItIsTiled) {
       EXPECT_EQ(pixel, image.pixels[static_cast<size_t>(24 * ((y + 6) % 18) + x)]);
     }
   EXPECT_EQ(black, 3 * 3 * 4) << "one crossing of twelve, two by two pixels, nine times";
+}
+
+TEST(DragScroll, GoesTowardsThePointerAndNoFurtherThanThereIs) {
+  Axis axis{100, 200, 10, 30, 100, false};
+  EXPECT_EQ(dragged_scroll(axis, 150, 0.1f), 30) << "inside";
+  EXPECT_LT(dragged_scroll(axis, 90, 0.1f), 30);
+  const float near_by = dragged_scroll(axis, 310, 0.1f), far_off = dragged_scroll(axis, 500, 0.1f);
+  EXPECT_GT(near_by, 30);
+  EXPECT_GT(far_off, near_by);
+  EXPECT_EQ(dragged_scroll(axis, 5000, 100), 80) << "the last thread stays at the edge";
+  axis.reversed = true;
+  EXPECT_GT(dragged_scroll(axis, 90, 0.1f), 30);
 }
 
 TEST(Layout, TenThousandThreadsStayInThePane) {

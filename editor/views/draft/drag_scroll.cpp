@@ -1,0 +1,55 @@
+#include "views/draft/drag_scroll.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/mirror.h"
+#include "session/selection.h"
+
+namespace weftlight::views {
+namespace {
+
+// Pixels a second, and those more for each pixel that the pointer is out.
+constexpr float kSlowest = 160, kFaster = 14, kFastest = 4000;
+constexpr float kLongestFrameS = 0.05f;
+
+/// The grid that the hand is busy with.
+GridId dragged_grid(const DocumentView& v) {
+  if (v.stroke.grid != GridId::kNone) return v.stroke.grid;
+  if (v.shape) return v.shape->grid;
+  if (v.select.drag != SelectDrag::kNone) return grid_id_of(v.select.selected.grid);
+  if (!v.chosen.dragging) return GridId::kNone;
+  return v.chosen.system == System::kWarp ? GridId::kWarpColors : GridId::kWeftColors;
+}
+
+void follow(PanelContext& c, float DocumentView::*scroll, const Axis& axis, float pixel) {
+  if (axis.count < 2) return;  // across a colour bar
+  const float to = dragged_scroll(axis, pixel, std::min(ImGui::GetIO().DeltaTime, kLongestFrameS));
+  if (to == axis.scroll) return;
+  c.wanted.change_view([scroll, to](DocumentView& v) { v.*scroll = to; });
+  c.frame.again = true;
+}
+
+}  // namespace
+
+float dragged_scroll(const Axis& axis, float pixel, float seconds) {
+  const float end = axis.start + axis.length;
+  const float out = pixel < axis.start ? pixel - axis.start : pixel >= end ? pixel - end + 1 : 0;
+  if (out == 0) return axis.scroll;
+  const float way = (out < 0) != axis.reversed ? -1.0f : 1.0f;
+  const float speed = std::min(kSlowest + kFaster * std::abs(out), kFastest);
+  return clamp_scroll(axis, axis.scroll + way * speed * seconds / axis.pitch);
+}
+
+void scroll_with_drag(PanelContext& c, const DraftLayout& l) {
+  const GridId grid = ImGui::IsAnyMouseDown() ? dragged_grid(c.view) : GridId::kNone;
+  if (grid == GridId::kNone) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  for (const GridPane* pane : l.panes()) {
+    if (pane->id != grid) continue;
+    follow(c, has_ends(grid) ? &DocumentView::scroll_end : &DocumentView::scroll_treadle, pane->x, mouse.x);
+    follow(c, has_picks(grid) ? &DocumentView::scroll_pick : &DocumentView::scroll_shaft, pane->y, mouse.y);
+  }
+}
+
+}  // namespace weftlight::views

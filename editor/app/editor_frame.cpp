@@ -312,16 +312,17 @@ void Editor::draw_status(PanelContext& c, const WindowLayout& l) {
 void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
   constexpr const char* kTabs[] = {"Threads", "Yarns", "Cloth", "Analysis"};
   begin_fixed("Inspector", l.inspector, {style_.px(16), style_.px(10)}, kFixed);
-  if (focus_.starts_with("threads.")) settings_.inspector_tab = 0;
-  segmented(c, "inspector", kTabs, settings_.inspector_tab);
+  int tab = focus_.starts_with("threads.") ? 0 : c.settings.inspector_tab;
+  segmented(c, "inspector", kTabs, tab);
+  if (tab != c.settings.inspector_tab) c.wanted.change_settings([tab](Settings& s) { s.inspector_tab = tab; });
   ImGui::Dummy({0, style_.px(2)});
-  ImGui::BeginChild(kTabs[settings_.inspector_tab], {0, 0});
-  if (settings_.inspector_tab == 0) {
+  ImGui::BeginChild(kTabs[tab], {0, 0});
+  if (tab == 0) {
     c.wanted.add(draw_palette(c));
     c.wanted.add(draw_threads(c, typed_threads_));
-  } else if (settings_.inspector_tab == 1) {
+  } else if (tab == 1) {
     c.wanted.add(draw_yarns(c, strip_));
-  } else if (settings_.inspector_tab == 2) {
+  } else if (tab == 2) {
     c.wanted.add(draw_scene(c));
   } else {
     draw_comparison(c, c.report);
@@ -364,10 +365,13 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive()) {
     const float moved = ImGui::GetIO().MouseDelta.x / l.room,
-                before = settings_.split > 0 ? settings_.split : fitted_split_;
-    if (moved != 0) settings_.split = std::clamp(before + moved, 0.2f, 0.8f);
+                now = std::clamp((c.settings.split > 0 ? c.settings.split : fitted_split_) + moved, 0.2f, 0.8f);
+    if (moved != 0) c.wanted.change_settings([now](Settings& s) { s.split = now; });
   }
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) settings_.split = view().pitch = 0;
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    c.wanted.change_settings([](Settings& s) { s.split = 0; });
+    c.wanted.change_view([](DocumentView& v) { v.pitch = 0; });
+  }
   tooltip(c, "Drag to give the draft more or less room; double-click for what it fills");
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
   const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));

@@ -14,20 +14,6 @@ namespace fs = std::filesystem;
 
 class FilesTest : public OnDisplay {
  protected:
-  /// Where no zenity is, so that the window asks itself.
-  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
-
-  /// End 1 goes to shaft 3, and the window knows.
-  void paint(const Window& w, int end = 1) const {
-    const std::string before = w.live();
-    display_.click(w.cell("threading", end, 3));
-    ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
-  }
-  void press(const Window& w, const std::string& button) const {
-    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "was not asked: " << button;
-    display_.click(w.middle_of("dialog:" + button));
-    ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
-  }
   /// What stands in the recovery folder once the window is gone without a word.
   void kill(Window& w) const {
     usleep(600'000);

@@ -48,6 +48,21 @@ class OnDisplay : public testing::Test {
   void TearDown() override {
     if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
+  /// The environment of a window that finds no zenity, so that it asks itself.
+  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
+
+  /// An end goes to shaft 3, and the window knows.
+  void paint(const Window& w, int end = 1) const {
+    const std::string before = w.live();
+    display_.click(w.cell("threading", end, 3));
+    ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
+  }
+  /// Answers a dialog.
+  void press(const Window& w, const std::string& button) const {
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "was not asked: " << button;
+    display_.click(w.middle_of("dialog:" + button));
+    ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
+  }
   static void put(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;
   }

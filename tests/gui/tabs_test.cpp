@@ -17,9 +17,6 @@ class TabsTest : public OnDisplay {
     other_ = folder_ / "other.wif";
     put(other_, straight_draft(20, 4));
   }
-  /// Where no zenity is, so that the window asks itself.
-  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
-
   void open(const Window& w, const fs::path& file) const {
     display_.key("ctrl+o");
     ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
@@ -35,16 +32,6 @@ class TabsTest : public OnDisplay {
     ASSERT_NO_FATAL_FAILURE(open(w, other_));
     ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() == bytes_of(other_); }))
         << "no tab was opened";
-  }
-  void paint(const Window& w, int end) const {
-    const std::string before = w.live();
-    display_.click(w.cell("threading", end, 3));
-    ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
-  }
-  void press(const Window& w, const std::string& button) const {
-    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "was not asked: " << button;
-    display_.click(w.middle_of("dialog:" + button));
-    ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
   }
 
   fs::path other_;

@@ -5,10 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "display.h"
 #include "draft/drawdown.h"
-#include "draft/edits.h"
-#include "wif/wif.h"
+#include "on_display.h"
 
 namespace weftlight::gui {
 
@@ -33,25 +31,13 @@ std::string twill() {
   return write_new_wif(d) + "[PRIVATE ANOTHER PROGRAM]\nKept=as it is\n";
 }
 
-class WindowTest : public testing::Test {
+class WindowTest : public OnDisplay {
  protected:
   void SetUp() override {
-    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << reason;
-    char name[] = "/tmp/weftlight_gui_XXXXXX";
-    folder_ = mkdtemp(name);
+    OnDisplay::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
     draft_ = folder_ / "twill.wif";
-    fs::create_directories(folder_ / "config/weftlight");
-    std::ofstream(folder_ / "config/weftlight/settings.json") << R"({"width": 1280, "height": 800})";
-    std::ofstream(draft_, std::ios::binary) << twill();
-    ASSERT_TRUE(display_.is_up()) << "Xvfb did not start";
-  }
-  void TearDown() override {
-    if (!folder_.empty()) fs::remove_all(folder_);
-  }
-
-  static Design design_of(const std::string& bytes) {
-    const WifRead read = read_wif(bytes);
-    return read.file ? read.file->design : Design{};
+    put(draft_, twill());
   }
 
   static bool is_settled(const Window& w) { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }
@@ -84,9 +70,6 @@ class WindowTest : public testing::Test {
     display_.key("ctrl+q");
     EXPECT_EQ(w.process().wait(), 0);
   }
-
-  const Display display_{1280, 800};
-  fs::path folder_, draft_;
 };
 
 TEST_F(WindowTest, PaintsUndoesSavesAndOpensAgain) {

@@ -58,6 +58,16 @@ inline glm::dvec3 furnace(const std::function<glm::vec3(glm::vec3)>& f, int ring
   return sum * (2 * M_PI / (static_cast<double>(rings) * turns));
 }
 
+/// What a lobe sends of a white hemisphere's light by single scattering alone, red.
+inline double scattered_once(const formulas::YarnLobes& y, const glm::vec3& wo) {
+  const auto s = formulas::lobe_shared(y);
+  const auto o = formulas::lobe_side(y, s, wo);
+  const auto once = [&](glm::vec3 wi) {
+    return formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo);
+  };
+  return furnace(once, 200, 200).x;
+}
+
 /// The same for a lobe that may be sharp: the grid lies over facets' slopes (reflected about wo) for the
 /// specular part, which is 0 elsewhere; `rest` is integrated by furnace().
 inline glm::dvec3 slope_furnace(const formulas::YarnLobes& y, const glm::vec3& wo, int nodes = 160) {

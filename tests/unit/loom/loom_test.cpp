@@ -1,14 +1,13 @@
 // Weaving at a mock loom: over a line of text alone, and over TCP with a line that breaks off.
 
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 
 #include "../draft/hand_drafts.h"
+#include "../loom_port.h"
 #include "loom/line.h"
 #include "loom/weaving.h"
 
@@ -130,26 +129,6 @@ TEST(Weaving, SaysWhenTheLoomRaisedOtherShafts) {
   EXPECT_FALSE(answer(w, up, {LoomReport::kUnknown, 0, false, "?"}).remark.empty());
 }
 
-/// A port on this machine that one loom listens on.
-class Port {
- public:
-  Port() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in at{};
-    at.sin_family = AF_INET;
-    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof at;
-    if (::bind(socket_, reinterpret_cast<sockaddr*>(&at), size) != 0 || ::listen(socket_, 1) != 0) return;
-    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&at), &size);
-    number_ = ntohs(at.sin_port);
-  }
-  ~Port() { ::close(socket_); }
-  int number() const { return number_; }
-  int accepted() const { return ::accept(socket_, nullptr, nullptr); }
-
- private:
-  int socket_, number_ = 0;
-};
-
 std::string read_some(int socket) {
   pollfd waits{socket, POLLIN, 0};
   if (::poll(&waits, 1, 5000) <= 0) return {};
@@ -166,8 +145,8 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
   const Weaving w{d, lift, {}};
-  Port port;
-  const std::string address = std::string("tcp:127.0.0.1:").append(std::to_string(port.number()));
+  LoomPort port;
+  const std::string address = port.address();
   Place place;
   std::vector<uint32_t> raised;
   for (int connection = 0; connection < 3; ++connection) {
@@ -202,7 +181,7 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
 TEST(LoomLine, SaysWhyThereIsNone) {
   EXPECT_FALSE(open_line("loom").why.empty());
   EXPECT_FALSE(open_line("serial:/dev/there-is-no-such-loom").why.empty());
-  Port closed;
+  LoomPort closed;
   int number = closed.number();
   EXPECT_GT(number, 0);
   EXPECT_FALSE(open_line("tcp:127.0.0.1:1", 500).why.empty());

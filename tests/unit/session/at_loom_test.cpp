@@ -3,14 +3,13 @@
 #include "session/at_loom.h"
 
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <thread>
 
+#include "../loom_port.h"
 #include "draft/edits.h"
 #include "session/loom_link.h"
 
@@ -90,28 +89,6 @@ TEST(AtLoom, FeetAndHandsAreTold) {
   EXPECT_EQ(to_press(to_liftplan(d).draft, 1), std::vector<int>{1});
 }
 
-/// A port of this machine that a loom can be found at.
-class Port {
- public:
-  Port() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in at{};
-    at.sin_family = AF_INET;
-    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof at;
-    ::bind(socket_, reinterpret_cast<sockaddr*>(&at), size);
-    ::listen(socket_, 1);
-    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&at), &size);
-    address_ = "tcp:127.0.0.1:" + std::to_string(ntohs(at.sin_port));
-  }
-  ~Port() { ::close(socket_); }
-  const std::string& address() const { return address_; }
-  int accept() const { return ::accept(socket_, nullptr, nullptr); }
-
- private:
-  int socket_;
-  std::string address_;
-};
-
 std::string read_line(int fd) {
   std::string line;
   for (char c; ::read(fd, &c, 1) == 1 && c != '\n';) line += c;
@@ -143,10 +120,10 @@ struct Weaver {
 };
 
 TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
-  const Port port;
+  const LoomPort port;
   Weaver w;
   w.link.connect(port.address());
-  int loom = port.accept();
+  int loom = port.accepted();
   ASSERT_TRUE(comes_true([&] {
     w.poll();
     return w.greeted == 1;
@@ -164,7 +141,7 @@ TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
   ASSERT_NO_FATAL_FAILURE(ask(1, "C00000002"));
   ::close(loom);
   ASSERT_TRUE(comes_true([&] { return w.link.state() == LoomLink::State::kConnecting; }));
-  loom = port.accept();
+  loom = port.accepted();
   ASSERT_TRUE(comes_true([&] {
     w.poll();
     return w.greeted == 2;

@@ -81,6 +81,4 @@ std::vector<Layer> layers(const BitMatrix& cells) {
   return out;
 }
 
-bool hangs_together(const BitMatrix& cells) { return layers(cells).size() <= 1; }
-
 }  // namespace weftlight::analysis

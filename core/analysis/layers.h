@@ -18,7 +18,4 @@ struct Layer {
 /// The layers of a drawdown that repeats in both directions, front to back.
 std::vector<Layer> layers(const BitMatrix& cells);
 
-/// True when the cloth is a single layer.
-bool hangs_together(const BitMatrix& cells);
-
 }  // namespace weftlight::analysis

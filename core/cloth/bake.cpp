@@ -271,18 +271,6 @@ Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
   return maps;
 }
 
-TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width, int height) {
-  const auto start = [](float at_mm, float period_mm, int texels, int size) {
-    const double share = period_mm > 0.0f ? static_cast<double>(at_mm) / static_cast<double>(period_mm) : 0.0;
-    const double turns = std::isfinite(share) ? share - std::floor(share) : 0.0;
-    return static_cast<int>(std::lround(turns * texels)) - size / 2;
-  };
-  const int w = std::clamp(whole.width, 1, kLargestWhole), h = std::clamp(whole.height, 1, kLargestWhole);
-  const TexelRect size = cut_to_period({0, 0, width, height}, w, h);
-  const int x = start(u_mm, cloth.width_mm, w, size.x1), y = start(v_mm, cloth.depth_mm, h, size.y1);
-  return {x, y, x + size.x1, y + size.y1};
-}
-
 Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad) {
   const int w = maps.height_mm.width, h = maps.height_mm.height;
   Plane<uint8_t> lit(w, h);

@@ -194,13 +194,4 @@ CentrePoint centre_at(const CentreLines& lines, System system, int thread, const
                         lines.at(system, e + 2 * de, p + 2 * dp), step);
 }
 
-float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm) {
-  if (cloth.ends.empty() || cloth.picks.empty()) return 0.0f;
-  const CentreStep step = centre_step(cloth, system, s_mm);
-  const int c = step.crossing;
-  const CellRect window =
-      system == System::kWarp ? CellRect{thread, thread + 1, c - 1, c + 3} : CellRect{c - 1, c + 3, thread, thread + 1};
-  return centre_at(centre_lines(cloth, window), system, thread, step).height_mm;
-}
-
 }  // namespace weftlight::cloth

@@ -62,9 +62,4 @@ struct ThreadSize {
 };
 ThreadSize thread_size(const Design& design, System system, int thread);
 
-/// Height (mm above the middle plane, signed) of a thread's centre line at distance s_mm along it
-/// (y for an end, x for a pick), periodic. Crimp from touching threads, relaxed along floats up to the
-/// bound that the tightness of the weave sets (VRST 2003, section 3.4). To read many: centre_line.h.
-float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm);
-
 }  // namespace weftlight::cloth

@@ -66,8 +66,6 @@ Maps bake(const Cloth& cloth, const MapsSize& size);
 /// `whole` may have up to 2^22 texels a side. The window is in texels of the whole; it may cross the
 /// period's edges and is cut to one period and 16384 texels a side. width_mm and depth_mm are the window's.
 Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window);
-/// Window of width x height texels around a place of the cloth, the place in the middle of it.
-TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width, int height);
 
 /// Re-bakes the part of `maps`, baked as a whole from `before`, that cells changed in `after` can touch; both
 /// have the same layout (threads and their places). Equal to bake(after, size) bit for bit. Returns

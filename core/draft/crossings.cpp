@@ -108,15 +108,4 @@ Design with_lock(Design design, bool locked) {
   return design;
 }
 
-Design with_loom_size(Design design, int shafts, int treadles) {
-  design.loom.shafts = std::clamp(shafts, 0, kMaxShafts);
-  design.loom.treadles = std::clamp(treadles, 0, kMaxShafts);
-  return design;
-}
-
-Design with_next_pick(Design design, int pick) {
-  design.loom.next_pick = std::clamp(pick, 0, design.draft.picks());
-  return design;
-}
-
 }  // namespace weftlight::draft

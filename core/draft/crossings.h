@@ -34,9 +34,5 @@ inline bool may_paint(const Design& design, BitGrid grid) { return why_locked(de
 /// What rules from now on. The liftplan: the draft is driven by its liftplan.
 Design with_authority(Design design, Authority authority);
 Design with_lock(Design design, bool locked);
-/// Counts are clamped to 0..kMaxShafts.
-Design with_loom_size(Design design, int shafts, int treadles);
-/// Clamped to 0..picks.
-Design with_next_pick(Design design, int pick);
 
 }  // namespace weftlight::draft

@@ -204,15 +204,6 @@ Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<St
   return design;
 }
 
-Design with_yarns(Design design, const Yarn& warp, const Yarn& weft) {
-  design.yarns = {clamped(warp)};
-  if (!(clamped(weft) == design.yarns[0])) design.yarns.push_back(clamped(weft));
-  const int last = static_cast<int>(design.yarns.size()) - 1;
-  std::fill(design.draft.warp.yarn.begin(), design.draft.warp.yarn.end(), 0);
-  std::fill(design.draft.weft.yarn.begin(), design.draft.weft.yarn.end(), last);
-  return design;
-}
-
 Design with_sett(Design design, float openness) {
   const BitMatrix cells = drawdown(design.draft);
   space(design.draft.warp, design.yarns, interlacing(cells), openness);

@@ -72,8 +72,6 @@ struct Stripe {
 /// Colours of the palette in stripes, repeated. An empty order leaves the system as it is.
 Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<Stripe>& warp,
                    const std::vector<Stripe>& weft);
-/// One yarn for the whole warp, one for the whole weft.
-Design with_yarns(Design design, const Yarn& warp, const Yarn& weft);
 /// Spacing of finished cloth from yarn and weave (see generators.cpp). `openness` 1 is a firm cloth; 2 has
 /// twice the spacing.
 Design with_sett(Design design, float openness = 1.0f);

@@ -29,7 +29,6 @@
 
 #include "draft/yarn_presets.h"
 
-#include <algorithm>
 #include <array>
 
 namespace weftlight::draft {
@@ -152,12 +151,6 @@ std::array<Yarn, 8> make_presets() {
 std::span<const Yarn> yarn_presets() {
   static const std::array<Yarn, 8> presets = make_presets();
   return presets;
-}
-
-const Yarn& yarn_preset(std::string_view name) {
-  const auto presets = yarn_presets();
-  const auto at = std::find_if(presets.begin(), presets.end(), [&](const Yarn& y) { return y.name == name; });
-  return at != presets.end() ? *at : presets.front();
 }
 
 }  // namespace weftlight::draft

@@ -28,9 +28,6 @@ std::string write_image(const std::string& path, const Image& image, PixelType t
 /// wherever `levels` ends. Values of `type` kHalf or kFloat.
 std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
                                 const std::vector<std::string>& channels = {});
-/// Names of the channels of an image file, in the order of the texels that read_image() gives; empty: it cannot be
-/// read.
-std::vector<std::string> channel_names(const std::string& path);
 struct ReadImage {
   std::optional<Image> image;
   std::string error;

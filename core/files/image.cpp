@@ -313,11 +313,6 @@ ReadImage read_image(const std::string& path, int level) {
   }
 }
 
-std::vector<std::string> channel_names(const std::string& path) {
-  const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
-  return in ? in->spec().channelnames : Names{};
-}
-
 std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
   if (!check_shape(image).empty()) return {};
   std::vector<unsigned char> bytes;

@@ -173,10 +173,6 @@ float shadowing(const ClothBrdf& brdf, const glm::vec3& w) {
   return (low[0] * (1 - s) + low[1] * s) * (1 - t) + (high[0] * (1 - s) + high[1] * s) * t;
 }
 
-float shadowing_exact(const formulas::Vrst03& p, const glm::vec3& w) {
-  return area_of(p, {nodes_of(p.sigma_warp), nodes_of(p.sigma_weft)}, w);
-}
-
 glm::vec3 evaluate(const ClothBrdf& brdf, const glm::vec3& wi, const glm::vec3& wo) {
   if (wi.z <= 0 || wo.z <= 0) return glm::vec3(0);
   return formulas::vrst03_brdf(brdf.p, shadowing(brdf, wi), shadowing(brdf, wo), wi, wo);

@@ -23,8 +23,6 @@ ClothBrdf cloth_brdf(const Cloth& cloth);
 
 /// g(w) from the table; w.z >= 0.
 float shadowing(const ClothBrdf& brdf, const glm::vec3& w);
-/// g(w) by its integral, without the table.
-float shadowing_exact(const formulas::Vrst03& p, const glm::vec3& w);
 
 /// BRDF, 1/sr; 0 below the horizon.
 glm::vec3 evaluate(const ClothBrdf& brdf, const glm::vec3& wi, const glm::vec3& wo);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../centre_height.h"
 #include "drafts.h"
 
 namespace weftlight::cloth {

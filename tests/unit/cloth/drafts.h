@@ -1,6 +1,7 @@
 #pragma once
 // Small designs with known answers.
 
+#include <cmath>
 #include <string>
 
 #include "cloth/cloth.h"
@@ -20,6 +21,14 @@ inline Design design_of(int ends, int picks, float spacing_mm, float thickness_m
     t->color.assign(n, t == &d.draft.warp ? 0 : 1);
   }
   return d;
+}
+
+/// Window of width x height texels around a place of the cloth, the place in the middle of it.
+inline TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width,
+                               int height) {
+  const int x = static_cast<int>(std::lround(u_mm / cloth.width_mm * static_cast<float>(whole.width))) - width / 2,
+            y = static_cast<int>(std::lround(v_mm / cloth.depth_mm * static_cast<float>(whole.height))) - height / 2;
+  return {x, y, x + width, y + height};
 }
 
 template <class Up>

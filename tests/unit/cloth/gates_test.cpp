@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../centre_height.h"
 #include "../figures.h"
 #include "drafts.h"
 

@@ -55,18 +55,6 @@ TEST(BakeWindow, IsAtMostOnePeriodAndAtLeastATexel) {
   EXPECT_EQ(bake(Cloth{}, {64, 32, 4, 1}, {0, 0, 8, 8}).horizon.front().height, 8);
 }
 
-TEST(BakeWindow, StandsAroundItsPlace) {
-  const Cloth c = lay_out(design_of(100, 50, 0.5f, 0.45f), plain(100, 50), Face::kFront, Period::kWholeDraft);
-  const MapsSize whole{1200, 600, 0, 1};
-  const TexelRect middle = window_around(c, whole, 0.5f * c.width_mm, 0.5f * c.depth_mm, 200, 100);
-  EXPECT_EQ(middle.x0, 500);
-  EXPECT_EQ(middle.y1, 350);
-  // One period further, and beyond the edge.
-  EXPECT_EQ(window_around(c, whole, 1.5f * c.width_mm, 0, 200, 100).x0, 500);
-  EXPECT_EQ(window_around(c, whole, 0, 0, 200, 100).x0, -100);
-  EXPECT_EQ(window_around(c, whole, 0, 0, 5000, 100).x1, 600);
-}
-
 TEST(BakeWindow, OfALargeDraftCostsOnlyItself) {
   // 20,000 x 40,000 texels as a whole.
   const int ends = 1250, picks = 2500;

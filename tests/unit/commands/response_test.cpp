@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../yarns.h"
 #include "draft/generators.h"
 #include "scratch_folder.h"
 

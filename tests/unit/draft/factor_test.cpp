@@ -149,7 +149,8 @@ TEST(PaintedDrawdown, ATreadleOfOnePickAloneIsTiedAnew) {
 }
 
 TEST(PaintedDrawdown, SaysWhatTheLoomCannot) {
-  Design d = with_loom_size(two_two_twill(16, 16), 4, 4);
+  Design d = two_two_twill(16, 16);
+  d.loom.shafts = d.loom.treadles = 4;
   const Painted painted = painted_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
   EXPECT_EQ(painted.design, d);
   EXPECT_EQ(painted.why, "this takes 5 treadles, and the loom has 4");

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "draft/yarn_presets.h"
+#include "../yarns.h"
 
 namespace weftlight::draft {
 namespace {

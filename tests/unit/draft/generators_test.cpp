@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "../yarns.h"
 #include "analysis/floats.h"
-#include "draft/yarn_presets.h"
 #include "hand_drafts.h"
 
 namespace weftlight::draft {
@@ -102,13 +102,11 @@ TEST(Sett, FewerInterlacingsLieCloser) {
   EXPECT_GT(in_satin, yarn.diameter_mm);
 }
 
-TEST(YarnPresets, AreInRangeAndFoundByName) {
+TEST(YarnPresets, AreInRange) {
   ASSERT_EQ(yarn_presets().size(), 8u);
   for (const Yarn& yarn : yarn_presets()) {
     EXPECT_EQ(clamped(yarn), yarn) << yarn.name;
-    EXPECT_EQ(yarn_preset(yarn.name), yarn);
   }
-  EXPECT_EQ(yarn_preset("no such yarn").name, "Cotton");
   EXPECT_LT(yarn_preset("Silk").lobes.along_width, yarn_preset("Cotton").lobes.along_width);
 }
 

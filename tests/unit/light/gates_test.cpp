@@ -76,13 +76,8 @@ TEST(LightGate, WhiteLobesReturnTheLightThatSingleScatteringLoses) {
   }
   for (const float width : {0.5f, 1.0f, 2.0f}) {
     const YarnLobes y = white(width, width);
-    const auto s = formulas::lobe_shared(y);
     const glm::vec3 wo = at_degrees(60, 20);
-    const auto o = formulas::lobe_side(y, s, wo);
-    const double once =
-        furnace([&](glm::vec3 wi) { return formulas::lobe_specular(y, s, formulas::lobe_side(y, s, wi), o, wi, wo); },
-                200, 200)
-            .x;
+    const double once = scattered_once(y, wo);
     const double ours = slope_furnace(y, wo, 120).x;
     figure("single scattering alone, slopes of " + text(width), once, ours);
     EXPECT_NEAR(ours, 1, 0.01);

@@ -9,9 +9,9 @@
 
 #include <cmath>
 
+#include "../yarns.h"
 #include "draft/count.h"
 #include "draft/generators.h"
-#include "draft/yarn_presets.h"
 #include "recipes.h"
 
 namespace weftlight::wif {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "../yarns.h"
 #include "draft/edits.h"
 #include "draft/generators.h"
-#include "draft/yarn_presets.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {

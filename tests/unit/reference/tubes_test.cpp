@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../centre_height.h"
 #include "reference/picture.h"
 
 namespace weftlight::reference {
@@ -70,13 +71,19 @@ TEST(tubes, a_grazing_ray_always_meets_a_thread) {
   EXPECT_TRUE(tubes->intersect({0, 0.5f, 0.4f}, {std::sin(a), 0, -std::cos(a)}, 0, hit));
 }
 
-TEST(trace, a_lambertian_cylinder_lit_from_the_eye_averages_a_quarter_pi) {
-  const auto tubes = tubes_of(parallel_cylinders(2));
+/// A period of two cylinders in one pixel, lit from the eye.
+FlatPicture one_pixel() {
   FlatPicture picture;
   picture.width = picture.height = 1;
   picture.spp = 20000;
   picture.step_x_mm = {4, 0}, picture.step_y_mm = {0, 2};
   picture.around.light_irradiance = glm::vec3(kPi);
+  return picture;
+}
+
+TEST(trace, a_lambertian_cylinder_lit_from_the_eye_averages_a_quarter_pi) {
+  const auto tubes = tubes_of(parallel_cylinders(2));
+  FlatPicture picture = one_pixel();
   const TracedImage image = trace_flat(*tubes, picture, {});
   // Radiance cos(theta) over the half of the plane that is covered. A smooth yarn still shows its single
   // fibres: their tone has the mean 1, but white cannot get whiter, which takes 1.5 %.
@@ -85,11 +92,7 @@ TEST(trace, a_lambertian_cylinder_lit_from_the_eye_averages_a_quarter_pi) {
 
 TEST(trace, cylinders_shade_each_other) {
   const auto tubes = tubes_of(parallel_cylinders(2));
-  FlatPicture picture;
-  picture.width = picture.height = 1;
-  picture.spp = 20000;
-  picture.step_x_mm = {4, 0}, picture.step_y_mm = {0, 2};
-  picture.around.light_irradiance = glm::vec3(kPi);
+  FlatPicture picture = one_pixel();
   // Light at 80 degrees across the threads: the neighbour's top shades the lower flank. Without shading,
   // the lit part of the section (phi from -90 + 80 to 90 seen from above) would give the first integral.
   const float a = 80 * kPi / 180;

@@ -1,5 +1,6 @@
 #include "texture_set/texture_set.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -479,6 +480,11 @@ TEST(TextureSet, TheSameBytesEveryTime) {
           << entry.path();
     }
   }
+}
+
+std::vector<std::string> channel_names(const std::string& image) {
+  const auto in = OIIO::ImageInput::open(image);
+  return in ? in->spec().channelnames : std::vector<std::string>();
 }
 
 TEST(TextureSet, ChannelsOfExrHaveNames) {

@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "commands/chart/flip.h"
+#include "commands/chart/methods.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
 #include "gl/shader_program.h"
@@ -59,33 +60,13 @@ size_t scene_of(const ChartRow& cell) {
   return 0;
 }
 
-double textures(const PackedFace& face, const std::vector<PackedKind>& kinds) {
+double textures(const PackedFace& face, unsigned read) {
   double bytes = 0;
-  for (const PackedKind kind : kinds) {
-    for (const std::vector<uint8_t>& level : face.textures[static_cast<size_t>(kind)].levels)
-      bytes += static_cast<double>(level.size());
+  for (const PackedTexture& texture : face.textures) {
+    if ((read & reads(texture.kind)) == 0) continue;
+    for (const std::vector<uint8_t>& level : texture.levels) bytes += static_cast<double>(level.size());
   }
   return bytes;
-}
-
-std::vector<PackedKind> kinds_of(Method method) {
-  switch (method) {
-    case Method::kFlat:
-      return {PackedKind::kColor};
-    case Method::kVrst03:
-      return {PackedKind::kColor, PackedKind::kShadow};
-    case Method::kCloth:
-      return {};
-    case Method::kRepeat:
-      return {PackedKind::kColor, PackedKind::kRelief};
-    case Method::kCell:
-    case Method::kEngine:
-      return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
-    case Method::kYarn:
-      return {PackedKind::kHorizon};  // the sky's share
-    default:
-      return {PackedKind::kColor, PackedKind::kRelief, PackedKind::kHorizon};
-  }
 }
 
 FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& steps, int pixels, int rays,
@@ -105,15 +86,12 @@ FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& st
 }  // namespace
 
 double method_bytes(const PackedCloth& cloth, Method method) {
-  const std::vector<PackedKind> kinds = kinds_of(method);
-  double bytes = textures(cloth.front, kinds) + textures(cloth.back, kinds);
+  const unsigned read = chart_method(method).reads;
+  double bytes = textures(cloth.front, read) + textures(cloth.back, read);
   const auto floats = [](const auto& v) { return static_cast<double>(v.size() * sizeof(float)); };
-  if (method == Method::kVrst03) {
-    bytes += 2 * (floats(cloth.front.half_cube) + floats(cloth.front.difference_cube));
-  } else if (method != Method::kFlat) {
-    bytes += static_cast<double>(sizeof cloth.lobes.data + cloth.lobes.response.bytes());
-  }
-  if (method == Method::kYarn || method == Method::kAuto) {
+  if (read & kReadsCubes) bytes += 2 * (floats(cloth.front.half_cube) + floats(cloth.front.difference_cube));
+  if (read & kReadsLobes) bytes += static_cast<double>(sizeof cloth.lobes.data + cloth.lobes.response.bytes());
+  if (read & kReadsThreads) {
     bytes += static_cast<double>(cloth.crossings.size() * sizeof(HalfCrossing) +
                                  cloth.lobes.threads.size() * sizeof(glm::uvec4));
   }
@@ -237,9 +215,9 @@ std::vector<Method> ChartBench::methods() {
   std::vector<Method> offered;
   std::string error;
   if (!show(0, error)) return offered;
-  for (const Method method : kChartMethods) {
-    draw(method, 0, kCorner, pixel_steps(0, 1), 4, 4);
-    if (renderer_->measure().method == method) offered.push_back(method);
+  for (const ChartMethod& m : kChartMethods) {
+    draw(m.method, 0, kCorner, pixel_steps(0, 1), 4, 4);
+    if (renderer_->measure().method == m.method) offered.push_back(m.method);
   }
   return offered;
 }

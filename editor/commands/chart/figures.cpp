@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/files.h"
-#include "commands/chart/plot.h"
+#include "commands/chart/methods.h"
 #include "commands/chart/scene.h"
 
 namespace weftlight::chart {
@@ -19,21 +19,6 @@ using namespace plot;
 constexpr double kModelGoal = 0.15, kFilteringGoal = 0.05;
 constexpr double kLeastError = 1e-4;  // shown for less
 
-struct Style {
-  Method method;
-  Ink ink;
-  Marker marker;
-};
-constexpr std::array<Style, 8> kStyles{{
-    {Method::kFlat, {0.58, 0.60, 0.62}, Marker::kSquare},
-    {Method::kVrst03, {0.72, 0.43, 0.16}, Marker::kDiamond},
-    {Method::kCloth, {0.16, 0.44, 0.70}, Marker::kUp},
-    {Method::kRepeat, {0.10, 0.60, 0.50}, Marker::kDown},
-    {Method::kCell, {0.85, 0.65, 0.10}, Marker::kCross},
-    {Method::kYarn, {0.80, 0.27, 0.20}, Marker::kCircle},
-    {Method::kEngine, {0.55, 0.38, 0.68}, Marker::kRing},
-    {Method::kAuto, {0.10, 0.11, 0.13}, Marker::kStar},
-}};
 constexpr std::array<Ink, 6> kFootprintInks{{{0.60, 0.15, 0.35},
                                              {0.75, 0.22, 0.17},
                                              {0.88, 0.53, 0.17},
@@ -41,10 +26,6 @@ constexpr std::array<Ink, 6> kFootprintInks{{{0.60, 0.15, 0.35},
                                              {0.15, 0.55, 0.55},
                                              {0.17, 0.30, 0.60}}};
 const std::vector<std::string> kFootprintNames{"1/16", "1/8", "1/2", "1", "2", "8"};
-
-const Style& style_of(Method method) {
-  return *std::find_if(kStyles.begin(), kStyles.end() - 1, [method](const Style& s) { return s.method == method; });
-}
 
 std::string scene_title(const std::string& scene, int view_deg) {
   const std::map<std::string, std::string> titles{{"plain", "Plain weave"},
@@ -67,7 +48,7 @@ bool whole(const ChartRow& r) { return r.method != Method::kYarn || r.samples ==
 
 std::vector<KeyEntry> method_key(const std::vector<ChartRow>& rows, bool coloured, bool line) {
   std::vector<KeyEntry> key;
-  for (const Style& s : kStyles) {
+  for (const ChartMethod& s : kChartMethods) {
     const bool there = std::any_of(rows.begin(), rows.end(), [&s](const ChartRow& r) { return r.method == s.method; });
     if (there)
       key.push_back({std::string(method_name(s.method)), coloured ? s.ink : Ink{0.3, 0.32, 0.35}, s.marker, line});
@@ -100,7 +81,8 @@ std::vector<Curve> cost_curves(const std::vector<ChartRow>& rows, size_t footpri
   all.width = 0, front.width = 1.8;
   front.label = kFootprintNames[footprint];
   for (const ChartRow& r : here) {
-    const PlotPoint p{r.ns_per_pixel, std::max(r.model_error, kLeastError), style_of(r.method).marker, r.on_front, {}};
+    const PlotPoint p{
+        r.ns_per_pixel, std::max(r.model_error, kLeastError), chart_method(r.method).marker, r.on_front, {}};
     all.points.push_back(p);
     if (r.on_front) front.points.push_back({p.x, p.y, Marker::kNone, false, {}});
   }
@@ -142,7 +124,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
       goal_name << "goal " << goal;
       Panel panel{scene_title(scene.name, view), x, y, {}, goal, goal_name.str()};
       const std::vector<ChartRow> here = rows_at(rows, scene.name, view);
-      for (const Style& s : kStyles) {
+      for (const ChartMethod& s : kChartMethods) {
         Curve curve{std::string(method_name(s.method)),
                     s.ink,
                     s.method == Method::kAuto ? 2.2 : 1.4,
@@ -190,7 +172,7 @@ Figure albedo_figure(const std::vector<Brightness>& values) {
       if (!curve.points.empty()) panel.curves.push_back(std::move(curve));
     };
     curve_of("truth", {0.72, 0.74, 0.76}, Marker::kNone, 6);
-    for (const Style& s : kStyles) curve_of(std::string(method_name(s.method)), s.ink, s.marker, 1.4);
+    for (const ChartMethod& s : kChartMethods) curve_of(std::string(method_name(s.method)), s.ink, s.marker, 1.4);
     figure.panels.push_back(std::move(panel));
   }
   return figure;
@@ -205,7 +187,7 @@ struct Memory {
 std::vector<Memory> memory_points(const std::vector<ChartRow>& rows) {
   std::vector<Memory> points;
   for (const double footprint : kChartFootprints) {
-    for (const Style& s : kStyles) {
+    for (const ChartMethod& s : kChartMethods) {
       double count = 0, bytes = 0, error = 0;
       for (const ChartRow& r : rows) {
         if (r.method != s.method || r.yarns_per_pixel != footprint || !whole(r)) continue;
@@ -236,7 +218,7 @@ Figure memory_figure(const std::vector<Memory>& points, const std::vector<ChartR
     for (const Memory& m : points) {
       if (m.yarns_per_pixel != kChartFootprints[f]) continue;
       panel.curves.push_back(
-          {{}, style_of(m.method).ink, 0, false, {{m.bytes, m.error, style_of(m.method).marker, false, {}}}});
+          {{}, chart_method(m.method).ink, 0, false, {{m.bytes, m.error, chart_method(m.method).marker, false, {}}}});
     }
     figure.panels.push_back(std::move(panel));
   }

@@ -18,8 +18,6 @@ inline constexpr std::array<ChartScene, 4> kChartScenes{
     {{"plain", "plain.wif"}, {"twill", "twill_2_2.wif"}, {"satin", "satin_8.wif"}, {"damask", "twill_damask.wif"}}};
 inline constexpr std::array<int, 2> kChartViews{0, 80};                                // degrees from the normal
 inline constexpr std::array<double, 6> kChartFootprints{0.0625, 0.125, 0.5, 1, 2, 8};  // yarns a pixel
-inline constexpr std::array kChartMethods{Method::kFlat, Method::kVrst03, Method::kCloth,  Method::kRepeat,
-                                          Method::kCell, Method::kYarn,   Method::kEngine, Method::kAuto};
 
 /// Towards the eye, tilted by so many degrees on an azimuth that is no thread's.
 glm::vec3 chart_view(double degrees);

@@ -15,19 +15,20 @@ struct MethodFacts {
   std::string_view name;  // in files, verbs and tables, and of its shader: rung_NAME.glsl
   const char* label;      // in the panels
   bool drawn;             // by the renderer, for the window and `render`
+  bool threads;           // one by one, so that it needs them and shows what is between them
 };
 
 /// By value of the enum.
 inline constexpr std::array<MethodFacts, 9> kMethods{{
-    {Method::kAuto, "auto", "automatic", true},
-    {Method::kFlat, "flat", "flat", true},
-    {Method::kVrst03, "vrst03", "vrst03", true},
-    {Method::kCloth, "cloth", "cloth", true},
-    {Method::kRepeat, "repeat", "repeat", true},
-    {Method::kCell, "cell", "cell", true},
-    {Method::kYarn, "yarn", "yarn", true},
-    {Method::kEngine, "engine", "engine", true},
-    {Method::kReference, "reference", "reference", false},
+    {Method::kAuto, "auto", "automatic", true, false},
+    {Method::kFlat, "flat", "flat", true, false},
+    {Method::kVrst03, "vrst03", "vrst03", true, false},
+    {Method::kCloth, "cloth", "cloth", true, false},
+    {Method::kRepeat, "repeat", "repeat", true, false},
+    {Method::kCell, "cell", "cell", true, false},
+    {Method::kYarn, "yarn", "yarn", true, true},
+    {Method::kEngine, "engine", "engine", true, false},
+    {Method::kReference, "reference", "reference", false, false},
 }};
 
 /// Those that `auto` chooses among, fine to coarse.

@@ -195,7 +195,7 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   if (cloth.empty() || !drawn.frame.cloth) return;
   cloth.bind();
   Method method = drawn_method(drawn.look.method);
-  if (method == Method::kYarn && !cloth.has_threads()) method = Method::kCell;
+  if (method_facts(method).threads && !cloth.has_threads()) method = Method::kCell;
   const ClothProgram& with = cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs);
   stats.problem = with.problem;
   if (!with.problem.empty()) return;
@@ -302,7 +302,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
 bool Renderer::Parts::has_gaps() const {
   constexpr float kFew = 0.01f;
   if (cloth.data().open > 0.5f) return true;
-  return stats.method == Method::kYarn || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
+  return method_facts(stats.method).threads || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
 }
 
 /// Which rungs the program of auto must hold. Without a graphics card both sides of a branch are run, so it holds what

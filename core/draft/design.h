@@ -12,7 +12,7 @@
 namespace weftlight::draft {
 
 /// Rung of the ladder of methods (MODEL, section 5); kAuto chooses by footprint.
-enum class Method { kAuto, kFlat, kVrst03, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
+enum class Method { kAuto, kFlat, kVrst03, kIrawan, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
 
 struct Look {
   Method method = Method::kAuto;

@@ -19,10 +19,11 @@ struct MethodFacts {
 };
 
 /// By value of the enum.
-inline constexpr std::array<MethodFacts, 9> kMethods{{
+inline constexpr std::array<MethodFacts, 10> kMethods{{
     {Method::kAuto, "auto", "automatic", true, false},
     {Method::kFlat, "flat", "flat", true, false},
     {Method::kVrst03, "vrst03", "vrst03", true, false},
+    {Method::kIrawan, "irawan", "irawan", true, true},
     {Method::kCloth, "cloth", "cloth", true, false},
     {Method::kRepeat, "repeat", "repeat", true, false},
     {Method::kCell, "cell", "cell", true, false},

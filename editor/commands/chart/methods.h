@@ -31,6 +31,7 @@ inline constexpr std::array kChartMethods{
                 {0.72, 0.43, 0.16},
                 plot::Marker::kDiamond,
                 reads(PackedKind::kColor) | reads(PackedKind::kShadow) | kReadsCubes},
+    ChartMethod{Method::kIrawan, {0.78, 0.42, 0.62}, plot::Marker::kCircle, kReadsThreads},
     ChartMethod{Method::kCloth, {0.16, 0.44, 0.70}, plot::Marker::kUp, kReadsLobes},
     ChartMethod{Method::kRepeat,
                 {0.10, 0.60, 0.50},

@@ -41,6 +41,8 @@ class PackedThreads {
   }
 #define FORMULA
 #include "shaders/threads.glsl"
+// Reads the one before.
+#include "shaders/irawan.glsl"
 #undef FORMULA
   ThreadGrid grid() const { return grid_of(head_, side_); }
   vec4 look(int system, int thread) const { return record_look(texel(record_at(system, thread) + THREAD_COLOR)); }
@@ -248,6 +250,52 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
       EXPECT_GT(lit, 100) << kRayNames[static_cast<size_t>(row)];
       std::printf("  %s: %g of the cases are off\n", kRayNames[static_cast<size_t>(row)], off);
     }
+  }
+}
+
+constexpr const char* kFloatMain = R"(
+  ThreadGrid g = thread_grid(given(0).w > 0.0 ? 0 : 1);
+  IrawanPlace p = irawan_place(g, given(0).xy);
+  answer = vec4(-1.0);
+  if (p.system >= 0 && row == 0) answer = vec4(float(p.system), float(p.thread), p.above ? 1.0 : 0.0, 0.0);
+  if (p.system >= 0 && row == 1) answer = vec4(p.at, p.size);
+  if (row == 2) answer = vec4(irawan_specular(p, given(2).w, given(2).xyz, given(1).xyz));
+)";
+
+TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
+  // A place on the edge of a stripe is in it or not by its last bit.
+  constexpr double kEdges = 0.002;
+  const PackedCloth p = packed(uneven_twill());
+  GpuCloth gpu_cloth;
+  gpu_cloth.upload(p);
+  gpu_cloth.bind();
+  std::mt19937 rng(9);
+  std::uniform_real_distribution<float> u(0, 1);
+  std::vector<RayCase> cases;
+  for (int k = 0; k < 4000; ++k)
+    cases.push_back({vec4(u(rng) * p.width_mm, u(rng) * p.depth_mm, 0, k % 4 == 3 ? -1.0f : 1.0f),
+                     vec4(slanted(0.15f + 0.85f * u(rng), 6.2831853f * u(rng)), 0),
+                     vec4(slanted(0.1f + 0.9f * u(rng), 6.2831853f * u(rng)), k % 3 == 0 ? 0 : u(rng) - 0.5f)});
+  const std::vector<vec4> all = run_pixels(
+      pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_fetch.glsl", "irawan.glsl"}, kFloatMain), cases,
+      3);
+  PackedThreads front(p, 1), back(p, -1);
+  for (int row = 0; row < 3; ++row) {
+    std::vector<vec4> cpu;
+    for (const RayCase& c : cases) {
+      PackedThreads& t = c[0].w > 0 ? front : back;
+      const PackedThreads::IrawanPlace place = t.irawan_place(t.grid(), glm::vec2(c[0]));
+      vec4 answer(-1);
+      if (place.system >= 0 && row == 0) answer = {place.system, place.thread, place.above, 0};
+      if (place.system >= 0 && row == 1) answer = {place.at, place.size};
+      if (row == 2) answer = vec4(t.irawan_specular(place, c[2].w, vec3(c[2]), vec3(c[1])));
+      cpu.push_back(answer);
+    }
+    const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
+    const double off = share_off({from, from + static_cast<std::ptrdiff_t>(cases.size())}, cpu, 2e-3f);
+    EXPECT_LE(off, kEdges) << "row " << row;
+    EXPECT_GT(std::count_if(cpu.begin(), cpu.end(), [](const vec4& c) { return c.x > 0; }), 200) << "row " << row;
+    std::printf("  row %d: %g of the cases are off\n", row, off);
   }
 }
 

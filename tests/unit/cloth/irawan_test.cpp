@@ -1,0 +1,173 @@
+// The peer's floats and their stripes: the lengths that a weave gives, light that is never made, and stripes that lie
+// across the thread where the half vector asks for them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "cloth/thread_scene.h"
+#include "drafts.h"
+
+namespace weftlight::cloth {
+namespace thread_formulas {
+
+class IrawanScene : public ThreadScene {
+ public:
+  using ThreadScene::ThreadScene;
+#define FORMULA
+#include "shaders/irawan.glsl"
+#undef FORMULA
+};
+
+}  // namespace thread_formulas
+
+namespace {
+
+using thread_formulas::IrawanScene;
+using Place = IrawanScene::IrawanPlace;
+using glm::vec2;
+using glm::vec3;
+
+constexpr float kSpacing = 0.5f, kWidth = 0.4f;
+
+Cloth cloth_of(int shafts, const BitMatrix& cells) {
+  return lay_out(design_of(shafts, shafts, kSpacing, kWidth), cells, Face::kFront, Period::kWholeDraft);
+}
+
+/// Ends over three picks and under one.
+BitMatrix warp_faced_twill() {
+  return cells_of(4, 4, [](int e, int p) { return (e + p) % 4 != 0; });
+}
+
+vec3 towards(float cosine, float turn) {
+  const float s = std::sqrt(1 - cosine * cosine);
+  return {s * std::cos(turn), s * std::sin(turn), cosine};
+}
+
+TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
+  IrawanScene front(cloth_of(4, warp_faced_twill()));
+  const auto g = front.grid();
+  for (int e = 0; e < 4; ++e)
+    for (int p = 0; p < 4; ++p) {
+      const vec2 at{(static_cast<float>(e) + 0.5f) * kSpacing, (static_cast<float>(p) + 0.5f) * kSpacing};
+      const bool warp = (e + p) % 4 != 0;
+      const Place place = front.irawan_place(g, at);
+      EXPECT_EQ(place.system, warp ? 0 : 1);
+      EXPECT_TRUE(place.above);
+      EXPECT_EQ(place.thread, warp ? e : p);
+      EXPECT_NEAR(place.size.y, warp ? 3 * kSpacing : kSpacing, 1e-5f);
+      EXPECT_NEAR(place.at.x, 0, 1e-5f);
+      // Of a float of three crossings the middle one is at the middle.
+      if (warp) {
+        EXPECT_NEAR(place.at.y, static_cast<float>((e + p) % 4 - 2) * kSpacing, 1e-5f);
+      }
+    }
+  // Between two ends that are on top the pick below is seen; between both systems, nothing.
+  const Place beside = front.irawan_place(g, {kSpacing, 2.5f * kSpacing});
+  EXPECT_EQ(beside.system, 1);
+  EXPECT_FALSE(beside.above);
+  EXPECT_EQ(front.irawan_specular(beside, 0.4f, {0, 0, 1}, {0, 0, 1}), 0);
+  EXPECT_EQ(front.irawan_place(g, {kSpacing, kSpacing}).system, -1);
+}
+
+TEST(Irawan, TheBackHasItsOwnFloats) {
+  IrawanScene back(cloth_of(4, warp_faced_twill()), Face::kBack);
+  const Place place = back.irawan_place(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
+  EXPECT_EQ(place.system, 1);
+  EXPECT_NEAR(place.size.y, 3 * kSpacing, 1e-5f);
+}
+
+/// Radiance, times the view's cosine, over a float, averaged; `count` places each way.
+double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const vec3& v, int count) {
+  double sum = 0;
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < count; ++k) {
+      p.at = {p.size.x * ((static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f),
+              p.size.y * ((static_cast<float>(k) + 0.5f) / static_cast<float>(count) - 0.5f)};
+      sum += static_cast<double>(s.irawan_specular(p, fibre_tan, l, v));
+    }
+  return sum * static_cast<double>(v.z) / (count * count);
+}
+
+TEST(Irawan, MirrorsTheShareThatItIsAskedFor) {
+  IrawanScene s(cloth_of(4, warp_faced_twill()));
+  const Place p = s.irawan_place(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  for (const float fibre_tan : {0.0f, 0.15f, 0.5f, -0.5f, 1.0f})
+    for (const float cosine : {1.0f, 0.7f, 0.3f}) {
+      const vec3 l = towards(cosine, 0.8f);
+      double sent = 0;
+      constexpr int kRings = 24, kTurns = 48;
+      for (int i = 0; i < kRings; ++i)
+        for (int k = 0; k < kTurns; ++k) {
+          const float z = (static_cast<float>(i) + 0.5f) / kRings;
+          sent += mean_over(s, p, fibre_tan, l, towards(z, (static_cast<float>(k) + 0.5f) / kTurns * 6.2831853f), 16);
+        }
+      sent *= 6.2831853 / (kRings * kTurns);
+      // Straight on what it is asked for; at a slant its bend catches light that a plane does not.
+      EXPECT_NEAR(sent, 1, cosine > 0.9f ? 0.1 : 0.35) << fibre_tan << " " << cosine;
+    }
+}
+
+TEST(Irawan, IsReciprocal) {
+  IrawanScene s(cloth_of(4, warp_faced_twill()));
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<float> u(0, 1);
+  for (int k = 0; k < 5000; ++k) {
+    const Place p = s.irawan_place(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
+    if (p.system < 0) continue;
+    const vec3 l = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng)), v = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng));
+    const float there = s.irawan_specular(p, 0.4f, l, v) * v.z, back = s.irawan_specular(p, 0.4f, v, l) * l.z;
+    EXPECT_NEAR(there, back, 1e-3f * std::max(1.0f, there));
+  }
+}
+
+TEST(Irawan, ThreadsShineAcrossTheLight) {
+  IrawanScene s(cloth_of(4, warp_faced_twill()));
+  const Place warp = s.irawan_place(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  ASSERT_EQ(warp.system, 0);
+  // Straight fibres mirror within the bend of the float alone: across the thread from far around, along it no further
+  // than twice its inclination.
+  const vec3 across{0.9f, 0, std::sqrt(1 - 0.81f)}, along{0, 0.9f, std::sqrt(1 - 0.81f)};
+  EXPECT_GT(mean_over(s, warp, 0, across, {0, 0, 1}, 64), 0.1);
+  EXPECT_EQ(mean_over(s, warp, 0, along, {0, 0, 1}, 64), 0);
+  // The stripe of a twisted yarn moves around it with the light: to the side that the light is on.
+  const auto middle = [&](const vec3& l) {
+    double sum = 0, weight = 0;
+    Place p = warp;
+    for (int i = 0; i < 400; ++i) {
+      p.at = {p.size.x * ((static_cast<float>(i) + 0.5f) / 400 - 0.5f), 0};
+      const double w = static_cast<double>(s.irawan_specular(p, 0.5f, l, {0, 0, 1}));
+      sum += w * static_cast<double>(p.at.x), weight += w;
+    }
+    EXPECT_GT(weight, 0);
+    return sum / weight;
+  };
+  const double none = middle({0, 0, 1}), right = middle(towards(0.8f, 0)), left = middle(towards(0.8f, 3.1415927f));
+  EXPECT_GT(right, none);
+  EXPECT_LT(left, none);
+  // And runs along the thread all its length under light that is level with it.
+  Place p = warp;
+  for (int k = 0; k < 20; ++k) {
+    float most = 0;
+    for (int i = 0; i < 64; ++i) {
+      p.at = {p.size.x * ((static_cast<float>(i) + 0.5f) / 64 - 0.5f),
+              p.size.y * ((static_cast<float>(k) + 0.5f) / 20 - 0.5f)};
+      most = std::max(most, s.irawan_specular(p, 1.0f, {0, 0, 1}, {0, 0, 1}));
+    }
+    EXPECT_GT(most, 0) << k;
+  }
+}
+
+TEST(Irawan, VonMisesIsADistribution) {
+  IrawanScene s(cloth_of(4, warp_faced_twill()));
+  for (const float k : {0.5f, 1.5f, 3.7f, 4.0f, 20.0f}) {
+    double sum = 0;
+    for (int i = 0; i < 2000; ++i)
+      sum += static_cast<double>(s.irawan_von_mises(std::cos((static_cast<float>(i) + 0.5f) / 2000 * 6.2831853f), k));
+    EXPECT_NEAR(sum * 6.2831853 / 2000, 1, 1e-3) << k;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::cloth

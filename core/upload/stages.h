@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloth/maps.h"
@@ -40,6 +41,8 @@ class Stages {
  public:
   StageResult update(std::shared_ptr<const Design> design, Effort effort = Effort::kFull);
   const PackedCloth& packed() const { return packed_; }
+  /// After kOnce: what nobody asks for again.
+  PackedCloth take_packed() { return std::exchange(packed_, {}); }
 
  private:
   struct FaceState {

@@ -76,26 +76,19 @@ void GpuCloth::upload_tables() {
   clamp_to_edge(GL_TEXTURE_2D);
 }
 
-void GpuCloth::upload(const PackedCloth& cloth) {
-  upload_tables();
-  width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
-  bytes_ = 0;
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (size_t k = 0; k < kPackedKinds; ++k) {
-    const PackedTexture& front = cloth.front.textures[k];
-    const PackedTexture& back = cloth.back.textures[k];
-    layers_[k] = front.layers;
-    textures_[k].reset();
-    if (!front.layers) continue;
-    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
-    for (int level = 0; level < static_cast<int>(front.levels.size()); ++level) {
-      glTexImage3D(GL_TEXTURE_2D_ARRAY, level, kFormats[k].internal, front.level_width(level),
-                   front.level_height(level), front.layers + back.layers, 0, kFormats[k].layout, kFormats[k].type,
-                   nullptr);
-    }
-    filter_as_tile(static_cast<int>(front.levels.size()));
-    bytes_ += upload_face(front, kFormats[k], 0) + upload_face(back, kFormats[k], front.layers);
+void GpuCloth::upload_maps(size_t k, const PackedTexture& front, const PackedTexture& back) {
+  layers_[k] = front.layers;
+  if (!front.layers) return;
+  glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
+  for (int level = 0; level < static_cast<int>(front.levels.size()); ++level) {
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, level, kFormats[k].internal, front.level_width(level), front.level_height(level),
+                 front.layers + back.layers, 0, kFormats[k].layout, kFormats[k].type, nullptr);
   }
+  filter_as_tile(static_cast<int>(front.levels.size()));
+  bytes_ += upload_face(front, kFormats[k], 0) + upload_face(back, kFormats[k], front.layers);
+}
+
+void GpuCloth::upload_rest(const PackedCloth& cloth) {
   if (cloth.front.cube_size > 0) {
     upload_cube(cubes_[0], cloth.front.half_cube, cloth.front.cube_size);
     upload_cube(cubes_[1], cloth.front.difference_cube, cloth.front.cube_size);
@@ -104,7 +97,6 @@ void GpuCloth::upload(const PackedCloth& cloth) {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   }
   has_threads_ = !cloth.crossings.empty();
-  crossings_.reset();
   if (has_threads_) {
     crossing_blocks_ = (cloth.ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
     const int layers = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
@@ -118,6 +110,29 @@ void GpuCloth::upload(const PackedCloth& cloth) {
     bytes_ += cloth.crossings.size() * sizeof(HalfCrossing) + cloth.lobes.threads.size() * sizeof(glm::uvec4);
   }
   upload_lobes(cloth.lobes);
+}
+
+template <class After>
+void GpuCloth::upload_all(const PackedCloth& cloth, const After& after_each) {
+  upload_tables();
+  width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
+  bytes_ = 0;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (GlTexture& texture : textures_) texture.reset();  // the old ones' memory before the new ones'
+  crossings_.reset();
+  for (size_t k = 0; k < kPackedKinds; ++k) {
+    upload_maps(k, cloth.front.textures[k], cloth.back.textures[k]);
+    after_each(k);
+  }
+  upload_rest(cloth);
+}
+
+void GpuCloth::upload(const PackedCloth& cloth) {
+  upload_all(cloth, [](size_t) {});
+}
+
+void GpuCloth::upload(PackedCloth&& cloth) {
+  upload_all(cloth, [&cloth](size_t k) { cloth.front.textures[k] = cloth.back.textures[k] = {}; });
 }
 
 /// Cells of a rectangle, block by block of the crossing map.

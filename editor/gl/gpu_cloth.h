@@ -13,6 +13,8 @@ namespace weftlight::gl {
 class GpuCloth {
  public:
   void upload(const PackedCloth& cloth);
+  /// Gives up each map as soon as it is uploaded.
+  void upload(PackedCloth&& cloth);
   void upload(const ClothPatches& patches);
   void upload_lobes(const ClothLobes& lobes);
   /// Binds the textures to their slots and the block of lobes.
@@ -29,6 +31,10 @@ class GpuCloth {
 
  private:
   void upload_tables();
+  template <class After>
+  void upload_all(const PackedCloth& cloth, const After& after_each);
+  void upload_maps(size_t k, const PackedTexture& front, const PackedTexture& back);
+  void upload_rest(const PackedCloth& cloth);
   void upload_response(const ResponseTables& tables);
   void upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels);
   void upload_threads(const std::vector<glm::uvec4>& records);

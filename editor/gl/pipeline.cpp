@@ -110,7 +110,7 @@ std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer
   Stages stages;
   StageResult result = stages.update(std::move(design), Effort::kOnce);
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
-  if (result.all_maps) renderer.upload(stages.packed());
+  if (result.all_maps) renderer.upload(stages.take_packed());
   return std::move(result.problem);
 }
 

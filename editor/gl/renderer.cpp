@@ -417,6 +417,7 @@ void Renderer::set_mesh(PreparedMesh mesh) {
   parts_->hairs.forget();
 }
 void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
+void Renderer::upload(PackedCloth&& cloth) { parts_->cloth.upload(std::move(cloth)); }
 void Renderer::upload(const ClothPatches& patches) { parts_->cloth.upload(patches); }
 void Renderer::upload_lobes(const ClothLobes& lobes) { parts_->cloth.upload_lobes(lobes); }
 

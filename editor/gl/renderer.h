@@ -61,6 +61,8 @@ class Renderer {
   void set_mesh(const Mesh& mesh) { set_mesh(prepare_mesh(mesh)); }
   /// New maps of both faces, or patches of the maps that are there (packed_maps.h).
   void upload(const PackedCloth& cloth);
+  /// The same; each map is given up as soon as the graphics library has it, so that a large one is not held twice.
+  void upload(PackedCloth&& cloth);
   void upload(const ClothPatches& patches);
   void upload_lobes(const ClothLobes& lobes);
 

@@ -123,9 +123,11 @@ void Editor::show_gallery(bool library) {
 void Editor::offer_recovery() {
   if (session_.left().empty()) return;
   RecoveryPrompt prompt;
-  for (const LeftWork& left : session_.left())
-    prompt.rows.push_back({left.note.name, time_in_words(left.written_ns, now_ns()),
-                           left.note.path.empty() ? "never saved" : left.note.path});
+  for (const LeftWork& left : session_.left()) {
+    const std::string when = time_in_words(left.written_ns, now_ns());
+    if (!left.problem.empty()) prompt.rows.push_back({"Cannot be read", when, left.journal + ": " + left.problem});
+    else prompt.rows.push_back({left.note.name, when, left.note.path.empty() ? "never saved" : left.note.path});
+  }
   ask(std::move(prompt), [this](int button) {
     const RecoveryPrompt& asked = std::get<RecoveryPrompt>(dialog_);
     const auto chosen = static_cast<size_t>(asked.chosen);

@@ -21,7 +21,10 @@ std::tm local_time(int64_t ns) {
 
 OpenResult bring_back(const LeftWork& left) {
   std::optional<JournalEntry> entry = read_left(left);
-  if (!entry) return {{}, {{Severity::kError, 0, left.journal + " cannot be read", "It was left where it is."}}};
+  if (!entry) {
+    const std::string why = left.problem.empty() ? std::string() : ": " + left.problem;
+    return {{}, {{Severity::kError, 0, left.journal + " cannot be read" + why, "It was left where it is."}}};
+  }
   WifRead read = read_wif(entry->text);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   const DocumentNote& note = entry->note;

@@ -49,10 +49,24 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
   return found;
 }
 
-std::optional<JournalEntry> read_entry(const std::string& journal) {
-  if (facts_of(journal).size > 2 * kMostJournalText) return {};
+struct ReadEntry {
+  std::optional<JournalEntry> last;
+  std::string problem;  // where there is none
+};
+
+ReadEntry read_entry(const std::string& journal) {
+  if (facts_of(journal).size > 2 * kMostJournalText) return {{}, "it is larger than any journal"};
   const FileBytes file = read_file(journal);
-  return file.error.empty() ? read_journal(file.bytes) : std::nullopt;
+  if (!file.error.empty()) return {{}, file.error};
+  ReadEntry read{read_journal(file.bytes), {}};
+  if (!read.last) read.problem = "it is damaged before the end of its first entry";
+  return read;
+}
+
+/// Made by a session that ended before it wrote into it.
+bool holds_nothing(const fs::path& journal) {
+  std::error_code error;
+  return fs::is_regular_file(journal, error) && fs::file_size(journal, error) == 0 && !error;
 }
 
 /// The session ended after its file was written and before its journal went.
@@ -138,16 +152,21 @@ std::vector<LeftWork> Recovery::left_behind() {
     if (!lock.held()) lock = FileLock::take((folder / kLock).string());
     if (!lock.held()) continue;  // it lives
     for (const fs::path& journal : journals_in(folder)) {
-      const std::optional<JournalEntry> last = read_entry(journal.string());
-      if (!last) continue;
-      if (stands_saved(*last)) fs::remove(journal, error);
-      else found.push_back(LeftWork{journal.string(), last->note, facts_of(journal.string()).modified_ns});
+      if (!fs::is_regular_file(journal, error)) continue;  // not ours
+      ReadEntry read = read_entry(journal.string());
+      if (holds_nothing(journal) || (read.last && stands_saved(*read.last))) {
+        fs::remove(journal, error);
+        continue;
+      }
+      found.push_back(LeftWork{journal.string(), read.last ? read.last->note : DocumentNote{},
+                               facts_of(journal.string()).modified_ns, std::move(read.problem)});
     }
     remove_session(folder);
   }
   std::erase_if(crashed_, [](const auto& session) { return !session.second.held(); });
-  std::sort(found.begin(), found.end(),
-            [](const LeftWork& a, const LeftWork& b) { return a.written_ns > b.written_ns; });
+  std::sort(found.begin(), found.end(), [](const LeftWork& a, const LeftWork& b) {
+    return a.problem.empty() != b.problem.empty() ? a.problem.empty() : a.written_ns > b.written_ns;
+  });
   return found;
 }
 
@@ -160,6 +179,6 @@ void Recovery::discard(const LeftWork& left) {
   if (!fs::exists(folder, ignored)) crashed_.erase(folder.string());
 }
 
-std::optional<JournalEntry> read_left(const LeftWork& left) { return read_entry(left.journal); }
+std::optional<JournalEntry> read_left(const LeftWork& left) { return read_entry(left.journal).last; }
 
 }  // namespace weftlight::session

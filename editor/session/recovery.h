@@ -19,6 +19,7 @@ struct LeftWork {
   std::string journal;  // its file
   DocumentNote note;
   int64_t written_ns = 0;  // when its last entry was, since 1970
+  std::string problem{};   // why it cannot be read, and then it says nothing of its document; empty: it can
 };
 
 /// An open file with a lock that ends with the process, however it ends.
@@ -55,8 +56,8 @@ class Recovery {
   std::string open();
   std::string journal_path(uint64_t document) const;
 
-  /// What crashed sessions left, newest first. Their locks are held from now on, so that no other window offers the
-  /// same. Folders with nothing in them go.
+  /// What crashed sessions left, newest first, what cannot be read last. Their locks are held from now on, so that no
+  /// other window offers the same. Folders with nothing in them go.
   std::vector<LeftWork> left_behind();
   /// Removes the journal, and its session's folder with the last one.
   void discard(const LeftWork& left);

@@ -1,4 +1,4 @@
-// A recovery folder with anything in it: looking through it never crashes, offers only what can be read, and leaves
+// A recovery folder with anything in it: looking through it never crashes, says of what cannot be read why, and leaves
 // alone what no session made.
 
 #include <unistd.h>
@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   {
     Recovery recovery(root.string());
     for (const LeftWork& left : recovery.left_behind()) {
-      require(read_left(left).has_value(), "what is offered can be read");
+      require(read_left(left).has_value() == left.problem.empty(), "what is offered can be read, or says why not");
       recovery.discard(left);
       require(!fs::is_regular_file(left.journal), "what is discarded is gone");
     }

@@ -148,6 +148,80 @@ TEST_F(FilesTest, RecoveredWorkWhoseFileIsAnotherNowAsksWhereTo) {
   EXPECT_EQ(bytes_of(draft_), theirs);
 }
 
+TEST_F(FilesTest, UnsavedWorkThatCannotBeReadIsNamedAndKept) {
+  const fs::path journal = folder_ / "state/weftlight/recovery/00112233445566ff/1.journal";
+  fs::create_directories(journal.parent_path());
+  put(journal, "damaged");
+  for (int start = 0; start < 2; ++start) {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    ASSERT_TRUE(comes_true([&] { return w.has("recovery:1"); })) << "nothing was said, start " << start;
+    EXPECT_FALSE(w.has("recovery:2"));
+    ASSERT_NO_FATAL_FAILURE(press(w, start == 0 ? "Bring back" : "Later"));
+    display_.key("ctrl+q");
+    EXPECT_EQ(w.process().wait(), 0);
+    EXPECT_EQ(bytes_of(journal), "damaged");
+  }
+}
+
+/// A folder that nobody may write to, root neither, for as long as it lives.
+class ReadOnlyFolder {
+ public:
+  explicit ReadOnlyFolder(fs::path folder) : folder_(std::move(folder)) {
+    fs::permissions(folder_, fs::perms::owner_write, fs::perm_options::remove);
+    if (geteuid() == 0) flagged_ = run("chattr +i ");
+    std::error_code error;
+    const fs::path probe = folder_ / "probe";
+    holds_ = !std::ofstream(probe).is_open();
+    fs::remove(probe, error);
+  }
+  ~ReadOnlyFolder() { release(); }
+  ReadOnlyFolder(const ReadOnlyFolder&) = delete;
+  ReadOnlyFolder& operator=(const ReadOnlyFolder&) = delete;
+  bool holds() const { return holds_; }
+  void release() {
+    if (flagged_) run("chattr -i ");
+    flagged_ = false;
+    fs::permissions(folder_, fs::perms::owner_write, fs::perm_options::add);
+  }
+
+ private:
+  bool run(const std::string& words) const {
+    return std::system((words + "'" + folder_.string() + "' > /dev/null 2>&1").c_str()) == 0;
+  }
+  fs::path folder_;
+  bool flagged_ = false, holds_ = false;
+};
+
+TEST_F(FilesTest, SavingToAReadOnlyPlaceIsSaidAndLosesNothing) {
+  const fs::path shelf = folder_ / "shelf";
+  fs::create_directory(shelf);
+  const fs::path file = shelf / "kept.wif";
+  put(file, straight_draft());
+  const std::string original = bytes_of(file);
+  ReadOnlyFolder locked(shelf);
+  if (!locked.holds()) GTEST_SKIP() << "root may write anywhere here: neither chattr +i nor permissions hold it back";
+  std::string lost;
+  {
+    Window w(display_, folder_, file, without_dialogs());
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    ASSERT_NO_FATAL_FAILURE(paint(w));
+    lost = w.live();
+    display_.key("ctrl+s");
+    // Its text is what write_file_atomically says: file and cause (base.Files).
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog:Save as\xE2\x80\xA6"); })) << "nothing was said";
+    ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
+    EXPECT_EQ(bytes_of(file), original);
+    EXPECT_EQ(w.live(), lost) << "the work stays";
+    kill(w);
+  }
+  locked.release();
+  Window w(display_, folder_, {}, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == lost; }));
+}
+
 TEST_F(FilesTest, WhatCannotBeWrittenIsSaidUntilItIs) {
   const fs::path folder = folder_ / "live";
   fs::create_directory(folder);

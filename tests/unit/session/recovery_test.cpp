@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "../scratch_fixture.h"
+#include "session/bring_back.h"
 #include "session/journal.h"
 
 namespace weftlight::session {
@@ -95,15 +96,25 @@ TEST_F(RecoveryTest, DiscardsOneOfSeveralThenTheFolder) {
   EXPECT_TRUE(now.left_behind().empty());
 }
 
-TEST_F(RecoveryTest, WhatCannotBeReadStaysAndIsNotOffered) {
+TEST_F(RecoveryTest, WhatCannotBeReadIsNamedLastAndStays) {
   crash({"a.wif"});
   fs::create_directories(path("recovery/00000000000000ff"));
   written("recovery/00000000000000ff/1.journal", "not a journal");
+  written("recovery/00000000000000ff/2.journal", "");         // ended before it wrote anything
   fs::create_directories(path("recovery/0000000000000000"));  // nothing in it
   fs::create_directories(path("recovery/mine"));
   Recovery now(root());
-  EXPECT_EQ(names(now.left_behind()), Names{"a.wif"});
-  EXPECT_TRUE(fs::exists(path("recovery/00000000000000ff/1.journal")));
+  const std::vector<LeftWork> left = now.left_behind();
+  ASSERT_EQ(names(left), (Names{"a.wif", ""}));
+  EXPECT_EQ(left[0].problem, "");
+  EXPECT_EQ(left[1].journal, path("recovery/00000000000000ff/1.journal"));
+  EXPECT_NE(left[1].problem, "");
+  EXPECT_FALSE(read_left(left[1]));
+  const OpenResult back = bring_back(left[1]);
+  ASSERT_EQ(back.remarks.size(), 1u);
+  EXPECT_NE(back.remarks[0].text.find(left[1].journal + " cannot be read: "), std::string::npos);
+  EXPECT_TRUE(fs::exists(left[1].journal));
+  EXPECT_FALSE(fs::exists(path("recovery/00000000000000ff/2.journal")));
   EXPECT_FALSE(fs::exists(path("recovery/0000000000000000")));
   EXPECT_TRUE(fs::exists(path("recovery/mine")));
 }

@@ -1,8 +1,10 @@
 #include "draft/fibre.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "draft/count.h"
 #include "draft/yarn_fields.h"
 #include "draft/yarn_presets.h"
 
@@ -12,6 +14,16 @@ namespace {
 // From dull to bright the highlight along the fibre is as many times narrower, as matt and bright filaments of one
 // polymer are (delustred fibre: titanium dioxide); its layers follow by the root.
 constexpr float kLustreRange = 9.0f;
+
+/// By preset, as yarn_presets.cpp has them: density of the fibre, g/cm3; share of the thread that is fibre. Of metallic
+/// yarn the film's.
+struct Substance {
+  double density, packing;
+};
+constexpr std::array<Substance, 8> kSubstances{
+    {{1.52, 0.6}, {1.52, 0.65}, {1.5, 0.65}, {1.34, 0.6}, {1.31, 0.5}, {1.52, 0.6}, {1.39, 0.6}, {1.39, 0.6}}};
+
+const Substance& substance_of(const Yarn& yarn) { return kSubstances[static_cast<size_t>(fibre_of(yarn))]; }
 
 const Yarn& preset_of(int preset) {
   const auto all = yarn_presets();
@@ -63,6 +75,19 @@ Yarn with_hairiness(Yarn yarn, float hairiness) {
   const Yarn& usual = preset_of(fibre_of(yarn));
   yarn.hairiness = hairiness;
   yarn.lobes.fuzz = usual.lobes.fuzz * hairiness / std::max(usual.hairiness, 0.01f);
+  return clamped(std::move(yarn));
+}
+
+float tex_of(const Yarn& yarn) {
+  const Substance& of = substance_of(yarn);
+  return static_cast<float>(tex_from_diameter(static_cast<double>(yarn.diameter_mm), of.density, of.packing));
+}
+
+std::optional<Yarn> with_count(Yarn yarn, std::string_view count) {
+  const std::optional<double> tex = tex_from_text(count);
+  if (!tex) return std::nullopt;
+  const Substance& of = substance_of(yarn);
+  yarn.diameter_mm = static_cast<float>(std::round(diameter_from_tex_mm(*tex, of.density, of.packing) * 1000) / 1000);
   return clamped(std::move(yarn));
 }
 

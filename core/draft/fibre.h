@@ -2,6 +2,9 @@
 // A yarn as a weaver speaks of it: its fibre, how it shines, how hairy it is. Each is a choice of the numbers of
 // yarn_fields.h, measured against the ready yarn of that fibre; nothing of it is kept beside them.
 
+#include <optional>
+#include <string_view>
+
 #include "draft/yarn.h"
 
 namespace weftlight::draft {
@@ -18,5 +21,11 @@ Yarn with_lustre(Yarn yarn, float lustre);
 
 /// Stray fibres (0..1) and with them the fuzz that stands off, in the ratio that the fibre's ready yarn has.
 Yarn with_hairiness(Yarn yarn, float hairiness);
+
+/// Grams a kilometre (tex) of a round thread so thick, of the density of its fibre and as firm as its ready yarn is
+/// spun.
+float tex_of(const Yarn& yarn);
+/// As thick as its fibre spun to that count is: "Ne 8/2", "30 tex" (count.h); none: not understood.
+std::optional<Yarn> with_count(Yarn yarn, std::string_view count);
 
 }  // namespace weftlight::draft

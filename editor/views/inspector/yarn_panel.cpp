@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 
 #include "draft/fibre.h"
 #include "draft/yarn_fields.h"
@@ -128,6 +130,22 @@ bool draw_fibre(PanelContext& c, Yarn& yarn) {
   return chosen;
 }
 
+/// The count that the thickness makes; another one typed sets the thickness.
+bool draw_count(PanelContext& c, Yarn& yarn) {
+  row_label(c, "Count", "How heavy it is, as it is sold: Ne 8/2, Nm 30/2, 16 lea, 150 den, 30 tex. Sets the thickness");
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  char tex[32];
+  std::snprintf(tex, sizeof tex, "%.3g tex", static_cast<double>(tex_of(yarn)));
+  std::string typed = tex;
+  const bool entered = ImGui::InputText("##count", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  c.map.add_item("yarn.count");
+  if (!entered) return false;
+  const std::optional<Yarn> spun = with_count(yarn, typed);
+  if (!spun) return false;
+  yarn = *spun;
+  return true;
+}
+
 bool draw_lustre(PanelContext& c, Yarn& yarn) {
   float bright = lustre(yarn);
   if (!field_slider(c, kLustreFacts, bright)) return false;
@@ -147,6 +165,7 @@ bool draw_field(PanelContext& c, const YarnField<Yarn>& field, Yarn& yarn) {
 const char* draw_weavers(PanelContext& c, Yarn& yarn) {
   const char* what = nullptr;
   if (draw_fibre(c, yarn)) what = "Fibre";
+  if (draw_count(c, yarn)) what = "Count";
   if (draw_lustre(c, yarn)) what = kLustreFacts.label;
   const auto first = [](const YarnField<Yarn>& f) {
     return f.member == &Yarn::turns_per_m || f.member == &Yarn::hairiness;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../yarns.h"
+#include "draft/count.h"
 
 namespace weftlight::draft {
 namespace {
@@ -62,6 +63,27 @@ TEST(Fibre, SlidersReadBackWhatTheySet) {
       EXPECT_EQ(yarn, clamped(yarn));
     }
   }
+}
+
+TEST(Fibre, CountsAreThoseTheReadyYarnsWereMadeFrom) {
+  const std::pair<const char*, const char*> counts[] = {{"Cotton", "Ne 8/2"},
+                                                        {"Mercerised cotton", "Ne 10/2"},
+                                                        {"Linen", "16/2 lea"},
+                                                        {"Silk", "Nm 30/2"},
+                                                        {"Wool", "Nm 28/2"},
+                                                        {"Viscose", "300 den"},
+                                                        {"Polyester filament", "150 den"}};
+  for (const auto& [name, count] : counts) {
+    const Yarn& ready = yarn_preset(name);
+    const std::optional<Yarn> spun = with_count(ready, count);
+    ASSERT_TRUE(spun) << name;
+    EXPECT_NEAR(spun->diameter_mm / ready.diameter_mm, 1, 0.04f) << name;
+    const double tex = tex_from_text(count).value_or(0);
+    EXPECT_NEAR(static_cast<double>(tex_of(*spun)) / tex, 1, 0.01) << name;
+  }
+  EXPECT_FALSE(with_count(yarn_preset("Cotton"), "thick"));
+  EXPECT_FALSE(with_count(yarn_preset("Cotton"), ""));
+  EXPECT_EQ(with_count(yarn_preset("Cotton"), "Ne 8/2")->lobes, yarn_preset("Cotton").lobes);
 }
 
 }  // namespace

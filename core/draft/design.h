@@ -56,6 +56,31 @@ struct WeaveUse {
   bool operator==(const WeaveUse&) const = default;
 };
 
+/// A view of the cloth under a name: what hangs, how it is lit, where the camera stands.
+struct NamedView {
+  std::string name;
+  Scene scene;
+  bool flat = false;  // a flat swatch in the place of the scene's mesh
+  bool operator==(const NamedView&) const = default;
+};
+
+/// Ends or picks that are kept under a name, to be woven together with others. Colours and yarns that the design no
+/// longer has are those of its first.
+struct ThreadSection {
+  std::string name;
+  BitMatrix rows;  // threads x shafts (of ends), x treadles, or x shafts of a liftplan
+  Threads threads;
+  Drive drive = Drive::kTreadling;  // what the rows of picks name
+  bool operator==(const ThreadSection&) const = default;
+};
+
+/// The sections of a system and the order in which they make its threads (generators/sections.h).
+struct Assembly {
+  std::vector<ThreadSection> sections;
+  std::string order;  // "A 4x, (B C) 3x, A"
+  bool operator==(const Assembly&) const = default;
+};
+
 struct Design {
   std::string title, author;
   std::vector<std::string> notes;
@@ -65,6 +90,8 @@ struct Design {
   Scene scene;
   Loom loom;
   std::vector<WeaveUse> weaves;  // the last is the latest
+  std::vector<NamedView> views;  // no two of one name
+  Assembly warp_assembly, weft_assembly;
   bool operator==(const Design&) const = default;
 };
 

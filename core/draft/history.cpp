@@ -19,6 +19,10 @@ size_t bytes(const Design& design) {
     sum += sizeof(WeaveUse);
     for (const auto& [id, value] : use.values) sum += 2 * sizeof(std::string) + value.size();
   }
+  for (const NamedView& view : design.views) sum += sizeof(NamedView) + view.name.size() + view.scene.mesh.size();
+  for (const Assembly* assembly : {&design.warp_assembly, &design.weft_assembly})
+    for (const ThreadSection& section : assembly->sections)
+      sum += sizeof(ThreadSection) + bytes(section.rows) + bytes(section.threads);
   for (const std::string& note : design.notes) sum += sizeof(std::string) + note.size();
   return sum;
 }

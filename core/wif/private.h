@@ -41,6 +41,10 @@ inline constexpr FloatField<Look> kLookFloats[] = {
     {"Tolerance", &Look::tolerance, -kAny, kAny},
     {"Exposure", &Look::exposure_ev, -kAny, kAny},
 };
+/// Views that a file may keep, a section each: "VIEW 1", "VIEW 2" ...
+inline constexpr int kMaxViews = 200;
+/// Sections of threads that a file may keep for each system, and what their rows may take together.
+inline constexpr int kMaxSections = 500;
 /// Generated weaves that a file may name, and what stands before the id of each of their numbers.
 inline constexpr int kMaxWeaveUses = 1000;
 inline constexpr std::string_view kWeaveNumber = "Number ";

@@ -129,17 +129,31 @@ void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads&
   });
 }
 
+void read_scene(const Source& s, const WifSection& section, Scene& scene) {
+  read_fields(s, section, kSceneFloats, scene);
+  read_color(s, section, "Background", scene.background);
+  const WifKey* mesh = section.find("Mesh");
+  scene.mesh = mesh ? words(s, *mesh) : std::string{};
+}
+
+void read_views(const Source& s, std::vector<NamedView>& views) {
+  for (int i = 1; i <= kMaxViews; ++i) {
+    const WifSection* section = private_section(s.text, "VIEW " + std::to_string(i));
+    if (!section) return;
+    NamedView& view = views.emplace_back();
+    if (const WifKey* name = section->find("Name")) view.name = words(s, *name);
+    if (const WifKey* flat = section->find("Flat")) view.flat = word_as_bool(flat->value).value_or(false);
+    // Without numbers: the scene of a new draft.
+    if (section->find(kSceneFloats[0].key)) read_scene(s, *section, view.scene);
+  }
+}
+
 void read_look_and_scene(const Source& s, Design& design) {
   if (const WifSection* look = private_section(s.text, "LOOK")) {
     read_fields(s, *look, kLookFloats, design.look);
     if (const WifKey* key = look->find("Method")) design.look.method = as_method(key->value);
   }
-  if (const WifSection* scene = private_section(s.text, "SCENE")) {
-    read_fields(s, *scene, kSceneFloats, design.scene);
-    read_color(s, *scene, "Background", design.scene.background);
-    const WifKey* mesh = scene->find("Mesh");
-    design.scene.mesh = mesh ? words(s, *mesh) : std::string{};
-  }
+  if (const WifSection* scene = private_section(s.text, "SCENE")) read_scene(s, *scene, design.scene);
 }
 
 int count_of(const WifSection& section, const char* name, int most) {
@@ -180,6 +194,75 @@ void read_weaves(const Source& s, std::vector<WeaveUse>& weaves) {
     use.first_pick = std::max(place[2] - 1, 0), use.picks = place[3];
   }
   for (WeaveUse& use : weaves) std::ranges::sort(use.values);
+}
+
+/// The next word of a text whose words stand between blanks; empty at the end.
+std::string_view next_word(std::string_view& text) {
+  text = trimmed(text);
+  const size_t end = std::min(text.find(' '), text.size());
+  const std::string_view word = text.substr(0, end);
+  text.remove_prefix(end);
+  return word;
+}
+
+/// "1 2 1+3 0" as rows of bits; what is beyond the columns is left out.
+BitMatrix rows_from(std::string_view text, int columns) {
+  std::vector<std::string_view> words;
+  for (std::string_view word; words.size() < static_cast<size_t>(kMaxThreads) && !(word = next_word(text)).empty();)
+    words.push_back(word);
+  BitMatrix rows(static_cast<int>(words.size()), columns);
+  for (size_t row = 0; row < words.size(); ++row)
+    for (std::string_view rest = words[row]; !rest.empty();) {
+      const size_t plus = std::min(rest.find('+'), rest.size());
+      const int bit = leading_int(rest.substr(0, plus)).value_or(0);
+      if (bit >= 1 && bit <= columns) rows.set(static_cast<int>(row), bit - 1, true);
+      rest.remove_prefix(std::min(plus + 1, rest.size()));
+    }
+  return rows;
+}
+
+template <class T, class Read>
+void read_column(const WifSection& section, const std::string& key, std::vector<T>& values, Read read) {
+  const WifKey* found = section.find(key);
+  if (!found) return;
+  std::string_view text = found->value;
+  for (T& value : values) {
+    const std::string_view word = next_word(text);
+    if (word.empty()) return;
+    value = read(word);
+  }
+}
+
+ThreadSection read_section(const Source& s, const WifSection& section, const std::string& prefix) {
+  ThreadSection out;
+  if (const WifKey* key = section.find(prefix + "Name")) out.name = words(s, *key);
+  if (const WifKey* key = section.find(prefix + "Lifts"); key && word_as_bool(key->value) == true)
+    out.drive = Drive::kLiftplan;
+  const WifKey* rows = section.find(prefix + "Rows");
+  out.rows =
+      rows_from(rows ? rows->value : std::string_view(), count_of(section, (prefix + "Columns").c_str(), kMaxShafts));
+  out.threads.resize(out.rows.rows());
+  const auto from_1 = [](std::string_view word) { return std::max(leading_int(word).value_or(1) - 1, 0); };
+  const auto number = [](std::string_view word) { return as_float(word).value_or(kFromYarn); };
+  read_column(section, prefix + "Colors", out.threads.color, from_1);
+  read_column(section, prefix + "Yarns", out.threads.yarn, from_1);
+  read_column(section, prefix + "Spacing", out.threads.spacing_mm, number);
+  read_column(section, prefix + "Thickness", out.threads.thickness_mm, number);
+  return out;
+}
+
+void read_assembly(const Source& s, const char* name, Assembly& assembly) {
+  const WifSection* section = private_section(s.text, name);
+  if (!section) return;
+  constexpr int64_t kMostBits = int64_t{1} << 28;  // of all its rows
+  if (const WifKey* order = section->find("Order")) assembly.order = words(s, *order);
+  const int count = count_of(*section, "Sections", kMaxSections);
+  int64_t bits = 0;
+  for (int i = 1; i <= count && bits < kMostBits; ++i) {
+    assembly.sections.push_back(read_section(s, *section, std::to_string(i) + " "));
+    const BitMatrix& rows = assembly.sections.back().rows;
+    bits += int64_t{rows.rows()} * rows.cols();
+  }
 }
 
 void restore_text(const Source& s, const WifSection& section, const std::string& name, std::string& text) {
@@ -248,8 +331,11 @@ void read_private_sections(const WifText& text, const WifHabits& habits, Finding
   read_thread_yarns(s, "WARP YARNS", design.yarns.size(), design.draft.warp);
   read_thread_yarns(s, "WEFT YARNS", design.yarns.size(), design.draft.weft);
   read_look_and_scene(s, design);
+  read_views(s, design.views);
   read_loom(s, design.loom);
   read_weaves(s, design.weaves);
+  read_assembly(s, "WARP SECTIONS", design.warp_assembly);
+  read_assembly(s, "WEFT SECTIONS", design.weft_assembly);
   read_exact_text(s, design);
   read_exact_colors(s, habits, design.draft);
   read_exact_measures(s, "WARP SPACING", design.draft.warp.spacing_mm);

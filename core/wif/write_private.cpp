@@ -1,5 +1,7 @@
 // Writing [PRIVATE WEFTLIGHT ...]; read_private.cpp reads it back.
 
+#include <algorithm>
+
 #include "wif/encoding.h"
 #include "wif/numbers.h"
 #include "wif/private.h"
@@ -78,6 +80,14 @@ WifEntries scene_of(const Scene& scene) {
   return section;
 }
 
+WifEntries view_of(const NamedView& view, size_t number) {
+  WifEntries section = scene_of(view.scene);
+  section.name = "VIEW " + std::to_string(number);
+  add(section, "Name", escaped(view.name), true);
+  if (view.flat) add(section, "Flat", "true");
+  return section;
+}
+
 WifEntries loom_of(const Loom& loom) {
   WifEntries section{"LOOM", {}};
   if (loom == Loom{}) return section;
@@ -102,6 +112,46 @@ WifEntries weaves_of(const std::vector<WeaveUse>& weaves) {
     add(section, prefix + "Place", place);
     for (const auto& [id, value] : use.values)
       add(section, prefix + std::string(kWeaveNumber) + id, escaped(value), true);
+  }
+  return section;
+}
+
+/// "1 2 1+3 0": what each row names, from 1.
+std::string rows_text(const BitMatrix& rows) {
+  std::string out;
+  for (int row = 0; row < rows.rows(); ++row) {
+    std::string list = bit_list(rows, row);
+    std::ranges::replace(list, ',', '+');
+    out.append(row > 0 ? " " : "").append(list);
+  }
+  return out;
+}
+
+template <class T, class Text>
+void add_column(WifEntries& section, const std::string& key, const std::vector<T>& values, T usual, Text text) {
+  if (std::ranges::all_of(values, [&](const T& v) { return v == usual; })) return;
+  std::string out;
+  for (const T& value : values) out.append(out.empty() ? "" : " ").append(text(value));
+  add(section, key, out);
+}
+
+WifEntries assembly_entries(const char* name, const Assembly& assembly) {
+  WifEntries section{name, {}};
+  if (assembly == Assembly{}) return section;
+  if (!assembly.order.empty()) add(section, "Order", escaped(assembly.order), true);
+  add(section, "Sections", std::to_string(assembly.sections.size()));
+  const auto from_1 = [](int i) { return std::to_string(i + 1); };
+  for (size_t i = 0; i < assembly.sections.size(); ++i) {
+    const ThreadSection& s = assembly.sections[i];
+    const std::string prefix = std::to_string(i + 1) + " ";
+    add(section, prefix + "Name", escaped(s.name), true);
+    add(section, prefix + "Columns", std::to_string(s.rows.cols()));
+    if (s.drive == Drive::kLiftplan) add(section, prefix + "Lifts", "true");
+    add(section, prefix + "Rows", rows_text(s.rows));
+    add_column(section, prefix + "Colors", s.threads.color, 0, from_1);
+    add_column(section, prefix + "Yarns", s.threads.yarn, 0, from_1);
+    add_column(section, prefix + "Spacing", s.threads.spacing_mm, kFromYarn, shortest);
+    add_column(section, prefix + "Thickness", s.threads.thickness_mm, kFromYarn, shortest);
   }
   return section;
 }
@@ -159,8 +209,11 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   push_if_any(out, thread_yarns_of("WEFT YARNS", draft.weft));
   push_if_any(out, look_of(design.look));
   push_if_any(out, scene_of(design.scene));
+  for (size_t i = 0; i < design.views.size(); ++i) push_if_any(out, view_of(design.views[i], i + 1));
   push_if_any(out, loom_of(design.loom));
   push_if_any(out, weaves_of(design.weaves));
+  push_if_any(out, assembly_entries("WARP SECTIONS", design.warp_assembly));
+  push_if_any(out, assembly_entries("WEFT SECTIONS", design.weft_assembly));
   push_if_any(out, exact_text_of(design));
   push_if_any(out, exact_colors_of(draft.palette, habits));
   push_if_any(out, exact_measures_of("WARP SPACING", draft.warp.spacing_mm));

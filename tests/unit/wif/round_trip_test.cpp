@@ -107,6 +107,23 @@ Design random_design(unsigned seed) {
     for (int i = dice.upto(2); i > 0; --i)
       design.weaves.push_back({"twill", {{"lean", random_text(dice)}, {"ratio", "2/2"}}, dice.upto(9), 4, 0, 7});
   }
+  for (Assembly* assembly : {&design.warp_assembly, &design.weft_assembly}) {
+    for (int i = dice.upto(2); i > 0; --i) {
+      ThreadSection& section = assembly->sections.emplace_back();
+      section.name = std::string(1, static_cast<char>('A' + i));
+      const int threads = dice.upto(3);
+      section.rows = random_bits(dice, threads, 1 + dice.upto(5));
+      section.threads = random_threads(dice, threads, 3, 2);
+      section.drive = dice.coin() ? Drive::kTreadling : Drive::kLiftplan;
+    }
+    if (dice.coin()) assembly->order = random_text(dice) + "A 3x, (B)";
+  }
+  for (int i = dice.upto(3); i > 1; --i) {
+    NamedView& view = design.views.emplace_back();
+    view.name = random_text(dice) + std::to_string(i);
+    view.flat = dice.coin();
+    if (dice.coin()) view.scene.mesh = random_text(dice), view.scene.light_azimuth = dice.between(-90, 90);
+  }
   return design;
 }
 

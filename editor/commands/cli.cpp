@@ -214,6 +214,7 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("--yarns-per-pixel", o.yarns_per_pixel, "Footprint at the middle of the picture")
       ->check(above_zero());
   verb->add_option("--view", t.view, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
+  verb->add_option("--view-name", o.view_name, "A view kept with the draft, or: whole, head_on, grazing, near");
   verb->add_option("--light", t.light, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
   add_face(verb, t.face);
   verb->add_option("--stats", o.stats, "Write costs as JSON")->check(some_name());

@@ -34,6 +34,7 @@ struct ConvertOptions {
 /// NaN or empty: as the design says.
 struct PictureOptions {
   std::string file, out, mesh, method, stats;
+  std::string view_name;  // kept with the draft, or one that every draft has; the options below rule over it
   int width = 1280, height = 800;
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;

@@ -7,6 +7,7 @@
 #include "files/files.h"
 #include "gl/pipeline.h"
 #include "light/ladder.h"
+#include "upload/views.h"
 
 namespace weftlight::commands {
 namespace {
@@ -20,6 +21,14 @@ void take_options(Design& design, const PictureOptions& o) {
   if (!std::isnan(o.light_azimuth)) scene.light_azimuth = o.light_azimuth, scene.light_elevation = o.light_elevation;
   if (o.tolerance > 0) design.look.tolerance = o.tolerance;
   if (!o.method.empty()) design.look.method = method_from_name(o.method).value_or(Method::kAuto);
+}
+
+std::string no_view_text(const Design& design, const std::string& name) {
+  std::string text = "no view is called '" + name + "'; there are ";
+  const std::vector<std::string> names = view_names(design);
+  for (size_t i = 0; i < names.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 == names.size() ? " and " : ", ").append(names[i]);
+  return text;
 }
 
 }  // namespace
@@ -38,6 +47,12 @@ int PictureSetup::open(const PictureOptions& o) {
   status.clear();
   if (!opened.ok) return kBadInput;
   design = std::move(opened.design);
+  if (!o.view_name.empty()) {
+    const std::optional<NamedView> view =
+        view_named(design, o.view_name, static_cast<float>(o.width), static_cast<float>(o.height));
+    if (!view) return fail(kUsage, o.file + ": " + no_view_text(design, o.view_name));
+    design.scene = drawn_scene(*view);
+  }
   take_options(design, o);
   std::string error;
   context = HeadlessContext::create(error);

@@ -38,7 +38,8 @@ void add_draft_actions(Actions& all);
 void add_thread_actions(Actions& all);
 /// Weaving it, pick by pick; under Draft.
 void add_loom_actions(Actions& all);
-void add_view_actions(Actions& all);
+/// `kept_views`: of the document that is shown.
+void add_view_actions(Actions& all, const std::vector<std::string>& kept_views);
 void add_cloth_actions(Actions& all);
 void add_library_actions(Actions& all);
 void add_help_actions(Actions& all);

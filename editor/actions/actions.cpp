@@ -4,13 +4,13 @@
 
 namespace weftlight::actions {
 
-std::vector<Action> make_actions(const std::vector<std::string>& recent,
-                                 const std::map<std::string, std::string>& keys) {
+std::vector<Action> make_actions(const std::vector<std::string>& recent, const std::map<std::string, std::string>& keys,
+                                 const std::vector<std::string>& views) {
   Actions all;
   add_file_actions(all, recent);
   add_edit_actions(all);
   add_draft_actions(all);
-  add_view_actions(all);
+  add_view_actions(all, views);
   add_cloth_actions(all);
   add_library_actions(all);
   add_help_actions(all);

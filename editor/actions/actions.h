@@ -20,9 +20,11 @@ struct Action {
   std::function<std::string(const Desk&)> label = nullptr;  // null: as it stands in the item
 };
 
-/// `recent`: files offered under File. `keys`: shortcuts that the weaver gave, by action (Settings::keys).
+/// `recent`: files offered under File. `keys`: shortcuts that the weaver gave, by action (Settings::keys). `views`:
+/// names of those that the shown document keeps.
 std::vector<Action> make_actions(const std::vector<std::string>& recent,
-                                 const std::map<std::string, std::string>& keys = {});
+                                 const std::map<std::string, std::string>& keys = {},
+                                 const std::vector<std::string>& views = {});
 /// The table as the panels show it, with what holds now.
 std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& desk);
 

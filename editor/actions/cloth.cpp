@@ -18,6 +18,9 @@ void add_cloth_actions(Actions& all) {
   Action& flat = add(all, "Cloth", "flat", "Flat swatch, straight on", "F", [](Desk& e) { e.toggle_flat(); });
   flat.item.group = true;
   flat.checked = [](const Desk& e) { return e.view().flat; };
+  Action& by_time = add(all, "Cloth", "by_time", "Picture by time, not by error", "",
+                        [](Desk& e) { e.settings().by_time = !e.settings().by_time; });
+  by_time.checked = [](const Desk& e) { return e.settings().by_time; };
   Action& rungs = add(all, "Cloth", "rungs", "Methods in false colours", "F6",
                       [](Desk& e) { e.settings().show_rungs = !e.settings().show_rungs; });
   rungs.item.group = true;

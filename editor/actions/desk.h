@@ -65,6 +65,8 @@ class Desk {
   virtual void ask_thread() = 0;
   /// A weave over the selected threads, or over all.
   virtual void ask_weave() = 0;
+  /// Threading and treadling from named sections.
+  virtual void ask_sections() = 0;
   /// The control gets the keyboard, by its name in the --ui-map.
   virtual void focus(std::string control) = 0;
   /// What the pointer is over.
@@ -77,6 +79,10 @@ class Desk {
   virtual void toggle_theme() = 0;
   virtual void keep_view() = 0;
   virtual void reset_view() = 0;
+  /// A view of the cloth by its name (upload/views.h).
+  virtual void go_to_view(const std::string& name) = 0;
+  virtual void keep_view_as() = 0;
+  virtual void change_views() = 0;
   /// A flat swatch in the place of the drape, or the drape again.
   virtual void toggle_flat() = 0;
   /// In the status line, for a while.

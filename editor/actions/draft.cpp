@@ -35,6 +35,7 @@ void add_rules(Actions& all) {
 void add_draft_actions(Actions& all) {
   add(all, "Draft", "notes", "Title and notes\xE2\x80\xA6", "", [](Desk& e) { e.ask_notes(); });
   add(all, "Draft", "weave_over", "Weave over the draft or selection\xE2\x80\xA6", "W", [](Desk& e) { e.ask_weave(); });
+  add(all, "Draft", "sections", "Threads from sections\xE2\x80\xA6", "Shift+W", [](Desk& e) { e.ask_sections(); });
   add(all, "Draft", "size", "Ends, picks, shafts\xE2\x80\xA6", "", [](Desk& e) { e.ask_size(); });
   const auto shed = [&all](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [rising](Desk& e) {

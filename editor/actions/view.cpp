@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actions/action_parts.h"
+#include "upload/views.h"
 
 namespace weftlight::actions {
 namespace {
@@ -77,9 +78,34 @@ void add_comparison(Actions& all) {
   add(all, "View", "compare_done", "Compare no longer", "", [](Desk& e) { e.view().other = nullptr; }).enabled = held;
 }
 
+void add_views(Actions& all, const std::vector<std::string>& kept) {
+  constexpr const char* kMenu = "Views of the cloth";
+  new_group(
+      add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));
+  add(all, "View", "keep_view", "Begin with this view of the cloth", "", [](Desk& e) { e.keep_view(); });
+  const auto in_menu = [](Action& a) { a.item.submenu = kMenu; };
+  for (const ShippedView& view : kShippedViews)
+    in_menu(add(all, "View", (std::string("view.") + view.id).c_str(), view.label, "",
+                [name = std::string(view.id)](Desk& e) { e.go_to_view(name); }));
+  for (size_t i = 0; i < kept.size(); ++i) {
+    Action& a = add(all, "View", ("view.kept:" + kept[i]).c_str(), kept[i].c_str(), "",
+                    [name = kept[i]](Desk& e) { e.go_to_view(name); });
+    a.item.group = i == 0;
+    in_menu(a);
+  }
+  Action& keep = add(all, "View", "view_keep_as", "Keep this view as\xE2\x80\xA6", "Ctrl+Shift+K",
+                     [](Desk& e) { e.keep_view_as(); });
+  keep.item.group = true;
+  in_menu(keep);
+  Action& change =
+      add(all, "View", "views_change", "Rename or drop views\xE2\x80\xA6", "", [](Desk& e) { e.change_views(); });
+  change.enabled = [](const Desk& e) { return !e.document().now().views.empty(); };
+  in_menu(change);
+}
+
 }  // namespace
 
-void add_view_actions(Actions& all) {
+void add_view_actions(Actions& all, const std::vector<std::string>& kept_views) {
   add(all, "View", "zoom_in", "Larger cells", "Ctrl++",
       [](Desk& e) { e.view().pitch = zoomed_pitch(e.view().pitch, 1); });
   add(all, "View", "zoom_out", "Smaller cells", "Ctrl+-",
@@ -88,9 +114,7 @@ void add_view_actions(Actions& all) {
   add_moves(all);
   add_heavy_lines(all);
   add_drawdown_looks(all);
-  new_group(
-      add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));
-  add(all, "View", "keep_view", "Keep this view with the draft", "", [](Desk& e) { e.keep_view(); });
+  add_views(all, kept_views);
   Action& floats = add(all, "View", "show_floats", "Long floats in the drawdown", "F5",
                        [](Desk& e) { e.view().show_floats = !e.view().show_floats; });
   floats.checked = [](const Desk& e) { return e.view().show_floats; };

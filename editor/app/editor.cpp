@@ -55,7 +55,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       preview_(Window::wake),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
-  actions_ = make_actions(settings_.recent, settings_.keys);
+  remake_actions();
   if (!options.file.empty()) open_path(options.file);
   // A program that drives the window knows its way.
   if (!settings_.toured && options.ui_map.empty() && options.live_export.empty()) settings_.tour = 0;
@@ -79,7 +79,7 @@ void Editor::open_path(const std::string& path) {
   OpenResult result = open_document(path);
   if (!result.document) return report(std::move(result.remarks), path);
   remember(settings_, path);
-  actions_ = make_actions(settings_.recent, settings_.keys);
+  remake_actions();
   open_beside(std::move(*result.document), Origin::kOwn);
 }
 
@@ -141,7 +141,7 @@ void Editor::save_to(const std::string& path, std::function<void()> then) {
   }
   keep_live_export();
   remember(settings_, path);
-  actions_ = make_actions(settings_.recent, settings_.keys);
+  remake_actions();
   say("Saved " + document().name());
   if (then) then();
 }
@@ -246,33 +246,10 @@ void Editor::toggle_theme() {
   restyle_ = true;
 }
 
-void Editor::reset_view() {
-  const Design& d = document().now();
-  view().camera = view().flat ? flat_orbit(d, pane_.x, pane_.y) : orbit_of(d.scene);
-}
-
-void Editor::toggle_flat() {
-  DocumentView& v = view();
-  v.flat = !v.flat;
-  if (v.flat) v.draped = v.camera;
-  v.camera = v.flat ? flat_orbit(document().now(), pane_.x, pane_.y) : v.draped;
-  preview_.submit(hung());
-  frames_due_ = std::max(frames_due_, 3);
-}
-
-std::shared_ptr<const Design> Editor::hung() const {
-  if (!view().flat) return document().snapshot();
-  Design flat = document().now();
-  flat.scene.mesh = kFlatMesh;
-  return std::make_shared<const Design>(std::move(flat));
-}
-
-void Editor::keep_view() {
-  if (view().flat) return say("The flat swatch is always seen alike; F goes back to the drape, whose view can be kept");
-  commit({"Keep view", [camera = view().camera](Design d) {
-            d.scene = with_orbit(d.scene, camera);
-            return d;
-          }});
+void Editor::remake_actions() {
+  views_in_menu_.clear();
+  for (const NamedView& v : document().now().views) views_in_menu_.push_back(v.name);
+  actions_ = make_actions(settings_.recent, settings_.keys, views_in_menu_);
 }
 
 void Editor::open_beside(Document document, Origin origin) {
@@ -291,6 +268,7 @@ void Editor::follow_shown() {
 
 /// After every change of the design that is shown, whatever made it.
 void Editor::edited() {
+  if (!std::ranges::equal(views_in_menu_, document().now().views, {}, {}, &NamedView::name)) remake_actions();
   preview_.submit(hung());
   keep_live_export();
   export_again();

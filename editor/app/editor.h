@@ -78,6 +78,7 @@ class Editor : public Desk {
   void ask_notes() override;
   void ask_thread() override;
   void ask_weave() override;
+  void ask_sections() override;
   void focus(std::string control) override { focus_ = std::move(control); }
   Hover hover() const override { return notes_.hover; }
   Settings& settings() override { return settings_; }
@@ -88,6 +89,9 @@ class Editor : public Desk {
   void toggle_theme() override;
   void keep_view() override;
   void reset_view() override;
+  void go_to_view(const std::string& name) override;
+  void keep_view_as() override;
+  void change_views() override;
   void toggle_flat() override;
   void say(std::string text) override;
   std::string clipboard() const override;
@@ -141,6 +145,8 @@ class Editor : public Desk {
   void start_print(const std::string& path, const PrintPrompt& prompt);
   void export_again();
   void update_title();
+  /// The table of actions anew: it names files, keys and views.
+  void remake_actions();
 
   // editor_loom.cpp
   /// What the loom said; true when there is something to show.
@@ -171,6 +177,7 @@ class Editor : public Desk {
   std::string focus_;                // control that the keyboard goes to next
   std::vector<Diagnostic> remarks_;  // of the document, or on a file that could not be opened
   std::vector<Action> actions_;
+  std::vector<std::string> views_in_menu_;
   BackgroundWriter writer_;    // of the live export
   BackgroundWriter exporter_;  // apart, since it takes long
   Exporter sets_{Window::wake};

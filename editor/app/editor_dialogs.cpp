@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "app/editor.h"
+#include "draft/generators/sections.h"
+#include "draft/selection_edits.h"
 
 namespace weftlight::app {
 namespace {
@@ -47,6 +49,24 @@ void Editor::ask_weave() {
     if (weave_kinds()[i].id == weave) p.kind = static_cast<int>(i);
   p.base = document().snapshot();
   p.stroke = kWeaveStrokes | ++weaves_asked_;
+  ask(std::move(p), [](int) {});
+}
+
+void Editor::ask_sections() {
+  constexpr uint64_t kSectionStrokes = uint64_t{3} << 61;  // apart from those of the mouse and of weaves
+  const Design& d = document().now();
+  const Selection& s = view().select.selected;
+  SectionsPrompt p;
+  p.last_end = d.draft.ends(), p.last_pick = d.draft.picks();
+  if (const std::optional<ThreadRange> range = s.empty() ? std::nullopt : threads_of(s)) {
+    p.system = range->system;
+    (range->system == System::kWarp ? p.first_end : p.first_pick) = range->first + 1;
+    (range->system == System::kWarp ? p.last_end : p.last_pick) = range->end;
+  }
+  p.warp = d.warp_assembly, p.weft = d.weft_assembly;
+  p.name = free_section_name(p.system == System::kWarp ? p.warp : p.weft);
+  p.base = document().snapshot();
+  p.stroke = kSectionStrokes | ++weaves_asked_;
   ask(std::move(p), [](int) {});
 }
 

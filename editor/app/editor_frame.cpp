@@ -14,6 +14,7 @@
 #include "views/draft/draft_header.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/draft_panel.h"
+#include "views/inspector/accuracy_rows.h"
 #include "views/inspector/palette_panel.h"
 #include "views/inspector/scene_panel.h"
 #include "views/inspector/threads_panel.h"
@@ -109,7 +110,7 @@ void Editor::frame() {
   Scene scene = with_orbit(document().now().scene, view().camera);
   if (view().flat) scene.mesh = kFlatMesh;
   preview_.ask({scene, document().now().look, static_cast<int>(pane_.x * ratio), static_cast<int>(pane_.y * ratio),
-                settings_.show_rungs, settings_.compare},
+                settings_.show_rungs, settings_.compare, settings_.by_time ? settings_.picture_ms : 0},
                strokes_.going_on());
   window_.begin_frame();
   take_input();
@@ -238,7 +239,7 @@ void Editor::change_settings(const SettingsChange& change) {
   const auto keys = settings_.keys;
   const auto recent = settings_.recent;
   change.run(settings_);
-  if (settings_.keys != keys || settings_.recent != recent) actions_ = make_actions(settings_.recent, settings_.keys);
+  if (settings_.keys != keys || settings_.recent != recent) remake_actions();
 }
 
 /// "twill.wif", "Overshot"; with its folder where another has the same name.
@@ -324,6 +325,7 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
     c.wanted.add(draw_yarns(c, strip_));
   } else if (tab == 2) {
     c.wanted.add(draw_scene(c));
+    c.wanted.add(draw_accuracy(c));
   } else {
     draw_comparison(c, c.report);
     draw_report(c, c.report);

@@ -58,8 +58,10 @@ struct Filter {
 };
 std::vector<Filter> filters_of(FileAsk what, const std::string& ending) {
   std::vector<Filter> filters;
-  if (what == FileAsk::kOpen) filters.push_back({"Weaving drafts", "*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO"});
-  filters.push_back(ending == ".wif" ? Filter{"WIF drafts", "*.wif *.WIF *.wifw *.WIFW"} : Filter{"*" + ending, "*" + ending});
+  if (what == FileAsk::kOpen)
+    filters.push_back({"Weaving drafts", "*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO"});
+  filters.push_back(ending == ".wif" ? Filter{"WIF drafts", "*.wif *.WIF *.wifw *.WIFW"}
+                                     : Filter{"*" + ending, "*" + ending});
   if (what == FileAsk::kOpen)
     filters.push_back({"Pictures, a pixel a crossing", "*.png *.PNG *.tif *.tiff *.TIF *.bmp"});
   filters.push_back({"All files", "*"});

@@ -16,6 +16,7 @@ constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
 constexpr int kMostAPass = 8;
 constexpr double kPassMs = 30;      // the next pass takes more samples below, fewer above twice it
+constexpr float kAsGood = 0.1f;     // a tolerance that differs by less is the same
 constexpr double kRefineMs = 4000;  // for all passes of one picture
 constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
 
@@ -76,6 +77,7 @@ bool PictureMaker::draw(const PictureRequest& request, bool moving, double now_s
   if (anew) {
     passes_ = samples_ = 0;
     spent_ms_ = 0;
+    held_used_ = false;
     draw_pass(request, scale);
     dirty_ = false;
   } else if (finer) {
@@ -95,6 +97,13 @@ bool PictureMaker::can_refine() const {
   return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
 }
 
+Look PictureMaker::look_for(const PictureRequest& request) {
+  Look look = request.look;
+  if (request.budget_ms > 0 && held_ > 0) look.tolerance = held_;
+  tolerance_ = look.tolerance;
+  return look;
+}
+
 /// One more pass of a resting picture, or the picture of what moves.
 void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   Frame frame = frame_of(request);
@@ -105,8 +114,16 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   frame.samples = samples_a_pass_;
   frame.all_samples = all_samples_;
   if (scale == 1) frame.pass = passes_;
-  stats_ = renderer_->draw(request.scene, request.look, frame);
+  stats_ = renderer_->draw(request.scene, look_for(request), frame);
   if (scale == 1) stats_ = renderer_->measure();
+  if (scale == 1 && passes_ == 0 && request.budget_ms > 0 && stats_.method == Method::kAuto) {
+    const float held = renderer_->tolerance_within(request.budget_ms);
+    // Once a picture: what it took tells what the budget buys.
+    const bool other = held > 0 && !held_used_ && std::abs(held - tolerance_) > kAsGood * tolerance_;
+    if (held > 0) held_ = held;
+    held_used_ = true;
+    if (other) return draw_pass(request, scale);
+  }
   if (stats_.gpu_ms > 0 && passes_ == 0)
     (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
   drawn_scale_ = scale;

@@ -23,6 +23,7 @@ struct PictureRequest {
   int width = 0, height = 0;  // pixels
   bool show_rungs = false;
   Compare compare = Compare::kOff;
+  float budget_ms = 0;  // of the cloth's pass at rest: the tolerance that keeps within it; 0: the look's
   bool operator==(const PictureRequest&) const = default;
 };
 
@@ -42,6 +43,8 @@ class PictureMaker {
   /// The last picture: RGBA8 with sRGB's encoding, row 0 at the bottom; empty when none was drawn.
   void read(int& width, int& height, std::vector<uint32_t>& pixels) const;
   const FrameStats& stats() const { return stats_; }
+  /// What the last picture was drawn with.
+  float tolerance() const { return tolerance_; }
   /// Of Compare::kSplit or kDifference; empty while nothing is traced.
   const session::PictureComparison& comparison() const { return comparison_; }
   /// Why there is no picture, or what is wrong with the mesh.
@@ -55,6 +58,8 @@ class PictureMaker {
  private:
   Frame frame_of(const PictureRequest& request) const;
   void draw_pass(const PictureRequest& request, float scale);
+  /// The look to draw with: by its own tolerance, or by what the last picture took.
+  Look look_for(const PictureRequest& request);
   /// Whether more samples of the threads would make the resting picture finer.
   bool can_refine() const;
   float moving_scale() const;
@@ -77,6 +82,8 @@ class PictureMaker {
   double ms_a_sample_ = 0;                    // of a picture mostly of threads
   double full_ms_ = 0, moving_ms_ = 0;        // the cloth's cost at every pixel, at rest and by the moving programs
   FrameStats stats_;
+  float tolerance_ = 0, held_ = 0;  // of the last picture; within the budget, 0: not known yet
+  bool held_used_ = false;          // the resting picture has it
 
   ReferenceTracer tracer_;
   bool traced_ = false;  // the tracer was given the picture that is drawn

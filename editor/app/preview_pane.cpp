@@ -111,6 +111,8 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
   made.reference_width = c.width, made.reference_height = c.height;
   made.picture.stats = maker.stats();
+  made.picture.tolerance = maker.tolerance();
+  made.picture.budget_ms = request.budget_ms;
   made.picture.problem = maker.problem();
   made.picture.busy = maker.busy();
   made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, c.problem};

@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upload/camera.h"
+#include "upload/views.h"
 
 namespace weftlight::session {
 namespace {
 
 constexpr float kNearest = 0.01f, kFurthest = 8.0f;
-
-/// Of a thread of the system, in mm.
-float mean_spacing(const Design& design, System system) {
-  const Threads& t = design.draft.threads(system);
-  float sum = 0;
-  for (size_t i = 0; i < t.color.size(); ++i)
-    sum += t.spacing_mm[i] >= 0 ? t.spacing_mm[i] : design.yarns[static_cast<size_t>(t.yarn[i])].diameter_mm;
-  return t.color.empty() ? 1 : sum / static_cast<float>(t.color.size());
-}
 
 }  // namespace
 
@@ -26,12 +17,8 @@ float wrapped_degrees(float degrees) { return degrees - 360 * std::floor((degree
 Orbit orbit_of(const Scene& s) { return {s.view_azimuth, s.view_elevation, s.view_distance, s.pan_x, s.pan_y}; }
 
 Orbit flat_orbit(const Design& design, float width_px, float height_px) {
-  constexpr float kPixelsAYarn = 9, kFilled = 0.96f;  // of the swatch, so that no rim is seen
-  const upload::Bounds plane{{-150, 0, 0}, {150, 200, 0}};
-  const float aspect = std::max(width_px, 1.0f) / std::max(height_px, 1.0f);
-  const float spacing = 0.5f * (mean_spacing(design, System::kWarp) + mean_spacing(design, System::kWeft));
-  const float most = kFilled * std::min(plane.high.y - plane.low.y, (plane.high.x - plane.low.x) / aspect);
-  return {0, 0, upload::distance_of_height(plane, aspect, std::min(height_px / kPixelsAYarn * spacing, most)), 0, 0};
+  constexpr float kPixelsAYarn = 9;
+  return {0, 0, upload::flat_distance(design, width_px, height_px, kPixelsAYarn), 0, 0};
 }
 
 Scene with_orbit(Scene s, const Orbit& camera) {

@@ -3,6 +3,7 @@
 
 #include "draft/design.h"
 #include "session/names.h"
+#include "upload/views.h"
 
 namespace weftlight::session {
 
@@ -19,8 +20,6 @@ Scene with_orbit(Scene scene, const Orbit& camera);
 /// Drag by (dx, dy) and zoom about (x, y), all in pane widths and heights from the middle, y up.
 Orbit orbited(Orbit camera, float dx_px, float dy_px, float degrees_a_px);
 Orbit zoomed(Orbit camera, float steps, float x, float y);
-/// The drape of a flat swatch.
-inline constexpr const char* kFlatMesh = "plane";
 /// -180 to 180.
 float wrapped_degrees(float degrees);
 

@@ -72,6 +72,9 @@ Settings settings_from(std::string_view text) {
   take(json, "inspector", s.inspector);
   take(json, "toured", s.toured);
   take(json, "start_page", s.start_page);
+  take(json, "by_time", s.by_time);
+  take(json, "picture_ms", s.picture_ms);
+  if (!(s.picture_ms >= kLeastPictureMs && s.picture_ms <= kMostPictureMs)) s.picture_ms = Settings{}.picture_ms;
   take(json, "split", s.split);
   take(json, "width", s.width);
   take(json, "height", s.height);
@@ -104,6 +107,8 @@ std::string settings_text(const Settings& s) {
                                {"inspector", s.inspector},
                                {"toured", s.toured},
                                {"start_page", s.start_page},
+                               {"by_time", s.by_time},
+                               {"picture_ms", s.picture_ms},
                                {"split", s.split},
                                {"width", s.width},
                                {"height", s.height},

@@ -15,6 +15,8 @@ enum class DrawdownStyle { kThreads, kColor, kStructure };
 /// What stands beside the preview: the ray-traced picture behind a slider, or how far the two are apart.
 enum class Compare { kOff, kSplit, kDifference };
 
+inline constexpr float kLeastPictureMs = 5, kMostPictureMs = 5000;
+
 struct Settings {
   bool dark = false, end1_right = true;
   bool threading_below = false;  // the drawdown, with shaft 1 next to it; else above
@@ -30,6 +32,8 @@ struct Settings {
   std::vector<std::string> recent;          // newest first
   std::string loom_address;                 // of the loom that was last sent to
   std::map<std::string, std::string> keys;  // by action: the shortcut that the weaver gave it; empty: none
+  bool by_time = false;                     // the picture of the cloth takes so long, whatever its error
+  float picture_ms = 60;                    // then: milliseconds of its cloth's pass
   bool start_page = true;                   // what was open lately is shown at the start
   bool toured = false;                      // has seen the tour, or left it
   // Of the window while it stands; not kept.

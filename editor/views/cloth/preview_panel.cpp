@@ -9,6 +9,7 @@
 #include "session/reference_tracer.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "upload/views.h"
 
 namespace weftlight::views {
 namespace {
@@ -83,7 +84,12 @@ std::string stats_line(const PreviewPicture& p) {
     say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn"
                 : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
   }
-  if (p.stats.estimated_error > 0) say("error about " + fixed(100 * p.stats.estimated_error, 0) + "%");
+  if (p.stats.estimated_error > 0) {
+    std::string error = "error about " + fixed(100 * p.stats.estimated_error, 0) + "%";
+    if (p.stats.method == Method::kAuto && p.tolerance > 0)
+      error += p.budget_ms > 0 ? ", for " + fixed(p.budget_ms, 0) + " ms" : " of " + fixed(100 * p.tolerance, 0) + "%";
+    say(error);
+  }
   if (p.busy) say("weaving\xE2\x80\xA6");
   return line;
 }
@@ -164,14 +170,47 @@ void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& 
                                       text.c_str(), nullptr, width);
 }
 
+void draw_views_menu(PanelContext& c) {
+  const auto item = [&c](const std::string& label, const std::string& id, const char* key = nullptr) {
+    if (ImGui::MenuItem(label.c_str(), key)) c.wanted.add_action(id);
+    c.map.add_item("views." + id);
+  };
+  for (const ShippedView& view : kShippedViews) item(view.label, std::string("view.") + view.id);
+  if (!c.design.views.empty()) ImGui::Separator();
+  for (const NamedView& view : c.design.views) item(view.name, "view.kept:" + view.name);
+  ImGui::Separator();
+  item("Keep this view as\xE2\x80\xA6", "view_keep_as");
+  if (!c.design.views.empty()) item("Rename or drop views\xE2\x80\xA6", "views_change");
+}
+
+/// Left of `at`, where Drape or Flat begin.
+void draw_views_button(PanelContext& c, ImVec2 at) {
+  constexpr float kWidth = 64, kGap = 8;  // pixels at 96 dpi
+  const Colors& k = c.style.color;
+  ImGui::SetCursorScreenPos({at.x - c.style.px(kWidth + kGap), at.y});
+  ImGui::PushStyleColor(ImGuiCol_Button, blend(k.panel, k.text, 0.08f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(k.panel, k.text, 0.14f));
+  if (ImGui::Button("Views", {c.style.px(kWidth), 0})) ImGui::OpenPopup("views");
+  c.map.add_item("views");
+  tooltip(c, "Head on, grazing, near by: views of the cloth, and those that you keep with the draft");
+  ImGui::PopStyleColor(2);
+  ImGui::SetNextWindowPos({at.x - c.style.px(kWidth + kGap), at.y + ImGui::GetFrameHeight() + c.style.px(4)});
+  if (ImGui::BeginPopup("views")) {
+    draw_views_menu(c);
+    ImGui::EndPopup();
+  }
+  ImGui::SetCursorScreenPos(at);
+}
+
 /// Drape or flat swatch, over the picture's corner; before the view below it, so that it takes the pointer first.
 void draw_hanging(PanelContext& c, ImVec2 a, ImVec2 pane) {
   constexpr const char* kWays[] = {"Drape", "Flat"};
-  constexpr float kWidth = 120, kLeastPane = 260;  // pixels at 96 dpi
+  constexpr float kWidth = 120, kLeastPane = 330;  // pixels at 96 dpi
   if (pane.x < c.style.px(kLeastPane)) return;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSetCurrent(1);
   ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
+  draw_views_button(c, {a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
   int way = c.view.flat ? 1 : 0;
   if (segmented(c, "hanging", kWays, way, c.style.px(kWidth))) c.wanted.add_action("flat");
   dl->ChannelsSetCurrent(0);

@@ -23,8 +23,9 @@ struct ReferencePicture {
 struct PreviewPicture {
   unsigned texture = 0;  // 0: none yet
   FrameStats stats;
-  std::string problem;  // why there is none, or what is wrong with the mesh
-  bool busy = false;    // the newest edit is still being worked on
+  float tolerance = 0, budget_ms = 0;  // it was drawn with; 0: not by time
+  std::string problem;                 // why there is none, or what is wrong with the mesh
+  bool busy = false;                   // the newest edit is still being worked on
   ReferencePicture reference;
 };
 

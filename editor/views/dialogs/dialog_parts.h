@@ -24,6 +24,8 @@ bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& val
 DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 /// The draft as it was before.
 MaybeEdit given_back(const WeaveOverPrompt& p);
+DialogAnswer draw_sections(PanelContext& c, SectionsPrompt& p);
+MaybeEdit given_back(const SectionsPrompt& p);
 DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p);
 DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p);
 DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p);

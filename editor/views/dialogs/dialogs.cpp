@@ -34,6 +34,40 @@ DialogAnswer draw(PanelContext& c, PathPrompt& p) {
   return answered(enter ? 0 : button);
 }
 
+DialogAnswer draw(PanelContext& c, NamePrompt& p) {
+  heading(c, p.title);
+  if (!p.tip.empty()) muted_text(c, p.tip);
+  ImGui::SetNextItemWidth(c.style.px(360));
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool enter =
+      ImGui::InputText("##name", &p.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  c.map.add_item("dialog.name");
+  const int button = draw_buttons(c, {p.button, "Cancel"}, false);
+  return answered(enter ? 0 : button);
+}
+
+DialogAnswer draw(PanelContext& c, NamesPrompt& p) {
+  constexpr int kMostRows = 10;
+  heading(c, p.title);
+  const float row = ImGui::GetFrameHeightWithSpacing(), width = c.style.px(380);
+  const auto rows = static_cast<float>(std::min(static_cast<int>(p.names.size()), kMostRows));
+  ImGui::BeginChild("##names", {width, rows * row});
+  for (size_t i = 0; i < p.names.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    ImGui::PushID(static_cast<int>(i));
+    const bool dropped = p.names[i].empty();
+    ImGui::SetNextItemWidth(width - c.style.px(110));
+    ImGui::InputTextWithHint("##name", ("dropped: " + p.before[i]).c_str(), &p.names[i]);
+    c.map.add_item("names:" + number);
+    ImGui::SameLine();
+    if (text_button(c, ("names.drop:" + number).c_str(), dropped ? "Keep" : "Drop", nullptr))
+      p.names[i] = dropped ? p.before[i] : std::string();
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  return answered(draw_buttons(c, {"Done", "Cancel"}, false));
+}
+
 DialogAnswer draw(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
   number(c, "size.ends", "Ends", p.ends, 1, kMaxThreads);
@@ -81,6 +115,8 @@ DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c,
 DialogAnswer draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
 
 DialogAnswer draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
+
+DialogAnswer draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, p); }
 
 DialogAnswer draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
 
@@ -144,7 +180,7 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImGuiViewport* view = ImGui::GetMainViewport();
   // One that the draft follows stands beside it.
-  const bool live = std::holds_alternative<WeaveOverPrompt>(dialog);
+  const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog);
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
                            view->WorkPos.y + view->WorkSize.y * (tall ? 0.5f : 0.4f)},
@@ -165,6 +201,9 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
     if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1, {}};
     if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog); over != nullptr && answer.answer == Answer::kLeft)
       answer.edit = given_back(*over);
+    if (const auto* sections = std::get_if<SectionsPrompt>(&dialog);
+        sections != nullptr && answer.answer == Answer::kLeft)
+      answer.edit = given_back(*sections);
     if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }

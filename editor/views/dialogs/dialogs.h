@@ -51,6 +51,25 @@ struct WeaveOverPrompt {
   uint64_t stroke = 0;
   std::string why{};  // what could not be taken as it was asked
 };
+/// Threading and treadling from named sections; the draft follows while the dialog is open.
+struct SectionsPrompt {
+  System system = System::kWarp;
+  int first_end = 1, last_end = 1, first_pick = 1, last_pick = 1;  // what is taken, from 1
+  std::string name;                                                // of the next section
+  Assembly warp, weft;
+  std::shared_ptr<const Design> base;  // as the dialog found it
+  uint64_t stroke = 0;
+  std::string why{};  // what could not be made
+};
+/// A name for something.
+struct NamePrompt {
+  std::string title, tip, name, button;
+};
+/// Things with names, to be renamed or dropped (an empty name).
+struct NamesPrompt {
+  std::string title;
+  std::vector<std::string> before, names;
+};
 struct NotesPrompt {
   std::string title, author, notes;  // notes: one a line
 };
@@ -65,8 +84,9 @@ struct RecoveryPrompt {
   /// What the pressed one means: of several rows, all can be brought back.
   Button button(int pressed) const;
 };
-using Dialog = std::variant<std::monostate, Question, PathPrompt, SizePrompt, ThreadPrompt, NotesPrompt, WeavePrompt,
-                            WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt, GalleryPrompt>;
+using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
+                            ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
+                            RecoveryPrompt, GalleryPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };

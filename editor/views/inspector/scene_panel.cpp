@@ -70,19 +70,6 @@ MaybeEdit draw_scene(PanelContext& c) {
   if (!section(c, "section.scene", "Cloth in the light")) return {};
   MaybeEdit edit = draw_mesh(c);
   if (MaybeEdit method = draw_method(c)) edit = std::move(method);
-  if (c.design.look.method == Method::kAuto) {
-    float tolerance = c.design.look.tolerance;
-    constexpr SliderSpec kTolerance{
-        "look.tolerance",
-        "Error allowed",
-        0.01f,
-        0.3f,
-        "%.2f",
-        "What the automatic method may be off by: the smaller, the finer its methods. 0.05 is 5% of the brightness",
-        true};
-    if (slider(c, kTolerance, tolerance))
-      edit = scene_edit("Error allowed", [tolerance](Design& d) { d.look.tolerance = tolerance; });
-  }
   float exposure = c.design.look.exposure_ev;
   constexpr SliderSpec kExposure{
       "look.exposure_ev", "Exposure", -3, 3, "%+.1f EV", "Brightness of the picture, in stops"};

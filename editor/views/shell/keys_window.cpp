@@ -125,7 +125,7 @@ void draw_action(PanelContext& c, std::span<const ActionItem> items, const Actio
 
 /// Without a word those that have a key; else all that match it by name or key.
 bool is_listed(const ActionItem& item, const std::string& typed) {
-  if (item.id.starts_with("recent:") || item.menu == "Library") return false;
+  if (item.id.starts_with("recent:") || item.id.starts_with("view.kept:") || item.menu == "Library") return false;
   int score = 0;
   if (typed.empty()) return !item.shortcut.empty() || item.shortcut != item.shipped;
   return matches(item.label, typed, score) || matches(item.shortcut, typed, score);

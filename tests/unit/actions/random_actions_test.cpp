@@ -13,6 +13,7 @@
 #include "session/paint.h"
 #include "session/selection.h"
 #include "session/shapes.h"
+#include "session/views.h"
 
 namespace weftlight::actions {
 namespace {
@@ -35,6 +36,7 @@ class BareDesk : public Desk {
   void new_draft_of(int) override {}
   void ask_thread() override {}
   void ask_weave() override {}
+  void ask_sections() override {}
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void open() override {}
@@ -70,6 +72,12 @@ class BareDesk : public Desk {
   void toggle_theme() override {}
   void keep_view() override {}
   void reset_view() override {}
+  void go_to_view(const std::string& name) override {
+    if (const auto to = view_named(document_.now(), name, 800, 600))
+      if (const MaybeEdit edit = session::go_to_view(view_, document_.now(), *to)) commit(*edit);
+  }
+  void keep_view_as() override { commit(keep_view_edit(view_, free_view_name(document_.now()))); }
+  void change_views() override { commit(rename_views_edit({"", "Other"})); }
   void toggle_flat() override { view_.flat = !view_.flat; }
   void focus(std::string) override {}
   Hover hover() const override { return {}; }

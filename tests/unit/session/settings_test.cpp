@@ -41,6 +41,16 @@ TEST(Settings, how_the_draft_is_seen_is_kept) {
   EXPECT_TRUE(settings_from("{}").minimap);
 }
 
+TEST(Settings, the_time_of_a_picture_is_kept_within_its_range) {
+  Settings s;
+  s.by_time = true;
+  s.picture_ms = 250;
+  const Settings back = settings_from(settings_text(s));
+  EXPECT_TRUE(back.by_time);
+  EXPECT_EQ(back.picture_ms, 250);
+  EXPECT_EQ(settings_from("{\"picture_ms\": 0}").picture_ms, Settings{}.picture_ms);
+}
+
 TEST(Settings, keys_are_kept) {
   Settings s;
   s.keys = {{"save", "Ctrl+U"}, {"quit", ""}};

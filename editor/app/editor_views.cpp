@@ -1,0 +1,65 @@
+// The editor's views of the cloth: drape or flat swatch, and views by name.
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editor.h"
+#include "session/views.h"
+
+namespace weftlight::app {
+
+void Editor::reset_view() {
+  const Design& d = document().now();
+  view().camera = view().flat ? flat_orbit(d, pane_.x, pane_.y) : orbit_of(d.scene);
+}
+
+void Editor::toggle_flat() {
+  DocumentView& v = view();
+  v.flat = !v.flat;
+  if (v.flat) v.draped = v.camera;
+  v.camera = v.flat ? flat_orbit(document().now(), pane_.x, pane_.y) : v.draped;
+  preview_.submit(hung());
+  frames_due_ = std::max(frames_due_, 3);
+}
+
+std::shared_ptr<const Design> Editor::hung() const {
+  if (!view().flat) return document().snapshot();
+  Design flat = document().now();
+  flat.scene.mesh = kFlatMesh;
+  return std::make_shared<const Design>(std::move(flat));
+}
+
+void Editor::keep_view() {
+  if (view().flat) return say("The flat swatch is always seen alike; F goes back to the drape, whose view can be kept");
+  commit({"Keep view", [camera = view().camera](Design d) {
+            d.scene = with_orbit(d.scene, camera);
+            return d;
+          }});
+}
+
+void Editor::go_to_view(const std::string& name) {
+  const std::optional<NamedView> to = view_named(document().now(), name, pane_.x, pane_.y);
+  if (!to) return say("There is no view of that name");
+  const MaybeEdit edit = session::go_to_view(view(), document().now(), *to);
+  if (edit) commit(*edit);
+  preview_.submit(hung());
+  frames_due_ = std::max(frames_due_, 3);
+}
+
+void Editor::keep_view_as() {
+  ask(NamePrompt{"Keep this view", "What hangs, its light and the camera, in the file of the draft.",
+                 free_view_name(document().now()), "Keep"},
+      [this](int) {
+        commit(keep_view_edit(view(), std::get<NamePrompt>(dialog_).name));
+        say("Kept with the draft: View, Views of the cloth");
+      });
+}
+
+void Editor::change_views() {
+  NamesPrompt prompt{"Views of the cloth", {}, {}};
+  for (const NamedView& v : document().now().views) prompt.names.push_back(v.name);
+  prompt.before = prompt.names;
+  ask(std::move(prompt), [this](int) { commit(rename_views_edit(std::get<NamesPrompt>(dialog_).names)); });
+}
+
+}  // namespace weftlight::app

@@ -1,0 +1,202 @@
+// How the window looks: its views and dialogs in both themes against stored pictures (pictures/). One window for all.
+// WEFTLIGHT_UPDATE_GOLDENS=1 in the environment writes them anew; a failure leaves reference, result and difference in
+// the build folder. The cloth itself is left out (tests/golden has it): the window is started as without EGL.
+
+#include <algorithm>
+#include <cmath>
+
+#include "files/files.h"
+#include "on_display.h"
+
+namespace weftlight::gui {
+
+using files::Image;
+namespace {
+
+namespace fs = std::filesystem;
+
+// Root mean square of 0..1 over all pixels, and over the worst block. Another version of FreeType moves the edges of
+// letters (about 0.01 and 0.1); a control that is missing or another colour is above.
+constexpr double kTolerance = 0.02, kBlockTolerance = 0.16;
+constexpr int kBlock = 64;        // pixels
+constexpr int kCaretPixels = 80;  // that may differ between two moments of a window at rest
+constexpr int kStillMs = 450;
+
+struct Difference {
+  double whole = 0, block = 0;
+};
+
+/// Of two pictures of one size; `seen`: where they differ, made plain.
+Difference difference_of(const Image& a, const Image& b, Image& seen) {
+  seen = a;
+  Difference out;
+  double sum = 0;
+  const auto n = static_cast<size_t>(a.channels);
+  for (int y0 = 0; y0 < a.height; y0 += kBlock)
+    for (int x0 = 0; x0 < a.width; x0 += kBlock) {
+      double block = 0;
+      size_t texels = 0;
+      for (int y = y0; y < std::min(y0 + kBlock, a.height); ++y)
+        for (int x = x0; x < std::min(x0 + kBlock, a.width); ++x)
+          for (size_t k = 0; k < n; ++k, ++texels) {
+            const size_t at = (static_cast<size_t>(y) * static_cast<size_t>(a.width) + static_cast<size_t>(x)) * n + k;
+            const float d = a.texels[at] - b.texels[at];
+            seen.texels[at] = std::min(1.0f, std::abs(d) * 4);
+            block += static_cast<double>(d) * static_cast<double>(d);
+          }
+      sum += block;
+      out.block = std::max(out.block, std::sqrt(block / static_cast<double>(texels)));
+    }
+  out.whole = std::sqrt(sum / static_cast<double>(a.texels.size()));
+  return out;
+}
+
+class LookTest : public OnDisplay {
+ protected:
+  void SetUp() override {
+    OnDisplay::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    fs::copy_file(WEFTLIGHT_DRAFTS "/overshot.wif", folder_ / "overshot.wif");
+    fs::copy_file(WEFTLIGHT_DRAFTS "/summer_and_winter.wif", folder_ / "other.wif");
+    put(folder_ / "config/weftlight/settings.json", R"({"width": 1280, "height": 800, "toured": true})");
+  }
+
+  void press(const Window& w, const std::string& control) const {
+    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control << " is not there";
+    display_.click(w.middle_of(control));
+  }
+  /// Runs an action by its words in the command palette.
+  void command(const Window& w, const std::string& words) const {
+    display_.key("ctrl+p");
+    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << "the palette did not open for " << words;
+    display_.type(words);
+    display_.key("Return");
+    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); }));
+  }
+  void leave(const Window& w, const std::string& until_gone) const {
+    display_.key("Escape");
+    ASSERT_TRUE(comes_true([&] { return !w.has(until_gone); })) << until_gone;
+  }
+
+  /// The window once it stands still.
+  Image still() const {
+    std::string before;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+    for (;;) {
+      std::string now = display_.picture({0, 0}, {1280, 800});
+      int other = 0;
+      for (size_t i = 0; i < std::min(before.size(), now.size()); ++i) other += before[i] != now[i] ? 1 : 0;
+      const bool same = before.size() == now.size() && other <= 6 * kCaretPixels;
+      if (same || std::chrono::steady_clock::now() > end) return image_of(now);
+      before = std::move(now);
+      usleep(kStillMs * 1000);
+    }
+  }
+  /// Of 8 or 16 bits, by its number of bytes; high bytes come first.
+  static Image image_of(const std::string& ppm) {
+    constexpr size_t kValues = size_t{1280} * 800 * 3;
+    Image image{1280, 800, 3, {}};
+    const size_t step = ppm.size() > 2 * kValues ? 2 : 1;
+    if (ppm.size() < kValues) return image;
+    for (size_t i = ppm.size() - step * kValues; i < ppm.size(); i += step)
+      image.texels.push_back(static_cast<float>(static_cast<unsigned char>(ppm[i])) / 255);
+    return image;
+  }
+
+  void shoot(const std::string& name) {
+    display_.move({640, 798});  // where nothing lights up
+    const Image now = still();
+    const std::string result = WEFTLIGHT_LOOK_RESULTS "/" + name + theme_,
+                      stored = WEFTLIGHT_LOOKS "/" + name + theme_ + ".png";
+    ASSERT_EQ(files::write_image(result + "_result.png", now, files::PixelType::kU8), "");
+    if (std::getenv("WEFTLIGHT_UPDATE_GOLDENS") != nullptr) {
+      // 255 colours: a fifth of the bytes, and nothing that an eye would miss.
+      ASSERT_EQ(
+          std::system(("convert '" + result + "_result.png' +dither -colors 255 -strip PNG8:'" + stored + "'").c_str()),
+          0);
+      return;
+    }
+    const files::ReadImage reference = files::read_image(stored);
+    ASSERT_TRUE(reference.image) << reference.error;
+    Image expected{1280, 800, 3, {}};
+    const auto channels = static_cast<size_t>(reference.image->channels);
+    for (size_t i = 0; i < reference.image->texels.size(); ++i)
+      if (i % channels < 3) expected.texels.push_back(reference.image->texels[i]);
+    ASSERT_EQ(expected.texels.size(), now.texels.size()) << stored;
+    Image seen;
+    const Difference d = difference_of(expected, now, seen);
+    if (d.whole > kTolerance || d.block > kBlockTolerance) {
+      files::write_image(result + "_reference.png", expected, files::PixelType::kU8);
+      files::write_image(result + "_difference.png", seen, files::PixelType::kU8);
+    }
+    EXPECT_LE(d.whole, kTolerance) << "see " << result << "_{reference,result,difference}.png";
+    EXPECT_LE(d.block, kBlockTolerance) << "see " << result << "_{reference,result,difference}.png";
+  }
+
+  void shoot_all(const Window& w);
+  void shoot_dialogs(const Window& w);
+  std::string theme_ = "_light";
+};
+
+void LookTest::shoot_dialogs(const Window& w) {
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Cancel"); }));
+  shoot("new_draft");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "dialog:Cancel"));
+  display_.key("ctrl+shift+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); }));
+  shoot("print");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "print.ready"));
+  display_.key("ctrl+l");
+  ASSERT_TRUE(comes_true([&] { return w.has("gallery.picture:1") && w.has("gallery.picture:10"); }));
+  shoot("library");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "gallery:1"));
+  display_.key("shift+w");
+  ASSERT_TRUE(comes_true([&] { return w.has("sections.take"); }));
+  shoot("sections");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "sections.take"));
+  display_.key("w");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Keep"); }));
+  shoot("weave_over");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "dialog:Keep"));
+}
+
+void LookTest::shoot_all(const Window& w) {
+  for (const char* tab : {"Threads", "Yarns", "Cloth", "Analysis"}) {
+    ASSERT_NO_FATAL_FAILURE(press(w, std::string("inspector:") + tab));
+    shoot(std::string("tab_") + static_cast<char>(std::tolower(tab[0])) + (tab + 1));
+    if (HasFatalFailure()) return;
+  }
+  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+  ASSERT_NO_FATAL_FAILURE(shoot_dialogs(w));
+  display_.key("F1");
+  ASSERT_TRUE(comes_true([&] { return w.has("keys.typed"); }));
+  shoot("keys");
+  display_.key("F1");
+  ASSERT_TRUE(comes_true([&] { return !w.has("keys.typed"); }));
+  display_.key("ctrl+h");
+  ASSERT_TRUE(comes_true([&] { return w.has("history:0"); }));
+  shoot("history");
+  display_.key("ctrl+h");
+  display_.key("F9");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.address"); }));
+  shoot("loom");
+  display_.key("F9");
+  ASSERT_TRUE(comes_true([&] { return w.has("threading") || w.has("view"); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "menu:View"));
+  shoot("menu");
+  display_.key("Escape");
+}
+
+TEST_F(LookTest, EveryViewIsAsItWasInBothThemes) {
+  Window w(display_, folder_, folder_ / "overshot.wif",
+           {"PATH=/nowhere", std::string("LD_PRELOAD=") + WEFTLIGHT_NO_EGL});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(shoot_all(w));
+  ASSERT_NO_FATAL_FAILURE(command(w, "light or dark"));
+  theme_ = "_dark";
+  ASSERT_NO_FATAL_FAILURE(shoot_all(w));
+}
+
+}  // namespace
+}  // namespace weftlight::gui

@@ -83,6 +83,17 @@ class RowBetween {
   float share_;
 };
 
+/// Means of a plane of no more texels than so many a side; empty where it has no more. All sides are powers of two.
+Plane<glm::vec3> within(const Plane<glm::vec3>& fine, int width, int height) {
+  if (fine.width <= width && fine.height <= height) return {};
+  Plane<glm::vec3> out(std::min(fine.width, width), std::min(fine.height, height));
+  const int step_x = fine.width / out.width, step_y = fine.height / out.height;
+  const float share = 1.0f / static_cast<float>(step_x * step_y);
+  for (int y = 0; y < fine.height; ++y)
+    for (int x = 0; x < fine.width; ++x) out.at(x / step_x, y / step_y) += fine.at(x, y) * share;
+  return out;
+}
+
 Linear times(const Linear& c, const glm::vec3& f) {
   return {std::min(c.r * f.r, 1.0f), std::min(c.g * f.g, 1.0f), std::min(c.b * f.b, 1.0f)};
 }
@@ -125,7 +136,7 @@ FaceSource::FaceSource(Cloth cloth, const FaceOptions& options)
   while (band_ > 1 && row * band_ > kMostPieceTexels) band_ /= 2;
   take_footprints();
   take_means();
-  finish(small_, 0, 0);
+  finish(small_, 0, small_.texels.height, 0);
   take_range();
 }
 
@@ -210,22 +221,17 @@ void FaceSource::take_means() {
   occlusion_gain_ = high;
 }
 
-void FaceSource::finish(Surface& surface, int y0, int threads) const {
+void FaceSource::finish(Surface& surface, int y0, int whole_height, int threads) const {
+  if (!options_.fitted) return;
   const int width = surface.texels.width, height = surface.texels.height;
-  const bool all = &surface == &small_;
-  const float whole_height = static_cast<float>(all ? height : options_.size.height);
+  const Plane<glm::vec3> coarser = within(footprints_, width, whole_height);
+  const Plane<glm::vec3>& footprints = coarser.width > 0 ? coarser : footprints_;
   for_each_job(height, threads, [&](int y) {
-    const float v = (static_cast<float>(y0 + y) + 0.5f) / whole_height;
     SurfaceTexel* const row = surface.texels.row(y);
-    const auto u = [&](int x) { return (static_cast<float>(x) + 0.5f) / static_cast<float>(width); };
-    if (!all && occlusion_.width > 0) {
-      const RowBetween seen(occlusion_, v);
-      for (int x = 0; x < width; ++x) row[x].occlusion = seen.at(u(x));
-    }
-    if (!options_.fitted) return;
-    if (footprints_.width > 0) {
-      const RowBetween lobes(footprints_, v);
-      for (int x = 0; x < width; ++x) take_footprint(row[x], lobes.at(u(x)));
+    if (footprints.width > 0) {
+      const RowBetween lobes(footprints, (static_cast<float>(y0 + y) + 0.5f) / static_cast<float>(whole_height));
+      for (int x = 0; x < width; ++x)
+        take_footprint(row[x], lobes.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
     }
     for (int x = 0; x < width; ++x) {
       SurfaceTexel& t = row[x];
@@ -251,21 +257,32 @@ Surface FaceSource::piece(int x0, int x1, int y0, int y1) const {
   return make_surface(cloth_, maps, x1 - x0, y1 - y0, 1);
 }
 
-Surface FaceSource::rows(int y0, int y1) const {
+Surface FaceSource::rows(int y0, int y1) const { return finished(raw_rows(y0, y1), y0, options_.size.height); }
+
+Surface FaceSource::finished(Surface raw, int y0, int level_height) const {
+  finish(raw, y0, level_height, 1);
+  return raw;
+}
+
+Surface FaceSource::raw_rows(int y0, int y1) const {
   const int width = options_.size.width;
   Surface out{small_.width_mm, small_.depth_mm, Plane<SurfaceTexel>(width, y1 - y0), {}, {}};
+  out.low_mm = small_.low_mm, out.high_mm = small_.high_mm, out.smoothness = small_.smoothness;
   if (whole_.texels.width > 0) {
     std::copy(whole_.texels.row(y0), whole_.texels.row(y0) + static_cast<ptrdiff_t>(width) * (y1 - y0),
               out.texels.at_.begin());
-  } else {
-    const int step = std::min(width, kMostPieceSide / factor_);
-    for (int x = 0; x < width; x += step) {
-      const Surface part = piece(x, x + step, y0, y1);
-      for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
-    }
+    return out;
   }
-  finish(out, y0, 1);
-  out.low_mm = small_.low_mm, out.high_mm = small_.high_mm, out.smoothness = small_.smoothness;
+  const int step = std::min(width, kMostPieceSide / factor_);
+  for (int x = 0; x < width; x += step) {
+    const Surface part = piece(x, x + step, y0, y1);
+    for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
+  }
+  for (int y = y0; occlusion_.width > 0 && y < y1; ++y) {
+    const RowBetween seen(occlusion_, (static_cast<float>(y) + 0.5f) / static_cast<float>(options_.size.height));
+    for (int x = 0; x < width; ++x)
+      out.texels.at(x, y - y0).occlusion = seen.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width));
+  }
   return out;
 }
 

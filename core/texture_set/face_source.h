@@ -36,6 +36,10 @@ class FaceSource {
   const Surface& small() const { return small_; }
   /// Rows [y0, y1) of the full size, without horizons; made by the caller's thread alone.
   Surface rows(int y0, int y1) const;
+  /// The same before it is fitted, and a level of its mips fitted: half_of() of raw rows from row y0 of the level on,
+  /// which has so many rows in all.
+  Surface raw_rows(int y0, int y1) const;
+  Surface finished(Surface raw, int y0, int level_height) const;
   /// Rows that are made at a time; a power of two that divides the height.
   int band() const { return band_; }
   const EngineFit& fit() const { return fit_; }
@@ -51,7 +55,7 @@ class FaceSource {
   void take_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void take_means();
   void take_range();
-  void finish(Surface& surface, int y0, int threads) const;
+  void finish(Surface& surface, int y0, int whole_height, int threads) const;
   Surface piece(int x0, int x1, int y0, int y1) const;
 
   Cloth cloth_;

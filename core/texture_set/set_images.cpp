@@ -157,17 +157,22 @@ void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, cons
 struct PackedBand {
   std::vector<Image> images;
   Surface surface;
+  MipImages::Band mips;
 };
 
-PackedBand packed_band(std::span<const ImageRow> rows, Surface surface, bool keep) {
+PackedBand packed_band(std::span<const ImageRow> rows, const FaceSource& source, int y0, const MipImages& mips,
+                       bool keep) {
   PackedBand out;
+  Surface surface = source.raw_rows(y0, y0 + source.band());
+  if (mips.wanted()) out.mips = mips.packed(surface, y0);
+  surface = source.finished(std::move(surface), y0, source.size().height);
   for (const ImageRow& row : rows) out.images.push_back(pack(row, surface, 1));
   if (keep) out.surface = std::move(surface);
   return out;
 }
 
 /// The images of the table and, for `raw`, what their mips are made of.
-void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, Mips& mips) {
+void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, Mips& mips, MipImages& own) {
   const std::span<const ImageRow> rows = image_rows(set.target);
   std::vector<std::unique_ptr<ImageRows>> images;
   for (const ImageRow& row : rows) {
@@ -190,7 +195,7 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     bands.resize(std::min(most, static_cast<size_t>((size.height - y) / source.band())));
     for_all(bands.size(), [&](size_t b) {
       const int y0 = y + static_cast<int>(b) * source.band();
-      bands[b] = packed_band(rows, source.rows(y0, y0 + source.band()), mips.wanted());
+      bands[b] = packed_band(rows, source, y0, own, mips.wanted());
     });
     for_all(rows.size(), [&](size_t i) {
       for (const PackedBand& band : bands)
@@ -199,10 +204,32 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     const int done = y + source.band() * static_cast<int>(bands.size());
     if (set.going && !set.going(static_cast<float>(done) / static_cast<float>(size.height))) set.problem = kStopped;
     if (first_problem()) return;
-    for (const PackedBand& band : bands) mips.add(band.surface);
+    for (PackedBand& band : bands) {
+      mips.add(band.surface);
+      if (own.wanted() && set.problem.empty()) set.problem = own.add(std::move(band.mips));
+    }
   }
   for_all(rows.size(), [&](size_t i) { problems[i] = images[i]->close(); });
-  first_problem();
+  if (!first_problem()) set.problem = own.close();
+}
+
+/// Paths of a face's images without their endings.
+std::vector<std::string> stems_of(const SetImages& set, Face face) {
+  std::vector<std::string> out;
+  for (const ImageRow& row : image_rows(set.target)) {
+    const std::string file = image_file(row, set.name, face);
+    out.push_back(set.folder + "/" + file.substr(0, file.size() - std::string_view(row.extension).size()));
+  }
+  return out;
+}
+
+void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face face) {
+  const std::span<const ImageRow> rows = image_rows(set.target);
+  for (size_t i = 0; i < own.names().size(); ++i) {
+    if (own.names()[i].empty()) continue;
+    record(set, own.names()[i], face, rows[i].srgb, PixelType::kU8, size, channel_list(rows[i]));
+    set.maps.back()["mip_levels"] = own.levels();
+  }
 }
 
 }  // namespace
@@ -220,8 +247,12 @@ void write_face(SetImages& set, const FaceSource& source, Face face) {
   if (!set.problem.empty()) return;
   const TextureSize size = source.size();
   Mips mips(set.target == Target::kRaw);
-  write_rows(set, source, size, face, mips);
+  const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
+  MipImages own(image_rows(set.target), stems_of(set, face), source, set.mips, cut_out, set.problem);
   if (!set.problem.empty()) return;
+  write_rows(set, source, size, face, mips, own);
+  if (!set.problem.empty()) return;
+  record_mips(set, own, size, face);
   for (const ImageRow& row : image_rows(set.target)) {
     record(set, image_file(row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
     set.sheet.push_back({std::string(row.suffix + 1) + face_suffix(set.target, face), shown(row, source.small())});

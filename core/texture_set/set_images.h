@@ -9,6 +9,7 @@
 
 #include "texture_set/contact_sheet.h"
 #include "texture_set/face_source.h"
+#include "texture_set/mip_images.h"
 #include "texture_set/names.h"
 #include "texture_set/targets.h"
 
@@ -23,6 +24,8 @@ struct SetImages {
   std::string problem;  // empty until something goes wrong; then nothing more is written
   // Told after each band: 0..1 of the face that is written. False: nobody wants the set any more.
   std::function<bool(float share)> going{};
+  std::optional<MipContainer> mips{};
+  Alpha alpha = Alpha::kAuto;  // as it was asked for
 };
 
 /// Between the name and the suffix of a file: "" or "_front" of the front, "_back" of the back.

@@ -197,11 +197,12 @@ Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height
   return out;
 }
 
-Surface half_of(const Surface& fine) {
+Surface half_of(const Surface& fine, int threads) {
   const int width = std::max(fine.texels.width / 2, 1), height = std::max(fine.texels.height / 2, 1);
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
   Surface out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
-  for_each_job(height, [&](int y) {
+  out.low_mm = fine.low_mm, out.high_mm = fine.high_mm, out.smoothness = fine.smoothness;
+  for_each_job(height, threads, [&](int y) {
     std::array<SurfaceTexel, 4> parts;
     for (int x = 0; x < width; ++x) {
       size_t n = 0;

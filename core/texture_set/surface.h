@@ -44,7 +44,7 @@ struct Surface {
 Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads = 0);
 
 /// The next mip: half as many texels a side (at least 1). Sizes are powers of two.
-Surface half_of(const Surface& fine);
+Surface half_of(const Surface& fine, int threads = 0);
 
 /// One texel that stands for several equally large ones.
 SurfaceTexel merged(std::span<const SurfaceTexel> parts);

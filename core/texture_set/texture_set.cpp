@@ -191,7 +191,8 @@ std::string write_into(const std::string& folder, const std::string& place, cons
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder, options.name, options.target, json::array(), {}, {}, part_of(progress, 0)};
+  SetImages images{folder, options.name,         options.target, json::array(), {},
+                   {},     part_of(progress, 0), options.mips,   options.alpha};
   write_face(images, front, Face::kFront);
   if (!images.problem.empty()) return images.problem;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
@@ -234,7 +235,7 @@ std::string file_name_of(const std::string& text) {
 std::string key_of(const TextureSetOptions& o) {
   return o.program_version + " " + target_name(o.target) + " " + o.name + " " + std::to_string(o.size) + " " +
          alpha_name(o.alpha) + " " + number(static_cast<double>(o.distance_m)) + " " +
-         number(static_cast<double>(o.tile_mm));
+         number(static_cast<double>(o.tile_mm)) + (o.mips ? extension_of(*o.mips) : "");
 }
 
 namespace {

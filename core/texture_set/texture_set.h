@@ -3,12 +3,14 @@
 // materials, a README of three lines, a contact sheet and a machine-readable texture_set.json.
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "draft/design.h"
 #include "drape/mesh.h"
+#include "files/mip_file.h"
 #include "texture_set/face_source.h"
 #include "texture_set/names.h"
 #include "texture_set/targets.h"
@@ -25,6 +27,7 @@ struct TextureSetOptions {
   bool force = false;  // writes among files of others, over those of the same names
   Alpha alpha = Alpha::kAuto;
   float distance_m = 1;                           // whose pixels the roughness is made for; 0: none
+  std::optional<MipContainer> mips{};             // beside the images, the same with mips of our own
   float tile_mm = 0;                              // least width and depth of the tile, of whole repeats; 0: one repeat
   std::string modified = "2000-01-01T00:00:00Z";  // of the draft, ISO 8601: for formats that ask
   std::string key;                                // of all that the set is made of, for is_complete()

@@ -367,6 +367,8 @@ CommandLine run_command_line(int argc, char** argv) {
       ->check(CLI::IsMember({"auto", "opaque", "mask", "hashed", "blend"}));
   export_verb->add_option("--distance", texture.distance_m, "Metres that the roughness is made for; 0: near by")
       ->check(CLI::Range(0.0, 1000.0));
+  export_verb->add_option("--mips", texture.mips, "Beside each image of 8 bits, the same with mips of our own")
+      ->check(CLI::IsMember({"dds", "ktx2"}));
   export_verb->add_option("--mesh", texture.mesh, "Drape for the .glb");
   export_verb->add_option("--name", texture.name, "Folder of a set: {name}, {target}, {size}");
   export_verb->add_option("--jobs", texture.jobs, "Sets at a time")->check(whole_number(1, 64));

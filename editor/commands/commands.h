@@ -56,6 +56,7 @@ struct ExportOptions {
   float texels_per_mm = 0;  // 0: as `size` says
   float tile_cm = 0;        // 0: one repeat
   float distance_m = 1;
+  std::string mips;  // "dds" or "ktx2": those beside the images; empty: none
   bool force = false, zip = false, watch = false, resume = false;
 };
 struct ChartOptions {

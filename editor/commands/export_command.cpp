@@ -105,6 +105,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
       o.modified = changed(file);
+      if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
       jobs.push_back({file, (fs::path(options.out) / folder_name(form, name, target, options.size)).string(), o});
     }
   }

@@ -410,6 +410,49 @@ TEST(TextureSet, OneSampleATexelWillDoWhereThreadsAreWide) {
   EXPECT_NEAR(mean / count, 0, 5e-4);
 }
 
+/// Roughness of the narrow axis, and the coverage above one half, by level.
+struct MipFigures {
+  std::vector<double> roughness, covered;
+};
+MipFigures mips_of(const std::string& folder, int levels) {
+  MipFigures out;
+  for (int k = 0; k < levels; ++k) {
+    const Image orm = *read_image(folder + "/sample_orm.dds", k).image,
+                base = *read_image(folder + "/sample_basecolor.dds", k).image;
+    double sum = 0, above = 0;
+    const size_t texels = static_cast<size_t>(orm.width) * static_cast<size_t>(orm.height);
+    for (size_t i = 0; i < texels; ++i) {
+      sum += static_cast<double>(orm.texels[i * static_cast<size_t>(orm.channels) + 1]);
+      above += base.texels[i * static_cast<size_t>(base.channels) + 3] >= 0.5f;
+    }
+    out.roughness.push_back(sum / static_cast<double>(texels)),
+        out.covered.push_back(above / static_cast<double>(texels));
+  }
+  return out;
+}
+
+TEST(TextureSet, MipsOfOurOwnGrowRougherAndKeepWhatIsCutOut) {
+  const Scratch scratch("own-mips");
+  Design design = plain({2, 2});
+  for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
+  for (Yarn& yarn : design.yarns) yarn.lobes.along_width = yarn.lobes.across_width = 0.1f;
+  TextureSetOptions options = options_for(Target::kGltf, 256);
+  options.mips = MipContainer::kDds, options.alpha = Alpha::kMask, options.distance_m = 0;
+  ASSERT_EQ(write_texture_set(scratch / "set", design, sheet(), options), "");
+  const json list = list_of(scratch / "set");
+  EXPECT_EQ(list["maps"].size(), 20u) << "each image and its mips, both faces";
+  const MipFigures f = mips_of(scratch / "set", 9);
+  EXPECT_GT(f.roughness[7], f.roughness[0] + 0.05) << "the spread of normals is lost";
+  EXPECT_GT(f.covered[0], 0.2);
+  EXPECT_LT(f.covered[0], 0.95);
+  for (size_t k = 1; k < 6; ++k) EXPECT_NEAR(f.covered[k], f.covered[0], 0.07) << "level " << k;
+  // The finest level is the image itself.
+  const Image image = *read_image(scratch / "set/sample_orm.png").image,
+              finest = *read_image(scratch / "set/sample_orm.dds").image;
+  for (size_t i = 0; i < 256 * 256; i += 97)
+    EXPECT_NEAR(image.texels[3 * i + 1], finest.texels[static_cast<size_t>(finest.channels) * i + 1], 2.0f / 255);
+}
+
 TEST(TextureSet, BothFacesHaveTheirOwnImages) {
   const Scratch scratch("faces");
   Design design = twill({3, 1}, Lean::kRight, {8, 8});  // warp-faced; its back shows the weft

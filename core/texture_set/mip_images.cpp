@@ -1,0 +1,115 @@
+// Based on: Castano, Computing Alpha Mipmaps, 2010 (coverage that is kept); surface.cpp for normals and roughness.
+
+#include "texture_set/mip_images.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/loops.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+constexpr float kCut = 0.5f;  // of a mask
+constexpr float kMostScale = 4;
+
+std::vector<float> coverages(const Surface& surface) {
+  std::vector<float> out;
+  for (const SurfaceTexel& t : surface.texels.at_) out.push_back(t.coverage);
+  return out;
+}
+
+}  // namespace
+
+std::vector<float> mask_scales(const Surface& small, TextureSize size) {
+  std::vector<float> out;
+  for (int width = size.width, height = size.height; width > small.texels.width || height > small.texels.height;
+       width /= 2, height /= 2)
+    out.push_back(1);
+  Surface level{small.width_mm, small.depth_mm, small.texels, {}, {}};
+  const std::vector<float> finest = coverages(level);
+  const auto above = std::count_if(finest.begin(), finest.end(), [](float c) { return c >= kCut; });
+  const double wanted = static_cast<double>(above) / static_cast<double>(finest.size());
+  for (bool first = true;; first = false) {
+    std::vector<float> all = coverages(level);
+    std::sort(all.begin(), all.end(), std::greater<>());
+    const auto kept = static_cast<size_t>(wanted * static_cast<double>(all.size()) + 0.5);
+    const float last = kept > 0 ? all[kept - 1] : 1.0f;  // the least that is to stay
+    out.push_back(first || kept == 0 ? 1.0f
+                                     : std::clamp(kCut / std::max(last, 1e-3f) * 1.001f, 1 / kMostScale, kMostScale));
+    if (level.texels.width == 1 && level.texels.height == 1) return out;
+    level = half_of(level);
+  }
+}
+
+MipImages::MipImages(std::span<const ImageRow> rows, const std::vector<std::string>& stems, const FaceSource& source,
+                     std::optional<MipContainer> container, bool cut_out, std::string& problem)
+    : source_(source), container_(container) {
+  if (!container) return;
+  for (size_t i = 0; i < rows.size() && problem.empty(); ++i) {
+    names_.emplace_back();
+    const int channels = channels_of(rows[i]);
+    if (rows[i].type != PixelType::kU8 || channels == 2) continue;
+    const std::string path = stems[i] + extension_of(*container);
+    files_.push_back(
+        MipFile::open(path, *container, source.size().width, source.size().height, channels, rows[i].srgb, problem));
+    rows_.push_back(rows[i]), names_.back() = std::filesystem::path(path).filename().string();
+  }
+  if (cut_out) scales_ = mask_scales(source.small(), source.size());
+}
+
+std::vector<Image> MipImages::packed_level(const Surface& raw, int level, int y0) const {
+  Surface surface = source_.finished(raw, y0, std::max(source_.size().height >> level, 1));
+  if (static_cast<size_t>(level) < scales_.size())
+    for (SurfaceTexel& t : surface.texels.at_)
+      t.coverage = std::min(t.coverage * scales_[static_cast<size_t>(level)], 1.0f);
+  std::vector<Image> out;
+  for (const ImageRow& row : rows_) out.push_back(pack(row, surface, 1));
+  return out;
+}
+
+MipImages::Band MipImages::packed(Surface raw, int y0) const {
+  Band out;
+  for (int level = 0;; ++level) {
+    out.levels.push_back(packed_level(raw, level, y0 >> level));
+    if (raw.texels.height == 1) break;
+    raw = half_of(raw, 1);
+  }
+  out.rest = std::move(raw);
+  return out;
+}
+
+std::string MipImages::write(int level, const std::vector<Image>& images) {
+  for (size_t i = 0; i < files_.size(); ++i)
+    if (std::string problem = files_[i]->add(level, images[i]); !problem.empty()) return problem;
+  return {};
+}
+
+std::string MipImages::add(Band band) {
+  for (size_t k = 0; k < band.levels.size(); ++k)
+    if (std::string problem = write(static_cast<int>(k), band.levels[k]); !problem.empty()) return problem;
+  first_rest_ = static_cast<int>(band.levels.size()) - 1;
+  rest_.push_back(std::move(band.rest));
+  return {};
+}
+
+std::string MipImages::close() {
+  if (files_.empty()) return {};
+  Surface level{rest_[0].width_mm,
+                rest_[0].depth_mm,
+                Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
+                {},
+                {}};
+  level.low_mm = rest_[0].low_mm, level.high_mm = rest_[0].high_mm, level.smoothness = rest_[0].smoothness;
+  for (size_t y = 0; y < rest_.size(); ++y)
+    std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
+  for (int k = first_rest_ + 1; k < levels(); ++k) {
+    level = half_of(level, 1);
+    if (std::string problem = write(k, packed_level(level, k, 0)); !problem.empty()) return problem;
+  }
+  for (const std::unique_ptr<MipFile>& file : files_)
+    if (std::string problem = file->close(); !problem.empty()) return problem;
+  return {};
+}
+
+}  // namespace weftlight::texture_set

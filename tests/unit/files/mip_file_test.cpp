@@ -1,0 +1,107 @@
+#include "files/mip_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "../scratch.h"
+
+namespace weftlight::files {
+namespace {
+
+Image level_of(int width, int height, int channels, int k) {
+  Image image{width, height, channels, {}};
+  for (int i = 0; i < width * height * channels; ++i)
+    image.texels.push_back(static_cast<float>((i * 37 + 11 * k) % 256) / 255.0f);
+  return image;
+}
+
+/// Writes all levels, the second half of each before the next; what went wrong.
+std::string write(const std::string& path, MipContainer container, int width, int height, int channels, bool srgb) {
+  std::string problem;
+  const auto file = MipFile::open(path, container, width, height, channels, srgb, problem);
+  for (int k = 0; file && k < file->levels() && problem.empty(); ++k)
+    problem = file->add(k, level_of(std::max(width >> k, 1), std::max(height >> k, 1), channels, k));
+  return problem.empty() && file ? file->close() : problem;
+}
+
+class Containers : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Channels, Containers, testing::Values(1, 3, 4));
+
+TEST_P(Containers, OpenImageIoReadsEveryLevelOfADds) {
+  const Scratch scratch("dds");
+  const std::string path = scratch / "x.dds";
+  ASSERT_EQ(write(path, MipContainer::kDds, 32, 8, GetParam(), false), "");
+  for (int k = 0; k < 6; ++k) {
+    const ReadImage read = read_image(path, k);
+    ASSERT_TRUE(read.image) << read.error;
+    const Image wanted = level_of(std::max(32 >> k, 1), std::max(8 >> k, 1), GetParam(), k);
+    ASSERT_EQ(read.image->width, wanted.width);
+    ASSERT_EQ(read.image->height, wanted.height);
+    for (int i = 0; i < wanted.width * wanted.height; ++i) {
+      for (int c = 0; c < GetParam(); ++c)
+        EXPECT_NEAR(read.image->texels[static_cast<size_t>(i * read.image->channels + c)],
+                    wanted.texels[static_cast<size_t>(i * GetParam() + c)], 1e-3f)
+            << "level " << k;
+    }
+  }
+}
+
+uint64_t number_at(const std::string& bytes, size_t at, size_t size) {
+  uint64_t out = 0;
+  std::memcpy(&out, bytes.data() + at, size);
+  return out;
+}
+
+TEST_P(Containers, AKtx2IsWhatItsSpecificationSays) {
+  const Scratch scratch("ktx2");
+  const std::string path = scratch / "x.ktx2";
+  const int channels = GetParam(), held = channels == 1 ? 1 : 4;
+  ASSERT_EQ(write(path, MipContainer::kKtx2, 32, 8, channels, channels > 1), "");
+  std::ifstream in(path, std::ios::binary);
+  const std::string b(std::istreambuf_iterator<char>(in), {});
+  EXPECT_EQ(b.substr(0, 12), std::string("\xABKTX 20\xBB\r\n\x1A\n"));
+  EXPECT_EQ(number_at(b, 12, 4), channels == 1 ? 9u : 43u);  // VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8B8A8_SRGB
+  EXPECT_EQ(number_at(b, 20, 4), 32u);
+  EXPECT_EQ(number_at(b, 24, 4), 8u);
+  ASSERT_EQ(number_at(b, 40, 4), 6u);
+  const uint64_t descriptor = number_at(b, 48, 4), length = number_at(b, 52, 4);
+  EXPECT_EQ(descriptor, 80u + 6 * 24u);
+  EXPECT_EQ(number_at(b, descriptor, 4), length);
+  EXPECT_EQ(length, 4u + 24u + 16u * static_cast<uint64_t>(held));
+  uint64_t before = b.size();
+  for (size_t k = 0; k < 6; ++k) {
+    const uint64_t offset = number_at(b, 80 + 24 * k, 8), size = number_at(b, 88 + 24 * k, 8);
+    const Image wanted = level_of(std::max(32 >> k, 1), std::max(8 >> k, 1), channels, static_cast<int>(k));
+    ASSERT_EQ(size, static_cast<uint64_t>(wanted.width * wanted.height * held));
+    EXPECT_EQ(offset % 4, 0u);
+    ASSERT_LE(offset + size, before) << "the smallest level comes first";
+    before = offset;
+    for (int i = 0; i < wanted.width * wanted.height; ++i) {
+      for (int c = 0; c < held; ++c) {
+        const auto byte = static_cast<float>(static_cast<uint8_t>(b[offset + static_cast<uint64_t>(i * held + c)]));
+        EXPECT_NEAR(byte, c < channels ? 255 * wanted.texels[static_cast<size_t>(i * channels + c)] : 255.0f, 0.51f);
+      }
+    }
+  }
+}
+
+TEST(MipFile, SaysWhatIsWrong) {
+  const Scratch scratch("mip-wrong");
+  std::string problem;
+  EXPECT_EQ(MipFile::open(scratch / "x.dds", MipContainer::kDds, 0, 8, 4, false, problem), nullptr);
+  EXPECT_NE(problem, "");
+  problem.clear();
+  EXPECT_EQ(MipFile::open(scratch / "none/x.dds", MipContainer::kDds, 8, 8, 4, false, problem), nullptr);
+  EXPECT_NE(problem, "");
+  problem.clear();
+  const auto file = MipFile::open(scratch / "x.dds", MipContainer::kDds, 8, 8, 4, false, problem);
+  ASSERT_TRUE(file);
+  EXPECT_NE(file->add(1, level_of(8, 8, 4, 0)), "");
+  EXPECT_NE(file->add(9, level_of(1, 1, 4, 0)), "");
+  EXPECT_NE(file->close(), "") << "no level is complete";
+}
+
+}  // namespace
+}  // namespace weftlight::files

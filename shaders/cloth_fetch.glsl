@@ -178,11 +178,17 @@ struct Seen {
   float rise;    // of the warp's share, with its share of the cover around
 };
 
-Seen seen_systems(int face, vec3 v) {
+// Of a face along v: table 0 what is seen, 1 and 2 the answers of warp and weft to an even sky, 3 where from.
+vec4 seen_along(int face, int table, vec3 v) {
   vec2 c = response_coord(v);
   const float around = float(RESPONSE_VIEWS_AROUND);
   const float up = float(RESPONSE_ELEVATIONS);
-  vec4 s = textureLod(seen_map, vec2((c.x * around + 0.5) / (around + 1.0), (float(face) * up + c.y + 0.5) / (2.0 * up)), 0.0);
+  float row = float(face * SEEN_TABLES / 2 + table) * up + c.y;
+  return textureLod(seen_map, vec2((c.x * around + 0.5) / (around + 1.0), (row + 0.5) / (float(SEEN_TABLES) * up)), 0.0);
+}
+
+Seen seen_systems(int face, vec3 v) {
+  vec4 s = seen_along(face, 0, v);
   return Seen(vec2(s.x, 1.0 - s.x), s.zw, s.y);
 }
 

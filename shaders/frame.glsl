@@ -13,13 +13,17 @@ uniform sampler2DShadow sun_shadow_map;
 vec3 sky_radiance(vec3 d, float one, float two) {
   vec3 l1 = frame.sky[1].rgb * d.y + frame.sky[2].rgb * d.z + frame.sky[3].rgb * d.x;
   vec3 l2 = (frame.sky[4].rgb * (d.x * d.y) + frame.sky[5].rgb * (d.y * d.z) + frame.sky[7].rgb * (d.x * d.z)) * 1.092548
-          + frame.sky[6].rgb * (0.946176 * d.z * d.z - 0.315392)
+          + frame.sky[6].rgb * (0.946176 * d.z * d.z - 0.315392 * dot(d, d))
           + frame.sky[8].rgb * (0.546274 * (d.x * d.x - d.y * d.y));
   return max(frame.sky[0].rgb * 0.282095 + l1 * (0.488603 * one) + l2 * two, vec3(0.0));
 }
 
 // Mean radiance that a Lambertian surface of normal n sees (irradiance / pi).
 vec3 sky_diffuse(vec3 n) { return sky_radiance(n, 0.666667, 0.25); }
+
+// Mean radiance of a part of the sky whose mean direction is d: the shorter, the wider the part. Of a Lambertian's d is
+// 2/3 long and the second band 1/4, as here but for a tenth.
+vec3 sky_about(vec3 d) { return sky_radiance(d, 1.0, min(length(d), 1.0)); }
 
 // Share of the key light that reaches a point: a turned grid of taps over the shadow map, softer than its
 // texels. n: normal of the side that is seen.

@@ -28,11 +28,14 @@ using glm::vec4;
 #define CROSSING_BLOCK 4096
 
 // Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights;
-// bins of slope angles.
+// bins of slope angles. Tables of views and lights: answer, lean, answer from behind, each of face * 2 + system; of views:
+// of each face what is seen, the sky by warp and by weft, and where from.
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16
 #define RESPONSE_SLOPES 64
+#define RESPONSE_TABLES 12
+#define SEEN_TABLES 8
 
 struct FrameData {
   mat4 world_to_clip;

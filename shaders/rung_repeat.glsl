@@ -2,14 +2,15 @@
 // the colour and cover of the footprint and leans it with the footprint's facets; `cloth` takes the means of the
 // period and so needs no map at all.
 
-// Of the system's answer (table 0) or of how it leans (table 1), between the nodes.
+// Of the system's answer (table 0), of how it leans (table 1), or of its answer to light from behind (table 2), between
+// the nodes.
 vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 i = response_coord(l);
   vec2 o = response_coord(v);
   const float lights = float(RESPONSE_LIGHTS_AROUND);
   const float views = float(RESPONSE_VIEWS_AROUND);
   const float up = float(RESPONSE_ELEVATIONS);
-  vec2 at = vec2((i.x * lights + 0.5) / (lights + 1.0), ((float(table) * 4.0 + float(system)) * up + i.y + 0.5) / (8.0 * up));
+  vec2 at = vec2((i.x * lights + 0.5) / (lights + 1.0), ((float(table) * 4.0 + float(system)) * up + i.y + 0.5) / (float(RESPONSE_TABLES) * up));
   o.x *= views;
   vec2 cell = min(floor(o), vec2(views - 1.0, up - 2.0));
   vec2 t = o - cell;
@@ -28,8 +29,8 @@ Answer answer_from_afar(Side side, Lights x, int which, vec2 slopes, vec3 color)
   vec2 d = vec2(textureLod(slopes_map, vec2(slopes.x, (float(system) * 2.0 + 0.5) / 8.0), 0.0).r,
                 textureLod(slopes_map, vec2(slopes.y, (float(system) * 2.0 + 1.5) / 8.0), 0.0).r);
   YarnLobes y = yarn_of(data.yarn, color);
-  float sky = side.face == 0 ? cloth.front_sky : cloth.back_sky;
-  return system_answer(y, response_at(0, system, x.l, x.v), d, data.share, sky, x.l, x.v);
+  vec4 broad = response_at(x.l.z > 0.0 ? 0 : 2, system, x.l, x.v);
+  return system_answer(y, broad, d, data.share, seen_along(side.face, 1 + which, x.v), x.l, x.v);
 }
 
 vec2 half_slope_coords(Lights x) {
@@ -38,8 +39,11 @@ vec2 half_slope_coords(Lights x) {
 }
 
 vec3 mixed_light(Side side, Lights x, Answer m) {
-  vec3 mirrored = from_side(side, reflect(-x.v, vec3(0.0, 0.0, 1.0)));
-  return x.key * m.key + (m.soft * sky_diffuse(side.n) + m.glossy * sky_radiance(mirrored, 0.7, 0.35)) * side.sky;
+  vec4 from = seen_along(side.face, 3, x.v);
+  vec2 along = x.v.xy * inversesqrt(max(dot(x.v.xy, x.v.xy), 1e-8));
+  vec3 sky = m.soft * sky_about(from_side(side, vec3(along * from.x, from.y)))
+           + m.glossy * sky_about(from_side(side, vec3(along * from.z, from.w)));
+  return x.key * m.key + sky * side.sky;
 }
 
 // One system in the footprint.

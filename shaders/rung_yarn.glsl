@@ -19,7 +19,8 @@ struct YarnSums {
   vec3 key;
   vec3 soft;
   vec3 glossy;
-  vec3 normal;
+  vec3 soft_from;     // mean direction of the sky's light that each sends, times how much it sends
+  vec3 glossy_from;
   float cover;
 };
 
@@ -60,9 +61,12 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, v
   // Light from behind crosses this thread itself; every other one stops it.
   if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, hit.at, l, kLightCells, hit.system, thread)) a.key = vec3(0.0);
   sums.key += a.key;
-  sums.soft += a.soft * texel.groove;
-  sums.glossy += a.glossy * texel.groove;
-  sums.normal += n;
+  a.soft *= texel.groove;
+  a.glossy *= texel.groove;
+  sums.soft += a.soft;
+  sums.glossy += a.glossy;
+  sums.soft_from += n * (a.soft.r + a.soft.g + a.soft.b);
+  sums.glossy_from += reflect(-x.v, n) * (a.glossy.r + a.glossy.g + a.glossy.b);
 }
 
 // Radiance of what is covered, and cover.
@@ -75,7 +79,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   float part = inversesqrt(float(count));
   vec2 dx = f.dx * g.period;
   vec2 dy = f.dy * g.period;
-  YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
+  YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   float own = pixel_turn();
   // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them. So many
   // steps of R2 as spread them over the whole pixel, not along one line of it.
@@ -86,9 +90,10 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   }
   if (sums.cover < 0.5) return vec4(0.0);
   float scale = 1.0 / sums.cover;
-  vec3 n = normalize(sums.normal);
-  vec3 mirrored = from_side(side, reflect(-x.v, n));
-  vec3 radiance = (x.key * sums.key + (sums.soft * sky_diffuse(from_side(side, n)) + sums.glossy * sky_radiance(mirrored, 0.8, 0.45))
-                                 * (side.sky * sky_left(side, f))) * scale;
+  // A body sends the light of the half of the sky that it faces; highlights are wide.
+  vec3 soft_from = sums.soft_from * (0.667 / max(sums.soft.r + sums.soft.g + sums.soft.b, 1.0e-6));
+  vec3 glossy_from = sums.glossy_from * (0.8 / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6));
+  vec3 sky = sums.soft * sky_about(from_side(side, soft_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
+  vec3 radiance = (x.key * sums.key + sky * (side.sky * sky_left(side, f))) * scale;
   return vec4(radiance, sums.cover / float(count));
 }

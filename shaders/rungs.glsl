@@ -80,9 +80,14 @@ FORMULA float facet_density(vec2 slopes, vec2 h) {
   return slopes.x * slopes.y / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
 }
 
-// One system of threads from afar. broad: its response (core/light/cloth_response.h); slopes: densities of
-// the slope angles at half_slopes(); share: of the cover at normal view.
-FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, float sky, vec3 l, vec3 v) {
+// Density of facets that is added to that of a system wherever what it mirrors is held over it, or no number would tell
+// of light that few facets mirror.
+const float kUnseenFacets = 0.01f;
+
+// One system of threads from afar. broad: its response (core/light/cloth_response.h); of light from behind
+// `behind` there; slopes: densities of the slope angles at half_slopes(); share: of the cover at normal
+// view; sky: its response to an even sky.
+FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, vec4 sky, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float length2 = max(dot(sum, sum), 1.0e-6f);
   float d = facet_density(slopes, half_slopes(l, v));
@@ -90,11 +95,10 @@ FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, 
   vec3 fresnel = y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k);
   vec3 hair = y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f);
   Answer a;
-  a.key = l.z > 0.0f ? y.body * broad.x + fresnel * (d * share * broad.y) + hair * broad.z
-                     : y.through * (broad.w * abs(l.z) * 0.31830989f);
-  vec3 mirrored = fresnel * broad.w;
-  a.glossy = mirrored * sky;
-  a.soft = (y.body + y.fuzz_colour * (0.25f * y.fuzz)) * (broad.w * sky);
+  vec3 body = l.z > 0.0f ? y.body : y.body + y.through;
+  a.key = body * broad.x + fresnel * ((d * share + kUnseenFacets) * broad.y) + hair * broad.z;
+  a.soft = y.body * sky.x + hair * sky.y;
+  a.glossy = y.f0 * (sky.z - sky.w) + y.f90 * sky.w;
   return a;
 }
 

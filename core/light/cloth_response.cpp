@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "base/loops.h"
+#include "light/cloth_sky.h"
 #include "light/formulas.h"
 #include "light/yarn_lobes.h"
 
@@ -19,15 +20,21 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr size_t kV = kResponseViews, kL = kResponseLights;
-constexpr float kUnseenFacets = 0.01f;  // density of facets below which their share is taken as that of a plane
-constexpr float kStraight = 1e-4f;      // variance of a facet's moments that tells nothing
-constexpr float kSteepest = 100.0f;     // rise with a moment, over the mean
-constexpr float kDark = 1e-4f;          // radiance whose lean is not seen
-constexpr float kEvenWeave = 0.02f;     // relative variance of the cover around that tells nothing
-constexpr int kMeanTexels = 512;        // along a side of the map, for plain means
+constexpr float kStraight = 1e-4f;   // variance of a facet's moments that tells nothing
+constexpr float kSteepest = 100.0f;  // rise with a moment, over the mean
+constexpr float kDark = 1e-4f;       // radiance whose lean is not seen
+constexpr float kEvenWeave = 0.02f;  // relative variance of the cover around that tells nothing
+constexpr int kMeanTexels = 512;     // along a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;
+
+/// What reaches a place from the lights on one side of the cloth: cosine, times what the lobes do on the way in;
+/// shadow: projected area of the micro-facets; the light in the frame of the fibre, mu held above the plane.
+struct LitFrom {
+  PerLight cosine{}, lit{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
+  LitFrom() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // of lights that do not reach it any will do
+};
 
 /// One place on a thread: what each view sees of it, and what each light sends to it.
 struct Point {
@@ -36,24 +43,41 @@ struct Point {
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
   PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
-  // Of lights: cosine, times what the lobes do on the way in; shadow: projected area of the micro-facets; the light in
-  // the frame of the fibre, mu held above the plane.
-  PerLight light_cosine{}, light_lit{}, light_lost{}, light_veil{}, light_clear{}, light_shadow{}, light_along{},
-      light_across{}, light_mu{};
+  LitFrom front, behind;
+  bool lit_behind = false;
   float height_mm = 0;
   float around = 0;  // share of the crossings around that its system has on top
   FacetMoments facets{};
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
   float peak = 0;              // density of those slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
-  float tone = 0, f0 = 0, f90 = 0, pile = 1, hair = 0;  // green, of the colours that the table leaves out
+  float f0 = 0, f90 = 0, pile = 1, hair = 0;  // green
+  // Of the colours that the table leaves out, as pictures take them.
+  float tone = 0, drawn_f0 = 0, drawn_hair = 0;
 };
 
-void take_light(Point& p, size_t i, size_t view, float cosine) {
-  p.light_cosine[i] = cosine, p.light_lit[i] = cosine * p.enters[view];
-  p.light_lost[i] = cosine * p.lost[view], p.light_veil[i] = cosine * p.veil[view];
-  p.light_clear[i] = p.clear[view], p.light_shadow[i] = p.shadow[view];
-  p.light_along[i] = p.along[view], p.light_across[i] = p.across[view], p.light_mu[i] = p.mu[view];
+/// Before the place: cosine of it, times share that is not hidden.
+void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
+  from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
+  from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
+  from.clear[i] = side.clear, from.shadow[i] = side.area;
+  from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
+}
+
+/// From behind the cloth: through the thread, or onto a side of it. Times body and through.
+void take_behind(Point& p, const ThreadPlace& place, const formulas::LobeFrame& frame,
+                 const formulas::LobeShared& shared, const std::array<glm::vec3, kV>& w) {
+  const formulas::YarnLobes& lobes = place.lobes;
+  const float both = std::max(lobes.body.g + lobes.through.g, 1e-6f);
+  for (size_t i = 0; i < kL; ++i) {
+    if (place.open_behind[i] <= 0) continue;
+    const glm::vec3& up = w[view_of_light(i)];
+    const glm::vec3 local = formulas::lobe_local(frame, {up.x, up.y, -up.z});
+    const formulas::LobeSide side = formulas::lobe_side(lobes, shared, {local.x, local.y, std::abs(local.z)});
+    take_light(p.behind, i, side, local, std::max(local.z, 0.0f));
+    p.behind.lit[i] = std::abs(local.z) * side.enters.g * (local.z > 0 ? lobes.body.g : lobes.through.g) / both;
+    p.lit_behind = true;
+  }
 }
 
 /// With a normal of the place: that between its plies for the views before which it faces, else the section's.
@@ -66,18 +90,20 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = place.groove;
   p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.pile = lobes.pile;
-  p.hair = lobes.fuzz > 0 ? lobes.fuzz_colour.g : p.f0 / std::max(p.f90, 1e-3f);
+  p.hair = lobes.fuzz_colour.g, p.drawn_f0 = place.drawn.f0.g;
+  p.drawn_hair = lobes.fuzz > 0 ? place.drawn.fuzz_colour.g : p.drawn_f0 / std::max(p.f90, 1e-3f);
   p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
   p.height_mm = place.height_mm, p.around = place.around, p.facets = facet_moments(normal);
   const bool plain = place.normal == place.side, own = normal == place.normal;
   const formulas::LobeFrame frame = formulas::lobe_frame(normal, place.fibre);
+  std::array<formulas::LobeSide, kV> sides;
   for (size_t v = 0; v < kV; ++v) {
     const float facing = glm::dot(place.side, w[v]);
     p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // unseen: any will do
     if (facing <= 0 || place.open[v] <= 0) continue;
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
-    const formulas::LobeSide side = formulas::lobe_side(lobes, shared, local);
+    const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
     if (plain || own == (glm::dot(place.normal, w[v]) > 0)) p.seen[v] = facing;
     p.enters[v] = side.enters.g, p.lost[v] = side.lost, p.veil[v] = side.fuzz.y;
     p.clear[v] = side.clear, p.shadow[v] = side.area;
@@ -86,20 +112,29 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   for (size_t i = 0; i < kL; ++i) {
     const size_t v = view_of_light(i);
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
-    take_light(p, i, v, glm::dot(place.side, w[v]) > 0 ? std::max(local.z, 0.0f) * place.open[v] : 0.0f);
+    if (glm::dot(place.side, w[v]) > 0 && place.open[v] > 0)
+      take_light(p.front, i, sides[v], local, std::max(local.z, 0.0f));
     if (local.z >= 0 || place.open[v] <= 0 || lobes.body.g <= 0 || lobes.through.g <= 0) continue;
     const float behind = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
-    p.light_lit[i] = -local.z * behind * lobes.through.g / lobes.body.g;
+    p.front.lit[i] = -local.z * behind * lobes.through.g / lobes.body.g;
   }
+  take_behind(p, place, frame, shared, w);
   return p;
 }
 
+/// Over points, of [view][light]: what leaves by the body, what mirrors, fuzz and what is scattered more than once.
+struct SentSums {
+  std::vector<float> body, mirror, hair;
+  SentSums() : body(kV * kL), mirror(kV * kL), hair(kV * kL) {}
+};
+
 struct Sums {
-  std::vector<float> body, mirror, hair, all;             // [view][light]
+  SentSums front, behind;
+  std::vector<float> all;                                 // front, [view][light]
   std::array<std::vector<float>, kFacetMoments> leaning;  // all, times each of the point's moments
   PerView seen{}, height{}, seen_around{};
   std::array<PerView, kFacetMoments> seen_leaning{};
-  Sums() : body(kV * kL), mirror(kV * kL), hair(kV * kL), all(kV * kL) { leaning.fill(all); }
+  Sums() : all(kV * kL) { leaning.fill(all); }
 
   /// All views from straight above are one.
   void repeat_top() {
@@ -109,62 +144,96 @@ struct Sums {
         std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
     };
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
-    for (auto* of : {&body, &mirror, &hair, &all}) rows(*of, kL);
+    for (SentSums* of : {&front, &behind}) rows(of->body, kL), rows(of->mirror, kL), rows(of->hair, kL);
+    rows(all, kL);
     for (auto& of : leaning) rows(of, kL);
     for (auto* of : {&seen, &height, &seen_around}) one(*of);
     for (auto& of : seen_leaning) one(of);
   }
 };
 
-/// Schlick's (1 - cosine)^5 at the half vector of each pair.
-std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
+/// Schlick's (1 - cosine)^5 at the half vector of each pair. way: 1; -1 of lights from behind.
+std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w, float way) {
   std::vector<float> out(kV * kL);
-  for (size_t v = 0; v < kV; ++v)
-    for (size_t i = 0; i < kL; ++i)
-      out[v * kL + i] = std::pow(std::max(1 - 0.5f * glm::length(w[v] + w[view_of_light(i)]), 0.0f), 5.0f);
+  for (size_t v = 0; v < kV; ++v) {
+    for (size_t i = 0; i < kL; ++i) {
+      const glm::vec3 half = w[v] + w[view_of_light(i)] * glm::vec3(1, 1, way);
+      out[v * kL + i] = std::pow(std::max(1 - 0.5f * glm::length(half), 0.0f), 5.0f);
+    }
+  }
   return out;
 }
 
-/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by.
-void add(Sums& sums, const Point& p, const std::vector<float>& grazing, size_t view) {
-  if (p.seen[view] <= 0) return;
-  const float mu = p.mu[view], seen = p.area * p.seen[view], grooved = seen * p.groove;
-  sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.seen_around[view] += seen * p.around;
-  for (size_t k = 0; k < kFacetMoments; ++k) sums.seen_leaning[k][view] += seen * p.facets[k];
-  const float from = seen * p.enters[view] * p.body_scale, veil = grooved * p.veil[view] * p.again;
-  const float once = grooved * p.fuzz / (4 * kPi), lost = grooved * p.lost[view] * p.multiple;
+/// Of a pile of layers (shaders/lobes.glsl, pile_grazing()).
+void rise(PerLight& rising, float pile, const float* grazing) {
+  for (size_t i = 0; i < kL; ++i) rising[i] = pile * grazing[i] / (1 + (pile - 1) * grazing[i]);
+}
+
+/// What one point sends one view, of each light.
+struct Sent {
+  PerLight scattered, mirrored, combed;
+};
+
+/// rising: of Fresnel's term towards grazing, of the row of this view.
+void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& rising, size_t view) {
+  const float seen = p.area * p.seen[view], grooved = seen * p.groove;
+  const float body = seen * p.enters[view] * p.body_scale, over_hair = grooved / std::max(p.drawn_hair, 1e-4f);
+  const float veil = over_hair * p.hair * p.veil[view] * p.again, once = over_hair * p.hair * p.fuzz / (4 * kPi);
+  const float lost = over_hair * p.lost[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
-  // Kept apart from the sums, which might be any of the point's floats as far as the compiler knows: the loops then run
-  // on vectors.
+  // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
+  // then runs on vectors.
   const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view],
-              across = p.across[view];
+              across = p.across[view], mu = p.mu[view];
   const float xx = -0.5f * p.inverse.x, xy = -p.inverse.y, yy = -0.5f * p.inverse.z;
-  PerLight mirrored, scattered, combed, sent;
+  const float f0 = p.f0, drawn_f0 = p.drawn_f0, f90 = p.f90;
   for (size_t i = 0; i < kL; ++i) {
-    const float mu_i = p.light_mu[i], cosine = p.light_cosine[i], veiled = 1 - clear * p.light_clear[i],
+    const float mu_i = from.mu[i], cosine = from.cosine[i], veiled = 1 - clear * from.clear[i],
                 unveiled = 1 - fuzz * veiled;
-    // Beckmann's facets, as lobe_specular() has them (shaders/lobes.glsl), without Fresnel.
-    const float over = 1 / (mu + mu_i), x = (along + p.light_along[i]) * over, y = (across + p.light_across[i]) * over;
+    // Beckmann's facets, as lobe_specular() has them (shaders/lobes.glsl), over the Fresnel term that
+    // pictures give them.
+    const float over = 1 / (mu + mu_i), x = (along + from.along[i]) * over, y = (across + from.across[i]) * over;
     const float secant2 = 1 + x * x + y * y;
     const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
-    mirrored[i] = glance * d * cosine * unveiled / (p.light_shadow[i] * mu + shadow * mu_i - mu * mu_i);
-    scattered[i] = from * p.light_lit[i] * unveiled;
-    combed[i] = once * cosine * veiled * over + veil * p.light_veil[i] + lost * p.light_lost[i];
+    const float fresnel = (f0 + (f90 - f0) * rising[i]) / (drawn_f0 + (f90 - drawn_f0) * rising[i] + 1e-6f);
+    sent.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
+    sent.scattered[i] = body * from.lit[i] * unveiled;
+    sent.combed[i] = once * cosine * veiled * over + veil * from.veil[i] + lost * from.lost[i];
   }
-  const float* graze = &grazing[view * kL];
-  for (size_t i = 0; i < kL; ++i) {
-    const float rising = p.pile * graze[i] / (1 + (p.pile - 1) * graze[i]);
-    sent[i] = scattered[i] * p.tone + mirrored[i] * (p.f0 + (p.f90 - p.f0) * rising) + combed[i] * p.hair;
-  }
-  const auto accumulate = [view](std::vector<float>& to, const PerLight& row_of, float scale) {
-    float* row = &to[view * kL];
-    for (size_t i = 0; i < kL; ++i) row[i] += row_of[i] * scale;
-  };
-  accumulate(sums.body, scattered, 1);
-  accumulate(sums.mirror, mirrored, 1);
-  accumulate(sums.hair, combed, 1);
-  accumulate(sums.all, sent, 1);
-  for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.leaning[k], sent, p.facets[k]);
+}
+
+void accumulate(std::vector<float>& to, size_t view, const PerLight& sent, float scale = 1) {
+  float* row = &to[view * kL];
+  for (size_t i = 0; i < kL; ++i) row[i] += sent[i] * scale;
+}
+
+void accumulate(SentSums& to, size_t view, const Sent& sent) {
+  accumulate(to.body, view, sent.scattered);
+  accumulate(to.mirror, view, sent.mirrored);
+  accumulate(to.hair, view, sent.combed);
+}
+
+/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by. grazing: of
+/// lights before the cloth and behind.
+void add(Sums& sums, const Point& p, const std::array<std::vector<float>, 2>& grazing, size_t view) {
+  if (p.seen[view] <= 0) return;
+  const float seen = p.area * p.seen[view];
+  sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.seen_around[view] += seen * p.around;
+  for (size_t k = 0; k < kFacetMoments; ++k) sums.seen_leaning[k][view] += seen * p.facets[k];
+  Sent sent;
+  PerLight rising, all;
+  rise(rising, p.pile, &grazing[0][view * kL]);
+  send(sent, p, p.front, rising, view);
+  accumulate(sums.front, view, sent);
+  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_hair;
+  for (size_t i = 0; i < kL; ++i)
+    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.combed[i] * hair;
+  accumulate(sums.all, view, all);
+  for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.leaning[k], view, all, p.facets[k]);
+  if (!p.lit_behind) return;
+  rise(rising, p.pile, &grazing[1][view * kL]);
+  send(sent, p, p.behind, rising, view);
+  accumulate(sums.behind, view, sent);
 }
 
 void spread_slope(std::array<float, kSlopeBins>& bins, float slope, float sigma, float weight) {
@@ -179,9 +248,7 @@ void spread_slope(std::array<float, kSlopeBins>& bins, float slope, float sigma,
   for (size_t b = 0; b < kSlopeBins; ++b) bins[b] += weight * bell[b] / (std::max(sum, 1e-20f) * step);
 }
 
-using Slopes = std::array<std::array<float, kSlopeBins>, 2>;
-
-void add_slopes(Slopes& slopes, const glm::vec3& n, const glm::vec3& fibre, glm::vec2 widths2, float weight) {
+void add_slopes(FacetSlopes& slopes, const glm::vec3& n, const glm::vec3& fibre, glm::vec2 widths2, float weight) {
   const glm::vec3 t = fibre - n * glm::dot(n, fibre);
   const float c2 = t.x * t.x / std::max(t.x * t.x + t.y * t.y, 1e-6f), z = std::max(n.z, 1e-3f);
   spread_slope(slopes[0], n.x / z, std::sqrt(widths2.x * c2 + widths2.y * (1 - c2)), weight);
@@ -218,7 +285,7 @@ void take_means(ClothResponse& out, const Maps& maps) {
 }
 
 /// To a density.
-void finish(Slopes& slopes) {
+void finish(FacetSlopes& slopes) {
   for (auto& axis : slopes) {
     float sum = 0;
     for (const float v : axis) sum += v;
@@ -302,17 +369,6 @@ struct Regression {
   }
 };
 
-/// Density of the facets that mirror light along `l` to `v`, as the shader takes it from the measured slopes.
-float closed_form(const Slopes& slopes, float share, const glm::vec3& l, const glm::vec3& v) {
-  const formulas::vec2 h = formulas::half_slopes(l, v);
-  const auto density = [](const std::array<float, kSlopeBins>& bins, float slope) {
-    const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
-    const size_t k = static_cast<size_t>(at);
-    return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
-  };
-  return share * formulas::facet_density({density(slopes[0], h.x), density(slopes[1], h.y)}, h);
-}
-
 /// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
 /// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
 /// rise, beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
@@ -353,7 +409,8 @@ void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& po
       for (size_t k = 0; k < kFacetMoments; ++k)
         out.lean[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kSteepest, kSteepest);
       const float correction = scale * cover.correction(all, cover.rise(all, products), above);
-      sums.body[at] *= correction, sums.mirror[at] *= correction, sums.hair[at] *= correction;
+      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair}) (*of)[at] *= correction;
+      for (std::vector<float>* of : {&sums.behind.body, &sums.behind.mirror, &sums.behind.hair}) (*of)[at] *= scale;
     }
   }
 }
@@ -379,35 +436,66 @@ std::vector<Point> points_of(const std::vector<ThreadPlace>& places, const std::
 
 /// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those
 /// of many.
-std::array<Slopes, 2> slopes_of(const std::vector<ThreadPlace>& places) {
-  std::array<Slopes, 2> out{};
+std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadPlace>& places) {
+  std::array<FacetSlopes, 2> out{};
   for (const ThreadPlace& p : places) {
     const float weight = p.area * std::max(p.side.z, 0.0f) * p.open[kV - 1];
     const glm::vec3& cov = p.lobes.slope_cov;
     if (weight > 0) add_slopes(out[static_cast<size_t>(p.system)], p.normal, p.fibre, {cov.x, cov.z}, weight);
   }
-  for (Slopes& slopes : out) finish(slopes);
+  for (FacetSlopes& slopes : out) finish(slopes);
   return out;
 }
 
+/// few: slopes of the places that the sums are of.
+void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std::array<FacetSlopes, 2>& few,
+                  const std::array<glm::vec3, kV>& w) {
+  for (size_t v = 0; v < kV; ++v) {
+    const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
+    for (size_t s = 0; s < 2; ++s) {
+      SystemResponse& system = out.systems[s];
+      const auto write = [&](std::vector<float>& to, const SentSums& sent, size_t i, float way) {
+        const size_t at = v * kL + i;
+        const float density = closed_form(few[s], system.share, w[view_of_light(i)] * glm::vec3(1, 1, way), w[v]);
+        to[4 * at] = sent.body[at] / seen;
+        to[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kUnseenFacets));
+        to[4 * at + 2] = sent.hair[at] / seen;
+        to[4 * at + 3] = sums[s].seen[v] / seen;
+      };
+      for (size_t i = 0; i < kL; ++i)
+        write(system.broad, sums[s].front, i, 1), write(system.behind, sums[s].behind, i, -1);
+    }
+  }
+}
+
 }  // namespace
+
+float closed_form(const FacetSlopes& slopes, float share, const glm::vec3& l, const glm::vec3& v) {
+  const formulas::vec2 h = formulas::half_slopes(l, v);
+  const auto density = [](const std::array<float, kSlopeBins>& bins, float slope) {
+    const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
+    const size_t k = static_cast<size_t>(at);
+    return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
+  };
+  return share * formulas::facet_density({density(slopes[0], h.x), density(slopes[1], h.y)}, h);
+}
 
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) {
   ClothResponse out;
   out.sky = 0;
   for (SystemResponse& s : out.systems) {
     s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
-    s.height_mm.assign(kV, 0.0f);
+    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kL, 0.0f), s.sky.assign(4 * kV, 0.0f);
   }
+  out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
   out.seen_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();
   const ThreadPlaces threads = thread_places(cloth, samples);
   const std::vector<Point> points = points_of(threads.places, w);
-  const std::array<Slopes, 2> few = slopes_of(threads.places);
   take_means(out, maps);
   const std::array<Moments, 2> moments = take_top(out, threads.top);
-  const std::vector<float> grazing = grazing_of(w);
+  const std::array<std::vector<float>, 2> grazing{grazing_of(w, 1), grazing_of(w, -1)};
   std::array<Sums, 2> sums;
   for_each_job(kResponseElevations, [&](int e) {
     const int azimuths = e == kResponseElevations - 1 ? 1 : kViewAzimuths;
@@ -415,28 +503,14 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
       for (int a = 0; a < azimuths; ++a)
         add(sums[static_cast<size_t>(p.system)], p, grazing, static_cast<size_t>(e * kViewAzimuths + a));
   });
-  for (size_t s = 0; s < 2; ++s) {
-    sums[s].repeat_top();
-  }
+  for (Sums& s : sums) s.repeat_top();
   out.seen_rise = seen_rises(sums, threads);
   for (size_t s = 0; s < 2; ++s) {
     finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
     finish(out.systems[s].slopes);
   }
-  for (size_t v = 0; v < kV; ++v) {
-    const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
-    for (size_t s = 0; s < 2; ++s) {
-      for (size_t i = 0; i < kL; ++i) {
-        const size_t at = v * kL + i;
-        float* to = &out.systems[s].broad[4 * at];
-        const float density = closed_form(few[s], out.systems[s].share, w[view_of_light(i)], w[v]);
-        to[0] = sums[s].body[at] / seen;
-        to[1] = (sums[s].mirror[at] / seen + kUnseenFacets * 0.25f) / (density + kUnseenFacets);
-        to[2] = sums[s].hair[at] / seen;
-        to[3] = sums[s].seen[v] / seen;
-      }
-    }
-  }
+  write_tables(out, sums, slopes_of(threads.places), w);
+  take_sky(out, cloth);
   return out;
 }
 

@@ -15,18 +15,26 @@ namespace weftlight::light {
 inline constexpr int kResponseSamples = 2048;       // means then hold 4 percent on the charts' cloths
 inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // even in the slope's angle, -90 to 90 degrees
 
+// Density of the facets' slope angles along x and along y, micro-slopes in it; integral 1.
+using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
+
 struct SystemResponse {
   // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()
-  // of shaders/rungs.glsl times the share), fuzz and light scattered more than once, share of what is seen.
-  // Directions: light/thread_places.h. Over all the cloth that is seen.
+  // of shaders/rungs.glsl times the share, and kUnseenFacets), fuzz and light scattered more than once, share of what
+  // is seen. Directions: light/thread_places.h. Over all the cloth that is seen.
   std::vector<float> broad;
+  // The same of lights from behind, at the node of the same light turned over: through the threads or onto their sides,
+  // body times body and through. Other threads stop most of it.
+  std::vector<float> behind;
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
   std::vector<float> lean;
+  // RGBA of [view], under a sky that is 1 everywhere: body (times the thread's colour), fuzz and light scattered more
+  // than once, mirrored light without Fresnel's term, that times its rise at grazing.
+  std::vector<float> sky;
   FacetMoments facets{};         // of the maps, seen from above
   std::vector<float> height_mm;  // [view]: mean height of what is seen
-  // Density of the facets' slope angles along x and along y, micro-slopes in it; integral 1.
-  std::array<std::array<float, kSlopeBins>, 2> slopes{};
+  FacetSlopes slopes{};
   float share = 0;  // of the cover at normal view; both sum to 1
   Linear colour;    // mean, with grooves
 };
@@ -36,10 +44,16 @@ struct SystemResponse {
 struct ClothResponse {
   std::array<SystemResponse, 2> systems;
   float sky = 1;  // mean share of the sky that is seen
+  // [view]: mean directions of the sky that is sent, by body and fuzz and as it is mirrored.
+  std::vector<std::array<glm::vec3, 2>> sky_from;
   // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
   // slant, where the fewer threads lie hidden between the others.
   std::vector<float> seen_rise;
 };
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = kResponseSamples);
+
+/// Density (1/sr) of the facets of a system with such a share that mirror light from `l` to `v`, as pictures take it
+/// from the slopes.
+float closed_form(const FacetSlopes& slopes, float share, const glm::vec3& l, const glm::vec3& v);
 
 }  // namespace weftlight::light

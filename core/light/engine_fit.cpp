@@ -57,8 +57,9 @@ glm::vec3 cloth_answer(const std::array<formulas::YarnLobes, 2>& yarns, const Cl
     const SystemResponse& system = response.systems[s];
     const float* broad = &system.broad[4 * (view * kResponseLights + light)];
     const glm::vec2 slopes{density_at(system.slopes[0], h.x), density_at(system.slopes[1], h.y)};
-    sum +=
-        formulas::system_answer(yarns[s], {broad[0], broad[1], broad[2], broad[3]}, slopes, system.share, 1, l, v).key;
+    sum += formulas::system_answer(yarns[s], {broad[0], broad[1], broad[2], broad[3]}, slopes, system.share,
+                                   glm::vec4(0), l, v)
+               .key;
   }
   return sum;
 }

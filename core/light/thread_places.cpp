@@ -78,8 +78,10 @@ class Placer {
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
   float warp_around(int layer, int end, int pick) const;
   glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
-  void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point);
+  void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
+  glm::vec3 bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
   void look_around(ThreadPlace& p, glm::vec3 at, int thread);
+  void look_behind(ThreadPlace& p, glm::vec3 at, int thread);
 
   const Cloth& cloth_;
   ThreadScene scene_;
@@ -137,8 +139,9 @@ ThreadPlace Placer::place(int system, int k, int count) {
   }
   const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
   p.around = system == 0 ? warp : 1 - warp;
-  dress(p, s.thread, scene_.thread_point(system, s, where));
+  dress(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
   look_around(p, where, s.thread);
+  look_behind(p, where, s.thread);
   return p;
 }
 
@@ -150,8 +153,19 @@ glm::vec3 Placer::plied(int system, int thread, const thread_formulas::ThreadSce
   return t.plies > 1 ? scene_.ply_normal(point, t, texel.ply, length(system)) : point.normal;
 }
 
+/// Variances of the slopes along the thread of the surface that a place stands for, as lobes hold them: along the
+/// fibre, between both, across it. A narrow highlight on a bend would else lie on few places, or on none, by chance.
+/// step: of the places, over a repeat.
+glm::vec3 Placer::bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const {
+  constexpr float kRepeat = 8;  // crossings
+  constexpr float kMost = 0.04f;
+  const float turned = point.bend.x * kRepeat * grid_.spacing * step, tan2 = fibre_tan * fibre_tan;
+  // Places lie evenly, not on a grid: so that neighbours overlap, twice the variance of a box.
+  return std::min(turned * turned / 6, kMost) / (1 + tan2) * glm::vec3(1, -fibre_tan, tan2);
+}
+
 /// Normals, fibre and lobes, as core/reference/trace.cpp has them.
-void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point) {
+void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step) {
   Texel texel;
   p.side = point.normal;
   p.normal = plied(p.system, thread, point, texel);
@@ -159,7 +173,11 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
   const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
-  p.lobes = yarn_lobes(cloth_.yarns[static_cast<size_t>(body.yarn)].lobes, {colour.r, colour.g, colour.b});
+  const Lobes& lobes = cloth_.yarns[static_cast<size_t>(body.yarn)].lobes;
+  p.lobes = yarn_lobes(lobes, {colour.r, colour.g, colour.b});
+  p.lobes.slope_cov +=
+      bend_over(point, textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan, step);
+  p.drawn = yarn_lobes(lobes, {p.groove * colour.r, p.groove * colour.g, p.groove * colour.b});
 }
 
 /// Adds what is seen from above; of the crossings around it, sums.
@@ -202,10 +220,27 @@ void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread) {
       float* row = &p.open[e * kViewAzimuths];
       const float before = row[azimuth - (between ? 1 : 0)], after = row[(azimuth + 1) % kViewAzimuths];
       // What stands before two elevations stands before the lower ones.
-      const bool open = between && before == after ? before > 0 : blocked < 2 && sees(e * kViewAzimuths + azimuth);
+      const bool open = between && before == after ? before > 0 : sees(e * kViewAzimuths + azimuth);
       row[azimuth] = open ? 1.0f : 0.0f;
       blocked = open ? 0 : blocked + 1;
     }
+  }
+}
+
+/// Of places that some view sees.
+void Placer::look_behind(ThreadPlace& p, glm::vec3 at, int thread) {
+  const auto shown = [&](size_t v) { return p.open[v] > 0 && glm::dot(p.side, views_[v]) > 0; };
+  bool seen = false;
+  for (size_t v = 0; v < kResponseViews && !seen; ++v) seen = shown(v);
+  if (!seen) return;
+  for (size_t i = 0; i < kResponseLights; ++i) {
+    const glm::vec3 up = views_[view_of_light(i)], l(up.x, up.y, -up.z);
+    const bool side = glm::dot(p.side, l) > 0;
+    if (!side && p.lobes.through.g <= 0) continue;
+    // On a side that light from behind reaches its own thread may stand before the place, too: from a little above it.
+    const bool blocked = side ? scene_.threads_block(grid_, at + p.side * (0.02f * grid_.top), l, kMostCells, -1, 0)
+                              : scene_.threads_block(grid_, at, l, kMostCells, p.system, thread);
+    p.open_behind[i] = blocked ? 0.0f : 1.0f;
   }
 }
 

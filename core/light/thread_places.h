@@ -37,8 +37,12 @@ struct ThreadPlace {
   float groove = 1;
   float around = 0;  // share of the crossings around it that its own system has on top
   formulas::YarnLobes lobes;
+  formulas::YarnLobes drawn;  // as pictures from afar take them, of colours with grooves in them
   // Per view, 0 or 1: nothing stands before it; for those behind the place, nothing but its own thread.
   std::array<float, kResponseViews> open{};
+  // Per light from behind the cloth, at the node of the same light turned over: nothing but its own thread stands
+  // before it.
+  std::array<float, kResponseLights> open_behind{};
 };
 
 // Means of the unit normal's x, y and of their squares.

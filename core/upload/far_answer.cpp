@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "light/formulas.h"
 #include "upload/cloth_block.h"
@@ -35,23 +36,34 @@ Nodes on_line(float at, int count) {
   return {static_cast<size_t>(low), static_cast<size_t>(low + 1), at - static_cast<float>(low)};
 }
 
+/// The four nodes about a direction of the eye, each with its weight.
+struct ViewNodes {
+  std::array<size_t, 4> at;
+  std::array<float, 4> weight;
+};
+
+ViewNodes around(const glm::vec3& view) {
+  const formulas::vec2 o = formulas::response_coord(view);
+  const Nodes turn = on_circle(o.x, kViewAzimuths), tilt = on_line(o.y, kResponseElevations);
+  const size_t low = tilt.low * kViewAzimuths, high = tilt.high * kViewAzimuths;
+  const float a = turn.share, e = tilt.share;
+  return {{low + turn.low, low + turn.high, high + turn.low, high + turn.high},
+          {(1 - e) * (1 - a), (1 - e) * a, e * (1 - a), e * a}};
+}
+
 /// As response_at() of shaders/rung_repeat.glsl reads it: between the nodes of light and view.
 glm::vec4 broad_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view) {
-  const formulas::vec2 i = formulas::response_coord(light), o = formulas::response_coord(view);
-  const Nodes turn = on_circle(o.x, kViewAzimuths), tilt = on_line(o.y, kResponseElevations);
-  const Nodes light_turn = on_circle(i.x, kLightAzimuths), light_tilt = on_line(i.y, kResponseElevations);
+  const formulas::vec2 i = formulas::response_coord(light);
+  const Nodes turn = on_circle(i.x, kLightAzimuths), tilt = on_line(i.y, kResponseElevations);
+  const ViewNodes views = around(view);
   glm::vec4 sum(0);
-  for (int corner = 0; corner < 16; ++corner) {
-    const auto pick = [&](const Nodes& n, int bit, float& weight) {
-      const bool second = corner >> bit & 1;
-      weight *= second ? n.share : 1 - n.share;
-      return second ? n.high : n.low;
-    };
-    float weight = 1;
-    const size_t v = pick(tilt, 0, weight) * kViewAzimuths + pick(turn, 1, weight);
-    const size_t l = pick(light_tilt, 2, weight) * kLightAzimuths + pick(light_turn, 3, weight);
-    const float* at = &system.broad[4 * (v * kResponseLights + l)];
-    sum += weight * glm::vec4(at[0], at[1], at[2], at[3]);
+  for (size_t corner = 0; corner < 16; ++corner) {
+    const bool turned = corner >> 2 & 1, tilted = corner >> 3 & 1;
+    const float weight =
+        views.weight[corner & 3] * (turned ? turn.share : 1 - turn.share) * (tilted ? tilt.share : 1 - tilt.share);
+    const size_t node = views.at[corner & 3] * kResponseLights + (tilted ? tilt.high : tilt.low) * kLightAzimuths +
+                        (turned ? turn.high : turn.low);
+    sum += weight * glm::make_vec4(&(light.z > 0 ? system.broad : system.behind)[4 * node]);
   }
   return sum;
 }
@@ -79,21 +91,53 @@ FarAnswer far_answer(const Cloth& cloth, int samples) {
   return answer;
 }
 
+namespace {
+
+formulas::YarnLobes yarn_of(const interop::SystemData& data) {
+  return formulas::yarn_of(data.yarn, glm::vec3(data.color));
+}
+
+float cover_along(const interop::ClothData& numbers, const glm::vec3& view) {
+  if (numbers.open < 0.5f) return 1;
+  const float cover = std::min(numbers.systems[0].coverage + numbers.systems[1].coverage, 1.0f);
+  return formulas::coverage_by_view(cover, {numbers.gap_u_mm, numbers.gap_v_mm}, numbers.rim_mm, view);
+}
+
+}  // namespace
+
 glm::vec3 radiance_from_afar(const FarAnswer& answer, const glm::vec3& light, const glm::vec3& view) {
-  const interop::ClothData& numbers = answer.numbers;
   if (answer.response.systems[0].broad.empty() || view.z <= 0) return glm::vec3(0);
   const formulas::vec2 h = formulas::half_slopes(light, view);
   glm::vec3 sum(0);
   for (size_t s = 0; s < 2; ++s) {
-    const interop::SystemData& data = numbers.systems[s];
+    const interop::SystemData& data = answer.numbers.systems[s];
     const SystemResponse& system = answer.response.systems[s];
-    const formulas::YarnLobes yarn = formulas::yarn_of(data.yarn, glm::vec3(data.color.x, data.color.y, data.color.z));
     const formulas::vec2 slopes(density_at(system.slopes[0], h.x), density_at(system.slopes[1], h.y));
-    sum += formulas::system_answer(yarn, broad_at(system, light, view), slopes, data.share, 0, light, view).key;
+    sum += formulas::system_answer(yarn_of(data), broad_at(system, light, view), slopes, data.share, glm::vec4(0),
+                                   light, view)
+               .key;
   }
-  if (numbers.open < 0.5f) return sum;
-  const float cover = std::min(numbers.systems[0].coverage + numbers.systems[1].coverage, 1.0f);
-  return sum * formulas::coverage_by_view(cover, {numbers.gap_u_mm, numbers.gap_v_mm}, numbers.rim_mm, view);
+  return sum * cover_along(answer.numbers, view);
+}
+
+glm::vec3 sky_from_afar(const FarAnswer& answer, const glm::vec3& view, float even, const glm::vec3& rise) {
+  if (answer.response.systems[0].sky.empty() || view.z <= 0) return glm::vec3(0);
+  const ViewNodes views = around(view);
+  glm::vec3 soft(0), glossy(0), from_soft(0), from_glossy(0);
+  for (size_t k = 0; k < 4; ++k) {
+    from_soft += views.weight[k] * answer.response.sky_from[views.at[k]][0];
+    from_glossy += views.weight[k] * answer.response.sky_from[views.at[k]][1];
+  }
+  for (size_t s = 0; s < 2; ++s) {
+    glm::vec4 sky(0);
+    for (size_t k = 0; k < 4; ++k)
+      sky += views.weight[k] * glm::make_vec4(&answer.response.systems[s].sky[4 * views.at[k]]);
+    const auto sent =
+        formulas::system_answer(yarn_of(answer.numbers.systems[s]), glm::vec4(0), {0, 0}, 0, sky, {0, 0, 1}, view);
+    soft += sent.soft, glossy += sent.glossy;
+  }
+  return (soft * (even + glm::dot(rise, from_soft)) + glossy * (even + glm::dot(rise, from_glossy))) *
+         cover_along(answer.numbers, view);
 }
 
 }  // namespace weftlight::upload

@@ -22,4 +22,7 @@ FarAnswer far_answer(const Cloth& cloth, int samples = kResponseSamples);
 /// nothing. Unit vectors: x along the weft, y along the warp, z out of the face; view.z > 0.
 glm::vec3 radiance_from_afar(const FarAnswer& answer, const glm::vec3& light, const glm::vec3& view);
 
+/// Radiance along `view` under a sky of radiance `even` + dot(`rise`, d) towards d, alike in all channels.
+glm::vec3 sky_from_afar(const FarAnswer& answer, const glm::vec3& view, float even, const glm::vec3& rise);
+
 }  // namespace weftlight::upload

@@ -59,9 +59,12 @@ struct PackedFace {
 
 /// The answer to light from afar, as textures (response_block.h); empty until it was measured.
 struct ResponseTables {
-  std::vector<glm::vec4> broad;  // [view][answer, lean][face * 2 + system][elevation][azimuth of the light]
-  std::vector<float> slopes;     // [face * 2 + system][axis][slope]: density of the facets' slope angles
-  std::vector<glm::vec4> seen;   // [face][elevation][azimuth]: share of the warp, its rise, mean heights of both
+  std::vector<glm::vec4>
+      broad;  // [view][answer, lean, answer from behind][face * 2 + system][elevation][azimuth of the light]
+  std::vector<float> slopes;  // [face * 2 + system][axis][slope]: density of the facets' slope angles
+  // [face][table][elevation][azimuth]: share of the warp, its rise, mean heights of both; what each system sends of an
+  // even sky; where from (response_block.cpp)
+  std::vector<glm::vec4> seen;
   bool empty() const { return broad.empty(); }
   size_t bytes() const { return (broad.size() + seen.size()) * sizeof(glm::vec4) + slopes.size() * sizeof(float); }
   bool operator==(const ResponseTables&) const = default;

@@ -35,6 +35,7 @@ std::vector<glm::vec4> broad_of(const Faces& faces) {
   for (size_t view = 0; view < kResponseViews; ++view) {
     append_rows(out, faces, view, &SystemResponse::broad);
     append_rows(out, faces, view, &SystemResponse::lean);
+    append_rows(out, faces, view, &SystemResponse::behind);
   }
   return out;
 }
@@ -49,14 +50,27 @@ std::vector<float> slopes_of(const Faces& faces) {
   return out;
 }
 
+/// Mean directions of the sky that is sent, by body and as it is mirrored, each along the view and up.
+glm::vec4 sky_from(const ClothResponse& face, size_t view, const glm::vec3& towards) {
+  const glm::vec2 along = glm::vec2(towards) / std::max(glm::length(glm::vec2(towards)), 1e-6f);
+  const auto [soft, glossy] = face.sky_from[view];
+  return {glm::dot(glm::vec2(soft), along), soft.z, glm::dot(glm::vec2(glossy), along), glossy.z};
+}
+
 std::vector<glm::vec4> seen_of(const Faces& faces) {
+  const auto views = response_views();
   std::vector<glm::vec4> out;
   for (const ClothResponse& face : faces) {
-    for (size_t e = 0; e < kResponseElevations; ++e) {
-      for (size_t a = 0; a < kSeenWidth; ++a) {
-        const size_t view = e * kViewAzimuths + a % kViewAzimuths;
-        out.push_back({face.systems[0].broad[4 * view * kResponseLights + 3], face.seen_rise[view],
-                       face.systems[0].height_mm[view], face.systems[1].height_mm[view]});
+    for (int table = 0; table < SEEN_TABLES / 2; ++table) {
+      for (size_t e = 0; e < kResponseElevations; ++e) {
+        for (size_t a = 0; a < kSeenWidth; ++a) {
+          const size_t view = e * kViewAzimuths + a % kViewAzimuths;
+          if (table == 0)
+            out.push_back({face.systems[0].broad[4 * view * kResponseLights + 3], face.seen_rise[view],
+                           face.systems[0].height_mm[view], face.systems[1].height_mm[view]});
+          else if (table == 3) out.push_back(sky_from(face, view, views[view]));
+          else out.push_back(glm::make_vec4(&face.systems[static_cast<size_t>(table - 1)].sky[4 * view]));
+        }
       }
     }
   }

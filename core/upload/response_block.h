@@ -13,9 +13,9 @@ namespace weftlight::upload {
 
 // Azimuths with the first again at the end.
 inline constexpr int kResponseWidth = kLightAzimuths + 1, kSeenWidth = kViewAzimuths + 1;
-inline constexpr int kResponseHeight = 8 * kResponseElevations;  // (answer, lean) * (face * 2 + system) * elevation
-inline constexpr int kSlopeRows = 8;                             // (face * 2 + system) * 2 + axis
-inline constexpr int kSeenHeight = 2 * kResponseElevations;      // face * elevation
+inline constexpr int kResponseHeight = RESPONSE_TABLES * kResponseElevations;
+inline constexpr int kSlopeRows = 8;  // (face * 2 + system) * 2 + axis
+inline constexpr int kSeenHeight = SEEN_TABLES * kResponseElevations;
 
 /// Yarns a pixel from which on the packed colour of the face is the same everywhere to 2 percent.
 float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm);

@@ -314,7 +314,7 @@ constexpr const char* kRungMain = R"(
   vec4 e = given(7);
   if (row == 0) answer = vec4(facet_answer(y, normalize(vec3(e.xy - 0.5, 1.0)), 0.9, vec3(1.0, e.z, 0.0), vec3(e.x, 0.0, e.y), l, v).key, 0.0);
   if (row == 1) answer = vec4(facet_answer(y, vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0, 1.0, 0.0), vec3(0.0), l, v).soft, 0.0);
-  if (row == 2) answer = vec4(system_answer(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, e.w, l, v).key, 0.0);
+  if (row == 2) answer = vec4(system_answer(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, d, l, v).key, 0.0);
   if (row == 3) answer = vec4(response_coord(v), half_slopes(l, v));
   if (row == 4) {
     EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), 0.5 + e.x, 0.9 - 0.5 * e.y, e.x);
@@ -343,7 +343,7 @@ vec4 rung_on_cpu(const RungCase& given, int row) {
     case 1:
       return {facet_answer(y, vec3(0, 0, 1), 1, vec3(0, 1, 0), vec3(0), l, v).soft, 0};
     case 2:
-      return {system_answer(y, e, {0.5f + e.x, 0.5f + e.y}, e.z, e.w, l, v).key, 0};
+      return {system_answer(y, e, {0.5f + e.x, 0.5f + e.y}, e.z, given[5], l, v).key, 0};
     case 3:
       return {response_coord(v), half_slopes(l, v)};
     case 4: {

@@ -23,13 +23,16 @@ class Truth : public Gate {
   }
   /// As patch(), traced.
   Image traced(float yarns, int pixels, int rays_a_pixel, const Pair& pair) {
-    const FlatPatch like;
+    Surroundings around;
+    around.light_towards = pair.light;
+    around.light_irradiance = FlatPatch().light_irradiance;
+    return traced(yarns, pixels, rays_a_pixel, pair.view, around);
+  }
+  Image traced(float yarns, int pixels, int rays_a_pixel, const glm::vec3& view, const Surroundings& around) {
     FlatPicture p;
     p.width = p.height = pixels, p.spp = rays_a_pixel;
     p.step_x_mm = {yarns * kSpacing, 0}, p.step_y_mm = {0, yarns * kSpacing};
-    p.view = pair.view;
-    p.around.light_towards = pair.light;
-    p.around.light_irradiance = like.light_irradiance;
+    p.view = view, p.around = around;
     const TracedImage image = trace_flat(*tubes, p, {});
     Image out;
     out.width = out.height = pixels;
@@ -59,6 +62,38 @@ TEST_F(Truth, MeanBrightnessIsThatOfTheTracedThreads) {
     }
   }
   EXPECT_LT(std::sqrt(squares), 0.07);
+}
+
+TEST_F(Truth, TheSkyIsThatOfTheTracedThreads) {
+  for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f)}) {
+    for (const auto& [method, yarns] : {std::pair{Method::kYarn, 0.125f}, std::pair{Method::kYarn, 2.0f},
+                                        std::pair{Method::kRepeat, 2.0f}, std::pair{Method::kCloth, 2.0f}}) {
+      const int pixels = static_cast<int>(std::max(4.0f, 4 / yarns));
+      FlatPatch p;
+      p.width = p.height = pixels, p.samples = kSamples;
+      p.step_x_mm = {yarns * kSpacing, 0}, p.step_y_mm = {0, yarns * kSpacing};
+      p.view = view, p.light_irradiance = glm::vec3(0), p.sky = 1;
+      look.method = method;
+      renderer->draw_patch(p, look);
+      Surroundings around;
+      around.light_irradiance = glm::vec3(0);
+      around.sky = [](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * d.z); };
+      const double truth = mean(traced(yarns, pixels, 60000 / (pixels * pixels), view, around));
+      EXPECT_NEAR(mean(renderer->read_patch()) / truth, 1, 0.1)
+          << method_name(method) << ' ' << yarns << " view " << view.z;
+    }
+  }
+}
+
+TEST_F(Truth, LightFromBehindIsThatOfTheTracedThreads) {
+  for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f)}) {
+    const glm::vec3 before = towards(0.6f, 0.87f), behind(before.x, before.y, -before.z);
+    const double truth = mean(traced(2, 4, 4000, {behind, view})), bright = mean(traced(2, 4, 4000, {before, view}));
+    for (const Method method : {Method::kYarn, Method::kRepeat, Method::kCloth}) {
+      EXPECT_NEAR(mean(drawn(method, 2, 4, {behind, view})), truth, 0.15 * truth + 0.012 * bright)
+          << method_name(method) << " view " << view.z;
+    }
+  }
 }
 
 TEST_F(Truth, YarnDrawsTheTracedThreads) {

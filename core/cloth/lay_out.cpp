@@ -23,6 +23,7 @@ constexpr float kTouching = 1.06f;
 // A jammed thread gives way sideways until it is this much taller than wide; beyond, it is packed
 // denser (its fibres fill about 60 % of a spun yarn, so there is air to give).
 constexpr float kTallest = 1.5f;
+constexpr float kReliefLost = 0.75f;  // of the weave's relief, under the closest nap; by eye
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
 
@@ -73,27 +74,46 @@ float thickness_factor(const Yarn& yarn, System system, int thread) {
   return std::clamp(1 + 2 * spread * sum, 1 / 3.0f, 3.0f);
 }
 
+/// Under a nap: fibres bridge from thread to thread, fill the gaps and follow the threads' relief weakly; what stands
+/// for a thread is its share of the nap's upper side.
+void cover_with_nap(ThreadBody& body, float raised) {
+  body.width_mm += (body.spacing_mm - body.width_mm) * raised;
+  body.height_mm *= 1 - kReliefLost * raised;
+}
+
+/// A design, and what its finish made of its yarns.
+struct Woven {
+  const Design& design;
+  std::vector<Yarn> finished;
+  bool plain;  // no finish
+};
+
 /// Thread i in so much room; below zero: left to the yarn.
-ThreadBody thread_in_room(const Design& design, System system, int i, float spacing) {
+ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacing) {
+  const Design& design = woven.design;
   const Threads& threads = design.draft.threads(system);
   const Yarn& yarn = yarn_of(design, threads, i);
+  const size_t index = static_cast<size_t>(&yarn - design.yarns.data());
   const float even = diameter_of(design, threads, i);
   const float factor = thickness_factor(yarn, system, i);
-  ThreadBody body = body_of(even * factor, spacing, yarn);
-  // A thread has the room that its even yarn would have: the reed does not know where it is thick.
-  if (factor != 1) body.spacing_mm = body_of(even, spacing, yarn).spacing_mm;
-  body.yarn = static_cast<int>(&yarn - design.yarns.data());
+  // A thread has the room that its even yarn would have on the loom: the reed does not know where it is thick, and the
+  // sett is not the finisher's.
+  const float room = body_of(even, spacing, yarn).spacing_mm;
+  ThreadBody body = body_of(even * factor, woven.plain ? spacing : room, woven.finished[index]);
+  if (factor != 1) body.spacing_mm = room;
+  if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));
+  body.yarn = static_cast<int>(index);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
   return body;
 }
 
-std::vector<ThreadBody> bodies(const Design& design, System system, int count, float& period) {
-  const Threads& threads = design.draft.threads(system);
+std::vector<ThreadBody> bodies(const Woven& woven, System system, int count, float& period) {
+  const Threads& threads = woven.design.draft.threads(system);
   std::vector<ThreadBody> out;
   out.reserve(static_cast<size_t>(count));
   double edge = 0;
   for (int i = 0; i < count; ++i) {
-    ThreadBody body = thread_in_room(design, system, i, entry(threads.spacing_mm, i, kFromYarn));
+    ThreadBody body = thread_in_room(woven, system, i, entry(threads.spacing_mm, i, kFromYarn));
     body.centre_mm = static_cast<float>(edge + 0.5 * static_cast<double>(body.spacing_mm));
     edge += static_cast<double>(body.spacing_mm);
     out.push_back(body);
@@ -127,9 +147,9 @@ std::vector<int> shared_groups(const std::vector<uint8_t>& layer_of, int layers)
 
 /// Threads in layers, in the order that goes layer by layer: each layer's own fill the cloth. A group is as wide as the
 /// draft's spacings add up to; where the yarn alone rules, as its widest layer.
-std::vector<ThreadBody> layered_bodies(const Design& design, System system, const std::vector<uint8_t>& layer_of,
+std::vector<ThreadBody> layered_bodies(const Woven& woven, System system, const std::vector<uint8_t>& layer_of,
                                        int layers, float& period) {
-  const Threads& threads = design.draft.threads(system);
+  const Threads& threads = woven.design.draft.threads(system);
   std::vector<std::vector<ThreadBody>> by_layer(static_cast<size_t>(layers));
   double edge = 0;
   int first = 0;
@@ -141,15 +161,15 @@ std::vector<ThreadBody> layered_bodies(const Design& design, System system, cons
       const float spacing = entry(threads.spacing_mm, i, kFromYarn);
       given = given || spacing > 0;
       own[layer_of[static_cast<size_t>(i)]] +=
-          static_cast<double>(thread_in_room(design, system, i, spacing).spacing_mm);
+          static_cast<double>(thread_in_room(woven, system, i, spacing).spacing_mm);
     }
     for (const double sum : own) room = given ? room + sum : std::max(room, sum);
     std::vector<double> at(static_cast<size_t>(layers), edge);
     for (int i = first; i < last; ++i) {
       const size_t layer = layer_of[static_cast<size_t>(i)];
-      const float alone = thread_in_room(design, system, i, entry(threads.spacing_mm, i, kFromYarn)).spacing_mm;
+      const float alone = thread_in_room(woven, system, i, entry(threads.spacing_mm, i, kFromYarn)).spacing_mm;
       const double mine = static_cast<double>(alone) * room / own[layer];
-      ThreadBody body = thread_in_room(design, system, i, static_cast<float>(mine));
+      ThreadBody body = thread_in_room(woven, system, i, static_cast<float>(mine));
       body.centre_mm = static_cast<float>(at[layer] + 0.5 * mine);
       at[layer] += mine;
       by_layer[layer].push_back(body);
@@ -196,16 +216,17 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   Repeat size{cells.cols(), cells.rows()};
   if (period == Period::kRepeat && size.ends > 0 && size.picks > 0) size = design_repeat(design, cells);
   Cloth cloth;
-  cloth.yarns = design.yarns.empty() ? std::vector<Yarn>{Yarn{}} : design.yarns;
+  const Woven woven{design, finished(design.yarns, design.finish), design.finish == Finish{}};
+  cloth.yarns = woven.finished.empty() ? std::vector<Yarn>{Yarn{}} : woven.finished;
   cloth.up = top_left(cells, size.picks, size.ends, false);
   const LayerPlan plan = find_layers(cloth.up);
   if (plan.layers > 1) {
-    cloth.ends = layered_bodies(design, System::kWarp, plan.end_layer, plan.layers, cloth.width_mm);
-    cloth.picks = layered_bodies(design, System::kWeft, plan.pick_layer, plan.layers, cloth.depth_mm);
+    cloth.ends = layered_bodies(woven, System::kWarp, plan.end_layer, plan.layers, cloth.width_mm);
+    cloth.picks = layered_bodies(woven, System::kWeft, plan.pick_layer, plan.layers, cloth.depth_mm);
     put_in_layers(cloth, plan, layer_order(plan.end_layer), layer_order(plan.pick_layer));
   } else {
-    cloth.ends = bodies(design, System::kWarp, size.ends, cloth.width_mm);
-    cloth.picks = bodies(design, System::kWeft, size.picks, cloth.depth_mm);
+    cloth.ends = bodies(woven, System::kWarp, size.ends, cloth.width_mm);
+    cloth.picks = bodies(woven, System::kWeft, size.picks, cloth.depth_mm);
   }
   if (face == Face::kBack) turn_over(cloth);
   return cloth;

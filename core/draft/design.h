@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "draft/draft.h"
+#include "draft/finish.h"
 #include "draft/yarn.h"
 
 namespace weftlight::draft {
@@ -85,7 +86,8 @@ struct Design {
   std::string title, author;
   std::vector<std::string> notes;
   Draft draft;
-  std::vector<Yarn> yarns{Yarn{}};  // never empty
+  std::vector<Yarn> yarns{Yarn{}};  // never empty; as they are spun
+  Finish finish;                    // of the cloth: finished(yarns, finish) are those of it
   Look look;
   Scene scene;
   Loom loom;

@@ -36,7 +36,7 @@ std::string ReferenceScene::update(const Design& design, const TubeOptions& opti
 }
 
 std::string ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
-  if (tubes_ && draft_ == design.draft && yarns_ == design.yarns) return {};
+  if (tubes_ && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
   std::string error;
   tubes_ = nullptr;  // two at once could take twice the memory
   const BitMatrix cells = drawdown(design.draft);
@@ -46,7 +46,7 @@ std::string ReferenceScene::update_threads(const Design& design, const TubeOptio
   tubes_ = TubeScene::build(lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat),
                             options, error);
   draft_ = design.draft;
-  yarns_ = design.yarns;
+  yarns_ = design.yarns, finish_ = design.finish;
   return tubes_ ? std::string() : error;
 }
 

@@ -41,6 +41,7 @@ class ReferenceScene {
 
   Draft draft_;
   std::vector<Yarn> yarns_;
+  Finish finish_;
   std::string mesh_name_;
   std::unique_ptr<TubeScene> tubes_;
   Mesh mesh_;

@@ -213,9 +213,10 @@ bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effo
 }
 
 void Stages::take_lobes(const Design& design, Effort effort, StageResult& result) {
+  const std::vector<Yarn> yarns = finished(design.yarns, design.finish);
   for (FaceState* state : {&front_, &back_}) {
-    for (size_t i = 0; i < state->cloth.yarns.size() && i < design.yarns.size(); ++i) {
-      state->cloth.yarns[i].lobes = design.yarns[i].lobes;
+    for (size_t i = 0; i < state->cloth.yarns.size() && i < yarns.size(); ++i) {
+      state->cloth.yarns[i].lobes = yarns[i].lobes;
     }
   }
   const FaceInput front{front_.cloth, front_.maps}, back{back_.cloth, back_.maps};
@@ -260,8 +261,8 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
     result.problem = std::move(refused);
     return result;
   }
-  const bool same_look =
-      same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) && shadows == shadows_;
+  const bool same_look = same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) &&
+                         done_->finish == design->finish && shadows == shadows_;
   const bool too_coarse = coarse_ && effort != Effort::kQuick;
   if (!same_look || too_coarse || !bake_cells(*design, dirty, effort, result)) {
     result.patches = {};

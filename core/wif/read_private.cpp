@@ -116,6 +116,13 @@ void read_yarns(const Source& s, Design& design) {
   for (int i = 0; i < yarns; ++i) design.yarns.push_back(read_yarn(s, *section, std::to_string(i + 1) + " "));
 }
 
+void read_finish(const Source& s, Finish& finish) {
+  const WifSection* section = private_section(s.text, "FINISH");
+  if (!section) return;
+  read_fields(s, *section, "", kFinishFields, finish);
+  finish = clamped(finish);
+}
+
 void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads& threads) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
@@ -328,6 +335,7 @@ void read_sleeping(const Source& s, const char* name, BitMatrix& bits) {
 void read_private_sections(const WifText& text, const WifHabits& habits, Findings& findings, Design& design) {
   const Source s{text, findings};
   read_yarns(s, design);
+  read_finish(s, design.finish);
   read_thread_yarns(s, "WARP YARNS", design.yarns.size(), design.draft.warp);
   read_thread_yarns(s, "WEFT YARNS", design.yarns.size(), design.draft.weft);
   read_look_and_scene(s, design);

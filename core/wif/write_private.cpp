@@ -54,6 +54,12 @@ WifEntries yarns_of(const Design& design) {
   return section;
 }
 
+WifEntries finish_of(const Finish& finish) {
+  WifEntries section{"FINISH", {}};
+  if (finish != Finish{}) add_fields(section, "", kFinishFields, finish);
+  return section;
+}
+
 WifEntries thread_yarns_of(const char* name, const Threads& threads) {
   WifEntries section{name, {}};
   for (int i = 0; i < threads.size(); ++i) {
@@ -205,6 +211,7 @@ WifEntries sleeping(const char* name, const BitMatrix& bits) {
 void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifHabits& habits) {
   const Draft& draft = design.draft;
   push_if_any(out, yarns_of(design));
+  push_if_any(out, finish_of(design.finish));
   push_if_any(out, thread_yarns_of("WARP YARNS", draft.warp));
   push_if_any(out, thread_yarns_of("WEFT YARNS", draft.weft));
   push_if_any(out, look_of(design.look));

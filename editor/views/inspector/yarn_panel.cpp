@@ -209,6 +209,20 @@ MaybeEdit draw_optics(PanelContext& c, Yarn& yarn, Rgb colour) {
   return edit;
 }
 
+/// Of the cloth as a whole, not of the yarn in hand.
+MaybeEdit draw_finish(PanelContext& c) {
+  if (!section(c, "section.finish", "Finish of the cloth", false)) return {};
+  Finish finish = c.design.finish;
+  for (const YarnField<Finish>& field : kFinishFields) {
+    if (!field_slider(c, field.facts, finish.*field.member)) continue;
+    return Edit{std::string("Finish: ").append(field.facts.label), [finish](Design d) {
+                  d.finish = finish;
+                  return d;
+                }};
+  }
+  return {};
+}
+
 }  // namespace
 
 MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
@@ -226,6 +240,7 @@ MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
     if (const char* what = draw_weavers(c, yarn)) edit = changed(c.view.yarn, yarn, what);
   }
   if (MaybeEdit optics = draw_optics(c, yarn, colour)) edit = std::move(optics);
+  if (MaybeEdit finish = draw_finish(c)) edit = std::move(finish);
   const ImVec2 after = ImGui::GetCursorPos();
   ImGui::SetCursorPos(picture);
   draw_strip(c, yarn, colour, strip);

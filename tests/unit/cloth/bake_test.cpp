@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../centre_height.h"
@@ -26,6 +27,37 @@ bool all_finite(const Maps& m) {
       return false;
   }
   return true;
+}
+
+TEST(LayOut, ANapFillsTheGapsAndHidesTheRelief) {
+  Design d = design_of(8, 8, 0.5f, 0.3f);
+  const auto relief_and_gaps = [&] {
+    const Maps maps = bake(lay_out(d, twill(8, 8), Face::kFront, Period::kWholeDraft), {128, 128, 8});
+    const auto [low, high] = std::minmax_element(maps.height_mm.at_.begin(), maps.height_mm.at_.end());
+    float covered = 0;
+    for (const float c : maps.coverage.at_) covered += c / static_cast<float>(maps.coverage.at_.size());
+    return std::pair{*high - *low, covered};
+  };
+  const auto [relief, covered] = relief_and_gaps();
+  d.finish.raised = 1;
+  const auto [nap_relief, nap_covered] = relief_and_gaps();
+  EXPECT_LT(covered, 0.95f);
+  EXPECT_GT(nap_covered, 0.999f);
+  EXPECT_LT(nap_relief, 0.4f * relief);
+}
+
+TEST(LayOut, ACalenderedClothHasFlatterThreadsAtTheSameSett) {
+  for (const float spacing : {0.5f, kFromYarn}) {
+    Design d = design_of(4, 4, spacing, 0.3f);
+    d.draft.warp.thickness_mm.assign(4, kFromYarn);
+    const Cloth loomstate = lay_out(d, plain(4, 4), Face::kFront, Period::kWholeDraft);
+    d.finish.calendered = 1;
+    const Cloth pressed = lay_out(d, plain(4, 4), Face::kFront, Period::kWholeDraft);
+    EXPECT_EQ(pressed.width_mm, loomstate.width_mm);
+    EXPECT_LT(pressed.ends[0].height_mm, loomstate.ends[0].height_mm);
+    EXPECT_GE(pressed.ends[0].width_mm, loomstate.ends[0].width_mm);
+    EXPECT_GT(pressed.yarns[0].lobes.layers, loomstate.yarns[0].lobes.layers);
+  }
 }
 
 TEST(LayOut, ThreadsLieSideBySideInMillimetres) {

@@ -214,13 +214,21 @@ Design tweed() {
 Design flannel() {
   Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x94979d, 0xa3a6ab}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Wool", "Woollen", "Nm 22", kMilled, 250);
-  yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.melange = 0.8f, yarn.fibre_um = 30, yarn.hairiness = 1.0f;
-  yarn.groove_depth = 0.05f, yarn.flattening = 0.35f;
-  // Milled and raised: a nap over the weave.
-  yarn.lobes.fuzz = 0.85f, yarn.lobes.fuzz_width = 0.95f, yarn.lobes.along_width = 0.6f, yarn.lobes.across_width = 0.8f;
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.melange = 0.8f;
+  d.finish.raised = 1;  // a nap over the weave
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
   return titled(worn(std::move(d), "skirt", 20, 12), "Flannel",
                 {"2/2 twill of grey melange, woollen Nm 22, 19 by 17 a centimetre, milled and raised."});
+}
+
+Design chintz() {
+  Design d = with_colors(plain({16, 16}), palette({0x1f6a5c, 0x1f6a5c}), {{0, 1}}, {{1, 1}});
+  Yarn yarn = spun("Cotton", "Cotton", "Ne 30", kCotton, 900);
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.04f;
+  d.finish.calendered = 1;
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 26);
+  return titled(worn(std::move(d), "curtain", 20, 8), "Chintz",
+                {"Plain weave of cotton Ne 30, 30 by 26 a centimetre, calendered: flat threads, a glazed face."});
 }
 
 Design silk_satin() {
@@ -331,6 +339,7 @@ std::vector<PresetRecipe> cloth_recipes() {
       {"cloths/gabardine.wif", gabardine()},
       {"cloths/tweed.wif", tweed()},
       {"cloths/flannel.wif", flannel()},
+      {"cloths/chintz.wif", chintz()},
       {"cloths/silk_satin.wif", silk_satin()},
       {"cloths/shot_taffeta.wif", taffeta()},
       {"cloths/organza.wif", organza()},

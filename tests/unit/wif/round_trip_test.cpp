@@ -103,6 +103,7 @@ Design random_design(unsigned seed) {
     design.scene.background = {0.1f, 0.2f, dice.between(0, 1)};
   }
   if (dice.coin()) {
+    if (dice.coin()) design.finish = {dice.between(0, 1), dice.between(0, 1), dice.between(0, 1)};
     design.loom = {static_cast<Authority>(dice.upto(2)), dice.coin(), dice.upto(8), dice.upto(8), dice.upto(99)};
     for (int i = dice.upto(2); i > 0; --i)
       design.weaves.push_back({"twill", {{"lean", random_text(dice)}, {"ratio", "2/2"}}, dice.upto(9), 4, 0, 7});

@@ -23,7 +23,7 @@ constexpr float kTouching = 1.06f;
 // A jammed thread gives way sideways until it is this much taller than wide; beyond, it is packed
 // denser (its fibres fill about 60 % of a spun yarn, so there is air to give).
 constexpr float kTallest = 1.5f;
-constexpr float kReliefLost = 0.75f;  // of the weave's relief, under the closest nap; by eye
+constexpr float kReliefLost = 0.8f;  // of the weave's relief, under the closest nap; by eye
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
 
@@ -81,6 +81,14 @@ void cover_with_nap(ThreadBody& body, float raised) {
   body.height_mm *= 1 - kReliefLost * raised;
 }
 
+/// Between rollers a thread spreads into the room beside it, however open the cloth; its section keeps its area.
+void press(ThreadBody& body, float flattening, float calendered) {
+  const float area = body.width_mm * body.height_mm;
+  const float wide = std::min(std::sqrt(area / std::clamp(flattening, 0.3f, 1.0f)), body.spacing_mm);
+  body.width_mm += std::max(wide - body.width_mm, 0.0f) * calendered;
+  if (body.width_mm > 0) body.height_mm = std::min(body.height_mm, area / body.width_mm);
+}
+
 /// A design, and what its finish made of its yarns.
 struct Woven {
   const Design& design;
@@ -101,6 +109,8 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   const float room = body_of(even, spacing, yarn).spacing_mm;
   ThreadBody body = body_of(even * factor, woven.plain ? spacing : room, woven.finished[index]);
   if (factor != 1) body.spacing_mm = room;
+  const float calendered = std::min(design.finish.calendered, 1.0f);
+  if (calendered > 0) press(body, woven.finished[index].flattening, calendered);
   if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));
   body.yarn = static_cast<int>(index);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));

@@ -16,12 +16,14 @@ float scaled(float value, float factor, float share) { return value * towards(1,
 
 void raise(Yarn& y, float share) {
   Lobes& l = y.lobes;
-  l.fuzz = 1 - scaled(1 - l.fuzz, 0.23f, share);
+  l.fuzz = 1 - scaled(1 - l.fuzz, 0.06f, share);
   l.fuzz_width = towards(l.fuzz_width, std::max(l.fuzz_width, 0.95f), share);
   l.along_width = scaled(l.along_width, 1.43f, share);
   l.across_width = scaled(l.across_width, 1.33f, share);
-  y.hairiness = towards(y.hairiness, 1, share);
-  y.groove_depth = scaled(y.groove_depth, 0.125f, share);
+  // In the nap fibres of all threads and colours lie in a tangle: no streaks along a thread.
+  y.hairiness = scaled(y.hairiness, 0.35f, share);
+  y.melange = scaled(y.melange, 0.2f, share);
+  y.groove_depth = scaled(y.groove_depth, 0.1f, share);
   y.fibre_um = scaled(y.fibre_um, 0.43f, share);
   y.flattening = scaled(y.flattening, 0.47f, share);
 }

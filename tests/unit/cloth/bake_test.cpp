@@ -47,8 +47,8 @@ TEST(LayOut, ANapFillsTheGapsAndHidesTheRelief) {
 }
 
 TEST(LayOut, ACalenderedClothHasFlatterThreadsAtTheSameSett) {
-  for (const float spacing : {0.5f, kFromYarn}) {
-    Design d = design_of(4, 4, spacing, 0.3f);
+  for (const float spacing : {0.8f, kFromYarn}) {
+    Design d = design_of(4, 4, spacing, 0.3f);  // ends of 0.5 mm
     d.draft.warp.thickness_mm.assign(4, kFromYarn);
     const Cloth loomstate = lay_out(d, plain(4, 4), Face::kFront, Period::kWholeDraft);
     d.finish.calendered = 1;

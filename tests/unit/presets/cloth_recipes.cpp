@@ -226,9 +226,9 @@ Design chintz() {
   Yarn yarn = spun("Cotton", "Cotton", "Ne 30", kCotton, 900);
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f;
   d.finish.calendered = 1;
-  d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 26);
+  d = set_at(with_yarns(std::move(d), yarn, yarn), 42, 36);
   return titled(worn(std::move(d), "curtain", 20, 8), "Chintz",
-                {"Plain weave of cotton Ne 30, 30 by 26 a centimetre, calendered: flat threads, a glazed face."});
+                {"Plain weave of cotton Ne 30, 42 by 36 a centimetre, calendered: flat threads, a glazed face."});
 }
 
 Design silk_satin() {

@@ -320,7 +320,7 @@ void add_tools(Actions& all) {
   };
   tool("tool_paint", "Paint tool", "P", Tool::kPaint)->item.group = true;
   tool("tool_select", "Select tool", "S", Tool::kSelect);
-  tool("tool_line", "Line tool", "L", Tool::kLine);
+  tool("tool_line", "Line tool", "I", Tool::kLine);  // L holds the light of the cloth
   tool("tool_rectangle", "Rectangle tool", "U", Tool::kRectangle);
   tool("tool_filled", "Filled rectangle tool", "Shift+U", Tool::kFilledRectangle);
   tool("tool_fill", "Fill tool", "G", Tool::kFill);

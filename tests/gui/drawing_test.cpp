@@ -30,7 +30,7 @@ class DrawingTest : public OnDisplay {
 TEST_F(DrawingTest, LinesRectanglesAndFillsAreOneStepEach) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  display_.key("l");
+  display_.key("i");
   display_.drag({w.cell("threading", 1, 1), w.cell("threading", 5, 3), w.cell("threading", 8, 8)});
   EXPECT_TRUE(comes_true([&] {
     const draft::Draft d = draft_of(w);
@@ -59,7 +59,7 @@ TEST_F(DrawingTest, LinesRectanglesAndFillsAreOneStepEach) {
 TEST_F(DrawingTest, ShiftConstrainsAndEscapeGivesUp) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  display_.key("l");
+  display_.key("i");
   display_.drag_holding("shift", {w.cell("treadling", 1, 1), w.cell("treadling", 4, 6), w.cell("treadling", 5, 6)});
   EXPECT_TRUE(comes_true([&] {
     const draft::Draft d = draft_of(w);
@@ -84,7 +84,7 @@ TEST_F(DrawingTest, TheSymmetricPenDrawsBothSides) {
   }));
   undone(w, "a mirrored click");
   display_.key("shift+m");
-  display_.key("l");
+  display_.key("i");
   display_.drag({w.cell("treadling", 1, 1), w.cell("treadling", 4, 6), w.cell("treadling", 8, 8)});
   EXPECT_TRUE(comes_true([&] {
     const draft::Draft d = draft_of(w);

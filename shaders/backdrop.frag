@@ -1,10 +1,24 @@
 // A seamless studio sweep: the background's colour, a pool of light behind the cloth, darker to the edges.
 #include "frame.glsl"
 
+uniform sampler2D environment_map;
+
 in vec2 at;
 out vec4 out_color;
 
+// The environment's picture along a direction; its middle lies at -z.
+vec3 surroundings(vec3 d) {
+  vec2 turn = vec2(frame.look[0].w, frame.look[1].w);
+  vec3 p = vec3(d.x * turn.x - d.z * turn.y, d.y, d.z * turn.x + d.x * turn.y);
+  vec2 place = vec2(atan(p.x, -p.z) * 0.15915494 + 0.5, acos(clamp(p.y, -1.0, 1.0)) * 0.31830989);
+  return textureLod(environment_map, place, 0.0).rgb;
+}
+
 void main() {
+  if (frame.look[2].w > 0.5) {
+    out_color = leave(surroundings(normalize(frame.look[0].xyz * at.x + frame.look[1].xyz * at.y + frame.look[2].xyz)), 1.0);
+    return;
+  }
   vec2 d = vec2(at.x * 0.75, at.y * 0.9 - 0.12);
   float fall = dot(d, d);
   vec3 c = frame.background.rgb * mix(1.03, 0.70, smoothstep(0.0, 1.7, fall));

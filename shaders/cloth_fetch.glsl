@@ -56,11 +56,11 @@ struct Lights {
 
 Lights seen_lights(Side side) {
   Lights x;
-  x.l = to_side(side, frame.light.xyz);
+  x.l = to_side(side, light_here().xyz);
   x.v = to_side(side, normalize(frame.eye.xyz - position));
   // Interpolated normals lean behind the silhouette: held to the side that is seen.
   x.v.z = max(x.v.z, 0.02);
-  x.key = frame.light_color.rgb * sun_seen(position, x.l.z > 0.0 ? side.n : -side.n);
+  x.key = light_color_here() * sun_seen(position, x.l.z > 0.0 ? side.n : -side.n);
   return x;
 }
 
@@ -168,7 +168,7 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), f.level - 1.0).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
-  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, frame.light.w), sky_left(s, f));
+  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, light_here().w), sky_left(s, f));
 }
 
 // What is seen along v over the whole cloth, of warp and weft.

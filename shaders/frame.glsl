@@ -7,10 +7,19 @@ layout(std140) uniform FrameBlock { FrameData frame; };
 layout(std140) uniform ClothBlock { ClothData cloth; };
 
 uniform sampler2DShadow sun_shadow_map;
+uniform sampler2DArrayShadow more_shadow_map;
+
+// The light that is shaded by: 0 the key light and all that is soft, above it one of the others.
+int light_at = 0;
+
+vec4 light_here() { return light_at == 0 ? frame.light : frame.more_light[light_at - 1]; }
+vec3 light_color_here() { return light_at == 0 ? frame.light_color.rgb : frame.more_color[light_at - 1].rgb; }
+int last_light() { return int(frame.picture.w); }
 
 // Radiance of the sky along d, blurred: `one` and `two` scale its bands (1, 1 as it is; 2/3, 1/4 as a
 // Lambertian sees it, times pi for irradiance; Ramamoorthi, Hanrahan 2001).
 vec3 sky_radiance(vec3 d, float one, float two) {
+  if (light_at > 0) return vec3(0.0);
   vec3 l1 = frame.sky[1].rgb * d.y + frame.sky[2].rgb * d.z + frame.sky[3].rgb * d.x;
   vec3 l2 = (frame.sky[4].rgb * (d.x * d.y) + frame.sky[5].rgb * (d.y * d.z) + frame.sky[7].rgb * (d.x * d.z)) * 1.092548
           + frame.sky[6].rgb * (0.946176 * d.z * d.z - 0.315392 * dot(d, d))
@@ -25,9 +34,24 @@ vec3 sky_diffuse(vec3 n) { return sky_radiance(n, 0.666667, 0.25); }
 // 2/3 long and the second band 1/4, as here but for a tenth.
 vec3 sky_about(vec3 d) { return sky_radiance(d, 1.0, min(length(d), 1.0)); }
 
-// Share of the key light that reaches a point: a turned grid of taps over the shadow map, softer than its
+// Share of a light beside the key light that reaches a point.
+float more_seen(vec3 position, vec3 n) {
+  int i = light_at - 1;
+  float lift = 2.5 * frame.more_color[i].w;
+  vec3 lifted = position + n * (lift * (1.0 - 0.6 * abs(dot(n, frame.more_light[i].xyz))));
+  vec3 at = (frame.world_to_more[i] * vec4(lifted, 1.0)).xyz;
+  float step_uv = 1.5 / float(textureSize(more_shadow_map, 0).x);
+  vec2 a = vec2(0.35, 0.93) * step_uv;
+  vec2 b = vec2(-0.93, 0.35) * step_uv;
+  float layer = float(i);
+  return 0.25 * (texture(more_shadow_map, vec4(at.xy + a, layer, at.z)) + texture(more_shadow_map, vec4(at.xy - a, layer, at.z))
+               + texture(more_shadow_map, vec4(at.xy + b, layer, at.z)) + texture(more_shadow_map, vec4(at.xy - b, layer, at.z)));
+}
+
+// Share of the light that reaches a point: a turned grid of taps over the shadow map, softer than its
 // texels. n: normal of the side that is seen.
 float sun_seen(vec3 position, vec3 n) {
+  if (light_at > 0) return more_seen(position, n);
   vec3 lifted = position + n * (frame.shadow.z * (1.0 - 0.6 * abs(dot(n, frame.light.xyz))));
   vec3 at = (frame.world_to_shadow * vec4(lifted, 1.0)).xyz;
   float step_uv = frame.shadow.x * frame.shadow.y;

@@ -104,9 +104,10 @@ void main() {
 
   vec3 body;
   vec3 colour = sqrt(dye_beneath(face, in_uv_mm * frame.tile.xy + frame.tile.zw, body));
-  vec3 key = frame.light_color.rgb * sun_seen(in_position + n * (0.5 * length(f.at)), n);
-  vec3 light = hair_key(colour, body, f.along, n, frame.light.xyz, v) * key
-             + hair_soft(colour, body) * sky_diffuse(n) * in_sky.x;
+  vec3 light = hair_soft(colour, body) * sky_diffuse(n) * in_sky.x;
+  for (light_at = 0; light_at <= last_light(); ++light_at)
+    light += hair_key(colour, body, f.along, n, light_here().xyz, v) * light_color_here()
+           * sun_seen(in_position + n * (0.5 * length(f.at)), n);
   const float kRootShade = 0.7;   // roots stand in the others' shade
   const float kTip = 0.5;         // width of the tip over that of the root
   leaving = leave(light * mix(kRootShade, 1.0, t), pixels / drawn * mix(1.0, kTip, t));

@@ -16,6 +16,9 @@ using glm::vec4;
 
 #define SH_COEFFICIENTS 9
 
+// Lights of an environment beside the key light.
+#define MORE_LIGHTS 3
+
 // Texels of the map of threads (thread_records.glsl): its width, its head, a thread, a yarn. Where in a thread's
 // texels its body, its colour and its pattern begin. Crossings lie in square blocks so many texels wide.
 #define THREAD_MAP_WIDTH 1024
@@ -45,7 +48,7 @@ struct FrameData {
   vec4 light_color;           // rgb irradiance; w: exposure factor
   vec4 sky[SH_COEFFICIENTS];  // rgb radiance, spherical harmonics, real, bands 0..2
   vec4 background;            // rgb linear, display-referred; w: 1 where the background is left out
-  vec4 picture;               // width, height in pixels; z: 1 writes scene-linear
+  vec4 picture;               // width, height in pixels; z: 1 writes scene-linear; w: lights beside the key light
   vec4 samples;               // of rung yarn: x: number of the pass; y: how many at the most
   vec4 shadow;                // x: texel of the shadow map; y: radius of its filter in texels;
                               // z: normal offset in mm; w: opacity of the cloth to the key light
@@ -55,6 +58,11 @@ struct FrameData {
   vec4 hair;                  // stray fibres: x: pieces that each is drawn with; zw: mean length on the
                               // mesh's front and back, mm
   vec4 lattices[2];           // of rung yarn: footprints from which on each finer lattice is needed (lattice.glsl)
+  mat4 world_to_more[MORE_LIGHTS];  // as world_to_shadow, light and light_color, of the lights beside the key light
+  vec4 more_light[MORE_LIGHTS];
+  vec4 more_color[MORE_LIGHTS];  // rgb irradiance; w: texel of its shadow map in mm
+  vec4 look[3];  // xyz: right, up and middle of the picture as directions of its rays; w: cosine and sine
+                 // by which the environment's picture is turned, and 1 where it shows
 };
 
 // The lobes of a yarn as the shaders take them (yarn_of() of rungs.glsl), or means of several yarns.
@@ -141,6 +149,8 @@ enum Sampler : int {
   kResponseSlot,
   kSlopesSlot,
   kSeenSlot,
+  kMoreShadowSlot,
+  kEnvironmentSlot,
   kSamplerCount
 };
 inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
@@ -148,13 +158,15 @@ inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "sun_shadow_map",      "ground_map",          "sun_depth_map",  "albedo_texture",
     "albedo_mean_texture", "fuzz_texture",        "front_half_map", "front_difference_map",
     "back_half_map",       "back_difference_map", "thread_map",     "crossing_map",
-    "response_map",        "slopes_map",          "seen_map"};
+    "response_map",        "slopes_map",          "seen_map",       "more_shadow_map",
+    "environment_map"};
 
 enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kHair, kAttributeCount };
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{"in_position", "in_normal", "in_tangent",
                                                                           "in_uv_mm",    "in_sky",    "in_hair"};
 
-static_assert(sizeof(interop::FrameData) == (32 + 4 * (3 + SH_COEFFICIENTS + 10)) * sizeof(float));
+static_assert(sizeof(interop::FrameData) ==
+              (32 + 4 * (3 + SH_COEFFICIENTS + 10) + MORE_LIGHTS * 24 + 12) * sizeof(float));
 static_assert(offsetof(interop::FrameData, background) == (32 + 4 * (3 + SH_COEFFICIENTS)) * sizeof(float));
 static_assert(sizeof(interop::YarnData) == YARN_TEXELS * sizeof(glm::vec4));
 static_assert(offsetof(interop::YarnData, tint) == 2 * sizeof(glm::vec4));

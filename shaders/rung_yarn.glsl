@@ -27,7 +27,7 @@ struct YarnSums {
 // Towards a point of the light's disc. own: 0 to 1, of the pixel, so that few samples leave grain and no false edge.
 vec3 light_sample(vec3 l, int i, float own) {
   // Steps that agree with none of the lattices', or each side of the pixel would see one side of the light.
-  float r = sqrt(fract(0.56984029 * float(i) + 5.0 * own)) * frame.light.w;
+  float r = sqrt(fract(0.56984029 * float(i) + 5.0 * own)) * light_here().w;
   float turn = 6.2831853 * (0.41421356 * float(i) + own);
   vec3 a = normalize(abs(l.z) < 0.9 ? cross(l, vec3(0.0, 0.0, 1.0)) : cross(l, vec3(1.0, 0.0, 0.0)));
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
@@ -54,7 +54,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, v
   if (dot(n, x.v) <= 0.0) n = p.normal;
   vec4 look = thread_look(hit.system, thread);
   YarnLobes lobes = thread_lobes(int(look.w), fibre_colour(texel, look.rgb));
-  float disc = frame.light.w * frame.light.w / 16.0;   // of the half vector's slopes
+  float disc = light_here().w * light_here().w / 16.0;   // of the half vector's slopes
   lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) + vec3(disc, 0.0, disc));
   Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;

@@ -17,8 +17,9 @@ enum class Method { kAuto, kFlat, kVrst03, kIrawan, kCloth, kRepeat, kCell, kYar
 
 struct Look {
   Method method = Method::kAuto;
-  float tolerance = 0.15f;   // relative RMSE that kAuto may spend
-  float exposure_ev = 0.0f;  // stops
+  float tolerance = 0.15f;         // relative RMSE that kAuto may spend
+  float exposure_ev = 0.0f;        // stops
+  bool automatic_exposure = true;  // beside these, stops by what the cloth reflects; never in scene-linear pictures
   bool operator==(const Look&) const = default;
 };
 
@@ -33,6 +34,10 @@ struct Scene {
   float light_strength = 1.0f;  // irradiance scale of the key light
   float sky_strength = 1.0f;    // scale of the soft environment
   Rgb background{0.93f, 0.925f, 0.91f};
+  // A set-up's name (lights.h): the soft light around and the key light's colour. Or a path to an .hdr or .exr, whose
+  // light all of it then is; the light's azimuth turns it, and it may show behind the cloth.
+  std::string lights = "studio";
+  bool surroundings = false;
   bool operator==(const Scene&) const = default;
 };
 

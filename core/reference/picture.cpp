@@ -54,12 +54,12 @@ struct DrapeTrace {
   /// Turning the cloth over: u stays, z and v change sign (a half turn about the weft).
   glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, -l.y, -l.z); }
 
-  Surroundings around(const MeshHit& hit) const {
+  Surroundings around(const MeshHit& hit, const LightSample& light) const {
     const LocalFrame frame{hit};
     Surroundings s;
-    s.light_towards = face(frame.to(picture.light_towards));
-    s.light_radius_rad = picture.light_radius_rad;
-    s.light_irradiance = picture.light_irradiance;
+    s.light_towards = face(frame.to(light.towards));
+    s.light_radius_rad = light.radius_rad;
+    s.light_irradiance = light.irradiance;
     // The cloth's own threads near by are the tubes' affair; the mesh hides from a thickness on.
     const auto hidden_in = [this, frame, &hit](glm::vec3 local) {
       const glm::vec3 world = frame.from(face(local));
@@ -78,6 +78,9 @@ struct DrapeTrace {
   glm::vec4 sample(glm::vec3 direction, RandomStream& sampler) const {
     float t_min = 0;
     MeshHit stop;
+    const LightSample light =
+        picture.light ? picture.light(sampler)
+                      : LightSample{picture.light_towards, picture.light_irradiance, picture.light_radius_rad};
     const bool stopped = body && body->intersect(picture.eye, direction, 0, stop);
     for (int layer = 0; layer < kMostLayers; ++layer) {
       MeshHit hit;
@@ -87,7 +90,8 @@ struct DrapeTrace {
       const glm::vec3 local = face(frame.to(direction));
       const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
       // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
-      const Seen seen = tracer.trace(at - local * (30 * thickness), local, 0, around(hit), sampler, picture.bounces);
+      const Seen seen =
+          tracer.trace(at - local * (30 * thickness), local, 0, around(hit, light), sampler, picture.bounces);
       if (seen.hit) return glm::vec4(seen.radiance, 1);
       t_min = hit.t + thickness;
     }

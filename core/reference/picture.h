@@ -22,6 +22,13 @@ struct TracedImage {
 /// Called with the share done, 0..1, from one thread at a time.
 using Progress = std::function<void(float)>;
 
+/// One light of many: over the chance that it was chosen, so that the mean of many is all their light.
+struct LightSample {
+  glm::vec3 towards{0, 0, 1};  // world
+  glm::vec3 irradiance{0};     // at right angles
+  float radius_rad = 0;
+};
+
 struct DrapePicture {
   int width = 0, height = 0, spp = 64, bounces = 0;
   glm::vec3 eye{0};
@@ -29,11 +36,12 @@ struct DrapePicture {
   glm::vec3 light_towards{0, 0, 1};  // world
   float light_radius_rad = 0.005f;
   glm::vec3 light_irradiance{3.14159265f};
-  std::function<glm::vec3(glm::vec3)> sky;  // radiance by world direction; empty: black
-  bool front = true;                        // the mesh's front shows the cloth's front
-  int first_sample = 0;                     // of each pixel: pictures that go on where others ended may be averaged
-  int threads = 0;                          // 0: all cores
-  std::stop_token stop;                     // when asked to stop, the rows not yet begun stay empty
+  std::function<LightSample(RandomStream&)> light;  // for each sample another; empty: the one above
+  std::function<glm::vec3(glm::vec3)> sky;          // radiance by world direction; empty: black
+  bool front = true;                                // the mesh's front shows the cloth's front
+  int first_sample = 0;  // of each pixel: pictures that go on where others ended may be averaged
+  int threads = 0;       // 0: all cores
+  std::stop_token stop;  // when asked to stop, the rows not yet begun stay empty
 };
 /// The mesh gives position and frame; in each point's frame the ray goes through the endless flat cloth.
 /// `body`: what stops light beside the cloth, may be null.

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
-
-#include "base/files.h"
-#include "base/resources.h"
 
 namespace weftlight::upload {
 namespace {
@@ -18,20 +18,8 @@ struct Lamp {
   float sharpness = 1;  // of exp(sharpness (cos - 1)); 1 fills half the sky, 20 is a soft box
 };
 
-std::array<float, 9> harmonics(glm::vec3 d) {
-  return {0.282095f,
-          0.488603f * d.y,
-          0.488603f * d.z,
-          0.488603f * d.x,
-          1.092548f * d.x * d.y,
-          1.092548f * d.y * d.z,
-          0.315392f * (3 * d.z * d.z - 1),
-          1.092548f * d.x * d.z,
-          0.546274f * (d.x * d.x - d.y * d.y)};
-}
-
-std::array<glm::vec3, 9> project(const std::vector<Lamp>& lamps) {
-  std::array<glm::vec3, 9> sum{};
+Harmonics project(const std::vector<Lamp>& lamps) {
+  Harmonics sum{};
   constexpr int kSamples = 8192;  // a spiral over the sphere: enough for lamps of sharpness 60
   for (int i = 0; i < kSamples; ++i) {
     const float y = 1 - 2 * (static_cast<float>(i) + 0.5f) / kSamples;
@@ -45,52 +33,150 @@ std::array<glm::vec3, 9> project(const std::vector<Lamp>& lamps) {
   return sum;
 }
 
-/// Held to what sums of lamps stay finite with.
-float number(const nlohmann::json& json) {
-  constexpr double kLargest = 1e6;
-  return static_cast<float>(std::clamp(json.get<double>(), -kLargest, kLargest));
+/// Walks over a text and counts its lines: the parser tells no line of what it found.
+struct Walk {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at;
+  int* line;
+  reference operator*() const { return *at; }
+  Walk& operator++() {
+    *line += *at++ == '\n';
+    return *this;
+  }
+  Walk operator++(int) {
+    const Walk before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const Walk& other) const { return at == other.at; }
+  bool operator!=(const Walk& other) const { return at != other.at; }
+};
+
+/// Where a rig's parts begin.
+struct Lines {
+  int now = 1;
+  std::map<std::string, int> keys;  // of the whole
+  std::vector<int> lamps;
+};
+
+using nlohmann::json;
+
+json parse(std::string_view text, Lines& lines) {
+  std::string key;
+  const auto note = [&](int depth, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::key && depth == 1) lines.keys[key = value.get<std::string>()] = lines.now;
+    if (event == json::parse_event_t::object_start && depth == 2 && key == "lamps") lines.lamps.push_back(lines.now);
+    return true;
+  };
+  const char* end = text.data() + text.size();
+  return json::parse(Walk{text.data(), &lines.now}, Walk{end, &lines.now}, note);
 }
 
-glm::vec3 read_vec(const nlohmann::json& json) { return {number(json.at(0)), number(json.at(1)), number(json.at(2))}; }
+/// What no light can be; caught where the file is read.
+struct Impossible {
+  std::string what;
+};
+
+std::string written(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+float number(const json& value, const std::string& name, float low, float high) {
+  if (!value.is_number()) throw Impossible{name + " is not a number"};
+  const double v = value.get<double>();
+  if (!(v >= static_cast<double>(low) && v <= static_cast<double>(high)))
+    throw Impossible{name + " is " + written(v) + "; give " + written(static_cast<double>(low)) + " to " +
+                     written(static_cast<double>(high))};
+  return static_cast<float>(v);
+}
+
+float number_of(const json& object, const char* name, float low, float high) {
+  if (!object.contains(name)) throw Impossible{std::string(name) + " is missing"};
+  return number(object[name], name, low, high);
+}
+
+glm::vec3 three_of(const json& object, const char* name, float low, float high) {
+  if (!object.contains(name)) throw Impossible{std::string(name) + " is missing"};
+  const json& list = object[name];
+  if (!list.is_array() || list.size() != 3) throw Impossible{std::string(name) + " is not a list of three numbers"};
+  return {number(list[0], name, low, high), number(list[1], name, low, high), number(list[2], name, low, high)};
+}
+
+constexpr float kMostLight = 1e4f;  // far within what sums of lamps and half floats hold
+
+Lamp lamp_of(const json& object) {
+  constexpr float kSharpest = 60;  // project() has places enough for it
+  Lamp lamp;
+  if (!object.is_object()) throw Impossible{"is not an object"};
+  const glm::vec3 towards = three_of(object, "towards", -kMostLight, kMostLight);
+  const float length = glm::length(towards);
+  if (!(length > 1e-6f)) throw Impossible{"towards is no direction"};
+  lamp.towards = towards / length;
+  lamp.sharpness = number_of(object, "sharpness", 0, kSharpest);
+  lamp.color = three_of(object, "color", 0, kMostLight) * number_of(object, "strength", 0, kMostLight);
+  return lamp;
+}
+
+/// lines.now is the line of what is read.
+std::vector<Lamp> lamps_of(const json& rig, Lines& lines) {
+  constexpr size_t kMostLamps = 64;
+  if (!rig.contains("lamps")) throw Impossible{"lamps is missing"};
+  const json& list = rig["lamps"];
+  lines.now = lines.keys["lamps"];
+  if (!list.is_array() || list.size() > kMostLamps) throw Impossible{"lamps is not a list of at most 64 lamps"};
+  std::vector<Lamp> lamps;
+  for (const json& object : list) {
+    if (object.is_object() && lamps.size() < lines.lamps.size()) lines.now = lines.lamps[lamps.size()];
+    try {
+      lamps.push_back(lamp_of(object));
+    } catch (const Impossible& problem) {
+      throw Impossible{"lamp " + std::to_string(lamps.size() + 1) + ": " + problem.what};
+    }
+  }
+  return lamps;
+}
+
+LightRig rig_of(const json& object, Lines& lines) {
+  lines.now = 1;
+  if (!object.is_object()) throw Impossible{"is not an object with key and lamps"};
+  LightRig rig;
+  const std::vector<Lamp> lamps = lamps_of(object, lines);
+  lines.now = object.contains("key") ? lines.keys["key"] : 1;
+  rig.key = three_of(object, "key", 0, kMostLight);
+  if (object.contains("key_radius")) {
+    lines.now = lines.keys["key_radius"];
+    rig.key_radius = number_of(object, "key_radius", 0, 0.5f);
+  }
+  rig.sky = project(lamps);
+  return rig;
+}
 
 }  // namespace
 
 LightRig light_rig_from(std::string_view text, std::string& error) {
-  constexpr size_t kMostLamps = 64;
+  Lines lines;
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
-    std::vector<Lamp> lamps;
-    for (const nlohmann::json& lamp : json.at("lamps")) {
-      const glm::vec3 towards = read_vec(lamp.at("towards"));
-      const float length = glm::length(towards), sharpness = number(lamp.at("sharpness"));
-      if (!(length > 1e-6f) || sharpness < 0 || lamps.size() == kMostLamps) error = "a lamp that cannot be";
-      if (!error.empty()) return {};
-      lamps.push_back({towards / length, read_vec(lamp.at("color")) * number(lamp.at("strength")), sharpness});
-    }
-    return {read_vec(json.at("key")), project(lamps)};
-  } catch (const nlohmann::json::exception& problem) {
-    error = problem.what();
-    return {};
+    const json object = parse(text, lines);
+    return rig_of(object, lines);
+  } catch (const Impossible& problem) {
+    error = std::to_string(lines.now) + ": " + problem.what;
+  } catch (const json::exception&) {
+    error = std::to_string(lines.now) + ": is not JSON from here on";
   }
+  return {};
 }
 
-LightRig load_light_rig(const std::string& name, std::string& error) {
-  constexpr uint64_t kMostBytes = uint64_t{1} << 20;
-  const std::string path = presets_dir() + "/lights/" + name + ".json";
-  const FileBytes file = read_file(path, kMostBytes);
-  if (!file.error.empty()) {
-    error = path + ": " + file.error + "; set WEFTLIGHT_PRESETS to the folder of presets";
-    return {};
-  }
-  const LightRig rig = light_rig_from(file.bytes, error);
-  if (!error.empty()) error = path + ": not a light rig (" + error + "); bring back the shipped file";
-  return rig;
-}
-
-glm::vec3 sky_radiance(const LightRig& rig, glm::vec3 towards) {
+glm::vec3 sky_radiance(const Harmonics& sky, glm::vec3 towards) {
   const std::array<float, 9> basis = harmonics(towards);
   glm::vec3 sum{0};
-  for (size_t k = 0; k < basis.size(); ++k) sum += rig.sky[k] * basis[k];
+  for (size_t k = 0; k < basis.size(); ++k) sum += sky[k] * basis[k];
   return glm::max(sum, glm::vec3(0));
 }
 

@@ -32,6 +32,7 @@ glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int 
 
 std::string ReferenceScene::update(const Design& design, const TubeOptions& options) {
   if (std::string error = update_threads(design, options); !error.empty()) return error;
+  if (std::string error = update_lights(design.scene.lights); !error.empty()) return error;
   return update_drape(design.scene.mesh);
 }
 
@@ -56,8 +57,6 @@ std::string ReferenceScene::update_drape(const std::string& name) {
   ReadMesh read = load_drape(name);
   if (!read.mesh) return read.error;
   std::string error;
-  rig_ = load_light_rig("studio", error);
-  if (!error.empty()) return error;
   mesh_ = std::move(*read.mesh);
   bounds_ = bounds_of(mesh_);
   const Mesh form = form_under(name, bounds_);
@@ -65,6 +64,14 @@ std::string ReferenceScene::update_drape(const std::string& name) {
   drape_ = MeshScene::build(mesh_, error);
   mesh_name_ = name;
   return drape_ ? std::string() : error;
+}
+
+std::string ReferenceScene::update_lights(const std::string& name) {
+  if (lights_name_ == name) return {};
+  std::string error;
+  rig_ = load_light_rig(name, error);
+  if (error.empty()) lights_name_ = name;
+  return error;
 }
 
 TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& progress) const {
@@ -79,10 +86,22 @@ TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& pro
   picture.stop = view.stop;
   picture.eye = camera.eye;
   picture.clip_to_world = glm::inverse(camera.world_to_clip);
-  picture.light_towards = direction_of(scene.light_azimuth, scene.light_elevation);
-  picture.light_radius_rad = std::asin(kKeyRadius);
-  picture.light_irradiance = rig_.key * (kKeyIrradiance * scene.light_strength);
-  picture.sky = [this, strength = scene.sky_strength](glm::vec3 d) { return sky_radiance(rig_, d) * strength; };
+  if (const Environment* around = rig_.environment.get()) {
+    picture.light = [around, turn = scene.light_azimuth, strength = scene.light_strength](RandomStream& random) {
+      const float u = random.next();
+      const DistantLight light = around->sample(u, random.next());
+      return LightSample{turned(light.towards, turn), light.irradiance * strength, light.radius};
+    };
+    picture.sky = [around, turn = scene.light_azimuth, strength = scene.sky_strength](glm::vec3 d) {
+      return around->soft(turned(d, -turn)) * strength;
+    };
+  } else {
+    const SceneLight light = scene_light(rig_, scene);
+    picture.light_towards = light.lights[0].towards;
+    picture.light_radius_rad = std::asin(light.lights[0].radius);
+    picture.light_irradiance = light.lights[0].irradiance;
+    picture.sky = [sky = light.sky](glm::vec3 d) { return sky_radiance(sky, d); };
+  }
   picture.front = view.front == Face::kFront;
   return trace_drape(*tubes_, *drape_, body_.get(), picture, progress);
 }

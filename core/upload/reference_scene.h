@@ -38,11 +38,12 @@ class ReferenceScene {
  private:
   std::string update_threads(const Design& design, const TubeOptions& options);
   std::string update_drape(const std::string& name);
+  std::string update_lights(const std::string& name);
 
   Draft draft_;
   std::vector<Yarn> yarns_;
   Finish finish_;
-  std::string mesh_name_;
+  std::string mesh_name_, lights_name_;
   std::unique_ptr<TubeScene> tubes_;
   Mesh mesh_;
   Bounds bounds_;

@@ -231,15 +231,26 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
   result.lobes = lobes;
 }
 
-StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
-  StageResult result;
-  if (design->scene.mesh != mesh_name_) {
-    ReadMesh read = find_mesh(design->scene.mesh);
+/// What the cloth hangs on, and the light. Of what cannot be read the last good one stays.
+void Stages::take_scene(const Scene& scene, StageResult& result) {
+  if (scene.mesh != mesh_name_) {
+    ReadMesh read = find_mesh(scene.mesh);
     if (read.mesh) result.mesh = prepare_mesh(*read.mesh);
     mesh_problem_ = read.mesh ? std::string() : read.error;
-    mesh_name_ = design->scene.mesh;
+    mesh_name_ = scene.mesh;
   }
-  result.problem = mesh_problem_;
+  if (scene.lights != lights_name_) {
+    lights_problem_.clear();
+    LightRig read = load_light_rig(scene.lights, lights_problem_);
+    if (lights_problem_.empty()) result.lights = std::move(read);
+    lights_name_ = scene.lights;
+  }
+  result.problem = mesh_problem_.empty() ? lights_problem_ : mesh_problem_;
+}
+
+StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
+  StageResult result;
+  take_scene(design->scene, result);
   const Draft& now = design->draft;
   if (now.ends() == 0 || now.picks() == 0) {
     result.problem = "the draft has no threads: give it at least one end and one pick";

@@ -11,6 +11,7 @@
 #include "cloth/maps.h"
 #include "draft/design.h"
 #include "upload/ambient.h"
+#include "upload/light_rig.h"
 #include "upload/names.h"
 #include "upload/packed_maps.h"
 
@@ -19,6 +20,7 @@ namespace weftlight::upload {
 /// What one step changed, ready for the renderer; empty parts did not change.
 struct StageResult {
   std::optional<PreparedMesh> mesh;
+  std::optional<LightRig> lights;
   bool all_maps = false;  // packed() is new as a whole
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
@@ -54,9 +56,10 @@ class Stages {
   void take_lobes(const Design& design, Effort effort, StageResult& result);
   void take_threads();
   void take_crossings(const CellRect& dirty, StageResult& result);
+  void take_scene(const Scene& scene, StageResult& result);
 
   std::shared_ptr<const Design> done_;
-  std::string mesh_name_, mesh_problem_;
+  std::string mesh_name_, mesh_problem_, lights_name_, lights_problem_;
   BitMatrix cells_;
   Period period_ = Period::kWholeDraft;
   FaceState front_, back_;

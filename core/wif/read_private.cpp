@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "draft/lights.h"
 #include "wif/private.h"
 #include "wif/rows.h"
 
@@ -141,6 +142,13 @@ void read_scene(const Source& s, const WifSection& section, Scene& scene) {
   read_color(s, section, "Background", scene.background);
   const WifKey* mesh = section.find("Mesh");
   scene.mesh = mesh ? words(s, *mesh) : std::string{};
+  if (const WifKey* lights = section.find("Lights")) {
+    const std::string name = words(s, *lights);
+    scene.lights = is_environment(name) ? name : light_setup(name).id;
+    if (name != scene.lights) s.unusable(*lights);
+  }
+  if (const WifKey* shown = section.find("Surroundings"))
+    scene.surroundings = word_as_bool(shown->value).value_or(false);
 }
 
 void read_views(const Source& s, std::vector<NamedView>& views) {
@@ -158,6 +166,8 @@ void read_views(const Source& s, std::vector<NamedView>& views) {
 void read_look_and_scene(const Source& s, Design& design) {
   if (const WifSection* look = private_section(s.text, "LOOK")) {
     read_fields(s, *look, kLookFloats, design.look);
+    if (const WifKey* key = look->find("Automatic Exposure"))
+      design.look.automatic_exposure = word_as_bool(key->value).value_or(true);
     if (const WifKey* key = look->find("Method")) design.look.method = as_method(key->value);
   }
   if (const WifSection* scene = private_section(s.text, "SCENE")) read_scene(s, *scene, design.scene);

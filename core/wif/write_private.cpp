@@ -74,6 +74,7 @@ WifEntries look_of(const Look& look) {
   if (look == Look{}) return section;
   add(section, "Method", std::string(method_name(look.method)));
   add_fields(section, "", kLookFloats, look);
+  if (!look.automatic_exposure) add(section, "Automatic Exposure", "false");
   return section;
 }
 
@@ -82,6 +83,8 @@ WifEntries scene_of(const Scene& scene) {
   if (scene == Scene{}) return section;
   if (!scene.mesh.empty()) add(section, "Mesh", escaped(scene.mesh), true);
   add_fields(section, "", kSceneFloats, scene);
+  if (scene.lights != Scene{}.lights) add(section, "Lights", escaped(scene.lights), true);
+  if (scene.surroundings) add(section, "Surroundings", "true");
   add(section, "Background", color_text(scene.background));
   return section;
 }

@@ -1,6 +1,7 @@
 // The cloth: what it hangs over, and what is laid beside its picture.
 
 #include "actions/action_parts.h"
+#include "draft/lights.h"
 #include "drape/mesh.h"
 
 namespace weftlight::actions {
@@ -15,6 +16,20 @@ void add_cloth_actions(Actions& all) {
     });
     a.checked = [name](const Desk& e) { return e.document().now().scene.mesh == name; };
   }
+  for (const LightSetup& setup : kLightSetups) {
+    Action& a = add(all, "Cloth", (std::string("lights.") + setup.id).c_str(),
+                    (std::string("Light: ") + setup.label).c_str(), "", [&setup](Desk& e) {
+                      e.commit({"Choose lights", [&setup](Design d) {
+                                  d.scene = lit_by(d.scene, setup);
+                                  return d;
+                                }});
+                    });
+    a.item.group = &setup == &kLightSetups.front();
+    a.checked = [&setup](const Desk& e) { return e.document().now().scene.lights == setup.id; };
+  }
+  Action& picture = add(all, "Cloth", "environment", "Light: a picture from all around\xE2\x80\xA6", "",
+                        [](Desk& e) { e.ask_environment(); });
+  picture.checked = [](const Desk& e) { return is_environment(e.document().now().scene.lights); };
   Action& flat = add(all, "Cloth", "flat", "Flat swatch, straight on", "F", [](Desk& e) { e.toggle_flat(); });
   flat.item.group = true;
   flat.checked = [](const Desk& e) { return e.view().flat; };

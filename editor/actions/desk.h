@@ -58,6 +58,8 @@ class Desk {
   virtual void disconnect_loom() = 0;
   /// Which draft the open one is held against.
   virtual void ask_other() = 0;
+  /// Which picture lights the cloth.
+  virtual void ask_environment() = 0;
   /// The last that was worked out of the draft; null: none.
   virtual const Report* last_report() const = 0;
   virtual void ask_size() = 0;

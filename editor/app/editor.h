@@ -73,6 +73,7 @@ class Editor : public Desk {
   void connect_loom() override;
   void disconnect_loom() override;
   void ask_other() override;
+  void ask_environment() override;
   const Report* last_report() const override;
   void ask_size() override;
   void ask_notes() override;

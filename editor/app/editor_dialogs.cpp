@@ -6,6 +6,7 @@
 
 #include "app/editor.h"
 #include "draft/generators/sections.h"
+#include "draft/lights.h"
 #include "draft/selection_edits.h"
 
 namespace weftlight::app {
@@ -108,6 +109,20 @@ void Editor::ask_other() {
     settings_.inspector = true;
     settings_.inspector_tab = kAnalysisTab;
   });
+}
+
+void Editor::ask_environment() {
+  const std::string now = document().now().scene.lights;
+  ask_path(
+      FileAsk::kOpen, "Light from a picture", is_environment(now) ? now : "",
+      [this](const std::string& path) {
+        if (!is_environment(path)) return say("Light comes from pictures that end in .hdr or .exr");
+        commit({"Light from a picture", [path](Design d) {
+                  d.scene = lit_by_environment(d.scene, path);
+                  return d;
+                }});
+      },
+      ".hdr");
 }
 
 void Editor::ask_print() {

@@ -58,6 +58,7 @@ struct Filter {
 };
 std::vector<Filter> filters_of(FileAsk what, const std::string& ending) {
   std::vector<Filter> filters;
+  if (ending == ".hdr") return {{"Pictures from all around", "*.hdr *.HDR *.exr *.EXR"}, {"All files", "*"}};
   if (what == FileAsk::kOpen)
     filters.push_back({"Weaving drafts", "*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO"});
   filters.push_back(ending == ".wif" ? Filter{"WIF drafts", "*.wif *.WIF *.wifw *.WIFW"}

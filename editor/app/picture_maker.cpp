@@ -152,7 +152,7 @@ void PictureMaker::follow_reference(const PictureRequest& request, bool changed)
 
 /// The picture that is shown is made anew afterwards.
 TraceJob PictureMaker::job_of(const PictureRequest& request) {
-  TraceJob job{design_, request.scene, request.look.exposure_ev, {}, {}};
+  TraceJob job{design_, request.scene, 0, {}, {}};
   Frame frame = frame_of(request);
   if (request.show_rungs) {
     frame.false_color_rungs = false;
@@ -161,7 +161,7 @@ TraceJob PictureMaker::job_of(const PictureRequest& request) {
   }
   job.preview = renderer_->read_back();
   frame.cloth = false;
-  renderer_->draw(request.scene, request.look, frame);
+  job.exposure_ev = renderer_->draw(request.scene, request.look, frame).exposure_ev;
   job.around = renderer_->read_back();
   passes_ = samples_ = 0;
   draw_pass(request, 1);

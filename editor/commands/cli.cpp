@@ -15,6 +15,7 @@
 #include "base/files.h"
 #include "base/utf8.h"
 #include "commands/commands.h"
+#include "draft/lights.h"
 #include "draft/methods.h"
 #include "light/formulas.h"
 
@@ -201,9 +202,52 @@ void add_response_options(CLI::App* verb, ResponseOptions& o, std::string& views
       ->check(CLI::Range(1, 1 << 16));
 }
 
+std::vector<std::string> light_names() {
+  std::vector<std::string> names;
+  for (const LightSetup& setup : kLightSetups) names.push_back(setup.id);
+  return names;
+}
+
+CLI::Validator environment_name() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return is_environment(text) ? std::string{} : quoted(text) + " is neither an .hdr nor an .exr";
+      },
+      "FILE.hdr|FILE.exr");
+}
+
 struct PictureText {
-  std::string size = "1280x800", view, light, face = "front";
+  std::string size = "1280x800", view, light, exposure, face = "front";
 };
+
+/// "auto", "auto+0.5", or stops alone.
+bool parse_exposure(const std::string& text, bool& automatic, float& stops) {
+  constexpr float kMost = 20;
+  constexpr std::string_view kAuto = "auto";
+  automatic = text.starts_with(kAuto);
+  stops = 0;
+  std::string_view number(text);
+  if (automatic) {
+    number.remove_prefix(kAuto.size());
+    if (number.empty()) return true;
+    if (number[0] != '+' && number[0] != '-') return false;
+  }
+  if (number.starts_with('+')) number.remove_prefix(1);
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), stops);
+  return read.ec == std::errc{} && read.ptr == number.data() + number.size() && std::abs(stops) <= kMost;
+}
+
+CLI::Validator exposure_form() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        bool automatic = false;
+        float stops = 0;
+        return parse_exposure(text, automatic, stops)
+                   ? std::string{}
+                   : quoted(text) + " is no exposure; give stops from -20 to 20, auto, or auto+EV";
+      },
+      "EV|auto|auto+EV");
+}
 
 void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
@@ -216,6 +260,15 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("--view", t.view, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
   verb->add_option("--view-name", o.view_name, "A view kept with the draft, or: whole, head_on, grazing, near");
   verb->add_option("--light", t.light, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
+  auto* lights = verb->add_option("--lights", o.lights, "Light set-up; --light moves its key light")
+                     ->check(CLI::IsMember(light_names()));
+  verb->add_option("--environment", o.lights,
+                   "Light from all around, an equirectangular .hdr or .exr; --light turns it")
+      ->check(environment_name())
+      ->excludes(lights);
+  verb->add_flag("--surroundings", o.surroundings, "The environment's picture behind the cloth");
+  verb->add_option("--exposure", t.exposure, "Stops; auto: by what the cloth reflects. An .exr takes the stops alone")
+      ->check(exposure_form());
   add_face(verb, t.face);
   verb->add_option("--stats", o.stats, "Write costs as JSON")->check(some_name());
 }
@@ -246,6 +299,7 @@ bool take_picture_text(PictureOptions& o, const PictureText& t) {
   o.height = static_cast<int>(h);
   if (!t.view.empty()) parse_pair(t.view, ',', o.view_azimuth, o.view_elevation);
   if (!t.light.empty()) parse_pair(t.light, ',', o.light_azimuth, o.light_elevation);
+  if (!t.exposure.empty()) parse_exposure(t.exposure, o.automatic_exposure, o.exposure_ev);
   o.face = t.face == "back" ? Face::kBack : Face::kFront;
   return true;
 }
@@ -316,6 +370,7 @@ CommandLine run_command_line(int argc, char** argv) {
 
   PictureOptions picture;
   picture.view_azimuth = picture.view_elevation = picture.light_azimuth = picture.light_elevation = kUnset;
+  picture.exposure_ev = kUnset;
   PictureText picture_text;
   auto* render_verb = app.add_subcommand("render", "The lit, draped cloth as a picture");
   add_picture_options(render_verb, picture, picture_text);

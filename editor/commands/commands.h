@@ -39,6 +39,10 @@ struct PictureOptions {
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
+  std::string lights;  // of kLightSetups, or a picture from all around; empty: the scene's
+  bool surroundings = false;
+  float exposure_ev;  // stops; given, it says with automatic_exposure all of the exposure
+  bool automatic_exposure = false;
   int turntable = 0;     // render only: pictures of one turn
   int samples = 0;       // render only; 0: as many as the tolerance asks for
   float tolerance = 0;   // render only; 0: the design's

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "draft/lights.h"
 #include "files/files.h"
 #include "gl/pipeline.h"
 #include "light/ladder.h"
@@ -17,8 +18,15 @@ std::string extension_of(const std::string& path) { return std::filesystem::path
 void take_options(Design& design, const PictureOptions& o) {
   Scene& scene = design.scene;
   if (!o.mesh.empty()) scene.mesh = o.mesh;
+  if (is_environment(o.lights)) scene = lit_by_environment(scene, o.lights);
+  else if (!o.lights.empty()) scene = lit_by(scene, light_setup(o.lights));
+  if (o.surroundings) scene.surroundings = true;
   if (!std::isnan(o.view_azimuth)) scene.view_azimuth = o.view_azimuth, scene.view_elevation = o.view_elevation;
   if (!std::isnan(o.light_azimuth)) scene.light_azimuth = o.light_azimuth, scene.light_elevation = o.light_elevation;
+  if (!std::isnan(o.exposure_ev)) {
+    design.look.exposure_ev = o.exposure_ev;
+    design.look.automatic_exposure = o.automatic_exposure;
+  }
   if (o.tolerance > 0) design.look.tolerance = o.tolerance;
   if (!o.method.empty()) design.look.method = method_from_name(o.method).value_or(Method::kAuto);
 }
@@ -64,6 +72,7 @@ int PictureSetup::open(const PictureOptions& o) {
   status.say("weaving " + std::to_string(d.ends()) + " ends by " + std::to_string(d.picks()) + " picks");
   error = upload_once(std::make_shared<const Design>(design), *renderer);
   status.clear();
+  for (const std::string& remark : renderer->light_remarks()) std::fprintf(stderr, "weftlight: %s\n", remark.c_str());
   return error.empty() ? kDone : fail(kBadInput, error);
 }
 

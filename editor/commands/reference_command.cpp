@@ -39,12 +39,12 @@ int reference_command(const PictureOptions& o) {
 
   Frame frame = setup.frame(o);
   frame.cloth = false;
-  setup.renderer->draw(design.scene, design.look, frame);
+  const FrameStats drawn = setup.renderer->draw(design.scene, design.look, frame);
   const bool linear = writes_linear(o.out);
   Image picture = setup.renderer->read_back(linear);
   const TracedImage traced = scene.trace(view_of(o, design.scene), progress_on(setup.status));
   setup.status.clear();
-  lay_over(picture, traced, design.look.exposure_ev, linear);
+  lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
   error = write_picture(o.out, picture);
   return error.empty() ? kDone : fail(kNotWritten, error);
 }

@@ -21,6 +21,7 @@ struct Pipeline::Parts {
   mutable std::mutex mutex;
   std::mutex maps;
   std::optional<PreparedMesh> mesh;
+  std::optional<LightRig> lights;
   bool all_maps = false;                  // stages.packed() is new as a whole
   std::optional<PackedCloth> quick_maps;  // or this is; patches come after it
   ClothPatches patches;
@@ -47,6 +48,7 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
 void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> copy) {
   const std::lock_guard lock(mutex);
   if (result.mesh) mesh = std::move(result.mesh);
+  if (result.lights) lights = std::move(result.lights);
   if (result.all_maps) {
     quick_maps = std::move(copy);
     all_maps = !quick_maps;
@@ -67,9 +69,11 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
   if (wait) hold.lock();
   std::unique_lock lock(mutex);
   if (all_maps && !wait && !hold.try_lock()) return false;
-  const bool changed = mesh || all_maps || quick_maps || !patches.empty() || lobes;
+  const bool changed = mesh || lights || all_maps || quick_maps || !patches.empty() || lobes;
   if (mesh) renderer.set_mesh(std::move(*mesh));
   mesh.reset();
+  if (lights) renderer.set_lights(std::move(*lights));
+  lights.reset();
   if (all_maps) renderer.upload(stages.packed());
   if (quick_maps) renderer.upload(*quick_maps);
   if (!patches.empty()) renderer.upload(patches);
@@ -110,6 +114,7 @@ std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer
   Stages stages;
   StageResult result = stages.update(std::move(design), Effort::kOnce);
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
+  if (result.lights) renderer.set_lights(std::move(*result.lights));
   if (result.all_maps) renderer.upload(stages.take_packed());
   return std::move(result.problem);
 }

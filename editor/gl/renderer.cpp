@@ -19,7 +19,7 @@
 #include "light/formulas.h"
 #include "light/ladder.h"
 #include "upload/camera.h"
-#include "upload/light_rig.h"
+#include "upload/exposure.h"
 #include "upload/rung_shares.h"
 #include "upload/shipped_ladder.h"
 
@@ -39,6 +39,7 @@ struct DrawnFrame {
   Frame frame;
   int rungs = kAllRungs;
   bool gaps = false;  // what is behind shows
+  SceneLight light{};
 };
 
 /// The rung that is drawn for a rung that is asked for: the truth is drawn by the ray tracer.
@@ -50,6 +51,7 @@ struct Renderer::Parts {
   GpuMesh mesh, patch;
   GpuCloth cloth;
   LightRig rig;
+  GlTexture environment;  // the rig's picture, if it has one
   SunShadow sun;
   GroundLight ground;
   GpuHairs hairs;
@@ -62,7 +64,7 @@ struct Renderer::Parts {
     GlProgram program;
     std::string problem;
   };
-  std::map<std::array<int, 3>, ClothProgram> cloth_programs;
+  std::map<std::array<int, 4>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, hair_timer;
   bool queried = false, hairs_queried = false, software = false;
@@ -73,12 +75,14 @@ struct Renderer::Parts {
   Ladder ladder = shipped.ladder;
 
   bool build(std::string& error);
-  const ClothProgram& cloth_program(Method method, int taps, int rungs);
+  void set_lights(LightRig lights);
+  const ClothProgram& cloth_program(Method method, int taps, int rungs, bool more_lit);
   int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
   void tell_rungs(const DrawnFrame& drawn);
   Plan plan_for(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
                                 const GpuMesh& on) const;
+  void put_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const;
   void upload_frame(const interop::FrameData& data);
   void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
@@ -88,8 +92,8 @@ struct Renderer::Parts {
   void draw_around(const DrawnFrame& drawn, const Camera& camera);
   /// Share of the key light that the cloth keeps from what is behind it.
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].coverage + cloth.data().systems[1].coverage); }
-  float ground_opacity = -1;
-  RungShares shares;  // of the last picture
+  std::array<glm::vec4, 6> ground_drawn{};  // what the light on the ground was made by
+  RungShares shares;                        // of the last picture
   bool has_gaps() const;
   void take_queries(bool wait);
 };
@@ -105,7 +109,7 @@ bool Renderer::Parts::build(std::string& error) {
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error))
     return false;
-  error = cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung).problem;
+  error = cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung, false).problem;
   return error.empty();
 }
 
@@ -126,18 +130,61 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
   return plan;
 }
 
-const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs) {
-  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, rungs}];
+/// more_lit: with the lights of an environment beside the key light.
+const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs, bool more_lit) {
+  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, rungs, more_lit}];
   if (!made.program.peek() && made.problem.empty()) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
                                      "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
                                      "RUNGS " + std::to_string(rungs)};
     if (taps == kQuickTaps) defines.push_back("QUICK");
+    if (more_lit) defines.push_back("MORE_LIT");
     made.program = build_program("cloth.vert", "cloth.frag", defines, made.problem);
     if (!made.problem.empty()) made.problem = name + ": " + made.problem;
   }
   return made;
+}
+
+/// Lights, sky, and what of an environment shows behind the cloth.
+void Renderer::Parts::put_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const {
+  const std::vector<DistantLight>& lights = drawn.light.lights;
+  if (!lights.empty()) {
+    data.light = vec(lights[0].towards, lights[0].radius);
+    data.light_color = vec(lights[0].irradiance, 0);
+  }
+  for (size_t i = 1; i < lights.size(); ++i) {
+    const ShadowView& view = sun.more(i);
+    data.world_to_more[i - 1] = view.world_to_shadow;
+    data.more_light[i - 1] = vec(lights[i].towards, lights[i].radius);
+    data.more_color[i - 1] = vec(lights[i].irradiance, view.texel_mm);
+    data.picture.w = static_cast<float>(i);
+  }
+  for (size_t i = 0; i < drawn.light.sky.size(); ++i) data.sky[i] = vec(drawn.light.sky[i], 0);
+  const glm::mat4 clip_to_world = glm::inverse(camera.world_to_clip);
+  const auto ray = [&](float x, float y) {
+    const glm::vec4 far = clip_to_world * glm::vec4(x, y, 1, 1);
+    return glm::vec3(far) / far.w - camera.eye;
+  };
+  const glm::vec3 middle = ray(0, 0);
+  const float turn = glm::radians(drawn.scene.light_azimuth);
+  const bool shown = drawn.scene.surroundings && rig.environment && !drawn.frame.transparent;
+  data.look[0] = vec(ray(1, 0) - middle, std::cos(turn));
+  data.look[1] = vec(ray(0, 1) - middle, std::sin(turn));
+  data.look[2] = vec(middle, shown ? 1.0f : 0.0f);
+}
+
+void Renderer::Parts::set_lights(LightRig lights) {
+  rig = std::move(lights);
+  environment.reset();
+  if (!rig.environment) return;
+  const Image& picture = rig.environment->picture();
+  glBindTexture(GL_TEXTURE_2D, environment.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, picture.width, picture.height, 0, GL_RGB, GL_FLOAT, picture.texels.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
@@ -148,13 +195,12 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.world_to_clip = camera.world_to_clip;
   data.world_to_shadow = sun.world_to_shadow();
   data.eye = vec(camera.eye, drawn.frame.front == Face::kFront ? 1.0f : -1.0f);
-  data.light = vec(direction_of(scene.light_azimuth, scene.light_elevation), kKeyRadius);
-  data.light_color = vec(rig.key * (kKeyIrradiance * scene.light_strength), std::exp2(drawn.look.exposure_ev));
-  for (size_t i = 0; i < rig.sky.size(); ++i) data.sky[i] = vec(rig.sky[i] * scene.sky_strength, 0);
+  put_lights(drawn, camera, data);
+  data.light_color.w = std::exp2(linear_out ? drawn.look.exposure_ev : stats.exposure_ev);
   const Linear background = linear_from_srgb(scene.background);
   data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
   data.picture = {static_cast<float>(drawn.frame.width), static_cast<float>(drawn.frame.height),
-                  linear_out ? 1.0f : 0.0f, 0};
+                  linear_out ? 1.0f : 0.0f, data.picture.w};
   const Plan plan = plan_for(drawn);
   data.samples = {static_cast<float>(std::max(0, drawn.frame.pass)), static_cast<float>(std::max(1, plan.samples)), 0,
                   0};
@@ -196,7 +242,8 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   cloth.bind();
   Method method = drawn_method(drawn.look.method);
   if (method_facts(method).threads && !cloth.has_threads()) method = Method::kCell;
-  const ClothProgram& with = cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs);
+  const ClothProgram& with = cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs,
+                                           drawn.light.lights.size() > 1);
   stats.problem = with.problem;
   if (!with.problem.empty()) return;
   glUseProgram(with.program.peek());
@@ -255,6 +302,8 @@ void Renderer::Parts::draw_around(const DrawnFrame& drawn, const Camera& camera)
   glBindVertexArray(nothing.get());
   if (!drawn.frame.transparent) {
     glUseProgram(backdrop.peek());
+    glActiveTexture(GL_TEXTURE0 + kEnvironmentSlot);
+    glBindTexture(GL_TEXTURE_2D, environment.peek());
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
@@ -265,16 +314,21 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
   stats.method = drawn_method(drawn.look.method);
+  stats.exposure_ev = exposure_stops(drawn.look, cloth.data(), rig);
   DrawnFrame chosen = drawn;
   chosen.rungs = rungs_of(drawn, mesh, camera);
   chosen.gaps = has_gaps();
+  chosen.light = scene_light(rig, drawn.scene);
   mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack,
             drawn.frame.render_scale < 1);
-  const bool new_light =
-      sun.update(mesh, direction_of(drawn.scene.light_azimuth, drawn.scene.light_elevation), frame_block);
-  upload_frame(frame_data(drawn, camera, linear_out, mesh));
-  if (new_light || opacity() != ground_opacity) ground.update(sun.depth(), mesh.ground_sky());
-  ground_opacity = opacity();
+  const bool new_light = sun.update(mesh, chosen.light.lights[0].towards, frame_block);
+  sun.update_more(mesh, chosen.light.lights, frame_block);
+  const interop::FrameData data = frame_data(chosen, camera, linear_out, mesh);
+  upload_frame(data);
+  const std::array<glm::vec4, 6> on_ground{
+      data.light, vec(data.light_color, opacity()), data.sky[0], data.sky[1], data.sky[6], data.sky[8]};
+  if (new_light || on_ground != ground_drawn) ground.update(sun.depth(), mesh.ground_sky());
+  ground_drawn = on_ground;
   if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
   sun.bind();
   glClearColor(0, 0, 0, 0);
@@ -416,13 +470,15 @@ void Renderer::set_mesh(PreparedMesh mesh) {
   parts_->sun.forget();
   parts_->hairs.forget();
 }
+void Renderer::set_lights(LightRig lights) { parts_->set_lights(std::move(lights)); }
+const std::vector<std::string>& Renderer::light_remarks() const { return parts_->rig.remarks; }
 void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
 void Renderer::upload(PackedCloth&& cloth) { parts_->cloth.upload(std::move(cloth)); }
 void Renderer::upload(const ClothPatches& patches) { parts_->cloth.upload(patches); }
 void Renderer::upload_lobes(const ClothLobes& lobes) { parts_->cloth.upload_lobes(lobes); }
 
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
-  parts_->last = {scene, look, frame};
+  parts_->last = {scene, look, frame, kAllRungs, false, {}};
   Target& screen = parts_->screen;
   parts_->draw_scene(parts_->last, screen, false);
   if (frame.pass >= 0)

@@ -14,6 +14,7 @@
 #include "light/formulas.h"
 #include "light/ladder.h"
 #include "upload/ambient.h"
+#include "upload/light_rig.h"
 #include "upload/packed_maps.h"
 #include "upload/patch.h"
 
@@ -47,6 +48,7 @@ struct FrameStats {
   double hair_ms = 0;                  // stray fibres, beside gpu_ms
   size_t hairs = 0;                    // of them drawn
   float estimated_error = 0;           // by the ladder, of what was drawn, at the mean footprint
+  float exposure_ev = 0;               // that the picture is shown at; a scene-linear one has the look's alone
   std::string problem;                 // why the cloth is not there; empty: it is
 };
 
@@ -59,6 +61,10 @@ class Renderer {
   /// prepare_mesh (ambient.h) takes a fifth to two fifths of a second for a drape: the window does it on its worker.
   void set_mesh(PreparedMesh mesh);
   void set_mesh(const Mesh& mesh) { set_mesh(prepare_mesh(mesh)); }
+  /// The studio until then.
+  void set_lights(LightRig lights);
+  /// What was set right in the picture of the light.
+  const std::vector<std::string>& light_remarks() const;
   /// New maps of both faces, or patches of the maps that are there (packed_maps.h).
   void upload(const PackedCloth& cloth);
   /// The same; each map is given up as soon as the graphics library has it, so that a large one is not held twice.

@@ -8,49 +8,95 @@
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
+namespace {
+
+/// Beyond its border a map lets all light through.
+void read_as_shadow(GLenum target) {
+  constexpr float kLit[] = {1, 1, 1, 1};
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, kLit);
+  glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
+void depth_only() {
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+}
+
+Bounds bounds_with_body(const PreparedMesh& mesh) {
+  if (mesh.body.position_mm.empty()) return mesh.bounds;
+  const Bounds body = bounds_of(mesh.body);
+  return {glm::min(mesh.bounds.low, body.low), glm::max(mesh.bounds.high, body.high)};
+}
+
+}  // namespace
 
 bool SunShadow::build(std::string& error) {
   program_ = build_program("depth.vert", "depth.frag", {"SHADOW_TAPS 4"}, error);
   if (!error.empty()) return false;
   glBindTexture(GL_TEXTURE_2D, depth_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  constexpr float kLit[] = {1, 1, 1, 1};
-  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, kLit);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  read_as_shadow(GL_TEXTURE_2D);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
-  glDrawBuffer(GL_NONE);
-  glReadBuffer(GL_NONE);
+  depth_only();
   return true;
 }
 
+void SunShadow::forget() {
+  key_.drawn = false;
+  for (ShadowView& view : more_) view.drawn = false;
+}
+
 bool SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block) {
-  if (drawn_ && towards_light == light_) return false;
-  drawn_ = true, light_ = towards_light;
-  Bounds all = mesh.prepared().bounds;
-  if (!mesh.prepared().body.position_mm.empty()) {
-    const Bounds body = bounds_of(mesh.prepared().body);
-    all = {glm::min(all.low, body.low), glm::max(all.high, body.high)};
+  if (key_.drawn && towards_light == key_.towards) return false;
+  key_.towards = towards_light;
+  draw(mesh, key_, framebuffer_.get(), kSize, frame_block);
+  return true;
+}
+
+void SunShadow::update_more(GpuMesh& mesh, std::span<const DistantLight> lights, GlBuffer& frame_block) {
+  if (lights.size() > 1 && !more_depth_.peek()) {
+    glBindTexture(GL_TEXTURE_2D_ARRAY, more_depth_.get());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, kMoreSize, kMoreSize, static_cast<GLsizei>(more_.size()),
+                 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    read_as_shadow(GL_TEXTURE_2D_ARRAY);
+    for (size_t i = 0; i < more_.size(); ++i) {
+      glBindFramebuffer(GL_FRAMEBUFFER, more_framebuffers_[i].get());
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, more_depth_.peek(), 0, static_cast<GLint>(i));
+      depth_only();
+    }
   }
+  for (size_t i = 1; i < lights.size() && i < kMostLights; ++i) {
+    ShadowView& view = more_[i - 1];
+    if (view.drawn && view.towards == lights[i].towards) continue;
+    view.towards = lights[i].towards;
+    draw(mesh, view, more_framebuffers_[i - 1].get(), kMoreSize, frame_block);
+  }
+}
+
+void SunShadow::draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int size, GlBuffer& frame_block) {
+  const Bounds all = bounds_with_body(mesh.prepared());
   const float r = all.radius() * 1.02f + 1e-3f;
   const glm::vec3 centre = all.centre();
-  const glm::vec3 up = std::abs(towards_light.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-  const glm::mat4 clip = glm::ortho(-r, r, -r, r, 0.0f, 2 * r) * glm::lookAt(centre + towards_light * r, centre, up);
-  matrix_ = glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f)) * clip;
-  texel_mm_ = 2 * r / kSize;
+  const glm::vec3 up = std::abs(view.towards.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  const glm::mat4 clip = glm::ortho(-r, r, -r, r, 0.0f, 2 * r) * glm::lookAt(centre + view.towards * r, centre, up);
+  view.world_to_shadow =
+      glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f)) * clip;
+  view.texel_mm = 2 * r / static_cast<float>(size);
+  view.drawn = true;
 
   interop::FrameData data{};
-  data.world_to_shadow = matrix_;
+  data.world_to_shadow = view.world_to_shadow;
   glBindBuffer(GL_UNIFORM_BUFFER, frame_block.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof data, &data, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-  glViewport(0, 0, kSize, kSize);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, size, size);
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -63,12 +109,14 @@ bool SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_b
   mesh.draw_cloth();
   mesh.draw_body();
   glDisable(GL_POLYGON_OFFSET_FILL);
-  return true;
 }
 
 void SunShadow::bind() const {
   glActiveTexture(GL_TEXTURE0 + kSunShadowSlot);
   glBindTexture(GL_TEXTURE_2D, depth_.peek());
+  if (!more_depth_.peek()) return;
+  glActiveTexture(GL_TEXTURE0 + kMoreShadowSlot);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, more_depth_.peek());
 }
 
 }  // namespace weftlight::gl

@@ -1,37 +1,54 @@
 #pragma once
-// The shadow map of the key light over cloth and body; drawn again only when the light or the mesh changes.
+// Shadow maps over cloth and body: of the key light, and of an environment's other lights; each drawn again only when
+// its light or the mesh changes.
 
+#include <array>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
 #include "gl/names.h"
+#include "upload/environment.h"
 
 namespace weftlight::gl {
+
+/// How one light sees the mesh.
+struct ShadowView {
+  glm::vec3 towards{0};
+  glm::mat4 world_to_shadow{1};  // to 0..1 in x, y and depth
+  float texel_mm = 1;
+  bool drawn = false;
+};
 
 class SunShadow {
  public:
   bool build(std::string& error);
-  void forget() { drawn_ = false; }
+  void forget();
   /// Draws the map if it is not that of this light, and says whether it did. Changes framebuffer and viewport.
   bool update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);
+  /// The same of the lights after the first, kMostLights in all.
+  void update_more(GpuMesh& mesh, std::span<const DistantLight> lights, GlBuffer& frame_block);
   void bind() const;
 
   int size() const { return kSize; }
-  float texel_mm() const { return texel_mm_; }
+  float texel_mm() const { return key_.texel_mm; }
   GLuint depth() const { return depth_.peek(); }
-  const glm::mat4& world_to_shadow() const { return matrix_; }
+  const glm::mat4& world_to_shadow() const { return key_.world_to_shadow; }
+  /// Of light i, 1 and on.
+  const ShadowView& more(size_t i) const { return more_[i - 1]; }
 
  private:
-  static constexpr int kSize = 1536;
+  static constexpr int kSize = 1536, kMoreSize = 1024;
+  void draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int size, GlBuffer& frame_block);
+
   GlProgram program_;
-  GlTexture depth_;
+  GlTexture depth_, more_depth_;
   GlFramebuffer framebuffer_;
-  glm::mat4 matrix_{1};
-  glm::vec3 light_{0};
-  float texel_mm_ = 1;
-  bool drawn_ = false;
+  std::array<GlFramebuffer, kMostLights - 1> more_framebuffers_;
+  ShadowView key_;
+  std::array<ShadowView, kMostLights - 1> more_;
 };
 
 }  // namespace weftlight::gl

@@ -43,7 +43,8 @@ class GoldenTest : public testing::TestWithParam<Golden> {};
 
 int run_render(const Golden& golden, const std::string& out) {
   const std::string command = std::string(WEFTLIGHT_BINARY) + " render " WEFTLIGHT_DRAFTS "/" + golden.draft +
-                              ".wif -o '" + out + "' --mesh " + golden.mesh + " --size 256x256 " + golden.options;
+                              ".wif --exposure 0 -o '" + out + "' --mesh " + golden.mesh + " --size 256x256 " +
+                              golden.options;
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

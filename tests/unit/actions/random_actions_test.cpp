@@ -63,6 +63,7 @@ class BareDesk : public Desk {
   void connect_loom() override {}
   void disconnect_loom() override {}
   void ask_other() override {}
+  void ask_environment() override {}
   const Report* last_report() const override { return nullptr; }
   void ask_size() override {}
   void ask_notes() override {}

@@ -49,6 +49,7 @@ class PictureTest : public testing::Test {
     scene.view_azimuth = scene.view_elevation = 0;
     scene.light_azimuth = -30, scene.light_elevation = 40;
     look.method = Method::kYarn;
+    look.automatic_exposure = false;
     frame.width = frame.height = 128;
     frame.ground = false;
   }

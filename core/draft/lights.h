@@ -1,0 +1,123 @@
+#pragma once
+// Light that a cloth is looked at in, by name: the soft light around it (presets/lights/ID.json holds its lamps and the
+// key light's colour) and where the key light stands at first.
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "draft/design.h"
+
+namespace weftlight::draft {
+
+struct LightSetup {
+  const char* id;  // Scene::lights, and the file in presets/lights
+  const char* label;
+  const char* tip;
+  float azimuth, elevation;  // of the key light, degrees as in Scene
+  float key, sky;            // strengths
+  Rgb background;
+  Rgb lit, shaded;  // of a white ball in it, as the picker shows it
+};
+
+inline constexpr std::array<LightSetup, 6> kLightSetups{{
+    {"studio",
+     "Studio",
+     "A soft box above, fills from the side and behind: for colour",
+     -50,
+     48,
+     1,
+     1,
+     {0.93f, 0.925f, 0.91f},
+     {0.97f, 0.96f, 0.94f},
+     {0.60f, 0.585f, 0.57f}},
+    {"window",
+     "Window",
+     "Daylight from one side, a dim room behind: for folds",
+     -68,
+     30,
+     1,
+     1,
+     {0.56f, 0.55f, 0.53f},
+     {0.94f, 0.96f, 0.97f},
+     {0.30f, 0.275f, 0.25f}},
+    {"overcast",
+     "Overcast",
+     "Grey sky all over, hardly a shadow: for weave and colour",
+     -20,
+     75,
+     0.3f,
+     1,
+     {0.83f, 0.845f, 0.86f},
+     {0.94f, 0.95f, 0.96f},
+     {0.70f, 0.71f, 0.725f}},
+    {"evening_sun",
+     "Evening sun",
+     "Low warm sun against a blue sky: for sheen",
+     48,
+     20,
+     1.2f,
+     1,
+     {0.80f, 0.71f, 0.62f},
+     {1.0f, 0.87f, 0.70f},
+     {0.44f, 0.46f, 0.56f}},
+    {"gallery",
+     "Gallery",
+     "Warm spots from high above in a dark room",
+     -25,
+     62,
+     1.3f,
+     1,
+     {0.21f, 0.195f, 0.18f},
+     {0.99f, 0.94f, 0.86f},
+     {0.33f, 0.30f, 0.265f}},
+    {"grazing",
+     "Grazing",
+     "Light that skims the cloth: every thread throws a shadow",
+     -82,
+     12,
+     1.9f,
+     1,
+     {0.30f, 0.305f, 0.315f},
+     {1.0f, 0.98f, 0.95f},
+     {0.16f, 0.165f, 0.175f}},
+}};
+
+/// The set-up of that name, or the first when there is none.
+constexpr const LightSetup& light_setup(std::string_view id) {
+  for (const LightSetup& setup : kLightSetups)
+    if (id == setup.id) return setup;
+  return kLightSetups.front();
+}
+
+/// A picture from all around, by its ending, in place of a set-up's name.
+constexpr bool is_environment(std::string_view lights) {
+  if (lights.size() < 5) return false;
+  constexpr auto kSame = [](std::string_view a, std::string_view b) {
+    for (size_t i = 0; i < a.size(); ++i)
+      if ((a[i] >= 'A' && a[i] <= 'Z' ? a[i] - 'A' + 'a' : a[i]) != b[i]) return false;
+    return true;
+  };
+  const std::string_view ending = lights.substr(lights.size() - 4);
+  return kSame(ending, ".hdr") || kSame(ending, ".exr");
+}
+
+/// The scene in the light of a picture, as it lies.
+inline Scene lit_by_environment(Scene scene, std::string path) {
+  scene.lights = std::move(path);
+  scene.light_azimuth = 0;
+  scene.light_strength = scene.sky_strength = 1;
+  return scene;
+}
+
+/// The scene in that light.
+inline Scene lit_by(Scene scene, const LightSetup& setup) {
+  scene.lights = setup.id;
+  scene.light_azimuth = setup.azimuth, scene.light_elevation = setup.elevation;
+  scene.light_strength = setup.key, scene.sky_strength = setup.sky;
+  scene.background = setup.background;
+  return scene;
+}
+
+}  // namespace weftlight::draft

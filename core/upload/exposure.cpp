@@ -1,0 +1,31 @@
+#include "upload/exposure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "light/formulas.h"
+
+namespace weftlight::upload {
+
+float mean_reflectance(const interop::ClothData& cloth) {
+  const glm::vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);
+  float sum = 0, shares = 0;
+  for (const interop::SystemData& system : cloth.systems) {
+    const formulas::YarnLobes y = formulas::yarn_of(system.yarn, glm::vec3(system.color));
+    sum += system.share * glm::dot(kLuminance, glm::clamp(y.body + y.f0, 0.0f, 1.0f));
+    shares += system.share;
+  }
+  return shares > 0 ? sum / shares : 0;
+}
+
+float exposure_for(float reflectance) {
+  constexpr float kMiddle = 0.3f;  // of cloths in daylight wear; what the set-ups were tuned with
+  constexpr float kStrength = 0.6f, kDarkest = -0.4f, kBrightest = 1.6f;
+  return std::clamp(kStrength * std::log2(kMiddle / std::max(reflectance, 1e-3f)), kDarkest, kBrightest);
+}
+
+float exposure_stops(const Look& look, const interop::ClothData& cloth, const LightRig& rig) {
+  return look.exposure_ev + (look.automatic_exposure ? exposure_for(mean_reflectance(cloth)) + rig_exposure(rig) : 0);
+}
+
+}  // namespace weftlight::upload

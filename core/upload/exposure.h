@@ -1,0 +1,23 @@
+#pragma once
+// How bright a picture is shown: in stops, from what the cloth reflects and how much light there is. Nothing is read
+// from the picture, so that zooming, turning and dragging the light change nothing.
+
+#include "draft/design.h"
+#include "shaders/interop.h"
+#include "upload/light_rig.h"
+#include "upload/names.h"
+
+namespace weftlight::upload {
+
+/// Mean reflectance (luminance, 0..1) of what both faces show: the threads' bodies and their shine, without the gaps.
+float mean_reflectance(const interop::ClothData& cloth);
+
+/// Stops that lift a dark cloth and hold back a white one, by a good half of what would make all cloths alike: a dark
+/// cloth shall still look dark. 0 of the reflectance that the set-ups of light are made for.
+float exposure_for(float reflectance);
+
+/// What a picture is shown at: the design's own stops, and where it asks for them those of exposure_for() and
+/// rig_exposure().
+float exposure_stops(const Look& look, const interop::ClothData& cloth, const LightRig& rig);
+
+}  // namespace weftlight::upload

@@ -65,7 +65,7 @@ int stepped(int chosen, int count, int columns, Step step) {
 }
 
 bool opens_with_gallery(const Settings& settings, bool file_named, bool driven) {
-  return settings.start_page && settings.toured && !file_named && !driven;
+  return settings.start_page && settings.toured && !settings.recent.empty() && !file_named && !driven;
 }
 
 }  // namespace weftlight::session

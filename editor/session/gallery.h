@@ -28,7 +28,7 @@ enum class Step { kLeft, kRight, kUp, kDown };
 int stepped(int chosen, int count, int columns, Step step);
 
 struct Settings;
-/// Whether the page opens by itself: the weaver named no file, knows the window, and is no program (`driven`).
+/// Whether the page opens by itself: the weaver opened drafts before, named none now, and is no program (`driven`).
 bool opens_with_gallery(const Settings& settings, bool file_named, bool driven);
 
 }  // namespace weftlight::session

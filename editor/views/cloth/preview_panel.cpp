@@ -87,7 +87,8 @@ std::string stats_line(const PreviewPicture& p) {
   if (p.stats.estimated_error > 0) {
     std::string error = "error about " + fixed(100 * p.stats.estimated_error, 0) + "%";
     if (p.stats.method == Method::kAuto && p.tolerance > 0)
-      error += p.budget_ms > 0 ? ", for " + fixed(p.budget_ms, 0) + " ms" : " of " + fixed(100 * p.tolerance, 0) + "%";
+      error +=
+          p.budget_ms > 0 ? ", for " + fixed(p.budget_ms, 0) + " ms" : ", " + fixed(100 * p.tolerance, 0) + "% allowed";
     say(error);
   }
   if (p.busy) say("weaving\xE2\x80\xA6");

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "../yarns.h"
 #include "draft/yarn_presets.h"
 
 namespace weftlight::draft {

@@ -55,6 +55,8 @@ TEST(Gallery, OpensByItselfForAWeaverWithoutAFile) {
   Settings s;
   EXPECT_FALSE(opens_with_gallery(s, false, false)) << "the tour comes first";
   s.toured = true;
+  EXPECT_FALSE(opens_with_gallery(s, false, false)) << "nothing was open yet: the first draft and its cloth are seen";
+  s.recent = {"towel.wif"};
   EXPECT_TRUE(opens_with_gallery(s, false, false));
   EXPECT_FALSE(opens_with_gallery(s, true, false));
   EXPECT_FALSE(opens_with_gallery(s, false, true));

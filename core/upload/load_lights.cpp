@@ -29,7 +29,7 @@ LightRig load_light_rig(const std::string& name, std::string& error) {
     error = path + ": " + file.error + "; set WEFTLIGHT_PRESETS to the folder of presets";
     return {};
   }
-  const LightRig rig = light_rig_from(file.bytes, error);
+  LightRig rig = light_rig_from(file.bytes, error);
   if (!error.empty()) error = path + ":" + error + "; mend it, or bring back the shipped file";
   return rig;
 }

@@ -108,7 +108,7 @@ void Editor::save_as() {
 
 void Editor::save_all() { save_each(session_.unsaved(), nullptr); }
 
-void Editor::save_each(std::vector<uint64_t> ids, std::function<void()> then) {
+void Editor::save_each(std::vector<uint64_t> ids, const std::function<void()>& then) {
   if (ids.empty()) {
     if (then) then();
     return;
@@ -127,7 +127,7 @@ void Editor::save_for_others() {
   });
 }
 
-void Editor::save_to(const std::string& path, std::function<void()> then) {
+void Editor::save_to(const std::string& path, const std::function<void()>& then) {
   const OpenDocument* there = session_.on_file(path);
   const bool taken = there != nullptr && there->id != session_.active().id;
   const std::string problem = taken ? path + " is open in another tab." : session_.save(session_.active().id, path);

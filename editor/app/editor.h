@@ -137,8 +137,8 @@ class Editor : public Desk {
   void close(uint64_t id);
   void save_shown(std::function<void()> then);
   /// One after the other, asking where for those without a file; then `then`, but not where one was not saved.
-  void save_each(std::vector<uint64_t> ids, std::function<void()> then);
-  void save_to(const std::string& path, std::function<void()> then);
+  void save_each(std::vector<uint64_t> ids, const std::function<void()>& then);
+  void save_to(const std::string& path, const std::function<void()>& then);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen, const std::string& ending = ".wif");
   void with_ending(const std::string& typed, const std::string& ending,

@@ -55,7 +55,8 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, ec)) {
       std::string extension = entry.path().extension().string();
       for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      if ((extension == ".wif" || extension == ".wifw") && entry.is_regular_file(ec)) within.push_back(entry.path().string());
+      if ((extension == ".wif" || extension == ".wifw") && entry.is_regular_file(ec))
+        within.push_back(entry.path().string());
     }
     std::sort(within.begin(), within.end());
     out.insert(out.end(), within.begin(), within.end());

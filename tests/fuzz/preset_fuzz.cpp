@@ -1,5 +1,5 @@
-// Any bytes as what a preset holds beside its draft: yarns, look, scene, loom and weaves. Whatever they say, every number
-// is in its range, and what was read is written and read again the same.
+// Any bytes as what a preset holds beside its draft: yarns, look, scene, loom and weaves. Whatever they say, every
+// number is in its range, and what was read is written and read again the same.
 
 #include <cmath>
 #include <cstdint>

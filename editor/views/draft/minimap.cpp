@@ -59,8 +59,7 @@ void Minimap::take_input(PanelContext& c, const DraftLayout& l) {
   ImGui::SetCursorScreenPos({at->min.x - pad, at->min.y - pad});
   hit_area("minimap", {at->width() + 2 * pad, at->height() + 2 * pad});
   c.map.add_item("minimap");
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive())
-    c.frame.hint = "The whole drawdown: click or drag to go there";
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = "The whole drawdown: click or drag to go there";
   if (!ImGui::IsItemActive()) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float end = scroll_at(l.drawdown.x, (mouse.x - at->min.x) / at->width());

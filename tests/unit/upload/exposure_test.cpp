@@ -11,7 +11,8 @@ namespace {
 
 TEST(Exposure, DarkClothsStayDarkerThanBrightOnes) {
   float shown = 0;
-  for (float reflectance = 0.005f; reflectance < 1; reflectance *= 1.1f) {
+  for (int step = 0; step < 55; ++step) {
+    const float reflectance = 0.005f * std::pow(1.1f, static_cast<float>(step));
     const float now = reflectance * std::exp2(exposure_for(reflectance));
     EXPECT_GT(now, shown);
     shown = now;

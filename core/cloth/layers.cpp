@@ -13,6 +13,7 @@
 #include "analysis/layers.h"
 #include "cloth/centre_line.h"
 #include "cloth/thread_scene.h"
+#include "draft/repeat.h"
 
 namespace weftlight::cloth {
 namespace {
@@ -21,6 +22,8 @@ constexpr int kMostLayers = 8;
 constexpr int64_t kMostCrossings = 1 << 22;  // of a cloth that is drawn in layers
 constexpr int kMostTiles = 64;               // a side, to judge a cloth by
 constexpr float kLeastTiles = 0.6f;          // share of them that must be in layers
+constexpr float kAlike = 0.74f;              // share of neighbouring tiles that have the same layer above
+constexpr int kLeastPockets = 32;            // threads in which layers change places and back again
 constexpr float kLeastWoven = 0.04f;         // of a layer's own crossings, the rarer kind
 constexpr float kClear = 1.02f;              // between what was measured of layers and what was not
 constexpr float kStitchHeld = 0.9f;          // of the sum of the radii: a stitch presses into what it holds
@@ -208,9 +211,46 @@ void spread(std::vector<int8_t>& side, const Groups& g) {
   }
 }
 
+/// Which layer lies above in each tile: 1 or -1; 0 where its crossings do not agree.
+std::vector<int> sides_of(const std::vector<Tile>& tiles, const Orders& orders) {
+  const unsigned a = bits_of(orders.ends), b = bits_of(orders.picks);
+  std::vector<int> sides;
+  for (const Tile& t : tiles) {
+    const Votes v = votes_of(t, a, b);
+    sides.push_back(8 * std::min(v.first, v.all - v.first) > v.all ? 0 : 2 * v.first > v.all ? 1 : -1);
+  }
+  return sides;
+}
+
+/// Where layers change places, whether they do so as pockets: in areas of many threads. Ends and picks of a wide twill
+/// or of a shaded satin look like layers, too, that change places every few threads.
+bool in_areas(const BitMatrix& cells, const Orders& orders) {
+  const int wide = side_of(orders.ends), high = side_of(orders.picks);
+  const int across = cells.cols() / wide, down = cells.rows() / high;
+  std::vector<Tile> tiles;
+  for (int y = 0; y < down; ++y)
+    for (int x = 0; x < across; ++x) tiles.push_back(tile_at(cells, x * wide, y * high, wide, high));
+  if (tiles.size() < 4) return false;
+  const std::vector<int> sides = sides_of(tiles, orders);
+  const auto at = [&](int x, int y) { return sides[static_cast<size_t>(y % down * across + x % across)]; };
+  const Repeat repeat = structure_repeat(cells);
+  int alike = 0;
+  bool changes = false, wide_enough = true;
+  for (int y = 0; y < down; ++y) {
+    for (int x = 0; x < across; ++x) {
+      alike += (at(x, y) != 0 && at(x, y) == at(x + 1, y)) + (at(x, y) != 0 && at(x, y) == at(x, y + 1));
+      const bool along_weft = at(x, y) * at(x + 1, y) < 0, along_warp = at(x, y) * at(x, y + 1) < 0;
+      changes = changes || along_weft || along_warp;
+      wide_enough = wide_enough && (!along_weft || repeat.ends >= kLeastPockets) &&
+                    (!along_warp || repeat.picks >= kLeastPockets);
+    }
+  }
+  return !changes || (wide_enough && static_cast<float>(alike) >= kAlike * 2 * static_cast<float>(tiles.size()));
+}
+
 LayerPlan interleaved(const BitMatrix& cells) {
   const Orders orders = best_orders(cells);
-  if (orders.share < kLeastTiles) return {};
+  if (orders.share < kLeastTiles || !in_areas(cells, orders)) return {};
   LayerPlan plan;
   plan.layers = 2;
   plan.end_layer = layers_by(orders.ends, cells.cols()), plan.pick_layer = layers_by(orders.picks, cells.rows());

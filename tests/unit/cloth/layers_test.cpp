@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "cloth/centre_line.h"
@@ -191,6 +192,24 @@ TEST(Layers, ClothThatHangsTogetherHasOne) {
             1);
   EXPECT_EQ(layers(double_weave(16, 16)), 2);
   EXPECT_EQ(layers(complement(double_weave(16, 16))), 2);
+}
+
+TEST(Layers, TwillsAndShadedSatinsAreOneCloth) {
+  // Found where a 4/4 twill was drawn as pockets of four threads.
+  for (int repeat = 3; repeat <= 24; ++repeat) {
+    for (int step = 1; step < repeat; ++step) {
+      if (std::gcd(step, repeat) > 1) continue;  // comes apart, some of them
+      for (int up = 1; up < repeat; ++up) {
+        BitMatrix cells(repeat, repeat);
+        for (int p = 0; p < repeat; ++p)
+          for (int k = 0; k < up; ++k) cells.set(p, (p * step + k) % repeat, true);
+        EXPECT_EQ(find_layers(cells).layers, 1) << up << " of " << repeat << ", step " << step;
+        if (repeat > 8 || up < 2 || up > repeat - 2) continue;
+        cells.set(repeat / 2, repeat / 3, !cells.get(repeat / 2, repeat / 3));
+        EXPECT_EQ(find_layers(cells).layers, 1) << up << " of " << repeat << ", step " << step << ", a cell painted";
+      }
+    }
+  }
 }
 
 TEST(Layers, PaintedCellsPartAndJoinThemAsAWholeBakeDoes) {

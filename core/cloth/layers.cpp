@@ -222,8 +222,8 @@ std::vector<int> sides_of(const std::vector<Tile>& tiles, const Orders& orders) 
   return sides;
 }
 
-/// Where layers change places, whether they do so as pockets: in areas of many threads. Ends and picks of a wide twill
-/// or of a shaded satin look like layers, too, that change places every few threads.
+/// Whether one layer lies above over areas of many threads. Ends and picks of a wide twill or of a shaded satin look
+/// like layers, too, that change places every few threads.
 bool in_areas(const BitMatrix& cells, const Orders& orders) {
   const int wide = side_of(orders.ends), high = side_of(orders.picks);
   const int across = cells.cols() / wide, down = cells.rows() / high;
@@ -235,17 +235,16 @@ bool in_areas(const BitMatrix& cells, const Orders& orders) {
   const auto at = [&](int x, int y) { return sides[static_cast<size_t>(y % down * across + x % across)]; };
   const Repeat repeat = structure_repeat(cells);
   int alike = 0;
-  bool changes = false, wide_enough = true;
+  bool wide_enough = true;
   for (int y = 0; y < down; ++y) {
     for (int x = 0; x < across; ++x) {
       alike += (at(x, y) != 0 && at(x, y) == at(x + 1, y)) + (at(x, y) != 0 && at(x, y) == at(x, y + 1));
       const bool along_weft = at(x, y) * at(x + 1, y) < 0, along_warp = at(x, y) * at(x, y + 1) < 0;
-      changes = changes || along_weft || along_warp;
       wide_enough = wide_enough && (!along_weft || repeat.ends >= kLeastPockets) &&
                     (!along_warp || repeat.picks >= kLeastPockets);
     }
   }
-  return !changes || (wide_enough && static_cast<float>(alike) >= kAlike * 2 * static_cast<float>(tiles.size()));
+  return wide_enough && static_cast<float>(alike) >= kAlike * 2 * static_cast<float>(tiles.size());
 }
 
 LayerPlan interleaved(const BitMatrix& cells) {

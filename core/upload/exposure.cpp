@@ -19,9 +19,9 @@ float mean_reflectance(const interop::ClothData& cloth) {
 }
 
 float exposure_for(float reflectance) {
-  constexpr float kMiddle = 0.3f;  // of cloths in daylight wear; what the set-ups were tuned with
-  constexpr float kStrength = 0.6f, kDarkest = -0.4f, kBrightest = 1.6f;
-  return std::clamp(kStrength * std::log2(kMiddle / std::max(reflectance, 1e-3f)), kDarkest, kBrightest);
+  // By eye in the studio: white linen +0.3 stops, silk +0.7, denim +0.8, dark wool as far as its noise allows.
+  constexpr float kUnlifted = 1.6f, kStrength = 0.4f, kMost = 1.6f;
+  return std::clamp(kStrength * std::log2(kUnlifted / std::max(reflectance, 1e-3f)), 0.0f, kMost);
 }
 
 float exposure_stops(const Look& look, const interop::ClothData& cloth, const LightRig& rig) {

@@ -12,8 +12,8 @@ namespace weftlight::upload {
 /// Mean reflectance (luminance, 0..1) of what both faces show: the threads' bodies and their shine, without the gaps.
 float mean_reflectance(const interop::ClothData& cloth);
 
-/// Stops that lift a dark cloth and hold back a white one, by a good half of what would make all cloths alike: a dark
-/// cloth shall still look dark. 0 of the reflectance that the set-ups of light are made for.
+/// Stops that lift a cloth, the more the darker it is, by two fifths of what would make all cloths alike: a dark cloth
+/// shall still look dark, and a white one white.
 float exposure_for(float reflectance);
 
 /// What a picture is shown at: the design's own stops, and where it asks for them those of exposure_for() and

@@ -18,8 +18,8 @@ TEST(Exposure, DarkClothsStayDarkerThanBrightOnes) {
     shown = now;
   }
   EXPECT_GT(exposure_for(0.03f), 1);
-  EXPECT_LT(exposure_for(0.9f), -0.2f);
-  EXPECT_NEAR(exposure_for(0.3f), 0, 1e-6);
+  EXPECT_LT(exposure_for(0.9f), 0.4f) << "white is not burnt";
+  EXPECT_GE(exposure_for(1), 0) << "nor greyed";
   EXPECT_TRUE(std::isfinite(exposure_for(0)));
 }
 

@@ -204,7 +204,7 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
   for (const auto& rects : swept)
     for (const TexelRect& rect : rects)
       for (const TexelRect& r : pieces(rect, w, h)) mark(touched, {r.x0, r.x1}, {r.y0, r.y1});
-  const std::vector<TexelRect> all = cover(touched, kPatchOverhead);
+  std::vector<TexelRect> all = cover(touched, kPatchOverhead);
   for (const TexelRect& r : all) bake_occlusion(maps, r);
   return all;
 }

@@ -270,7 +270,8 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
   EngineFit best;
   if (model.sheen == formulas::kSheenNone) best.sheen = 0;
   solve(best, texels, problem, model, bounds, kRounds);
-  for (float step = kFirstStep; step > kLastStep; step *= 0.5f) {
+  for (int halved = 0; std::ldexp(kFirstStep, -halved) > kLastStep; ++halved) {
+    const float step = std::ldexp(kFirstStep, -halved);
     for (bool better = true; better;) {
       better = false;
       const bool fuzzy = own_roughness(model.sheen) && (best.sheen > 0 || step == kFirstStep);

@@ -37,7 +37,7 @@ void check_heading_of_file(const WifText& text, Findings& findings) {
   const WifSection* first = nullptr;
   for (const WifSection& section : text.sections)
     if (!section.name.empty() && !first) first = &section;
-  if (named && first->name != "WIF")
+  if (named && first && first->name != "WIF")
     findings.add(Severity::kNote, first->blocks.front().header, {}, "[" + first->name + "] stands before [WIF]",
                  "read all the same; other programs may look for [WIF] in the first line");
 }

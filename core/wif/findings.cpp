@@ -25,7 +25,8 @@ std::string plain(const std::string& text) {
 
 }  // namespace
 
-void Findings::add(Severity severity, int line_index, std::string_view kind, std::string text, std::string remedy) {
+void Findings::add(Severity severity, int line_index, std::string_view kind, const std::string& text,
+                   const std::string& remedy) {
   error_ = error_ || severity == Severity::kError;
   if (!kind.empty()) {
     const auto [at, is_new] = by_kind_.try_emplace(std::string(kind), static_cast<uint32_t>(items_.size()));

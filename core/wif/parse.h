@@ -16,9 +16,10 @@ namespace weftlight::wif {
 class Findings {
  public:
   /// Findings of the same non-empty `kind` are joined.
-  void add(Severity severity, int line_index, std::string_view kind, std::string text, std::string remedy);
-  void warn(int line_index, std::string_view kind, std::string text, std::string remedy) {
-    add(Severity::kWarning, line_index, kind, std::move(text), std::move(remedy));
+  void add(Severity severity, int line_index, std::string_view kind, const std::string& text,
+           const std::string& remedy);
+  void warn(int line_index, std::string_view kind, const std::string& text, const std::string& remedy) {
+    add(Severity::kWarning, line_index, kind, text, remedy);
   }
   bool has_error() const { return error_; }
   std::vector<Diagnostic> take();

@@ -55,8 +55,7 @@ std::string Editor::trouble() const {
 }
 
 void Editor::save_own(std::function<void()> then) {
-  if (session_.active().document.look_at_file() != FileChange::kContent)
-    return save_to(document().path(), std::move(then));
+  if (session_.active().document.look_at_file() != FileChange::kContent) return save_to(document().path(), then);
   ask_about_change(true, std::move(then));
 }
 

@@ -74,7 +74,8 @@ void PreviewPane::work() {
   const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
   if (!context) {
     const std::lock_guard lock(mutex_);
-    news_.emplace().picture.problem = "The cloth cannot be shown: " + error;
+    news_ = News{};
+    news_->picture.problem = "The cloth cannot be shown: " + error;
     return wake_window_();
   }
   PictureMaker maker;

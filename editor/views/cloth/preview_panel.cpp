@@ -247,7 +247,8 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
     draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, note_that_fits(c, stats_line(picture), pane.x));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
-    dl->AddRectFilled(a, b, to_u32(c.design.scene.background));
+    // Until the first picture is there, what it will stand before; what goes wrong is read on the window's own ground.
+    dl->AddRectFilled(a, b, picture.problem.empty() ? to_u32(c.design.scene.background) : c.style.color.panel);
   }
   if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);
   if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);

@@ -72,7 +72,7 @@ void draw_ball(const PanelContext& c, const LightSetup& setup, ImVec2 a, ImVec2 
 /// Rows of small pictures, their names below.
 MaybeEdit draw_setups(PanelContext& c) {
   constexpr size_t kColumns = 3;
-  const float gap = c.style.px(6), line = ImGui::GetTextLineHeight();
+  const float gap = c.style.px(6), line = ImGui::GetTextLineHeight(), row_gap = c.style.px(12);
   const float width = (ImGui::GetContentRegionAvail().x - gap * (kColumns - 1)) / kColumns, height = c.style.px(44);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   MaybeEdit edit;
@@ -80,7 +80,7 @@ MaybeEdit draw_setups(PanelContext& c) {
   for (size_t i = 0; i < kLightSetups.size(); ++i) {
     const LightSetup& setup = kLightSetups[i];
     const ImVec2 a{at.x + static_cast<float>(i % kColumns) * (width + gap),
-                   at.y + static_cast<float>(i / kColumns) * (height + line + gap)},
+                   at.y + static_cast<float>(i / kColumns) * (height + line + row_gap)},
         b{a.x + width, a.y + height};
     ImGui::SetCursorScreenPos(a);
     if (hit_area(setup.id, {width, height + line}))
@@ -90,12 +90,14 @@ MaybeEdit draw_setups(PanelContext& c) {
     const bool chosen = c.design.scene.lights == setup.id, over = ImGui::IsItemHovered();
     draw_ball(c, setup, a, b);
     if (chosen || over)
-      dl->AddRect({a.x - 2, a.y - 2}, {b.x + 2, b.y + 2}, chosen ? c.style.color.accent : c.style.color.line_strong,
-                  c.style.px(5), 0, 2.0f);
+      dl->AddRect({a.x + 1, a.y + 1}, {b.x - 1, b.y - 1}, chosen ? c.style.color.accent : c.style.color.line_strong,
+                  c.style.px(4), 0, 2.0f);
     const float room = (width - ImGui::CalcTextSize(setup.label).x) / 2;
     dl->AddText({a.x + std::max(0.0f, room), b.y + c.style.px(2)}, chosen ? c.style.color.text : c.style.color.muted,
                 setup.label);
   }
+  constexpr size_t kRows = (kLightSetups.size() + kColumns - 1) / kColumns;
+  ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(kRows) * (height + line + row_gap)});
   return edit;
 }
 

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <string>
 
+#include "../unit/straight_draft.h"
 #include "draft/edits.h"
 #include "draft/fibre.h"
 #include "draft/yarn_presets.h"
 #include "require.h"
 #include "wif/wif.h"
 
+using namespace weftlight;
 using namespace weftlight::draft;
 using namespace weftlight::wif;
 
@@ -18,16 +20,7 @@ namespace {
 
 /// Plain weave on two threads each way, as a ready yarn's file begins.
 const std::string& beginning() {
-  static const std::string text = [] {
-    Design d;
-    d.draft = blank_draft(2, 2, 2, 2);
-    for (int i = 0; i < 2; ++i) {
-      d.draft.threading.set(i, i, true);
-      d.draft.treadling.set(i, i, true);
-      d.draft.tieup.set(i, i, true);
-    }
-    return write_new_wif(d);
-  }();
+  static const std::string text = write_new_wif(straight_draft(2));
   return text;
 }
 

@@ -217,6 +217,20 @@ double share_off(const std::vector<vec4>& gpu, const std::vector<vec4>& cpu, flo
 
 using ThreadsParity = PixelTest;
 
+/// Anywhere on the cloth, three of four on its front, eye and light at any slant; `last(k, u)`: what the light's fourth
+/// number is, u in 0..1.
+template <class Last>
+std::vector<RayCase> ray_cases(const PackedCloth& p, int count, unsigned seed, const Last& last) {
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<float> u(0, 1);
+  std::vector<RayCase> cases;
+  for (int k = 0; k < count; ++k)
+    cases.push_back({vec4(u(rng) * p.width_mm, u(rng) * p.depth_mm, 0, k % 4 == 3 ? -1.0f : 1.0f),
+                     vec4(slanted(0.15f + 0.85f * u(rng), 6.2831853f * u(rng)), 0),
+                     vec4(slanted(0.1f + 0.9f * u(rng), 6.2831853f * u(rng)), last(k, u(rng)))});
+  return cases;
+}
+
 TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
   // A ray that grazes an edge may go either way by its last bit, and a fibre's border falls on either side. On llvmpipe
   // none of these does.
@@ -228,15 +242,7 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
     GpuCloth gpu_cloth;
     gpu_cloth.upload(p);
     gpu_cloth.bind();
-    std::mt19937 rng(7);
-    std::uniform_real_distribution<float> u(0, 1);
-    std::vector<RayCase> cases;
-    for (int k = 0; k < 2000; ++k) {
-      const float side = k % 4 == 3 ? -1.0f : 1.0f;
-      cases.push_back({vec4(u(rng) * p.width_mm, u(rng) * p.depth_mm, 0, side),
-                       vec4(slanted(0.15f + 0.85f * u(rng), 6.2831853f * u(rng)), 0),
-                       vec4(slanted(0.1f + 0.9f * u(rng), 6.2831853f * u(rng)), 0.3f * u(rng))});
-    }
+    const std::vector<RayCase> cases = ray_cases(p, 2000, 7, [](int, float u) { return 0.3f * u; });
     const std::vector<vec4> all = run_pixels(
         pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_fetch.glsl"}, kRayMain), cases, kRayRows);
     PackedThreads front(p, 1), back(p, -1);
@@ -269,13 +275,7 @@ TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
   GpuCloth gpu_cloth;
   gpu_cloth.upload(p);
   gpu_cloth.bind();
-  std::mt19937 rng(9);
-  std::uniform_real_distribution<float> u(0, 1);
-  std::vector<RayCase> cases;
-  for (int k = 0; k < 4000; ++k)
-    cases.push_back({vec4(u(rng) * p.width_mm, u(rng) * p.depth_mm, 0, k % 4 == 3 ? -1.0f : 1.0f),
-                     vec4(slanted(0.15f + 0.85f * u(rng), 6.2831853f * u(rng)), 0),
-                     vec4(slanted(0.1f + 0.9f * u(rng), 6.2831853f * u(rng)), k % 3 == 0 ? 0 : u(rng) - 0.5f)});
+  const std::vector<RayCase> cases = ray_cases(p, 4000, 9, [](int k, float u) { return k % 3 == 0 ? 0 : u - 0.5f; });
   const std::vector<vec4> all = run_pixels(
       pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_fetch.glsl", "irawan.glsl"}, kFloatMain), cases,
       3);

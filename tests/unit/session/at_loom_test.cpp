@@ -10,23 +10,12 @@
 #include <thread>
 
 #include "../loom_port.h"
+#include "../straight_draft.h"
 #include "draft/edits.h"
 #include "session/loom_link.h"
 
 namespace weftlight::session {
 namespace {
-
-/// Four shafts, four treadles, each pick another.
-Design four_picks() {
-  Design d;
-  d.draft = blank_draft(4, 4, 4, 4);
-  for (int i = 0; i < 4; ++i) {
-    d.draft.threading.set(i, i, true);
-    d.draft.treadling.set(i, i, true);
-    d.draft.tieup.set(i, i, true);
-  }
-  return d;
-}
 
 void take(Design& d, const LoomStep& step) {
   if (step.edit) d = step.edit->apply(std::move(d));
@@ -34,7 +23,7 @@ void take(Design& d, const LoomStep& step) {
 
 TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
   AtLoom at;
-  Design d = four_picks();
+  Design d = straight_draft(4);
   for (const int next : {1, 2, 3, 0, 1}) {
     take(d, step_by_hand(at, d, true, false));
     EXPECT_EQ(d.loom.next_pick, next);
@@ -49,7 +38,7 @@ TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
 
 TEST(AtLoom, ASectionIsWovenOverAndOver) {
   AtLoom at;
-  Design d = four_picks();
+  Design d = straight_draft(4);
   take(d, keep_to_section(at, d, {1, 3}));
   EXPECT_EQ(d.loom.next_pick, 1) << "it begins where the section does";
   for (const int next : {2, 1, 2}) {
@@ -62,7 +51,7 @@ TEST(AtLoom, ASectionIsWovenOverAndOver) {
 
 TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
   AtLoom at;
-  Design d = four_picks();
+  Design d = straight_draft(4);
   d.loom.next_pick = 2;  // from the file, or by undo
   EXPECT_EQ(place_of(at, d).next_pick, 2);
   d.loom.next_pick = 90;
@@ -71,7 +60,7 @@ TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
 
 TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
   AtLoom at;
-  Design d = four_picks();
+  Design d = straight_draft(4);
   LoomStep step = step_by_hand(at, d, true, true);
   EXPECT_EQ(step.send, "C00000001\n");
   EXPECT_FALSE(step.edit);
@@ -82,7 +71,7 @@ TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
 }
 
 TEST(AtLoom, FeetAndHandsAreTold) {
-  Design d = four_picks();
+  Design d = straight_draft(4);
   d.draft.treadling.set(2, 0, true);
   EXPECT_EQ(to_press(d.draft, 2), (std::vector<int>{0, 2}));
   EXPECT_TRUE(to_press(d.draft, 9).empty());
@@ -103,7 +92,7 @@ bool comes_true(const std::function<bool()>& holds) {
 /// The window's part: greets, hears, answers.
 struct Weaver {
   AtLoom at{};
-  Design design = four_picks();
+  Design design = straight_draft(4);
   LoomLink link{[] {}};
   int greeted = 0;
 

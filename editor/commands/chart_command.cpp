@@ -1,6 +1,6 @@
 // `weftlight chart`: speed against accuracy, measured. Rows that an earlier run of the same program left in
-// DIR/chart.csv are kept, so that a run can be stopped and taken up again. `auto` comes last: it chooses by
-// the ladder that this run has measured.
+// DIR/chart.csv are kept, so that a run can be stopped and taken up again, and made part by part. `auto` comes last: it
+// chooses by the ladder that this run has measured.
 
 #include <unistd.h>
 
@@ -27,42 +27,17 @@ std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Those with which a method is measured.
-std::vector<int> samples_of(Method method) {
-  if (method == Method::kAuto) return {0};
-  if (method != Method::kYarn) return {1};
-  std::vector<int> all;
-  for (int i = 0; i < formulas::kLattices; ++i) all.push_back(formulas::lattice_of(i).x);
-  return all;
-}
-
-/// Every row to be measured, in the order of the file.
-std::vector<ChartRow> cells_of(const std::vector<Method>& methods) {
-  std::vector<ChartRow> cells;
-  for (const ChartScene& scene : kChartScenes) {
-    for (const int view : kChartViews) {
-      for (const double footprint : kChartFootprints) {
-        for (const Method method : methods) {
-          ChartRow cell;
-          cell.scene = scene.name, cell.view_deg = view, cell.yarns_per_pixel = footprint, cell.method = method;
-          for (const int samples : samples_of(method)) cell.samples = samples, cells.push_back(cell);
-        }
-      }
-    }
-  }
-  return cells;
-}
-
 class Run {
  public:
-  Run(ChartBench& bench, std::string dir) : bench_(bench), dir_(std::move(dir)), cells_(cells_of(bench.methods())) {}
+  Run(ChartBench& bench, std::string dir, ChartPart part)
+      : bench_(bench), dir_(std::move(dir)), part_(std::move(part)), cells_(chart_cells(bench.methods())) {}
 
   int all() {
     keep_earlier();
     for (const bool automatic : {false, true}) {
       if (automatic) bench_.use_ladder(ladder_of(rows_));
       for (const ChartRow& cell : cells_) {
-        if ((cell.method == Method::kAuto) != automatic || known(cell)) continue;
+        if ((cell.method == Method::kAuto) != automatic || !part_.holds(cell) || known(cell)) continue;
         if (const int code = add(cell); code != kDone) return code;
       }
     }
@@ -81,6 +56,16 @@ class Run {
           std::any_of(cells_.begin(), cells_.end(), [&row](const ChartRow& c) { return c.same_cell(row); });
       if (asked && !known(row)) rows_.push_back(row);
     }
+  }
+
+  /// Those that have rows, of this run or an earlier one.
+  std::vector<size_t> scenes() const {
+    std::vector<size_t> there;
+    for (size_t scene = 0; scene < kChartScenes.size(); ++scene) {
+      const auto of_it = [scene](const ChartRow& r) { return r.scene == kChartScenes[scene].name; };
+      if (std::any_of(rows_.begin(), rows_.end(), of_it)) there.push_back(scene);
+    }
+    return there;
   }
 
   void tell(const ChartRow& cell) const {
@@ -137,16 +122,17 @@ class Run {
     std::ostringstream out;
     out << "light,scene,view_deg,yarns_per_pixel,method,rel_rmse_model,energy_ratio\n";
     for (const ChartLight light : {ChartLight::kSky, ChartLight::kBehind}) {
-      for (const ChartScene& scene : kChartScenes) {
+      for (const size_t scene : scenes()) {
         for (const int view : {0, 60}) {
           for (const double footprint : {0.125, 2.0}) {
             for (const Method method : {Method::kYarn, Method::kRepeat, Method::kCloth}) {
               ChartRow cell;
-              cell.scene = scene.name, cell.view_deg = view, cell.yarns_per_pixel = footprint, cell.method = method;
+              cell.scene = kChartScenes[scene].name, cell.view_deg = view;
+              cell.yarns_per_pixel = footprint, cell.method = method;
               if (method == Method::kYarn) cell.samples = formulas::kMostYarnSamples;
               const auto row = bench_.under(light, cell, error);
               if (!row) return {};
-              out << light_name(light) << ',' << scene.name << ',' << view << ',' << footprint << ','
+              out << light_name(light) << ',' << cell.scene << ',' << view << ',' << footprint << ','
                   << method_name(method) << ',' << row->cell.model_error << ',' << row->cell.energy_ratio << '\n';
             }
           }
@@ -168,7 +154,7 @@ class Run {
     for (const Look& look : looks) {
       for (const double footprint : kFrameFootprints) {
         for (const auto& size : kFrameSizes) {
-          const auto ms = bench_.frame_ms(look, footprint, size, error);
+          const auto ms = bench_.frame_ms(scenes().back(), look, footprint, size, error);
           if (!ms) return {};
           out << '"' << bench_.device() << "\"," << method_name(look.method) << ',' << look.tolerance << ','
               << footprint << ',' << size[0] << ',' << size[1] << ',' << *ms << '\n';
@@ -181,7 +167,7 @@ class Run {
   std::vector<Brightness> albedo(std::string& error) {
     std::vector<Brightness> values;
     const std::vector<Method> methods = bench_.methods();
-    for (size_t scene = 0; scene < kChartScenes.size(); ++scene) {
+    for (const size_t scene : scenes()) {
       for (const double view : kAlbedoViews) {
         if (const auto traced = bench_.brightness(scene, view, {}, error))
           values.push_back({kChartScenes[scene].name, "truth", view, *traced});
@@ -197,7 +183,8 @@ class Run {
 
   std::vector<TruthNoise> truth_noise(std::string& error) {
     std::vector<TruthNoise> noise;
-    for (const ChartRow& cell : cells_of({Method::kFlat})) {
+    for (const ChartRow& cell : chart_cells({Method::kFlat})) {
+      if (!part_.holds(cell)) continue;
       noise.push_back({cell.scene, cell.view_deg, cell.yarns_per_pixel, bench_.truth_noise(cell, error)});
     }
     return noise;
@@ -205,7 +192,8 @@ class Run {
 
   ChartBench& bench_;
   std::string dir_;
-  std::vector<ChartRow> cells_, rows_;
+  ChartPart part_;
+  std::vector<ChartRow> cells_, rows_;  // all there are; those that are known
 };
 
 /// The other process has a bench of its own.
@@ -230,7 +218,7 @@ int chart_command(const ChartOptions& options) {
   std::string error;
   const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, error);
   if (!bench) return fail(kNoGraphics, error);
-  return Run(*bench, options.out).all();
+  return Run(*bench, options.out, options.part).all();
 }
 
 }  // namespace weftlight::commands

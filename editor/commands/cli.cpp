@@ -14,6 +14,7 @@
 
 #include "base/files.h"
 #include "base/utf8.h"
+#include "commands/chart/scene.h"
 #include "commands/commands.h"
 #include "draft/lights.h"
 #include "draft/methods.h"
@@ -273,6 +274,19 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("--stats", o.stats, "Write costs as JSON")->check(some_name());
 }
 
+/// One option a measured thing, each of the values that the chart knows.
+void add_chart_part(CLI::App* verb, ChartPart& part) {
+  std::vector<std::string> scenes;
+  for (const ChartScene& scene : kChartScenes) scenes.emplace_back(scene.name);
+  verb->add_option("--scene", part.scenes, "Only these cloths")->delimiter(',')->check(CLI::IsMember(scenes));
+  verb->add_option("--view", part.views_deg, "Only these views, degrees from the normal")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<int>(kChartViews.begin(), kChartViews.end())));
+  verb->add_option("--yarns-per-pixel", part.yarns_per_pixel, "Only these footprints")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<double>(kChartFootprints.begin(), kChartFootprints.end())));
+}
+
 void add_analysis_options(CLI::App* verb, AnalyseOptions& o) {
   constexpr double kLongest = 1e7;  // mm
   verb->add_option("file", o.file, "Draft")->required();
@@ -435,7 +449,8 @@ CommandLine run_command_line(int argc, char** argv) {
   ChartOptions chart;
   auto* chart_verb = app.add_subcommand("chart", "Speed against accuracy, measured");
   chart_verb->add_option("-o,--output", chart.out, "Folder")->required()->check(some_name());
-  chart_verb->add_flag("--quick", chart.quick, "Within a minute");
+  add_chart_part(chart_verb, chart.part);
+  chart_verb->add_flag("--quick", chart.quick, "Smaller patches: a few minutes");
   chart_verb->add_flag("--count", chart.count, "Instructions too, by single steps of the processor: hours");
 
   ResponseOptions response;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/threads.h"
+#include "commands/chart/rows.h"
 #include "commands/names.h"
 #include "draft/design.h"
 #include "draft/drawdown.h"
@@ -67,6 +68,7 @@ struct ChartOptions {
   std::string out;
   bool quick = false;
   bool count = false;  // instructions too
+  chart::ChartPart part;
 };
 struct ResponseOptions {
   std::string file, out, method = "cloth", plane = "both";  // plane: warp, weft or both

@@ -310,17 +310,16 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
   return *std::min_element(times.begin(), times.end());
 }
 
-std::optional<double> ChartBench::frame_ms(const Look& look, double yarns_per_pixel, std::array<int, 2> size,
-                                           std::string& error) {
-  constexpr size_t kDamask = 3;
-  if (!show(kDamask, error)) return std::nullopt;
+std::optional<double> ChartBench::frame_ms(size_t scene, const Look& look, double yarns_per_pixel,
+                                           std::array<int, 2> size, std::string& error) {
+  if (!show(scene, error)) return std::nullopt;
   const bool whole = !renderer_->is_software();
   const double pixels = static_cast<double>(size[0]) * size[1];
-  double& known = frame_ns_[{look.method, look.tolerance, yarns_per_pixel}];  // a pixel
+  double& known = frame_ns_[{scene, look.method, look.tolerance, yarns_per_pixel}];  // a pixel
   if (!whole && known > 0) return known * pixels * 1e-6;
   const int width = whole ? size[0] : effort_.frame_size, height = whole ? size[1] : effort_.frame_size;
   const PixelSteps steps =
-      pixel_steps(0, yarns_per_pixel * static_cast<double>(loaded_[kDamask]->packed.mean_spacing_mm));
+      pixel_steps(0, yarns_per_pixel * static_cast<double>(loaded_[scene]->packed.mean_spacing_mm));
   const FlatPatch patch = patch_of(0, kCorner, steps, width, height, 0);
   patch_ns(patch, look);
   known = std::min(patch_ns(patch, look), patch_ns(patch, look)) / (static_cast<double>(width) * height);

@@ -44,9 +44,10 @@ class ChartBench {
   std::optional<double> brightness(size_t scene, double view_deg, std::optional<Method> method, std::string& error);
   /// Model error and mean brightness alone, under another light.
   std::optional<LightRow> under(ChartLight light, const ChartRow& cell, std::string& error);
-  /// Milliseconds of a frame full of the damask, seen straight on. Of a software renderer: processor time of a smaller
+  /// Milliseconds of a frame full of one cloth, seen straight on. Of a software renderer: processor time of a smaller
   /// patch, shared among its cores and scaled.
-  std::optional<double> frame_ms(const Look& look, double yarns_per_pixel, std::array<int, 2> size, std::string& error);
+  std::optional<double> frame_ms(size_t scene, const Look& look, double yarns_per_pixel, std::array<int, 2> size,
+                                 std::string& error);
   double truth_noise(const ChartRow& cell, std::string& error);
   /// What auto chooses by from now on.
   void use_ladder(const Ladder& ladder);
@@ -88,7 +89,7 @@ class ChartBench {
   std::optional<size_t> shown_;
   Ladder ladder_;
   std::unique_ptr<DrawCounter> counter_;
-  std::map<std::tuple<Method, float, double>, double> frame_ns_;
+  std::map<std::tuple<size_t, Method, float, double>, double> frame_ns_;
   std::map<std::tuple<size_t, int, double, Method, int>, double> counted_;
 };
 

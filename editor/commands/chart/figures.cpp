@@ -103,6 +103,7 @@ Figure cost_figure(const std::vector<ChartRow>& rows, const std::string& device)
     for (const ChartScene& scene : kChartScenes) {
       Panel panel{scene_title(scene.name, view), x, y, {}, kModelGoal, "goal 0.15"};
       const std::vector<ChartRow> here = rows_at(rows, scene.name, view);
+      if (here.empty()) continue;
       for (size_t f = 0; f < kChartFootprints.size(); ++f) {
         for (Curve& curve : cost_curves(here, f)) panel.curves.push_back(std::move(curve));
       }
@@ -124,6 +125,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
       goal_name << "goal " << goal;
       Panel panel{scene_title(scene.name, view), x, y, {}, goal, goal_name.str()};
       const std::vector<ChartRow> here = rows_at(rows, scene.name, view);
+      if (here.empty()) continue;
       for (const ChartMethod& s : kChartMethods) {
         Curve curve{std::string(method_name(s.method)),
                     s.ink,
@@ -173,7 +175,7 @@ Figure albedo_figure(const std::vector<Brightness>& values) {
     };
     curve_of("truth", {0.72, 0.74, 0.76}, Marker::kNone, 6);
     for (const ChartMethod& s : kChartMethods) curve_of(std::string(method_name(s.method)), s.ink, s.marker, 1.4);
-    figure.panels.push_back(std::move(panel));
+    if (!panel.curves.empty()) figure.panels.push_back(std::move(panel));
   }
   return figure;
 }

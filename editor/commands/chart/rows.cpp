@@ -8,6 +8,9 @@
 #include <numbers>
 #include <set>
 
+#include "commands/chart/scene.h"
+#include "light/formulas.h"
+
 namespace weftlight::chart {
 namespace {
 
@@ -111,6 +114,20 @@ LadderPoint point_of(const std::vector<Ladder>& places, const Rung& rung, float 
   return p;
 }
 
+/// Those with which a method is measured.
+std::vector<int> samples_of(Method method) {
+  if (method == Method::kAuto) return {0};
+  if (method != Method::kYarn) return {1};
+  std::vector<int> all;
+  for (int i = 0; i < formulas::kLattices; ++i) all.push_back(formulas::lattice_of(i).x);
+  return all;
+}
+
+template <typename T, typename V>
+bool none_or_among(const std::vector<T>& asked, const V& value) {
+  return asked.empty() || std::find(asked.begin(), asked.end(), value) != asked.end();
+}
+
 }  // namespace
 
 bool ChartRow::same_place(const ChartRow& o) const {
@@ -118,6 +135,27 @@ bool ChartRow::same_place(const ChartRow& o) const {
 }
 bool ChartRow::same_cell(const ChartRow& o) const {
   return same_place(o) && method == o.method && samples == o.samples;
+}
+
+bool ChartPart::holds(const ChartRow& row) const {
+  return none_or_among(scenes, row.scene) && none_or_among(views_deg, row.view_deg) &&
+         none_or_among(yarns_per_pixel, row.yarns_per_pixel);
+}
+
+std::vector<ChartRow> chart_cells(const std::vector<Method>& methods) {
+  std::vector<ChartRow> cells;
+  for (const ChartScene& scene : kChartScenes) {
+    for (const int view : kChartViews) {
+      for (const double footprint : kChartFootprints) {
+        for (const Method method : methods) {
+          ChartRow cell;
+          cell.scene = scene.name, cell.view_deg = view, cell.yarns_per_pixel = footprint, cell.method = method;
+          for (const int samples : samples_of(method)) cell.samples = samples, cells.push_back(cell);
+        }
+      }
+    }
+  }
+  return cells;
 }
 
 std::string chart_csv(const std::vector<ChartRow>& rows) {

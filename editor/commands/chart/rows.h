@@ -30,6 +30,18 @@ struct ChartRow {
   bool same_cell(const ChartRow& other) const;   // and method, and samples
 };
 
+/// What of the chart is asked for: rows at one of each; all where none is named.
+struct ChartPart {
+  std::vector<std::string> scenes;
+  std::vector<int> views_deg;
+  std::vector<double> yarns_per_pixel;
+
+  bool holds(const ChartRow& row) const;
+};
+
+/// Every row that can be measured, by scene, view, footprint, method and samples: the order of the file.
+std::vector<ChartRow> chart_cells(const std::vector<Method>& methods);
+
 inline constexpr std::string_view kChartColumns =
     "scene,view_deg,yarns_per_pixel,method,samples,ns_per_pixel,instructions_per_pixel,rel_rmse_model,rel_rmse_"
     "filtering,"

@@ -1,8 +1,9 @@
-// The chart: its measures by hand, its file, its front, its counts, and a whole quick run that is cut and resumed.
+// The chart: its measures by hand, its file, its front, its counts, and a quick run of a part that is cut and resumed.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -160,43 +161,63 @@ class ChartRun : public ::testing::Test {
     std::error_code ignored;
     fs::remove_all(dir_, ignored);
   }
-  int run() const { return chart_command({dir_.string(), true}); }
+  /// Of the cheapest cloth, from near and from afar.
+  int run(std::vector<int> views) const {
+    return chart_command({dir_.string(), true, false, {{"plain"}, std::move(views), {0.125, 2}}});
+  }
   std::vector<ChartRow> rows() const { return read_chart(read(dir_ / "chart.csv")); }
   fs::path dir_;
 };
 
-TEST_F(ChartRun, measures_every_combination_and_takes_up_where_it_was_cut) {
-  ASSERT_EQ(run(), kDone);
-  const std::vector<ChartRow> all = rows();
+TEST(chart_cells, are_every_combination_once) {
+  const std::vector<ChartRow> all = chart_cells({Method::kFlat, Method::kYarn, Method::kAuto});
+  EXPECT_EQ(all.size(), kChartScenes.size() * kChartViews.size() * kChartFootprints.size() * (2 + formulas::kLattices));
+  for (size_t i = 0; i < all.size(); ++i) {
+    for (size_t k = 0; k < i; ++k) EXPECT_FALSE(all[i].same_cell(all[k])) << i << " and " << k;
+  }
+}
+
+TEST(chart_cells, of_a_part_are_those_that_hold_what_is_named) {
+  const std::vector<ChartRow> all = chart_cells({Method::kFlat, Method::kCloth});
+  const auto held = [&all](const ChartPart& part) {
+    return std::count_if(all.begin(), all.end(), [&part](const ChartRow& r) { return part.holds(r); });
+  };
+  EXPECT_EQ(held({}), std::ssize(all));
+  EXPECT_EQ(held({{"satin"}, {}, {}}), 2 * 2 * 6);
+  EXPECT_EQ(held({{"satin", "plain"}, {80}, {0.125, 2}}), 2 * 1 * 2 * 2);
+}
+
+TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
+  ASSERT_EQ(run({0}), kDone);
+  const std::vector<ChartRow> flat = rows();
   std::set<Method> methods;
-  for (const ChartRow& r : all) methods.insert(r.method);
+  for (const ChartRow& r : flat) methods.insert(r.method);
   EXPECT_GE(methods.size(), 3u);
   const size_t of_yarn = methods.contains(Method::kYarn) ? formulas::kLattices : 1;
-  EXPECT_EQ(all.size(),
-            kChartScenes.size() * kChartViews.size() * kChartFootprints.size() * (methods.size() - 1 + of_yarn));
-  for (const ChartRow& r : all) {
+  EXPECT_EQ(flat.size(), 2 * (methods.size() - 1 + of_yarn));
+  for (const ChartRow& r : flat) {
     EXPECT_GT(r.ns_per_pixel, 0);
     EXPECT_GT(r.energy_ratio, 0);
     EXPECT_GE(r.model_error, 0);
   }
+
+  // Cut after all but two rows, and asked for more: what is kept keeps its timings.
+  std::ofstream(dir_ / "chart.csv", std::ios::binary) << chart_csv({flat.begin(), flat.end() - 2});
+  ASSERT_EQ(run({80}), kDone);
+  const std::vector<ChartRow> both = rows();
+  ASSERT_EQ(both.size(), 2 * flat.size() - 2);
+  for (size_t i = 0; i + 2 < flat.size(); ++i) EXPECT_EQ(both[i].ns_per_pixel, flat[i].ns_per_pixel);
+
   for (const char* picture : {"error_cost", "error_footprint", "filtering_footprint", "albedo", "memory"}) {
     for (const char* kind : {".svg", ".png", ".csv"})
       EXPECT_TRUE(fs::exists(dir_ / (std::string(picture) + kind))) << picture << kind;
   }
-
   EXPECT_GT(read(dir_ / "frames.csv").size(), 200u);
-  EXPECT_NE(read(dir_ / "light.csv").find("behind,damask,60,2,cloth,"), std::string::npos);
-
-  // Cut after all but two rows; what is kept keeps its timings.
-  std::ofstream(dir_ / "chart.csv", std::ios::binary) << chart_csv({all.begin(), all.end() - 2});
-  ASSERT_EQ(run(), kDone);
-  const std::vector<ChartRow> again = rows();
-  ASSERT_EQ(again.size(), all.size());
-  for (size_t i = 0; i + 2 < all.size(); ++i) EXPECT_EQ(again[i].ns_per_pixel, all[i].ns_per_pixel);
+  EXPECT_NE(read(dir_ / "light.csv").find("behind,plain,60,2,cloth,"), std::string::npos);
 }
 
 TEST(chart_command, says_when_the_folder_cannot_be_made) {
-  EXPECT_EQ(chart_command({"/dev/null/chart", true}), kNotWritten);
+  EXPECT_EQ(chart_command({"/dev/null/chart", true, false, {}}), kNotWritten);
 }
 
 }  // namespace

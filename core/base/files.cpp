@@ -211,6 +211,15 @@ std::string temporary_beside(const std::string& path) {
   return (target.parent_path() / name).string();
 }
 
+std::string why_not_writable(const std::string& path) {
+  const Target target = target_at(path);
+  if (!target.error.empty()) return target.error;
+  if (open_stream(path)) return {};
+  const fs::path folder = target.path.has_parent_path() ? target.path.parent_path() : fs::path(".");
+  const fs::path asked = target.special ? target.path : folder / ".";  // beside a file its temporary is made
+  return ::access(asked.c_str(), W_OK) == 0 ? "" : not_written(path, cause_of(errno));
+}
+
 std::string write_through(const std::string& path, const WriteFile& write) {
   const Target target = target_at(path);
   if (!target.error.empty()) return target.error;

@@ -25,6 +25,8 @@ std::string write_file_atomically(const std::string& path, std::string_view byte
 /// in the same extension, and returns what went wrong or throws it.
 using WriteFile = std::function<std::string(const std::string& beside)>;
 std::string write_through(const std::string& path, const WriteFile& write);
+/// Why `path` cannot be written, as those who write it would say, or empty: asked before work that takes long.
+std::string why_not_writable(const std::string& path);
 
 /// A name beside `path` that nobody else uses, with the same extension: "STEM.part-PROCESS-COUNT.EXT".
 std::string temporary_beside(const std::string& path);

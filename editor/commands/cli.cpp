@@ -326,6 +326,11 @@ CommandLine run_command_line(int argc, char** argv) {
   app.name("weftlight");
   app.set_version_flag("--version", "weftlight " WEFTLIGHT_VERSION);
   app.require_subcommand(0, 1);
+  app.failure_message([](const CLI::App* at, const CLI::Error& e) {
+    const std::vector<CLI::App*> verbs = at->get_subcommands();
+    const std::string who = verbs.empty() ? "weftlight" : "weftlight " + verbs[0]->get_name();
+    return who + ": " + e.what() + "\nSee " + who + " --help.\n";
+  });
   app.add_option("file", result.editor.file, "Draft to open in the editor");
   app.add_option("--live-export", result.editor.live_export, "Editor: keep this .wif up to date with every edit");
   app.add_option("--ui-map", result.editor.ui_map, "Editor: write where the controls are, as JSON");

@@ -136,6 +136,8 @@ struct OpenedDesign {
 };
 /// "file:line: what; what to do" on stderr.
 void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
+/// "file: cannot be written: cause; what to do" on stderr; kNotWritten.
+int not_written(const std::string& why);
 OpenedDesign open_design(const std::string& path, bool print_warnings = false);
 
 }  // namespace weftlight::commands

@@ -31,9 +31,7 @@ int convert_command(const ConvertOptions& options) {
     return kBadInput;
   }
   const std::string error = write_file_atomically(options.out, converted(opened.file, options));
-  if (error.empty()) return kDone;
-  std::fprintf(stderr, "%s; choose another place\n", error.c_str());
-  return kNotWritten;
+  return error.empty() ? kDone : not_written(error);
 }
 
 }  // namespace weftlight::commands

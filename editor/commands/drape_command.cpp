@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/files.h"
 #include "commands/commands.h"
 #include "drape/mesh.h"
 #include "files/files.h"
@@ -15,8 +16,7 @@ int write_one(const Mesh& mesh, const std::string& path) {
     std::printf("%s: %zu vertices, %zu triangles\n", path.c_str(), mesh.position_mm.size(), mesh.index.size() / 3);
     return kDone;
   }
-  std::fprintf(stderr, "%s: %s\n", path.c_str(), problem.c_str());
-  return kNotWritten;
+  return not_written(problem);
 }
 
 /// NAME.glb and, where the drape lies on something, NAME_body.glb beside it.
@@ -55,7 +55,7 @@ int drape_command(const DrapeOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) {
-    std::fprintf(stderr, "%s: %s\n", options.out.c_str(), problem.message().c_str());
+    std::fprintf(stderr, "%s: the folder cannot be made: %s\n", options.out.c_str(), cause_of(problem.value()).c_str());
     return kNotWritten;
   }
   for (const std::string& name : drape_names()) {

@@ -60,9 +60,7 @@ int drawdown_command(const DrawdownOptions& options) {
                                            : write_drawdown_drawing;
   const std::string error = form == Form::kText ? write_file_atomically(options.out, as_text(cells))
                                                 : draw(options.out, cells, opened.design.draft);
-  if (error.empty()) return kDone;
-  std::fprintf(stderr, "%s; choose another place\n", error.c_str());
-  return kNotWritten;
+  return error.empty() ? kDone : not_written(error);
 }
 
 }  // namespace weftlight::commands

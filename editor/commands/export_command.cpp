@@ -136,7 +136,7 @@ void tell(Run& run, int code, const std::string& problem) {
 
 void run_job(Job job, Run& run) {
   const OpenedDesign opened = open_design(job.file);
-  if (!opened.ok) return tell(run, kBadInput, job.file + ":0: not exported: it cannot be read");
+  if (!opened.ok) return tell(run, kBadInput, job.file + ": not exported: it cannot be read");
   if (run.options.texels_per_mm > 0)
     job.options.size = size_for(opened.design, run.options.texels_per_mm, job.options.tile_mm);
   job.options.archived = run.options.zip;
@@ -147,14 +147,14 @@ void run_job(Job job, Run& run) {
   }
   for (const std::string& w : warnings_of(opened.design, job.options)) {
     const std::lock_guard lock(run.console);
-    std::fprintf(stderr, "%s:0: %s\n", job.file.c_str(), w.c_str());
+    std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
   }
   const bool had_archive = lists_archive(job.folder);
   std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(job.folder + ".zip")
                             ? job.folder + ".zip: is not an archive of this set; move it away, or --force to replace it"
                             : write_texture_set(job.folder, opened.design, run.mesh, job.options);
   if (problem.empty() && run.options.zip) problem = write_archive(job, true);
-  if (!problem.empty()) return tell(run, kNotWritten, job.file + ":0: not exported: " + problem);
+  if (!problem.empty()) return tell(run, kNotWritten, job.file + ": not exported: " + problem);
   ++run.written;
   const std::lock_guard lock(run.console);
   std::printf("%s\n", job.folder.c_str());
@@ -215,7 +215,7 @@ int export_command(const ExportOptions& options) {
   }
   const std::vector<Job> jobs = jobs_of(options, targets);
   if (jobs.empty()) {
-    std::fprintf(stderr, "%s:0: there is no .wif in it; give drafts or a folder of drafts\n", options.files[0].c_str());
+    std::fprintf(stderr, "%s: there is no .wif in it; give drafts or a folder of drafts\n", options.files[0].c_str());
     return kBadInput;
   }
   const int code = run_all(jobs, options, *mesh.mesh);

@@ -11,6 +11,11 @@ void print_diagnostic(const std::string& path, const Diagnostic& d) {
                d.severity == Severity::kError ? "" : "warning: ", d.text.c_str(), d.remedy.c_str());
 }
 
+int not_written(const std::string& why) {
+  std::fprintf(stderr, "%s; choose another place\n", why.c_str());
+  return kNotWritten;
+}
+
 OpenedDesign open_design(const std::string& path, bool print_warnings) {
   OpenedDesign result;
   const FileBytes file = read_file(path);

@@ -50,6 +50,7 @@ int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
     return fail(kUsage, o.out + ": the picture must be a .png or an .exr");
   }
+  if (const std::string why = o.turntable > 0 ? "" : why_not_writable(o.out); !why.empty()) return not_written(why);
   status.say("reading " + o.file);
   OpenedDesign opened = open_design(o.file);
   status.clear();

@@ -28,9 +28,7 @@ int print_command(const PrintCommand& options) {
   for (size_t i = 0; i < printed.files.size(); ++i) {
     const std::string path = print::sheet_file(options.out, i, printed.files.size());
     const std::string error = write_file_atomically(path, printed.files[i]);
-    if (error.empty()) continue;
-    std::fprintf(stderr, "%s: %s; choose another place\n", path.c_str(), error.c_str());
-    return kNotWritten;
+    if (!error.empty()) return not_written(error);
   }
   std::printf("%d sheets\n", printed.sheets);
   return kDone;

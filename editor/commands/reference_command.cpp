@@ -46,7 +46,7 @@ int reference_command(const PictureOptions& o) {
   setup.status.clear();
   lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
   error = write_picture(o.out, picture);
-  return error.empty() ? kDone : fail(kNotWritten, error);
+  return error.empty() ? kDone : not_written(error);
 }
 
 }  // namespace weftlight::commands

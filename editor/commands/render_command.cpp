@@ -53,7 +53,7 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
     const std::string error = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
     if (!error.empty()) {
       setup.status.clear();
-      return fail(kNotWritten, error);
+      return not_written(error);
     }
   }
   setup.status.clear();
@@ -93,7 +93,7 @@ int render_command(const PictureOptions& o) {
   }
   std::string error = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
   if (error.empty() && !o.stats.empty()) error = write_stats(o.stats, stats, setup.design.look.tolerance, o);
-  return error.empty() ? kDone : fail(kNotWritten, error);
+  return error.empty() ? kDone : not_written(error);
 }
 
 }  // namespace weftlight::commands

@@ -134,6 +134,7 @@ std::string as_csv(const std::vector<Directions>& directions, const Radiances& r
 }  // namespace
 
 int response_command(const ResponseOptions& o) {
+  if (const std::string why = why_not_writable(o.out); !why.empty()) return not_written(why);
   const OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
@@ -150,7 +151,7 @@ int response_command(const ResponseOptions& o) {
                                    : fail(kNoGraphics, "no graphics: " + error);
   }
   error = write_file_atomically(o.out, as_csv(directions, radiances));
-  return error.empty() ? kDone : fail(kNotWritten, o.out + ": " + error + "; choose another place");
+  return error.empty() ? kDone : not_written(error);
 }
 
 }  // namespace weftlight::commands

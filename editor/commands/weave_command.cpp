@@ -58,9 +58,7 @@ int weave_command(const WeaveOptions& options) {
   made.design.title = kind->name;
   if (!made.why.empty()) std::fprintf(stderr, "%s: warning: %s\n", options.out.c_str(), made.why.c_str());
   const std::string error = write_file_atomically(options.out, write_new_wif(made.design));
-  if (error.empty()) return kDone;
-  std::fprintf(stderr, "%s: %s; choose another place\n", options.out.c_str(), error.c_str());
-  return kNotWritten;
+  return error.empty() ? kDone : not_written(error);
 }
 
 }  // namespace weftlight::commands

@@ -66,6 +66,17 @@ TEST_F(FileTest, what_cannot_be_written_leaves_nothing) {
   EXPECT_NE(read_file(dir_.string()).error, "");
 }
 
+TEST_F(FileTest, what_cannot_be_written_is_known_before) {
+  EXPECT_EQ(write_file_atomically(path("file"), "one"), "");
+  for (const std::string& place : {path("none/a.wif"), path("file/a.wif"), dir_.string(), std::string()}) {
+    EXPECT_NE(why_not_writable(place), "") << place;
+    EXPECT_EQ(why_not_writable(place), write_file_atomically(place, "one")) << place;
+  }
+  for (const std::string& place : {path("file"), path("new"), std::string("/dev/null"), std::string("/dev/stdout")})
+    EXPECT_EQ(why_not_writable(place), "") << place;
+  EXPECT_EQ(count(), 1);
+}
+
 TEST_F(FileTest, what_is_read_only_stays) {
   EXPECT_EQ(write_file_atomically(path("a.png"), "one"), "");
   ::chmod(path("a.png").c_str(), 0444);

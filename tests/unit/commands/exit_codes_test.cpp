@@ -137,13 +137,28 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
            {"drape", "plane", "-o", path("no/plane.glb")},
            {"drape", "plane", "-o", path("folder.glb")},
            {"drape", "all", "-o", path("file")},
+           {"response", draft(), "-o", path("no/out.csv")},
+           {"print", draft(), "-o", path("no/out.pdf")},
+           {"weave", "plain", "-o", path("no/out.wif")},
+           {"convert", draft(), path("no/out.wif")},
+           {"drawdown", draft(), "-o", path("no/out.png")},
        }) {
     const Ran ran = run(args);
     EXPECT_EQ(ran.code, kNotWritten) << ::testing::PrintToString(args) << ran.said;
     EXPECT_FALSE(ran.said.empty()) << ::testing::PrintToString(args);
+    const size_t named = ran.said.find(dir_.string());
+    EXPECT_TRUE(named == std::string::npos || ran.said.find(dir_.string(), named + 1) == std::string::npos)
+        << "the place is named once: " << ran.said;
   }
   EXPECT_EQ(files(), std::set<std::string>{"file"});
   EXPECT_EQ(read_file(path("file")).bytes, "in the way");
+}
+
+TEST_F(ExitCodes, a_place_that_cannot_be_written_is_refused_before_the_work) {
+  for (const char* verb : {"render", "reference"}) {
+    const std::string said = said_on_a_terminal(Args{verb, draft(), "-o", path("no/out.png")} + kSmall);
+    EXPECT_EQ(said.find("weaving "), std::string::npos) << said;
+  }
 }
 
 TEST_F(ExitCodes, a_full_disk_leaves_the_old_picture_and_nothing_beside_it) {

@@ -15,6 +15,9 @@
 
 namespace weftlight::light {
 
+/// Places on the threads at which the answer is measured that sets are fitted to: means then hold 4 percent.
+inline constexpr int kFitPlaces = 512;
+
 /// What an engine's material has.
 struct EngineModel {
   int sheen = formulas::kSheenCharlie;

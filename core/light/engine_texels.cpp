@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "cloth/layers.h"
 
@@ -11,10 +13,10 @@ namespace {
 
 constexpr float kMostSlope = 4.0f;  // 76 degrees: one grazing facet is not a wide lobe
 // So many a side:
-constexpr int kPixels = 4;
-constexpr int kFacets = 4;  // of a pixel; of the window of its lobe, twice as many
-constexpr int kTexels = 8;  // where a pixel is one texel
-constexpr int kMeans = 64;  // places for the means of the whole face
+constexpr int kFacets = 4;       // of a pixel
+constexpr int kLobeFacets = 48;  // of a window of lobes: what shows between floats is a thin strip
+constexpr int kTexels = 8;       // where a pixel is one texel
+constexpr int kMeans = 64;       // places for the means of the whole face
 
 glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
 
@@ -120,12 +122,6 @@ EngineTexel pixel_of(const std::vector<Sample>& samples, bool keep_facets) {
   return out;
 }
 
-FootprintLobe lobe_of(const std::vector<Sample>& samples) {
-  std::vector<LobePart> parts;
-  for (const Sample& s : samples) parts.push_back({s.normal, s.facet.covariance, s.grain, s.facet.weight});
-  return footprint_lobe(parts);
-}
-
 /// Of a box (its sides in periods) of the face.
 std::vector<Sample> samples_in(const Cloth& cloth, const Maps& maps, glm::vec2 middle, glm::vec2 box, int side) {
   std::vector<Sample> out;
@@ -135,6 +131,40 @@ std::vector<Sample> samples_in(const Cloth& cloth, const Maps& maps, glm::vec2 m
   }
   return out;
 }
+
+/// Lobes as sets have them: of windows that lie side by side over the period, and between their middles.
+class Windows {
+ public:
+  /// window: its sides in periods.
+  Windows(const Cloth& cloth, const Maps& maps, glm::vec2 window)
+      : cloth_(cloth), maps_(maps), count_(glm::exp2(glm::max(glm::round(-glm::log2(window)), glm::vec2(0)))) {}
+  FootprintLobe at(glm::vec2 place) {
+    const glm::vec2 low = glm::floor(place * count_ - 0.5f), share = place * count_ - 0.5f - low;
+    FootprintLobe out{glm::vec3(0), glm::vec2(0)};
+    for (int k = 0; k < 4; ++k) {
+      const glm::vec2 step(static_cast<float>(k % 2), static_cast<float>(k / 2));
+      const glm::vec2 part = glm::mix(1.0f - share, share, step);
+      const FootprintLobe& lobe = window(glm::mod(low + step, count_));
+      out.covariance += part.x * part.y * lobe.covariance, out.grain += part.x * part.y * lobe.grain;
+    }
+    return out;
+  }
+
+ private:
+  const FootprintLobe& window(glm::vec2 node) {
+    const auto [at, made] = windows_.try_emplace({static_cast<int>(node.x), static_cast<int>(node.y)});
+    if (!made) return at->second;
+    std::vector<LobePart> parts;
+    for (const Sample& s : samples_in(cloth_, maps_, (node + 0.5f) / count_, 1.0f / count_, kLobeFacets))
+      parts.push_back({s.normal, s.facet.covariance, s.grain, s.facet.weight});
+    return at->second = footprint_lobe(parts);
+  }
+
+  const Cloth& cloth_;
+  const Maps& maps_;
+  glm::vec2 count_;
+  std::map<std::pair<int, int>, FootprintLobe> windows_;
+};
 
 /// Pixels whose means are those of the whole face, whatever lies in them.
 void keep_means(std::vector<EngineTexel>& texels, const Cloth& cloth, const Maps& maps) {
@@ -248,7 +278,7 @@ float footprint_share(float footprint_mm, float spacing_mm) {
   return std::clamp(0.5f * footprint_mm / std::max(spacing_mm, 1e-6f), 0.0f, 1.0f);
 }
 
-EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm) {
+EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm, int pixels) {
   EngineTexels out;
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width < 1 || maps.coverage.height < 1) return out;
   const float spacing_mm = thread_spacing_mm(cloth);
@@ -256,14 +286,15 @@ EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint
   const glm::vec2 pixel = footprint_mm / period, window = lobe_window_mm(footprint_mm, spacing_mm) / period;
   out.share = footprint_share(footprint_mm, spacing_mm);
   const bool single = footprint_mm <= cloth.width_mm / static_cast<float>(maps.coverage.width);
-  const int side = single ? kTexels : kPixels;
+  const int side = single ? kTexels : pixels;
+  Windows windows(cloth, maps, glm::clamp(window, glm::vec2(1e-4f), glm::vec2(1)));
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
       const glm::vec2 middle = place(i, j, side);
       out.texels.push_back(pixel_of(
           single ? std::vector{sample_at(cloth, maps, middle)} : samples_in(cloth, maps, middle, pixel, kFacets),
           out.share < 1));
-      if (out.share > 0) out.texels.back().lobe = lobe_of(samples_in(cloth, maps, middle, window, 2 * kFacets));
+      if (out.share > 0) out.texels.back().lobe = windows.at(middle);
       if (out.texels.back().weight <= 1e-6f) out.texels.pop_back();
     }
   }
@@ -271,9 +302,9 @@ EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint
   return out;
 }
 
-std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale) {
-  // A line through what the pixels hold, by the share of their weft.
-  constexpr float kAlike = 1e-3f;  // variance of that share that tells nothing
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_share) {
+  // A line through what the pixels hold, by how their fibres run.
+  constexpr float kAlike = 1e-3f;  // variance of that which tells nothing
   glm::vec4 mean(0), both(0);
   float total = 1e-9f, at = 0, square = 0;
   for (const EngineTexel& t : texels.texels) {
@@ -287,8 +318,8 @@ std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::ve
   const glm::vec4 rise = variance > kAlike ? (both - at * mean) / variance : glm::vec4(0);
   std::array<EngineLobe, 2> out;
   for (size_t s = 0; s < 2; ++s) {
-    const glm::vec4 v = mean + rise * (static_cast<float>(s) - at);
-    out[s] = {{v.x, v.y}, std::clamp(v.z, 0.0f, 1.0f), std::clamp(v.w, 0.0f, 1.0f)};
+    const glm::vec4 v = mean + rise * (static_cast<float>(s) - weft_share);
+    out[s] = {{v.x, v.y}, v.z, v.w};
   }
   return out;
 }

@@ -79,11 +79,12 @@ struct EngineTexels {
   std::vector<EngineTexel> texels;
   float share = 0;
 };
-/// footprint_mm: a pixel's width; 0: a texel of the maps.
-EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm);
-/// Lobes of a pixel of warp alone and of one of weft alone: between them, by the share of each, lie those of all
-/// pixels.
-std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale);
+inline constexpr int kFitPixels = 4;
+/// footprint_mm: a pixel's width; 0: a texel of the maps. `pixels`: so many a side.
+EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm, int pixels = kFitPixels);
+/// A line through the lobes of all pixels, where they hold warp alone and where weft alone; at the cloth's share of
+/// weft lies their mean. Between, roughness and strength keep to 0..1; at its ends they need not.
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_share);
 
 /// Of a pixel a metre away, in a picture of 1080 rows that is 50 degrees high.
 inline constexpr float kFootprintMmAtOneMetre = 0.863f;

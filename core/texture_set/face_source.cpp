@@ -25,7 +25,6 @@ constexpr float kCoarseTexels = 32;
 constexpr int kCoarseSide = 512;
 constexpr float kOcclusionTexels = 6;    // of the coarse maps, a thread, that show where it is dark
 constexpr int kNodeSteps = 8;            // places between the middles of two footprints, a side
-constexpr int kResponsePlaces = 512;     // means of the answer then hold 4 percent
 constexpr float kMeanOcclusion = 0.98f;  // the fit holds all other shade
 
 /// Of the system that has fewer.
@@ -153,7 +152,7 @@ void FaceSource::take_range() {
 
 void FaceSource::measure(const Maps& maps) {
   const EngineTexels texels = engine_texels(cloth_, maps, options_.footprint_mm);
-  const ClothResponse response = cloth_response(cloth_, maps, kResponsePlaces);
+  const ClothResponse response = cloth_response(cloth_, maps, kFitPlaces);
   fit_ = fit_engine(texels, cloth_, response, options_.model);
   share_ = texels.share;
   checks_ = check_engine(texels, cloth_, response, options_.model, fit_);

@@ -6,7 +6,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "base/loops.h"
-#include "light/engine_fit.h"
 
 namespace weftlight::upload {
 namespace {
@@ -122,34 +121,6 @@ float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) 
   return texels * width_mm / std::max(spacing_mm, 1e-6f);
 }
 
-namespace {
-
-/// Base colour over the thread's, mean of a system; w: metal.
-glm::vec4 mean_body(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
-  glm::vec4 sum(0);
-  for (const ThreadBody& t : threads) {
-    const Lobes& lobes = cloth.yarns[static_cast<size_t>(t.yarn)].lobes;
-    const Linear tint = linear_from_srgb(lobes.specular_tint);
-    sum += lobes.metallic ? glm::vec4(glm::vec3(tint.r, tint.g, tint.b) * lobes.specular, 1)
-                          : glm::vec4(glm::vec3(lobes.body), 0);
-  }
-  return sum / static_cast<float>(std::max<size_t>(threads.size(), 1));
-}
-
-/// What an exported glTF set's material is made with, for rung `engine`.
-interop::EngineData engine_block(const FaceInput& face, const ClothResponse& response) {
-  const EngineTexels seen = engine_texels(face.cloth, face.maps, kFootprintMmAtOneMetre);
-  const EngineFit fit = fit_engine(seen, face.cloth, response, {});
-  const std::array<EngineLobe, 2> lobes = engine_lobes(seen, fit.lobe);
-  const auto packed = [](const EngineLobe& l) { return glm::vec4(l.axis, l.roughness, l.strength); };
-  return {glm::vec4(fit.base, fit.f0),
-          {fit.sheen, fit.sheen_roughness, fit.f90, 0},
-          {packed(lobes[0]), packed(lobes[1])},
-          {mean_body(face.cloth, face.cloth.ends), mean_body(face.cloth, face.cloth.picks)}};
-}
-
-}  // namespace
-
 ResponseTables response_tables(interop::ClothData& data, const FaceInput& front, const FaceInput& back, int samples) {
   Faces faces;
   for_each_job(2, [&](int f) {
@@ -157,7 +128,6 @@ ResponseTables response_tables(interop::ClothData& data, const FaceInput& front,
     faces[static_cast<size_t>(f)] = cloth_response(face.cloth, face.maps, samples);
   });
   data.front_sky = faces[0].sky, data.back_sky = faces[1].sky;
-  data.engine[0] = engine_block(front, faces[0]), data.engine[1] = engine_block(back, faces[1]);
   for (size_t f = 0; f < 2; ++f) {
     for (size_t s = 0; s < 2; ++s) {
       const SystemResponse& system = faces[f].systems[s];

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/loops.h"
 #include "cloth/thread_scene.h"
 #include "draft/repeat.h"
 #include "drape/mesh.h"
 #include "files/files.h"
 #include "light/separable.h"
 #include "upload/cloth_block.h"
+#include "upload/engine_block.h"
 #include "upload/response_block.h"
 #include "upload/thread_block.h"
 
@@ -227,6 +229,14 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
   old_response_ = effort == Effort::kQuick;
   if (old_response_ && !lobes.response.empty()) keep_response(data, lobes.data);
   else lobes.response = response_tables(data, front, back, old_response_ ? kQuickSamples : kResponseSamples);
+  if (engine_ && !old_response_) {
+    for_each_job(2, [&](int f) {
+      const Face face = f == 0 ? Face::kFront : Face::kBack;
+      const interop::SystemData *warp = &data.systems[2 * f], *weft = warp + 1;
+      const float cover = std::max(warp->coverage + weft->coverage, 1e-6f);
+      data.engine[f] = engine_block(face_cloth(design, cells_, face, Period::kRepeat), weft->coverage / cover);
+    });
+  }
   lobes.data = data;
   result.lobes = lobes;
 }
@@ -257,6 +267,9 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
     return result;
   }
   const bool shadows = shadows_ || design->look.method == Method::kVrst03;
+  // Who compares rungs asks for vrst03's maps, and gets what is engine's too.
+  const bool engine = engine_ || shadows || design->look.method == Method::kEngine;
+  const bool new_engine = engine && !engine_ && effort != Effort::kQuick;
   const bool first = !done_;
   const bool same_sizes = !first && done_->draft.ends() == now.ends() && done_->draft.picks() == now.picks();
   const CellRect all{0, now.ends(), 0, now.picks()};
@@ -280,8 +293,9 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
     bake_all(*design, shadows, effort);
     result.all_maps = true;
   }
+  engine_ = engine_ || new_engine;
   const bool new_answer = old_response_ && effort != Effort::kQuick;
-  if (result.all_maps || !dirty.empty() || new_answer || done_->yarns != design->yarns)
+  if (result.all_maps || !dirty.empty() || new_answer || new_engine || done_->yarns != design->yarns)
     take_lobes(*design, effort, result);
   done_ = std::move(design);
   if (effort == Effort::kOnce) front_ = back_ = {}, cells_ = {}, done_ = nullptr;

@@ -65,6 +65,7 @@ class Stages {
   FaceState front_, back_;
   PackedCloth packed_;
   bool shadows_ = false;
+  bool engine_ = false;        // the exported material is known, for rung `engine`
   float top_mm_ = 0;           // bound of the threads' heights
   bool coarse_ = false;        // the maps are of a quick bake
   bool old_back_ = false;      // the back's maps are of an earlier draft

@@ -1,18 +1,21 @@
 // node three_js.js WEFTLIGHT THREE_FOLDER CHROMIUM DRAFT...
 // Exports each draft as .glb on the plane, shows it in three.js in headless Chromium, and holds the mean radiance against
-// what texture_set.json says that the material sends and that the cloth sends. Leaves with 0, 1 (too far apart) or 77
-// (something is not installed). With --table it prints every figure.
+// what texture_set.json says that the material sends and that the cloth sends, and against rung `engine` from afar. Leaves
+// with 0, 1 (too far apart) or 77 (something is not installed). With --table it prints every figure.
 'use strict';
 const fs = require('fs');
 const http = require('http');
 const os = require('os');
 const path = require('path');
-const { execFileSync, spawn } = require('child_process');
+const { execFileSync, spawn, spawnSync } = require('child_process');
 
 const kEngineTolerance = 0.12;  // of the prediction, mean over azimuths: highlights differ by the mips that are seen
 const kClothTolerance = [[60, 0.08], [75, 0.08], [90, 0.15]];  // of the cloth, mean over azimuths, up to so many degrees
 const kClothError = 0.25;       // RMS of the difference over the RMS of the cloth, to 60 degrees
+const kRungTolerance = 0.05;    // of the rung, mean over planes and lights, to 60 degrees
+const kRungViews = [0, 43, 59], kRungLights = [-43, 43];
 const kWindowM = 0.12;          // of the plane that is seen
+const kNearPixels = 192, kFarPixels = 20;  // across it: 0.6 mm, and 6 mm as for the rung
 const kPatienceMs = 300000;
 const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.glb': 'model/gltf-binary' };
 
@@ -59,18 +62,37 @@ async function shown(chromium, folders, profile) {
 const luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
 const degrees = (v) => Math.acos(Math.min(1, v[2])) * 180 / Math.PI;
 
+const unit = (plane, angle) => {
+  const a = angle * Math.PI / 180;
+  return plane === 'warp' ? [0, Math.sin(a), Math.cos(a)] : [Math.sin(a), 0, Math.cos(a)];
+};
+
+/// What rung `engine` sends from afar; none where there is no graphics.
+function of_rung(weftlight, draft, folder) {
+  const table = path.join(folder, 'rung.csv');
+  const asked = spawnSync(weftlight, ['response', draft, '--method', 'engine', '--plane', 'both', `--views=${kRungViews}`,
+    `--lights=${kRungLights}`, '-o', table], { stdio: ['ignore', 'ignore', 'inherit'] });
+  if (asked.status === 4) return [];
+  if (asked.status !== 0) throw new Error('weftlight response failed');
+  return fs.readFileSync(table, 'utf8').trim().split('\n').slice(1).map((row) => {
+    const [plane, view, light, ...rgb] = row.split(',');
+    return { view: unit(plane, +view), light: unit(plane, +light), rung: rgb.map(Number), pixels: kFarPixels };
+  });
+}
+
 async function measure(weftlight, three, chromium, draft, folder) {
   const name = path.basename(draft, '.wif');
   execFileSync(weftlight, ['export', draft, '--mesh', 'plane', '--size', '512', '-o', folder], { stdio: ['ignore', 'ignore', 'inherit'] });
   const set = path.join(folder, name);
   const list = JSON.parse(fs.readFileSync(path.join(set, 'texture_set.json')));
-  const pairs = list.fit.front.radiance;
-  fs.writeFileSync(path.join(folder, 'query.json'), JSON.stringify({ window_m: kWindowM, pairs }));
+  const pairs = list.fit.front.radiance.map((p) => ({ ...p, pixels: kNearPixels })), far = of_rung(weftlight, draft, folder);
+  fs.writeFileSync(path.join(folder, 'query.json'), JSON.stringify({ window_m: kWindowM, pairs: [...pairs, ...far] }));
   const folders = (url) => url.startsWith('/three/') ? path.join(three, path.normalize(url.slice(7)))
     : url === '/cloth.glb' ? path.join(set, `${name}.glb`)
       : url === '/query.json' ? path.join(folder, 'query.json') : path.join(__dirname, path.basename(url));
   const seen = await shown(chromium, folders, path.join(folder, 'profile'));
-  return { name, coverage: list.coverage, rows: pairs.map((p, i) => ({ angle: degrees(p.view), view: p.view, cloth: luminance(p.cloth), engine: luminance(p.engine), three: luminance(seen[i]) })) };
+  return { name, coverage: list.coverage, rows: pairs.map((p, i) => ({ angle: degrees(p.view), view: p.view, cloth: luminance(p.cloth), engine: luminance(p.engine), three: luminance(seen[i]) })),
+    far: far.map((p, i) => ({ angle: degrees(p.view), rung: luminance(p.rung), three: luminance(seen[pairs.length + i]) })) };
 }
 
 function judge(result) {
@@ -82,6 +104,13 @@ function judge(result) {
       console.error(`${result.name}: ${angle} degrees: three.js sends ${ratio.toFixed(3)} of what was foretold`);
       ++far;
     }
+  }
+  for (const angle of kRungViews) {
+    const rows = result.far.filter((r) => Math.abs(r.angle - angle) < 0.5);
+    if (!rows.length) continue;
+    const ratio = rows.reduce((s, r) => s + r.three, 0) / rows.reduce((s, r) => s + r.rung, 0);
+    console.log(`${result.name}: ${angle} degrees: three.js sends ${ratio.toFixed(3)} of rung engine`);
+    if (Math.abs(ratio - 1) > kRungTolerance) ++far;
   }
   for (const [most, tolerance] of kClothTolerance) {
     const rows = result.rows.filter((r) => r.angle <= most && r.angle > most - 30);

@@ -257,7 +257,8 @@ Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
   std::vector<Sweep> sweeps;
   for (int k = 0; k < maps.azimuths; ++k) sweeps.push_back(sweep_of(cloth, w, h, maps.azimuths, k));
   const TexelRect field = field_around(shown, sweeps, w, h);
-  Plane<float> height = bake_field(maps, cloth, sample_grid(cloth, w, h), field, shown, whole.threads);
+  Plane<float> height =
+      bake_field(maps, cloth, sample_grid(cloth, w, h, whole.samples_a_thread), field, shown, whole.threads);
   const Plane<float> turned = maps.azimuths > 0 ? transposed(height) : Plane<float>{};
   for_each_job(maps.azimuths, whole.threads, [&](int k) {
     Sweep s = sweeps[static_cast<size_t>(k)];

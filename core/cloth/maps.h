@@ -56,6 +56,7 @@ struct MapsSize {
   int width = 1024, height = 1024;
   int azimuths = 16;
   int threads = 0;  // to bake with; 0: one a core. The bits do not depend on it
+  int samples_a_thread = 3;  // where a texel holds several threads
 };
 
 /// Bakes all maps of one period. Sizes are clamped to 1..16384, azimuths to 0..64. Deterministic: the

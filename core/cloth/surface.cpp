@@ -24,8 +24,8 @@ const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
 }
 
-int per_texel(size_t threads, int texels, double most) {
-  const double wanted = std::ceil(kSamplesPerThread * static_cast<double>(threads) / texels);
+int per_texel(size_t threads, int texels, int samples_a_thread, double most) {
+  const double wanted = std::ceil(samples_a_thread * static_cast<double>(threads) / texels);
   return static_cast<int>(std::clamp(wanted, 1.0, std::max(1.0, most)));
 }
 
@@ -55,12 +55,13 @@ float unit_or_less(float x) { return std::min(x, 1.0f); }
 
 }  // namespace
 
-SampleGrid sample_grid(const Cloth& cloth, int width, int height) {
+SampleGrid sample_grid(const Cloth& cloth, int width, int height, int samples_a_thread) {
   SampleGrid grid{width, height, 1, 1};
   const double room = kMostSamples / (static_cast<double>(width) * height);
-  const int y = per_texel(cloth.picks.size(), height, room);
-  grid.per_texel_x = per_texel(cloth.ends.size(), width, std::max(std::sqrt(room), std::floor(room / y)));
-  grid.per_texel_y = per_texel(cloth.picks.size(), height, std::floor(room / grid.per_texel_x));
+  const int y = per_texel(cloth.picks.size(), height, samples_a_thread, room);
+  grid.per_texel_x =
+      per_texel(cloth.ends.size(), width, samples_a_thread, std::max(std::sqrt(room), std::floor(room / y)));
+  grid.per_texel_y = per_texel(cloth.picks.size(), height, samples_a_thread, std::floor(room / grid.per_texel_x));
   return grid;
 }
 

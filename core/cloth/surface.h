@@ -13,14 +13,14 @@
 namespace weftlight::cloth {
 
 /// Samples of one period; a texel of the maps holds per_texel_x x per_texel_y of them, so that there
-/// are about four samples a thread where the map has fewer texels.
+/// are about so many samples a thread where the map has fewer texels.
 struct SampleGrid {
   int width = 1, height = 1;  // of the maps, texels
   int per_texel_x = 1, per_texel_y = 1;
   int samples_x() const { return width * per_texel_x; }
   int samples_y() const { return height * per_texel_y; }
 };
-SampleGrid sample_grid(const Cloth& cloth, int width, int height);
+SampleGrid sample_grid(const Cloth& cloth, int width, int height, int samples_a_thread = 3);
 
 /// Which samples, in their order across the threads of a system, show which thread, and from which on a
 /// thread of the other system is past which crossing. Both have one entry more: the number of samples.

@@ -13,7 +13,7 @@
 namespace weftlight::upload {
 namespace {
 
-constexpr int kDirections = 64, kFewDirections = 16;  // a vertex; of meshes of many
+constexpr int kDirections = 64, kFewDirections = 16, kFirstDirections = 12;  // a vertex; of meshes of many; at first
 constexpr size_t kManyVertices = 100'000;
 constexpr int kGroundSize = 96;
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii
@@ -75,9 +75,10 @@ void smooth(std::vector<SkySeen>& sky, const Mesh& mesh) {
   }
 }
 
-std::vector<SkySeen> sky_of(const Mesh& mesh, const Around& around, bool behind) {
+std::vector<SkySeen> sky_of(const Mesh& mesh, const Around& around, bool behind, SkyRays rays) {
   const size_t vertices = mesh.position_mm.size();
-  const std::vector<glm::vec3> directions = cosine_directions(vertices <= kManyVertices ? kDirections : kFewDirections);
+  const int at_rest = vertices <= kManyVertices ? kDirections : kFewDirections;
+  const std::vector<glm::vec3> directions = cosine_directions(rays == SkyRays::kFew ? kFirstDirections : at_rest);
   std::vector<SkySeen> sky(vertices);
   for_each_job(static_cast<int>(vertices), [&](int i) {
     const size_t v = static_cast<size_t>(i);
@@ -89,8 +90,8 @@ std::vector<SkySeen> sky_of(const Mesh& mesh, const Around& around, bool behind)
   return sky;
 }
 
-void fill_ground(PreparedMesh& out, const Around& around) {
-  const std::vector<glm::vec3> directions = cosine_directions(kDirections);
+void fill_ground(PreparedMesh& out, const Around& around, SkyRays rays) {
+  const std::vector<glm::vec3> directions = cosine_directions(rays == SkyRays::kFew ? kFirstDirections : kDirections);
   out.ground_size = kGroundSize;
   out.ground_half_mm = out.bounds.radius() * kGroundReach;
   out.ground_sky.resize(static_cast<size_t>(kGroundSize) * kGroundSize);
@@ -126,7 +127,7 @@ Mesh form_under(const std::string& drape, const Bounds& cloth) {
   return form;
 }
 
-PreparedMesh prepare_mesh(const Mesh& mesh) {
+PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   PreparedMesh out;
   out.mesh = mesh;
   out.bounds = bounds_of(mesh);
@@ -141,9 +142,9 @@ PreparedMesh prepare_mesh(const Mesh& mesh) {
   // lies flat does not fight the ground.
   out.ground_mm = out.body.position_mm.empty() ? all.low.y - 0.002f * out.bounds.radius() : std::min(0.0f, all.low.y);
   const Around around(out.mesh, out.body, 0.002f * out.bounds.radius());
-  out.sky = sky_of(out.mesh, around, true);
-  out.body_sky = sky_of(out.body, around, false);
-  fill_ground(out, around);
+  out.sky = sky_of(out.mesh, around, true, rays);
+  out.body_sky = sky_of(out.body, around, false, rays);
+  fill_ground(out, around, rays);
   constexpr size_t kMostTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMostTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);

@@ -31,7 +31,9 @@ struct PreparedMesh {
   std::vector<uint8_t> ground_sky;  // unorm8, row 0 at low z
 };
 
-PreparedMesh prepare_mesh(const Mesh& mesh);
+/// kFew: by few rays, for a first picture.
+enum class SkyRays { kFew, kAll };
+PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays = SkyRays::kAll);
 
 /// What a shipped drape hangs on, a little thinner than the cloth found it, so that it never shows through; drawn and
 /// traced alike. Empty for other meshes. `cloth`: the drape's bounds.

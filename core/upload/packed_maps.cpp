@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "base/loops.h"
 #include "cloth/srgb.h"
 
 namespace weftlight::upload {
@@ -210,12 +211,25 @@ void for_levels(PackedFace& face, const TexelRect& maps_rect, Visit visit) {
   }
 }
 
+/// Runs over bands of rows; those of a large rectangle on all cores.
+template <class Job>
+void for_each_band(const TexelRect& r, const Job& job) {
+  constexpr int kBandRows = 64;
+  constexpr int64_t kWorthAThread = 1 << 14;  // texels
+  const int64_t texels = int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
+  for_each_job((r.y1 - r.y0 + kBandRows - 1) / kBandRows, texels < kWorthAThread ? 1 : 0, [&](int i) {
+    const int y0 = r.y0 + i * kBandRows;
+    job(TexelRect{r.x0, y0, r.x1, std::min(r.y1, y0 + kBandRows)});
+  });
+}
+
 void fill_rect(PackedFace& face, const Maps& maps, const TexelRect& rect) {
-  pack_surface(face, maps, rect);
+  for_each_band(rect, [&](const TexelRect& band) { pack_surface(face, maps, band); });
   for_levels(face, rect, [&](PackedKind kind, int level, const TexelRect& r) {
-    if (level) return filter_level(face, kind, level, r);
-    if (kind == PackedKind::kHorizon) pack_horizon(face.textures[static_cast<size_t>(kind)], maps, r);
-    if (kind == PackedKind::kShadow) pack_shadow(face.textures[static_cast<size_t>(kind)], maps, r);
+    PackedTexture& t = face.textures[static_cast<size_t>(kind)];
+    if (level) return for_each_band(r, [&](const TexelRect& band) { filter_level(face, kind, level, band); });
+    if (kind == PackedKind::kHorizon) for_each_band(r, [&](const TexelRect& band) { pack_horizon(t, maps, band); });
+    if (kind == PackedKind::kShadow) pack_shadow(t, maps, r);
   });
 }
 

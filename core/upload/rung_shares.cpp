@@ -28,6 +28,21 @@ float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
   return shown.x * shown.y / std::max(all.x * all.y, 1e-6f);
 }
 
+/// Widens a rectangle of the cloth by what of a triangle lies on the picture.
+void widen(RungShares& shares, const std::array<glm::vec2, 3>& pixel, const std::array<glm::vec2, 3>& uv,
+           const glm::mat2& cloth_by_pixel, glm::vec2 picture) {
+  glm::vec2 low = glm::min(uv[0], glm::min(uv[1], uv[2])), high = glm::max(uv[0], glm::max(uv[1], uv[2]));
+  glm::vec2 picture_low(std::numeric_limits<float>::infinity()), picture_high = -picture_low;
+  for (const glm::vec2 corner : {glm::vec2(0), glm::vec2(picture.x, 0), glm::vec2(0, picture.y), picture}) {
+    const glm::vec2 at = uv[0] + cloth_by_pixel * (corner - pixel[0]);
+    picture_low = glm::min(picture_low, at), picture_high = glm::max(picture_high, at);
+  }
+  low = glm::max(low, picture_low), high = glm::min(high, picture_high);
+  const bool first = shares.seen_high.x <= shares.seen_low.x;
+  shares.seen_low = first ? low : glm::min(shares.seen_low, low);
+  shares.seen_high = first ? high : glm::max(shares.seen_high, high);
+}
+
 constexpr float kBinsAnOctave = 3, kFirstOctave = -8;
 
 size_t bin_of(float yarns) {
@@ -36,6 +51,17 @@ size_t bin_of(float yarns) {
 }
 
 }  // namespace
+
+SeenPart seen_part(const RungShares& shares, float spacing_mm) {
+  float sum = 0;
+  for (size_t k = 0; k < kFootprintBins; ++k) {
+    sum += shares.footprints[k];
+    if (sum > kSlivers)
+      return {shares.seen_low.x, shares.seen_low.y, shares.seen_high.x, shares.seen_high.y,
+              footprint_of_bin(k) * spacing_mm};
+  }
+  return {};
+}
 
 float footprint_of_bin(size_t k) { return std::exp2(kFirstOctave + (static_cast<float>(k) + 0.5f) / kBinsAnOctave); }
 
@@ -91,7 +117,11 @@ RungShares rung_shares(const PreparedMesh& prepared, const Camera& camera, int w
     const float area = std::abs(glm::determinant(on_picture)), on_screen = area * part;
     if (area <= 1e-6f) continue;
     const glm::mat2 on_cloth(ub[0] - ua[0], ub[1] - ua[1], uc[0] - ua[0], uc[1] - ua[1]);
-    const float yarns = pixel_size(on_cloth * glm::inverse(on_picture)) / std::max(spacing_mm, 1e-6f);
+    const glm::mat2 cloth_by_pixel = on_cloth * glm::inverse(on_picture);
+    const float yarns = pixel_size(cloth_by_pixel) / std::max(spacing_mm, 1e-6f);
+    const auto point = [](const Vec2& uv) { return glm::vec2(uv[0], uv[1]); };
+    widen(shares, {glm::vec2(a), glm::vec2(b), glm::vec2(c)}, {point(ua), point(ub), point(uc)}, cloth_by_pixel,
+          {width, height});
     const glm::vec4 weight = formulas::rung_weights(yarns, {edges[0], edges[1], edges[2]});
     for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseenWeight ? on_screen : 0;
     for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;

@@ -22,7 +22,19 @@ struct RungShares {
   std::array<bool, 4> needed{};  // by more than a few pixels
   // Shares of the cloth by its pixels' size: bin k about footprint_of_bin(k).
   std::array<float, kFootprintBins> footprints{};
+  // What is on screen of the cloth, millimetres of (u, v); empty where none is.
+  glm::vec2 seen_low{0}, seen_high{0};
 };
+
+/// The part of the cloth that a picture shows, millimetres of (u, v), and its smallest pixel there; empty: not known.
+struct SeenPart {
+  float u0 = 0, v0 = 0, u1 = 0, v1 = 0;
+  float pixel_mm = 0;
+  bool empty() const { return u1 <= u0 || v1 <= v0 || pixel_mm <= 0; }
+};
+/// But for slivers.
+SeenPart seen_part(const RungShares& shares, float spacing_mm);
+
 /// Yarns a pixel.
 float footprint_of_bin(size_t k);
 RungShares rung_shares(const PreparedMesh& mesh, const Camera& camera, int width, int height, float spacing_mm,

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/loops.h"
+#include "cloth/thinned.h"
 #include "cloth/thread_scene.h"
 #include "draft/repeat.h"
 #include "drape/mesh.h"
@@ -28,7 +29,13 @@ constexpr double kMostPerThread = 64;            // beyond, fibres are smooth
 constexpr double kFinePerThread = 14;            // a whole draft coarser than this gives way to its repeat
 constexpr int kLongest = 8192;
 constexpr int kQuickSamples = 256;
-constexpr int kQuickShrink = 4;  // of a quick bake's sides
+constexpr int kQuickShrink = 4;        // of a quick bake's sides
+constexpr double kQuickThreads = 1.7;  // across a texel of it; of more, some stand for all
+constexpr int kQuickThreadSamples = 1;
+constexpr int kManyCrossings =
+    2000;  // changed, all over the cloth: to bring the maps up to date takes longer than a hand waits
+constexpr int64_t kMostSeen = 1 << 18;                        // texels, or crossings, that are made for what is seen
+constexpr int kSeenLevels = 4, kSeenStep = 1 << kSeenLevels;  // levels of a part of the maps; it stands on whole texels
 
 bool same_yarn_shape(Yarn a, Yarn b) {
   a.lobes = b.lobes = Lobes{};
@@ -153,7 +160,8 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
     MapsSize size = maps_size(state.cloth, shadows);
     if (coarse_)
       size.width = std::max(1, size.width / kQuickShrink), size.height = std::max(1, size.height / kQuickShrink);
-    state.maps = bake(state.cloth, size);
+    const TexelRect all{0, 0, size.width, size.height};
+    state.maps = coarse_ ? bake_quick(state.cloth, size, all) : bake(state.cloth, size);
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     packed = pack(state.maps, shadows);
     if (shadows) add_cubes(packed, state.cloth);
@@ -163,6 +171,126 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
   packed_.depth_mm = front_.cloth.depth_mm;
   packed_.mean_spacing_mm = mean_spacing_mm(front_.cloth);
   take_threads();
+}
+
+/// For a moment: threads that stand for several where a texel holds many.
+Maps Stages::bake_quick(const Cloth& cloth, const MapsSize& size, const TexelRect& window) const {
+  const auto group = [](size_t threads, int texels) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<double>(threads) / texels / kQuickThreads)));
+  };
+  const int ends = group(cloth.ends.size(), size.width), picks = group(cloth.picks.size(), size.height);
+  MapsSize fewer = size;
+  fewer.samples_a_thread = kQuickThreadSamples;
+  if (ends * picks == 1) return bake(cloth, fewer, window);
+  return bake(thinned(cloth, ends, picks), fewer, window);
+}
+
+/// Whether an edit of many cells can be answered with what is seen of them: the maps are there, and only `up` changed.
+bool Stages::can_peek(const Design& design) const {
+  if (!done_ || seen_.empty() || coarse_ || shadows_ || packed_.front.textures[0].width == 0) return false;
+  if (period_ != Period::kWholeDraft || !front_.cloth.layers.empty()) return false;
+  return done_->draft.ends() == design.draft.ends() && done_->draft.picks() == design.draft.picks() &&
+         same_threads(done_->draft, design.draft) && done_->yarns == design.yarns && done_->finish == design.finish;
+}
+
+/// What is seen of the front, of cells that are too many to wait for. Nothing of it is kept: the next full answer
+/// starts from what was before. False: there are few.
+bool Stages::peek(const Design& design, StageResult& result) {
+  if (!can_peek(design) || (!peeked_ && done_->draft == design.draft)) return false;
+  BitMatrix cells = cells_;
+  update_drawdown(cells, done_->draft, design.draft);
+  int64_t changed = 0;
+  for (int p = 0; p < cells.rows(); ++p) changed += differences(cells.row(p), cells_.row(p));
+  if (changed < kManyCrossings && !peeked_) return false;
+  const Cloth cloth = face_cloth(design, cells, Face::kFront, period_);
+  if (!same_layout(front_.cloth, cloth)) return false;
+  peek_at_maps(cloth, result);
+  peek_at_crossings(cloth, result);
+  peeked_ = true;
+  return true;
+}
+
+namespace {
+
+/// Of an axis, what of [from, to) lies in a period of `length`; all of it where that crosses its end.
+struct Run {
+  double from, to;
+};
+Run in_period(double from, double to, double length) {
+  const double start = from - std::floor(from / length) * length;
+  if (to - from >= length || start + (to - from) > length) return {0, length};
+  return {start, start + (to - from)};
+}
+
+/// The levels of a texture, from the finest on, as patches of the front's at `level` and beyond.
+void append_levels(std::vector<PackedPatch>& to, PackedTexture& t, const TexelRect& window, int level, int levels) {
+  for (int k = 0; k < std::min(levels, static_cast<int>(t.levels.size())); ++k)
+    to.push_back({Face::kFront, t.kind, level + k, window.x0 >> k, window.y0 >> k, t.level_width(k), t.level_height(k),
+                  std::move(t.levels[static_cast<size_t>(k)])});
+}
+
+}  // namespace
+
+/// The level that the pixels ask for, and those above it, or as fine a one as can be made at once.
+void Stages::peek_at_maps(const Cloth& cloth, StageResult& result) const {
+  const PackedTexture& shown = packed_.front.textures[0];
+  const double period[] = {static_cast<double>(cloth.width_mm), static_cast<double>(cloth.depth_mm)};
+  const Run u = in_period(static_cast<double>(seen_.u0), static_cast<double>(seen_.u1), period[0]);
+  const Run v = in_period(static_cast<double>(seen_.v0), static_cast<double>(seen_.v1), period[1]);
+  for (int level = 0; level + kSeenLevels < static_cast<int>(shown.levels.size()); ++level) {
+    const int w = shown.level_width(level), h = shown.level_height(level);
+    const auto texels = [](double from, double to, double length, int n) {
+      const int low = static_cast<int>(from / length * n) / kSeenStep * kSeenStep;
+      const int high = (static_cast<int>(std::ceil(to / length * n)) + kSeenStep - 1) / kSeenStep * kSeenStep;
+      return std::pair{std::min(low, n - 1), std::clamp(high, std::min(low, n - 1) + 1, n)};
+    };
+    const auto [x0, x1] = texels(u.from, u.to, period[0], w);
+    const auto [y0, y1] = texels(v.from, v.to, period[1], h);
+    const double texel_mm = std::min(period[0] / w, period[1] / h);
+    if (2 * texel_mm <= static_cast<double>(seen_.pixel_mm) || int64_t{x1 - x0} * (y1 - y0) > kMostSeen) continue;
+    const MapsSize size{w, h, packed_.front.textures[static_cast<size_t>(PackedKind::kHorizon)].layers - 1};
+    PackedFace part = pack(bake_quick(cloth, size, {x0, y0, x1, y1}), false);
+    const bool whole = x1 - x0 == w && y1 - y0 == h;
+    for (PackedTexture& t : part.textures) {
+      if (t.layers == 0) continue;
+      const bool half = t.kind == PackedKind::kHorizon;
+      append_levels(result.patches.maps, t,
+                    half ? TexelRect{x0 / 2, y0 / 2, x1 / 2, y1 / 2} : TexelRect{x0, y0, x1, y1}, level,
+                    whole  ? static_cast<int>(t.levels.size())
+                    : half ? kSeenLevels - 1
+                           : kSeenLevels);
+    }
+    return;
+  }
+}
+
+/// Thread by thread, where so few are seen that they may be drawn so.
+void Stages::peek_at_crossings(const Cloth& cloth, StageResult& result) const {
+  if (packed_.crossings.empty()) return;
+  const auto seen = [](const std::vector<ThreadBody>& threads, const Run& run) {
+    const auto at = [&](double mm) {
+      return static_cast<int>(
+          std::ranges::partition_point(threads,
+                                       [mm](const ThreadBody& t) { return static_cast<double>(t.centre_mm) < mm; }) -
+          threads.begin());
+    };
+    constexpr int kMargin = 2;
+    const int n = static_cast<int>(threads.size());
+    return std::pair{std::max(0, at(run.from) - kMargin), std::min(n, at(run.to) + kMargin)};
+  };
+  const double width = static_cast<double>(cloth.width_mm), depth = static_cast<double>(cloth.depth_mm);
+  const auto [e0, e1] =
+      seen(cloth.ends, in_period(static_cast<double>(seen_.u0), static_cast<double>(seen_.u1), width));
+  const auto [p0, p1] =
+      seen(cloth.picks, in_period(static_cast<double>(seen_.v0), static_cast<double>(seen_.v1), depth));
+  const CellRect cells{e0, e1, p0, p1};
+  if (cells.empty() || int64_t{e1 - e0} * (p1 - p0) > kMostSeen) return;
+  const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
+  result.patches.crossings.push_back({cells, packed_crossings(crossings)});
+  const float top_mm = highest_thread(cloth, crossings);
+  if (top_mm <= top_mm_) return;
+  result.lobes = packed_.lobes;
+  result.lobes->threads = thread_records(cloth, top_mm);
 }
 
 /// All threads and crossings of the front; the back's are the same, turned over.
@@ -242,10 +370,12 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
 }
 
 /// What the cloth hangs on, and the light. Of what cannot be read the last good one stays.
-void Stages::take_scene(const Scene& scene, StageResult& result) {
-  if (scene.mesh != mesh_name_) {
+void Stages::take_scene(const Scene& scene, Effort effort, StageResult& result) {
+  const bool more_rays = few_rays_ && effort != Effort::kQuick;
+  if (scene.mesh != mesh_name_ || more_rays) {
     ReadMesh read = find_mesh(scene.mesh);
-    if (read.mesh) result.mesh = prepare_mesh(*read.mesh);
+    few_rays_ = effort == Effort::kQuick;
+    if (read.mesh) result.mesh = prepare_mesh(*read.mesh, few_rays_ ? SkyRays::kFew : SkyRays::kAll);
     mesh_problem_ = read.mesh ? std::string() : read.error;
     mesh_name_ = scene.mesh;
   }
@@ -259,13 +389,23 @@ void Stages::take_scene(const Scene& scene, StageResult& result) {
 }
 
 StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
-  StageResult result;
-  take_scene(design->scene, result);
+  StageResult scene, result;
+  // Neither knows of the other.
+  for_each_job(
+      2, [&](int part) { part == 0 ? take_scene(design->scene, effort, scene) : take_cloth(design, effort, result); });
+  result.mesh = std::move(scene.mesh), result.lights = std::move(scene.lights);
+  if (result.problem.empty()) result.problem = std::move(scene.problem);
+  if (effort == Effort::kOnce) front_ = back_ = {}, cells_ = {}, done_ = nullptr;
+  return result;
+}
+
+void Stages::take_cloth(const std::shared_ptr<const Design>& design, Effort effort, StageResult& result) {
   const Draft& now = design->draft;
   if (now.ends() == 0 || now.picks() == 0) {
     result.problem = "the draft has no threads: give it at least one end and one pick";
-    return result;
+    return;
   }
+  if (effort == Effort::kQuick && peek(*design, result)) return;
   const bool shadows = shadows_ || design->look.method == Method::kVrst03;
   // Who compares rungs asks for vrst03's maps, and gets what is engine's too.
   const bool engine = engine_ || shadows || design->look.method == Method::kEngine;
@@ -283,7 +423,7 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
   if (std::string refused = too_large(*design, cells_); !refused.empty()) {
     done_ = nullptr;
     result.problem = std::move(refused);
-    return result;
+    return;
   }
   const bool same_look = same_sizes && same_threads(done_->draft, now) && same_yarns(done_->yarns, design->yarns) &&
                          done_->finish == design->finish && shadows == shadows_;
@@ -292,14 +432,17 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
     result.patches = {};
     bake_all(*design, shadows, effort);
     result.all_maps = true;
+  } else if (peeked_ && effort != Effort::kQuick) {
+    // Over what was sent in the meantime.
+    result.patches = {};
+    result.all_maps = true;
   }
   engine_ = engine_ || new_engine;
+  if (result.all_maps) peeked_ = false;
   const bool new_answer = old_response_ && effort != Effort::kQuick;
   if (result.all_maps || !dirty.empty() || new_answer || new_engine || done_->yarns != design->yarns)
     take_lobes(*design, effort, result);
-  done_ = std::move(design);
-  if (effort == Effort::kOnce) front_ = back_ = {}, cells_ = {}, done_ = nullptr;
-  return result;
+  done_ = design;
 }
 
 }  // namespace weftlight::upload

@@ -14,6 +14,7 @@
 #include "upload/light_rig.h"
 #include "upload/names.h"
 #include "upload/packed_maps.h"
+#include "upload/rung_shares.h"
 
 namespace weftlight::upload {
 
@@ -34,13 +35,16 @@ Period choose_period(const Design& design, const BitMatrix& cells);
 /// way there to be handed the same way in space.
 Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period);
 
-/// kQuick: the next frame's answer. Whole bakes are made with few texels; painted cells reach the front alone; light
-/// from afar keeps the answer that it had. kFull brings all of it up to date.
+/// kQuick: the next frame's answer. Whole bakes are made with few texels and few threads; painted cells reach the front
+/// alone, and of many only what is seen; light from afar keeps the answer that it had; a mesh has its share of the sky
+/// from few rays. kFull brings all of it up to date.
 /// kOnce: as kFull, for one picture: only packed() is kept, and the next design is computed anew.
 enum class Effort { kQuick, kFull, kOnce };
 
 class Stages {
  public:
+  /// What quick answers are made for.
+  void look(const SeenPart& seen) { seen_ = seen; }
   StageResult update(std::shared_ptr<const Design> design, Effort effort = Effort::kFull);
   const PackedCloth& packed() const { return packed_; }
   /// After kOnce: what nobody asks for again.
@@ -51,14 +55,23 @@ class Stages {
     Cloth cloth;
     Maps maps;
   };
+  void take_cloth(const std::shared_ptr<const Design>& design, Effort effort, StageResult& result);
   void bake_all(const Design& design, bool shadows, Effort effort);
+  Maps bake_quick(const Cloth& cloth, const MapsSize& size, const TexelRect& window) const;
+  bool can_peek(const Design& design) const;
+  bool peek(const Design& design, StageResult& result);
+  void peek_at_maps(const Cloth& cloth, StageResult& result) const;
+  void peek_at_crossings(const Cloth& cloth, StageResult& result) const;
   bool bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result);
   void take_lobes(const Design& design, Effort effort, StageResult& result);
   void take_threads();
   void take_crossings(const CellRect& dirty, StageResult& result);
-  void take_scene(const Scene& scene, StageResult& result);
+  void take_scene(const Scene& scene, Effort effort, StageResult& result);
 
   std::shared_ptr<const Design> done_;
+  SeenPart seen_;
+  bool few_rays_ = false;  // the mesh has its share of the sky from few rays
+  bool peeked_ = false;    // quick patches were sent that packed_ knows nothing of
   std::string mesh_name_, mesh_problem_, lights_name_, lights_problem_;
   BitMatrix cells_;
   Period period_ = Period::kWholeDraft;

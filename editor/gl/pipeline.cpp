@@ -1,5 +1,7 @@
 #include "gl/pipeline.h"
 
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 
 #include "base/worker.h"
@@ -27,10 +29,14 @@ struct Pipeline::Parts {
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
   std::string problem;
+  SeenPart seen;
+  bool quick_drawn = true;
+  std::condition_variable_any drawn;
   Stages stages;
   Worker worker;  // the last to be made and the first to go: its jobs use all of the above
 
   void compute(const std::shared_ptr<const Design>& design, Effort effort);
+  void wait_for_picture(const std::stop_token& stop);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
 };
@@ -39,10 +45,21 @@ struct Pipeline::Parts {
 void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort) {
   // Held through the hand-over, so that maps and patches are taken up in the order they were made.
   const std::lock_guard hold(maps);
+  {
+    const std::lock_guard lock(mutex);
+    stages.look(seen);
+  }
   StageResult result = stages.update(design, effort);
   std::optional<PackedCloth> copy;
   if (result.all_maps && effort == Effort::kQuick) copy = stages.packed();
   hand_over(std::move(result), std::move(copy));
+}
+
+/// A picture of the quick answer is drawn by the same cores.
+void Pipeline::Parts::wait_for_picture(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kLongest{400};
+  std::unique_lock lock(mutex);
+  drawn.wait_for(lock, stop, kLongest, [this] { return quick_drawn; });
 }
 
 void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> copy) {
@@ -52,6 +69,7 @@ void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> c
   if (result.all_maps) {
     quick_maps = std::move(copy);
     all_maps = !quick_maps;
+    quick_drawn = !quick_maps;
     patches = {};
     lobes.reset();
   }
@@ -91,8 +109,17 @@ Pipeline::~Pipeline() = default;
 void Pipeline::submit(std::shared_ptr<const Design> design) {
   parts_->worker.post([parts = parts_.get(), design = std::move(design)](const std::stop_token& stop) {
     parts->compute(design, Effort::kQuick);
+    parts->wait_for_picture(stop);
     if (!stop.stop_requested()) parts->compute(design, Effort::kFull);
   });
+}
+
+void Pipeline::look(const SeenPart& seen) {
+  const std::lock_guard lock(parts_->mutex);
+  parts_->seen = seen;
+  if (parts_->quick_drawn || parts_->quick_maps) return;
+  parts_->quick_drawn = true;
+  parts_->drawn.notify_all();
 }
 
 bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false); }

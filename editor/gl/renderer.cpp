@@ -109,7 +109,9 @@ bool Renderer::Parts::build(std::string& error) {
   body = build_program("body.vert", "body.frag", taps, error);
   if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error))
     return false;
-  error = cloth_program(Method::kAuto, kFullTaps, software ? kRepeatRung : kAllRungs & ~kCellRung, false).problem;
+  // Without a graphics card the first picture is a quick one, by a program of its own.
+  error = software ? cloth_program(Method::kAuto, kQuickTaps, kRepeatRung, false).problem
+                   : cloth_program(Method::kAuto, kFullTaps, kAllRungs & ~kCellRung, false).problem;
   return error.empty();
 }
 
@@ -514,6 +516,12 @@ float Renderer::tolerance_within(float budget_ms) {
 }
 
 void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
+SeenPart Renderer::seen() const {
+  SeenPart seen = seen_part(parts_->shares, parts_->cloth.mean_spacing_mm());
+  seen.pixel_mm *= parts_->last.frame.render_scale;
+  return seen;
+}
+
 bool Renderer::is_software() const { return parts_->software; }
 const std::string& Renderer::ladder_problem() const { return parts_->shipped.problem; }
 

@@ -17,6 +17,7 @@
 #include "upload/light_rig.h"
 #include "upload/packed_maps.h"
 #include "upload/patch.h"
+#include "upload/rung_shares.h"
 
 namespace weftlight::gl {
 
@@ -88,6 +89,8 @@ class Renderer {
   float tolerance_within(float budget_ms);
   /// What rung auto chooses by; the shipped ladder until then.
   void set_ladder(const Ladder& ladder);
+  /// What the last picture showed of the cloth, at all its pixels.
+  SeenPart seen() const;
   /// Drawn by the processor (Mesa's llvmpipe).
   bool is_software() const;
   /// What is wrong with the shipped ladder; the built-in one then chooses the methods.

@@ -74,5 +74,66 @@ TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
   expect_caught_up();
 }
 
+/// 199 x 199 threads, picks in no order: what repeats nowhere, and a tie-up cell that changes some 2,500 crossings.
+Design unordered() {
+  Design d;
+  d.draft = blank_draft(199, 199, 4, 4);
+  d.scene.mesh.clear();
+  uint32_t random = 1;
+  for (int i = 0; i < 199; ++i) {
+    random = random * 1664525u + 1013904223u;
+    d.draft.threading.set(i, i % 4, true), d.draft.treadling.set(i, static_cast<int>(random >> 30), true);
+  }
+  for (int t = 0; t < 4; ++t)
+    for (int s = 0; s < 4; ++s) d.draft.tieup.set(t, s, (s + t) % 4 < 2);
+  return d;
+}
+
+TEST(Stages, OfManyCellsWhatIsSeenComesFirst) {
+  Stages stages;
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2));
+  stages.update(keep(before));
+  const PackedTexture& color = stages.packed().front.textures[0];
+  // Shown whole, four texels a pixel.
+  const float texel_mm = stages.packed().width_mm / static_cast<float>(color.width);
+  stages.look({0, 0, 1e6f, 1e6f, 4 * texel_mm});
+  const StageResult seen = stages.update(keep(after), Effort::kQuick);
+  EXPECT_FALSE(seen.all_maps);
+  ASSERT_FALSE(seen.patches.maps.empty());
+  for (const PackedPatch& p : seen.patches.maps) {
+    EXPECT_GE(p.level, 2) << "as fine as the pixels, and no finer";
+    const PackedTexture& whole = stages.packed().front.textures[static_cast<size_t>(p.kind)];
+    EXPECT_EQ(p.width, whole.level_width(p.level)) << "all of it is seen";
+    EXPECT_EQ(p.texels.size(),
+              static_cast<size_t>(p.width) * static_cast<size_t>(p.height * whole.layers * whole.channels));
+  }
+
+  const StageResult full = stages.update(keep(after));
+  EXPECT_TRUE(full.all_maps) << "over what was sent in the meantime";
+  Stages fresh;
+  fresh.update(keep(after));
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
+TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
+  Stages stages;
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2));
+  stages.update(keep(before));
+  Stages fresh;
+  fresh.update(keep(before));
+  // Near: a corner of the cloth, two threads a pixel of which are seen one by one.
+  const float mm = stages.packed().width_mm / 199;
+  stages.look({10 * mm, 20 * mm, 40 * mm, 50 * mm, 0.05f * mm});
+  const StageResult near = stages.update(keep(after), Effort::kQuick);
+  ASSERT_EQ(near.patches.crossings.size(), 1u);
+  EXPECT_LT(near.patches.crossings[0].texels.size(), 2000u);
+  for (const PackedPatch& p : near.patches.maps) EXPECT_LT(p.width, 512);
+  EXPECT_FALSE(stages.update(keep(before), Effort::kQuick).patches.empty()) << "as it was before";
+  EXPECT_TRUE(stages.update(keep(before)).all_maps);
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
 }  // namespace
 }  // namespace weftlight::upload

@@ -1,0 +1,99 @@
+// Speed of what follows an edit on its way to the graphics card, as the window's worker does it: drawdown, layout, maps
+// of both faces, threads and the answer from afar.
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "draft/edits.h"
+#include "draft/generators.h"
+#include "files/files.h"
+#include "upload/stages.h"
+
+namespace {
+
+using namespace weftlight::draft;
+using weftlight::upload::Effort;
+using weftlight::upload::Stages;
+
+constexpr int kLarge = 10000;
+
+std::shared_ptr<const Design> kept(Design design) {
+  design.scene.mesh.clear();
+  return std::make_shared<const Design>(std::move(design));
+}
+
+/// 32 shafts, picks in no order: what repeats nowhere.
+Design large_design(int ends, int picks, Drive drive) {
+  std::mt19937 random(1);
+  Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {ends, picks});
+  Draft& d = design.draft;
+  if (drive == Drive::kLiftplan) {
+    d = to_liftplan(design).draft;
+    for (int p = 0; p < d.picks(); ++p)
+      for (int s = 0; s < d.shafts; ++s) d.liftplan.set(p, s, random() % 2 == 0);
+  } else {
+    for (int p = 0; p < d.picks(); ++p) {
+      for (int t = 0; t < d.treadles; ++t) d.treadling.set(p, t, false);
+      d.treadling.set(p, static_cast<int>(random() % 32), true);
+    }
+  }
+  return design;
+}
+
+/// A new draft, until its first picture can be drawn, or its last.
+void cloth_from(benchmark::State& state, const Design& design, Effort effort) {
+  const auto shown = kept(design);
+  for (auto _ : state) {
+    Stages stages;
+    benchmark::DoNotOptimize(stages.update(shown, effort).all_maps);
+  }
+}
+
+/// Edits of a cloth that is shown whole, there and back.
+void edited(benchmark::State& state, const Design& design, const std::function<void(Draft&)>& edit, Effort effort) {
+  Stages stages;
+  Design next = design;
+  stages.update(kept(design));
+  // Shown whole, a pixel for two threads and a half.
+  stages.look({0, 0, 1e6f, 1e6f, 1.2f});
+  for (auto _ : state) {
+    edit(next.draft);
+    const auto shown = kept(next);
+    benchmark::DoNotOptimize(stages.update(shown, effort).all_maps);
+  }
+}
+
+void flip(BitMatrix& bits, int row, int col) { bits.set(row, col, !bits.get(row, col)); }
+
+void first_cloth_of_starter(benchmark::State& state) {
+  const Design starter = twill({2, 2}, Lean::kRight, {96, 96});
+  cloth_from(state, starter, Effort::kQuick);
+}
+void first_cloth_1285_x_3058(benchmark::State& state) {
+  cloth_from(state, large_design(1285, 3058, Drive::kTreadling), Effort::kQuick);
+}
+void first_cloth_10000_treadled(benchmark::State& state) {
+  cloth_from(state, large_design(kLarge, kLarge, Drive::kTreadling), Effort::kQuick);
+}
+void first_cloth_10000_random_liftplan(benchmark::State& state) {
+  cloth_from(state, large_design(kLarge, kLarge, Drive::kLiftplan), Effort::kQuick);
+}
+void whole_cloth_10000_random_liftplan(benchmark::State& state) {
+  cloth_from(state, large_design(kLarge, kLarge, Drive::kLiftplan), Effort::kFull);
+}
+void cloth_after_a_tieup_cell_1285_x_3058(benchmark::State& state) {
+  edited(
+      state, large_design(1285, 3058, Drive::kTreadling), [](Draft& d) { flip(d.tieup, 3, 5); }, Effort::kQuick);
+}
+
+BENCHMARK(first_cloth_of_starter)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(first_cloth_1285_x_3058)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(first_cloth_10000_treadled)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(first_cloth_10000_random_liftplan)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(whole_cloth_10000_random_liftplan)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(cloth_after_a_tieup_cell_1285_x_3058)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+}  // namespace

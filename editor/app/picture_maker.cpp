@@ -22,13 +22,17 @@ constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
 
 }  // namespace
 
-PictureMaker::PictureMaker() : renderer_(Renderer::create(problem_)) {
+PictureMaker::PictureMaker(Pipeline& pipeline) : renderer_(Renderer::create(problem_)), pipeline_(pipeline) {
   if (!renderer_) problem_ = "The cloth cannot be shown: " + problem_;
 }
 
 void PictureMaker::submit(std::shared_ptr<const Design> design) {
-  design_ = design;
-  pipeline_.submit(std::move(design));
+  pipeline_.submit(design);
+  follow(std::move(design));
+}
+
+void PictureMaker::follow(std::shared_ptr<const Design> design) {
+  design_ = std::move(design);
   tracer_.stop();
   traced_ = false;
 }
@@ -115,6 +119,7 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   frame.all_samples = all_samples_;
   if (scale == 1) frame.pass = passes_;
   stats_ = renderer_->draw(request.scene, look_for(request), frame);
+  pipeline_.look(renderer_->seen());
   if (scale == 1) stats_ = renderer_->measure();
   if (scale == 1 && passes_ == 0 && request.budget_ms > 0 && stats_.method == Method::kAuto) {
     const float held = renderer_->tolerance_within(request.budget_ms);

@@ -29,10 +29,12 @@ struct PictureRequest {
 
 class PictureMaker {
  public:
-  /// Needs a GL context.
-  PictureMaker();
+  /// Needs a GL context. The pipeline may have its first design already.
+  explicit PictureMaker(Pipeline& pipeline);
 
   void submit(std::shared_ptr<const Design> design);
+  /// The pipeline has it already.
+  void follow(std::shared_ptr<const Design> design);
   /// Takes what the worker and the tracer finished. True when there is something new to show.
   bool poll();
   /// Draws if anything changed since the last time; true when it did.
@@ -70,7 +72,7 @@ class PictureMaker {
 
   std::string problem_;  // filled while the renderer is made
   std::unique_ptr<Renderer> renderer_;
-  Pipeline pipeline_;
+  Pipeline& pipeline_;
   std::shared_ptr<const Design> design_;
   bool has_cloth_ = false, dirty_ = false, busy_ = false;
   PictureRequest drawn_;

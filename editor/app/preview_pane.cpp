@@ -69,7 +69,20 @@ PreviewPicture PreviewPane::picture() const {
   return p;
 }
 
+/// The cloth is computed while the graphics are made ready for it.
+std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
+  std::unique_lock lock(mutex_);
+  wake_.wait(lock, [this] { return leaving_ || new_design_; });
+  if (leaving_) return nullptr;
+  new_design_ = false;
+  pipeline.submit(design_);
+  return design_;
+}
+
 void PreviewPane::work() {
+  Pipeline pipeline;
+  const std::shared_ptr<const Design> first = first_design(pipeline);
+  if (!first) return;
   std::string error;
   const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
   if (!context) {
@@ -78,7 +91,8 @@ void PreviewPane::work() {
     news_->picture.problem = "The cloth cannot be shown: " + error;
     return wake_window_();
   }
-  PictureMaker maker;
+  PictureMaker maker(pipeline);
+  maker.follow(first);
   hand_over(maker, {}, false);
   double next_s = 0;
   std::unique_lock lock(mutex_);

@@ -45,6 +45,7 @@ class PreviewPane {
     std::shared_ptr<const Design> made;  // nothing of it is still to come
   };
 
+  std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
   void make(class PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);

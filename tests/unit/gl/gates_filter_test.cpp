@@ -65,6 +65,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   Held averaged{Method::kEngine, 0, 0};  // one averaged normal, as engines have it
   for (const auto& [repeat, up] : {std::pair{4, 2}, {8, 7}}) {
     design = twill(repeat, up, {0.85f, 0.8f, 0.7f}, {0.1f, 0.15f, 0.4f});
+    design.look.method = Method::kEngine;  // its material too
     lay(1);
     for (const size_t view : {0u, 1u, 2u}) {
       const float degrees = kSlants[view];

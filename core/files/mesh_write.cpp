@@ -123,19 +123,24 @@ int add_index(Document& doc, std::vector<uint32_t> index, bool back) {
   return static_cast<int>(doc.root["accessors"].size()) - 1;
 }
 
+constexpr float kThicknessMm = 0.1f;  // between front and back: path tracers cull no side, and one shaded the other
+
 void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back) {
   std::vector<Vec3> position(mesh.position_mm);
   std::vector<Vec2> uv(mesh.uv_mm);
   for (Vec3& p : position) p *= kMetresPerMm;
   for (Vec2& t : uv) t[0] = -t[0];
-  const int positions = add_vectors(doc, position, true), uvs = add_vectors(doc, uv, false);
+  const int fronts = add_vectors(doc, position, true), uvs = add_vectors(doc, uv, false);
+  for (size_t i = 0; back && i < position.size(); ++i)
+    position[i] -= unit_or(mesh.normal[i], {0, 1, 0}) * (kThicknessMm * kMetresPerMm);
+  const int backs = back ? add_vectors(doc, position, true) : fronts;
   const std::vector<uint32_t> index = proper_triangles(mesh);
   json primitives = json::array();
   for (const GltfMaterial* material : {front, back}) {
     const bool behind = material != front;
     if (behind && !back) break;
     json attributes = add_frame(doc, mesh, material && !material->normal.empty(), behind);
-    attributes["POSITION"] = positions, attributes["TEXCOORD_0"] = uvs;
+    attributes["POSITION"] = behind ? backs : fronts, attributes["TEXCOORD_0"] = uvs;
     json primitive{{"attributes", std::move(attributes)}, {"indices", add_index(doc, index, behind)}};
     if (material) primitive["material"] = behind ? 1 : 0;
     primitives.push_back(std::move(primitive));

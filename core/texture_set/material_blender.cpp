@@ -12,6 +12,7 @@ Run it in the Scripting tab (open it there from the folder of the set), or `blen
 Texture coordinates are millimetres, as those of {NAME}.glb and of its importer are; for a mesh on which
 one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm set MM_UV = False."""
 import os
+import bmesh
 import bpy
 
 NAME = "{NAME}"
@@ -55,11 +56,11 @@ def feed(shader, output, *names):
             return
 
 
-def value(shader, number, *names):
-    for name in names:
-        if name in shader.inputs:
-            shader.inputs[name].default_value = number
-            return
+def number(value):
+    """As a node: sockets take more from one than from a hand."""
+    node = nodes.new("ShaderNodeValue")
+    node.outputs[0].default_value = value
+    return node.outputs[0]
 
 
 def normal_map(suffix):
@@ -68,7 +69,7 @@ def normal_map(suffix):
     return node.outputs["Normal"]
 
 
-def face(side, specular, sheen_roughness):
+def face(side, specular):
     shader = nodes.new("ShaderNodeBsdfPrincipled")
     shade = nodes.new("ShaderNodeMixRGB")
     shade.blend_type = "MULTIPLY"
@@ -83,21 +84,28 @@ def face(side, specular, sheen_roughness):
     feed(shader, image(side + "_anisotropic.png"), "Anisotropic")
     feed(shader, normal_map(side + "_normal.png"), "Normal")
     feed(shader, normal_map(side + "_tangent.png"), "Tangent")
-    value(shader, specular, "Specular IOR Level", "Specular")
-    if "Sheen Weight" in shader.inputs:
-        shader.inputs["Sheen Weight"].default_value = 1
-        shader.inputs["Sheen Roughness"].default_value = sheen_roughness
-        feed(shader, image(side + "_sheen.png", True), "Sheen Tint")
+    feed(shader, number(specular), "Specular IOR Level", "Specular")
     return shader.outputs["BSDF"]
+
+
+def without_back(mesh):
+    """{NAME}.glb has its triangles again for the back; this material knows both sides."""
+    back = [at for at, other in enumerate(mesh.materials) if other and other.name.startswith(NAME + "_back")]
+    shape = bmesh.new()
+    shape.from_mesh(mesh)
+    bmesh.ops.delete(shape, geom=[face for face in shape.faces if face.material_index in back], context="FACES")
+    shape.to_mesh(mesh)
+    shape.free()
 
 
 both = nodes.new("ShaderNodeMixShader")
 links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], both.inputs[0])
-links.new(face("", {SPECULAR}, {SHEEN_ROUGHNESS}), both.inputs[1])
-links.new(face("_back", {BACK_SPECULAR}, {BACK_SHEEN_ROUGHNESS}), both.inputs[2])
+links.new(face("", {SPECULAR}), both.inputs[1])
+links.new(face("_back", {BACK_SPECULAR}), both.inputs[2])
 links.new(both.outputs["Shader"], nodes["Material Output"].inputs["Surface"])
 for thing in bpy.context.selected_objects:
     if thing.type == "MESH":
+        without_back(thing.data)
         thing.data.materials.clear()
         thing.data.materials.append(material)
         for polygon in thing.data.polygons:
@@ -124,16 +132,13 @@ const char* blend_of(Alpha alpha) {
 std::string write_blender_script(const SetFacts& set) {
   const EngineFit &front = set.front.fit(), &back = set.back.fit();
   const Surface& s = set.front.small();
-  return write_file_atomically(
-      set.folder + "/" + set.name + ".py",
-      filled(kScript, {{"NAME", set.name},
-                       {"BLEND", blend_of(set.alpha)},
-                       {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
-                       {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
-                       {"SPECULAR", number(static_cast<double>(front.specular()))},
-                       {"BACK_SPECULAR", number(static_cast<double>(back.specular()))},
-                       {"SHEEN_ROUGHNESS", number(static_cast<double>(front.sheen_roughness))},
-                       {"BACK_SHEEN_ROUGHNESS", number(static_cast<double>(back.sheen_roughness))}}));
+  return write_file_atomically(set.folder + "/" + set.name + ".py",
+                               filled(kScript, {{"NAME", set.name},
+                                                {"BLEND", blend_of(set.alpha)},
+                                                {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
+                                                {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
+                                                {"SPECULAR", number(static_cast<double>(front.specular()))},
+                                                {"BACK_SPECULAR", number(static_cast<double>(back.specular()))}}));
 }
 
 }  // namespace weftlight::texture_set

@@ -39,7 +39,8 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   take(m.normal, "_normal", 2);
   take(m.anisotropy, "_anisotropy", 3);
   m.anisotropy_strength = 1;
-  if (source.fit().sheen > 0) {
+  // The fit of the Blender set has none, and Blender 3's importer would add a velvet that is not scaled.
+  if (set.target == Target::kGltf && source.fit().sheen > 0) {
     take(m.sheen, "_sheen", 4);
     m.sheen_color = {1, 1, 1};
     m.sheen_roughness = 1;

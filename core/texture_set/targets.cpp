@@ -76,7 +76,6 @@ constexpr ImageRow kRows[] = {
     {Target::kBlender, "", "_normal", ".png", kU16, false, kNormalUp},
     {Target::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kMiddle, kNone}},
     {Target::kBlender, "", "_anisotropic", ".png", kU8, false, only(kAspectAnisotropy)},
-    {Target::kBlender, "", "_sheen", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
     {Target::kBlender, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
     {Target::kBlender, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
 
@@ -124,7 +123,7 @@ const TargetRow kTargets[] = {
     {Target::kUnityHdrp, "unity-hdrp", "Unity HDRP", "+Y", {formulas::kSheenNone, 1, false, false}, Alpha::kBlend},
     {Target::kUnityUrp, "unity-urp", "Unity URP", "+Y", {formulas::kSheenNone, kF0, false, false}, Alpha::kBlend},
     {Target::kGodot, "godot", "Godot", "+Y", {formulas::kSheenNone, 4 * kF0, false, true}, Alpha::kHashed},
-    {Target::kBlender, "blender", "Blender", "+Y", {formulas::kSheenZeltner, 2 * kF0, false, true}, Alpha::kHashed},
+    {Target::kBlender, "blender", "Blender", "+Y", {formulas::kSheenNone, 0.5f, false, true}, Alpha::kHashed},
     {Target::kU3m, "u3m", "U3M", "+Y", {formulas::kSheenDisney, 2 * kF0, false, true}, Alpha::kBlend},
     {Target::kMaterialX,
      "materialx",

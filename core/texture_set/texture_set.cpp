@@ -170,7 +170,9 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth));
-  of.footprint_mm = raw ? 0 : kFootprintMmAtOneMetre * options.distance_m;
+  // A path tracer averages what texels send, not texels: each keeps its own facets.
+  const bool traced = options.target == Target::kBlender;
+  of.footprint_mm = raw || traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(cloth), of};
 }
 

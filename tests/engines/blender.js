@@ -1,0 +1,72 @@
+// node blender.js WEFTLIGHT BLENDER DRAFT...
+// Exports each draft for Blender on the plane, shows it there in Cycles under one sun by the set's own script (blender.py), and
+// holds the mean radiance against what texture_set.json says that the cloth sends. Leaves with 0, 1 (too far apart) or 77
+// (Blender is not installed, or cannot read .glb). With --table it prints every figure.
+'use strict';
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+const { execFileSync, spawnSync } = require('child_process');
+
+const kMean = [[0, 60, 0.10], [60, 90, 0.35]];  // of the cloth, over azimuths, from so many degrees to so many
+const kError = 0.25;                     // RMS of the difference over the RMS of the cloth, to 60 degrees
+const kWindowM = 0.12, kPixels = 48, kSamples = 48;
+
+const luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+const sum = (rows, of) => rows.reduce((s, r) => s + of(r), 0);
+
+/// What Blender sends for the pairs; null: it cannot.
+function shown(blender, set, name, pairs, folder) {
+  const out = path.join(folder, 'seen.json'), query = path.join(folder, 'query.json');
+  fs.writeFileSync(query, JSON.stringify({ glb: path.join(set, `${name}.glb`), script: path.join(set, `${name}.py`), window_m: kWindowM, pixels: kPixels, samples: kSamples, pairs, out }));
+  // Debian's Blender finds its modules where the system's Python has them.
+  const ran = spawnSync(blender, ['-b', '--factory-startup', '-P', path.join(__dirname, 'blender.py'), '--', query],
+    { env: { ...process.env, PATH: `/usr/bin:/bin:${process.env.PATH}` }, encoding: 'utf8' });
+  if (/No module named 'numpy'/.test(ran.stdout + ran.stderr)) return null;
+  if (!fs.existsSync(out)) throw new Error(ran.stdout + ran.stderr);
+  return JSON.parse(fs.readFileSync(out));
+}
+
+function measure(weftlight, blender, draft, folder) {
+  const name = path.basename(draft, '.wif');
+  execFileSync(weftlight, ['export', draft, '--target', 'blender', '--mesh', 'plane', '--size', '512', '-o', folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+  const set = path.join(folder, name);
+  const pairs = JSON.parse(fs.readFileSync(path.join(set, 'texture_set.json'))).fit.front.radiance;
+  const seen = shown(blender, set, name, pairs, folder);
+  return seen && pairs.map((p, i) => ({ name, angle: Math.acos(Math.min(1, p.view[2])) * 180 / Math.PI, cloth: luminance(p.cloth), blender: luminance(seen[i]) / Math.max(seen[i][3], 1e-3) }));
+}
+
+function judge(rows) {
+  let far = 0;
+  for (const [least, most, tolerance] of kMean) {
+    const part = rows.filter((r) => r.angle <= most && r.angle >= least);
+    const ratio = sum(part, (r) => r.blender) / sum(part, (r) => r.cloth);
+    console.log(`${rows[0].name}: ${least} to ${most} degrees Blender sends ${ratio.toFixed(3)} of the cloth`);
+    if (Math.abs(ratio - 1) > tolerance) ++far;
+  }
+  const flat = rows.filter((r) => r.angle <= 60);
+  const error = Math.sqrt(sum(flat, (r) => (r.blender - r.cloth) ** 2) / sum(flat, (r) => r.cloth ** 2));
+  console.log(`${rows[0].name}: to 60 degrees its RMS error is ${error.toFixed(3)}`);
+  return far + (error > kError ? 1 : 0);
+}
+
+function main(args) {
+  const table = args[0] === '--table';
+  const [weftlight, blender, ...drafts] = table ? args.slice(1) : args;
+  if (!blender || !fs.existsSync(blender)) { console.log('skipped: Blender is not installed'); return 77; }
+  let far = 0;
+  for (const draft of drafts) {
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'weftlight-blender-'));
+    try {
+      const rows = measure(weftlight, blender, draft, folder);
+      if (!rows) { console.log('skipped: Blender has no numpy, without which it reads no .glb (python3-numpy)'); return 77; }
+      if (table) for (const r of rows) console.log([r.name, r.angle.toFixed(1), r.cloth.toFixed(5), r.blender.toFixed(5)].join(','));
+      far += judge(rows);
+    } finally {
+      fs.rmSync(folder, { recursive: true, force: true });
+    }
+  }
+  return far ? 1 : 0;
+}
+
+process.exit(main(process.argv.slice(2)));

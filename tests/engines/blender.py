@@ -1,0 +1,78 @@
+"""blender -b -P blender.py -- QUERY: shows a set's mesh in Cycles, flat, under one sun, and writes the mean radiance of
+each pair of directions (RGBA). QUERY (.json): glb, script ("" for the importer's own material), window_m, pixels, samples,
+pairs, out."""
+import json
+import os
+import sys
+
+import bpy
+import numpy
+from mathutils import Matrix, Vector
+
+numpy.bool = bool  # which the importer of 3.4 asks for, and numpy 1.24 no longer has
+query = json.load(open(sys.argv[sys.argv.index("--") + 1]))
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.import_scene.gltf(filepath=query["glb"])
+cloth = [thing for thing in bpy.context.scene.objects if thing.type == "MESH"]
+if query["script"]:
+    for thing in cloth:
+        thing.select_set(True)
+    with open(query["script"]) as file:
+        exec(compile(file.read(), query["script"], "exec"), {"__name__": "__main__", "__file__": query["script"]})
+scene = bpy.context.scene
+scene.render.engine = "CYCLES"
+scene.cycles.samples = query["samples"]
+scene.cycles.use_denoising = False
+scene.cycles.max_bounces = 0
+scene.cycles.transparent_max_bounces = 64
+scene.cycles.pixel_filter_type = "BOX"
+scene.view_settings.view_transform = "Raw"
+scene.render.film_transparent = True
+scene.render.image_settings.file_format = "OPEN_EXR"
+scene.render.image_settings.color_depth = "32"
+scene.render.resolution_percentage = 100
+scene.world = None
+corners = [thing.matrix_world @ Vector(corner) for thing in cloth for corner in thing.bound_box]
+middle = sum(corners, Vector()) / len(corners)
+sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
+sun.data.energy, sun.data.angle = 1, 0
+eye = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
+eye.data.type, eye.data.clip_start, eye.data.clip_end = "ORTHO", 0.001, 10
+scene.collection.objects.link(sun)
+scene.collection.objects.link(eye)
+scene.camera = eye
+
+
+def of_gltf(v):
+    """Frame of the cloth (x right, y up, z out of its front) in Blender's axes."""
+    return Vector((v[0], -v[2], v[1]))
+
+
+def look_along(thing, towards, up):
+    """Its -z points away from `towards`; its y as near to `up` as can be."""
+    z = towards.normalized()
+    x = up.cross(z).normalized()
+    thing.matrix_world = Matrix.Translation(middle + z) @ Matrix((x, z.cross(x), z)).transposed().to_4x4()
+
+
+def mean_of(pair):
+    view = pair["view"]
+    up = of_gltf((0, 1, 0)) if abs(view[2]) > 0.99 else of_gltf((0, 0, 1))
+    look_along(sun, of_gltf(pair["light"]), Vector((0.3, 0.2, 0.9)))
+    look_along(eye, of_gltf(view), up)
+    wide = query["pixels"]
+    tall = max(4, round(wide * abs(view[2])))
+    eye.data.ortho_scale = query["window_m"]  # of the longer side
+    scene.render.resolution_x, scene.render.resolution_y = wide, tall
+    path = query["out"] + ".exr"
+    scene.render.filepath = path
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(path, check_existing=False)
+    pixels = numpy.array(image.pixels[:]).reshape(-1, 4)
+    bpy.data.images.remove(image)
+    os.remove(path)
+    return [float(x) for x in pixels.mean(axis=0)]
+
+
+with open(query["out"], "w") as file:
+    json.dump([mean_of(pair) for pair in query["pairs"]], file)

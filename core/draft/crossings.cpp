@@ -39,14 +39,34 @@ Painted taken(Design design, Factored factored) {
   return {std::move(design), {}};
 }
 
+/// Of ends on one shaft each, a pick's last one on a shaft has the last word on it: those ends, in order. Empty where
+/// an end hangs on several shafts or on none, or some crossings are left as they are: then all count.
+std::vector<int> last_of_each_shaft(const BitMatrix& threading, const Selection& s, Write write) {
+  if (write == Write::kAdd || write == Write::kErase) return {};
+  std::vector<int> last(static_cast<size_t>(threading.cols()), -1);
+  for (int end = s.a0; end < s.a1; ++end) {
+    if (threading.count(end) != 1) return {};
+    last[static_cast<size_t>(threading.first(end))] = end;
+  }
+  std::erase(last, -1);
+  std::ranges::sort(last);
+  return last;
+}
+
 Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
   const Draft& d = design.draft;
   BitMatrix lift = lifts(d);
   bool changed = false, bare = false;
-  for_each_crossing(s, a, b, cells, write, [&](int end, int pick, bool up) {
+  const auto paint = [&](int end, int pick, bool up) {
     if (d.threading.first(end) < 0) bare |= up;
     else changed |= lift_end(lift.row(pick), d.threading.row(end), up == d.rising);
-  });
+  };
+  if (const std::vector<int> ends = last_of_each_shaft(d.threading, s, write); ends.empty()) {
+    for_each_crossing(s, a, b, cells, write, paint);
+  } else {
+    for (int pick = s.b0; pick < s.b1; ++pick)
+      for (const int end : ends) paint(end, pick, cells.get(pick - b, end - a));
+  }
   if (!changed) return {std::move(design), bare ? "an end on no shaft cannot be lifted" : ""};
   Factored factored = with_lifts(d, lift, loom_size(design).treadles);
   return taken(std::move(design), std::move(factored));

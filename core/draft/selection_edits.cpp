@@ -55,7 +55,12 @@ BitMatrix half_turned(const BitMatrix& m) {
 }
 
 BitMatrix inverted(const BitMatrix& m) {
-  return block_of(m.rows(), m.cols(), [&](int r, int c) { return !m.get(r, c); });
+  BitMatrix out = m;
+  for (int r = 0; r < out.rows(); ++r) {
+    for (uint64_t& word : out.row(r)) word = ~word;
+    if (out.words() > 0) out.row(r).back() &= out.last_word_mask();
+  }
+  return out;
 }
 
 BitMatrix shifted(const BitMatrix& m, int da, int db) {

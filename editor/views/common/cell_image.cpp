@@ -9,16 +9,26 @@ namespace {
 
 constexpr int kSamples = 4;  // along each side of a pixel that covers several cells
 
-struct Mean {
-  uint32_t r = 0, g = 0, b = 0, n = 0;
-  void add(ImU32 c) {
-    r += (c >> IM_COL32_R_SHIFT) & 255;
-    g += (c >> IM_COL32_G_SHIFT) & 255;
-    b += (c >> IM_COL32_B_SHIFT) & 255;
-    ++n;
-  }
-  ImU32 color() const { return n == 0 ? 0 : IM_COL32(r / n, g / n, b / n, 255); }
-};
+/// Red, green, blue and one more of each sample, side by side: sums of up to 256 colours in one addition.
+using Lanes = uint64_t;
+
+Lanes lanes_of(ImU32 c) {
+  const auto channel = [c](int shift) { return Lanes{(c >> shift) & 255}; };
+  return channel(IM_COL32_R_SHIFT) | channel(IM_COL32_G_SHIFT) << 16 | channel(IM_COL32_B_SHIFT) << 32 | Lanes{1} << 48;
+}
+
+ImU32 mean_of(Lanes sum) {
+  const uint32_t n = static_cast<uint32_t>(sum >> 48);
+  const auto channel = [&](int shift) { return static_cast<uint32_t>(sum >> shift & 0xFFFF) / n; };
+  return n == 0 ? 0 : IM_COL32(channel(0), channel(16), channel(32), 255);
+}
+
+std::vector<Lanes> lanes_of(const std::vector<ImU32>& colors) {
+  std::vector<Lanes> out;
+  out.reserve(colors.size());
+  for (const ImU32 c : colors) out.push_back(lanes_of(c));
+  return out;
+}
 
 using Samples = std::array<int, kSamples>;
 
@@ -58,16 +68,23 @@ CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, Draw
   const auto weft = structure ? std::vector<ImU32>(static_cast<size_t>(draft.picks()), colors.paper)
                               : thread_colors(draft, System::kWeft);
   const auto across = samples_along(ends, image.width, tiled), down = samples_along(picks, image.height, tiled);
+  const std::vector<Lanes> warp_lanes = lanes_of(warp), weft_lanes = lanes_of(weft);
+  const uint64_t turned = face == Face::kBack ? 1 : 0;
   size_t at = 0;
   for (const Samples& rows : down)
     for (const Samples& columns : across) {
-      Mean mean;
-      for (int pick : rows)
-        for (int end : columns)
-          if (pick >= 0 && end >= 0)
-            mean.add(warp_on_top(cells, face, end, pick) ? warp[static_cast<size_t>(end)]
-                                                         : weft[static_cast<size_t>(pick)]);
-      image.pixels[at++] = mean.color();
+      Lanes sum = 0;
+      for (const int pick : rows) {
+        if (pick < 0) continue;
+        const uint64_t* row = cells.row(pick).data();
+        const Lanes below = weft_lanes[static_cast<size_t>(pick)];
+        for (const int end : columns) {
+          if (end < 0) continue;
+          const uint64_t up = (row[end >> 6] >> (end & 63) & 1) ^ turned;
+          sum += up ? warp_lanes[static_cast<size_t>(end)] : below;
+        }
+      }
+      image.pixels[at++] = mean_of(sum);
     }
   return image;
 }

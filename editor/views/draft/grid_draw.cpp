@@ -164,6 +164,11 @@ void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, boo
   const Axis& threads = along_x ? p.x : p.y;
   const Axis& loom = along_x ? p.y : p.x;
   const int pixels = static_cast<int>(threads.length);
+  // The same for each shaft or treadle.
+  std::vector<int> sampled(static_cast<size_t>(pixels) * kSampledThreads);
+  for (int i = 0; i < pixels * kSampledThreads; ++i)
+    sampled[static_cast<size_t>(i)] =
+        threads.at(threads.start + (static_cast<float>(i) + 0.5f) / static_cast<float>(kSampledThreads));
   for (int j = loom.first_visible(); j < loom.end_visible(); ++j) {
     const auto draw = [&](int from, int to, float share) {
       if (share <= 0) return;
@@ -178,8 +183,7 @@ void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, boo
     for (int pixel = 0; pixel < pixels; ++pixel) {
       int on = 0, all = 0;
       for (int k = 0; k < kSampledThreads; ++k) {
-        const float share = (static_cast<float>(k) + 0.5f) / kSampledThreads;
-        const int thread = threads.at(threads.start + static_cast<float>(pixel) + share);
+        const int thread = sampled[static_cast<size_t>(pixel * kSampledThreads + k)];
         if (thread < 0) continue;
         on += is_on(c.design.draft, c.cells, p.id, along_x ? Cell{thread, j} : Cell{j, thread});
         ++all;

@@ -13,7 +13,7 @@
 namespace weftlight::upload {
 namespace {
 
-constexpr int kDirections = 64, kFewDirections = 16, kFirstDirections = 12;  // a vertex; of meshes of many; at first
+constexpr int kDirections = 64, kFewDirections = 16, kFirstDirections = 6;  // a vertex; of meshes of many; at first
 constexpr size_t kManyVertices = 100'000;
 constexpr int kGroundSize = 96;
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii

@@ -20,6 +20,7 @@ std::vector<ExportJob> jobs_of(const ExportPlan& plan, const Design& design, con
     TextureSetOptions o;
     o.target = target, o.name = name, o.source = file.filename().string(), o.draft_path = draft_path;
     o.program_version = version, o.size = size, o.alpha = plan.alpha, o.tile_mm = 10 * plan.tile_cm;
+    if (target != Target::kRaw) o.mips = plan.mips;
     fs::path folder = fs::path(plan.folder) / name;
     if (plan.targets.size() > 1) folder /= target_name(target);
     out.push_back({folder.string(), o});

@@ -2,6 +2,7 @@
 // What a weaver chose to export: for which programs, how fine, where to; and what comes of it, known before anything is
 // written.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct ExportPlan {
   float texels_per_mm = 40;  // where it goes by density: at least so many
   float tile_cm = 0;         // least width and depth of the tile; 0: one repeat
   Alpha alpha = Alpha::kAuto;
-  std::string folder;  // the sets stand in folders of their own within
-  bool watch = false;  // again after each edit
+  std::optional<MipContainer> mips;  // beside the images; raw sets keep their own
+  std::string folder;                // the sets stand in folders of their own within
+  bool watch = false;                // again after each edit
 };
 
 /// One set: a folder of its own.

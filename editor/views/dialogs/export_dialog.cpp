@@ -107,6 +107,18 @@ void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
   }
 }
 
+void draw_mips(PanelContext& c, ExportPlan& plan, float width) {
+  constexpr const char* kNames[] = {"By the program", ".dds", ".ktx2"};
+  row_label(c, "Mips",
+            "By the program: each image averaged alone. The others: beside each image the same with mips of our own, "
+            "in which "
+            "roughness holds what normals lose and gaps stay as open");
+  int way = !plan.mips ? 0 : *plan.mips == MipContainer::kDds ? 1 : 2;
+  segmented(c, "export.mips", kNames, way, width);
+  plan.mips.reset();
+  if (way > 0) plan.mips = way == 1 ? MipContainer::kDds : MipContainer::kKtx2;
+}
+
 /// True: the folder is to be chosen.
 bool draw_folder(PanelContext& c, ExportPlan& plan, float width) {
   row_label(c, "Into", "Each draft gets a folder of its own within; of several programs each one more");
@@ -300,6 +312,7 @@ DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   ImGui::Dummy({0, c.style.px(2)});
   draw_size(c, *p.plan, width);
   draw_alpha(c, p, width);
+  draw_mips(c, *p.plan, width);
   const bool choose = draw_folder(c, *p.plan, width);
   row_label(c, "", nullptr);
   ImGui::Checkbox("Again after each edit", &p.plan->watch);

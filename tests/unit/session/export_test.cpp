@@ -48,6 +48,15 @@ TEST(ExportPlanTest, EachTargetHasAFolderOfItsOwn) {
   EXPECT_EQ(two[1].folder, "out/untitled/raw");
 }
 
+TEST(ExportPlanTest, MipsAreAskedForBesideImagesThatHaveNone) {
+  ExportPlan plan = plan_into("out", {Target::kGodot, Target::kRaw});
+  EXPECT_FALSE(jobs_of(plan, sample(), "", "1")[0].options.mips);
+  plan.mips = MipContainer::kKtx2;
+  const std::vector<ExportJob> jobs = jobs_of(plan, sample(), "", "1");
+  EXPECT_EQ(jobs[0].options.mips, MipContainer::kKtx2);
+  EXPECT_FALSE(jobs[1].options.mips) << "a raw set has mips of its own";
+}
+
 TEST(ExportPlanTest, OneTargetStays) {
   ExportPlan plan;
   toggle(plan, Target::kGltf);

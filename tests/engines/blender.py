@@ -1,6 +1,6 @@
 """blender -b -P blender.py -- QUERY: shows a set's mesh in Cycles, flat, under one sun, and writes the mean radiance of
 each pair of directions (RGBA). QUERY (.json): glb, script ("" for the importer's own material), window_m, pixels, samples,
-pairs, out."""
+pairs, out; or picture in place of pairs, and out (.png)."""
 import json
 import os
 import sys
@@ -74,5 +74,47 @@ def mean_of(pair):
     return [float(x) for x in pixels.mean(axis=0)]
 
 
+def tone(c):
+    """Khronos PBR Neutral and sRGB, as the editor shows linear light."""
+    least = c.min(axis=1, keepdims=True)
+    c = c - numpy.where(least < 0.08, least - 6.25 * least * least, 0.04)
+    peak = numpy.maximum(c.max(axis=1, keepdims=True), 1e-6)
+    start, rest = 0.76, 0.24
+    lower = 1 - rest * rest / (peak + rest - start)
+    share = 1 - 1 / (0.15 * (peak - lower) + 1)
+    c = numpy.where(peak < start, c, c * lower / peak * (1 - share) + lower * share)
+    return numpy.clip(numpy.where(c <= 0.0031308, 12.92 * c, 1.055 * numpy.maximum(c, 0) ** (1 / 2.4) - 0.055), 0, 1)
+
+
+def picture(of):
+    """In the editor's frame, under one light far off and an even sky, as .png."""
+    world = bpy.data.worlds.new("sky")
+    world.use_nodes = True
+    world.node_tree.nodes["Background"].inputs["Color"].default_value = (of["sky"], of["sky"], of["sky"], 1)
+    scene.world = world
+    scene.render.film_transparent = False
+    scene.cycles.max_bounces = 1
+    look_along(sun, of_gltf(of["towards"]), Vector((0.3, 0.2, 0.9)))
+    sun.data.energy = of["irradiance"]
+    where, back = of_gltf(of["eye"]), of_gltf(of["eye"]) - of_gltf(of["target"])
+    look_along(eye, back, of_gltf(of["up"]))
+    eye.matrix_world.translation = where
+    eye.data.type, eye.data.sensor_fit, eye.data.angle_y = "PERSP", "VERTICAL", numpy.radians(of["fov"])
+    scene.render.resolution_x, scene.render.resolution_y = of["width"], of["height"]
+    scene.render.filepath = query["out"] + ".exr"
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    pixels = numpy.array(image.pixels[:]).reshape(-1, 4)
+    pixels[:, :3], pixels[:, 3] = tone(pixels[:, :3]), 1
+    shown = bpy.data.images.new("shown", of["width"], of["height"])
+    shown.colorspace_settings.name = "Non-Color"
+    shown.pixels = pixels.ravel()
+    shown.filepath_raw, shown.file_format = query["out"], "PNG"
+    shown.save()
+
+
+if "picture" in query:
+    picture(query["picture"])
+    sys.exit()
 with open(query["out"], "w") as file:
     json.dump([mean_of(pair) for pair in query["pairs"]], file)

@@ -25,7 +25,7 @@ bool ExportStage::poll() {
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kColumn = 360, kLabels = 104, kStageWidth = 520, kHeight = 500, kFoot = 44, kAround = 150;
+constexpr float kColumn = 360, kLabels = 104, kStageWidth = 520, kHeight = 532, kFoot = 44, kAround = 150;
 constexpr int kThumbnail = 84, kSwatchHeight = 150;
 constexpr Target kOrder[] = {Target::kGltf,  Target::kBlender,   Target::kUnreal, Target::kUnityHdrp, Target::kUnityUrp,
                              Target::kGodot, Target::kMaterialX, Target::kU3m,    Target::kRaw};
@@ -108,9 +108,9 @@ void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
 }
 
 void draw_mips(PanelContext& c, ExportPlan& plan, float width) {
-  constexpr const char* kNames[] = {"By the program", ".dds", ".ktx2"};
+  constexpr const char* kNames[] = {"None", ".dds", ".ktx2"};
   row_label(c, "Mips",
-            "By the program: each image averaged alone. The others: beside each image the same with mips of our own, "
+            "None: the program averages each image alone. Else beside each image the same with mips of our own, "
             "in which "
             "roughness holds what normals lose and gaps stay as open");
   int way = !plan.mips ? 0 : *plan.mips == MipContainer::kDds ? 1 : 2;

@@ -136,15 +136,16 @@ void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* front, const 
   const int backs = back ? add_vectors(doc, position, true) : fronts;
   const std::vector<uint32_t> index = proper_triangles(mesh);
   json primitives = json::array();
-  for (const GltfMaterial* material : {front, back}) {
-    const bool behind = material != front;
+  // Programs blend what has no depth in the order in which it stands: the far side first.
+  const bool far_first = back && front->alpha == GltfAlpha::kBlend;
+  for (const bool behind : {far_first, !far_first}) {
     if (behind && !back) break;
+    const GltfMaterial* material = behind ? back : front;
     json attributes = add_frame(doc, mesh, material && !material->normal.empty(), behind);
     attributes["POSITION"] = behind ? backs : fronts, attributes["TEXCOORD_0"] = uvs;
     json primitive{{"attributes", std::move(attributes)}, {"indices", add_index(doc, index, behind)}};
     if (material) primitive["material"] = behind ? 1 : 0;
     primitives.push_back(std::move(primitive));
-    if (!back) break;
   }
   const std::string name = mesh.name.empty() ? "cloth" : mesh.name;
   doc.root["meshes"] = json::array({{{"name", name}, {"primitives", std::move(primitives)}}});

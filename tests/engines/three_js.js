@@ -9,7 +9,7 @@ const os = require('os');
 const path = require('path');
 const { execFileSync, spawn, spawnSync } = require('child_process');
 
-const kEngineTolerance = 0.12;  // of the prediction, mean over azimuths: highlights differ by the mips that are seen
+const kEngineTolerance = 0.08;  // of the prediction, mean over azimuths: highlights differ by the mips that are seen
 const kClothTolerance = [[60, 0.08], [75, 0.08], [90, 0.15]];  // of the cloth, mean over azimuths, up to so many degrees
 const kClothError = 0.25;       // RMS of the difference over the RMS of the cloth, to 60 degrees
 const kRungTolerance = 0.05;    // of the rung, mean over planes and lights, to 60 degrees

@@ -1,8 +1,10 @@
 #include "session/shapes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <utility>
 
 #include "draft/crossings.h"
@@ -60,13 +62,26 @@ int64_t missed_by(const Draft& d, const CellMask& mask, bool on) {
   return missed;
 }
 
-/// The runs of equal cells that a flood has still to look at.
+uint64_t ones_between(int from, int to) { return (~uint64_t{0} >> (64 - (to - from))) << from; }
+
+/// The columns [first, end) of the ones about a set bit.
+std::pair<int, int> run_about(std::span<const uint64_t> row, int at) {
+  size_t low = static_cast<size_t>(at) / 64, high = low;
+  const int bit = at % 64;
+  int first = at + 1 - std::countl_one(row[low] << (63 - bit)), end = at + std::countr_one(row[high] >> bit);
+  while (first == static_cast<int>(low) * 64 && low > 0) first -= std::countl_one(row[--low]);
+  while (end == static_cast<int>(high + 1) * 64 && high + 1 < row.size()) end += std::countr_one(row[++high]);
+  return {first, end};
+}
+
+/// The runs of equal cells that a flood has still to look at, word by word.
 class Flood {
  public:
-  Flood(const Draft& d, const BitMatrix& cells, GridId grid, Cell at)
-      : d_(d), cells_(cells), grid_(grid), like_(is_on(d, cells, grid, at)) {
+  Flood(const Draft& d, const BitMatrix& cells, GridId grid, Cell at) {
     const BitGrid bits = *bit_grid_of(grid);
-    seen_ = BitMatrix(rows_of(d, bits), columns_of(d, bits));
+    left_ = bits == BitGrid::kDrawdown ? cells : cells_of(d, whole_grid(d, bits));
+    if (!is_on(d, cells, grid, at)) left_ = inverted(left_);
+    seen_ = BitMatrix(left_.rows(), left_.cols());
     take_run(at);
     while (!runs_.empty()) spread();
   }
@@ -76,27 +91,33 @@ class Flood {
   struct Run {
     int b, a0, a1;
   };
-  bool is_new(int a, int b) const { return !seen_.get(b, a) && is_on(d_, cells_, grid_, {a, b}) == like_; }
-  void take_run(Cell at) {
-    Run run{at.b, at.a, at.a};
-    while (run.a0 > 0 && is_new(run.a0 - 1, at.b)) --run.a0;
-    while (run.a1 < seen_.cols() && is_new(run.a1, at.b)) seen_.set(at.b, run.a1++, true);
-    for (int a = run.a0; a < at.a; ++a) seen_.set(at.b, a, true);
-    runs_.push_back(run);
+  /// Of cells that are alike and were not seen before.
+  Run take_run(Cell at) {
+    const auto left = left_.row(at.b), seen = seen_.row(at.b);
+    const auto [a0, a1] = run_about(left, at.a);
+    for (int a = a0; a < a1;) {
+      const int next = std::min(a1, (a / 64 + 1) * 64);
+      const uint64_t ones = ones_between(a % 64, a % 64 + next - a);
+      left[static_cast<size_t>(a) / 64] &= ~ones, seen[static_cast<size_t>(a) / 64] |= ones;
+      a = next;
+    }
+    runs_.push_back({at.b, a0, a1});
+    return runs_.back();
   }
   void spread() {
     const Run run = runs_.back();
     runs_.pop_back();
-    for (const int b : {run.b - 1, run.b + 1})
-      for (int a = run.a0; b >= 0 && b < seen_.rows() && a < run.a1; ++a)
-        if (is_new(a, b)) take_run({a, b});
+    for (const int b : {run.b - 1, run.b + 1}) {
+      if (b < 0 || b >= left_.rows()) continue;
+      for (int a = run.a0; a < run.a1;) {
+        const uint64_t rest = left_.row(b)[static_cast<size_t>(a) / 64] >> (a % 64);
+        a = rest != 0 ? a + std::countr_zero(rest) : (a / 64 + 1) * 64;
+        if (rest != 0 && a < run.a1) a = take_run({a, b}).a1;
+      }
+    }
   }
 
-  const Draft& d_;
-  const BitMatrix& cells_;
-  GridId grid_;
-  bool like_;
-  BitMatrix seen_;
+  BitMatrix left_, seen_;  // alike and not seen; seen
   std::vector<Run> runs_;
 };
 

@@ -113,6 +113,38 @@ TEST(Shapes, AFillTakesTheRegionOfEqualCellsAndNoMore) {
   EXPECT_EQ(region_about(d.draft, cells, GridId::kTieup, {0, 0}).cells.count(), 20);
 }
 
+/// Cell by cell.
+BitMatrix flooded(const BitMatrix& cells, Cell at) {
+  BitMatrix seen(cells.rows(), cells.cols());
+  std::vector<Cell> next{at};
+  while (!next.empty()) {
+    const Cell c = next.back();
+    next.pop_back();
+    if (c.a < 0 || c.b < 0 || c.a >= cells.cols() || c.b >= cells.rows() || seen.get(c.b, c.a) ||
+        cells.get(c.b, c.a) != cells.get(at.b, at.a))
+      continue;
+    seen.set(c.b, c.a, true);
+    for (const Cell n : {Cell{c.a - 1, c.b}, Cell{c.a + 1, c.b}, Cell{c.a, c.b - 1}, Cell{c.a, c.b + 1}})
+      next.push_back(n);
+  }
+  return seen;
+}
+
+TEST(Shapes, ARegionIsWhatHangsTogetherCellByCell) {
+  // Wider than three words, and not whole ones.
+  BitMatrix cells(40, 211);
+  uint32_t random = 7;
+  for (int r = 0; r < cells.rows(); ++r)
+    for (int c = 0; c < cells.cols(); ++c) {
+      random = random * 1664525u + 1013904223u;
+      cells.set(r, c, (random >> 24) % 10 < 6);
+    }
+  const Draft d = blank_draft(211, 40, 2, 2);
+  for (const Cell at :
+       {Cell{0, 0}, Cell{210, 39}, Cell{64, 20}, Cell{63, 20}, Cell{127, 5}, Cell{128, 30}, Cell{100, 17}})
+    EXPECT_EQ(region_about(d, cells, GridId::kDrawdown, at).cells, flooded(cells, at)) << at.a << ", " << at.b;
+}
+
 TEST(Shapes, AFillOfFourMillionCellsEnds) {
   Design d;
   d.draft = blank_draft(2000, 2000, 2, 2);

@@ -155,6 +155,11 @@ int repeats_for(float mm, float tile_mm, size_t threads) {
 
 Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float tile_mm) {
   Cloth cloth = lay_out(design, cells, face, Period::kRepeat);
+  // The back's images are seen mirrored: handed the other way there, its yarns are handed the same way on the cloth.
+  for (Yarn& yarn : cloth.yarns) {
+    if (face == Face::kFront) break;
+    yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
+  }
   if (tile_mm <= 0) return cloth;
   return tiled(cloth, repeats_for(cloth.width_mm, tile_mm, cloth.ends.size()),
                repeats_for(cloth.depth_mm, tile_mm, cloth.picks.size()));

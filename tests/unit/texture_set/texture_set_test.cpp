@@ -229,6 +229,30 @@ TEST(TextureSet, MipsHoldRougherSurfacesTheCoarserTheyAre) {
   EXPECT_FALSE(read_image(file, 6).image) << "32 texels end at level 5";
 }
 
+/// Mean slant of the fibres on the ends, right of up.
+double warp_slant(const std::string& file) {
+  const ReadImage read = read_image(file);
+  if (!read.image) return 0;
+  double sum = 0;
+  for (size_t i = 0; i + 2 < read.image->texels.size(); i += static_cast<size_t>(read.image->channels)) {
+    const double x = 2 * static_cast<double>(read.image->texels[i]) - 1;
+    const double y = 2 * static_cast<double>(read.image->texels[i + 1]) - 1;
+    if (std::abs(y) > std::abs(x)) sum += x * y;
+  }
+  return sum / static_cast<double>(read.image->width * read.image->height);
+}
+
+TEST(TextureSet, YarnsAreTwistedAlikeOnBothFaces) {
+  const Scratch scratch("twist");
+  Design design = sample_design();
+  for (Yarn& yarn : design.yarns) yarn.twist = Twist::kZ;
+  ASSERT_EQ(write_texture_set(scratch / "raw", design, {}, options_for(Target::kRaw, 64)), "");
+  const double front = warp_slant(scratch / "raw/sample_front_tangent.png");
+  const double back = warp_slant(scratch / "raw/sample_back_tangent.png");
+  EXPECT_GT(std::abs(front), 0.01);
+  EXPECT_LT(front * back, 0) << "the back's images are seen mirrored";
+}
+
 TEST(TextureSet, OcclusionDarkensWhereThreadsDive) {
   const Scratch scratch("occlusion");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), {}, options_for(Target::kUnityUrp, 128)), "");

@@ -13,7 +13,7 @@ class EnvironmentLight : public PictureTest {
   void SetUp() override {
     PictureTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    frame.width = frame.height = 64;
+    frame.width = frame.height = 32;
     upload(twill(4, 2, {1, 1, 1}, {1, 1, 1}), square(40));
   }
   void TearDown() override {
@@ -94,7 +94,7 @@ TEST_F(EnvironmentLight, ShowsBehindTheClothWhereItIsAsked) {
   Image picture = grey(0.2f);
   for (int y = 0; y < 128; ++y)
     for (int x = 128; x < 256; ++x) picture.texels[static_cast<size_t>(3 * (y * 256 + x))] = 0.8f;
-  frame.cloth = false;
+  frame.cloth = false, frame.width = frame.height = 64;
   scene.surroundings = true;
   const Image shown = under(std::move(picture));
   const auto red = [&](int x) { return shown.texels[static_cast<size_t>(4 * (32 * 64 + x))]; };

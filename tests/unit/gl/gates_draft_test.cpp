@@ -162,6 +162,7 @@ PreparedMesh far_square(float uv0, bool wrapped) {
 
 TEST_F(Gate, TexturesHoldFarFromTheOriginWhereFloatUvDoesNot) {
   lay(1);
+  frame.width = frame.height = 128;
   frame.yarns_per_pixel = 1 / 32.0f;
   scene.sky_strength = 0;
   constexpr float kPeriodMm = kPeriod * kSpacing, kFar = 1e5f * kPeriodMm;  // whole millimetres are floats there

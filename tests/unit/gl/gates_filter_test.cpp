@@ -72,7 +72,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
       for (const glm::vec3 light : {towards(0.8f, 0.9f), towards(2.0f, 0.4f)}) {
         for (Held* rung : {&rungs[0], &rungs[1], &rungs[2], &averaged}) {
           const auto at = [&, weave = repeat](float yarns) {
-            const int pixels = std::max(8, static_cast<int>(std::lround(2 * static_cast<float>(weave) / yarns)));
+            const int pixels = std::max(8, static_cast<int>(std::lround(static_cast<float>(weave) / yarns)));
             return mean(patch(rung->method, yarns, pixels, {0, 0}, light, towards(0.4f, (90 - degrees) * kPi / 180)));
           };
           const double far = at(32);
@@ -89,7 +89,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
     for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], rung.by_view[v]);
     EXPECT_LT(rung.worst, rung.holds) << method_name(rung.method);
   }
-  EXPECT_GT(averaged.worst, 0.23);  // 0.257 was measured
+  EXPECT_GT(averaged.worst, 0.23);  // 0.249 was measured
 }
 
 TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
@@ -219,7 +219,8 @@ std::vector<double> profile(const Image& image) {
 TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
   lay(1);
   constexpr int kRows = 640;
-  frame.width = 48, frame.height = kRows;
+  frame.width = 24, frame.height = kRows;
+  frame.samples = 8;
   frame.yarns_per_pixel = 1 / 32.0f;
   scene.sky_strength = 0;
   scene.light_azimuth = 20, scene.light_elevation = -20;

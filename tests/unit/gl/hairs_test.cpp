@@ -52,7 +52,7 @@ class HairsTest : public PictureTest {
     frame.transparent = true;
     frame.width = frame.height = 256;
     frame.yarns_per_pixel = 0.25f;
-    frame.samples = 1;  // what is asked is where fibres cover, not how the threads under them are shaded
+    look.method = Method::kCloth;  // what is asked is where fibres cover, not how the threads under them are shaded
   }
   Image picture(const Design& design) {
     upload(design, tube(8, 60));

@@ -35,6 +35,8 @@ inline Mean middle(const Image& image) {
 /// A renderer with a design's maps and a mesh; one context for all tests of a suite.
 class PictureTest : public testing::Test {
  protected:
+  static constexpr int kSide = 64;  // pixels
+
   static void SetUpTestSuite() {
     context = HeadlessContext::create(error);
     if (context) renderer = Renderer::create(error);
@@ -50,12 +52,13 @@ class PictureTest : public testing::Test {
     scene.light_azimuth = -30, scene.light_elevation = 40;
     look.method = Method::kYarn;
     look.automatic_exposure = false;
-    frame.width = frame.height = 128;
+    frame.width = frame.height = kSide;
     frame.ground = false;
   }
+  /// With the maps of a moving picture, a quarter as wide.
   void upload(const Design& design, const Mesh& mesh) {
     Stages stages;
-    stages.update(std::make_shared<const Design>(design));
+    stages.update(std::make_shared<const Design>(design), Effort::kQuick);
     renderer->upload(stages.packed());
     renderer->set_mesh(mesh);
   }

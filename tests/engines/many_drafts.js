@@ -8,7 +8,7 @@ const path = require('path');
 const { spawn, spawnSync } = require('child_process');
 
 // 200 were measured: 175 MB after 40, 176 MB at the end; WEFTLIGHT_DRAFTS=200 does it again.
-const kDrafts = { parallel: 6, memory: Number(process.env.WEFTLIGHT_DRAFTS || 60) };
+const kDrafts = { parallel: 6, memory: Number(process.env.WEFTLIGHT_DRAFTS || 40) };
 const kEarly = 20;        // sets after which memory is taken as that of any number
 const kMostGrowth = 1.1;
 const kArguments = ['--target', 'gltf', '--size', '16', '-o'];

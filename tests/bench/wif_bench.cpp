@@ -1,4 +1,5 @@
-// Reading and saving a WIF of about 130 KB: the size of a long draft with all its rows.
+// Reading and saving a WIF of about 130 KB, the size of a long draft with all its rows; and files of very many sections
+// or yarns.
 
 #include <benchmark/benchmark.h>
 
@@ -35,6 +36,30 @@ void read_130_kb(benchmark::State& state) {
   state.SetLabel(std::to_string(bytes.size() / 1024) + " KB");
 }
 BENCHMARK(read_130_kb)->Unit(benchmark::kMillisecond);
+
+std::string small_draft() {
+  Design design;
+  design.draft = blank_draft(4, 4, 4, 4);
+  return write_new_wif(design);
+}
+
+/// Files that are no draft of anybody's, but shall be read in a time that grows as they do.
+void read_sections(benchmark::State& state) {
+  std::string bytes = small_draft();
+  for (int64_t i = 0; i < state.range(0); ++i) bytes += "[PRIVATE X " + std::to_string(i) + "]\r\nA=1\r\n";
+  for (auto _ : state) benchmark::DoNotOptimize(read_wif(bytes));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(read_sections)->RangeMultiplier(4)->Range(1000, 64000)->Complexity()->Unit(benchmark::kMillisecond);
+
+void read_yarns(benchmark::State& state) {
+  std::string bytes = small_draft();
+  bytes += "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=" + std::to_string(state.range(0)) + "\r\n";
+  for (int64_t i = 1; i <= state.range(0); ++i) bytes += std::to_string(i) + " Name=Y\r\n";
+  for (auto _ : state) benchmark::DoNotOptimize(read_wif(bytes));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(read_yarns)->RangeMultiplier(4)->Range(64, 4096)->Complexity()->Unit(benchmark::kMillisecond);
 
 void save_after_one_edit(benchmark::State& state) {
   const WifRead read = read_wif(long_draft());

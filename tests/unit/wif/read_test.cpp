@@ -197,6 +197,37 @@ TEST(read, a_long_empty_tail_is_named) {
   EXPECT_TRUE(says(read, 1, "first 2 of 1200 ends"));
 }
 
+// What such files cost, more sections or yarns and less: tests/bench (read_sections, read_yarns).
+TEST(read, fifty_thousand_sections_are_kept_as_they_were) {
+  constexpr int kSections = 50000;
+  const std::string twill = fixture("twill.wif");
+  std::string bytes = twill;
+  for (int i = 0; i < kSections; ++i)
+    bytes += "[PRIVATE X " + std::to_string(i) + "]\r\nA=" + std::to_string(i) + "\r\n";
+  const WifRead read = read_wif(bytes);
+  ASSERT_TRUE(read.file);
+  EXPECT_TRUE(read.file->design == opened(twill).design);
+  EXPECT_LE(read.diagnostics.size(), 1u);  // one for all that [CONTENTS] does not name
+  EXPECT_EQ(write_wif(*read.file, read.file->design), bytes);
+  Design edited = read.file->design;
+  edited.title = "Another";
+  const std::string after = write_wif(*read.file, edited);
+  EXPECT_EQ(after.substr(after.find("[PRIVATE X 0]")), bytes.substr(bytes.find("[PRIVATE X 0]")));
+  EXPECT_TRUE(opened(after).design == edited);
+}
+
+TEST(read, yarns_are_as_many_as_are_stated_and_no_more_than_4096) {
+  constexpr int kMost = 4096;
+  for (const int stated : {kMost, 2'000'000'000}) {
+    std::string bytes = fixture("twill.wif") + "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=" + std::to_string(stated) + "\r\n";
+    for (int i = 1; i <= kMost; ++i) bytes += std::to_string(i) + " Name=Y" + std::to_string(i) + "\r\n";
+    const WifFile file = opened(bytes);
+    ASSERT_EQ(file.design.yarns.size(), static_cast<size_t>(kMost)) << stated;
+    EXPECT_EQ(file.design.yarns.back().name, "Y4096");
+    EXPECT_EQ(write_wif(file, file.design), bytes) << stated;
+  }
+}
+
 TEST(read, the_locale_does_not_matter) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {

@@ -154,9 +154,11 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
   old_back_ = false;
   period_ = choose_period(design, cells_);
   shadows_ = shadows;
+  front_.cloth = face_cloth(design, cells_, Face::kFront, period_);
+  back_.cloth = face_cloth(design, cells_, Face::kBack, period_);
+  if (effort == Effort::kOnce) cells_ = {};  // 50 MB of 20,000 x 20,000, and each face has its own
   for (const Face face : {Face::kFront, Face::kBack}) {
     FaceState& state = face == Face::kFront ? front_ : back_;
-    state.cloth = face_cloth(design, cells_, face, period_);
     MapsSize size = maps_size(state.cloth, shadows);
     if (coarse_)
       size.width = std::max(1, size.width / kQuickShrink), size.height = std::max(1, size.height / kQuickShrink);
@@ -165,7 +167,10 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
     PackedFace& packed = face == Face::kFront ? packed_.front : packed_.back;
     packed = pack(state.maps, shadows);
     if (shadows) add_cubes(packed, state.cloth);
-    if (effort == Effort::kOnce) state.maps.horizon.clear(), state.maps.thread = {};  // packed, and not asked for again
+    if (effort == Effort::kOnce) {  // packed, and not asked for again
+      state.maps.horizon.clear();
+      state.maps.height_mm = {}, state.maps.thread = {};
+    }
   }
   packed_.width_mm = front_.cloth.width_mm;
   packed_.depth_mm = front_.cloth.depth_mm;

@@ -31,6 +31,10 @@ size_t upload_face(const PackedTexture& t, const Format& format, int first_layer
   return bytes;
 }
 
+/// Texels that the card has: gone, where the caller gave them away.
+void give_up(PackedTexture& uploaded) { uploaded = {}; }
+void give_up(const PackedTexture&) {}
+
 void filter_as_tile(int levels) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -76,7 +80,8 @@ void GpuCloth::upload_tables() {
   clamp_to_edge(GL_TEXTURE_2D);
 }
 
-void GpuCloth::upload_maps(size_t k, const PackedTexture& front, const PackedTexture& back) {
+template <class Texture>
+void GpuCloth::upload_maps(size_t k, Texture& front, Texture& back) {
   layers_[k] = front.layers;
   if (!front.layers) return;
   glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].get());
@@ -85,7 +90,10 @@ void GpuCloth::upload_maps(size_t k, const PackedTexture& front, const PackedTex
                  front.layers + back.layers, 0, kFormats[k].layout, kFormats[k].type, nullptr);
   }
   filter_as_tile(static_cast<int>(front.levels.size()));
-  bytes_ += upload_face(front, kFormats[k], 0) + upload_face(back, kFormats[k], front.layers);
+  bytes_ += upload_face(front, kFormats[k], 0);
+  give_up(front);
+  bytes_ += upload_face(back, kFormats[k], layers_[k]);
+  give_up(back);
 }
 
 void GpuCloth::upload_rest(const PackedCloth& cloth) {
@@ -112,8 +120,8 @@ void GpuCloth::upload_rest(const PackedCloth& cloth) {
   upload_lobes(cloth.lobes);
 }
 
-template <class After>
-void GpuCloth::upload_all(const PackedCloth& cloth, const After& after_each) {
+template <class Cloth>
+void GpuCloth::upload_all(Cloth& cloth) {
   upload_tables();
   width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
   bytes_ = 0;
@@ -122,18 +130,13 @@ void GpuCloth::upload_all(const PackedCloth& cloth, const After& after_each) {
   crossings_.reset();
   for (size_t k = 0; k < kPackedKinds; ++k) {
     upload_maps(k, cloth.front.textures[k], cloth.back.textures[k]);
-    after_each(k);
   }
   upload_rest(cloth);
 }
 
-void GpuCloth::upload(const PackedCloth& cloth) {
-  upload_all(cloth, [](size_t) {});
-}
+void GpuCloth::upload(const PackedCloth& cloth) { upload_all(cloth); }
 
-void GpuCloth::upload(PackedCloth&& cloth) {
-  upload_all(cloth, [&cloth](size_t k) { cloth.front.textures[k] = cloth.back.textures[k] = {}; });
-}
+void GpuCloth::upload(PackedCloth&& cloth) { upload_all(cloth); }
 
 /// Cells of a rectangle, block by block of the crossing map.
 void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels) {

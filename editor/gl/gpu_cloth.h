@@ -31,9 +31,10 @@ class GpuCloth {
 
  private:
   void upload_tables();
-  template <class After>
-  void upload_all(const PackedCloth& cloth, const After& after_each);
-  void upload_maps(size_t k, const PackedTexture& front, const PackedTexture& back);
+  template <class Cloth>
+  void upload_all(Cloth& cloth);
+  template <class Texture>
+  void upload_maps(size_t k, Texture& front, Texture& back);
   void upload_rest(const PackedCloth& cloth);
   void upload_response(const ResponseTables& tables);
   void upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels);

@@ -105,6 +105,9 @@ Footprint footprint_here() {
 // 0 to 1, other in each pixel and far from that of its neighbours (Jimenez 2014, interleaved gradient noise).
 float pixel_turn() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
 
+// The same, other in each pass.
+float pass_turn() { return fract(pixel_turn() + 0.61803399 * frame.samples.x); }
+
 // One thread system of the footprint.
 struct System {
   vec4 color;     // premultiplied by coverage
@@ -148,10 +151,13 @@ vec3 system_color(vec4 color, SystemData data) {
   return min((color.rgb + data.color.rgb * 0.004) / (color.a + 0.004), vec3(1.0));
 }
 
+// Of the horizons: one mip, by chance as the level lies between two; light changes little from one to the next.
+float sky_level(Footprint f) { return floor(f.level - 1.0 + pass_turn()); }
+
 // Share of the sky that the threads around leave.
 float sky_left(Side s, Footprint f) {
   float layer = cloth.azimuths + float(s.face) * (cloth.azimuths + 1.0);
-  return textureLod(horizon_map, vec3(f.at, layer), f.level - 1.0).r;
+  return textureLod(horizon_map, vec3(f.at, layer), sky_level(f)).r;
 }
 
 // Share of the key light (x) and of the sky (y) that the threads around leave.
@@ -159,13 +165,13 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   int count = int(cloth.azimuths);
   float base = float(s.face * (count + 1));
   HorizonTaps taps = horizon_taps(atan(l.y, l.x), count);
-  vec2 a = textureLod(horizon_map, vec3(f.at, base + float(taps.at.y)), f.level - 1.0).rg;
-  vec2 b = textureLod(horizon_map, vec3(f.at, base + float(taps.at.z)), f.level - 1.0).rg;
+  vec2 a = textureLod(horizon_map, vec3(f.at, base + float(taps.at.y)), sky_level(f)).rg;
+  vec2 b = textureLod(horizon_map, vec3(f.at, base + float(taps.at.z)), sky_level(f)).rg;
 #if defined(QUICK)
   vec2 h = mix(a, b, taps.weight.z / max(taps.weight.y + taps.weight.z, 1e-4));
 #else
-  vec2 before = textureLod(horizon_map, vec3(f.at, base + float(taps.at.x)), f.level - 1.0).rg;
-  vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), f.level - 1.0).rg;
+  vec2 before = textureLod(horizon_map, vec3(f.at, base + float(taps.at.x)), sky_level(f)).rg;
+  vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), sky_level(f)).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
   return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, light_here().w), sky_left(s, f));

@@ -15,10 +15,10 @@ const int kMostYarnSamples = 34;
 FORMULA ivec2 lattice_of(int i) {
   int before = 1;
   int points = 1;
-  for (int k = 0; k < i; ++k) {
+  for (int k = 1; k < kLattices; ++k) {
     int next = points + before;
-    before = points;
-    points = next;
+    before = k <= i ? points : before;
+    points = k <= i ? next : points;
   }
   return ivec2(points, points - before);
 }
@@ -36,6 +36,7 @@ FORMULA vec2 lattice_point(ivec2 lattice, int i, int pass, float turn) {
 FORMULA int lattice_for(float yarns, vec4 low, vec4 high, int most) {
   int i = (yarns >= low.x ? 1 : 0) + (yarns >= low.y ? 1 : 0) + (yarns >= low.z ? 1 : 0) + (yarns >= low.w ? 1 : 0)
         + (yarns >= high.x ? 1 : 0) + (yarns >= high.y ? 1 : 0) + (yarns >= high.z ? 1 : 0);
-  while (i > 0 && lattice_of(i).x > most) --i;
-  return i;
+  int held = 0;
+  for (int k = 1; k < kLattices; ++k) held += lattice_of(k).x <= most ? 1 : 0;
+  return min(i, held);
 }

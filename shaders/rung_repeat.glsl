@@ -69,16 +69,19 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
   float level = f.level - 1.0 - row;
+  float own = pass_turn();
   for (int i = 0; i < 4; ++i) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;
     vec3 p = vec3(at + longer * (half_side + turn * 0.125 * row) + aside * turn, float(system));
-    y.color += 0.25 * textureLod(color_map, p, level);
-    sum += 0.25 * textureLod(relief_map, p, level);
+    // One mip each, the four between two as the level is: a fetch between mips costs twice (Pharr et al. 2024).
+    float mip = floor(level + (float(i) + own) * 0.25);
+    y.color += 0.25 * textureLod(color_map, p, mip);
+    sum += 0.25 * textureLod(relief_map, p, mip);
   }
   // Mips of four yarns, read between texels.
   float wide = log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm);
-  y.around = wide > level ? textureLod(color_map, vec3(at, float(system)), wide).a : y.color.a;
+  y.around = wide > level ? textureLod(color_map, vec3(at, float(system)), floor(wide + 0.5)).a : y.color.a;
   y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
   return y;
 }

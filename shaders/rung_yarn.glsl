@@ -84,10 +84,12 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them. So many
   // steps of R2 as spread them over the whole pixel, not along one line of it.
   float turn = 64.0 * own * clamp(f.yarns * 4.0 - 1.0, 0.0, 1.0);
-  for (int i = 0; i < count; ++i) {
+  int i = 0;
+  do {
     vec2 r = lattice_point(lattice, i, pass, turn);
     add_sample(sums, g, x, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
-  }
+    ++i;
+  } while (i < count);   // threads.glsl says why
   if (sums.cover < 0.5) return vec4(0.0);
   float scale = 1.0 / sums.cover;
   // A body sends the light of the half of the sky that it faces; highlights are wide.

@@ -4,13 +4,14 @@
 #define FORMULA
 #endif
 
-// A cubic through heights z0, z1 with slopes m0, m1: x height, y slope, z second derivative at t (0..1) of `step`.
-FORMULA vec3 hermite(float z0, float m0, float z1, float m1, float step, float t) {
-  float rise = z1 - z0;
-  float a = m0 * step;
-  float b = m1 * step;
-  float c2 = 3.0f * rise - 2.0f * a - b;
-  float c3 = a + b - 2.0f * rise;
-  return vec3(z0 + t * (a + t * (c2 + t * c3)), (a + t * (2.0f * c2 + t * 3.0f * c3)) / step,
-              (2.0f * c2 + t * 6.0f * c3) / (step * step));
+// The cubic through heights z0, z1 with slopes m0, m1, `step` apart (negative: backwards): its terms, from the first on.
+FORMULA vec4 cubic_through(float z0, float m0, float z1, float m1, float step) {
+  float mean = (z1 - z0) / step;
+  return vec4(z0, m0, (3.0f * mean - 2.0f * m0 - m1) / step, (m0 + m1 - 2.0f * mean) / (step * step));
+}
+
+// x height, y slope, z second derivative so far from its first end.
+FORMULA vec3 cubic_at(vec4 c, float along) {
+  return vec3(c.x + along * (c.y + along * (c.z + along * c.w)), c.y + along * (2.0f * c.z + along * 3.0f * c.w),
+              2.0f * c.z + along * 6.0f * c.w);
 }

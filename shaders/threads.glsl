@@ -12,6 +12,12 @@
 //   int thread_bin(int system, int bin)            the first thread that reaches past the bin's start
 //   vec4 crossing_at(int end, int pick)            height and slope of the warp, of the weft
 //   ThreadGrid thread_layer(int i, float side)     the cloth's layer i: thread_records.glsl's grid_of()
+// and may define, where the cloth is such, so that what it does not need is not there (a renderer on the processor runs
+// both sides of a branch):
+//   EVEN_THREADS   the rooms of each system's threads are alike
+//   ONE_LAYER
+//
+// Loops ask at their end whether to go on: there one that asks first runs its body once more.
 //
 // Cloth of several layers has a grid for each; a place has one end and one pick of each layer over and under it.
 //
@@ -34,12 +40,12 @@ struct Strand {
   float centre;     // across
   float half_width;
   float half_height;
+  float per_width;  // over the halves
+  float per_height;
   float start;      // along, at the crossing
-  float step;       // to the next one on this side; negative backwards
-  float z0;
-  float m0;
-  float z1;
-  float m1;
+  float low;        // from the nearer of this crossing and the next on this side, along
+  float high;
+  vec4 curve;       // of the centre line
 };
 
 struct Crossing {
@@ -51,10 +57,9 @@ struct Crossing {
 
 FORMULA vec3 strand_curve(Strand s, float along) {
   // Beyond its ends it goes on straight: a cubic would run away there.
-  float t = (along - s.start) / s.step;
-  float held = clamp(t, 0.0f, 1.0f);
-  vec3 c = hermite(s.z0, s.m0, s.z1, s.m1, s.step, held);
-  return vec3(c.x + c.y * (t - held) * s.step, c.y, held == t ? c.z : 0.0f);
+  float held = clamp(along, s.low, s.high);
+  vec3 c = cubic_at(s.curve, held - s.start);
+  return vec3(c.x + c.y * (along - held), c.y, held == along ? c.z : 0.0f);
 }
 
 // Where a point lies in the section of a thread that holds it: x, y on the section, 1 long on the ellipse; z the
@@ -70,7 +75,7 @@ FORMULA vec3 strand_place(Strand s, float across, float along, float z) {
     c = strand_curve(s, place);
   }
   float up = ((z - c.x) - (along - place) * c.y) * inversesqrt(1.0f + c.y * c.y);
-  return vec3((across - s.centre) / s.half_width, up / s.half_height, place);
+  return vec3((across - s.centre) * s.per_width, up * s.per_height, place);
 }
 
 // Below 0 inside the thread; a length.
@@ -79,15 +84,15 @@ FORMULA float strand_distance(Strand s, float across, float along, float z) {
   return (sqrt(p.x * p.x + p.y * p.y) - 1.0f) * s.half_height;
 }
 
-// Highest point of the thread over a place; far below where it is not.
-FORMULA float strand_top(Strand s, float across, float along) {
-  float x = (across - s.centre) / s.half_width;
+// Highest point of the thread over a place, `steps` closer than of a straight one; far below where it is not.
+FORMULA float strand_top(Strand s, float across, float along, int steps) {
+  float x = (across - s.centre) * s.per_width;
   if (abs(x) > 1.0f) return -1.0e6f;
   vec3 c = strand_curve(s, along);
   float lean = sqrt(1.0f + c.y * c.y);
   float wanted = sqrt(1.0f - x * x);
   float z = c.x + s.half_height * wanted * lean;
-  for (int k = 0; k < 2; ++k) z += (wanted - strand_place(s, across, along, z).y) * s.half_height * lean;
+  for (int k = 0; k < steps; ++k) z += (wanted - strand_place(s, across, along, z).y) * s.half_height * lean;
   return z;
 }
 
@@ -96,27 +101,33 @@ FORMULA float strand_near(Strand s, float across, float along, float z) {
   vec3 c = strand_curve(s, along);
   float place = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
   c = strand_curve(s, place);
-  float x = (across - s.centre) / s.half_width;
-  float y = ((z - c.x) - (along - place) * c.y) * inversesqrt(1.0f + c.y * c.y) / s.half_height;
-  return (sqrt(x * x + y * y) - 1.0f) * s.half_height;
+  float x = (across - s.centre) * s.per_width;
+  float y = ((z - c.x) - (along - place) * c.y) * s.per_height;
+  return (sqrt(x * x + y * y / (1.0f + c.y * c.y)) - 1.0f) * s.half_height;
 }
 
 // The first thread that reaches past a place of 0..period.
 FORMULA int thread_at(ThreadGrid g, int system, float place) {
   int first = g.first[system];
+#if defined(EVEN_THREADS)
+  return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
+#else
   if (g.even[system] > 0.0f) return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
   int bins = g.count[system] * kBinsAThread;
   int bin = clamp(int(place / g.period[system] * float(bins)), 0, bins - 1);
   int thread = thread_bin(system, first * kBinsAThread + bin);
   int last = bin + 1 < bins ? thread_bin(system, first * kBinsAThread + bin + 1) : first + g.count[system] - 1;
   // Most bins hold one border at most; those of the finest threads among coarse ones, thousands.
-  for (int k = 0; k < kMostHalvings && thread < last; ++k) {
+  int k = 0;
+  do {
     int middle = (thread + last) / 2;
     vec4 body = thread_body(system, middle);
     if (body.x + body.y > place) last = middle;
-    else thread = middle + 1;
-  }
+    else thread = min(middle + 1, last);
+    ++k;
+  } while (k < kMostHalvings && thread < last);
   return thread;
+#endif
 }
 
 FORMULA Strand strand_of(int thread, vec4 body, float base, float start, float step, float side, vec2 here, vec2 next) {
@@ -125,12 +136,12 @@ FORMULA Strand strand_of(int thread, vec4 body, float base, float start, float s
   s.centre = body.x + base;
   s.half_width = max(body.z, 1.0e-6f);
   s.half_height = max(body.w, 1.0e-6f);
+  s.per_width = 1.0f / s.half_width;
+  s.per_height = 1.0f / s.half_height;
   s.start = start;
-  s.step = step;
-  s.z0 = side * here.x;
-  s.m0 = side * here.y;
-  s.z1 = side * next.x;
-  s.m1 = side * next.y;
+  s.low = min(start, start + step);
+  s.high = max(start, start + step);
+  s.curve = cubic_through(side * here.x, side * here.y, side * next.x, side * next.y, step);
   return s;
 }
 
@@ -139,6 +150,9 @@ FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
   int n = g.count[system];
   int first = g.first[system];
   int next = thread - first + step;
+#if defined(EVEN_THREADS)
+  return vec2(float(first + (next < 0 ? n - 1 : next >= n ? 0 : next)), (float(next) + 0.5f) * g.even[system]);
+#else
   if (g.even[system] > 0.0f) {
     return vec2(float(first + (next < 0 ? n - 1 : next >= n ? 0 : next)), (float(next) + 0.5f) * g.even[system]);
   }
@@ -152,6 +166,7 @@ FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
     shift = g.period[system];
   }
   return vec2(float(first + next), thread_body(system, first + next).x + shift);
+#endif
 }
 
 FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
@@ -178,16 +193,8 @@ FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
   return c;
 }
 
-FORMULA bool holds(Crossing c, vec2 at) {
-  return at.x >= c.low.x && at.x < c.high.x && at.y >= c.low.y && at.y < c.high.y;
-}
-
 FORMULA vec2 near_distances(Crossing c, vec3 p) {
   return vec2(strand_near(c.warp, p.x, p.y, p.z), strand_near(c.weft, p.y, p.x, p.z));
-}
-
-FORMULA vec2 distances(Crossing c, vec3 p) {
-  return vec2(strand_distance(c.warp, p.x, p.y, p.z), strand_distance(c.weft, p.y, p.x, p.z));
 }
 
 struct ThreadHit {
@@ -210,17 +217,17 @@ FORMULA ThreadHit hit_of(Crossing c, vec3 p, vec2 d) {
 
 // Straight down, or nearly: the higher of both strands over the place.
 FORMULA ThreadHit thread_below(ThreadGrid g, vec2 at, vec2 lean) {
-  Crossing c = crossing_near(g, at);
+  Crossing c;
   vec3 p = vec3(at, 0.0f);
   float warp = 0.0f;
   float weft = 0.0f;
   for (int k = 0; k < 2; ++k) {
-    warp = strand_top(c.warp, p.x, p.y);
-    weft = strand_top(c.weft, p.y, p.x);
+    c = crossing_near(g, vec2(p.x, p.y));
+    // Roughly at first: a ray so steep hardly moves.
+    warp = strand_top(c.warp, p.x, p.y, 2 * k);
+    weft = strand_top(c.weft, p.y, p.x, 2 * k);
     float z = max(max(warp, weft), g.bottom);
-    vec2 there = at + lean * z;
-    p = vec3(there, z);
-    if (!holds(c, there)) c = crossing_near(g, there);
+    p = vec3(at + lean * z, z);
   }
   ThreadHit hit = hit_of(c, p, vec2(-warp, -weft));
   if (max(warp, weft) < -1.0e5f) hit.system = -1;
@@ -243,7 +250,7 @@ FORMULA int steps_in_cell(ThreadGrid g, float rise) {
 }
 
 FORMULA float distance_to(ThreadHit h, vec3 p) {
-  return h.system == 0 ? strand_distance(h.strand, p.x, p.y, p.z) : strand_distance(h.strand, p.y, p.x, p.z);
+  return strand_distance(h.strand, h.system == 0 ? p.x : p.y, h.system == 0 ? p.y : p.x, p.z);
 }
 
 // False position between a height outside the thread and one inside.
@@ -277,20 +284,25 @@ FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   float next = z;
   float above = g.reach;
   vec2 d = vec2(g.reach);
-  Crossing c = crossing_near(g, at + lean * z);
-  for (int i = 0; i < most && z > g.bottom && min(d.x, d.y) >= 0.0f; ++i) {
-    if (i > 0) c = crossing_near(g, at + lean * (z - nudge));
+  Crossing c;
+  int i = 0;
+  do {
+    c = crossing_near(g, at + lean * (z - nudge));
     float end = max(min(cell_exit(c, at, lean, -1.0f), z - nudge), g.bottom);
     int steps = steps_in_cell(g, z - end);
     float down = (z - end) / float(steps);
-    for (int k = 0; k < steps; ++k) {
+    int k = 0;
+    do {
       next = z - down;
       d = near_distances(c, vec3(at + lean * next, next));
-      if (min(d.x, d.y) < 0.0f) break;
-      above = min(d.x, d.y);
-      z = next;
-    }
-  }
+      if (min(d.x, d.y) >= 0.0f) {
+        above = min(d.x, d.y);
+        z = next;
+      }
+      ++k;
+    } while (k < steps && min(d.x, d.y) >= 0.0f);
+    ++i;
+  } while (i < most && z > g.bottom && min(d.x, d.y) >= 0.0f);
   ThreadHit hit = hit_of(c, vec3(at + lean * next, next), d);
   if (min(d.x, d.y) >= 0.0f) hit.system = -1;
   else hit.at = surface_between(hit, at, lean, z, next, above, min(d.x, d.y));
@@ -301,16 +313,15 @@ FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
 // for the thread straight below.
 FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
   vec2 lean = vec2(v.x, v.y) / max(v.z, 0.04f);   // for a height of 1
-  ThreadHit hit;
-  hit.system = -1;
-  ThreadGrid layer = g;
-  for (int i = 0; i < g.layers; ++i) {
-    if (i > 0) layer = thread_layer(i, g.side);
-    ThreadHit found = first_in_layer(layer, at, lean, most);
-    if (i > 0 && (found.system < 0 || (hit.system >= 0 && found.at.z <= hit.at.z))) continue;
+  ThreadHit hit = first_in_layer(g, at, lean, most);
+#if !defined(ONE_LAYER)
+  for (int i = 1; i < g.layers; ++i) {
+    ThreadHit found = first_in_layer(thread_layer(i, g.side), at, lean, most);
+    if (found.system < 0 || (hit.system >= 0 && found.at.z <= hit.at.z)) continue;
     hit = found;
     hit.layer = i;
   }
+#endif
   return hit;
 }
 
@@ -324,32 +335,36 @@ FORMULA bool layer_blocks(ThreadGrid g, vec3 from, vec3 l, int most, int system,
   // A layer that the light reaches later.
   if (g.layers > 1) z = max(z, way > 0.0f ? g.bottom : -g.top);
   bool blocked = false;
-  for (int i = 0; i < most && z < last && !blocked; ++i) {
+  int i = 0;
+  do {
     Crossing c = crossing_near(g, at + lean * (way * (z + nudge)));
     float end = min(max(way * cell_exit(c, at, lean, way), z + nudge), last);
     int steps = steps_in_cell(g, end - z);
     float up = (end - z) / float(steps);
-    for (int k = 0; k < steps; ++k) {
+    int k = 0;
+    do {
       float height = z + up * (float(k) + 0.5f);
       vec2 d = near_distances(c, vec3(at + lean * (way * height), way * height));
       if (system == 0 && c.warp.thread == thread) d.x = 1.0f;
       if (system == 1 && c.weft.thread == thread) d.y = 1.0f;
       blocked = blocked || min(d.x, d.y) < 0.0f;
-    }
+      ++k;
+    } while (k < steps && !blocked);
     z = end;
-  }
+    ++i;
+  } while (i < most && z < last && !blocked);
   return blocked;
 }
 
 // Whether a thread stands between a point and a light far away, on either side of the cloth; most: cells at the most.
 // The thread that the point is on does not count: it bends too little to stand before itself. system -1: all do.
 FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system, int thread) {
-  ThreadGrid layer = g;
-  bool blocked = false;
-  for (int i = 0; i < g.layers && !blocked; ++i) {
-    if (i > 0) layer = thread_layer(i, g.side);
-    blocked = layer_blocks(layer, from, l, most, system, thread);
+  bool blocked = layer_blocks(g, from, l, most, system, thread);
+#if !defined(ONE_LAYER)
+  for (int i = 1; i < g.layers && !blocked; ++i) {
+    blocked = layer_blocks(thread_layer(i, g.side), from, l, most, system, thread);
   }
+#endif
   return blocked;
 }
 
@@ -375,8 +390,8 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float r = inversesqrt(max(x * x + y * y, 1.0e-8f));
   x *= r;
   y *= r;
-  float side = x / s.half_width;
-  float up = y / s.half_height;
+  float side = x * s.per_width;
+  float up = y * s.per_height;
   ThreadPoint t;
   t.normal = system == 0 ? normalize(vec3(side, -c.y * n * up, n * up)) : normalize(vec3(-c.y * n * up, side, n * up));
   t.axis = system == 0 ? vec3(0.0f, n, c.y * n) : vec3(n, 0.0f, c.y * n);

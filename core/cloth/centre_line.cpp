@@ -181,8 +181,9 @@ float centre_slope(float before_mm, float after_mm, float distance_mm) {
 }
 
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step) {
-  const glm::vec3 c = thread_formulas::hermite(z1, centre_slope(z0, z2, step.h0 + step.h1), z2,
-                                               centre_slope(z1, z3, step.h1 + step.h2), step.h1, step.t);
+  const glm::vec4 cubic = thread_formulas::cubic_through(z1, centre_slope(z0, z2, step.h0 + step.h1), z2,
+                                                         centre_slope(z1, z3, step.h1 + step.h2), step.h1);
+  const glm::vec3 c = thread_formulas::cubic_at(cubic, step.t * step.h1);
   return {c.x, c.y, c.z};
 }
 

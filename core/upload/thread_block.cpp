@@ -71,6 +71,20 @@ std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
   return to;
 }
 
+ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
+  using Texels = std::array<glm::uvec4, THREAD_HEAD_TEXELS>;
+  ThreadKind kind;
+  for (size_t i = 0, layers = 1; i < layers && records.size() >= (i + 1) * THREAD_HEAD_TEXELS; ++i) {
+    Texels texels;
+    std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * THREAD_HEAD_TEXELS), texels.size(), texels.begin());
+    const auto head = std::bit_cast<thread_formulas::ThreadHead>(texels);
+    layers = static_cast<size_t>(std::max(head.layers, 1));
+    kind.one_layer = layers == 1;
+    kind.even = (i == 0 || kind.even) && head.even.x > 0 && head.even.y > 0;
+  }
+  return kind;
+}
+
 std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossings) {
   std::vector<HalfCrossing> out;
   out.reserve(crossings.size());

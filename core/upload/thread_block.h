@@ -18,6 +18,14 @@ inline constexpr int64_t kMostCrossings = int64_t{1} << 24;
 /// of them alone.
 std::vector<glm::uvec4> thread_records(const Cloth& front, float top_mm);
 
+/// What of a cloth its program can leave out (shaders/threads.glsl).
+struct ThreadKind {
+  bool even = false;  // the rooms of each system's threads are alike
+  bool one_layer = false;
+};
+/// Of the texels of thread_records().
+ThreadKind thread_kind(const std::vector<glm::uvec4>& records);
+
 /// A row a pick.
 std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossings);
 

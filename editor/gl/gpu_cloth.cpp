@@ -158,6 +158,7 @@ void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCro
 }
 
 void GpuCloth::upload_threads(const std::vector<glm::uvec4>& records) {
+  thread_kind_ = upload::thread_kind(records);
   glBindTexture(GL_TEXTURE_2D, threads_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH, static_cast<GLsizei>(records.size() / THREAD_MAP_WIDTH),
                0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, records.data());

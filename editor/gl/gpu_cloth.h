@@ -7,6 +7,7 @@
 #include "gl/names.h"
 #include "shaders/interop.h"
 #include "upload/packed_maps.h"
+#include "upload/thread_block.h"
 
 namespace weftlight::gl {
 
@@ -26,6 +27,7 @@ class GpuCloth {
   float mean_spacing_mm() const { return mean_spacing_mm_; }
   /// Whether each thread can be drawn as a body (thread_block.h).
   bool has_threads() const { return has_threads_; }
+  ThreadKind thread_kind() const { return thread_kind_; }
   const interop::ClothData& data() const { return data_; }
   size_t bytes() const { return bytes_; }
 
@@ -47,6 +49,7 @@ class GpuCloth {
   GlTexture threads_, crossings_;
   int crossing_blocks_ = 1;  // from one row of blocks to the next
   bool has_threads_ = false;
+  ThreadKind thread_kind_;
   GlBuffer block_;
   interop::ClothData data_{};
   float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;

@@ -64,7 +64,7 @@ struct Renderer::Parts {
     GlProgram program;
     std::string problem;
   };
-  std::map<std::array<int, 4>, ClothProgram> cloth_programs;
+  std::map<std::array<int, 6>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, hair_timer;
   bool queried = false, hairs_queried = false, software = false;
@@ -76,7 +76,7 @@ struct Renderer::Parts {
 
   bool build(std::string& error);
   void set_lights(LightRig lights);
-  const ClothProgram& cloth_program(Method method, int taps, int rungs, bool more_lit);
+  const ClothProgram& cloth_program(Method method, int taps, int rungs, bool more_lit, ThreadKind kind = {});
   int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
   void tell_rungs(const DrawnFrame& drawn);
   Plan plan_for(const DrawnFrame& drawn) const;
@@ -132,9 +132,10 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
   return plan;
 }
 
-/// more_lit: with the lights of an environment beside the key light.
-const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs, bool more_lit) {
-  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, rungs, more_lit}];
+/// more_lit: with the lights of an environment beside the key light. kind: the cloth that it is for.
+const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs, bool more_lit,
+                                                                    ThreadKind kind) {
+  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, rungs, more_lit, kind.even, kind.one_layer}];
   if (!made.program.peek() && made.problem.empty()) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
@@ -142,6 +143,8 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
                                      "RUNGS " + std::to_string(rungs)};
     if (taps == kQuickTaps) defines.push_back("QUICK");
     if (more_lit) defines.push_back("MORE_LIT");
+    if (kind.even) defines.push_back("EVEN_THREADS");
+    if (kind.one_layer) defines.push_back("ONE_LAYER");
     made.program = build_program("cloth.vert", "cloth.frag", defines, made.problem);
     if (!made.problem.empty()) made.problem = name + ": " + made.problem;
   }
@@ -244,8 +247,10 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   cloth.bind();
   Method method = drawn_method(drawn.look.method);
   if (method_facts(method).threads && !cloth.has_threads()) method = Method::kCell;
-  const ClothProgram& with = cloth_program(method, drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps, drawn.rungs,
-                                           drawn.light.lights.size() > 1);
+  const int taps = drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps;
+  const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.rungs & kYarnRung));
+  const ClothProgram& with = cloth_program(method, taps, drawn.rungs, drawn.light.lights.size() > 1,
+                                           software && of_threads ? cloth.thread_kind() : ThreadKind{});
   stats.problem = with.problem;
   if (!with.problem.empty()) return;
   glUseProgram(with.program.peek());

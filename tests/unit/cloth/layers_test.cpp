@@ -65,8 +65,8 @@ TEST(Layers, PlainDoubleWeaveIsTwoClothsThatDoNotMeet) {
         const auto a = below.crossing_near(scene.thread_layer(0, -1), at),
                    b = scene.crossing_near(scene.thread_layer(1, 1), at);
         // Seen from below, the underside of the upper layer is its top.
-        const float under = -std::max(below.strand_top(a.warp, at.x, at.y), below.strand_top(a.weft, at.y, at.x));
-        const float over = std::max(scene.strand_top(b.warp, at.x, at.y), scene.strand_top(b.weft, at.y, at.x));
+        const float under = -std::max(below.strand_top(a.warp, at.x, at.y, 2), below.strand_top(a.weft, at.y, at.x, 2));
+        const float over = std::max(scene.strand_top(b.warp, at.x, at.y, 2), scene.strand_top(b.weft, at.y, at.x, 2));
         if (under < 1e3f && over > -1e3f) nearest = std::min(nearest, under - over);
       }
     }

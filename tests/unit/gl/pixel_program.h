@@ -30,8 +30,10 @@ inline GLuint compiled(GLenum stage, const std::string& text) {
 
 /// `main_text` after the shared files; in it given(row) is a case's numbers, `row` the question, `answer` what it
 /// gives.
-inline GlProgram pixel_program(const std::vector<std::string>& files, const std::string& main_text) {
+inline GlProgram pixel_program(const std::vector<std::string>& files, const std::string& main_text,
+                               const std::vector<std::string>& defines = {}) {
   std::string text = "#version 330 core\n", error;
+  for (const std::string& define : defines) text += "#define " + define + "\n";
   for (const std::string& file : files) text += "#include \"" + file + "\"\n";
   text += R"(
 uniform sampler2D cases;

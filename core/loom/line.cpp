@@ -5,30 +5,35 @@
 #include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <iterator>
+#include <utility>
 
 namespace weftlight::loom {
 namespace {
 
 constexpr size_t kAtOnce = 256;
 
-class TcpLine : public Line {
+/// A socket, or a terminal.
+class OpenFileLine : public Line {
  public:
-  explicit TcpLine(int socket) : socket_(socket) {}
-  TcpLine(const TcpLine&) = delete;
-  TcpLine& operator=(const TcpLine&) = delete;
-  ~TcpLine() override { ::close(socket_); }
+  enum class Kind { kSocket, kTerminal };
+  OpenFileLine(int fd, Kind kind) : fd_(fd), kind_(kind) {}
+  OpenFileLine(const OpenFileLine&) = delete;
+  OpenFileLine& operator=(const OpenFileLine&) = delete;
+  ~OpenFileLine() override { ::close(fd_); }
 
   std::string receive(int wait_ms) override {
-    pollfd waits{socket_, POLLIN, 0};
+    pollfd waits{fd_, POLLIN, 0};
     if (broken_ || ::poll(&waits, 1, wait_ms) <= 0) return {};
     char buffer[kAtOnce];
-    const ssize_t got = ::recv(socket_, buffer, sizeof buffer, 0);
+    const ssize_t got = ::read(fd_, buffer, sizeof buffer);
     if (got > 0) return {buffer, static_cast<size_t>(got)};
     broken_ = got == 0 || (errno != EAGAIN && errno != EINTR);
     return {};
@@ -37,19 +42,21 @@ class TcpLine : public Line {
   bool send(std::string_view bytes) override {
     constexpr int kPatienceMs = 1000;
     while (!bytes.empty() && !broken_) {
-      const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      const ssize_t sent = kind_ == Kind::kSocket ? ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL)
+                                                  : ::write(fd_, bytes.data(), bytes.size());
       if (sent > 0) {
         bytes.remove_prefix(static_cast<size_t>(sent));
         continue;
       }
-      pollfd waits{socket_, POLLOUT, 0};
+      pollfd waits{fd_, POLLOUT, 0};
       broken_ = (errno != EAGAIN && errno != EINTR) || ::poll(&waits, 1, kPatienceMs) <= 0;
     }
     return !broken_;
   }
 
  private:
-  int socket_;
+  int fd_;
+  Kind kind_;
 };
 
 class SerialLine : public Line {
@@ -110,12 +117,37 @@ LineOpened open_tcp(const std::string& host, const std::string& port, int wait_m
   const std::string why = fd < 0 ? host + ":" + port + ": " + std::strerror(errno) : std::string();
   ::freeaddrinfo(found);
   if (fd < 0) return {nullptr, why};
-  return {std::make_unique<TcpLine>(fd), {}};
+  return {std::make_unique<OpenFileLine>(fd, OpenFileLine::Kind::kSocket), {}};
+}
+
+/// Bytes as they are, at that speed; false where it takes none of it.
+bool made_raw(int terminal, int baud) {
+  constexpr std::pair<int, speed_t> kSpeeds[] = {{1200, B1200},   {2400, B2400},   {4800, B4800},   {9600, B9600},
+                                                 {19200, B19200}, {38400, B38400}, {57600, B57600}, {115200, B115200}};
+  const auto* speed = std::ranges::find(kSpeeds, baud, &std::pair<int, speed_t>::first);
+  termios how{};
+  if (speed == std::end(kSpeeds) || ::tcgetattr(terminal, &how) != 0) return false;
+  ::cfmakeraw(&how);
+  ::cfsetspeed(&how, speed->second);
+  return ::tcsetattr(terminal, TCSANOW, &how) == 0;
+}
+
+/// A serial port that a program makes (socat, a bridge to a loom far away): a terminal, but none of the system's
+/// devices, which are all that libserialport knows.
+LineOpened open_terminal(const std::string& name, int baud) {
+  const int fd = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (fd < 0 || ::isatty(fd) == 0) {
+    if (fd >= 0) ::close(fd);
+    return {nullptr, name + ": there is no such serial port"};
+  }
+  auto line = std::make_unique<OpenFileLine>(fd, OpenFileLine::Kind::kTerminal);
+  if (!made_raw(fd, baud)) return {nullptr, name + ": it does not take " + std::to_string(baud) + " baud"};
+  return {std::move(line), {}};
 }
 
 LineOpened open_serial(const std::string& name, int baud) {
   sp_port* port = nullptr;
-  if (sp_get_port_by_name(name.c_str(), &port) != SP_OK) return {nullptr, name + ": there is no such serial port"};
+  if (sp_get_port_by_name(name.c_str(), &port) != SP_OK) return open_terminal(name, baud);
   if (sp_open(port, SP_MODE_READ_WRITE) != SP_OK) {
     sp_free_port(port);
     return {nullptr, name + ": it cannot be opened; another program may hold it, or you may not be in its group"};

@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "../draft/hand_drafts.h"
 #include "../loom_port.h"
+#include "../loom_terminal.h"
+#include "../scratch.h"
 #include "loom/line.h"
 #include "loom/weaving.h"
 
@@ -176,6 +179,55 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
     EXPECT_TRUE(opened.line->broken());
   }
   EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "none twice, none left out";
+}
+
+TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPlace) {
+  const Draft d = four_picks();
+  const BitMatrix lift = lifts(d);
+  const Weaving w{d, lift, {}};
+  const Scratch scratch("serial");
+  LoomTerminal loom(scratch / "loom");
+  if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
+  Place place;
+  std::string last;
+  std::vector<std::string> raised;
+  for (int connection = 0; connection < 3; ++connection) {
+    if (connection > 0) loom.plug_in();
+    LineOpened opened = open_line(loom.address() + ":19200");
+    ASSERT_TRUE(opened.line) << opened.why;
+    LoomReader reader;
+    ASSERT_TRUE(opened.line->send(on_connected(w, place).send));
+    EXPECT_EQ(loom.heard(), "U0") << "neither echo nor anything else that terminals add";
+    if (connection > 0) {
+      EXPECT_EQ(loom.heard(), last) << "the pick that was on its way, once more";
+    }
+    for (int pick = 0; pick < 3; ++pick) {
+      loom.say("p\n");
+      std::string send;
+      hear(w, reader, place, opened.line->receive(5000), send);
+      ASSERT_TRUE(opened.line->send(send));
+      last = loom.heard();
+      raised.push_back(last);
+      loom.say(std::string("c").append(last, 1).append("\n"));
+      hear(w, reader, place, opened.line->receive(5000), send);
+    }
+    loom.pull_out();
+    opened.line->receive(1000);
+    EXPECT_TRUE(opened.line->broken());
+    EXPECT_FALSE(opened.line->send("C00000001\n"));
+  }
+  EXPECT_EQ(raised, (std::vector<std::string>{"C00000003", "C00000006", "C0000000c", "C00000009", "C00000003",
+                                              "C00000006", "C0000000c", "C00000009", "C00000003"}))
+      << "none twice, none left out";
+}
+
+TEST(LoomLine, AFileIsNoSerialPort) {
+  const Scratch scratch("serial");
+  std::ofstream(scratch / "file") << "p\n";
+  EXPECT_NE(open_line("serial:" + (scratch / "file")).why.find("no such serial port"), std::string::npos);
+  LoomTerminal loom(scratch / "loom");
+  if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
+  EXPECT_NE(open_line(loom.address() + ":1234").why.find("1234 baud"), std::string::npos);
 }
 
 TEST(LoomLine, SaysWhyThereIsNone) {

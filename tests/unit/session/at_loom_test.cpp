@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "../loom_port.h"
+#include "../loom_terminal.h"
+#include "../scratch.h"
 #include "../straight_draft.h"
 #include "draft/edits.h"
 #include "session/loom_link.h"
@@ -142,6 +144,40 @@ TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
   w.link.disconnect();
   EXPECT_EQ(w.link.state(), LoomLink::State::kOff);
   ::close(loom);
+}
+
+TEST(LoomLink, ASerialLineIsTakenUpAgainWhereItBrokeOff) {
+  const Scratch scratch("serial");
+  LoomTerminal loom(scratch / "loom");
+  if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
+  Weaver w;
+  w.link.connect(loom.address());
+  ASSERT_TRUE(comes_true([&] {
+    w.poll();
+    return w.greeted == 1;
+  }));
+  EXPECT_EQ(loom.heard(), "U0");
+  const auto ask = [&](int picks_so_far, const char* shafts) {
+    loom.say("p\n");
+    ASSERT_TRUE(comes_true([&] {
+      w.poll();
+      return w.at.place.waiting && w.at.place.woven == picks_so_far;
+    }));
+    EXPECT_EQ(loom.heard(), shafts);
+  };
+  ASSERT_NO_FATAL_FAILURE(ask(0, "C00000001"));
+  ASSERT_NO_FATAL_FAILURE(ask(1, "C00000002"));
+  loom.pull_out();
+  ASSERT_TRUE(comes_true([&] { return w.link.state() == LoomLink::State::kConnecting; }));
+  loom.plug_in();
+  ASSERT_TRUE(comes_true([&] {
+    w.poll();
+    return w.greeted == 2;
+  }));
+  EXPECT_EQ(loom.heard(), "U0");
+  EXPECT_EQ(loom.heard(), "C00000002") << "the pick that was on its way, once more";
+  ASSERT_NO_FATAL_FAILURE(ask(2, "C00000004"));
+  EXPECT_EQ(w.design.loom.next_pick, 2);
 }
 
 TEST(LoomLink, SaysWhyThereIsNoLoom) {

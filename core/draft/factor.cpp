@@ -285,6 +285,35 @@ Factored with_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most)
   return out;
 }
 
+namespace {
+
+// The same size with nothing in it.
+Draft without_numbers(const Draft& like) {
+  Draft bare = like;
+  bare.shafts = bare.treadles = 1;
+  bare.threading = BitMatrix(like.ends(), 1);
+  bare.tieup = BitMatrix(1, 1);
+  bare.treadling = BitMatrix(like.picks(), 1);
+  bare.liftplan = BitMatrix(like.picks(), 1);
+  return bare;
+}
+
+bool fits(const Draft& d, LoomSize most) {
+  return d.shafts <= most.shafts && (d.drive == Drive::kLiftplan || d.treadles <= most.treadles);
+}
+
+}  // namespace
+
+Factored within_loom(const Draft& like, LoomSize most) {
+  if (fits(like, most)) return {like, {}, 0, 0, 0};
+  const BitMatrix cells = drawdown(like);
+  Factored out = with_drawdown(like, cells, most);
+  if (out.done() && fits(out.draft, most)) return out;
+  out = with_drawdown(without_numbers(like), cells, most);
+  if (!out.done()) out.draft = like;
+  return out;
+}
+
 Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most) {
   Factored exact = with_drawdown(like, cells, most);
   if (exact.done()) return exact;
@@ -294,13 +323,7 @@ Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize mo
   Factored out = with_drawdown(like, near, most);
   if (!out.done()) {
     // The weaver's own numbers stand in the way: begin without them.
-    Draft bare = like;
-    bare.shafts = bare.treadles = 1;
-    bare.threading = BitMatrix(like.ends(), 1);
-    bare.tieup = BitMatrix(1, 1);
-    bare.treadling = BitMatrix(like.picks(), 1);
-    bare.liftplan = BitMatrix(like.picks(), 1);
-    out = with_drawdown(bare, near, most);
+    out = with_drawdown(without_numbers(like), near, most);
   }
   const BitMatrix shown = drawdown(out.draft);
   for (int p = 0; p < cells.rows(); ++p) out.wrong += differences(shown.row(p), cells.row(p));

@@ -11,6 +11,7 @@ namespace weftlight::draft {
 
 struct LoomSize {
   int shafts = kMaxShafts, treadles = kMaxShafts;
+  bool operator==(const LoomSize&) const = default;
 };
 
 /// A draft that weaves what was asked, or why the loom cannot.
@@ -34,6 +35,9 @@ Factored with_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most)
 /// The same with wrong crossings where the loom is too small: the columns (rows) that cost the fewest
 /// crossings are woven as the most like of the others. Exact at each step, not over all steps.
 Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most);
+
+/// The same cloth on a loom of that size. The weaver's numbers stay where all of them fit.
+Factored within_loom(const Draft& like, LoomSize most);
 
 /// The fewest shafts and treadles (one a pick) of any draft with this drawdown: the distinct columns, and the
 /// distinct rows with a thread to lift.

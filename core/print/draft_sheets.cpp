@@ -57,6 +57,7 @@ struct Part {
 struct Net {
   double x, y, cell;
   int columns, rows, first_column, first_row;
+  bool from_right = false, from_below = false;  // where the first ones are
 };
 
 void draw_net(const Pen& pen, const Net& n, int heavy, bool over_colors = false) {
@@ -68,8 +69,10 @@ void draw_net(const Pen& pen, const Net& n, int heavy, bool over_colors = false)
     if (over_colors) pen.line(x0, y0, x1, y1, strong ? thin * 2.5 : thin, kInk, strong ? 0.45 : 0.25);
     else pen.line(x0, y0, x1, y1, strong ? thin * 2.5 : thin, strong ? kMuted : kFaint);
   };
-  for (int c = 1; c < n.columns; ++c) rule(n.x + c * n.cell, n.y, n.x + c * n.cell, n.y + height, n.first_column + c);
-  for (int r = 1; r < n.rows; ++r) rule(n.x, n.y + r * n.cell, n.x + width, n.y + r * n.cell, n.first_row + r);
+  for (int c = 1; c < n.columns; ++c)
+    rule(n.x + c * n.cell, n.y, n.x + c * n.cell, n.y + height, n.first_column + (n.from_right ? n.columns - c : c));
+  for (int r = 1; r < n.rows; ++r)
+    rule(n.x, n.y + r * n.cell, n.x + width, n.y + r * n.cell, n.first_row + (n.from_below ? n.rows - r : r));
   pen.frame(n.x, n.y, width, height, 0.18, kInk);
 }
 
@@ -99,7 +102,10 @@ struct Drawing {
   }
   double shaft_y(int shaft) const { return y0 + (plan.shafts - 1 - shaft) * cell(); }
   double warp_bar_y() const { return y0 + (plan.shafts + kGap) * cell(); }
-  double pick_y(const Part& part, int pick) const { return y0 + (plan.head_rows() + pick - part.pick0) * cell(); }
+  double picks_y() const { return y0 + plan.head_rows() * cell(); }
+  double pick_y(const Part& part, int pick) const {
+    return picks_y() + (options.pick1_bottom ? part.pick1 - 1 - pick : pick - part.pick0) * cell();
+  }
   const Rgb& color_of(System system, int thread) const {
     return draft().palette[static_cast<size_t>(draft().threads(system).color[static_cast<size_t>(thread)])];
   }
@@ -112,7 +118,8 @@ void draw_threading(const Pen& pen, const Drawing& g, const Part& part) {
     for (int s = 0; s < g.plan.shafts; ++s)
       if (g.draft().threading.get(e, s)) mark(pen, g, g.end_x(part, e), g.shaft_y(s));
   const double left = g.end_x(part, g.options.end1_right ? part.end1 - 1 : part.end0);
-  draw_net(pen, {left, g.y0, g.cell(), part.end1 - part.end0, g.plan.shafts, part.end0, 0}, g.options.heavy_lines);
+  draw_net(pen, {left, g.y0, g.cell(), part.end1 - part.end0, g.plan.shafts, part.end0, 0, g.options.end1_right, true},
+           g.options.heavy_lines);
   for (int e = part.end0; e < part.end1; ++e)
     pen.fill(g.end_x(part, e), g.warp_bar_y(), g.cell(), g.cell(), g.color_of(System::kWarp, e));
   pen.frame(left, g.warp_bar_y(), (part.end1 - part.end0) * g.cell(), g.cell(), 0.12, kMuted);
@@ -128,14 +135,17 @@ void draw_sides(const Pen& pen, const Drawing& g, const Part& part) {
     pen.fill(g.bar_x(part), g.pick_y(part, p), g.cell(), g.cell(), g.color_of(System::kWeft, p));
   }
   const int picks = part.pick1 - part.pick0;
-  draw_net(pen, {g.side_x(part), g.pick_y(part, part.pick0), g.cell(), g.plan.sides, picks, 0, part.pick0},
+  draw_net(pen,
+           {g.side_x(part), g.picks_y(), g.cell(), g.plan.sides, picks, 0, part.pick0, g.options.end1_right,
+            g.options.pick1_bottom},
            g.options.heavy_lines);
-  pen.frame(g.bar_x(part), g.pick_y(part, part.pick0), g.cell(), picks * g.cell(), 0.12, kMuted);
+  pen.frame(g.bar_x(part), g.picks_y(), g.cell(), picks * g.cell(), 0.12, kMuted);
   if (plan) return;
   for (int t = 0; t < d.treadles; ++t)
     for (int s = 0; s < d.shafts; ++s)
       if (d.tieup.get(t, s)) mark(pen, g, g.treadle_x(part, t), g.shaft_y(s));
-  draw_net(pen, {g.side_x(part), g.y0, g.cell(), d.treadles, d.shafts, 0, 0}, g.options.heavy_lines);
+  draw_net(pen, {g.side_x(part), g.y0, g.cell(), d.treadles, d.shafts, 0, 0, g.options.end1_right, true},
+           g.options.heavy_lines);
 }
 
 /// In the threads' colours, runs of one colour at a time.
@@ -153,8 +163,8 @@ void draw_drawdown(const Pen& pen, const Drawing& g, const Part& part) {
     }
   const double left = g.end_x(part, g.options.end1_right ? part.end1 - 1 : part.end0);
   draw_net(pen,
-           {left, g.pick_y(part, part.pick0), g.cell(), part.end1 - part.end0, part.pick1 - part.pick0, part.end0,
-            part.pick0},
+           {left, g.picks_y(), g.cell(), part.end1 - part.end0, part.pick1 - part.pick0, part.end0, part.pick0,
+            g.options.end1_right, g.options.pick1_bottom},
            g.options.heavy_lines, true);
 }
 

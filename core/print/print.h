@@ -35,11 +35,23 @@ struct PrintParts {
   bool operator==(const PrintParts&) const = default;
 };
 
+/// Each under the name that a command gives it, with the words of the window.
+struct NamedPart {
+  const char *name, *words;
+  bool PrintParts::*on;
+};
+inline constexpr NamedPart kParts[] = {{"draft", "Draft and drawdown", &PrintParts::grids},
+                                       {"lists", "Threading and treadling lists", &PrintParts::lists},
+                                       {"heddles", "Heddles on each shaft", &PrintParts::heddles},
+                                       {"yarn", "Yarn: lengths, weights, sett", &PrintParts::yarn},
+                                       {"swatch", "Swatch, true to size", &PrintParts::swatch}};
+
 struct PrintOptions {
   Paper paper = kA4;
-  double cell_mm = 0;       // side of a cell, 0.5..20; 0: what fits, at least kSmallestCell
-  int heavy_lines = 4;      // a heavier line every so many threads; 0: none
-  bool end1_right = false;  // which side end 1 is drawn on
+  double cell_mm = 0;         // side of a cell, 0.5..20; 0: what fits, at least kSmallestCell
+  int heavy_lines = 4;        // a heavier line every so many threads; 0: none
+  bool end1_right = false;    // which side end 1 is drawn on
+  bool pick1_bottom = false;  // picks are read upwards
   double png_dpi = 150;
   PrintParts parts{};
   bool operator==(const PrintOptions&) const = default;

@@ -318,6 +318,46 @@ bool take_picture_text(PictureOptions& o, const PictureText& t) {
   return true;
 }
 
+std::string lower(std::string words) {
+  for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return words;
+}
+
+/// The options of `print` that are words.
+struct PrintText {
+  std::string paper = "a4", end1 = "left", pick1 = "top";
+  std::vector<std::string> parts;  // empty: all
+  bool across = false;
+};
+
+void add_print_options(CLI::App* verb, print::PrintOptions& o, PrintText& t) {
+  std::vector<std::string> papers, parts;
+  for (const print::NamedPaper& paper : print::kPapers) papers.push_back(lower(paper.name));
+  for (const print::NamedPart& part : print::kParts) parts.emplace_back(part.name);
+  verb->add_option("--parts", t.parts, "What is printed, with commas; all unless said")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(parts));
+  verb->add_option("--paper", t.paper, "Size of a sheet")->check(CLI::IsMember(papers));
+  verb->add_flag("--across", t.across, "The sheets lie on their longer side");
+  verb->add_option("--scale", o.cell_mm, "Side of a cell in mm; as fits unless said")->check(CLI::Range(0.5, 20.0));
+  verb->add_option("--heavy", o.heavy_lines, "A heavier line every so many threads; 0: none")
+      ->check(whole_number(0, 1000));
+  verb->add_option("--end1", t.end1, "The side of end 1")->check(CLI::IsMember({"left", "right"}));
+  verb->add_option("--pick1", t.pick1, "Where pick 1 is")->check(CLI::IsMember({"top", "bottom"}));
+  verb->add_option("--dpi", o.png_dpi, "Dots an inch of a .png")->check(CLI::Range(30.0, 1200.0));
+}
+
+void take_print_text(print::PrintOptions& o, const PrintText& t) {
+  for (const print::NamedPaper& paper : print::kPapers)
+    if (lower(paper.name) == t.paper) o.paper = paper.paper;
+  if (t.across) std::swap(o.paper.width_mm, o.paper.height_mm);
+  o.end1_right = t.end1 == "right";
+  o.pick1_bottom = t.pick1 == "bottom";
+  for (const print::NamedPart& part : print::kParts)
+    o.parts.*part.on = t.parts.empty() || std::ranges::count(t.parts, part.name) > 0;
+}
+
 }  // namespace
 
 CommandLine run_command_line(int argc, char** argv) {
@@ -345,13 +385,11 @@ CommandLine run_command_line(int argc, char** argv) {
   add_analysis_options(analyse_verb, analyse);
 
   PrintCommand print;
-  std::string paper = "a4";
   auto* print_verb = app.add_subcommand("print", "The draft on paper: grids, lists for the loom, swatch");
   print_verb->add_option("file", print.file, "Draft")->required();
   print_verb->add_option("-o,--output", print.out, "A .pdf, .svg or .png")->required();
-  print_verb->add_option("--paper", paper, "Size of a sheet")->check(CLI::IsMember({"a4", "letter"}));
-  print_verb->add_option("--scale", print.cell_mm, "Side of a cell in mm; as fits unless said")
-      ->check(CLI::Range(0.5, 20.0));
+  PrintText print_text;
+  add_print_options(print_verb, print.options, print_text);
 
   WeaveOptions weave;
   auto* weave_verb = app.add_subcommand("weave", "A draft from the table of weaves");
@@ -377,6 +415,10 @@ CommandLine run_command_line(int argc, char** argv) {
       ->add_option("-o,--output", drawdown.out, "Text file; .png, .jpg, .tif, .svg, .pdf: the coloured drawdown")
       ->check(some_name());
   add_face(drawdown_verb, drawdown_face);
+  std::string end1 = "right", pick1 = "top";
+  drawdown_verb->add_option("--end1", end1, "The side of end 1 in a coloured picture")
+      ->check(CLI::IsMember({"left", "right"}));
+  drawdown_verb->add_option("--pick1", pick1, "Where pick 1 is in one")->check(CLI::IsMember({"top", "bottom"}));
 
   ConvertOptions convert;
   bool to_lifts = false, to_treadles = false;
@@ -386,6 +428,14 @@ CommandLine run_command_line(int argc, char** argv) {
   convert_verb->add_flag("--plain", convert.plain, "Save for other programs and looms");
   auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "Drive by a liftplan");
   convert_verb->add_flag("--treadling", to_treadles, "Drive by tie-up and treadling")->excludes(lifts_flag);
+
+  auto* shafts_option = convert_verb->add_option("--shafts", convert.loom.shafts, "Shafts that the loom has")
+                            ->check(whole_number(1, kMaxShafts));
+  auto* treadles_option = convert_verb->add_option("--treadles", convert.loom.treadles, "Treadles that the loom has")
+                              ->check(whole_number(1, kMaxShafts))
+                              ->excludes(lifts_flag);
+  auto* nearest_flag = convert_verb->add_flag("--nearest", convert.nearest,
+                                              "What does not fit the loom is woven as nearly as it can be");
 
   PictureOptions picture;
   picture.view_azimuth = picture.view_elevation = picture.light_azimuth = picture.light_elevation = kUnset;
@@ -481,6 +531,7 @@ CommandLine run_command_line(int argc, char** argv) {
     return result;
   }
 
+  drawdown.way = {end1 == "left", pick1 == "bottom"};
   drawdown.face = drawdown_face == "back" ? Face::kBack : Face::kFront;
   response.face = response_face == "back" ? Face::kBack : Face::kFront;
   if (response.lights_deg.empty()) parse_angles("-80:80:5", response.lights_deg);
@@ -489,7 +540,12 @@ CommandLine run_command_line(int argc, char** argv) {
     result.exit_code = kUsage;
     return result;
   }
-  print.letter = paper == "letter";
+  if (nearest_flag->count() > 0 && shafts_option->count() + treadles_option->count() == 0) {
+    std::fprintf(stderr, "weftlight: --nearest: give the loom's --shafts or --treadles with it\n");
+    result.exit_code = kUsage;
+    return result;
+  }
+  take_print_text(print.options, print_text);
   analyse.plan.weft_shrinkage = analyse.plan.warp_shrinkage;
   if (info_verb->parsed()) result.exit_code = info_command(info);
   else if (drawdown_verb->parsed()) result.exit_code = drawdown_command(drawdown);

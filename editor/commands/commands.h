@@ -10,6 +10,8 @@
 #include "commands/names.h"
 #include "draft/design.h"
 #include "draft/drawdown.h"
+#include "draft/factor.h"
+#include "print/print.h"
 #include "wif/wif.h"
 
 namespace weftlight::commands {
@@ -21,16 +23,23 @@ struct InfoOptions {
   std::string file;
   bool json = false;
 };
+/// Which corner of a drawdown begins: end 1 at the right and pick 1 at the top unless said.
+struct WayUp {
+  bool end1_left = false, pick1_bottom = false;
+};
 struct DrawdownOptions {
   std::string file, out;
   Face face = Face::kFront;
   bool points = false;  // a picture with a pixel a crossing, as Jacquard machines read
+  WayUp way{};          // of a coloured picture
 };
 enum class ConvertDrive { kAsIs, kLiftplan, kTreadling };
 struct ConvertOptions {
   std::string in, out;
   bool plain = false;
   ConvertDrive drive = ConvertDrive::kAsIs;
+  draft::LoomSize loom{};  // that it is to fit
+  bool nearest = false;    // what does not fit is woven as nearly as it can be
 };
 /// NaN or empty: as the design says.
 struct PictureOptions {
@@ -88,8 +97,7 @@ struct AnalyseOptions {
 };
 struct PrintCommand {
   std::string file, out;
-  bool letter = false;
-  double cell_mm = 0;  // 0: as fits
+  print::PrintOptions options;
 };
 struct WeaveOptions {
   std::string weave, out;

@@ -1,5 +1,6 @@
 // `drawdown`: one line a pick (pick 1 first), one character an end (end 1 first), 1 where the warp is on
-// top; or the coloured drawdown as a picture, as the editor shows it: end 1 at the right, pick 1 at the top.
+// top; or the coloured drawdown as a picture, as the editor shows it unless
+// asked otherwise: end 1 at the right, pick 1 at the top.
 
 #include <cctype>
 #include <cstdio>
@@ -55,11 +56,12 @@ int drawdown_command(const DrawdownOptions& options) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return kDone;  // a stream that takes nothing is told of by the one who flushes it
   }
-  const auto draw = options.points         ? write_drawdown_points
-                    : form == Form::kImage ? write_drawdown_image
-                                           : write_drawdown_drawing;
-  const std::string error = form == Form::kText ? write_file_atomically(options.out, as_text(cells))
-                                                : draw(options.out, cells, opened.design.draft);
+  const Draft& draft = opened.design.draft;
+  const std::string& out = options.out;
+  const std::string error = form == Form::kText    ? write_file_atomically(out, as_text(cells))
+                            : options.points       ? write_drawdown_points(out, cells)
+                            : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.way)
+                                                   : write_drawdown_drawing(out, cells, draft, options.way);
   return error.empty() ? kDone : not_written(error);
 }
 

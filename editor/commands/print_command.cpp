@@ -16,11 +16,8 @@ int print_command(const PrintCommand& options) {
   }
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
-  print::PrintOptions o;
-  o.paper = options.letter ? print::kLetter : print::kA4;
-  o.cell_mm = options.cell_mm;
   const auto format = pdf ? print::PrintFormat::kPdf : svg ? print::PrintFormat::kSvg : print::PrintFormat::kPng;
-  const print::Printed printed = print::printed(opened.design, format, o);
+  const print::Printed printed = print::printed(opened.design, format, options.options);
   if (!printed.why.empty()) {
     std::fprintf(stderr, "%s: %s\n", options.file.c_str(), printed.why.c_str());
     return kBadInput;

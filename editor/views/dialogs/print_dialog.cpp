@@ -142,17 +142,11 @@ void draw_scale(PanelContext& c, PrintPrompt& p, float width) {
 }
 
 void draw_parts(PanelContext& c, PrintPrompt& p) {
-  const auto part = [&c](const char* id, const char* label, bool& on, const char* first) {
-    row_label(c, first, nullptr);
-    ImGui::Checkbox(label, &on);
-    c.map.add_item(id);
-  };
-  PrintParts& parts = p.options.parts;
-  part("print.grids", "Draft and drawdown", parts.grids, "On paper");
-  part("print.lists", "Threading and treadling lists", parts.lists, "");
-  part("print.heddles", "Heddles on each shaft", parts.heddles, "");
-  part("print.yarn", "Yarn: lengths, weights, sett", parts.yarn, "");
-  part("print.swatch", "Swatch, true to size", parts.swatch, "");
+  for (const NamedPart& part : kParts) {
+    row_label(c, &part == &kParts[0] ? "On paper" : "", nullptr);
+    ImGui::Checkbox(part.words, &(p.options.parts.*part.on));
+    c.map.add_item(std::string("print.") + part.name);
+  }
 }
 
 void draw_format(PanelContext& c, PrintPrompt& p, float width) {

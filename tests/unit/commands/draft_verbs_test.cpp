@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "draft/generators.h"
 #include "files/files.h"
 #include "scratch_folder.h"
 
@@ -45,6 +46,25 @@ TEST_F(DraftVerbs, drawdown_picture_is_the_way_up_of_the_editor) {
       EXPECT_EQ(shown, wanted) << "end " << end + 1 << " pick " << pick + 1;
     }
   }
+}
+
+TEST_F(DraftVerbs, drawdown_picture_begins_in_the_corner_that_is_asked_for) {
+  const auto picture = [&](const char* end1, const char* pick1) {
+    EXPECT_EQ(
+        run({"drawdown", fixture_path("twill.wif"), "-o", path("way.png"), "--end1", end1, "--pick1", pick1}).code,
+        kDone);
+    return *read_image(path("way.png")).image;
+  };
+  const Image shown = picture("right", "top"), turned = picture("left", "bottom");
+  ASSERT_EQ(shown.texels.size(), turned.texels.size());
+  const auto texel = [](const Image& i, int x, int y) {
+    return i.texels[(static_cast<size_t>(y) * static_cast<size_t>(i.width) + static_cast<size_t>(x)) *
+                    static_cast<size_t>(i.channels)];
+  };
+  for (int y = 0; y < shown.height; ++y)
+    for (int x = 0; x < shown.width; ++x)
+      ASSERT_EQ(texel(shown, x, y), texel(turned, shown.width - 1 - x, shown.height - 1 - y)) << x << " " << y;
+  EXPECT_EQ(run({"drawdown", fixture_path("twill.wif"), "--pick1", "left"}).code, kUsage);
 }
 
 TEST_F(DraftVerbs, info_as_json) {
@@ -110,6 +130,23 @@ TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
   EXPECT_EQ(convert_command({fixture_path("twill.wif"), path("no/out.wif"), false, ConvertDrive::kAsIs}), kNotWritten);
   EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path("no/out.png"), Face::kFront}), kNotWritten);
   ::testing::internal::GetCapturedStderr();
+}
+
+TEST_F(DraftVerbs, convert_to_a_smaller_loom_refuses_or_takes_the_nearest) {
+  Design satin = draft::new_draft(*find_weave("satin"), {{"size", "8"}}, {16, 16}).design;
+  ASSERT_EQ(write_file_atomically(path("satin.wif"), write_new_wif(satin)), "");
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("eight.wif"), "--shafts", "8", "--treadles", "8"}).code, kDone);
+  EXPECT_EQ(open_design(path("eight.wif")).design.draft, open_design(path("satin.wif")).design.draft);
+  const Ran refused = run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4"});
+  EXPECT_EQ(refused.code, kBadInput);
+  EXPECT_NE(refused.said.find("this takes 8 shafts, and the loom has 4; --nearest"), std::string::npos) << refused.said;
+  EXPECT_FALSE(std::filesystem::exists(path("four.wif")));
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4", "--nearest"}).code, kDone);
+  const Draft four = open_design(path("four.wif")).design.draft;
+  EXPECT_LE(four.shafts, 4);
+  EXPECT_EQ(four.ends(), 16);
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--nearest"}).code, kUsage);
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--shafts", "0"}).code, kUsage);
 }
 
 }  // namespace

@@ -54,13 +54,39 @@ TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
 }
 
 TEST_F(WeaverVerbs, print_writes_what_its_name_says_or_refuses) {
-  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.pdf"), false, 0}), kDone);
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.pdf"), {}}), kDone);
   EXPECT_TRUE(read_file(path("a.pdf")).bytes.starts_with("%PDF"));
-  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.svg"), true, 5}), kDone);
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.svg"), {print::kLetter, 5}}), kDone);
   EXPECT_NE(read_file(path("a-1.svg")).bytes.find("<svg"), std::string::npos);
-  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.docx"), false, 0}), kUsage);
-  EXPECT_EQ(print_command({path("none.wif"), path("b.pdf"), false, 0}), kBadInput);
-  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("no/folder/b.pdf"), false, 0}), kNotWritten);
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.docx"), {}}), kUsage);
+  EXPECT_EQ(print_command({path("none.wif"), path("b.pdf"), {}}), kBadInput);
+  EXPECT_EQ(print_command({fixture_path("twill.wif"), path("no/folder/b.pdf"), {}}), kNotWritten);
+}
+
+TEST_F(WeaverVerbs, print_takes_parts_and_papers) {
+  const std::string twill = fixture_path("twill.wif");
+  const auto media_box = [](const std::string& pdf) {
+    const size_t at = pdf.find("/MediaBox");
+    return pdf.substr(at, pdf.find(']', at) - at);
+  };
+  ASSERT_EQ(run({"print", twill, "-o", path("all.pdf")}).code, kDone);
+  ASSERT_EQ(run({"print", twill, "-o", path("draft.pdf"), "--parts", "draft", "--paper", "a3", "--across"}).code,
+            kDone);
+  EXPECT_NE(media_box(read_file(path("draft.pdf")).bytes).find("1190.5"), std::string::npos) << "420 mm wide";
+  ASSERT_EQ(run({"print", twill, "-o", path("draft.svg"), "--parts", "draft", "--end1", "right"}).code, kDone);
+  EXPECT_TRUE(std::filesystem::exists(path("draft.svg"))) << "the draft alone is one sheet";
+  ASSERT_EQ(run({"print", twill, "-o", path("some.svg"), "--parts", "draft,heddles,swatch", "--heavy", "0"}).code,
+            kDone);
+  EXPECT_TRUE(std::filesystem::exists(path("some-2.svg"))) << "a sheet with the others";
+  ASSERT_EQ(run({"print", twill, "-o", path("s.png"), "--parts", "draft", "--paper", "a5", "--dpi", "50"}).code, kDone);
+  EXPECT_EQ(read_image(path("s.png")).image->width, 291) << "148 mm";
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"--parts", "drawdown"}, {"--paper", "a0"}, {"--end1", "top"}, {"--dpi", "5"}}) {
+    std::vector<std::string> args{"print", twill, "-o", path("no.pdf")};
+    args.insert(args.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(run(args).code, kUsage) << wrong[0] << " " << wrong[1];
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("no.pdf")));
 }
 
 TEST_F(WeaverVerbs, weave_keeps_its_numbers_in_the_file) {

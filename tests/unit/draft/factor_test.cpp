@@ -110,6 +110,26 @@ TEST(Factor, SaysWhatIsWantingAndOffersTheNearest) {
   EXPECT_EQ(near.wrong, 32) << "each of four kinds of two ends is woven as another: four crossings an end";
 }
 
+TEST(Factor, ADraftMovesToASmallerLoomWhereItsClothAllows) {
+  // A point threading over eight shafts of which the tie-up tells four apart.
+  Draft d = blank_draft(16, 16, 8, 8);
+  for (int i = 0; i < 16; ++i) {
+    d.threading.set(i, i % 8, true);
+    d.treadling.set(i, i % 8, true);
+  }
+  for (int t = 0; t < 8; ++t)
+    for (int s = 0; s < 8; ++s) d.tieup.set(t, s, (t + s) % 4 < 2);
+  EXPECT_EQ(within_loom(d, {8, 8}).draft, d) << "it fits as it is";
+  const Factored small = within_loom(d, {4, 4});
+  EXPECT_TRUE(small.done());
+  EXPECT_LE(small.draft.shafts, 4);
+  EXPECT_LE(small.draft.treadles, 4);
+  EXPECT_EQ(drawdown(small.draft), drawdown(d));
+  const Factored smaller = within_loom(d, {3, 4});
+  EXPECT_EQ(smaller.why, "this takes 4 shafts, and the loom has 3");
+  EXPECT_EQ(smaller.draft, d);
+}
+
 TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
@@ -127,6 +147,25 @@ TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
 
 // The fault that a weaver met: a click in the drawdown turned the tie-up into a liftplan, and going back numbered
 // all treadles anew.
+TEST(PaintedDrawdown, WholeRowsAreAsTheirCellsOneByOne) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 40; ++round) {
+    Design d;
+    d.draft = random_draft(random, 70, 12, 6, 12);
+    for (int e = 0; e < 70; ++e)
+      for (int s = d.draft.threading.first(e) + 1; s > 0 && s < d.draft.shafts; ++s) d.draft.threading.set(e, s, false);
+    BitMatrix cells(12, 70);
+    fill_randomly(cells, random, 0.2);
+    const Write write = round % 2 == 0 ? Write::kAdd : Write::kErase;
+    const Selection all = whole_grid(d.draft, BitGrid::kDrawdown);
+    const Design at_once = painted_crossings(d, all, 0, 0, cells, write).design;
+    // A wider block is not taken row by row.
+    BitMatrix wide = cells;
+    wide.resize(12, 71);
+    EXPECT_EQ(at_once, painted_crossings(d, all, 0, 0, wide, write).design);
+  }
+}
+
 TEST(PaintedDrawdown, KeepsTheTieUp) {
   const Design d = two_two_twill(16, 16);
   const Design next = with_drawdown_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));

@@ -93,6 +93,34 @@ TEST(Print, TheSheetIsSeenBeforeItIsPrinted) {
   EXPECT_NE(picture_of_sheet(overshot_design(900, 900), o, 0, 2).why, "");
 }
 
+TEST(Print, Pick1StandsAtTheTopOrAtTheBottom) {
+  // Of two picks all of warp and all of weft, the darker one is the first.
+  Design d = with_size(Design{}, 8, 8, 2, 2);
+  d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
+  for (int i = 0; i < 8; ++i) {
+    d.draft.warp.color[static_cast<size_t>(i)] = 0;
+    d.draft.weft.color[static_cast<size_t>(i)] = i < 4 ? 0 : 1;
+  }
+  PrintOptions o;
+  o.parts = {true, false, false, false, false};
+  o.cell_mm = 5;
+  o.heavy_lines = 0;
+  const SheetPicture down = picture_of_sheet(d, o, 0, 2);
+  o.pick1_bottom = true;
+  const SheetPicture up = picture_of_sheet(d, o, 0, 2);
+  ASSERT_EQ(down.pixels.size(), up.pixels.size());
+  // The weft's bar: its dark half stands first, or last.
+  const auto dark_above = [](const SheetPicture& s) {
+    int64_t sum = 0, all = 0;
+    for (int y = 0; y < s.height; ++y)
+      for (int x = 0; x < s.width; ++x)
+        if (s.pixels[static_cast<size_t>(y) * static_cast<size_t>(s.width) + static_cast<size_t>(x)] == 0xff000000u)
+          sum += y, ++all;
+    return static_cast<double>(sum) / static_cast<double>(std::max<int64_t>(all, 1));
+  };
+  EXPECT_LT(dark_above(down) + 20, dark_above(up)) << "twice five millimetres lower at the least";
+}
+
 TEST(Print, SheetsOfSeveralFilesAreNumbered) {
   EXPECT_EQ(sheet_file("a/b.svg", 0, 1), "a/b.svg");
   EXPECT_EQ(sheet_file("a/b.svg", 2, 3), "a/b-3.svg");

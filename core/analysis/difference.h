@@ -30,6 +30,8 @@ BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y);
 /// most `most` of them.
 std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most);
 
+/// "end 3, picks 5-8": the shorter side first.
+std::string place_text(const CellRect& place);
 /// "1-4, 7, 9-12" of 0-based threads, counted from 1.
 std::string listed(const std::vector<int>& threads);
 

@@ -28,6 +28,16 @@ void add_rules(Actions& all) {
               [locked](Design d) { return with_lock(std::move(d), locked); }});
   });
   lock.checked = [](const Desk& e) { return e.document().now().loom.locked; };
+  Action& nearest =
+      add(all, "Draft", "nearest", "Nearest that the loom weaves\xE2\x80\xA6", "", [](Desk& e) { e.ask_nearest(); });
+  nearest.enabled = [](const Desk& e) {
+    const auto& refusal = e.view().refusal;
+    return refusal && refusal->nearest && !refusal->nearest->is_there;
+  };
+  add(all, "Draft", "larger_loom", "What was painted, on a larger loom", "", [](Desk& e) {
+    const Edit edit = larger_loom_edit(*e.view().refusal);
+    e.commit(edit);
+  }).enabled = [](const Desk& e) { return e.view().refusal.has_value(); };
 }
 
 }  // namespace
@@ -36,7 +46,7 @@ void add_draft_actions(Actions& all) {
   add(all, "Draft", "notes", "Title and notes\xE2\x80\xA6", "", [](Desk& e) { e.ask_notes(); });
   add(all, "Draft", "weave_over", "Weave over the draft or selection\xE2\x80\xA6", "W", [](Desk& e) { e.ask_weave(); });
   add(all, "Draft", "sections", "Threads from sections\xE2\x80\xA6", "Shift+W", [](Desk& e) { e.ask_sections(); });
-  add(all, "Draft", "size", "Ends, picks, shafts\xE2\x80\xA6", "", [](Desk& e) { e.ask_size(); });
+  add(all, "Draft", "size", "Ends, picks, shafts, loom\xE2\x80\xA6", "", [](Desk& e) { e.ask_size(); });
   const auto shed = [&all](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [rising](Desk& e) {
       e.commit(

@@ -113,8 +113,10 @@ void delete_threads(Desk& e) {
   select_cells(e.view().select, {});
 }
 
-/// One thing at a time: the shape being drawn, the drag, the block in hand, the selection.
+/// One thing at a time: the shape being drawn, the drag, the block in hand, the selection; before them what could not
+/// be woven.
 void let_go(Desk& e) {
+  if (e.view().refusal) return e.view().refusal.reset();
   if (e.view().shape) return e.view().shape.reset();
   SelectState& s = e.view().select;
   if (s.drag == SelectDrag::kNone) {
@@ -137,7 +139,7 @@ void add_clipboard(Actions& all) {
   on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads))
       .enabled = has_threads;
   add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const Desk& e) {
-    return has_selection(e) || has_block(e) || e.view().shape;
+    return has_selection(e) || has_block(e) || e.view().shape || e.view().refusal;
   };
 }
 

@@ -205,11 +205,17 @@ void Editor::commit(const Edit& edit) {
 
 void Editor::ask_size() {
   const Draft& d = document().now().draft;
-  ask(SizePrompt{"Size of the draft", "Change", d.ends(), d.picks(), d.shafts, d.treadles}, [this](int) {
-    const SizePrompt p = std::get<SizePrompt>(dialog_);
-    commit({"Change size", [p](Design d2) { return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles); }});
-    view().pitch = 0;
-  });
+  const Loom& loom = document().now().loom;
+  ask(SizePrompt{"Size of the draft", "Change", d.ends(), d.picks(), d.shafts, d.treadles, loom.shafts, loom.treadles},
+      [this](int) {
+        const SizePrompt p = std::get<SizePrompt>(dialog_);
+        commit({"Change size", [p](Design d2) {
+                  d2.loom.shafts = p.loom_shafts;
+                  d2.loom.treadles = p.loom_treadles;
+                  return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles);
+                }});
+        view().pitch = 0;
+      });
 }
 
 void Editor::ask_notes() {

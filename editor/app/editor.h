@@ -86,6 +86,7 @@ class Editor : public Desk {
   const Settings& settings() const override { return settings_; }
   void show_commands() override;
   void show_remarks() override { remarks_open_ = true; }
+  void ask_nearest() override;
   void toggle_keys() override { keys_.open = !keys_.open; }
   void toggle_theme() override;
   void keep_view() override;
@@ -121,6 +122,8 @@ class Editor : public Desk {
   void take_waiting_input();
   void take_key(const std::string& key);
   bool take_export_news();
+  /// What was refused in a gesture that is over, and what comes nearest to it.
+  void find_nearest();
   void run_action(const std::string& id);
   double sleep_s();
 

@@ -71,6 +71,25 @@ void Editor::ask_sections() {
   ask(std::move(p), [](int) {});
 }
 
+void Editor::find_nearest() {
+  std::optional<Refusal>& refusal = view().refusal;
+  if (!refusal || refusal->nearest || strokes_.going_on()) return;
+  refusal->nearest = nearest_to(document().now(), *refusal->wish);
+  if (!refusal->nearest) refusal.reset();
+}
+
+void Editor::ask_nearest() {
+  constexpr uint64_t kNearestStrokes = uint64_t{5} << 60;  // apart from those of the mouse, of weaves and sections
+  if (!view().refusal || !view().refusal->nearest) return;
+  NearestPrompt p{view().refusal->nearest, document().snapshot(), kNearestStrokes | ++weaves_asked_};
+  Edit edit{"Nearest that the loom weaves", [nearest = p.nearest](const Design&) { return *nearest->design; }};
+  edit.stroke = p.stroke;
+  commit(edit);
+  view().nearest = p.nearest;
+  view().place = -1;
+  ask(std::move(p), [](int) {});
+}
+
 void Editor::export_textures() {
   if (export_plan_->folder.empty()) {
     const std::filesystem::path beside = std::filesystem::path(document().path()).parent_path();

@@ -16,6 +16,7 @@
 #include "views/draft/draft_panel.h"
 #include "views/inspector/accuracy_rows.h"
 #include "views/inspector/palette_panel.h"
+#include "views/draft/nearest_notice.h"
 #include "views/inspector/scene_panel.h"
 #include "views/inspector/threads_panel.h"
 #include "views/inspector/yarn_panel.h"
@@ -184,6 +185,7 @@ bool Editor::carry_out(const TypedKey& typed) {
 void Editor::draw_window() {
   follow_shown();
   map_.clear();
+  find_nearest();
   tip_.begin(Window::seconds() - moved_at_s_);
   notes_ = {};
   Intents wanted;
@@ -294,6 +296,7 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
   draw_splitter(c, l);
 
   begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_nearest_notice(c, l.draft.at, {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
   const ImVec2 pane = pane_;
   draw_preview(c, preview_.picture(), pane_);
   if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
@@ -389,6 +392,7 @@ void Editor::draw_question(PanelContext& c) {
   const auto then = std::exchange(answer_, nullptr);
   if (answer.answer == Answer::kDone && then) then(answer.button);
   // The answer may have asked the next question.
+  if (std::holds_alternative<NearestPrompt>(dialog_)) c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
   if (!answer_) dialog_ = {};
 }
 

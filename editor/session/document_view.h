@@ -12,6 +12,7 @@
 #include "session/names.h"
 #include "session/orbit.h"
 #include "session/other_draft.h"
+#include "session/refusal.h"
 #include "session/select_state.h"
 #include "session/thread_choice.h"
 #include "wif/wif.h"

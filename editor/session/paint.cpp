@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "draft/crossings.h"
+#include "session/selection.h"
 
 namespace weftlight::session {
 namespace {
@@ -49,6 +50,21 @@ std::string thread_facts(const Design& design, System system, int thread) {
   std::snprintf(size, sizeof size, "%.2f mm", static_cast<double>(given < 0 ? yarn.diameter_mm : given));
   return std::string(system == System::kWarp ? "End " : "Pick ") + number(thread) + ": colour " +
          number(t.color[static_cast<size_t>(thread)]) + ", " + yarn.name + ", " + size;
+}
+
+/// The crossings of a line and its images, all of them or, where the loom cannot weave them, none.
+Painted painted_line(Design design, Cell from, Cell to, bool on, const Mirror& mirror) {
+  std::vector<Cell> all;
+  for (const Cell& at : line_of_cells(from, to))
+    for (const Cell& image : images_of(mirror, GridId::kDrawdown, at)) all.push_back(image);
+  const auto [left, right] = std::ranges::minmax(all, {}, &Cell::a);
+  const auto [top, bottom] = std::ranges::minmax(all, {}, &Cell::b);
+  const Selection s = clipped({BitGrid::kDrawdown, left.a, right.a + 1, top.b, bottom.b + 1}, design.draft);
+  if (s.empty()) return {std::move(design), {}};
+  BitMatrix cells(s.rows(), s.columns());
+  for (const Cell& at : all)
+    if (holds(s, BitGrid::kDrawdown, at)) cells.set(at.b - s.b0, at.a - s.a0, true);
+  return painted_crossings(std::move(design), s, s.a0, s.b0, cells, on ? Write::kAdd : Write::kErase);
 }
 
 }  // namespace
@@ -111,6 +127,7 @@ Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
 Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror) {
   constexpr const char* kSpoken[] = {"", "threading", "tie-up", "treadling", "liftplan", "drawdown", "", ""};
   Edit edit{std::string("Paint ") + kSpoken[static_cast<int>(grid)], [=](Design design) {
+              if (grid == GridId::kDrawdown) return painted_line(std::move(design), from, to, on, mirror).design;
               for (const Cell& at : line_of_cells(from, to))
                 for (const Cell& image : images_of(mirror, grid, at))
                   design = with_cell(std::move(design), grid, image, on, only);
@@ -119,7 +136,7 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirro
   edit.why = [=](const Design& design) {
     constexpr BitGrid kGrids[] = {BitGrid::kThreading, BitGrid::kThreading, BitGrid::kTieup,
                                   BitGrid::kTreadling, BitGrid::kLiftplan,  BitGrid::kDrawdown};
-    if (grid == GridId::kDrawdown) return painted_cell(design, to.a, to.b, on).why;
+    if (grid == GridId::kDrawdown) return painted_line(design, from, to, on, mirror).why;
     if (grid == GridId::kNone || grid > GridId::kDrawdown) return std::string();
     return why_locked(design, kGrids[static_cast<int>(grid)]);
   };

@@ -184,7 +184,11 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   if (!held.add) s.notice += missed_text(next.draft, held.grid, held.at.a, held.at.b, cells);
   select_cells(s, clipped(place, next.draft));
   s.anchor = held.at;
-  return Edit{"Paste", [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+  Edit edit{"Paste", [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+  edit.anew = [held, cells](Design d) {
+    return with_block(std::move(d), held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
+  };
+  return edit;
 }
 
 std::string missed_text(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {

@@ -99,12 +99,21 @@ void Session::close(uint64_t id, Document (*instead)()) {
 
 bool Session::followed(bool changed) {
   if (!changed) return false;
+  active().view.refusal.reset();
   follow_document(active().view, active().document);
   keep_unsaved(active());
   return true;
 }
 
-bool Session::commit(const Edit& edit, uint64_t stroke) { return followed(active().document.commit(edit, stroke)); }
+bool Session::commit(const Edit& edit, uint64_t stroke) {
+  OpenDocument& open = active();
+  const std::shared_ptr<const Design> before = open.document.snapshot();
+  const bool changed = open.document.commit(edit, stroke);
+  std::optional<Refusal> refusal = refusal_after(std::move(open.view.refusal), *before, edit, stroke, changed);
+  followed(changed);
+  open.view.refusal = std::move(refusal);
+  return changed;
+}
 bool Session::undo() { return followed(active().document.undo()); }
 bool Session::redo() { return followed(active().document.redo()); }
 bool Session::go_to(size_t step) { return followed(active().document.go_to(step)); }

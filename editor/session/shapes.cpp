@@ -131,12 +131,17 @@ struct Drawing {
 MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, const std::vector<CellMask>& masks) {
   const auto bits = bit_grid_of(what.grid);
   if (!bits) return {};
-  Design next = design;
-  for (const CellMask& m : masks) next = with_block(std::move(next), *bits, m.at.a, m.at.b, m.cells, what.write);
+  const auto drawn_on = [bits = *bits, write = what.write, masks](Design d) {
+    for (const CellMask& m : masks) d = with_block(std::move(d), bits, m.at.a, m.at.b, m.cells, write);
+    return d;
+  };
+  Design next = drawn_on(design);
   int64_t missed = 0;
   if (*bits == BitGrid::kDrawdown && may_paint(design, *bits))
     for (const CellMask& m : masks) missed += missed_by(next.draft, m, what.on);
-  if (missed > 0) view.select.notice = what.name + missed_text(missed);
+  // Where crossings change alone, only the loom refuses: then nothing is drawn rather than a part.
+  if (missed > 0 && design.loom.authority == Authority::kDrawdown) next = design;
+  else if (missed > 0) view.select.notice = what.name + missed_text(missed);
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.why = [bits](const Design& d) { return why_locked(d, *bits); };
   return edit;
@@ -181,6 +186,7 @@ bool leaves_others(const ShapeInHand& s) {
 CellMask region_about(const Draft& draft, const BitMatrix& cells, GridId grid, Cell at) {
   return {{0, 0}, Flood(draft, cells, grid, at).seen()};
 }
+  edit.anew = drawn_on;
 
 std::pair<int, int> threads_about(const Threads& t, BarPaint what, int thread) {
   const std::vector<int>& all = what == BarPaint::kColor ? t.color : t.yarn;

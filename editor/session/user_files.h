@@ -15,6 +15,7 @@ enum class DrawdownStyle { kThreads, kColor, kStructure };
 /// What stands beside the preview: the ray-traced picture behind a slider, or how far the two are apart.
 enum class Compare { kOff, kSplit, kDifference };
 
+inline constexpr float kMostLoomWasteCm = 1000, kMostShare = 0.6f;
 inline constexpr float kLeastPictureMs = 5, kMostPictureMs = 5000;
 
 struct Settings {

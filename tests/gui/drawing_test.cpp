@@ -95,6 +95,66 @@ TEST_F(DrawingTest, TheSymmetricPenDrawsBothSides) {
   undone(w, "a mirrored line");
 }
 
+TEST_F(DrawingTest, WhatTheLoomCannotWeaveIsOfferedAsTheNearest) {
+  // A twill on a loom of four shafts and treadles, its drawdown painted.
+  blank_.draft = draft::blank_draft(24, 24, 4, 4);
+  for (int i = 0; i < 24; ++i) {
+    blank_.draft.threading.set(i, i % 4, true);
+    blank_.draft.treadling.set(i, i % 4, true);
+  }
+  for (int t = 0; t < 4; ++t)
+    for (int s = 0; s < 4; ++s) blank_.draft.tieup.set(t, s, (t + s) % 4 < 2);
+  blank_.loom.authority = draft::Authority::kDrawdown;
+  blank_.loom.shafts = blank_.loom.treadles = 4;
+  put(draft_, wif::write_new_wif(blank_));
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+
+  // A block all of warp floats: more kinds of ends than shafts.
+  const auto refused = [&] {
+    display_.key("shift+u");
+    display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 5, 5), w.cell("drawdown", 11, 9)});
+    ASSERT_TRUE(comes_true([&] { return w.has("nearest.leave"); })) << "nothing is said";
+    EXPECT_EQ(w.live(), before) << "something was drawn all the same";
+    ASSERT_TRUE(w.has("nearest.see")) << "there is something nearer than the draft as it is";
+  };
+  ASSERT_NO_FATAL_FAILURE(refused());
+  display_.click(w.middle_of("nearest.leave"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); }));
+  ASSERT_NO_FATAL_FAILURE(refused());
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); })) << "Escape leaves it, too";
+
+  ASSERT_NO_FATAL_FAILURE(refused());
+  display_.click(w.middle_of("nearest.see"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Take the nearest") && w.live() != before; }));
+  EXPECT_TRUE(w.has("nearest.place:1")) << "where it is not as painted";
+  display_.click(w.middle_of("nearest.place:1"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Keep what was"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "to the byte";
+
+  ASSERT_NO_FATAL_FAILURE(refused());
+  display_.click(w.middle_of("nearest.see"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Take the nearest"));
+  const draft::Draft taken = draft_of(w);
+  EXPECT_NE(taken, blank_.draft);
+  EXPECT_LE(taken.shafts, 4);
+  EXPECT_LE(taken.treadles, 4);
+  undone(w, "the nearest");
+
+  ASSERT_NO_FATAL_FAILURE(refused());
+  display_.click(w.middle_of("nearest.larger"));
+  EXPECT_TRUE(comes_true([&] {
+    const draft::BitMatrix cells = draft::drawdown(draft_of(w));
+    for (int pick = 0; pick < 9; ++pick)
+      for (int end = 0; end < 11; ++end)
+        if (!cells.get(pick, end)) return false;
+    return true;
+  })) << "a larger loom takes it as it was painted";
+  undone(w, "the larger loom");
+}
+
 TEST_F(DrawingTest, NumbersAreTypedIntoThreadingAndTreadling) {
   blank_.draft = draft::blank_draft(24, 24, 12, 12);
   put(draft_, wif::write_new_wif(blank_));

@@ -56,7 +56,9 @@ class LookTest : public OnDisplay {
   void SetUp() override {
     OnDisplay::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    fs::copy_file(WEFTLIGHT_DRAFTS "/overshot.wif", folder_ / "overshot.wif");
+    draft::Design overshot = design_of(bytes_of(WEFTLIGHT_DRAFTS "/overshot.wif"));
+    overshot.loom.shafts = overshot.draft.shafts, overshot.loom.treadles = overshot.draft.treadles;
+    put(folder_ / "overshot.wif", wif::write_new_wif(overshot));
     fs::copy_file(WEFTLIGHT_DRAFTS "/summer_and_winter.wif", folder_ / "other.wif");
     put(folder_ / "config/weftlight/settings.json", R"({"width": 1280, "height": 800, "toured": true})");
   }
@@ -135,6 +137,16 @@ class LookTest : public OnDisplay {
 
   void shoot_all(const Window& w);
   void shoot_dialogs(const Window& w);
+  void shoot_menus(const Window& w);
+  void shoot_comparison(const Window& w);
+  void shoot_nearest(const Window& w);
+  void open(const Window& w, const fs::path& file) const {
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+    display_.key("ctrl+a");
+    display_.type(file.string());
+    display_.key("Return");
+    ASSERT_TRUE(comes_true([&] { return !w.has("dialog.path"); }));
+  }
   std::string theme_ = "_light";
 };
 
@@ -183,9 +195,9 @@ void LookTest::shoot_all(const Window& w) {
   shoot("loom");
   display_.key("F9");
   ASSERT_TRUE(comes_true([&] { return w.has("threading") || w.has("view"); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "menu:View"));
-  shoot("menu");
-  display_.key("Escape");
+  ASSERT_NO_FATAL_FAILURE(shoot_menus(w));
+  ASSERT_NO_FATAL_FAILURE(shoot_comparison(w));
+  ASSERT_NO_FATAL_FAILURE(shoot_nearest(w));
 }
 
 TEST_F(LookTest, EveryViewIsAsItWasInBothThemes) {

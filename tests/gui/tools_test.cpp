@@ -1,6 +1,8 @@
 // What is done beside the grids, in the real window: printing, comparing, weaving at a loom.
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "on_display.h"
 

@@ -26,6 +26,8 @@ DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 MaybeEdit given_back(const WeaveOverPrompt& p);
 DialogAnswer draw_sections(PanelContext& c, SectionsPrompt& p);
 MaybeEdit given_back(const SectionsPrompt& p);
+DialogAnswer draw_nearest(PanelContext& c, NearestPrompt& p);
+MaybeEdit given_back(const NearestPrompt& p);
 DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p);
 DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p);
 DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p);

@@ -74,6 +74,10 @@ DialogAnswer draw(PanelContext& c, SizePrompt& p) {
   number(c, "size.picks", "Picks", p.picks, 1, kMaxThreads);
   number(c, "size.shafts", "Shafts", p.shafts, 1, kMaxShafts);
   number(c, "size.treadles", "Treadles", p.treadles, 1, kMaxShafts);
+  ImGui::Dummy({0, c.style.px(4)});
+  muted_text(c, "What the loom has, within which the drawdown is painted; 0: not said");
+  number(c, "size.loom_shafts", "Its shafts", p.loom_shafts, 0, kMaxShafts);
+  number(c, "size.loom_treadles", "Its treadles", p.loom_treadles, 0, kMaxShafts);
   return answered(draw_buttons(c, {p.button, "Cancel"}, true));
 }
 
@@ -109,6 +113,8 @@ DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
 }
 
 DialogAnswer draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
+
+DialogAnswer draw(PanelContext& c, NearestPrompt& p) { return draw_nearest(c, p); }
 
 DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
@@ -152,6 +158,14 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
   return pressed >= 0 && p.button(pressed) == RecoveryPrompt::Button::kLater ? answered(1) : answered(pressed, -2);
 }
 
+/// What a dialog that the draft follows gives back when it is left.
+MaybeEdit as_it_was(const Dialog& dialog) {
+  if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return given_back(*over);
+  if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return given_back(*sections);
+  if (const auto* nearest = std::get_if<NearestPrompt>(&dialog)) return given_back(*nearest);
+  return {};
+}
+
 }  // namespace
 
 bool take_dialog_news(Dialog& dialog, bool& busy) {
@@ -180,7 +194,8 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImGuiViewport* view = ImGui::GetMainViewport();
   // One that the draft follows stands beside it.
-  const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog);
+  const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
+                    std::holds_alternative<NearestPrompt>(dialog);
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
                            view->WorkPos.y + view->WorkSize.y * (tall ? 0.5f : 0.4f)},
@@ -199,11 +214,8 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
           kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
     answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
     if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1, {}};
-    if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog); over != nullptr && answer.answer == Answer::kLeft)
-      answer.edit = given_back(*over);
-    if (const auto* sections = std::get_if<SectionsPrompt>(&dialog);
-        sections != nullptr && answer.answer == Answer::kLeft)
-      answer.edit = given_back(*sections);
+    if (answer.answer == Answer::kLeft)
+      if (MaybeEdit back = as_it_was(dialog)) answer.edit = std::move(back);
     if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }

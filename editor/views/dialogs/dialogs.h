@@ -27,6 +27,7 @@ struct PathPrompt {
 struct SizePrompt {
   std::string title, button;
   int ends = 0, picks = 0, shafts = 0, treadles = 0;
+  int loom_shafts = 0, loom_treadles = 0;  // that the loom has; 0: not said
 };
 /// The weave of a new draft, seen while it is chosen.
 struct WeavePrompt {
@@ -61,6 +62,12 @@ struct SectionsPrompt {
   uint64_t stroke = 0;
   std::string why{};  // what could not be made
 };
+/// The nearest that the loom weaves to what was painted; the draft shows it while the dialog is open.
+struct NearestPrompt {
+  std::shared_ptr<const Nearest> nearest;
+  std::shared_ptr<const Design> base;  // as the dialog found it
+  uint64_t stroke = 0;
+};
 /// A name for something.
 struct NamePrompt {
   std::string title, tip, name, button;
@@ -86,7 +93,7 @@ struct RecoveryPrompt {
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
                             ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
-                            RecoveryPrompt, GalleryPrompt>;
+                            RecoveryPrompt, GalleryPrompt, NearestPrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };

@@ -252,20 +252,22 @@ void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) 
   }
 }
 
-void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
-  const Report* r = c.report;
-  if (!c.view.other || r == nullptr || r->other != c.view.other || r->revision != c.revision) return;
-  if (r->differing.cols() != p.x.count || r->differing.rows() != p.y.count) return;
+namespace {
+
+/// Crossings tinted and, from afar, where they are; the place that was gone to is outlined.
+void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BitMatrix& differing,
+                std::span<const CellRect> places) {
+  if (differing.cols() != p.x.count || differing.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.warn, 0.6f);
   constexpr float kLeastPitch = 1;  // pixels a cell; from further away the places are shown, not each crossing
   dl->PushClipRect(p.min(), p.max(), true);
   for (int pick = p.y.first_visible(); pick < p.y.end_visible() && p.x.pitch >= kLeastPitch; ++pick)
     for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
-      if (!r->differing.get(pick, end)) continue;
+      if (!differing.get(pick, end)) continue;
       dl->AddRectFilled({p.x.low(end), p.y.low(pick)}, {p.x.high(end), p.y.high(pick)}, tint);
     }
-  for (size_t i = 0; i < r->places.size(); ++i) {
-    const CellRect& at = r->places[i];
+  for (size_t i = 0; i < places.size(); ++i) {
+    const CellRect& at = places[i];
     const bool shown = static_cast<int>(i) == c.view.place;
     if (!shown && p.x.pitch >= kLeastPitch) continue;
     const ImVec2 a{std::min(p.x.low(at.end0), p.x.low(at.end1 - 1)), p.y.low(at.pick0)};
@@ -282,6 +284,15 @@ void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& 
   const ThreadLook look = thread_look(c, p);
   dl->PushClipRect(a, b, true);
   dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
+}  // namespace
+
+void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+  if (const Nearest* n = c.view.nearest.get()) return draw_marks(dl, c, p, n->differing, n->places);
+  const Report* r = c.report;
+  if (!c.view.other || r == nullptr || r->other != c.view.other || r->revision != c.revision) return;
+  draw_marks(dl, c, p, r->differing, r->places);
+}
+
   for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {
     const float inset = look.inset(System::kWeft, pick);
     const Box box{{a.x, p.y.low(pick) + look.gap + inset}, {b.x, p.y.high(pick) - inset}};

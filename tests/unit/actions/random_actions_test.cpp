@@ -37,6 +37,7 @@ class BareDesk : public Desk {
   void ask_thread() override {}
   void ask_weave() override {}
   void ask_sections() override {}
+  void ask_nearest() override {}
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void open() override {}

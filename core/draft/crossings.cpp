@@ -53,6 +53,35 @@ std::vector<int> last_of_each_shaft(const BitMatrix& threading, const Selection&
   return last;
 }
 
+bool has_several_shafts(const BitMatrix& threading) {
+  for (int end = 0; end < threading.rows(); ++end)
+    if (threading.count(end) > 1) return true;
+  return false;
+}
+
+// The same for whole rows at once: each shaft that an end of the row hangs on.
+bool lift_rows(BitMatrix& lift, const Draft& d, const Selection& s, int b, const BitMatrix& cells, bool up) {
+  const BitMatrix ends_of = transposed(d.threading);
+  bool changed = false;
+  for (int pick = s.b0; pick < s.b1; ++pick) {
+    const std::span<const uint64_t> row = cells.row(pick - b);
+    for (int shaft = 0; shaft < d.shafts; ++shaft) {
+      if (lift.get(pick, shaft) == (up == d.rising) || !meets(ends_of.row(shaft), row)) continue;
+      lift.set(pick, shaft, up == d.rising);
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+// Whether a cell of whole rows is of an end on no shaft.
+bool asks_bare_end(const Draft& d, const Selection& s, int b, const BitMatrix& cells) {
+  for (int end = 0; end < d.ends(); ++end)
+    for (int pick = s.b0; d.threading.first(end) < 0 && pick < s.b1; ++pick)
+      if (cells.get(pick - b, end)) return true;
+  return false;
+}
+
 Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
   const Draft& d = design.draft;
   BitMatrix lift = lifts(d);
@@ -61,7 +90,11 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
     if (d.threading.first(end) < 0) bare |= up;
     else changed |= lift_end(lift.row(pick), d.threading.row(end), up == d.rising);
   };
-  if (const std::vector<int> ends = last_of_each_shaft(d.threading, s, write); ends.empty()) {
+  const bool whole_rows = a == 0 && s.a0 == 0 && s.a1 == d.ends() && cells.cols() == d.ends();
+  if (whole_rows && (write == Write::kAdd || write == Write::kErase) && !has_several_shafts(d.threading)) {
+    changed = lift_rows(lift, d, s, b, cells, write == Write::kAdd);
+    bare = !changed && write == Write::kAdd && asks_bare_end(d, s, b, cells);
+  } else if (const std::vector<int> ends = last_of_each_shaft(d.threading, s, write); ends.empty()) {
     for_each_crossing(s, a, b, cells, write, paint);
   } else {
     for (int pick = s.b0; pick < s.b1; ++pick)

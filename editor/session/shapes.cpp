@@ -56,6 +56,14 @@ int64_t missed_by(const Draft& d, const CellMask& mask, bool on) {
   const Selection s = clipped(place, d);
   const BitMatrix shown = cells_of(d, s);
   int64_t missed = 0;
+  if (mask.at.a == 0 && mask.cells.cols() == shown.cols()) {
+    for (int b = s.b0; b < s.b1; ++b)
+      for (size_t w = 0; w < shown.row(0).size(); ++w) {
+        const uint64_t as_it_is = shown.row(b - s.b0)[w];
+        missed += std::popcount(mask.cells.row(b - mask.at.b)[w] & (on ? ~as_it_is : as_it_is));
+      }
+    return missed;
+  }
   for (int b = s.b0; b < s.b1; ++b)
     for (int a = s.a0; a < s.a1; ++a)
       missed += mask.cells.get(b - mask.at.b, a - mask.at.a) && shown.get(b - s.b0, a - s.a0) != on;
@@ -143,6 +151,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   if (missed > 0 && design.loom.authority == Authority::kDrawdown) next = design;
   else if (missed > 0) view.select.notice = what.name + missed_text(missed);
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+  edit.anew = drawn_on;
   edit.why = [bits](const Design& d) { return why_locked(d, *bits); };
   return edit;
 }

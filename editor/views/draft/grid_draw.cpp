@@ -1,6 +1,7 @@
 #include "views/draft/grid_draw.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 

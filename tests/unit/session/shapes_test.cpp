@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "../draft/hand_drafts.h"
 #include "session/document.h"
 #include "session/paint.h"
@@ -149,6 +151,32 @@ TEST(Shapes, AFillOfFourMillionCellsEnds) {
   Design d;
   d.draft = blank_draft(2000, 2000, 2, 2);
   EXPECT_EQ(region_about(d.draft, drawdown(d.draft), GridId::kDrawdown, {1000, 1000}).cells.count(), 4'000'000);
+}
+
+TEST(Shapes, AFillIsWhatHangsTogetherInAnyDrawdown) {
+  // Against the plainest search there is: cell by cell.
+  std::mt19937 random(7);
+  for (const int width : {1, 63, 64, 65, 130, 200}) {
+    BitMatrix cells(40, width);
+    for (int b = 0; b < 40; ++b)
+      for (int a = 0; a < width; ++a) cells.set(b, a, random() % 5 < 2);
+    const Draft d = blank_draft(width, 40, 4, 4);
+    const Cell at{static_cast<int>(random() % static_cast<unsigned>(width)), 17};
+    BitMatrix wanted(40, width);
+    std::vector<Cell> open{at};
+    wanted.set(at.b, at.a, true);
+    while (!open.empty()) {
+      const Cell c = open.back();
+      open.pop_back();
+      for (const Cell n : {Cell{c.a - 1, c.b}, Cell{c.a + 1, c.b}, Cell{c.a, c.b - 1}, Cell{c.a, c.b + 1}}) {
+        if (n.a < 0 || n.b < 0 || n.a >= width || n.b >= 40 || wanted.get(n.b, n.a)) continue;
+        if (cells.get(n.b, n.a) != cells.get(at.b, at.a)) continue;
+        wanted.set(n.b, n.a, true);
+        open.push_back(n);
+      }
+    }
+    EXPECT_EQ(region_about(d, cells, GridId::kDrawdown, at).cells, wanted) << width;
+  }
 }
 
 TEST(Shapes, ColourBarsFillTheThreadsThatAreAlike) {

@@ -47,6 +47,15 @@ class Desk {
   virtual void show_tab(int by) = 0;
   virtual void close_tab() = 0;
   virtual size_t tabs() const = 0;
+  /// Of the shown one among them, from 0.
+  virtual size_t tab_place() const = 0;
+  virtual void close_other_tabs() = 0;
+  virtual void close_tabs_to_right() = 0;
+  /// The draft as it is, unnamed, in a tab beside its own.
+  virtual void duplicate() = 0;
+  /// The file once more, as it is on the disk.
+  virtual void reload() = 0;
+  virtual void show_in_folder() = 0;
   virtual bool any_unsaved() const = 0;
   virtual void quit() = 0;
 

@@ -26,6 +26,35 @@ void add_recent(Actions& all, const std::vector<std::string>& recent) {
   }
 }
 
+Action& on_tab(Action& a) {
+  a.item.on_tab = true;
+  return a;
+}
+
+void copy_path(Desk& e) {
+  e.set_clipboard(e.document().path());
+  e.say("Copied " + e.document().path());
+}
+
+/// What is done with the file of the draft that is shown.
+void add_file_of_draft(Actions& all) {
+  const auto has_file = [](const Desk& e) { return !e.document().path().empty(); };
+  new_group(on_tab(add(all, "File", "duplicate", "Duplicate", "", [](Desk& e) { e.duplicate(); })));
+  on_tab(add(all, "File", "reload", "Read the file again", "", [](Desk& e) { e.reload(); })).enabled = has_file;
+  on_tab(add(all, "File", "copy_path", "Copy the file's path", "", copy_path)).enabled = has_file;
+  on_tab(add(all, "File", "show_in_folder", "Open its folder", "", [](Desk& e) { e.show_in_folder(); })).enabled =
+      has_file;
+}
+
+void add_closing(Actions& all) {
+  new_group(on_tab(add(all, "File", "close", "Close", "Ctrl+W", [](Desk& e) { e.close_tab(); })));
+  on_tab(add(all, "File", "close_others", "Close the others", "", [](Desk& e) { e.close_other_tabs(); })).enabled =
+      [](const Desk& e) { return e.tabs() > 1; };
+  on_tab(add(all, "File", "close_right", "Close those to the right", "", [](Desk& e) {
+    e.close_tabs_to_right();
+  })).enabled = [](const Desk& e) { return e.tab_place() + 1 < e.tabs(); };
+}
+
 }  // namespace
 
 void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
@@ -37,8 +66,8 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
         [at = number++](Desk& e) { e.new_draft_of(at); });
   add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });
   add_recent(all, recent);
-  new_group(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); }));
-  add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); });
+  new_group(on_tab(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); })));
+  on_tab(add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); }));
   add(all, "File", "save_all", "Save all", "Ctrl+Alt+S", [](Desk& e) { e.save_all(); }).enabled = [](const Desk& e) {
     return e.any_unsaved();
   };
@@ -49,7 +78,8 @@ void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
   Action& left =
       add(all, "File", "recovery", "Bring back unsaved work\xE2\x80\xA6", "", [](Desk& e) { e.offer_recovery(); });
   left.enabled = [](const Desk& e) { return e.has_left_work(); };
-  new_group(add(all, "File", "close", "Close", "Ctrl+W", [](Desk& e) { e.close_tab(); }));
+  add_file_of_draft(all);
+  add_closing(all);
   add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); });
 }
 

@@ -14,14 +14,6 @@
 namespace weftlight::app {
 namespace {
 
-Document first_document() {
-  OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
-  if (!starter.document) return Document(draft::new_draft(*find_weave("straight"), {}, {48, 48}).design);
-  // Unnamed, so that saving asks where.
-  Document& d = *starter.document;
-  return Document(d.now());
-}
-
 /// Where a save is asked to begin.
 std::string first_path(const Document& document) {
   if (!document.path().empty()) return document.path();
@@ -45,6 +37,14 @@ std::vector<std::string> split_lines(const std::string& text) {
 }
 
 }  // namespace
+
+Document Editor::first_document() {
+  OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
+  if (!starter.document) return Document(draft::new_draft(*find_weave("straight"), {}, {48, 48}).design);
+  // Unnamed, so that saving asks where.
+  Document& d = *starter.document;
+  return Document(d.now());
+}
 
 Editor::Editor(Window& window, const EditorOptions& options)
     : window_(window),
@@ -169,20 +169,6 @@ void Editor::quit() {
 void Editor::show_tab(int by) {
   session_.step(by);
   look_at_file();
-}
-
-void Editor::close(uint64_t id) {
-  const OpenDocument* open = session_.find(id);
-  if (open == nullptr) return;
-  if (open->document.is_saved()) return session_.close(id, first_document);
-  session_.show(id);
-  ask(Question{"Save the changes to " + open->document.shown_name() + "?",
-               "What you did since the last save would be lost.",
-               {"Save", "Do not save", "Cancel"}},
-      [this, id](int button) {
-        if (button == 1) session_.close(id, first_document);
-        if (button == 0) save_shown([this, id] { session_.close(id, first_document); });
-      });
 }
 
 void Editor::undo() {

@@ -65,6 +65,12 @@ class Editor : public Desk {
   void show_tab(int by) override;
   void close_tab() override { close(session_.active().id); }
   size_t tabs() const override { return session_.all().size(); }
+  size_t tab_place() const override { return session_.active_place(); }
+  void close_other_tabs() override;
+  void close_tabs_to_right() override;
+  void duplicate() override;
+  void reload() override;
+  void show_in_folder() override;
   bool any_unsaved() const override { return !session_.unsaved().empty(); }
   void quit() override;
   void ask_print() override;
@@ -127,6 +133,8 @@ class Editor : public Desk {
   void run_action(const std::string& id);
   double sleep_s();
 
+  /// What the window begins with.
+  static Document first_document();
   /// Another document is shown: the picture, the live export and what is derived follow it.
   void follow_shown();
   /// The design with what the cloth hangs over: its drape, or the flat swatch.
@@ -138,6 +146,9 @@ class Editor : public Desk {
   void ask(Dialog dialog, std::function<void(int button)> then);
   /// Once the weaver decided about what is unsaved in it.
   void close(uint64_t id);
+  /// The same, one after the other; nothing more is closed where the weaver would rather not.
+  void close_each(std::vector<uint64_t> ids);
+  void close(uint64_t id, const std::function<void()>& then);
   void save_shown(std::function<void()> then);
   /// One after the other, asking where for those without a file; then `then`, but not where one was not saved.
   void save_each(std::vector<uint64_t> ids, const std::function<void()>& then);
@@ -165,6 +176,8 @@ class Editor : public Desk {
   /// Where the window has come back to: asks when another program changed the file meanwhile.
   void look_at_file();
   void ask_about_change(bool saving, std::function<void()> then);
+  /// The file of the document that is shown, as it is now.
+  void read_again();
   void bring_back(size_t left);
   void bring_back_all();
   void keep_live_export();

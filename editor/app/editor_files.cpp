@@ -94,12 +94,16 @@ void Editor::ask_about_change(bool saving, std::function<void()> then) {
           session_.keep_unsaved(open);
           edited();
         }
-        if (button != 2) return;
-        OpenResult result = open_document(path);
-        if (!result.document) return report(std::move(result.remarks), path);
-        session_.replace(session_.active().id, std::move(*result.document), settings_.per_inch);
-        say("Reloaded " + document().name());
+        if (button == 2) read_again();
       });
+}
+
+void Editor::read_again() {
+  const std::string path = document().path();
+  OpenResult result = open_document(path);
+  if (!result.document) return report(std::move(result.remarks), path);
+  session_.replace(session_.active().id, std::move(*result.document), settings_.per_inch);
+  say("Reloaded " + document().name());
 }
 
 void Editor::show_gallery(bool library) {

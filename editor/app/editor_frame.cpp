@@ -206,6 +206,7 @@ void Editor::draw_window() {
   draw_panels(c, tabs_height, items);
   wanted.add_action(draw_selection_menu(c, items));
   wanted.add_action(draw_command_palette(c, items, commands_));
+  wanted.add_action(draw_tab_menu(c, items, tabs_));
   draw_remarks(c, remarks_, remarks_open_);
   draw_history(c, document(), history_);
   draw_keys_window(c, items, keys_);
@@ -275,6 +276,7 @@ void Editor::carry_out(const TabWish& wish) {
   if (wish.kind == TabWish::Kind::kMove) return session_.move(wish.id, wish.place);
   if (wish.kind == TabWish::Kind::kClose) return close(wish.id);
   if (wish.id == session_.active().id) return;
+  tabs_.menu_due = wish.kind == TabWish::Kind::kMenu;
   session_.show(wish.id);
   look_at_file();
 }

@@ -18,6 +18,7 @@ struct ActionItem {
   bool checked = false;
   bool group = false;         // a line above it in the menu
   bool on_selection = false;  // also in the menu of a right click on the selection
+  bool on_tab = false;        // also in that of a right click on a draft's tab
 };
 
 }  // namespace weftlight::session

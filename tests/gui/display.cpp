@@ -147,6 +147,8 @@ void Display::drag_holding(const std::string& key, const std::vector<Point>& alo
 
 void Display::middle_click(Point where) const { hand("mousemove " + at(where) + pause() + "click 2" + pause()); }
 
+void Display::right_click(Point where) const { hand("mousemove " + at(where) + pause() + "click 3" + pause()); }
+
 void Display::click_holding(const std::string& key, Point where) const {
   hand("mousemove " + at(where) + pause() + "keydown " + key + pause() + "click 1" + pause() + "keyup " + key +
        pause());

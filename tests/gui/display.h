@@ -51,6 +51,7 @@ class Display {
   void move(Point to) const;
   void click(Point at) const;
   void middle_click(Point at) const;
+  void right_click(Point at) const;
   /// `then`: what the hand does before it lets go, as xdotool writes it: "key Escape".
   void drag(const std::vector<Point>& along, const std::string& then = {}) const;
   /// With a key held down until after the button is let go.

@@ -171,6 +171,64 @@ void LookTest::shoot_dialogs(const Window& w) {
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Keep"); }));
   shoot("weave_over");
   ASSERT_NO_FATAL_FAILURE(leave(w, "dialog:Keep"));
+  display_.key("ctrl+e");
+  ASSERT_TRUE(comes_true([&] { return w.has("export.ready"); }));
+  display_.click(w.middle_of("export.folder"));
+  display_.key("ctrl+a");
+  display_.type("/home/weaver/textures");  // not the folder of this test, which is another every time
+  shoot("export");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "export.folder"));
+}
+
+void LookTest::shoot_menus(const Window& w) {
+  ASSERT_NO_FATAL_FAILURE(press(w, "menu:View"));
+  shoot("menu");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "menu.fit"));
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("draw");
+  shoot("commands");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "commands.typed"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "views"));
+  ASSERT_TRUE(comes_true([&] { return w.has("views.view.grazing"); }));
+  shoot("views");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "views.view.grazing"));
+  display_.key("ctrl+o");
+  ASSERT_NO_FATAL_FAILURE(open(w, folder_ / "other.wif"));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:2"); }));
+  display_.right_click(w.middle_of("tab:1"));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab_menu.duplicate") && w.has("tab.shown:1"); }));
+  shoot("tab_menu");
+  ASSERT_NO_FATAL_FAILURE(leave(w, "tab_menu.duplicate"));
+  display_.click(w.middle_of("tab.close:2"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("tab:1"); }));
+}
+
+void LookTest::shoot_comparison(const Window& w) {
+  ASSERT_NO_FATAL_FAILURE(command(w, "compare with a draft"));
+  ASSERT_NO_FATAL_FAILURE(open(w, folder_ / "other.wif"));
+  ASSERT_TRUE(comes_true([&] { return w.has("difference.other"); }));
+  shoot("compare");
+  ASSERT_NO_FATAL_FAILURE(press(w, "difference.done"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+}
+
+void LookTest::shoot_nearest(const Window& w) {
+  const std::string before = w.live();
+  ASSERT_NO_FATAL_FAILURE(command(w, "drawdown rules"));
+  ASSERT_TRUE(comes_true([&] { return w.live() != before; }));
+  display_.key("shift+u");
+  display_.drag({w.cell("drawdown", 9, 9), w.cell("drawdown", 14, 12), w.cell("drawdown", 21, 15)});
+  ASSERT_TRUE(comes_true([&] { return w.has("nearest.see"); }));
+  shoot("nearest_notice");
+  display_.click(w.middle_of("nearest.see"));
+  ASSERT_TRUE(comes_true([&] { return w.has("nearest.place:1"); }));
+  shoot("nearest");
+  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Keep what was"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.place:1"); }));
+  display_.key("p");
+  display_.key("ctrl+z");
+  ASSERT_TRUE(comes_true([&] { return w.live() == before; }));
 }
 
 void LookTest::shoot_all(const Window& w) {

@@ -137,6 +137,52 @@ TEST_F(TabsTest, AKilledWindowOffersAllOfThem) {
   EXPECT_TRUE(comes_true([&] { return w.live() == (shown == one ? two : one); }));
 }
 
+TEST_F(TabsTest, ARightClickOffersWhatIsDoneWithATab) {
+  const std::string one = bytes_of(draft_), two = bytes_of(other_);
+  // The desktop's program for folders notes what it was asked; no other program is there.
+  put(folder_ / "xdg-open", "#!/bin/sh\nprintf %s \"$1\" > '" + (folder_ / "opened").string() + "'\n");
+  fs::permissions(folder_ / "xdg-open", fs::perms::owner_all);
+  Window w(display_, folder_, draft_, {"PATH=" + folder_.string()});
+  ASSERT_NO_FATAL_FAILURE(open_both(w));
+  const auto choose = [&](const std::string& tab, const std::string& item) {
+    display_.right_click(w.middle_of(tab));
+    ASSERT_TRUE(comes_true([&] { return w.has("tab_menu." + item); })) << tab << " has no menu";
+    display_.click(w.middle_of("tab_menu." + item));
+    ASSERT_TRUE(comes_true([&] { return !w.has("tab_menu." + item); }));
+  };
+  ASSERT_NO_FATAL_FAILURE(choose("tab:1", "show_in_folder"));
+  EXPECT_TRUE(comes_true([&] { return bytes_of(folder_ / "opened") == folder_.string(); }));
+  EXPECT_TRUE(comes_true([&] { return w.has("tab.shown:1") && w.live() == one; })) << "the menu is about its tab";
+
+  ASSERT_NO_FATAL_FAILURE(choose("tab:2", "duplicate"));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:3") && w.has("tab.unsaved:3"); }));
+  EXPECT_EQ(design_of(w.live()), design_of(two));
+  display_.key("ctrl+s");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); })) << "a duplicate has no file yet";
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog.path"); }));
+
+  // Another program writes the file of the first; what was painted there meanwhile is asked about.
+  display_.click(w.middle_of("tab:1"));
+  ASSERT_TRUE(comes_true([&] { return w.live() == one; }));
+  ASSERT_NO_FATAL_FAILURE(paint(w, 1));
+  ASSERT_NO_FATAL_FAILURE(choose("tab:1", "reload"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
+  EXPECT_NE(w.live(), one);
+  ASSERT_NO_FATAL_FAILURE(choose("tab:1", "reload"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Read it again"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == one; }));
+
+  ASSERT_NO_FATAL_FAILURE(choose("tab:2", "close_right"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
+  EXPECT_TRUE(w.has("tab:3")) << "the duplicate is not saved";
+  ASSERT_NO_FATAL_FAILURE(choose("tab:2", "close_right"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Do not save"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("tab:3") && w.has("tab:2"); }));
+  ASSERT_NO_FATAL_FAILURE(choose("tab:2", "close_others"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == two; })) << "one draft needs no tabs";
+}
+
 TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/shell/action_list.h"
 
 namespace weftlight::views {
 namespace {
@@ -75,13 +77,16 @@ TabWish draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown, st
   const bool on_cross = ImGui::IsItemHovered();
   tooltip(c, tab.unsaved ? "Close; it asks what is to become of the changes   Ctrl+W" : "Close   Ctrl+W");
   ImGui::SetCursorScreenPos(p.a);
-  hit_area("tab", {p.b.x - p.a.x, height}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  hit_area("tab", {p.b.x - p.a.x, height},
+           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
   c.map.add_item("tab:" + number);
   const bool hovered = ImGui::IsItemHovered() || on_cross;
   if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) wish = {TabWish::Kind::kShow, tab.id, 0};
   else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) wish = dragged(tab, p, edges, left);
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Middle))
     wish = {TabWish::Kind::kClose, tab.id, 0};
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+    wish = {TabWish::Kind::kMenu, tab.id, 0};
   tooltip(c, tab.tip.c_str());
   ImGui::PopID();
   draw_ground(c, p.a, p.b, shown, hovered);
@@ -151,6 +156,18 @@ TabWish draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t show
   if (icon_button(c, "tab.new", icon::kPlus, "+", "New draft   Ctrl+N")) c.wanted.add_action("new");
   ImGui::PopStyleColor();
   return wish;
+}
+
+std::string draw_tab_menu(const PanelContext& c, std::span<const ActionItem> items, TabStrip& strip) {
+  constexpr const char* kName = "###tab_menu";
+  if (std::exchange(strip.menu_due, false)) ImGui::OpenPopup(kName);
+  if (!ImGui::BeginPopup(kName)) return {};
+  std::vector<ActionItem> own;
+  for (const ActionItem& item : items)
+    if (item.on_tab) own.push_back(item);
+  std::string chosen = draw_menu_items(c, own, "tab_menu.");
+  ImGui::EndPopup();
+  return chosen;
 }
 
 }  // namespace weftlight::views

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "session/action_item.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
@@ -18,7 +19,7 @@ struct Tab {
 };
 
 struct TabWish {
-  enum class Kind { kNone, kShow, kClose, kMove };
+  enum class Kind { kNone, kShow, kClose, kMove, kMenu };  // kMenu: it is shown, then its menu
   Kind kind = Kind::kNone;
   uint64_t id = 0;
   size_t place = 0;  // of kMove
@@ -29,6 +30,7 @@ struct TabStrip {
   float scroll = 0;    // pixels
   uint64_t shown = 0;  // that was brought into sight
   size_t count = 0;
+  bool menu_due = false;  // a right click showed a tab: its menu opens
 };
 
 /// Height of the row, none for a single draft.
@@ -36,6 +38,8 @@ float tab_strip_height(const Style& style, size_t tabs);
 /// Fills the current window. A click shows a tab, a drag moves it, its cross or a middle click closes it; the plus
 /// behind the last one asks for a new draft.
 TabWish draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t shown, TabStrip& strip);
+/// What a right click on a tab offers, of the draft that is then shown; id of the action that was chosen, or empty.
+std::string draw_tab_menu(const PanelContext& c, std::span<const ActionItem> items, TabStrip& strip);
 
 /// Left edges of tabs that would like to be so wide, and the right one of the last, from 0: side by side in `room`,
 /// narrower where they do not fit, but never below `least`.

@@ -54,6 +54,12 @@ class BareDesk : public Desk {
   void show_tab(int) override {}
   void close_tab() override {}
   size_t tabs() const override { return 1; }
+  size_t tab_place() const override { return 0; }
+  void close_other_tabs() override {}
+  void close_tabs_to_right() override {}
+  void duplicate() override {}
+  void reload() override {}
+  void show_in_folder() override {}
   bool any_unsaved() const override { return !document_.is_saved(); }
   void quit() override {}
   void ask_print() override {}

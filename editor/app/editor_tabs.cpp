@@ -1,0 +1,75 @@
+// What is done with the tabs of the editor: closing them, each once the weaver decided about what is unsaved, and what
+// their menu offers.
+
+#include <filesystem>
+#include <utility>
+
+#include "app/editor.h"
+#include "app/open_folder.h"
+
+namespace weftlight::app {
+
+void Editor::close(uint64_t id) { close(id, nullptr); }
+
+void Editor::close(uint64_t id, const std::function<void()>& then) {
+  const auto closed = [this, id, then] {
+    session_.close(id, first_document);
+    if (then) then();
+  };
+  const OpenDocument* open = session_.find(id);
+  if (open == nullptr) return;
+  if (open->document.is_saved()) return closed();
+  session_.show(id);
+  ask(Question{"Save the changes to " + open->document.shown_name() + "?",
+               "What you did since the last save would be lost.",
+               {"Save", "Do not save", "Cancel"}},
+      [this, closed](int button) {
+        if (button == 1) closed();
+        if (button == 0) save_shown(closed);
+      });
+}
+
+void Editor::close_each(std::vector<uint64_t> ids) {
+  if (ids.empty()) return;
+  const uint64_t id = ids.front();
+  ids.erase(ids.begin());
+  close(id, [this, ids] { close_each(ids); });
+}
+
+void Editor::close_other_tabs() {
+  std::vector<uint64_t> ids;
+  for (const auto& open : session_.all())
+    if (open->id != session_.active().id) ids.push_back(open->id);
+  close_each(std::move(ids));
+}
+
+void Editor::close_tabs_to_right() {
+  std::vector<uint64_t> ids;
+  for (size_t i = session_.active_place() + 1; i < session_.all().size(); ++i) ids.push_back(session_.all()[i]->id);
+  close_each(std::move(ids));
+}
+
+void Editor::duplicate() {
+  const std::filesystem::path name = document().name();
+  Document copy(document().now());
+  copy.without_file(name.stem().string() + "-copy.wif");
+  open_beside(std::move(copy), Origin::kOwn);
+}
+
+void Editor::reload() {
+  if (document().path().empty()) return;
+  if (document().is_saved()) return read_again();
+  ask(Question{"Read " + document().name() + " again?",
+               "What you did since the last save would be lost.",
+               {"Read it again", "Cancel"}},
+      [this](int button) {
+        if (button == 0) read_again();
+      });
+}
+
+void Editor::show_in_folder() {
+  const std::string folder = std::filesystem::absolute(document().path()).parent_path().string();
+  if (const std::string problem = open_folder(folder); !problem.empty()) say(problem);
+}
+
+}  // namespace weftlight::app

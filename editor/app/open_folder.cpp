@@ -1,0 +1,23 @@
+#include "app/open_folder.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <thread>
+
+extern char** environ;
+
+namespace weftlight::app {
+
+std::string open_folder(const std::string& folder) {
+  std::string words[] = {"xdg-open", folder};
+  char* argv[] = {words[0].data(), words[1].data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv, environ) != 0)
+    return "No program to show folders (xdg-open); it is " + folder;
+  // Its end is waited for, by nobody who has anything else to do.
+  std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+  return {};
+}
+
+}  // namespace weftlight::app

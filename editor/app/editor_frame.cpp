@@ -210,7 +210,7 @@ void Editor::draw_window() {
   draw_remarks(c, remarks_, remarks_open_);
   draw_history(c, document(), history_);
   draw_keys_window(c, items, keys_);
-  if (std::holds_alternative<std::monostate>(dialog_)) draw_tour(c);
+  if (std::holds_alternative<std::monostate>(dialog_)) draw_tour(c, items);
   draw_question(c);
   ImGui::PopFont();
   carry_out(wanted);

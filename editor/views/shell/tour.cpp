@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -13,28 +14,34 @@ namespace {
 constexpr float kWidth = 300, kGap = 14;  // pixels at 96 dpi
 
 struct Step {
-  const char* control;  // or grid, of the map
-  const char *title, *text;
+  const char* control;       // or grid, of the map
+  const char *title, *text;  // {id}: the key of an action
 };
 constexpr Step kSteps[kTourSteps] = {
     {"threading", "Paint the draft",
      "Click or drag in the threading, the tie-up, the treadling or the drawdown itself: the cloth follows at once. "
-     "From a "
-     "filled cell a drag clears; the right button always does. Ctrl+Z takes back any step."},
+     "From a filled cell a drag clears; the right button always does. {undo} takes back any step."},
     {"view", "See it as cloth",
      "Drag to turn it, the wheel comes nearer until single yarns are seen, the right button moves the light."},
     {"palette:1", "Colours and yarns",
      "Take a colour in hand, then drag along the colour bars of warp and weft. The tabs above hold the yarns, what the "
      "cloth hangs over, and what the weave is like on the loom."},
     {"tool:Select", "Rework what is there",
-     "The select tool (S) takes any rectangle: copy, mirror, turn, repeat it; a right click shows everything. Drag "
-     "along "
-     "the numbers of the ends or picks to choose whole threads."},
+     "The select tool ({tool_select}) takes any rectangle: copy, mirror, turn, repeat it; a right click shows "
+     "everything. Drag along the numbers of the ends or picks to choose whole threads."},
     {"menu:Library", "Where to begin",
-     "The library has drafts and whole cloths; Ctrl+N begins from a weave. Ctrl+P finds every command by its name, and "
-     "F1 "
-     "lists the keys."},
+     "The library has drafts and whole cloths; {new} begins from a weave. {commands} finds every command by its name, "
+     "and {keys} lists the keys."},
 };
+
+/// Its key; without one, where it stands: "Edit, Undo".
+std::string way_to(std::span<const ActionItem> items, std::string_view id) {
+  for (const ActionItem& item : items) {
+    if (item.id != id) continue;
+    return item.shortcut.empty() ? item.menu + ", " + item.label.substr(0, item.label.find(':')) : item.shortcut;
+  }
+  return std::string(id);
+}
 
 struct Rect {
   ImVec2 a, b;
@@ -82,13 +89,13 @@ void draw_dots(const PanelContext& c, int step) {
                                                 i == step ? c.style.color.accent : c.style.color.line_strong);
 }
 
-void draw_card(PanelContext& c, int step) {
+void draw_card(PanelContext& c, std::span<const ActionItem> items, int step) {
   const Step& s = kSteps[step];
   push_font(c.style.font.bold);
   ImGui::TextUnformatted(s.title);
   ImGui::PopFont();
   ImGui::PushTextWrapPos(c.style.px(kWidth - 16));
-  ImGui::TextUnformatted(s.text);
+  ImGui::TextUnformatted(with_keys(s.text, items).c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy({c.style.px(kWidth - 32), c.style.px(2)});
   draw_dots(c, step);
@@ -105,7 +112,19 @@ void draw_card(PanelContext& c, int step) {
 
 }  // namespace
 
-void draw_tour(PanelContext& c) {
+std::string with_keys(std::string_view words, std::span<const ActionItem> items) {
+  std::string text;
+  for (size_t at = 0; at < words.size();) {
+    const size_t open = std::min(words.find('{', at), words.size()), close = words.find('}', open);
+    text += words.substr(at, open - at);
+    if (close == std::string_view::npos) break;
+    text += way_to(items, words.substr(open + 1, close - open - 1));
+    at = close + 1;
+  }
+  return text;
+}
+
+void draw_tour(PanelContext& c, std::span<const ActionItem> items) {
   const int step = c.settings.tour;
   if (step < 0 || step >= kTourSteps) return;
   const ImGuiViewport* view = ImGui::GetMainViewport();
@@ -123,7 +142,7 @@ void draw_tour(PanelContext& c) {
   ImGui::Begin("Tour", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  draw_card(c, step);
+  draw_card(c, items, step);
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(3);

@@ -150,6 +150,16 @@ std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most) 
   return places;
 }
 
+std::string place_text(const CellRect& at) {
+  const auto span = [](const char* one, int first, int end) {
+    return end - first == 1
+               ? std::string(one) + " " + std::to_string(first + 1)
+               : std::string(one) + "s " + std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(end);
+  };
+  const std::string ends = span("end", at.end0, at.end1), picks = span("pick", at.pick0, at.pick1);
+  return at.end1 - at.end0 <= at.pick1 - at.pick0 ? ends + ", " + picks : picks + ", " + ends;
+}
+
 std::string listed(const std::vector<int>& threads) {
   std::string text;
   for (size_t i = 0; i < threads.size();) {

@@ -27,6 +27,7 @@ void add_drawdown_looks(Actions& all) {
     a.checked = [on](const Desk& e) { return e.settings().*on; };
   };
   option("end1_right", "End 1 at the right", "", &Settings::end1_right);
+  option("pick1_bottom", "Pick 1 at the bottom", "", &Settings::pick1_bottom);
   option("threading_below", "Threading below the drawdown", "", &Settings::threading_below);
   option("minimap", "Overview of a large drawdown", "O", &Settings::minimap);
   option("tiled", "Drawdown repeated beyond its edges", "Shift+T", &Settings::tiled);
@@ -42,8 +43,14 @@ void add_moves(Actions& all) {
   constexpr float kFar = 1e9f;
   move("go_first", "First end and pick", "Home", [](DocumentView& w) { w.scroll_end = w.scroll_pick = 0; });
   move("go_last", "Last end and pick", "End", [](DocumentView& w) { w.scroll_end = w.scroll_pick = kFar; });
-  move("page_down", "A page of picks on", "PageDown", [](DocumentView& w) { page_picks(w, 1); });
-  move("page_up", "A page of picks back", "PageUp", [](DocumentView& w) { page_picks(w, -1); });
+  // Down on the screen, whichever way the picks are read.
+  const auto page = [&all](const char* id, const char* label, const char* key, int down) {
+    add(all, "View", id, label, key, [down](Desk& e) {
+      page_picks(e.view(), e.settings().pick1_bottom ? -down : down);
+    }).item.submenu = "Move about";
+  };
+  page("page_down", "A page of picks down", "PageDown", 1);
+  page("page_up", "A page of picks up", "PageUp", -1);
   move("page_ends_on", "A page of ends on", "Shift+PageDown", [](DocumentView& w) { page_ends(w, 1); });
   move("page_ends_back", "A page of ends back", "Shift+PageUp", [](DocumentView& w) { page_ends(w, -1); });
 }

@@ -94,7 +94,8 @@ bool holds(const Selection& s, BitGrid grid, Cell at) {
 Cell screen_step(BitGrid grid, const Settings& settings, int dx, int dy) {
   const bool ends = grid == BitGrid::kThreading || grid == BitGrid::kDrawdown;
   const bool shafts_up = !settings.threading_below && (grid == BitGrid::kThreading || grid == BitGrid::kTieup);
-  return {ends && settings.end1_right ? -dx : dx, shafts_up ? -dy : dy};
+  const bool picks_up = settings.pick1_bottom && grid != BitGrid::kThreading && grid != BitGrid::kTieup;
+  return {ends && settings.end1_right ? -dx : dx, shafts_up || picks_up ? -dy : dy};
 }
 
 void select_cells(SelectState& state, const Selection& selection) {

@@ -76,6 +76,7 @@ Settings settings_from(std::string_view text) {
   take(json, "picture_ms", s.picture_ms);
   if (!(s.picture_ms >= kLeastPictureMs && s.picture_ms <= kMostPictureMs)) s.picture_ms = Settings{}.picture_ms;
   take(json, "split", s.split);
+  take(json, "pick1_bottom", s.pick1_bottom);
   take(json, "width", s.width);
   take(json, "height", s.height);
   if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
@@ -123,6 +124,7 @@ void save_settings(const Settings& s) {
   std::error_code ignored;  // a home that cannot be written to is no reason to stop
   fs::create_directories(settings_path().parent_path(), ignored);
   write_file_atomically(settings_path().string(), settings_text(s));
+                               {"pick1_bottom", s.pick1_bottom},
 }
 
 void remember(Settings& settings, const std::string& path) {

@@ -20,6 +20,7 @@ inline constexpr float kLeastPictureMs = 5, kMostPictureMs = 5000;
 
 struct Settings {
   bool dark = false, end1_right = true;
+  bool pick1_bottom = false;     // picks are read upwards, as they are woven
   bool threading_below = false;  // the drawdown, with shaft 1 next to it; else above
   bool minimap = true;           // of a drawdown that is not all in sight
   bool tiled = false;            // the drawdown goes on beyond its edges

@@ -4,6 +4,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cstdio>
+
+#include "../unit/loom_port.h"
+#include "draft/drawdown.h"
 #include "on_display.h"
 
 namespace weftlight::gui {
@@ -123,6 +127,76 @@ TEST_F(ToolsTest, WeavesPickByPickAndKeepsThePlaceWithTheDraft) {
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; })) << "it is kept with the draft";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.has("view"); }));
+}
+
+/// The window connects by the address, and each pick that the loom asks for is raised.
+TEST_F(ToolsTest, SendsEachPickToALoomOverTcp) {
+  const LoomPort port;
+  ASSERT_GT(port.number(), 0);
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("F9");
+  ASSERT_NO_FATAL_FAILURE(click(w, "loom.address"));
+  display_.type(port.address());
+  ASSERT_NO_FATAL_FAILURE(click(w, "loom.connect"));
+  const int loom = port.accepted();
+  ASSERT_GE(loom, 0);
+  std::string heard;
+  const auto hears = [&](const std::string& line) {
+    char buffer[256];
+    for (ssize_t got; heard.find(line) == std::string::npos && (got = ::read(loom, buffer, sizeof buffer)) > 0;)
+      heard.append(buffer, static_cast<size_t>(got));
+    return heard.find(line) != std::string::npos;
+  };
+  const timeval patience{20, 0};
+  ::setsockopt(loom, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  EXPECT_TRUE(hears("U0\n")) << "weaving, not unweaving";
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.disconnect"); }));
+  const draft::Draft d = design_of(w.live()).draft;
+  const draft::BitMatrix lifts = draft::lifts(d);
+  for (int pick = 0; pick < 3; ++pick) {
+    uint32_t shafts = 0;
+    for (int s = 0; s < d.shafts; ++s) shafts |= lifts.get(pick, s) ? 1u << s : 0;
+    char command[16];
+    std::snprintf(command, sizeof command, "C%08x\n", shafts);
+    ASSERT_EQ(::write(loom, "p\n", 2), 2);
+    EXPECT_TRUE(hears(command)) << "pick " << pick + 1;
+    heard.clear();
+  }
+  EXPECT_TRUE(comes_true([&] { return w.has("loom.pick:3"); })) << "the window follows the loom";
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "loom.disconnect"));
+  EXPECT_TRUE(comes_true([&] { return w.has("loom.connect"); }));
+  ::close(loom);
+}
+
+TEST_F(ToolsTest, Pick1StandsAtTheBottomForWhoReadsUpwards) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_LT(w.cell("drawdown", 1, 1).y, w.cell("drawdown", 1, 9).y);
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("pick 1 at the bottom");
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return w.cell("drawdown", 1, 1).y > w.cell("drawdown", 1, 9).y; }));
+  for (const char* grid : {"treadling", "weft_colors", "weft_numbers"})
+    EXPECT_GT(w.cell(grid, 1, 1).y, w.cell(grid, 1, 9).y) << grid;
+  EXPECT_LT(w.cell("threading", 1, 8).y, w.cell("drawdown", 1, 24).y) << "the threading stays above";
+  // A click paints the pick that is seen there, an arrow goes where it points.
+  display_.click(w.cell("treadling", 5, 2));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.treadling.first(1) == 4; }));
+  display_.key("n");
+  display_.click(w.cell("treadling", 1, 3));
+  display_.key("Up");
+  display_.type("7");
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.treadling.first(3) == 6; })) << "the pick above";
+  display_.key("ctrl+q");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Do not save"); }));
+  display_.click(w.middle_of("dialog:Do not save"));
+  EXPECT_EQ(w.process().wait(), 0);
+  Window again(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
+  EXPECT_GT(again.cell("drawdown", 1, 1).y, again.cell("drawdown", 1, 9).y) << "it is kept";
 }
 
 TEST_F(ToolsTest, OnASmallScreenNothingLiesBeyondIt) {

@@ -55,16 +55,6 @@ void draw_difference(PanelContext& c, const Difference& d) {
   ImGui::PopID();
 }
 
-std::string place_text(const CellRect& at) {
-  const auto span = [](const char* one, int first, int end) {
-    return end - first == 1
-               ? std::string(one) + " " + std::to_string(first + 1)
-               : std::string(one) + "s " + std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(end);
-  };
-  const std::string ends = span("end", at.end0, at.end1), picks = span("pick", at.pick0, at.pick1);
-  return at.end1 - at.end0 <= at.pick1 - at.pick0 ? ends + ", " + picks : picks + ", " + ends;
-}
-
 /// The crossings that differ, place by place. False where none do.
 bool draw_places(PanelContext& c, const Report& r) {
   row_label(c, "Crossings", "That are others in the drawdown, in the part both have; tinted there");

@@ -45,7 +45,8 @@ void draw_cells(PanelContext& c, const Design& design) {
   for (int pick = 0; pick < std::min(kShownPicks, design.draft.picks()); ++pick)
     for (int end = 0; end < std::min(kShownEnds, design.draft.ends()); ++end) {
       const int column = c.settings.end1_right ? kShownEnds - 1 - end : end;
-      const ImVec2 a{at.x + side * static_cast<float>(column), at.y + side * static_cast<float>(pick)};
+      const int row = c.settings.pick1_bottom ? kShownPicks - 1 - pick : pick;
+      const ImVec2 a{at.x + side * static_cast<float>(column), at.y + side * static_cast<float>(row)};
       const bool up = warp_on_top(cells, Face::kFront, end, pick);
       // A hairline's room along the thread on top shows which one it is where both have one colour.
       const ImVec2 gap = up ? ImVec2{1, 0} : ImVec2{0, 1};

@@ -26,8 +26,8 @@ struct Box {
   ImVec2 min, max;
 };
 Box box_of(const GridPane& p, int ends, int picks) {
-  return {{std::min(p.x.low(0), p.x.low(ends - 1)), p.y.low(0)},
-          {std::max(p.x.high(0), p.x.high(ends - 1)), p.y.high(picks - 1)}};
+  return {{std::min(p.x.low(0), p.x.low(ends - 1)), std::min(p.y.low(0), p.y.low(picks - 1))},
+          {std::max(p.x.high(0), p.x.high(ends - 1)), std::max(p.y.high(0), p.y.high(picks - 1))}};
 }
 
 /// Where the second and the further repeats begin.
@@ -43,7 +43,7 @@ void draw_starts(ImDrawList* dl, const PanelContext& c, const GridPane& p, const
     }
   if (static_cast<float>(r.picks) * p.y.pitch >= kLinesFrom)
     for (int i = next(p.y.first_visible(), r.picks); i < p.y.end_visible(); i += r.picks) {
-      const float y = p.y.low(i);
+      const float y = p.y.reversed ? p.y.high(i) : p.y.low(i);
       dl->AddRectFilled({a.x, y - 1}, {b.x, y + 2}, halo);
       dl->AddRectFilled({a.x, y}, {b.x, y + 1}, color);
     }
@@ -55,10 +55,10 @@ void draw_size(ImDrawList* dl, const PanelContext& c, const GridPane& p, Box box
   const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
   if (box.max.x - box.min.x < c.style.px(kLabelFrom) || box.max.y - box.min.y < size.y * 2) return;
   const float pad = c.style.px(5), gap = c.style.px(4);
-  if (box.min.x < p.min().x || box.max.x > p.max().x || box.max.y > p.max().y) return;
+  if (box.min.x < p.min().x || box.max.x > p.max().x || box.min.y < p.min().y || box.max.y > p.max().y) return;
   // In the corner away from the first crossing.
   const float x = p.x.reversed ? box.min.x + gap : box.max.x - gap - size.x - 2 * pad;
-  const float y = box.max.y - gap - size.y - pad;
+  const float y = p.y.reversed ? box.min.y + gap : box.max.y - gap - size.y - pad;
   dl->AddRectFilled({x, y}, {x + size.x + 2 * pad, y + size.y + pad}, c.style.color.accent, c.style.px(4));
   dl->AddText(font, font_size(font), {x + pad, y + pad / 2}, reading_color(c.style.color.accent), text.c_str());
 }

@@ -6,9 +6,9 @@ namespace weftlight::views {
 
 ImTextureID CellTexture::of(const PanelContext& c, const GridPane& p, bool tiled) {
   const Key key{c.revision,   c.view.face,  c.settings.drawdown_style,
-                c.style.dark, p.x.reversed, tiled,
-                p.x.pitch,    p.x.scroll,   p.y.scroll,
-                p.x.length,   p.y.length};
+                c.style.dark, p.x.reversed, p.y.reversed,
+                tiled,        p.x.pitch,    p.x.scroll,
+                p.y.scroll,   p.x.length,   p.y.length};
   if (texture_.empty() || !(key == key_)) {
     const CellImage image =
         cell_image(c.design.draft, c.cells, c.view.face, c.settings.drawdown_style, c.style.color, p.x, p.y, tiled);

@@ -17,7 +17,7 @@ class CellTexture {
     uint64_t revision = 0;
     Face face = Face::kFront;
     DrawdownStyle look = DrawdownStyle::kColor;
-    bool dark = false, reversed = false, tiled = false;
+    bool dark = false, reversed_ends = false, reversed_picks = false, tiled = false;
     float pitch = 0, scroll_x = 0, scroll_y = 0, width = 0, height = 0;
     bool operator==(const Key&) const = default;
   };

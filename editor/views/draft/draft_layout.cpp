@@ -109,7 +109,7 @@ DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings&
   l.max = max;
   l.threading_below = below;
   Axis shafts = axis(0, room.height * kThreadingShare, loom, v.scroll_shaft, d.shafts, !below);
-  Axis picks = axis(0, room.height - shafts.length, l.pitch, v.scroll_pick, d.picks(), false);
+  Axis picks = axis(0, room.height - shafts.length, l.pitch, v.scroll_pick, d.picks(), settings.pick1_bottom);
   const float high = settings.tiled ? std::floor(std::max(picks.length, room.height - shafts.length)) : picks.length;
   const Rows y = rows_of(s, min.y, shafts.length, high, below);
   shafts.start = y.threading;

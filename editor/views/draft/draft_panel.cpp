@@ -186,7 +186,8 @@ void scrollbars(PanelContext& c, const DraftLayout& l) {
 void draw_origin(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   if (l.drawdown.x.first_visible() > 0 || l.drawdown.y.first_visible() > 0) return;
   const float x = l.drawdown.x.reversed ? l.drawdown.max().x + c.style.px(5) : l.drawdown.min().x - c.style.px(5);
-  dl->AddCircleFilled({x, l.drawdown.min().y - c.style.px(4)}, c.style.px(3), c.style.color.accent);
+  const float y = l.drawdown.y.reversed ? l.drawdown.max().y + c.style.px(4) : l.drawdown.min().y - c.style.px(4);
+  dl->AddCircleFilled({x, y}, c.style.px(3), c.style.color.accent);
 }
 
 void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {

@@ -47,6 +47,10 @@ struct Box {
   ImVec2 middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
 };
 
+/// Low and high pixel of cells in a row, `first` to `end` exclusively, whichever way they run.
+float low_of(const Axis& axis, int first, int end) { return std::min(axis.low(first), axis.low(end - 1)); }
+float high_of(const Axis& axis, int first, int end) { return std::max(axis.high(first), axis.high(end - 1)); }
+
 /// The inside of a cell, at least a pixel wide.
 Box box_of(const GridPane& p, int a, int b) {
   const float gap_x = p.x.pitch >= kLinesFrom ? 1.0f : 0.0f, gap_y = p.y.pitch >= kLinesFrom ? 1.0f : 0.0f;
@@ -149,7 +153,8 @@ void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, 
     int stop = pick;
     while (stop < last && warp_on_top(c.cells, c.view.face, end, stop)) ++stop;
     if (stop > pick) {
-      const Box box{{p.x.low(end) + look.gap + inset, p.y.low(pick)}, {p.x.high(end) - inset, p.y.high(stop - 1)}};
+      const Box box{{p.x.low(end) + look.gap + inset, low_of(p.y, pick, stop)},
+                    {p.x.high(end) - inset, high_of(p.y, pick, stop)}};
       const ImU32 color = look.warp[static_cast<size_t>(end)];
       look.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
     }
@@ -247,7 +252,8 @@ void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) 
     for (int pick = p.y.first_visible(); pick < p.y.end_visible();) {
       int stop = pick;
       while (stop < p.y.end_visible() && marks.get(stop, end)) ++stop;
-      if (stop > pick) dl->AddRectFilled({p.x.low(end), p.y.low(pick)}, {p.x.high(end), p.y.high(stop - 1)}, tint);
+      if (stop > pick)
+        dl->AddRectFilled({p.x.low(end), low_of(p.y, pick, stop)}, {p.x.high(end), high_of(p.y, pick, stop)}, tint);
       pick = stop + 1;
     }
   }
@@ -271,8 +277,8 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
     const CellRect& at = places[i];
     const bool shown = static_cast<int>(i) == c.view.place;
     if (!shown && p.x.pitch >= kLeastPitch) continue;
-    const ImVec2 a{std::min(p.x.low(at.end0), p.x.low(at.end1 - 1)), p.y.low(at.pick0)};
-    const ImVec2 b{std::max(p.x.high(at.end0), p.x.high(at.end1 - 1)) + 1, p.y.high(at.pick1 - 1) + 1};
+    const ImVec2 a{low_of(p.x, at.end0, at.end1), low_of(p.y, at.pick0, at.pick1)};
+    const ImVec2 b{high_of(p.x, at.end0, at.end1) + 1, high_of(p.y, at.pick0, at.pick1) + 1};
     dl->AddRect(a, b, c.style.color.warn, 0, 0, shown ? 2.0f : 1.0f);
   }
   dl->PopClipRect();

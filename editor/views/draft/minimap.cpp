@@ -31,7 +31,8 @@ std::optional<Place> place_of(const PanelContext& c, const DraftLayout& l) {
   const float short_side = c.style.px(kShortest);
   const float w = std::round(std::clamp(ends * scale, short_side, kMostOfPane * pane.x.length));
   const float h = std::round(std::clamp(picks * scale, short_side, kMostOfPane * pane.y.length));
-  const float margin = c.style.px(kMargin + kPad), y = std::floor(pane.max().y - margin - h);
+  const float margin = c.style.px(kMargin + kPad);
+  const float y = pane.y.reversed ? pane.min().y + margin : std::floor(pane.max().y - margin - h);
   const float x = pane.x.reversed ? pane.min().x + margin : std::floor(pane.max().x - margin - w);
   return Place{{x, y}, {x + w, y + h}};
 }
@@ -97,8 +98,8 @@ void Minimap::draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) 
   dl->AddRectFilled({a.x - 1, a.y + 1}, {b.x + 1, b.y + 3}, IM_COL32(0, 0, 0, 40), r);
   dl->AddRectFilled(a, b, k.raised, r);
   dl->AddRect(a, b, k.line_strong, r);
-  const bool turned = l.drawdown.x.reversed;
-  dl->AddImage(texture_.id(), at->min, at->max, {turned ? 1.0f : 0.0f, 0}, {turned ? 0.0f : 1.0f, 1});
+  const float u = l.drawdown.x.reversed ? 1.0f : 0.0f, v = l.drawdown.y.reversed ? 1.0f : 0.0f;
+  dl->AddImage(texture_.id(), at->min, at->max, {u, v}, {1 - u, 1 - v});
   const auto [x0, x1] = stretch(l.drawdown.x, at->min.x, at->width());
   const auto [y0, y1] = stretch(l.drawdown.y, at->min.y, at->height());
   // What is out of sight steps back.

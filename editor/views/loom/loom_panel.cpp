@@ -27,7 +27,7 @@ namespace {
 
 // Pixels at 96 dpi.
 constexpr float kMargin = 28, kFoot = 150, kLargestShaft = 64, kLeastForStrip = 900;
-constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // of the strip, above the pick
+constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // of the strip, before the pick
 
 struct Box {
   ImVec2 min, max;
@@ -66,18 +66,20 @@ void draw_shafts(const PanelContext& c, const BitMatrix& up, int pick, Box room)
   }
 }
 
-/// The cloth about the pick: what is woven above it, what comes below it.
+/// The cloth about the pick: what is woven above it, what comes below it, or the other way round for who reads upwards.
 void draw_strip(const PanelContext& c, int pick, Box room) {
   const Draft& d = c.design.draft;
   const float pitch = c.style.px(kStripPitch);
   const int rows = std::max(1, static_cast<int>(room.height() / pitch));
-  const int above = static_cast<int>(static_cast<float>(rows) * kWovenShare);
+  const int woven = static_cast<int>(static_cast<float>(rows) * kWovenShare);
+  const bool up = c.settings.pick1_bottom;
+  const int here = up ? rows - 1 - woven : woven;  // the row of the pick
   const int columns = std::min(d.ends(), static_cast<int>(room.width() / pitch));
   const auto warp = thread_colors(d, System::kWarp), weft = thread_colors(d, System::kWeft);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float width = static_cast<float>(columns) * pitch;
   for (int row = 0; row < rows; ++row) {
-    const int p = pick - above + row;
+    const int p = up ? pick + here - row : pick - here + row;
     if (p < 0 || p >= d.picks()) continue;
     const float y = room.min.y + static_cast<float>(row) * pitch;
     const float alpha = p > pick ? 0.35f : 1.0f;
@@ -91,7 +93,7 @@ void draw_strip(const PanelContext& c, int pick, Box room) {
               {room.min.x + width + c.style.px(8), y + (pitch - font_size(c.style.font.mono_small)) / 2},
               p == pick ? c.style.color.accent : c.style.color.muted, std::to_string(p + 1));
   }
-  const float y = room.min.y + static_cast<float>(above) * pitch;
+  const float y = room.min.y + static_cast<float>(here) * pitch;
   dl->AddRect({room.min.x - 3, y - 2}, {room.min.x + width + 2, y + pitch + 1}, c.style.color.accent, 2, 0, 2);
 }
 

@@ -24,8 +24,9 @@ TEST(SelectTool, ARectangleHoldsBothOfItsCorners) {
 
 TEST(SelectTool, ArrowsGoWhereTheyPointWhateverTheGridsDirection) {
   const Settings right;
-  Settings left, below;
+  Settings left, below, upwards;
   left.end1_right = false;
+  upwards.pick1_bottom = true;
   below.threading_below = true;
   EXPECT_EQ(screen_step(BitGrid::kThreading, right, 1, 0), (Cell{-1, 0})) << "end 1 at the right";
   EXPECT_EQ(screen_step(BitGrid::kThreading, left, 1, 0), (Cell{1, 0}));
@@ -33,6 +34,11 @@ TEST(SelectTool, ArrowsGoWhereTheyPointWhateverTheGridsDirection) {
   EXPECT_EQ(screen_step(BitGrid::kTreadling, right, 1, 1), (Cell{1, 1}));
   EXPECT_EQ(screen_step(BitGrid::kDrawdown, right, -1, 1), (Cell{1, 1}));
   EXPECT_EQ(screen_step(BitGrid::kThreading, below, 0, -1).b, -1) << "shaft 1 lies highest, next to the drawdown";
+  EXPECT_EQ(screen_step(BitGrid::kDrawdown, upwards, 0, 1).b, -1) << "pick 1 lies lowest";
+  EXPECT_EQ(screen_step(BitGrid::kTreadling, upwards, 0, -1).b, 1);
+  EXPECT_EQ(screen_step(BitGrid::kLiftplan, upwards, 0, -1).b, 1);
+  EXPECT_EQ(screen_step(BitGrid::kTieup, upwards, 0, -1).b, 1) << "shafts stay as they are";
+  EXPECT_EQ(screen_step(BitGrid::kThreading, upwards, 0, -1).b, 1);
 }
 
 TEST(SelectTool, WhatAMovePassesOverComesBack) {

@@ -53,12 +53,14 @@ TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
     }
 }
 
-TEST(Layout, ThreadingBelowAndEnd1LeftTurnAllThatFollows) {
+TEST(Layout, ThreadingBelowEnd1LeftAndPick1AtTheBottomTurnAllThatFollows) {
   const Design d = straight_twill(6, 5);
   for (const bool right : {false, true})
     for (const bool below : {false, true})
-      for (const bool tiled : {false, true}) {
+      for (const int how : {0, 1, 2, 3}) {
+        const bool tiled = (how & 1) != 0, upwards = (how & 2) != 0;
         Settings settings;
+        settings.pick1_bottom = upwards;
         settings.end1_right = right;
         settings.threading_below = below;
         settings.tiled = tiled;
@@ -73,6 +75,8 @@ TEST(Layout, ThreadingBelowAndEnd1LeftTurnAllThatFollows) {
         const UiGrid grid = map_of(l.threading);
         EXPECT_EQ(grid.step_b[1] > 0, below);
         EXPECT_EQ(grid.step_a[0] < 0, right);
+        for (const GridPane* pane : {&l.drawdown, &l.lift, &l.weft_bar, &l.weft_heads})
+          EXPECT_EQ(map_of(*pane).step_b[1] < 0, upwards) << map_of(*pane).name;
         for (const GridPane* pane : l.panes()) {
           const UiGrid map = map_of(*pane);
           for (int a = 0; a < map.count_a; ++a)
@@ -106,6 +110,20 @@ TEST(CellImage, GoesOnBeyondTheEdgesWhereItIsTiled) {
       EXPECT_EQ(pixel, image.pixels[static_cast<size_t>(24 * ((y + 6) % 18) + x)]);
     }
   EXPECT_EQ(black, 3 * 3 * 4) << "one crossing of twelve, two by two pixels, nine times";
+}
+
+TEST(CellImage, Pick1AtTheBottomIsThePictureUpsideDown) {
+  Design d = straight_twill(4, 6);
+  d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
+  BitMatrix cells(6, 4);
+  cells.set(0, 1, true), cells.set(4, 3, true);
+  Axis ends{0, 8, 2, 0, 4, true}, picks{0, 12, 2, 0, 6, false};
+  const CellImage down = cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
+  picks.reversed = true;
+  const CellImage up = cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 8; ++x)
+      EXPECT_EQ(up.pixels[static_cast<size_t>(8 * y + x)], down.pixels[static_cast<size_t>(8 * (11 - y) + x)]);
 }
 
 TEST(DragScroll, GoesTowardsThePointerAndNoFurtherThanThereIs) {

@@ -47,8 +47,14 @@ NamedView shipped_view(const Design& design, size_t which, float width_px, float
   s.view_elevation = which == kWhole ? first.view_elevation : 0;
   s.view_distance =
       which == kWhole ? 1 : flat_distance(design, width_px, height_px, which == kNear ? kNearPixels : kHeadOnPixels);
-  if (which == kGrazing) s.light_azimuth = kGrazingLight, s.light_elevation = kGrazingHeight;
+  if (which == kGrazing) s = lit_grazing(s);
   return view;
+}
+
+Scene lit_grazing(Scene scene) {
+  scene.light_azimuth = kGrazingLight;
+  scene.light_elevation = kGrazingHeight;
+  return scene;
 }
 
 std::optional<NamedView> view_named(const Design& design, std::string_view name, float width_px, float height_px) {

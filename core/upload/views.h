@@ -28,6 +28,9 @@ float flat_distance(const Design& design, float width_px, float height_px, float
 /// One of kShippedViews, for a picture of so many pixels; what hangs and how strong its light is stays the design's.
 NamedView shipped_view(const Design& design, size_t which, float width_px, float height_px);
 
+/// The same scene with its key light low from the side, which shows every thread's relief.
+Scene lit_grazing(Scene scene);
+
 /// By its name, whatever the case: those of the design first, then the shipped ones by id or label.
 std::optional<NamedView> view_named(const Design& design, std::string_view name, float width_px, float height_px);
 /// What can be asked for: the labels of the shipped ones, the names of the kept.

@@ -33,6 +33,12 @@ void add_cloth_actions(Actions& all) {
   Action& flat = add(all, "Cloth", "flat", "Flat swatch, straight on", "F", [](Desk& e) { e.toggle_flat(); });
   flat.item.group = true;
   flat.checked = [](const Desk& e) { return e.view().flat; };
+  Action& grazing = add(all, "Cloth", "grazing", "Flat swatch in grazing light", "Shift+F", [](Desk& e) {
+    const bool on = e.view().flat && e.view().grazing;
+    if (!e.view().flat) e.toggle_flat();
+    e.view().grazing = !on;
+  });
+  grazing.checked = [](const Desk& e) { return e.view().flat && e.view().grazing; };
   Action& by_time = add(all, "Cloth", "by_time", "Picture by time, not by error", "",
                         [](Desk& e) { e.settings().by_time = !e.settings().by_time; });
   by_time.checked = [](const Desk& e) { return e.settings().by_time; };

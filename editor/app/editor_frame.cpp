@@ -7,6 +7,7 @@
 
 #include "actions/keys.h"
 #include "app/editor.h"
+#include "session/views.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/analysis/comparison_panel.h"
@@ -108,10 +109,9 @@ void Editor::frame() {
   restyle_ = false;
   take_waiting_input();
   const float ratio = window_.pixel_ratio();
-  Scene scene = with_orbit(document().now().scene, view().camera);
-  if (view().flat) scene.mesh = kFlatMesh;
-  preview_.ask({scene, document().now().look, static_cast<int>(pane_.x * ratio), static_cast<int>(pane_.y * ratio),
-                settings_.show_rungs, settings_.compare, settings_.by_time ? settings_.picture_ms : 0},
+  preview_.ask({seen_scene(view(), document().now()), document().now().look, static_cast<int>(pane_.x * ratio),
+                static_cast<int>(pane_.y * ratio), settings_.show_rungs, settings_.compare,
+                settings_.by_time ? settings_.picture_ms : 0},
                strokes_.going_on());
   window_.begin_frame();
   take_input();

@@ -63,9 +63,10 @@ struct DocumentView {
   // In the pane, as it was last drawn.
   float seen_ends = 0, seen_picks = 0, seen_shafts = 0, seen_treadles = 0;
   Face face = Face::kFront;
-  Orbit camera;       // of the cloth
-  bool flat = false;  // a swatch straight on in the place of the drape
-  Orbit draped;       // the camera that comes back after it
+  Orbit camera;          // of the cloth
+  bool flat = false;     // a swatch straight on in the place of the drape
+  bool grazing = false;  // that swatch is lit low from the side
+  Orbit draped;          // the camera that comes back after it
   BarPaint bar_paint = BarPaint::kColor;
   int color = 0, yarn = 0;                  // what the colour bars are painted with
   int float_limit = 5;                      // threads that a float may cross

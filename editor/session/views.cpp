@@ -24,15 +24,23 @@ std::string numbered_name(const std::vector<NamedView>& views, const std::string
 
 }  // namespace
 
+Scene seen_scene(const DocumentView& view, const Design& design) {
+  Scene scene = with_orbit(design.scene, view.camera);
+  if (!view.flat) return scene;
+  scene.mesh = upload::kFlatMesh;
+  return view.grazing ? upload::lit_grazing(scene) : scene;
+}
+
 std::string free_view_name(const Design& design) {
   return numbered_name(design.views, "View", static_cast<int>(design.views.size()) + 1);
 }
 
 Edit keep_view_edit(const DocumentView& view, std::string name) {
   name = cleaned(name);
-  return {"Keep view " + name, [name, camera = view.camera, flat = view.flat](Design d) {
+  return {"Keep view " + name, [name, camera = view.camera, flat = view.flat, grazing = view.grazing](Design d) {
             if (name.empty()) return d;
-            const NamedView kept{name, with_orbit(d.scene, camera), flat};
+            const Scene scene = flat && grazing ? upload::lit_grazing(d.scene) : d.scene;
+            const NamedView kept{name, with_orbit(scene, camera), flat};
             const auto same = std::ranges::find(d.views, name, &NamedView::name);
             if (same != d.views.end()) *same = kept;
             else if (d.views.size() < kMostViews) d.views.push_back(kept);
@@ -43,6 +51,7 @@ Edit keep_view_edit(const DocumentView& view, std::string name) {
 MaybeEdit go_to_view(DocumentView& view, const Design& design, const NamedView& to) {
   if (to.flat && !view.flat) view.draped = view.camera;
   view.flat = to.flat;
+  view.grazing = false;  // its own light is part of it
   view.camera = orbit_of(to.scene);
   // Where a new window begins stays as it was kept.
   const Scene scene = with_orbit(to.scene, orbit_of(design.scene));

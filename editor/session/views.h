@@ -12,6 +12,9 @@ namespace weftlight::session {
 
 inline constexpr size_t kMostViews = 200, kLongestViewName = 80;
 
+/// The scene as it is drawn: with the camera of the view, what hangs in it, and its light.
+Scene seen_scene(const DocumentView& view, const Design& design);
+
 /// "View 3", which none is called yet.
 std::string free_view_name(const Design& design);
 /// What the weaver sees now, under a name; one of that name is replaced.

@@ -222,8 +222,17 @@ TEST_F(ToolsTest, AFlatSwatchFillsThePaneAndTheDrapeComesBack) {
   };
   ASSERT_NO_FATAL_FAILURE(click(w, "hanging:Flat"));
   EXPECT_TRUE(comes_true([&] { return !w.has("view.busy") && !is_plain(corner()); })) << "no cloth at the pane's edge";
+  const auto middle = [&, at = at, size = size] {
+    return display_.picture({at.x + size.x / 2, at.y + size.y / 2}, {60, 60});
+  };
+  const std::string from_the_front = middle();
+  display_.key("shift+f");
+  ASSERT_TRUE(comes_true([&] { return w.has("grazing.on"); }));
+  EXPECT_TRUE(comes_true([&] { return middle() != from_the_front; })) << "the light is where it was";
+  ASSERT_NO_FATAL_FAILURE(click(w, "grazing.on"));
+  EXPECT_TRUE(comes_true([&] { return w.has("grazing"); }));
   display_.key("f");
-  EXPECT_TRUE(comes_true([&] { return !w.has("view.busy"); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.busy") && !w.has("grazing"); }));
   EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "looking changes nothing";
 }
 

@@ -26,6 +26,12 @@ Edit move_light(ImVec2 by, float degrees_a_px) {
           }};
 }
 
+/// The hand takes the light that is seen, whose place is then the design's.
+void move_the_light(PanelContext& c, ImVec2 by, float degrees_a_px) {
+  if (c.view.flat && c.view.grazing) c.wanted.change_view([](DocumentView& v) { v.grazing = false; });
+  c.wanted.add(move_light(by, degrees_a_px));
+}
+
 bool light_key_down() { return letter_down('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl; }
 
 void drag(PanelContext& c, ImVec2 size) {
@@ -33,8 +39,7 @@ void drag(PanelContext& c, ImVec2 size) {
   if (by.x == 0 && by.y == 0) return;
   const float per_px = kDegreesAPixel / c.style.scale;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down()))
-    return c.wanted.add(move_light(by, per_px));
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down())) return move_the_light(c, by, per_px);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift))
     c.wanted.change_view([by, size](DocumentView& v) {
       v.camera.pan_x += by.x / size.x;
@@ -203,6 +208,19 @@ void draw_views_button(PanelContext& c, ImVec2 at) {
   ImGui::SetCursorScreenPos(at);
 }
 
+/// Left of the views, while the swatch is flat.
+void draw_grazing_button(PanelContext& c, ImVec2 at, float width) {
+  const Colors& k = c.style.color;
+  const bool on = c.view.grazing;
+  ImGui::SetCursorScreenPos(at);
+  ImGui::PushStyleColor(ImGuiCol_Button, on ? k.accent_soft : blend(k.panel, k.text, 0.08f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? k.accent_soft : blend(k.panel, k.text, 0.14f));
+  if (ImGui::Button("Grazing", {width, 0})) c.wanted.add_action("grazing");
+  c.map.add_item(on ? "grazing.on" : "grazing");
+  tooltip(c, "The light low from the side, which shows the relief of every thread");
+  ImGui::PopStyleColor(2);
+}
+
 /// Drape or flat swatch, over the picture's corner; before the view below it, so that it takes the pointer first.
 void draw_hanging(PanelContext& c, ImVec2 a, ImVec2 pane) {
   constexpr const char* kWays[] = {"Drape", "Flat"};
@@ -212,6 +230,11 @@ void draw_hanging(PanelContext& c, ImVec2 a, ImVec2 pane) {
   dl->ChannelsSetCurrent(1);
   ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
   draw_views_button(c, {a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
+  constexpr float kViews = 72, kGrazing = 72, kLeastForGrazing = 330;  // the button of the views with its gap
+  if (c.view.flat && pane.x >= c.style.px(kLeastForGrazing))
+    draw_grazing_button(c, {a.x + pane.x - c.style.px(kWidth + 14 + kViews + 8 + kGrazing), a.y + c.style.px(12)},
+                        c.style.px(kGrazing));
+  ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
   int way = c.view.flat ? 1 : 0;
   if (segmented(c, "hanging", kWays, way, c.style.px(kWidth))) c.wanted.add_action("flat");
   dl->ChannelsSetCurrent(0);

@@ -59,6 +59,23 @@ TEST(Views, GoingThereMovesTheCameraAndEditsOnlyTheLightAndWhatHangs) {
   EXPECT_EQ(v.draped, seen_from(20).camera) << "F leads back to it";
 }
 
+TEST(Views, TheFlatSwatchIsLitLowFromTheSideWhereThatIsAskedFor) {
+  const Design d = plain();
+  DocumentView v = seen_from(20);
+  v.grazing = true;
+  EXPECT_EQ(seen_scene(v, d), with_orbit(d.scene, v.camera)) << "the drape keeps its light";
+  v.flat = true;
+  const Scene seen = seen_scene(v, d);
+  EXPECT_EQ(seen.mesh, kFlatMesh);
+  EXPECT_EQ(seen.light_elevation, 12);
+  EXPECT_EQ(keep_view_edit(v, "Relief").apply(d).views[0].scene.light_elevation, 12) << "kept as it is seen";
+  v.grazing = false;
+  EXPECT_EQ(seen_scene(v, d).light_elevation, d.scene.light_elevation);
+  v.grazing = true;
+  go_to_view(v, d, {"Other", d.scene, true});
+  EXPECT_FALSE(v.grazing) << "a view brings its own light";
+}
+
 TEST(Views, AreRenamedAndDropped) {
   Design d = plain();
   for (const char* name : {"A", "B", "C"}) d = keep_view_edit(seen_from(1), name).apply(d);

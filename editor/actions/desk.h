@@ -78,6 +78,8 @@ class Desk {
   virtual void ask_weave() = 0;
   /// Threading and treadling from named sections.
   virtual void ask_sections() = 0;
+  /// What comes nearest to what was painted and could not be woven, to be taken or left.
+  virtual void ask_nearest() = 0;
   /// The control gets the keyboard, by its name in the --ui-map.
   virtual void focus(std::string control) = 0;
   /// What the pointer is over.
@@ -87,8 +89,6 @@ class Desk {
   virtual void show_commands() = 0;
   virtual void show_remarks() = 0;
   virtual void toggle_keys() = 0;
-  /// What comes nearest to what was painted and could not be woven, to be taken or left.
-  virtual void ask_nearest() = 0;
   virtual void toggle_theme() = 0;
   virtual void keep_view() = 0;
   virtual void reset_view() = 0;

@@ -86,13 +86,13 @@ class Editor : public Desk {
   void ask_thread() override;
   void ask_weave() override;
   void ask_sections() override;
+  void ask_nearest() override;
   void focus(std::string control) override { focus_ = std::move(control); }
   Hover hover() const override { return notes_.hover; }
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void show_commands() override;
   void show_remarks() override { remarks_open_ = true; }
-  void ask_nearest() override;
   void toggle_keys() override { keys_.open = !keys_.open; }
   void toggle_theme() override;
   void keep_view() override;
@@ -122,14 +122,14 @@ class Editor : public Desk {
   void draw_question(PanelContext& c);
   void draw_status(PanelContext& c, const WindowLayout& layout);
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
+  /// What was refused in a gesture that is over, and what comes nearest to it.
+  void find_nearest();
   /// What the panels are to know of the draft; started anew only while somebody looks.
   const Report* report();
   void take_input();
   void take_waiting_input();
   void take_key(const std::string& key);
   bool take_export_news();
-  /// What was refused in a gesture that is over, and what comes nearest to it.
-  void find_nearest();
   void run_action(const std::string& id);
   double sleep_s();
 

@@ -12,12 +12,13 @@
 #include "ui/widgets.h"
 #include "views/analysis/comparison_panel.h"
 #include "views/analysis/report_panel.h"
+#include "views/analysis/yarn_need_panel.h"
 #include "views/draft/draft_header.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/draft_panel.h"
+#include "views/draft/nearest_notice.h"
 #include "views/inspector/accuracy_rows.h"
 #include "views/inspector/palette_panel.h"
-#include "views/draft/nearest_notice.h"
 #include "views/inspector/scene_panel.h"
 #include "views/inspector/threads_panel.h"
 #include "views/inspector/yarn_panel.h"
@@ -184,8 +185,8 @@ bool Editor::carry_out(const TypedKey& typed) {
 
 void Editor::draw_window() {
   follow_shown();
-  map_.clear();
   find_nearest();
+  map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
   notes_ = {};
   Intents wanted;
@@ -205,8 +206,8 @@ void Editor::draw_window() {
   const TabWish wish = draw_tabs(c, tabs_height);
   draw_panels(c, tabs_height, items);
   wanted.add_action(draw_selection_menu(c, items));
-  wanted.add_action(draw_command_palette(c, items, commands_));
   wanted.add_action(draw_tab_menu(c, items, tabs_));
+  wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);
   draw_history(c, document(), history_);
   draw_keys_window(c, items, keys_);
@@ -275,8 +276,8 @@ void Editor::carry_out(const TabWish& wish) {
   frames_due_ = kFramesAfterEvent;
   if (wish.kind == TabWish::Kind::kMove) return session_.move(wish.id, wish.place);
   if (wish.kind == TabWish::Kind::kClose) return close(wish.id);
-  if (wish.id == session_.active().id) return;
   tabs_.menu_due = wish.kind == TabWish::Kind::kMenu;
+  if (wish.id == session_.active().id) return;
   session_.show(wish.id);
   look_at_file();
 }
@@ -295,10 +296,10 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
   draw_draft_header(c, document().name(), items);
   draw_draft(c, draft_pictures_);
   ImGui::End();
+  draw_nearest_notice(c, l.draft.at, {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
   draw_splitter(c, l);
 
   begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_nearest_notice(c, l.draft.at, {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
   const ImVec2 pane = pane_;
   draw_preview(c, preview_.picture(), pane_);
   if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
@@ -335,6 +336,7 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
     draw_comparison(c, c.report);
     draw_report(c, c.report);
     draw_analysis(c, analysis_);
+    draw_yarn_need(c);
   }
   ImGui::EndChild();
   ImGui::End();
@@ -390,11 +392,11 @@ void Editor::draw_question(PanelContext& c) {
   DialogAnswer answer = draw_dialog(c, dialog_);
   c.wanted.add(std::move(answer.edit));
   if (answer.answer == Answer::kNone) return;
+  if (std::holds_alternative<NearestPrompt>(dialog_)) c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);
   if (answer.answer == Answer::kDone && then) then(answer.button);
   // The answer may have asked the next question.
-  if (std::holds_alternative<NearestPrompt>(dialog_)) c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
   if (!answer_) dialog_ = {};
 }
 

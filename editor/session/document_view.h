@@ -68,11 +68,14 @@ struct DocumentView {
   bool grazing = false;  // that swatch is lit low from the side
   Orbit draped;          // the camera that comes back after it
   BarPaint bar_paint = BarPaint::kColor;
-  int color = 0, yarn = 0;                  // what the colour bars are painted with
-  int float_limit = 5;                      // threads that a float may cross
-  bool show_floats = false;                 // those beyond it are tinted in the drawdown
-  std::shared_ptr<const OtherDraft> other;  // that it is held against; null: none
-  int place = -1;                           // of those that differ, last shown
+  int color = 0, yarn = 0;                        // what the colour bars are painted with
+  int float_limit = 5;                            // threads that a float may cross
+  bool show_floats = false;                       // those beyond it are tinted in the drawdown
+  float cloth_length_cm = 0, cloth_width_cm = 0;  // finished, that yarn is counted for; 0: as the draft is
+  std::shared_ptr<const OtherDraft> other;        // that it is held against; null: none
+  int place = -1;                                 // of those that differ, last shown
+  std::optional<Refusal> refusal;                 // what was painted last and could not be woven
+  std::shared_ptr<const Nearest> nearest;         // that is looked at, its wrong crossings marked; null: none
   Stroke stroke;
   std::optional<ShapeInHand> shape;
   TypeCursor cursor;

@@ -195,7 +195,6 @@ bool leaves_others(const ShapeInHand& s) {
 CellMask region_about(const Draft& draft, const BitMatrix& cells, GridId grid, Cell at) {
   return {{0, 0}, Flood(draft, cells, grid, at).seen()};
 }
-  edit.anew = drawn_on;
 
 std::pair<int, int> threads_about(const Threads& t, BarPaint what, int thread) {
   const std::vector<int>& all = what == BarPaint::kColor ? t.color : t.yarn;

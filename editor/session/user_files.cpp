@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr size_t kMostRecent = 40;
+constexpr size_t kMostPrices = 2000;
 constexpr size_t kMostKeys = 1000, kLongestKey = 64;
 constexpr uint64_t kMostBytes = uint64_t{1} << 20;
 
@@ -49,6 +50,22 @@ std::string path_from(const nlohmann::json& json) {
   return path;
 }
 
+void take_prices(const nlohmann::json& json, std::map<std::string, float>& prices) {
+  const auto found = json.find("yarn_prices");
+  if (found == json.end() || !found->is_object()) return;
+  for (const auto& [yarn, price] : found->items())
+    if (price.is_number() && price.get<double>() >= 0 && price.get<double>() <= 1e6 && prices.size() < kMostPrices)
+      prices[yarn] = price.get<float>();
+}
+
+/// Names that are text: JSON holds no other.
+std::map<std::string, float> writable(const std::map<std::string, float>& prices) {
+  std::map<std::string, float> out;
+  for (const auto& [yarn, price] : prices)
+    if (is_utf8(yarn)) out[yarn] = price;
+  return out;
+}
+
 }  // namespace
 
 Settings load_settings() { return settings_from(read_file(settings_path().string(), kMostBytes).bytes); }
@@ -59,6 +76,7 @@ Settings settings_from(std::string_view text) {
   if (!json.is_object()) return s;
   take(json, "dark", s.dark);
   take(json, "end1_right", s.end1_right);
+  take(json, "pick1_bottom", s.pick1_bottom);
   take(json, "threading_below", s.threading_below);
   take(json, "minimap", s.minimap);
   take(json, "tiled", s.tiled);
@@ -75,8 +93,15 @@ Settings settings_from(std::string_view text) {
   take(json, "by_time", s.by_time);
   take(json, "picture_ms", s.picture_ms);
   if (!(s.picture_ms >= kLeastPictureMs && s.picture_ms <= kMostPictureMs)) s.picture_ms = Settings{}.picture_ms;
+  take(json, "loom_waste_cm", s.loom_waste_cm);
+  take(json, "shrinkage", s.shrinkage);
+  take(json, "spare_yarn", s.spare_yarn);
+  take_prices(json, s.yarn_prices);
+  const Settings usual;
+  if (!(s.loom_waste_cm >= 0 && s.loom_waste_cm <= kMostLoomWasteCm)) s.loom_waste_cm = usual.loom_waste_cm;
+  if (!(s.shrinkage >= 0 && s.shrinkage <= kMostShare)) s.shrinkage = usual.shrinkage;
+  if (!(s.spare_yarn >= 0 && s.spare_yarn <= kMostShare)) s.spare_yarn = usual.spare_yarn;
   take(json, "split", s.split);
-  take(json, "pick1_bottom", s.pick1_bottom);
   take(json, "width", s.width);
   take(json, "height", s.height);
   if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
@@ -99,6 +124,7 @@ std::string settings_text(const Settings& s) {
   for (const std::string& path : s.recent) recent.push_back(path_json(path));
   const nlohmann::json json = {{"dark", s.dark},
                                {"end1_right", s.end1_right},
+                               {"pick1_bottom", s.pick1_bottom},
                                {"threading_below", s.threading_below},
                                {"minimap", s.minimap},
                                {"tiled", s.tiled},
@@ -110,6 +136,10 @@ std::string settings_text(const Settings& s) {
                                {"start_page", s.start_page},
                                {"by_time", s.by_time},
                                {"picture_ms", s.picture_ms},
+                               {"loom_waste_cm", s.loom_waste_cm},
+                               {"shrinkage", s.shrinkage},
+                               {"spare_yarn", s.spare_yarn},
+                               {"yarn_prices", writable(s.yarn_prices)},
                                {"split", s.split},
                                {"width", s.width},
                                {"height", s.height},
@@ -124,7 +154,6 @@ void save_settings(const Settings& s) {
   std::error_code ignored;  // a home that cannot be written to is no reason to stop
   fs::create_directories(settings_path().parent_path(), ignored);
   write_file_atomically(settings_path().string(), settings_text(s));
-                               {"pick1_bottom", s.pick1_bottom},
 }
 
 void remember(Settings& settings, const std::string& path) {

@@ -34,10 +34,12 @@ struct Settings {
   std::vector<std::string> recent;          // newest first
   std::string loom_address;                 // of the loom that was last sent to
   std::map<std::string, std::string> keys;  // by action: the shortcut that the weaver gave it; empty: none
-  bool by_time = false;                     // the picture of the cloth takes so long, whatever its error
-  float picture_ms = 60;                    // then: milliseconds of its cloth's pass
-  bool start_page = true;                   // what was open lately is shown at the start
-  bool toured = false;                      // has seen the tour, or left it
+  float loom_waste_cm = 60, shrinkage = 0.08f, spare_yarn = 0.05f;  // of the yarn that a cloth needs; shares
+  std::map<std::string, float> yarn_prices;                         // of a kilogram, by the yarn's name
+  bool by_time = false;    // the picture of the cloth takes so long, whatever its error
+  float picture_ms = 60;   // then: milliseconds of its cloth's pass
+  bool start_page = true;  // what was open lately is shown at the start
+  bool toured = false;     // has seen the tour, or left it
   // Of the window while it stands; not kept.
   int tour = -1;  // its step; -1: it is not shown
   int inspector_tab = 0;

@@ -284,13 +284,6 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
   dl->PopClipRect();
 }
 
-bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
-
-void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
-  const ImVec2 a = p.min(), b = p.max();
-  const ThreadLook look = thread_look(c, p);
-  dl->PushClipRect(a, b, true);
-  dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
 }  // namespace
 
 void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
@@ -300,6 +293,13 @@ void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) 
   draw_marks(dl, c, p, r->differing, r->places);
 }
 
+bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
+
+void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+  const ImVec2 a = p.min(), b = p.max();
+  const ThreadLook look = thread_look(c, p);
+  dl->PushClipRect(a, b, true);
+  dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
   for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {
     const float inset = look.inset(System::kWeft, pick);
     const Box box{{a.x, p.y.low(pick) + look.gap + inset}, {b.x, p.y.high(pick) - inset}};

@@ -34,9 +34,11 @@ TEST(Settings, the_loom_and_the_lines_are_kept) {
 TEST(Settings, how_the_draft_is_seen_is_kept) {
   Settings s;
   s.end1_right = s.minimap = false;
+  s.pick1_bottom = true;
   s.threading_below = s.tiled = s.show_repeat = true;
   const Settings back = settings_from(settings_text(s));
   EXPECT_FALSE(back.end1_right || back.minimap);
+  EXPECT_TRUE(back.pick1_bottom);
   EXPECT_TRUE(back.threading_below && back.tiled && back.show_repeat);
   EXPECT_TRUE(settings_from("{}").minimap);
 }
@@ -49,6 +51,21 @@ TEST(Settings, the_time_of_a_picture_is_kept_within_its_range) {
   EXPECT_TRUE(back.by_time);
   EXPECT_EQ(back.picture_ms, 250);
   EXPECT_EQ(settings_from("{\"picture_ms\": 0}").picture_ms, Settings{}.picture_ms);
+}
+
+TEST(Settings, what_yarn_costs_and_what_is_lost_of_it_is_kept) {
+  Settings s;
+  s.loom_waste_cm = 90, s.shrinkage = 0.2f, s.spare_yarn = 0;
+  s.yarn_prices = {{"Linen 16/2", 38.5f}, {"Silk \xFF", 100}};
+  const Settings back = settings_from(settings_text(s));
+  EXPECT_EQ(back.loom_waste_cm, 90);
+  EXPECT_EQ(back.shrinkage, 0.2f);
+  EXPECT_EQ(back.spare_yarn, 0);
+  EXPECT_EQ(back.yarn_prices, (std::map<std::string, float>{{"Linen 16/2", 38.5f}})) << "names that are text";
+  const Settings odd = settings_from(R"({"loom_waste_cm": -4, "shrinkage": 7, "yarn_prices": {"A": -1, "B": "x"}})");
+  EXPECT_EQ(odd.loom_waste_cm, Settings{}.loom_waste_cm);
+  EXPECT_EQ(odd.shrinkage, Settings{}.shrinkage);
+  EXPECT_TRUE(odd.yarn_prices.empty());
 }
 
 TEST(Settings, keys_are_kept) {

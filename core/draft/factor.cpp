@@ -287,11 +287,12 @@ Factored with_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most)
 
 namespace {
 
-// The same size with nothing in it.
+// The same size with every end on the first shaft and nothing tied: an end that never rises needs a heddle, too.
 Draft without_numbers(const Draft& like) {
   Draft bare = like;
   bare.shafts = bare.treadles = 1;
   bare.threading = BitMatrix(like.ends(), 1);
+  for (int e = 0; e < like.ends(); ++e) bare.threading.set(e, 0, true);
   bare.tieup = BitMatrix(1, 1);
   bare.treadling = BitMatrix(like.picks(), 1);
   bare.liftplan = BitMatrix(like.picks(), 1);
@@ -315,19 +316,22 @@ Factored within_loom(const Draft& like, LoomSize most) {
 }
 
 Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most) {
-  Factored exact = with_drawdown(like, cells, most);
-  if (exact.done()) return exact;
-  BitMatrix near = transposed(with_fewer_kinds(transposed(cells), std::max(most.shafts, 1), false));
-  if (like.drive == Drive::kTreadling)
-    near = with_fewer_kinds(std::move(near), std::max(most.treadles, 1), like.rising);
-  Factored out = with_drawdown(like, near, most);
+  const Factored exact = with_drawdown(like, cells, most);
+  if (exact.done() && fits(exact.draft, most)) return exact;
+  // Where the weaver's own numbers stand in the way: without them.
+  const Draft bare = without_numbers(like);
+  Factored out = with_drawdown(bare, cells, most);
+  const std::string why = exact.done() ? out.why : exact.why;
   if (!out.done()) {
-    // The weaver's own numbers stand in the way: begin without them.
-    out = with_drawdown(without_numbers(like), near, most);
+    BitMatrix near = transposed(with_fewer_kinds(transposed(cells), std::max(most.shafts, 1), false));
+    if (like.drive == Drive::kTreadling)
+      near = with_fewer_kinds(std::move(near), std::max(most.treadles, 1), like.rising);
+    out = with_drawdown(like, near, most);
+    if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);
   }
   const BitMatrix shown = drawdown(out.draft);
   for (int p = 0; p < cells.rows(); ++p) out.wrong += differences(shown.row(p), cells.row(p));
-  out.why = exact.why;
+  out.why = why;
   out.shafts = exact.shafts;
   out.treadles = exact.treadles;
   return out;

@@ -202,6 +202,7 @@ void LookTest::shoot_menus(const Window& w) {
   ASSERT_NO_FATAL_FAILURE(leave(w, "tab_menu.duplicate"));
   display_.click(w.middle_of("tab.close:2"));
   ASSERT_TRUE(comes_true([&] { return !w.has("tab:1"); }));
+  display_.key("ctrl+0");  // the panes as wide as they were
 }
 
 void LookTest::shoot_comparison(const Window& w) {
@@ -218,7 +219,7 @@ void LookTest::shoot_nearest(const Window& w) {
   ASSERT_NO_FATAL_FAILURE(command(w, "drawdown rules"));
   ASSERT_TRUE(comes_true([&] { return w.live() != before; }));
   display_.key("shift+u");
-  display_.drag({w.cell("drawdown", 9, 9), w.cell("drawdown", 14, 12), w.cell("drawdown", 21, 15)});
+  display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 14, 12), w.cell("drawdown", 70, 120)});
   ASSERT_TRUE(comes_true([&] { return w.has("nearest.see"); }));
   shoot("nearest_notice");
   display_.click(w.middle_of("nearest.see"));

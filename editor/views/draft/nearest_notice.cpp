@@ -16,6 +16,7 @@ std::string sentence(std::string words) {
 
 std::string offer(const Nearest& n) {
   if (n.is_there) return "Nothing that it weaves comes nearer than what is there.";
+  if (n.wrong == 0) return "It weaves it all with other numbers of shafts and treadles.";
   const std::string crossings = std::to_string(n.wrong) + (n.wrong == 1 ? " crossing" : " crossings");
   return "The nearest that it weaves differs in " + crossings + ".";
 }

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "draft/generators.h"
 #include "files/files.h"
 #include "scratch_folder.h"
 
@@ -133,8 +132,7 @@ TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
 }
 
 TEST_F(DraftVerbs, convert_to_a_smaller_loom_refuses_or_takes_the_nearest) {
-  Design satin = draft::new_draft(*find_weave("satin"), {{"size", "8"}}, {16, 16}).design;
-  ASSERT_EQ(write_file_atomically(path("satin.wif"), write_new_wif(satin)), "");
+  ASSERT_EQ(weave_command({"satin", path("satin.wif"), {"shafts=8"}, 16, 16, false}), kDone);
   EXPECT_EQ(run({"convert", path("satin.wif"), path("eight.wif"), "--shafts", "8", "--treadles", "8"}).code, kDone);
   EXPECT_EQ(open_design(path("eight.wif")).design.draft, open_design(path("satin.wif")).design.draft);
   const Ran refused = run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4"});

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "files/files.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {

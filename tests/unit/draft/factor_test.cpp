@@ -125,6 +125,7 @@ TEST(Factor, ADraftMovesToASmallerLoomWhereItsClothAllows) {
   EXPECT_LE(small.draft.shafts, 4);
   EXPECT_LE(small.draft.treadles, 4);
   EXPECT_EQ(drawdown(small.draft), drawdown(d));
+  for (int e = 0; e < 16; ++e) EXPECT_EQ(small.draft.threading.count(e), 1) << "every end keeps a heddle";
   const Factored smaller = within_loom(d, {3, 4});
   EXPECT_EQ(smaller.why, "this takes 4 shafts, and the loom has 3");
   EXPECT_EQ(smaller.draft, d);

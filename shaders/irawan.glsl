@@ -45,7 +45,7 @@ FORMULA float irawan_reach(ThreadGrid g, int system, ivec2 cell, int way) {
     if (cell[other] < 0) cell[other] = g.count[other] - 1;
     if (cell[other] >= g.count[other]) cell[other] = 0;
     if (irawan_top(g, cell) != system) break;
-    reach += 2.0f * thread_body(other, cell[other]).y;
+    reach += 2.0f * thread_body(other, cell[other]).half_room;
   }
   return reach;
 }
@@ -53,11 +53,11 @@ FORMULA float irawan_reach(ThreadGrid g, int system, ivec2 cell, int way) {
 // at: 0..period.
 FORMULA IrawanPlace irawan_place(ThreadGrid g, vec2 at) {
   ivec2 cell = ivec2(thread_at(g, 0, at.x), thread_at(g, 1, at.y));
-  vec4 end = thread_body(0, cell.x);
-  vec4 pick = thread_body(1, cell.y);
-  vec2 aside = vec2(at.x - end.x, at.y - pick.x);
-  vec2 room = vec2(end.y, pick.y);
-  vec2 half_width = vec2(min(end.z, end.y), min(pick.z, pick.y));
+  ThreadSection end = thread_body(0, cell.x);
+  ThreadSection pick = thread_body(1, cell.y);
+  vec2 aside = vec2(at.x - end.centre, at.y - pick.centre);
+  vec2 room = vec2(end.half_room, pick.half_room);
+  vec2 half_width = vec2(min(end.half_width, end.half_room), min(pick.half_width, pick.half_room));
   IrawanPlace p;
   p.system = irawan_top(g, cell);
   p.above = abs(aside[p.system]) <= half_width[p.system];

@@ -11,7 +11,9 @@ uvec4 thread_texel(int i) { return texelFetch(thread_map, ivec2(i & (THREAD_MAP_
 
 int record_at(int system, int thread) { return threads_head.threads[system] + thread * THREAD_TEXELS; }
 
-vec4 thread_body(int system, int thread) { return record_body(thread_texel(record_at(system, thread) + THREAD_BODY)); }
+ThreadSection thread_body(int system, int thread) {
+  return record_body(thread_texel(record_at(system, thread) + THREAD_BODY));
+}
 
 int thread_bin(int system, int bin) {
   uvec4 four = thread_texel(threads_head.bins[system] + bin / 4);

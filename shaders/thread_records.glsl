@@ -6,6 +6,7 @@
 
 #include "interop.h"
 #include "thread_texture.glsl"
+#include "thread_swell.glsl"
 
 #ifndef FORMULA
 #define FORMULA
@@ -29,7 +30,7 @@ struct ThreadHead {
 };
 
 struct ThreadRecord {
-  vec4 body;            // centre, half its room, half width, half height, mm
+  uvec4 body;           // pack_section()
   vec3 color;           // linear
   int yarn;
   ThreadTexture pattern;
@@ -66,6 +67,7 @@ struct ThreadGrid {
   float reach;      // as high as its weave is above its own middle plane
   float side;       // 1: the front; -1: the back, where heights turn over
   vec2 even;        // the room of each thread where a system's are alike, else 0
+  ivec2 slubs;      // thick and thin places along an end, along a pick
 };
 
 FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
@@ -80,11 +82,39 @@ FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
   g.reach = h.reach;
   g.side = side;
   g.even = h.even;
+  g.slubs = ivec2(slubs_in(h.period.y), slubs_in(h.period.x));
   return g;
 }
 
-// From THREAD_BODY.
-FORMULA vec4 record_body(uvec4 a) { return uintBitsToFloat(a); }
+// A thread's section; mm.
+struct ThreadSection {
+  float centre;         // across
+  float half_room;
+  float half_width;     // means of what swells
+  float half_height;
+  float swell;          // spread of its thickness along it, over the mean
+};
+
+const float kRoundnessSteps = 262144.0f;   // of height over width, below 4
+const float kSwellSteps = 4095.0f;
+
+// From THREAD_BODY: centre, half its room and half width as they are; height over width and, below it, the swell.
+FORMULA ThreadSection record_body(uvec4 a) {
+  ThreadSection s;
+  s.centre = uintBitsToFloat(a.x);
+  s.half_room = uintBitsToFloat(a.y);
+  s.half_width = uintBitsToFloat(a.z);
+  s.half_height = s.half_width * (float(a.w >> 12) / kRoundnessSteps);
+  s.swell = float(a.w & 4095u) / kSwellSteps;
+  return s;
+}
+
+FORMULA uvec4 pack_section(ThreadSection s) {
+  float roundness = s.half_width > 0.0f ? clamp(s.half_height / s.half_width, 0.0f, 3.99f) : 0.0f;
+  uint tail = uint(roundness * kRoundnessSteps + 0.5f) << 12u;
+  return uvec4(floatBitsToUint(s.centre), floatBitsToUint(s.half_room), floatBitsToUint(s.half_width),
+               tail | uint(clamp(s.swell, 0.0f, 1.0f) * kSwellSteps + 0.5f));
+}
 
 // From THREAD_COLOR: linear colour; its yarn in w.
 FORMULA vec4 record_look(uvec4 a) {

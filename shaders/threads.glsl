@@ -8,7 +8,7 @@
 //   threads_block(grid, from, l, ...)              whether another thread stands before the light
 //
 // The host declares what it holds of the cloth:
-//   vec4 thread_body(int system, int thread)       centre, half its room, half width, half height
+//   ThreadSection thread_body(int system, int thread)
 //   int thread_bin(int system, int bin)            the first thread that reaches past the bin's start
 //   vec4 crossing_at(int end, int pick)            height and slope of the warp, of the weft
 //   ThreadGrid thread_layer(int i, float side)     the cloth's layer i: thread_records.glsl's grid_of()
@@ -38,10 +38,9 @@ const int kBinsAThread = 4;
 struct Strand {
   int thread;
   float centre;     // across
-  float half_width;
-  float half_height;
-  float per_width;  // over the halves
-  float per_height;
+  vec2 thin;        // 1 over half width and half height, at the crossing
+  vec2 thinner;     // what they gain along, 1/mm, up to the next one
+  float half_height;   // mean, by which distances inside a section are measured
   float start;      // along, at the crossing
   float low;        // from the nearer of this crossing and the next on this side, along
   float high;
@@ -62,6 +61,11 @@ FORMULA vec3 strand_curve(Strand s, float along) {
   return vec3(c.x + c.y * (along - held), c.y, held == along ? c.z : 0.0f);
 }
 
+// 1 over half width and half height at a place along.
+FORMULA vec2 strand_thin(Strand s, float along) {
+  return s.thin + s.thinner * (clamp(along, s.low, s.high) - s.start);
+}
+
 // Where a point lies in the section of a thread that holds it: x, y on the section, 1 long on the ellipse; z the
 // section's place along. Sections stand at right angles to the centre line, so over a slope the one that holds a
 // point stands further along: the foot of the perpendicular, by Newton's steps.
@@ -75,7 +79,8 @@ FORMULA vec3 strand_place(Strand s, float across, float along, float z) {
     c = strand_curve(s, place);
   }
   float up = ((z - c.x) - (along - place) * c.y) * inversesqrt(1.0f + c.y * c.y);
-  return vec3((across - s.centre) * s.per_width, up * s.per_height, place);
+  vec2 thin = strand_thin(s, place);
+  return vec3((across - s.centre) * thin.x, up * thin.y, place);
 }
 
 // Below 0 inside the thread; a length.
@@ -86,13 +91,14 @@ FORMULA float strand_distance(Strand s, float across, float along, float z) {
 
 // Highest point of the thread over a place, `steps` closer than of a straight one; far below where it is not.
 FORMULA float strand_top(Strand s, float across, float along, int steps) {
-  float x = (across - s.centre) * s.per_width;
+  vec2 thin = strand_thin(s, along);
+  float x = (across - s.centre) * thin.x;
   if (abs(x) > 1.0f) return -1.0e6f;
   vec3 c = strand_curve(s, along);
-  float lean = sqrt(1.0f + c.y * c.y);
+  float lean = sqrt(1.0f + c.y * c.y) / thin.y;
   float wanted = sqrt(1.0f - x * x);
-  float z = c.x + s.half_height * wanted * lean;
-  for (int k = 0; k < steps; ++k) z += (wanted - strand_place(s, across, along, z).y) * s.half_height * lean;
+  float z = c.x + wanted * lean;
+  for (int k = 0; k < steps; ++k) z += (wanted - strand_place(s, across, along, z).y) * lean;
   return z;
 }
 
@@ -101,8 +107,9 @@ FORMULA float strand_near(Strand s, float across, float along, float z) {
   vec3 c = strand_curve(s, along);
   float place = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
   c = strand_curve(s, place);
-  float x = (across - s.centre) * s.per_width;
-  float y = ((z - c.x) - (along - place) * c.y) * s.per_height;
+  vec2 thin = strand_thin(s, along);
+  float x = (across - s.centre) * thin.x;
+  float y = ((z - c.x) - (along - place) * c.y) * thin.y;
   return (sqrt(x * x + y * y / (1.0f + c.y * c.y)) - 1.0f) * s.half_height;
 }
 
@@ -121,8 +128,8 @@ FORMULA int thread_at(ThreadGrid g, int system, float place) {
   int k = 0;
   do {
     int middle = (thread + last) / 2;
-    vec4 body = thread_body(system, middle);
-    if (body.x + body.y > place) last = middle;
+    ThreadSection body = thread_body(system, middle);
+    if (body.centre + body.half_room > place) last = middle;
     else thread = min(middle + 1, last);
     ++k;
   } while (k < kMostHalvings && thread < last);
@@ -130,14 +137,21 @@ FORMULA int thread_at(ThreadGrid g, int system, float place) {
 #endif
 }
 
-FORMULA Strand strand_of(int thread, vec4 body, float base, float start, float step, float side, vec2 here, vec2 next) {
+// 1 over a thread's half width and half height where it crosses thread `at` of the other system.
+FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
+  int other = 1 - system;
+  float f = swell_at(body.swell, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
+  return 1.0f / swollen(max(vec2(body.half_width, body.half_height), vec2(1.0e-6f)), body.half_room, f);
+}
+
+FORMULA Strand strand_of(int thread, ThreadSection body, vec2 thin, vec2 next_thin, float base, float start, float step,
+                         float side, vec2 here, vec2 next) {
   Strand s;
   s.thread = thread;
-  s.centre = body.x + base;
-  s.half_width = max(body.z, 1.0e-6f);
-  s.half_height = max(body.w, 1.0e-6f);
-  s.per_width = 1.0f / s.half_width;
-  s.per_height = 1.0f / s.half_height;
+  s.centre = body.centre + base;
+  s.thin = thin;
+  s.thinner = (next_thin - thin) / step;
+  s.half_height = max(body.half_height, 1.0e-6f);
   s.start = start;
   s.low = min(start, start + step);
   s.high = max(start, start + step);
@@ -165,7 +179,7 @@ FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
     next = 0;
     shift = g.period[system];
   }
-  return vec2(float(first + next), thread_body(system, first + next).x + shift);
+  return vec2(float(first + next), thread_body(system, first + next).centre + shift);
 #endif
 }
 
@@ -173,9 +187,9 @@ FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
   vec2 base = vec2(floor(at.x / g.period.x) * g.period.x, floor(at.y / g.period.y) * g.period.y);
   int end = thread_at(g, 0, at.x - base.x);
   int pick = thread_at(g, 1, at.y - base.y);
-  vec4 end_body = thread_body(0, end);
-  vec4 pick_body = thread_body(1, pick);
-  vec2 middle = vec2(end_body.x, pick_body.x) + base;
+  ThreadSection end_body = thread_body(0, end);
+  ThreadSection pick_body = thread_body(1, pick);
+  vec2 middle = vec2(end_body.centre, pick_body.centre) + base;
   bool right = at.x >= middle.x;
   bool up = at.y >= middle.y;
   vec2 next_end = beside(g, 0, end, right ? 1 : -1);
@@ -184,12 +198,14 @@ FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
   vec4 along_warp = crossing_at(end, int(next_pick.x));
   vec4 along_weft = crossing_at(int(next_end.x), pick);
   Crossing c;
-  c.warp = strand_of(end, end_body, base.x, middle.y, next_pick.y - pick_body.x, g.side, vec2(here.x, here.y),
+  c.warp = strand_of(end, end_body, thin_at(g, 0, end, end_body, pick), thin_at(g, 0, end, end_body, int(next_pick.x)),
+                     base.x, middle.y, next_pick.y - pick_body.centre, g.side, vec2(here.x, here.y),
                      vec2(along_warp.x, along_warp.y));
-  c.weft = strand_of(pick, pick_body, base.y, middle.x, next_end.y - end_body.x, g.side, vec2(here.z, here.w),
-                     vec2(along_weft.z, along_weft.w));
-  c.low = vec2(right ? middle.x : middle.x - end_body.y, up ? middle.y : middle.y - pick_body.y);
-  c.high = vec2(right ? middle.x + end_body.y : middle.x, up ? middle.y + pick_body.y : middle.y);
+  c.weft = strand_of(pick, pick_body, thin_at(g, 1, pick, pick_body, end),
+                     thin_at(g, 1, pick, pick_body, int(next_end.x)), base.y, middle.x,
+                     next_end.y - end_body.centre, g.side, vec2(here.z, here.w), vec2(along_weft.z, along_weft.w));
+  c.low = vec2(right ? middle.x : middle.x - end_body.half_room, up ? middle.y : middle.y - pick_body.half_room);
+  c.high = vec2(right ? middle.x + end_body.half_room : middle.x, up ? middle.y + pick_body.half_room : middle.y);
   return c;
 }
 
@@ -390,8 +406,9 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float r = inversesqrt(max(x * x + y * y, 1.0e-8f));
   x *= r;
   y *= r;
-  float side = x * s.per_width;
-  float up = y * s.per_height;
+  vec2 thin = strand_thin(s, q.z);
+  float side = x * thin.x;
+  float up = y * thin.y;
   ThreadPoint t;
   t.normal = system == 0 ? normalize(vec3(side, -c.y * n * up, n * up)) : normalize(vec3(-c.y * n * up, side, n * up));
   t.axis = system == 0 ? vec3(0.0f, n, c.y * n) : vec3(n, 0.0f, c.y * n);
@@ -400,8 +417,8 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   t.turn = 0.25f - atan(y, x) * 0.15915494f;
   t.along = q.z;
   float size = inversesqrt(side * side + up * up);
-  float room = s.half_width * s.half_height;
-  t.bend = vec2(c.z * n * n * n * up * size, size * size * size / (room * room));
+  float tight = thin.x * thin.y;
+  t.bend = vec2(c.z * n * n * n * up * size, size * size * size * tight * tight);
   return t;
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "cloth/swell.h"
 #include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
@@ -123,6 +124,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
   const int ends = lines.ends(), picks = window.pick1 - window.pick0;
   lines.warp_mm.resize(static_cast<size_t>(ends) * static_cast<size_t>(picks));
   lines.weft_mm.resize(lines.warp_mm.size());
+  const bool swell = swells(cloth, System::kWarp) || swells(cloth, System::kWeft);
   const auto rise = [&](size_t at, std::ptrdiff_t stride) {
     return kRises[static_cast<size_t>(cells.run(at, -stride) * (kFloatReach + 1) + cells.run(at, stride))];
   };
@@ -135,7 +137,9 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
           static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) + static_cast<size_t>(e + kFloatReach);
       const float sum = w.stiffness + f.stiffness;
       const float share = sum > 0.0f ? std::clamp(f.stiffness / sum, kLeastShare, 1.0f - kLeastShare) : 0.5f;
-      const float apart = 0.5f * (w.height + f.height);
+      const float apart = swell ? half_section(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
+                                      half_section(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
+                                : 0.5f * (w.height + f.height);
       const float side = cells.up[at] ? 1.0f : -1.0f;
       lines.warp_mm[out] = side * (share * apart + w.rise * rise(at, cells.cols));
       lines.weft_mm[out] = -side * ((1.0f - share) * apart + f.rise * rise(at, 1));

@@ -10,6 +10,8 @@
 #include <functional>
 #include <numbers>
 
+#include "cloth/swell.h"
+
 namespace weftlight::cloth {
 namespace {
 
@@ -36,20 +38,22 @@ int thread_at(const std::vector<ThreadBody>& threads, float s_mm) {
 }
 
 /// Height of a thread's section above its axis.
-float section(const ThreadBody& body, float across_mm) {
-  const float u = 2.0f * (across_mm - body.centre_mm) / body.width_mm;
-  return body.width_mm > 0.0f ? 0.5f * body.height_mm * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
+float section(float centre_mm, glm::vec2 half, float across_mm) {
+  const float u = (across_mm - centre_mm) / half.x;
+  return half.x > 0.0f ? half.y * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
 }
 
 /// Integral of the squared slope of a section between two places on it.
-float squared_slopes(const ThreadBody& body, float from_mm, float to_mm) {
-  const float half = 0.5f * body.width_mm, ratio = body.height_mm / body.width_mm;
+float squared_slopes(float centre_mm, glm::vec2 half, float from_mm, float to_mm) {
+  const float ratio = half.y / half.x;
   const auto integral = [&](float mm) {
-    const float u = std::clamp((mm - body.centre_mm) / half, -kSteepest, kSteepest);
+    const float u = std::clamp((mm - centre_mm) / half.x, -kSteepest, kSteepest);
     return std::atanh(u) - u;
   };
-  return ratio * ratio * half * (integral(to_mm) - integral(from_mm));
+  return ratio * ratio * half.x * (integral(to_mm) - integral(from_mm));
 }
+
+glm::vec2 mean_half(const ThreadBody& body) { return {0.5f * body.width_mm, 0.5f * body.height_mm}; }
 
 float unit_or_less(float x) { return std::min(x, 1.0f); }
 
@@ -89,9 +93,7 @@ SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid
 }
 
 float floor_mm(const Cloth& cloth) {
-  float end = 0, pick = 0;
-  for (const ThreadBody& t : cloth.ends) end = std::max(end, t.height_mm);
-  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, t.height_mm);
+  const float end = 2 * tallest_half(cloth, System::kWarp), pick = 2 * tallest_half(cloth, System::kWeft);
   float lowest = 0;
   for (const float level : cloth.warp_level_mm) lowest = std::min(lowest, level);
   return lowest - 0.5f * (end + pick);
@@ -131,7 +133,8 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
       weft_texture_(textures(cloth, System::kWeft, static_cast<float>(y0) * dy_mm_, static_cast<float>(y1) * dy_mm_,
                              dy_mm_, dx_mm_)),
       columns_(across(System::kWarp, x0, x1)),
-      rows_(across(System::kWeft, y0, y1)) {
+      rows_(across(System::kWeft, y0, y1)),
+      swells_{cloth::swells(cloth, System::kWarp), cloth::swells(cloth, System::kWeft)} {
   column_steps_.reserve(columns_.size());
   for (int x = x0; x < x1; ++x)
     column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
@@ -144,59 +147,71 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
 
 std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int first, int last) const {
   const auto& threads = threads_of(cloth_, system);
-  const auto& textures = system == System::kWarp ? warp_texture_ : weft_texture_;
   const float step = system == System::kWarp ? dx_mm_ : dy_mm_;
-  const float step_along = system == System::kWarp ? dy_mm_ : dx_mm_;
-  const float length = system == System::kWarp ? cloth_.depth_mm : cloth_.width_mm;
   std::vector<Across> out(static_cast<size_t>(last - first));
   int lowest = thread_at(threads, static_cast<float>(first) * step);
   for (int i = first; i < last; ++i) {
     Across& a = out[static_cast<size_t>(i - first)];
-    const float from = static_cast<float>(i) * step, to = static_cast<float>(i + 1) * step;
-    const float middle = 0.5f * (from + to);
-    const int count = static_cast<int>(threads.size());
-    const auto end_of = [&](int t) {
-      return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
-    };
-    while (lowest + 1 < count && end_of(lowest) <= from) ++lowest;
-    float covered = 0, rise = 0, squares = 0;
-    for (int t = lowest; t < count; ++t) {
-      const ThreadBody& b = threads[static_cast<size_t>(t)];
-      if (b.centre_mm - 0.5f * b.spacing_mm >= to) break;
-      const float lo = std::max(from, b.centre_mm - 0.5f * b.width_mm);
-      const float hi = std::min(to, b.centre_mm + 0.5f * b.width_mm);
-      if (hi <= lo) continue;
-      covered += hi - lo;
-      rise += section(b, hi) - section(b, lo);
-      squares += squared_slopes(b, lo, hi);
-    }
-    if (covered > 1e-6f * step) {
-      a.slope = -rise / covered;
-      a.slope_spread = std::max(0.0f, squares / covered - a.slope * a.slope);
-    }
-    a.cover = unit_or_less(covered / step);
-    a.thread = lowest;
-    while (a.thread + 1 < count && end_of(a.thread) <= middle) ++a.thread;
-
-    const ThreadBody& body = threads[static_cast<size_t>(a.thread)];
-    const ThreadTexture& texture = textures.at(a.thread);
-    const float half = std::max(0.5f * body.width_mm, 1e-7f), d = middle - body.centre_mm;
-    a.beyond_mm = std::max(0.0f, std::abs(d) - half);
-    const float u0 = std::clamp((from - body.centre_mm) / half, -1.0f, 1.0f);
-    const float u1 = std::clamp((to - body.centre_mm) / half, -1.0f, 1.0f);
-    const float u = 0.5f * (u0 + u1);
-    a.height_mm = section(body, body.centre_mm + u * half);
-    const float around = std::asin(std::clamp(u, -1.0f, 1.0f)) / kTwoPi;
-    a.turn = texture.fibres * around;
-    a.ply_turn = static_cast<float>(texture.plies) * around;
-    const float turn_per_sample = step / (kTwoPi * half * std::sqrt(std::max(1e-4f, 1.0f - u * u)));
-    const auto cycles = [&](float patterns, int advance) {
-      return std::max(patterns * turn_per_sample, std::abs(static_cast<float>(advance)) * step_along / length);
-    };
-    a.cycles = cycles(texture.fibres, texture.advance);
-    a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
+    a = across_at(system, i, lowest, [&](int t) { return mean_half(threads[static_cast<size_t>(t)]); });
+    lowest = a.lowest;
   }
   return out;
+}
+
+template <class Sizes>
+SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int lowest, const Sizes& sizes) const {
+  const auto& threads = threads_of(cloth_, system);
+  const auto& textures = system == System::kWarp ? warp_texture_ : weft_texture_;
+  const float step = system == System::kWarp ? dx_mm_ : dy_mm_;
+  const float step_along = system == System::kWarp ? dy_mm_ : dx_mm_;
+  const float length = system == System::kWarp ? cloth_.depth_mm : cloth_.width_mm;
+  const float from = static_cast<float>(sample) * step, to = static_cast<float>(sample + 1) * step;
+  const float middle = 0.5f * (from + to);
+  const int count = static_cast<int>(threads.size());
+  const auto end_of = [&](int t) {
+    return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
+  };
+  Across a;
+  while (lowest + 1 < count && end_of(lowest) <= from) ++lowest;
+  a.lowest = lowest;
+  float covered = 0, rise = 0, squares = 0;
+  for (int t = lowest; t < count; ++t) {
+    const ThreadBody& b = threads[static_cast<size_t>(t)];
+    if (b.centre_mm - 0.5f * b.spacing_mm >= to) break;
+    const glm::vec2 half = sizes(t);
+    const float lo = std::max(from, b.centre_mm - half.x), hi = std::min(to, b.centre_mm + half.x);
+    if (hi <= lo) continue;
+    covered += hi - lo;
+    rise += section(b.centre_mm, half, hi) - section(b.centre_mm, half, lo);
+    squares += squared_slopes(b.centre_mm, half, lo, hi);
+  }
+  if (covered > 1e-6f * step) {
+    a.slope = -rise / covered;
+    a.slope_spread = std::max(0.0f, squares / covered - a.slope * a.slope);
+  }
+  a.cover = unit_or_less(covered / step);
+  a.thread = lowest;
+  while (a.thread + 1 < count && end_of(a.thread) <= middle) ++a.thread;
+
+  const float centre = threads[static_cast<size_t>(a.thread)].centre_mm;
+  const ThreadTexture& texture = textures.at(a.thread);
+  const glm::vec2 size = sizes(a.thread);
+  const float half = std::max(size.x, 1e-7f);
+  a.beyond_mm = std::max(0.0f, std::abs(middle - centre) - half);
+  const float u0 = std::clamp((from - centre) / half, -1.0f, 1.0f);
+  const float u1 = std::clamp((to - centre) / half, -1.0f, 1.0f);
+  const float u = 0.5f * (u0 + u1);
+  a.height_mm = section(centre, size, centre + u * half);
+  const float around = std::asin(std::clamp(u, -1.0f, 1.0f)) / kTwoPi;
+  a.turn = texture.fibres * around;
+  a.ply_turn = static_cast<float>(texture.plies) * around;
+  const float turn_per_sample = step / (kTwoPi * half * std::sqrt(std::max(1e-4f, 1.0f - u * u)));
+  const auto cycles = [&](float patterns, int advance) {
+    return std::max(patterns * turn_per_sample, std::abs(static_cast<float>(advance)) * step_along / length);
+  };
+  a.cycles = cycles(texture.fibres, texture.advance);
+  a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
+  return a;
 }
 
 SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
@@ -265,8 +280,8 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
 }
 
 void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
-  const Across& across_row = rows_[static_cast<size_t>(y - y0_)];
-  if (across_row.thread != pick_) follow_pick(across_row.thread);
+  const Across& even_row = rows_[static_cast<size_t>(y - y0_)];
+  if (even_row.thread != pick_) follow_pick(even_row.thread);
   const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
   const CentreStep step = centre_step(cloth_, System::kWarp, s_mm);
   const int first_end = columns_.front().thread;
@@ -274,7 +289,14 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     warp_along_[e] = along(System::kWarp, first_end + static_cast<int>(e), step, s_mm);
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
-    const Across& column = columns_[i];
+    // Threads that swell are of another width at each place along.
+    const Across column = swells_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
+                                                 [&](int t) { return half_section(cloth_, System::kWarp, t, step); })
+                                     : columns_[i];
+    const Across across_row =
+        swells_[1] ? across_at(System::kWeft, y, even_row.lowest,
+                               [&](int t) { return half_section(cloth_, System::kWeft, t, column_steps_[i]); })
+                   : even_row;
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
     const Along& pick = weft_along_[i];
     // Shares of the sample: both systems there and one on top, or one of them alone.

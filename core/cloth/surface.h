@@ -67,6 +67,7 @@ class SurfaceSampler {
     float slope = 0;         // -d height / d across, mean over the sample
     float slope_spread = 0;  // its variance inside the sample
     float turn = 0, ply_turn = 0, cycles = 0, ply_fade = 1;
+    int lowest = 0;  // the first thread that shows in the sample
   };
   /// A thread's state at a sample along it.
   struct Along {
@@ -78,6 +79,9 @@ class SurfaceSampler {
   };
 
   std::vector<Across> across(System system, int first, int last) const;
+  /// sizes: of a thread, half width and half height (mm) where it is seen.
+  template <class Sizes>
+  Across across_at(System system, int sample, int lowest, const Sizes& sizes) const;
   Along along(System system, int thread, const CentreStep& step, float s_mm) const;
   void follow_pick(int pick);
   SurfaceSample finish(System system, const Across& across, const Along& along, float cover) const;
@@ -97,6 +101,7 @@ class SurfaceSampler {
   static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm, float step, float step_along);
   Textures warp_texture_, weft_texture_;
   std::vector<Across> columns_, rows_;
+  bool swells_[2];  // whether threads of the system are of uneven thickness
   std::vector<CentreStep> column_steps_;
   CentreLines lines_;
   std::vector<Along> warp_along_;  // of this row, by end of the window

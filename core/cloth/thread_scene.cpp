@@ -6,27 +6,29 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/layers.h"
+#include "cloth/swell.h"
 
 namespace weftlight::cloth {
 namespace {
 
 constexpr int kBinsAThread = 4;  // of shaders/threads.glsl
 
-std::vector<glm::vec4> bodies_of(const std::vector<ThreadBody>& threads) {
-  std::vector<glm::vec4> out;
+std::vector<glm::uvec4> bodies_of(const std::vector<ThreadBody>& threads, float length_mm) {
+  std::vector<glm::uvec4> out;
   out.reserve(threads.size());
   for (const ThreadBody& t : threads)
-    out.push_back({t.centre_mm, 0.5f * t.spacing_mm, 0.5f * t.width_mm, 0.5f * t.height_mm});
+    out.push_back(thread_formulas::pack_section(
+        {t.centre_mm, 0.5f * t.spacing_mm, 0.5f * t.width_mm, 0.5f * t.height_mm, spread_in(t, length_mm)}));
   return out;
 }
 
 /// Adds the bins of the threads [from, to), which fill the period.
-void add_bins(std::vector<int>& first, const std::vector<glm::vec4>& bodies, size_t from, size_t to, float period) {
+void add_bins(std::vector<int>& first, const std::vector<ThreadBody>& threads, size_t from, size_t to, float period) {
   const size_t count = (to - from) * kBinsAThread;
   size_t thread = from;
   for (size_t bin = 0; bin < count; ++bin) {
     const float start = period * static_cast<float>(bin) / static_cast<float>(count);
-    while (thread + 1 < to && bodies[thread].x + bodies[thread].y <= start) ++thread;
+    while (thread + 1 < to && threads[thread].centre_mm + 0.5f * threads[thread].spacing_mm <= start) ++thread;
     first.push_back(static_cast<int>(thread));
   }
 }
@@ -106,9 +108,7 @@ namespace {
 
 /// Lowest and highest place that threads with such crossings reach; they bulge between them.
 glm::vec2 span_of(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
-  float end = 0, pick = 0;
-  for (const ThreadBody& t : cloth.ends) end = std::max(end, 0.5f * t.height_mm);
-  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, 0.5f * t.height_mm);
+  const float end = tallest_half(cloth, System::kWarp), pick = tallest_half(cloth, System::kWeft);
   const float between_ends = widest_room(cloth.ends), between_picks = widest_room(cloth.picks);
   glm::vec2 span(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
   // Between crossings a cubic rises above them by a quarter of its slopes' rise at the most.
@@ -123,9 +123,8 @@ glm::vec2 span_of(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
 }  // namespace
 
 float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
-  float end = 0, pick = 0, most = 0;
-  for (const ThreadBody& t : cloth.ends) end = std::max(end, 0.5f * t.height_mm);
-  for (const ThreadBody& t : cloth.picks) pick = std::max(pick, 0.5f * t.height_mm);
+  const float end = tallest_half(cloth, System::kWarp), pick = tallest_half(cloth, System::kWeft);
+  float most = 0;
   const float between_ends = widest_room(cloth.ends), between_picks = widest_room(cloth.picks);
   // Between crossings a cubic rises above them by a quarter of its slopes' rise at the most.
   for (const glm::vec4& c : crossings) {
@@ -163,15 +162,15 @@ void take_span(thread_formulas::ThreadHead& h, Cloth one) {
 
 ThreadTables thread_tables(const Cloth& cloth, float top_mm) {
   ThreadTables t;
-  t.bodies = {bodies_of(cloth.ends), bodies_of(cloth.picks)};
+  t.bodies = {bodies_of(cloth.ends, cloth.depth_mm), bodies_of(cloth.picks, cloth.width_mm)};
   const int layers = layer_count(cloth);
   for (int i = 0; i < layers; ++i) {
     const Layer l = cloth.layers.empty()
                         ? Layer{0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())}
                         : cloth.layers[static_cast<size_t>(i)];
-    add_bins(t.first[0], t.bodies[0], static_cast<size_t>(l.first_end), static_cast<size_t>(l.first_end + l.ends),
+    add_bins(t.first[0], cloth.ends, static_cast<size_t>(l.first_end), static_cast<size_t>(l.first_end + l.ends),
              cloth.width_mm);
-    add_bins(t.first[1], t.bodies[1], static_cast<size_t>(l.first_pick), static_cast<size_t>(l.first_pick + l.picks),
+    add_bins(t.first[1], cloth.picks, static_cast<size_t>(l.first_pick), static_cast<size_t>(l.first_pick + l.picks),
              cloth.depth_mm);
     if (layers > 1) {
       Cloth one = one_layer(cloth, i);

@@ -15,7 +15,7 @@ namespace weftlight::cloth {
 /// What the formulas fetch. Systems: 0 warp, 1 weft.
 struct ThreadTables {
   std::vector<thread_formulas::ThreadHead> layers;  // at least one; without the places of records
-  std::array<std::vector<glm::vec4>, 2> bodies;     // centre, half the room, half width, half height, mm
+  std::array<std::vector<glm::uvec4>, 2> bodies;    // record_body() of shaders/thread_records.glsl takes them out
   std::array<std::vector<int>, 2> first;            // of the threads that reach past a bin's start
 };
 
@@ -36,8 +36,8 @@ class ThreadScene {
  public:
   explicit ThreadScene(const Cloth& cloth, Face face = Face::kFront);
 
-  vec4 thread_body(int system, int thread) const {
-    return tables_.bodies[static_cast<size_t>(system)][static_cast<size_t>(thread)];
+  ThreadSection thread_body(int system, int thread) const {
+    return record_body(tables_.bodies[static_cast<size_t>(system)][static_cast<size_t>(thread)]);
   }
   int thread_bin(int system, int bin) const {
     return tables_.first[static_cast<size_t>(system)][static_cast<size_t>(bin)];

@@ -45,6 +45,7 @@ struct Yarn {
   float hairiness = 0.35f;     // noise of stray fibres
   float flattening = 0.8f;     // height over width of the cross-section in the cloth
   float irregularity = 0;      // standard deviation of the thickness between threads, over its mean
+  float unevenness = 0;        // coefficient of variation of its mass along it, %
   float melange = 0;           // how unlike the colours of neighbouring fibres are
   Lobes lobes;
   bool operator==(const Yarn&) const = default;

@@ -55,7 +55,7 @@ inline constexpr FieldFacts kLustreFacts{"",
                                          "From dull to bright; in the middle as such a fibre is",
                                          "spread along the fibre and layers, of docs/measured.md's yarns"};
 
-inline constexpr std::array<YarnField<Yarn>, 8> kYarnFields{{
+inline constexpr std::array<YarnField<Yarn>, 9> kYarnFields{{
     {{"Diameter", "diameter_mm", "Thickness", "mm", 2, 0, 50, 0.05f, 5, true,
       "Diameter, where the draft itself gives none", "cotton Ne 8/2 rounded up; to 50 mm for rope"},
      &Yarn::diameter_mm},
@@ -79,6 +79,10 @@ inline constexpr std::array<YarnField<Yarn>, 8> kYarnFields{{
       "How unevenly the yarn is spun: spread of the threads' thickness",
       "standard deviation over mean: filament 0.01, combed cotton 0.05, woollen 0.1, slub yarn 0.2 and more"},
      &Yarn::irregularity},
+    {{"Unevenness", "unevenness", "Slubs", "%", 0, 0, 100, 0, 60, false,
+      "Thick and thin places along the thread: coefficient of variation of its mass (Uster CVm)",
+      "Uster Statistics: filament 1, combed cotton 12, carded and worsted 16, woollen 20, wet-spun linen 24; slub 40"},
+     &Yarn::unevenness},
     {{"Melange", "melange", "Melange", "", 2, 0, 1, 0, 1, false,
       "Fibres of unlike colours spun together: heather and flannel", "0: dyed as yarn or piece; by eye"},
      &Yarn::melange},

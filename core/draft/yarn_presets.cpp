@@ -15,6 +15,7 @@
 // Hairiness: rank of the Uster hairiness of such yarns, wool over cotton over gassed cotton; filament has
 //   almost no free ends.
 // Flattening: what loom and press leave: Peirce 1937 saw 0.6-0.8 in cotton; low twist spreads more.
+// Unevenness: medians of such yarns in the Uster Statistics, singles over the root of their plies; filament 1.
 // Index: mean of the two of the fibre: cotton 1.578/1.532, flax 1.596/1.528, silk 1.591/1.538, wool
 //   1.556/1.547, viscose 1.539/1.519, polyester 1.725/1.537 (Morton and Hearle, ch. 24).
 // Light of cotton, linen, silk and polyester filament: widths, layers, inner light and fuzz were fitted to measured
@@ -50,6 +51,7 @@ std::array<Yarn, 8> make_presets() {
        0.35f,
        0.70f,
        0,
+       11,
        0,
        {1.0f, kWhite, 1.55f, 0.30f, 0.20f, 3, 0.10f, 0.9f, 0.12f, 0.55f, 0.12f, false}},
       // Ne 10/2 gassed, 118 tex, phi 0.65; 20 degrees.
@@ -63,6 +65,7 @@ std::array<Yarn, 8> make_presets() {
        0.10f,
        0.75f,
        0,
+       9,
        0,
        {1.0f, kWhite, 1.55f, 0.16f, 0.30f, 4, 0.12f, 0.9f, 0.06f, 0.45f, 0.12f, false}},
       // Lea 16/2 wet-spun, 207 tex, phi 0.65; 16 degrees.
@@ -76,6 +79,7 @@ std::array<Yarn, 8> make_presets() {
        0.22f,
        0.75f,
        0,
+       18,
        0,
        {1.0f, kWhite, 1.56f, 0.38f, 0.30f, 4.4f, 0.40f, 0.9f, 0.02f, 0.50f, 0.14f, false}},
       // Nm 30/2 spun, 67 tex, phi 0.6; 14 degrees.
@@ -89,6 +93,7 @@ std::array<Yarn, 8> make_presets() {
        0.06f,
        0.65f,
        0,
+       10,
        0,
        {0.95f, kWhite, 1.56f, 0.087f, 0.89f, 4.5f, 0.09f, 0.9f, 0.012f, 0.40f, 0.14f, false}},
       // Nm 28/2 worsted, 71 tex, phi 0.5; 18 degrees.
@@ -102,6 +107,7 @@ std::array<Yarn, 8> make_presets() {
        0.65f,
        0.75f,
        0,
+       13,
        0,
        {0.7f, kWhite, 1.55f, 0.42f, 0.60f, 2, 0.10f, 1.0f, 0.35f, 0.65f, 0.10f, false}},
       // 300 den filament, 33 tex, phi 0.6; 5 degrees.
@@ -115,6 +121,7 @@ std::array<Yarn, 8> make_presets() {
        0.04f,
        0.60f,
        0,
+       1,
        0,
        {1.0f, kWhite, 1.53f, 0.10f, 0.60f, 4, 0.10f, 0.9f, 0.02f, 0.40f, 0.20f, false}},
       // 150 den filament, 17 tex, phi 0.6; 4 degrees.
@@ -128,6 +135,7 @@ std::array<Yarn, 8> make_presets() {
        0.02f,
        0.60f,
        0,
+       1,
        0,
        {0.95f, kWhite, 1.63f, 0.06f, 0.69f, 8, 0.02f, 0.9f, 0.004f, 0.35f, 0.12f, false}},
       // Slit film 0.37 mm wide, folded round its core to about 0.25 mm.
@@ -140,6 +148,7 @@ std::array<Yarn, 8> make_presets() {
        0.05f,
        0.0f,
        0.45f,
+       0,
        0,
        0,
        {1.0f, kWhite, 1.50f, 0.06f, 0.22f, 1, 0, 0.0f, 0.0f, 0.30f, 0.0f, true}},

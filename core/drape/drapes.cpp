@@ -4,6 +4,7 @@
 
 #include "drape/bodies.h"
 #include "drape/garments.h"
+#include "drape/hang.h"
 #include "drape/vec.h"
 
 namespace weftlight::drape {
@@ -107,14 +108,21 @@ const std::vector<std::string>& drape_names() {
   return names;
 }
 
-Mesh simulate_drape(const std::string& name, float steps_scale) {
+Mesh simulate_drape(const std::string& name, Hang hang, float steps_scale) {
   if (name == "plane") return plane();
-  if (name == "sphere") return finish(sphere(), name, steps_scale);
-  if (name == "tablecloth") return finish(tablecloth(), name, steps_scale);
-  if (name == "curtain") return finish(curtain(), name, steps_scale);
-  if (name == "skirt") return finish(skirt(), name, steps_scale);
-  if (name == "tunic") return finish(tunic(), name, steps_scale);
+  const std::pair<const char*, Drape (*)()> kDrapes[]{
+      {"sphere", sphere}, {"tablecloth", tablecloth}, {"curtain", curtain}, {"skirt", skirt}, {"tunic", tunic}};
+  for (const auto& [known, make] : kDrapes) {
+    if (name != known) continue;
+    Drape drape = make();
+    drape.fabric = in_hang(drape.fabric, hang);
+    return finish(std::move(drape), name, steps_scale);
+  }
   return {};
+}
+
+Mesh simulate_drape(const std::string& name, float steps_scale) {
+  return simulate_drape(name, Hang::kMedium, steps_scale);
 }
 
 Mesh body_mesh(const std::string& name) { return mesh_of_body(name); }

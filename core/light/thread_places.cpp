@@ -119,16 +119,17 @@ ThreadPlace Placer::place(int system, int k, int count) {
   const float along = system == 0 ? at.y : at.x;
   const glm::vec3 c = scene_.strand_curve(s, along);
   const float lean = std::sqrt(1 + c.y * c.y), x = std::sin(turn), y = std::cos(turn);
-  const float around = std::sqrt(s.half_width * s.half_width * y * y + s.half_height * s.half_height * x * x);
+  const glm::vec2 half = 1.0f / scene_.strand_thin(s, along);
+  const float around = std::sqrt(half.x * half.x * y * y + half.y * half.y * x * x);
   // Sections stand at right angles to a bent line: outside the bend they are further apart.
-  const float apart = lean * (1 - s.half_height * y * c.z / (lean * lean * lean));
+  const float apart = lean * (1 - half.y * y * c.z / (lean * lean * lean));
   const float room = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)].spacing_mm;
   ThreadPlace p;
   p.system = system;
   if (apart <= 0 || room <= 0) return p;
   p.area = around * apart * density * 2 * static_cast<float>(grid_.layers) / (room * static_cast<float>(count));
-  const float aside = s.centre + s.half_width * x, level = c.x + s.half_height * y / lean;
-  const float ahead = along - s.half_height * y * c.y / lean;
+  const float aside = s.centre + half.x * x, level = c.x + half.y * y / lean;
+  const float ahead = along - half.y * y * c.y / lean;
   const glm::vec3 where = system == 0 ? glm::vec3(aside, ahead, level) : glm::vec3(ahead, aside, level);
   p.height_mm = level;
   // Inside the other thread, where both are pressed together.

@@ -11,6 +11,7 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/layers.h"
+#include "cloth/swell.h"
 #include "reference/embree.h"
 
 namespace weftlight::reference {
@@ -32,6 +33,7 @@ struct Tube {
 /// A point of the centre line.
 struct Ring {
   float along, z, slope;
+  glm::vec2 radii;  // half width, half height
 };
 
 glm::vec3 axis_of(System s, float slope) {
@@ -75,14 +77,11 @@ struct TubeScene::Parts {
   float along_of(System s, float ring) const {
     return (ring - static_cast<float>(beyond[static_cast<int>(s)])) * step(s);
   }
-  float thickest(System s) const {
-    float most = 0;
-    for (const ThreadBody& body : threads(s)) most = std::max(most, body.height_mm);
-    return 0.5f * most;
-  }
-  glm::vec2 radii(System s, int thread) const {
+  float thickest(System s) const { return tallest_half(cloth, s); }
+  /// No place of it is wider.
+  float widest(System s, int thread) const {
     const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
-    return {0.5f * std::max(body.width_mm, kThinnest_mm), 0.5f * std::max(body.height_mm, kThinnest_mm)};
+    return 0.5f * std::max({body.width_mm, body.swell > 0 ? body.spacing_mm : 0, kThinnest_mm});
   }
   Ring ring_at(System s, int thread, float along) const {
     const float period = period_along(s);
@@ -90,8 +89,10 @@ struct TubeScene::Parts {
     const size_t layer = static_cast<size_t>(layer_of(cloth, s, thread));
     const Cloth& own = layers[layer];
     const int in_layer = thread - (s == System::kWarp ? own.first_end : own.first_pick);
-    const CentrePoint p = centre_at(lines[layer], s, in_layer, centre_step(own, s, wrapped));
-    return {along, p.height_mm, p.slope};
+    const CentreStep step = centre_step(own, s, wrapped);
+    const CentrePoint p = centre_at(lines[layer], s, in_layer, step);
+    return {along, p.height_mm, p.slope,
+            glm::max(half_section(own, s, in_layer, step), glm::vec2(0.5f * kThinnest_mm))};
   }
 
   void list_tubes();
@@ -115,7 +116,7 @@ void TubeScene::Parts::list_tubes() {
     for (int r = -1; r <= repeats; ++r) {
       for (size_t i = 0; i < bodies.size(); ++i) {
         const float centre = bodies[i].centre_mm + static_cast<float>(r) * period;
-        const float reach = radii(s, static_cast<int>(i)).x;
+        const float reach = widest(s, static_cast<int>(i));
         if (centre + reach < 0 || centre - reach > across) continue;
         tubes.push_back({s, static_cast<int>(i), centre, triangle});
         triangle += static_cast<uint32_t>(segments(s) * around * 2);
@@ -167,13 +168,12 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
   const uint32_t n = static_cast<uint32_t>(around);
   for (const Tube& tube : tubes) {
     const System s = tube.system;
-    const glm::vec2 radius = radii(s, tube.thread);
     for (int i = 0; i <= segments(s); ++i) {
       const Ring ring = ring_at(s, tube.thread, along_of(s, static_cast<float>(i)));
       const glm::vec3 centre = place(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
       for (int k = 0; k < around; ++k) {
         const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
-        const glm::vec3 p = centre + across * (radius.x * std::cos(a)) + up * (radius.y * std::sin(a));
+        const glm::vec3 p = centre + across * (ring.radii.x * std::cos(a)) + up * (ring.radii.y * std::sin(a));
         z_min = std::min(z_min, p.z);
         z_max = std::max(z_max, p.z);
         *vertices++ = p;
@@ -234,10 +234,9 @@ void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
   hit.around_rad = 2 * std::numbers::pi_v<float> * (facet + around_part) / static_cast<float>(around);
   hit.along_mm = along - std::floor(along / period_along(s)) * period_along(s);
   const Ring at = ring_at(s, tube->thread, along);
-  const glm::vec2 radius = radii(s, tube->thread);
   hit.axis = axis_of(s, at.slope);
-  hit.normal = glm::normalize(across_of(s) * (std::cos(hit.around_rad) / radius.x) +
-                              up_of(s, at.slope) * (std::sin(hit.around_rad) / radius.y));
+  hit.normal = glm::normalize(across_of(s) * (std::cos(hit.around_rad) / at.radii.x) +
+                              up_of(s, at.slope) * (std::sin(hit.around_rad) / at.radii.y));
 }
 
 /// Visits the tiles a ray crosses: visit(origin in the tile, t_near, t_far) returns true to stop.

@@ -5,7 +5,7 @@
 
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
-#include "files/files.h"
+#include "files/design_drape.h"
 #include "light/formulas.h"
 #include "upload/ambient.h"
 #include "upload/cloth_block.h"
@@ -33,7 +33,7 @@ glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int 
 std::string ReferenceScene::update(const Design& design, const TubeOptions& options) {
   if (std::string error = update_threads(design, options); !error.empty()) return error;
   if (std::string error = update_lights(design.scene.lights); !error.empty()) return error;
-  return update_drape(design.scene.mesh);
+  return update_drape(design);
 }
 
 std::string ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
@@ -42,7 +42,7 @@ std::string ReferenceScene::update_threads(const Design& design, const TubeOptio
   tubes_ = nullptr;  // two at once could take twice the memory
   const BitMatrix cells = drawdown(design.draft);
   // As the preview lays it out, so that each thread has the same fibres; but not at the cost of its roundness.
-  constexpr int64_t kFineCrossings = 3000;
+  const int64_t kFineCrossings = is_uneven(design) ? 20'000 : 3000;
   const bool fine = int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
   tubes_ = TubeScene::build(lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat),
                             options, error);
@@ -51,18 +51,19 @@ std::string ReferenceScene::update_threads(const Design& design, const TubeOptio
   return tubes_ ? std::string() : error;
 }
 
-std::string ReferenceScene::update_drape(const std::string& name) {
-  if (drape_ && mesh_name_ == name) return {};
+std::string ReferenceScene::update_drape(const Design& design) {
+  const std::string key = drape_key(design);
+  if (drape_ && mesh_name_ == key) return {};
   drape_ = nullptr;
-  ReadMesh read = load_drape(name);
+  ReadMesh read = load_design_drape(design);
   if (!read.mesh) return read.error;
   std::string error;
   mesh_ = std::move(*read.mesh);
   bounds_ = bounds_of(mesh_);
-  const Mesh form = form_under(name, bounds_);
+  const Mesh form = form_under(design.scene.mesh, bounds_);
   body_ = form.index.empty() ? nullptr : MeshScene::build(form, error);
   drape_ = MeshScene::build(mesh_, error);
-  mesh_name_ = name;
+  mesh_name_ = key;
   return drape_ ? std::string() : error;
 }
 

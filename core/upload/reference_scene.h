@@ -37,7 +37,7 @@ class ReferenceScene {
 
  private:
   std::string update_threads(const Design& design, const TubeOptions& options);
-  std::string update_drape(const std::string& name);
+  std::string update_drape(const Design& design);
   std::string update_lights(const std::string& name);
 
   Draft draft_;

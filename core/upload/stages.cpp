@@ -9,7 +9,7 @@
 #include "cloth/thread_scene.h"
 #include "draft/repeat.h"
 #include "drape/mesh.h"
-#include "files/files.h"
+#include "files/design_drape.h"
 #include "light/separable.h"
 #include "upload/cloth_block.h"
 #include "upload/engine_block.h"
@@ -27,6 +27,7 @@ constexpr double kMostTexels = 2048.0 * 2048.0;  // for drafts of many threads
 constexpr double kLeastPerThread = 6;            // texels across a thread worth more than kTexels
 constexpr double kMostPerThread = 64;            // beyond, fibres are smooth
 constexpr double kFinePerThread = 14;            // a whole draft coarser than this gives way to its repeat
+constexpr double kUnevenPerThread = 5;           // or than this, where no two threads are alike
 constexpr int kLongest = 8192;
 constexpr int kQuickSamples = 256;
 constexpr int kQuickShrink = 4;        // of a quick bake's sides
@@ -53,8 +54,8 @@ bool same_threads(const Draft& a, const Draft& b) {
 bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ThreadBody& s, const ThreadBody& t) {
     return s.centre_mm == t.centre_mm && s.spacing_mm == t.spacing_mm && s.width_mm == t.width_mm &&
-           s.height_mm == t.height_mm && s.yarn == t.yarn && s.colour.r == t.colour.r && s.colour.g == t.colour.g &&
-           s.colour.b == t.colour.b;
+           s.height_mm == t.height_mm && s.swell == t.swell && s.yarn == t.yarn && s.colour.r == t.colour.r &&
+           s.colour.g == t.colour.g && s.colour.b == t.colour.b;
   });
 }
 
@@ -103,8 +104,9 @@ void add_cubes(PackedFace& face, const Cloth& cloth) {
   face.difference_cube = cube_texels(separable.second);
 }
 
-ReadMesh find_mesh(const std::string& name) {
-  ReadMesh read = load_drape(name);
+ReadMesh find_mesh(const Design& design) {
+  const std::string& name = design.scene.mesh;
+  ReadMesh read = load_design_drape(design);
   const std::vector<std::string>& shipped = drape_names();
   const bool is_shipped = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
   if (!read.mesh && is_shipped) read = {simulate_drape(name), {}};
@@ -141,9 +143,16 @@ Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period
   return cloth;
 }
 
+bool is_uneven(const Design& design) {
+  // Less is hardly seen, and a repeat shows the rest more sharply.
+  constexpr float kBetween = 0.03f, kAlong = 15;
+  return std::ranges::any_of(design.yarns,
+                             [](const Yarn& y) { return y.irregularity >= kBetween || y.unevenness >= kAlong; });
+}
+
 Period choose_period(const Design& design, const BitMatrix& cells) {
   const double whole = per_thread(static_cast<double>(cells.cols()) * cells.rows());
-  if (whole >= kFinePerThread) return Period::kWholeDraft;
+  if (whole >= (is_uneven(design) ? kUnevenPerThread : kFinePerThread)) return Period::kWholeDraft;
   const Repeat size = design_repeat(design, cells);
   const double repeat = per_thread(static_cast<double>(size.ends) * size.picks);
   return repeat > 1.5 * whole ? Period::kRepeat : Period::kWholeDraft;
@@ -375,14 +384,15 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
 }
 
 /// What the cloth hangs on, and the light. Of what cannot be read the last good one stays.
-void Stages::take_scene(const Scene& scene, Effort effort, StageResult& result) {
+void Stages::take_scene(const Design& design, Effort effort, StageResult& result) {
+  const Scene& scene = design.scene;
   const bool more_rays = few_rays_ && effort != Effort::kQuick;
-  if (scene.mesh != mesh_name_ || more_rays) {
-    ReadMesh read = find_mesh(scene.mesh);
+  if (const std::string key = drape_key(design); key != mesh_name_ || more_rays) {
+    ReadMesh read = find_mesh(design);
     few_rays_ = effort == Effort::kQuick;
     if (read.mesh) result.mesh = prepare_mesh(*read.mesh, few_rays_ ? SkyRays::kFew : SkyRays::kAll);
     mesh_problem_ = read.mesh ? std::string() : read.error;
-    mesh_name_ = scene.mesh;
+    mesh_name_ = key;
   }
   if (scene.lights != lights_name_) {
     lights_problem_.clear();
@@ -397,7 +407,7 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
   StageResult scene, result;
   // Neither knows of the other.
   for_each_job(
-      2, [&](int part) { part == 0 ? take_scene(design->scene, effort, scene) : take_cloth(design, effort, result); });
+      2, [&](int part) { part == 0 ? take_scene(*design, effort, scene) : take_cloth(design, effort, result); });
   result.mesh = std::move(scene.mesh), result.lights = std::move(scene.lights);
   if (result.problem.empty()) result.problem = std::move(scene.problem);
   if (effort == Effort::kOnce) front_ = back_ = {}, cells_ = {}, done_ = nullptr;

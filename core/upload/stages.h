@@ -30,6 +30,8 @@ struct StageResult {
 
 /// What the maps hold: the whole draft where its threads get enough texels, else one repeat.
 Period choose_period(const Design& design, const BitMatrix& cells);
+/// Whether its yarn is so thick and thin that a repeat of a few threads does not stand for the cloth.
+bool is_uneven(const Design& design);
 
 /// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so its yarns are handed the other
 /// way there to be handed the same way in space.
@@ -66,7 +68,7 @@ class Stages {
   void take_lobes(const Design& design, Effort effort, StageResult& result);
   void take_threads();
   void take_crossings(const CellRect& dirty, StageResult& result);
-  void take_scene(const Scene& scene, Effort effort, StageResult& result);
+  void take_scene(const Design& design, Effort effort, StageResult& result);
 
   std::shared_ptr<const Design> done_;
   SeenPart seen_;

@@ -20,7 +20,7 @@ void append(std::vector<glm::uvec4>& to, const Record& record) {
 }
 
 void append_threads(std::vector<glm::uvec4>& to, const Cloth& cloth, System system,
-                    const std::vector<glm::vec4>& bodies) {
+                    const std::vector<glm::uvec4>& bodies) {
   const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
   const float length_mm = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   for (size_t i = 0; i < threads.size(); ++i) {

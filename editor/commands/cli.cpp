@@ -516,6 +516,8 @@ CommandLine run_command_line(int argc, char** argv) {
   DrapeOptions drape;
   auto* drape_verb = app.add_subcommand("drape", "Simulate a shipped drape again");
   drape_verb->add_option("name", drape.name, "plane, sphere, tablecloth, curtain, skirt, tunic or all")->required();
+  drape_verb->add_option("--hang", drape.hang, "How stiff the cloth is: limp, medium or stiff (all: each of them)")
+      ->check(CLI::IsMember({"limp", "medium", "stiff"}));
   drape_verb->add_option("-o,--output", drape.out, "A .glb or .gltf, or a folder for all")
       ->required()
       ->check(some_name());

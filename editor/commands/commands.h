@@ -86,7 +86,8 @@ struct ResponseOptions {
   int spp = 16;  // reference only: rays in each of a thousand places of the repeat
 };
 struct DrapeOptions {
-  std::string name, out;  // name "all": every shipped drape into the folder `out`
+  std::string name, out;        // name "all": every shipped drape, however it hangs, into the folder `out`
+  std::string hang = "medium";  // of one drape: limp, medium or stiff
 };
 
 struct AnalyseOptions {

@@ -3,7 +3,7 @@
 
 #include "base/files.h"
 #include "commands/commands.h"
-#include "drape/mesh.h"
+#include "drape/hang.h"
 #include "files/files.h"
 
 namespace weftlight::commands {
@@ -19,9 +19,15 @@ int write_one(const Mesh& mesh, const std::string& path) {
   return not_written(problem);
 }
 
+Hang hang_called(const std::string& name) {
+  for (const Hang hang : kHangs)
+    if (name == kHangNames[static_cast<size_t>(hang)]) return hang;
+  return Hang::kMedium;
+}
+
 /// NAME.glb and, where the drape lies on something, NAME_body.glb beside it.
-int write_drape(const std::string& name, const std::filesystem::path& path) {
-  if (const int exit = write_one(simulate_drape(name), path.string()); exit != kDone) return exit;
+int write_drape(const std::string& name, Hang hang, const std::filesystem::path& path) {
+  if (const int exit = write_one(simulate_drape(name, hang), path.string()); exit != kDone) return exit;
   const Mesh body = body_mesh(name);
   if (body.position_mm.empty()) return kDone;
   const std::string beside = path.stem().string() + "_body" + path.extension().string();
@@ -48,7 +54,8 @@ int drape_command(const DrapeOptions& options) {
   if (options.name != "all") {
     if (!is_known(options.name)) return refuse(options.name);
     const std::string extension = std::filesystem::path(options.out).extension().string();
-    if (extension == ".glb" || extension == ".gltf") return write_drape(options.name, options.out);
+    if (extension == ".glb" || extension == ".gltf")
+      return write_drape(options.name, hang_called(options.hang), options.out);
     std::fprintf(stderr, "weftlight: %s: a drape is written as .glb or .gltf\n", options.out.c_str());
     return kUsage;
   }
@@ -59,8 +66,14 @@ int drape_command(const DrapeOptions& options) {
     return kNotWritten;
   }
   for (const std::string& name : drape_names()) {
-    const int exit = write_drape(name, std::filesystem::path(options.out) / (name + ".glb"));
-    if (exit != kDone) return exit;
+    const std::filesystem::path folder(options.out);
+    if (const int exit = write_drape(name, Hang::kMedium, folder / (name + ".glb")); exit != kDone) return exit;
+    for (const Hang hang : {Hang::kLimp, Hang::kStiff}) {
+      // The plane has one alone; what the others lie on is written.
+      if (drape_file(name, hang) == name) continue;
+      const int exit = write_one(simulate_drape(name, hang), (folder / (drape_file(name, hang) + ".glb")).string());
+      if (exit != kDone) return exit;
+    }
   }
   return kDone;
 }

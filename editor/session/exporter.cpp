@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "files/files.h"
+#include "files/design_drape.h"
 #include "texture_set/material_files.h"
 
 namespace weftlight::session {
@@ -73,14 +73,14 @@ void Exporter::tell(size_t set, size_t sets, float share) {
 bool Exporter::take_mesh(const std::vector<ExportJob>& jobs, const Design& design) {
   const bool wanted =
       std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return needs_mesh(j.options.target); });
-  if (!wanted || mesh_name_ == design.scene.mesh) return true;
-  ReadMesh read = load_drape(design.scene.mesh);
+  if (!wanted || mesh_name_ == drape_key(design)) return true;
+  ReadMesh read = load_design_drape(design);
   if (!read.mesh) {
     const std::lock_guard lock(mutex_);
     state_.problems.push_back(read.error);
     return false;
   }
-  mesh_ = std::move(*read.mesh), mesh_name_ = design.scene.mesh;
+  mesh_ = std::move(*read.mesh), mesh_name_ = drape_key(design);
   return true;
 }
 

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "../upload/designs.h"
+#include "cloth/swell.h"
 #include "cloth/thread_scene.h"
 #include "gl/gpu_cloth.h"
 #include "light/yarn_lobes.h"
@@ -33,7 +34,9 @@ class PackedThreads {
   using ThreadGrid = thread_formulas::ThreadGrid;
   ThreadGrid thread_layer(int layer, float side) const { return grid_of(head_at(layer * THREAD_HEAD_TEXELS), side); }
   int record_at(int system, int thread) const { return head_.threads[system] + thread * THREAD_TEXELS; }
-  vec4 thread_body(int system, int thread) const { return record_body(texel(record_at(system, thread) + THREAD_BODY)); }
+  ThreadSection thread_body(int system, int thread) const {
+    return record_body(texel(record_at(system, thread) + THREAD_BODY));
+  }
   int thread_bin(int system, int bin) const { return static_cast<int>(texel(head_.bins[system] + bin / 4)[bin & 3]); }
   vec4 crossing_at(int end, int pick) const {
     const upload::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * cloth_.ends + end)];
@@ -75,7 +78,7 @@ using glm::vec4;
 Cloth uneven_twill() {
   Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   d.yarns.push_back(d.yarns[0]);
-  d.yarns[0].twist = Twist::kZ, d.yarns[0].plies = 2;
+  d.yarns[0].twist = Twist::kZ, d.yarns[0].plies = 2, d.yarns[0].unevenness = 50;
   d.yarns[1].twist = Twist::kS, d.yarns[1].lobes.along_width = 0.1f, d.yarns[1].lobes.fuzz = 0.3f;
   std::fill(d.draft.weft.yarn.begin(), d.draft.weft.yarn.end(), 1);
   d.draft.warp.spacing_mm.assign(d.draft.warp.color.size(), 0.6f);
@@ -116,8 +119,11 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
     const int s = system == System::kWarp ? 0 : 1;
     for (int i = 0; i < static_cast<int>(threads.size()); ++i) {
       const ThreadBody& body = threads[static_cast<size_t>(i)];
-      EXPECT_EQ(back.thread_body(s, i),
-                vec4(body.centre_mm, 0.5f * body.spacing_mm, 0.5f * body.width_mm, 0.5f * body.height_mm));
+      const auto section = back.thread_body(s, i);
+      EXPECT_EQ(vec3(section.centre, section.half_room, section.half_width),
+                vec3(body.centre_mm, 0.5f * body.spacing_mm, 0.5f * body.width_mm));
+      EXPECT_NEAR(section.half_height, 0.5f * body.height_mm, 1e-5f * body.width_mm);
+      EXPECT_NEAR(section.swell, spread_in(body, length), 2e-4f);
       EXPECT_EQ(back.look(s, i), vec4(body.colour.r, body.colour.g, body.colour.b, body.yarn));
       ThreadRecord in{}, out{};
       in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);

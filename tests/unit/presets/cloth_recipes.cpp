@@ -25,6 +25,8 @@ struct Substance {
 constexpr Substance kCotton{1.52, 0.5}, kLinen{1.5, 0.62}, kSilk{1.34, 0.52}, kGum{1.34, 0.6}, kWorsted{1.31, 0.48},
     kWoollen{1.31, 0.2}, kMilled{1.31, 0.33};
 
+constexpr float kReeled = 4;  // silk from the cocoon, unlike the library's, which is spun
+
 /// The preset spun to a count; `turns` a metre, of singles.
 Yarn spun(const char* preset, const char* name, const char* count, Substance of, float turns, int plies = 1) {
   Yarn yarn = yarn_preset(preset);
@@ -33,6 +35,7 @@ Yarn spun(const char* preset, const char* name, const char* count, Substance of,
       static_cast<float>(diameter_from_tex_mm(tex_from_text(count).value_or(30), of.density, of.packing));
   yarn.diameter_mm = std::round(yarn.diameter_mm * 1000) / 1000;
   yarn.turns_per_m = turns, yarn.plies = plies;
+  if (preset == std::string("Silk")) yarn.unevenness = kReeled;
   return yarn;
 }
 
@@ -73,6 +76,7 @@ Yarn fitted(const char* preset, const char* name, float diameter_mm, float flatt
   yarn.name = name;
   yarn.diameter_mm = diameter_mm, yarn.flattening = flattening, yarn.turns_per_m = turns;
   yarn.plies = 1, yarn.twist = Twist::kZ;
+  if (preset == std::string("Silk")) yarn.unevenness = kReeled;
   return yarn;
 }
 
@@ -150,7 +154,7 @@ Design cotton_twill() {
 }
 
 Design denim() {
-  Design d = with_colors(twill({3, 1}, Lean::kRight, {64, 64}), palette({0x2a4380, 0xf2ecde}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(twill({3, 1}, Lean::kRight, {128, 128}), palette({0x2a4380, 0xf2ecde}), {{0, 1}}, {{1, 1}});
   Yarn warp = spun("Cotton", "Ring-spun cotton", "Ne 7", kCotton, 560),
        weft = spun("Cotton", "Cotton", "Ne 6", kCotton, 480);
   warp.twist = weft.twist = Twist::kZ;
@@ -158,15 +162,18 @@ Design denim() {
   // between.
   warp.irregularity = 0.07f, warp.melange = 0.4f, warp.fibre_um = 35;
   weft.irregularity = 0.05f;
+  // Ring-spun with slubs on purpose, as denim is.
+  warp.unevenness = 26, weft.unevenness = 20;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
   return titled(worn(std::move(d), "skirt", 20, 12), "Denim",
                 {"3/1 right-hand twill, 14 oz: indigo Ne 7 over ecru Ne 6, 26 by 17 a centimetre."});
 }
 
 Design chambray() {
-  Design d = with_colors(plain({64, 64}), palette({0x3463a8, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(plain({128, 128}), palette({0x3463a8, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Cotton", "Combed cotton", "Ne 30", kCotton, 820);
-  yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.fibre_um = 22, yarn.hairiness = 0.35f, yarn.melange = 0.15f;
+  yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.unevenness = 15, yarn.fibre_um = 22;
+  yarn.hairiness = 0.35f, yarn.melange = 0.15f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
   return titled(worn(std::move(d), "tunic", 20, 8), "Chambray",
                 {"Plain weave, blue warp and white weft, Ne 30, 44 by 36 a centimetre."});
@@ -175,11 +182,11 @@ Design chambray() {
 Design oxford() {
   Recipe pairs;
   pairs.shafts = 2, pairs.threading = {0, 0, 1, 1}, pairs.tieup = {{0}, {1}}, pairs.treadling = {0, 1};
-  Design d = with_colors(make_design(pairs, {64, 32}), palette({0x8fb2dc, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(make_design(pairs, {128, 80}), palette({0x8fb2dc, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
   Yarn warp = spun("Cotton", "Combed cotton", "Ne 32", kCotton, 850),
        weft = spun("Cotton", "Soft cotton", "Ne 10", kCotton, 380);
-  warp.irregularity = 0.04f, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
-  weft.irregularity = 0.05f, weft.fibre_um = 30, weft.flattening = 0.7f;
+  warp.irregularity = 0.04f, warp.unevenness = 13, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
+  weft.irregularity = 0.05f, weft.unevenness = 15, weft.fibre_um = 30, weft.flattening = 0.7f;
   d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
   return titled(worn(std::move(d), "tunic", -20, 8), "Oxford",
                 {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
@@ -202,7 +209,8 @@ Design gabardine() {
 Design tweed() {
   Design d = with_colors(herringbone({2, 2}, 16, {128, 128}), palette({0x54432f, 0xc9b999}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Wool", "Woollen", "Nm 5.6", kWoollen, 260);
-  yarn.twist = Twist::kZ, yarn.irregularity = 0.06f, yarn.melange = 1.0f, yarn.fibre_um = 45, yarn.hairiness = 1.0f;
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.06f, yarn.unevenness = 26, yarn.melange = 1.0f, yarn.fibre_um = 45,
+  yarn.hairiness = 1.0f;
   yarn.groove_depth = 0.25f, yarn.flattening = 0.7f, yarn.lobes.fuzz = 0.6f, yarn.lobes.fuzz_width = 0.8f;
   yarn.lobes.along_width = 0.7f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
@@ -214,7 +222,7 @@ Design tweed() {
 Design flannel() {
   Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x94979d, 0xa3a6ab}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Wool", "Woollen", "Nm 22", kMilled, 250);
-  yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.melange = 0.8f;
+  yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.unevenness = 20, yarn.melange = 0.8f;
   d.finish.raised = 1;  // a nap over the weave
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
   return titled(worn(std::move(d), "skirt", 20, 12), "Flannel",
@@ -259,9 +267,9 @@ Design organza() {
 }
 
 Design linen() {
-  Design d = with_colors(plain({192, 192}), palette({0xcdbf9f, 0xd6c9ab}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(plain({128, 128}), palette({0xcdbf9f, 0xd6c9ab}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Linen", "Wet-spun linen", "18 lea", kLinen, 330);
-  yarn.irregularity = 0.24f, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
+  yarn.irregularity = 0.14f, yarn.unevenness = 36, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
   yarn.flattening = 0.55f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
   return titled(worn(std::move(d), "tablecloth", 25, 24), "Linen",

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "drape/bodies.h"
+#include "drape/hang.h"
 #include "drape/mesh.h"
 #include "files/files.h"
 
@@ -162,6 +163,51 @@ TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
     }
     EXPECT_EQ(six_volumes > 0, name != "plane") << name;
   }
+}
+
+TEST(Drapes, LimpAndStiffOnesAreThePatternsToo) {
+  for (const std::string& name : drape_names()) {
+    for (const Hang hang : {Hang::kLimp, Hang::kStiff}) {
+      if (name == "plane") continue;
+      const Mesh mesh = shipped(drape_file(name, hang)), medium = shipped(name);
+      EXPECT_EQ(mesh.index, medium.index) << drape_file(name, hang);
+      EXPECT_EQ(mesh.uv_mm.size(), medium.uv_mm.size());
+      EXPECT_EQ(inside(mesh, ground, 0), 0) << drape_file(name, hang);
+    }
+  }
+}
+
+TEST(Drapes, TheStifferTheClothTheMoreItCoversAndTheFewerItsFolds) {
+  // Cusick's drape coefficient, of what is round.
+  const auto covers = [](const char* name, double support_mm, double side_mm) {
+    std::array<double, 3> out{};
+    for (const Hang hang : kHangs)
+      out[static_cast<size_t>(hang)] =
+          drape_coefficient(shipped(drape_file(name, hang)), support_mm, side_mm * side_mm);
+    return out;
+  };
+  for (const auto& [limp, medium, stiff] : {covers("tablecloth", 450, 1400), covers("sphere", 150, 600)}) {
+    EXPECT_GT(medium, 1.1 * limp);
+    EXPECT_GT(stiff, 1.1 * medium);
+  }
+}
+
+TEST(Drapes, ABendingLengthChoosesHowItHangs) {
+  EXPECT_EQ(hang_of(12), Hang::kLimp);
+  EXPECT_EQ(hang_of(19), Hang::kMedium);
+  EXPECT_EQ(hang_of(30), Hang::kStiff);
+  EXPECT_EQ(hang_of(0), Hang::kMedium) << "not known";
+  EXPECT_EQ(drape_file("skirt", Hang::kMedium), "skirt");
+  EXPECT_EQ(drape_file("skirt", Hang::kStiff), "skirt_stiff");
+  EXPECT_EQ(drape_file("plane", Hang::kStiff), "plane");
+}
+
+TEST(Drapes, AFlatDiscHasTheCoefficientOfItsArea) {
+  Mesh square;
+  square.position_mm = {{-300, 0, -300}, {300, 0, -300}, {300, 0, 300}, {-300, 0, 300}};
+  square.index = {0, 2, 1, 0, 3, 2};
+  EXPECT_NEAR(drape_coefficient(square, 150, 360'000), 1, 0.02);
+  EXPECT_NEAR(drape_coefficient(square, 150, 720'000), (360'000 - 70'686) / (720'000 - 70'686.0), 0.02);
 }
 
 TEST(Drapes, AnUnknownNameGivesNothing) {

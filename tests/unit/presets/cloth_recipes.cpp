@@ -154,7 +154,7 @@ Design cotton_twill() {
 }
 
 Design denim() {
-  Design d = with_colors(twill({3, 1}, Lean::kRight, {128, 128}), palette({0x2a4380, 0xf2ecde}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(twill({3, 1}, Lean::kRight, {128, 128}), palette({0x25386a, 0xf2ecde}), {{0, 1}}, {{1, 1}});
   Yarn warp = spun("Cotton", "Ring-spun cotton", "Ne 7", kCotton, 560),
        weft = spun("Cotton", "Cotton", "Ne 6", kCotton, 480);
   warp.twist = weft.twist = Twist::kZ;
@@ -165,7 +165,7 @@ Design denim() {
   // Ring-spun with slubs on purpose, as denim is.
   warp.unevenness = 26, weft.unevenness = 20;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
-  return titled(worn(std::move(d), "skirt", 20, 12), "Denim",
+  return titled(worn(std::move(d), "skirt", 20, 12, 0.6f), "Denim",
                 {"3/1 right-hand twill, 14 oz: indigo Ne 7 over ecru Ne 6, 26 by 17 a centimetre."});
 }
 
@@ -175,7 +175,7 @@ Design chambray() {
   yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.unevenness = 15, yarn.fibre_um = 22;
   yarn.hairiness = 0.35f, yarn.melange = 0.15f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
-  return titled(worn(std::move(d), "tunic", 20, 8), "Chambray",
+  return titled(worn(std::move(d), "tunic", 20, 8, 0.55f), "Chambray",
                 {"Plain weave, blue warp and white weft, Ne 30, 44 by 36 a centimetre."});
 }
 
@@ -188,7 +188,7 @@ Design oxford() {
   warp.irregularity = 0.04f, warp.unevenness = 13, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
   weft.irregularity = 0.05f, weft.unevenness = 15, weft.fibre_um = 30, weft.flattening = 0.7f;
   d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
-  return titled(worn(std::move(d), "tunic", -20, 8), "Oxford",
+  return titled(worn(std::move(d), "tunic", -20, 8, 0.55f), "Oxford",
                 {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
                  "Ne 32 by Ne 10, 42 by 25 a centimetre."});
 }
@@ -201,7 +201,7 @@ Design gabardine() {
   // Clear finish: singed, cropped and pressed.
   yarn.lobes.fuzz = 0.08f, yarn.lobes.along_width = 0.24f, yarn.lobes.layers = 2;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 24);
-  return titled(worn(std::move(d), "skirt", -25, 10), "Gabardine",
+  return titled(worn(std::move(d), "skirt", -25, 10, 0.65f), "Gabardine",
                 {"2/2 twill that stands at 63 degrees, for the ends lie twice as close as the picks.",
                  "Worsted Nm 60/2, 44 by 24 a centimetre, clear finish."});
 }
@@ -215,17 +215,17 @@ Design tweed() {
   yarn.lobes.along_width = 0.7f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
   return titled(
-      worn(std::move(d), "tunic", 20, 8, 0.75f), "Herringbone tweed",
+      worn(std::move(d), "tunic", 20, 8, 0.5f), "Herringbone tweed",
       {"2/2 twill that turns every sixteen ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
 }
 
 Design flannel() {
-  Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x94979d, 0xa3a6ab}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x9b9ea4, 0x9b9ea4}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Wool", "Woollen", "Nm 22", kMilled, 250);
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.unevenness = 20, yarn.melange = 0.8f;
   d.finish.raised = 1;  // a nap over the weave
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
-  return titled(worn(std::move(d), "skirt", 20, 12), "Flannel",
+  return titled(worn(std::move(d), "skirt", 20, 12, 0.65f), "Flannel",
                 {"2/2 twill of grey melange, woollen Nm 22, 19 by 17 a centimetre, milled and raised."});
 }
 
@@ -262,7 +262,7 @@ Design organza() {
   yarn.flattening = 1, yarn.lobes.transmission = 0.35f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 40);
   return titled(
-      worn(std::move(d), "curtain", 20, 8), "Organza",
+      worn(std::move(d), "curtain", 20, 8, 0.7f), "Organza",
       {"Plain weave of hard-twisted raw silk in the gum, 21 denier, 44 by 40 a centimetre: sheer and crisp."});
 }
 
@@ -272,7 +272,7 @@ Design linen() {
   yarn.irregularity = 0.14f, yarn.unevenness = 36, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
   yarn.flattening = 0.55f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
-  return titled(worn(std::move(d), "tablecloth", 25, 24), "Linen",
+  return titled(worn(std::move(d), "tablecloth", 25, 24, 0.6f), "Linen",
                 {"Plain weave of thick and thin yarn, lea 18, 21 by 20 a centimetre."});
 }
 
@@ -316,7 +316,7 @@ Design damask() {
   // Beetled and calendered: flat threads that shine along themselves.
   yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
-  return titled(lit(worn(std::move(d), "tablecloth", 8, 24, 0.9f), -110, 38), "Damask",
+  return titled(lit(worn(std::move(d), "tablecloth", 8, 24, 0.7f), -110, 38), "Damask",
                 {"Table damask on four blocks: satin on five shafts, warp-faced against weft-faced, white on white.",
                  "Lea 40, 30 by 28 a centimetre, beetled."});
 }

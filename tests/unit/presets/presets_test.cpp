@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "analysis/floats.h"
+#include "analysis/hand.h"
 #include "analysis/layers.h"
 #include "draft/repeat.h"
 #include "paths.h"
@@ -36,6 +37,21 @@ TEST(Presets, FilesAreWhatTheRecipesGive) {
     ASSERT_EQ(file.error, "") << path;
     EXPECT_EQ(file.bytes, bytes) << path << ": run presets_test with WEFTLIGHT_UPDATE_PRESETS=1";
   }
+}
+
+TEST(Presets, ClothsHangAsTheirKindsDo) {
+  const auto hand = [](const char* cloth) {
+    const WifRead read = read_wif(read_file(presets_path("cloths/" + std::string(cloth) + ".wif")).bytes);
+    return analysis::cloth_hand(read.file.value().design);
+  };
+  // Bending lengths of such cloths, mm: charmeuse 10 to 14, shirting 16 to 20, 14 oz denim 22 to 30, linen 25 to 35.
+  EXPECT_LT(hand("silk_charmeuse").bending_length_mm, 15);
+  EXPECT_NEAR(hand("chambray").bending_length_mm, 18, 3);
+  EXPECT_GT(hand("denim").bending_length_mm, 23);
+  EXPECT_GT(hand("linen").bending_length_mm, 25);
+  EXPECT_LT(hand("organza").bending_length_mm, 0.9 * hand("denim").bending_length_mm);
+  EXPECT_NEAR(hand("denim").kg_per_m2, 0.475, 0.03);
+  EXPECT_LT(hand("organza").kg_per_m2, 0.03);
 }
 
 TEST(Presets, FilesReadWithoutAComplaint) {

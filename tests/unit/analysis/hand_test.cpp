@@ -1,0 +1,63 @@
+// Weight and stiffness of a cloth from its yarns and sett, against a sum by hand.
+
+#include "analysis/hand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../draft/hand_drafts.h"
+#include "draft/fibre.h"
+#include "draft/yarn_presets.h"
+
+namespace weftlight::analysis {
+namespace {
+
+/// Cotton singles of 20 tex, 40 by 40 a centimetre.
+Design shirting() {
+  Design d = straight_twill(8, 8);
+  Yarn yarn = yarn_presets()[0];
+  yarn.plies = 1, yarn.turns_per_m = 800, yarn.flattening = 0.7f;
+  d.yarns = {*with_count(yarn, "20 tex")};
+  for (Threads* t : {&d.draft.warp, &d.draft.weft})
+    t->spacing_mm.assign(t->color.size(), 0.25f), t->thickness_mm.assign(t->color.size(), kFromYarn);
+  return d;
+}
+
+TEST(ClothHand, IsWhatASumByHandGives) {
+  const ClothHand hand = cloth_hand(shirting());
+  // 4000 threads of 20 g a kilometre in a metre of each system, 1.05 times as long as the cloth: 168 g.
+  EXPECT_NEAR(hand.kg_per_m2, 0.168, 0.001);
+  // 20 tex are 0.01316 mm2 of cotton, 125.3 fibres of 1.05e-4 mm2. Free they bend with 6000 x 0.01316 x 1.05e-4 / 4 pi
+  // = 6.597e-4 N mm2; cohesion 0.33 sqrt(125.3) = 3.694, at a lean of pi 0.167 x 0.8 = 0.419 1 + 2.694 x 0.419 / 0.469
+  // = 3.407; four threads a mm: 8.99e-3 N mm.
+  EXPECT_NEAR(hand.bending_n_m, 8.99e-6, 0.03e-6);
+  // Cube root of 8.99e-6 N m over 0.168 x 9.81 N/m2.
+  EXPECT_NEAR(hand.bending_length_mm, 17.6, 0.1);
+}
+
+TEST(ClothHand, HeavierYarnsAndCloserSettsWeighMore) {
+  const ClothHand cloth = cloth_hand(shirting());
+  Design open = shirting();
+  for (float& mm : open.draft.weft.spacing_mm) mm = 0.5f;
+  EXPECT_NEAR(cloth_hand(open).kg_per_m2 / cloth.kg_per_m2, 0.75, 1e-3);
+  Design heavy = shirting();
+  heavy.yarns[0] = *with_count(heavy.yarns[0], "80 tex");
+  EXPECT_NEAR(cloth_hand(heavy).kg_per_m2 / cloth.kg_per_m2, 4, 0.02);
+  EXPECT_GT(cloth_hand(heavy).bending_length_mm, 1.15 * cloth.bending_length_mm);
+  // A thickness of the draft's counts as the yarn's own.
+  Design given = shirting();
+  const float thick = heavy.yarns[0].diameter_mm;
+  given.draft.warp.thickness_mm.assign(given.draft.warp.color.size(), thick);
+  given.draft.weft.thickness_mm.assign(given.draft.weft.color.size(), thick);
+  EXPECT_NEAR(cloth_hand(given).kg_per_m2, cloth_hand(heavy).kg_per_m2, 1e-6);
+}
+
+TEST(ClothHand, ADraftWithoutThreadsHasNone) {
+  const ClothHand hand = cloth_hand(Design{});
+  EXPECT_EQ(hand.kg_per_m2, 0);
+  EXPECT_EQ(hand.bending_length_mm, 0);
+}
+
+}  // namespace
+}  // namespace weftlight::analysis

@@ -76,7 +76,7 @@ Yarn fitted(const char* preset, const char* name, float diameter_mm, float flatt
   yarn.name = name;
   yarn.diameter_mm = diameter_mm, yarn.flattening = flattening, yarn.turns_per_m = turns;
   yarn.plies = 1, yarn.twist = Twist::kZ;
-  if (preset == std::string("Silk")) yarn.unevenness = kReeled;
+  yarn.unevenness = 0;  // as it was fitted
   return yarn;
 }
 

@@ -234,6 +234,9 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/summer_and_winter.wif", summer_winter()},
       {"drafts/double_weave.wif", double_weave()},
   };
+  // What the chart and the pictures that tests keep are measured on is spun evenly.
+  for (PresetRecipe& recipe : all)
+    for (Yarn& yarn : recipe.design.yarns) yarn.unevenness = 0;
   for (const Yarn& preset : yarn_presets()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
   for (PresetRecipe& cloth : cloth_recipes()) all.push_back(std::move(cloth));
   return all;

@@ -1,5 +1,6 @@
-// The grids of a draft as weavers draw them: threading above with shaft 1 next to the cloth, tie-up in the corner,
-// treadling (or liftplan) at the side, drawdown between them. What does not fit on a sheet goes on on the next.
+// The grids of a draft where the window has them: threading above or below with shaft 1 next to the cloth, tie-up in
+// the corner, treadling (or liftplan) at the right, drawdown between them. What does not fit on a sheet goes on on the
+// next.
 
 #include <algorithm>
 #include <cmath>
@@ -88,21 +89,25 @@ struct Drawing {
   /// Left of the column of an end within the sheet's part.
   double end_x(const Part& part, int end) const {
     const int column = options.end1_right ? part.end1 - 1 - end : end - part.end0;
-    return x0 + (options.end1_right ? plan.side_columns() * cell() : 0) + column * cell();
+    return x0 + column * cell();
   }
-  double side_x(const Part& part) const {
-    return options.end1_right ? x0 : x0 + (part.end1 - part.end0 + kGap + kBar + kGap) * cell();
-  }
-  double bar_x(const Part& part) const {
-    return options.end1_right ? x0 + (plan.sides + kGap) * cell() : x0 + (part.end1 - part.end0 + kGap) * cell();
-  }
+  double side_x(const Part& part) const { return x0 + (part.end1 - part.end0 + kGap + kBar + kGap) * cell(); }
+  double bar_x(const Part& part) const { return x0 + (part.end1 - part.end0 + kGap) * cell(); }
   /// Treadle 1 stands next to the drawdown.
-  double treadle_x(const Part& part, int treadle) const {
-    return side_x(part) + (options.end1_right ? plan.sides - 1 - treadle : treadle) * cell();
+  double treadle_x(const Part& part, int treadle) const { return side_x(part) + treadle * cell(); }
+  /// Shaft 1 and the bar stand next to the drawdown.
+  double shafts_y(const Part& part) const {
+    const int below = part.pick1 - part.pick0 + kGap + kBar + kGap;
+    return y0 + (options.threading_below ? below : 0) * cell();
   }
-  double shaft_y(int shaft) const { return y0 + (plan.shafts - 1 - shaft) * cell(); }
-  double warp_bar_y() const { return y0 + (plan.shafts + kGap) * cell(); }
-  double picks_y() const { return y0 + plan.head_rows() * cell(); }
+  double shaft_y(const Part& part, int shaft) const {
+    return shafts_y(part) + (options.threading_below ? shaft : plan.shafts - 1 - shaft) * cell();
+  }
+  double warp_bar_y(const Part& part) const {
+    const int row = options.threading_below ? part.pick1 - part.pick0 + kGap : plan.shafts + kGap;
+    return y0 + row * cell();
+  }
+  double picks_y() const { return y0 + (options.threading_below ? 0 : plan.head_rows()) * cell(); }
   double pick_y(const Part& part, int pick) const {
     return picks_y() + (options.pick1_bottom ? part.pick1 - 1 - pick : pick - part.pick0) * cell();
   }
@@ -116,13 +121,15 @@ void mark(const Pen& pen, const Drawing& g, double x, double y) { pen.fill(x, y,
 void draw_threading(const Pen& pen, const Drawing& g, const Part& part) {
   for (int e = part.end0; e < part.end1; ++e)
     for (int s = 0; s < g.plan.shafts; ++s)
-      if (g.draft().threading.get(e, s)) mark(pen, g, g.end_x(part, e), g.shaft_y(s));
+      if (g.draft().threading.get(e, s)) mark(pen, g, g.end_x(part, e), g.shaft_y(part, s));
   const double left = g.end_x(part, g.options.end1_right ? part.end1 - 1 : part.end0);
-  draw_net(pen, {left, g.y0, g.cell(), part.end1 - part.end0, g.plan.shafts, part.end0, 0, g.options.end1_right, true},
+  draw_net(pen,
+           {left, g.shafts_y(part), g.cell(), part.end1 - part.end0, g.plan.shafts, part.end0, 0, g.options.end1_right,
+            !g.options.threading_below},
            g.options.heavy_lines);
   for (int e = part.end0; e < part.end1; ++e)
-    pen.fill(g.end_x(part, e), g.warp_bar_y(), g.cell(), g.cell(), g.color_of(System::kWarp, e));
-  pen.frame(left, g.warp_bar_y(), (part.end1 - part.end0) * g.cell(), g.cell(), 0.12, kMuted);
+    pen.fill(g.end_x(part, e), g.warp_bar_y(part), g.cell(), g.cell(), g.color_of(System::kWarp, e));
+  pen.frame(left, g.warp_bar_y(part), (part.end1 - part.end0) * g.cell(), g.cell(), 0.12, kMuted);
 }
 
 void draw_sides(const Pen& pen, const Drawing& g, const Part& part) {
@@ -136,15 +143,15 @@ void draw_sides(const Pen& pen, const Drawing& g, const Part& part) {
   }
   const int picks = part.pick1 - part.pick0;
   draw_net(pen,
-           {g.side_x(part), g.picks_y(), g.cell(), g.plan.sides, picks, 0, part.pick0, g.options.end1_right,
-            g.options.pick1_bottom},
+           {g.side_x(part), g.picks_y(), g.cell(), g.plan.sides, picks, 0, part.pick0, false, g.options.pick1_bottom},
            g.options.heavy_lines);
   pen.frame(g.bar_x(part), g.picks_y(), g.cell(), picks * g.cell(), 0.12, kMuted);
   if (plan) return;
   for (int t = 0; t < d.treadles; ++t)
     for (int s = 0; s < d.shafts; ++s)
-      if (d.tieup.get(t, s)) mark(pen, g, g.treadle_x(part, t), g.shaft_y(s));
-  draw_net(pen, {g.side_x(part), g.y0, g.cell(), d.treadles, d.shafts, 0, 0, g.options.end1_right, true},
+      if (d.tieup.get(t, s)) mark(pen, g, g.treadle_x(part, t), g.shaft_y(part, s));
+  draw_net(pen,
+           {g.side_x(part), g.shafts_y(part), g.cell(), d.treadles, d.shafts, 0, 0, false, !g.options.threading_below},
            g.options.heavy_lines);
 }
 
@@ -176,12 +183,11 @@ void draw_numbers(const Pen& pen, const Drawing& g, const Part& part) {
       const std::string n = std::to_string(e + 1);
       pen.text(g.end_x(part, e) + (g.cell() - pen.width_of(size, n)) / 2, g.y0 - 0.8, size, n, kMuted);
     }
-  const double side = g.options.end1_right ? g.x0 - 1 : g.side_x(part) + g.plan.sides * g.cell() + 1;
+  const double side = g.side_x(part) + g.plan.sides * g.cell() + 1;
   for (int p = part.pick0; p < part.pick1; ++p)
     if ((p + 1) % 5 == 0 || p == 0) {
       const double y = g.pick_y(part, p) + (g.cell() + size * 0.7) / 2;
-      if (g.options.end1_right) pen.text_right(side, y, size, std::to_string(p + 1), kMuted);
-      else pen.text(side, y, size, std::to_string(p + 1), kMuted);
+      pen.text(side, y, size, std::to_string(p + 1), kMuted);
     }
 }
 

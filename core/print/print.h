@@ -48,10 +48,11 @@ inline constexpr NamedPart kParts[] = {{"draft", "Draft and drawdown", &PrintPar
 
 struct PrintOptions {
   Paper paper = kA4;
-  double cell_mm = 0;         // side of a cell, 0.5..20; 0: what fits, at least kSmallestCell
-  int heavy_lines = 4;        // a heavier line every so many threads; 0: none
-  bool end1_right = false;    // which side end 1 is drawn on
-  bool pick1_bottom = false;  // picks are read upwards
+  double cell_mm = 0;            // side of a cell, 0.5..20; 0: what fits, at least kSmallestCell
+  int heavy_lines = 4;           // a heavier line every so many threads; 0: none
+  bool end1_right = true;        // which side end 1 is drawn on
+  bool pick1_bottom = false;     // picks are read upwards
+  bool threading_below = false;  // the drawdown
   double png_dpi = 150;
   PrintParts parts{};
   bool operator==(const PrintOptions&) const = default;

@@ -148,6 +148,7 @@ void Editor::ask_print() {
   PrintPrompt prompt;
   prompt.options.end1_right = settings_.end1_right;
   prompt.options.pick1_bottom = settings_.pick1_bottom;
+  prompt.options.threading_below = settings_.threading_below;
   prompt.preview = std::make_shared<SheetPreview>(document().snapshot(), Window::wake);
   ask(std::move(prompt), [this](int) {
     const PrintPrompt p = std::get<PrintPrompt>(dialog_);

@@ -325,7 +325,7 @@ std::string lower(std::string words) {
 
 /// The options of `print` that are words.
 struct PrintText {
-  std::string paper = "a4", end1 = "left", pick1 = "top";
+  std::string paper = "a4", end1 = "right", pick1 = "top", threading = "above";
   std::vector<std::string> parts;  // empty: all
   bool across = false;
 };
@@ -345,6 +345,7 @@ void add_print_options(CLI::App* verb, print::PrintOptions& o, PrintText& t) {
       ->check(whole_number(0, 1000));
   verb->add_option("--end1", t.end1, "The side of end 1")->check(CLI::IsMember({"left", "right"}));
   verb->add_option("--pick1", t.pick1, "Where pick 1 is")->check(CLI::IsMember({"top", "bottom"}));
+  verb->add_option("--threading", t.threading, "Where it is of the drawdown")->check(CLI::IsMember({"above", "below"}));
   verb->add_option("--dpi", o.png_dpi, "Dots an inch of a .png")->check(CLI::Range(30.0, 1200.0));
 }
 
@@ -354,6 +355,7 @@ void take_print_text(print::PrintOptions& o, const PrintText& t) {
   if (t.across) std::swap(o.paper.width_mm, o.paper.height_mm);
   o.end1_right = t.end1 == "right";
   o.pick1_bottom = t.pick1 == "bottom";
+  o.threading_below = t.threading == "below";
   for (const print::NamedPart& part : print::kParts)
     o.parts.*part.on = t.parts.empty() || std::ranges::count(t.parts, part.name) > 0;
 }

@@ -121,6 +121,33 @@ TEST(Print, Pick1StandsAtTheTopOrAtTheBottom) {
   EXPECT_LT(dark_above(down) + 20, dark_above(up)) << "twice five millimetres lower at the least";
 }
 
+TEST(Print, TheGridsStandWhereTheWindowHasThem) {
+  // Everything is white but one colour: the bars and the drawdown are not seen, the marks are.
+  Design d = with_size(Design{}, 4, 4, 12, 12);
+  for (Rgb& c : d.draft.palette) c = {1, 1, 1};
+  PrintOptions o;
+  o.parts = {true, false, false, false, false};
+  o.cell_mm = 5;
+  o.heavy_lines = 0;
+  const auto marks = [&](const PrintOptions& asked) {
+    const SheetPicture s = picture_of_sheet(d, asked, 0, 2);
+    double x = 0, y = 0, all = 0;
+    for (int row = 60; row < s.height; ++row)  // below the title
+      for (int column = 0; column < s.width; ++column) {
+        const size_t at = static_cast<size_t>(row) * static_cast<size_t>(s.width) + static_cast<size_t>(column);
+        if (((s.pixels[at] >> 8) & 255) < 90) x += column, y += row, ++all;
+      }
+    return std::pair{x / std::max(all, 1.0), y / std::max(all, 1.0)};
+  };
+  const auto [right_x, above_y] = marks(o);
+  o.end1_right = false;
+  const auto [left_x, same_y] = marks(o);
+  EXPECT_LT(std::abs(right_x - left_x), 20) << "the treadling stands at the right either way";
+  EXPECT_NEAR(same_y, above_y, 2);
+  o.threading_below = true;
+  EXPECT_GT(marks(o).second, above_y + 30) << "threading and tie-up under the drawdown";
+}
+
 TEST(Print, SheetsOfSeveralFilesAreNumbered) {
   EXPECT_EQ(sheet_file("a/b.svg", 0, 1), "a/b.svg");
   EXPECT_EQ(sheet_file("a/b.svg", 2, 3), "a/b-3.svg");

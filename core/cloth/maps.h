@@ -55,7 +55,7 @@ struct Maps {
 struct MapsSize {
   int width = 1024, height = 1024;
   int azimuths = 16;
-  int threads = 0;  // to bake with; 0: one a core. The bits do not depend on it
+  int threads = 0;           // to bake with; 0: one a core. The bits do not depend on it
   int samples_a_thread = 3;  // where a texel holds several threads
 };
 

@@ -406,8 +406,8 @@ void Stages::take_scene(const Design& design, Effort effort, StageResult& result
 StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
   StageResult scene, result;
   // Neither knows of the other.
-  for_each_job(
-      2, [&](int part) { part == 0 ? take_scene(*design, effort, scene) : take_cloth(design, effort, result); });
+  for_each_job(2,
+               [&](int part) { part == 0 ? take_scene(*design, effort, scene) : take_cloth(design, effort, result); });
   result.mesh = std::move(scene.mesh), result.lights = std::move(scene.lights);
   if (result.problem.empty()) result.problem = std::move(scene.problem);
   if (effort == Effort::kOnce) front_ = back_ = {}, cells_ = {}, done_ = nullptr;

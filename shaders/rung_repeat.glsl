@@ -73,10 +73,8 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;
     vec3 p = vec3(at + longer * (half_side + turn * 0.125 * row) + aside * turn, float(system));
-    // One mip each, the four between two as the level is: a fetch between mips costs twice (Pharr et al. 2024).
-    float mip = floor(level + (float(i) + 0.5) * 0.25);
-    y.color += 0.25 * textureLod(color_map, p, mip);
-    sum += 0.25 * textureLod(relief_map, p, mip);
+    y.color += 0.25 * textureLod(color_map, p, level);
+    sum += 0.25 * textureLod(relief_map, p, level);
   }
   // Mips of four yarns, read between texels.
   float wide = log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm);

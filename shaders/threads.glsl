@@ -297,7 +297,7 @@ FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   if (most == 0 || (g.top - g.bottom) * slant < 0.06f * g.spacing) return thread_below(g, at, lean);
   float nudge = 1.0e-4f * g.spacing / slant;
   float z = g.top;
-  float next = z;
+  float next;
   float above = g.reach;
   vec2 d = vec2(g.reach);
   Crossing c;

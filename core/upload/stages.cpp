@@ -372,11 +372,12 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
   if (old_response_ && !lobes.response.empty()) keep_response(data, lobes.data);
   else lobes.response = response_tables(data, front, back, old_response_ ? kQuickSamples : kResponseSamples);
   if (engine_ && !old_response_) {
+    const BitMatrix cells = cells_.rows() > 0 ? cells_ : drawdown(design.draft);  // they may be given up already
     for_each_job(2, [&](int f) {
       const Face face = f == 0 ? Face::kFront : Face::kBack;
       const interop::SystemData *warp = &data.systems[2 * f], *weft = warp + 1;
       const float cover = std::max(warp->coverage + weft->coverage, 1e-6f);
-      data.engine[f] = engine_block(face_cloth(design, cells_, face, Period::kRepeat), weft->coverage / cover);
+      data.engine[f] = engine_block(face_cloth(design, cells, face, Period::kRepeat), weft->coverage / cover);
     });
   }
   lobes.data = data;

@@ -123,7 +123,7 @@ TEST(Print, Pick1StandsAtTheTopOrAtTheBottom) {
 
 TEST(Print, TheGridsStandWhereTheWindowHasThem) {
   // Everything is white but one colour: the bars and the drawdown are not seen, the marks are.
-  Design d = with_size(Design{}, 4, 4, 12, 12);
+  Design d = overshot_design(12, 12);
   for (Rgb& c : d.draft.palette) c = {1, 1, 1};
   PrintOptions o;
   o.parts = {true, false, false, false, false};

@@ -34,6 +34,7 @@ constexpr Golden kGoldens[] = {
     {"damask_cell", "twill_damask", "--method cell --yarns-per-pixel 1"},
     {"denim_cloth", "denim", "--method cloth --view 0,25"},
     {"satin_engine", "satin_8", "--method engine --yarns-per-pixel 0.3"},
+    {"twill_irawan", "twill_2_2", "--method irawan --yarns-per-pixel 0.1"},
     {"starter_draped", "starter", "--method auto", "tablecloth"},
 };
 

@@ -23,8 +23,7 @@ namespace {
 constexpr float kTouching = 1.06f;
 // A jammed thread gives way sideways until it is this much taller than wide; beyond, it is packed
 // denser (its fibres fill about 60 % of a spun yarn, so there is air to give).
-constexpr float kTallest = 1.5f;
-constexpr float kReliefLost = 0.93f;  // of the weave's relief, under the closest nap; by eye
+const float kTallest = thread_formulas::kTallestSection;
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
 

@@ -10,7 +10,6 @@ namespace {
 
 using thread_formulas::slubs_in, thread_formulas::swell_at, thread_formulas::swollen;
 
-constexpr float kNapSmooths = 0.8f;  // as the relief that a nap hides (lay_out.cpp)
 constexpr float kThinnest_mm = 1e-6f;
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
@@ -32,7 +31,7 @@ glm::vec2 even_section(const ThreadBody& body) {
 float swell_of(const Yarn& yarn, const Finish& finish) {
   if (std::isnan(yarn.unevenness)) return 0;
   // Mass goes with the square of the thickness: half of its variation is the thickness's.
-  return std::clamp(0.005f * yarn.unevenness, 0.0f, 0.5f) * (1 - kNapSmooths * std::clamp(finish.raised, 0.0f, 1.0f));
+  return std::clamp(0.005f * yarn.unevenness, 0.0f, 0.5f) * (1 - kReliefLost * std::clamp(finish.raised, 0.0f, 1.0f));
 }
 
 float spread_in(const ThreadBody& body, float length_mm) {

@@ -10,6 +10,9 @@
 
 namespace weftlight::cloth {
 
+/// Of the threads' relief, under the closest nap; by eye.
+inline constexpr float kReliefLost = 0.93f;
+
 /// Standard deviation of a yarn's thickness along it, over its mean; less under a nap.
 float swell_of(const Yarn& yarn, const Finish& finish);
 

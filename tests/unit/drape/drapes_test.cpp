@@ -177,7 +177,7 @@ TEST(Drapes, LimpAndStiffOnesAreThePatternsToo) {
   }
 }
 
-TEST(Drapes, TheStifferTheClothTheMoreItCoversAndTheFewerItsFolds) {
+TEST(Drapes, TheStifferTheClothTheMoreItCovers) {
   // Cusick's drape coefficient, of what is round.
   const auto covers = [](const char* name, double support_mm, double side_mm) {
     std::array<double, 3> out{};

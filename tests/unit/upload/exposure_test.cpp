@@ -1,4 +1,4 @@
-// The exposure lifts dark cloths and holds white ones back, and a darker cloth still looks darker.
+// The exposure lifts dark cloths and leaves white ones white, and a darker cloth still looks darker.
 
 #include "upload/exposure.h"
 

@@ -205,7 +205,7 @@ void Editor::draw_window() {
   const float tabs_height = tab_strip_height(style_, session_.all().size());
   const TabWish wish = draw_tabs(c, tabs_height);
   draw_panels(c, tabs_height, items);
-  wanted.add_action(draw_selection_menu(c, items));
+  wanted.add_action(draw_context_menu(c, items, &ActionItem::on_selection, "context", c.frame.selection_menu));
   wanted.add_action(draw_tab_menu(c, items, tabs_));
   wanted.add_action(draw_command_palette(c, items, commands_));
   draw_remarks(c, remarks_, remarks_open_);

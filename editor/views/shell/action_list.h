@@ -17,8 +17,10 @@ std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> ite
 
 /// The items one below the other, submenus too; for an open menu. Named `prefix` + id in the map.
 std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);
-/// The menu of a right click on the selection, when FrameNotes wants it or it stands open.
-std::string draw_selection_menu(const PanelContext& c, std::span<const ActionItem> items);
+/// What a right click offers: the items that belong there, when the menu is due or stands open. Named `name` + "." + id
+/// in the map.
+std::string draw_context_menu(const PanelContext& c, std::span<const ActionItem> items, bool ActionItem::*belongs,
+                              const char* name, bool due);
 
 /// What the mouse does, and the key of every action, in a window of their own. A click on a key waits for another.
 struct KeysWindow {

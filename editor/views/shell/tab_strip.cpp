@@ -159,15 +159,7 @@ TabWish draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t show
 }
 
 std::string draw_tab_menu(const PanelContext& c, std::span<const ActionItem> items, TabStrip& strip) {
-  constexpr const char* kName = "###tab_menu";
-  if (std::exchange(strip.menu_due, false)) ImGui::OpenPopup(kName);
-  if (!ImGui::BeginPopup(kName)) return {};
-  std::vector<ActionItem> own;
-  for (const ActionItem& item : items)
-    if (item.on_tab) own.push_back(item);
-  std::string chosen = draw_menu_items(c, own, "tab_menu.");
-  ImGui::EndPopup();
-  return chosen;
+  return draw_context_menu(c, items, &ActionItem::on_tab, "tab_menu", std::exchange(strip.menu_due, false));
 }
 
 }  // namespace weftlight::views

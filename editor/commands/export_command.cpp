@@ -13,6 +13,7 @@
 
 #include "base/loops.h"
 #include "commands/commands.h"
+#include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
 #include "texture_set/material_files.h"
@@ -134,6 +135,13 @@ void tell(Run& run, int code, const std::string& problem) {
   run.failed.push_back(problem);
 }
 
+/// Of a shipped drape the limper or stiffer one; empty where the one that all drafts share is right.
+std::optional<Mesh> hung_by_its_cloth(const Run& run, Design design) {
+  design.scene.mesh = run.options.mesh;
+  if (run.mesh.index.empty() || drape_key(design) == run.options.mesh) return {};
+  return load_design_drape(design).mesh;
+}
+
 void run_job(Job job, Run& run) {
   const OpenedDesign opened = open_design(job.file);
   if (!opened.ok) return tell(run, kBadInput, job.file + ": not exported: it cannot be read");
@@ -150,9 +158,10 @@ void run_job(Job job, Run& run) {
     std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
   }
   const bool had_archive = lists_archive(job.folder);
+  const std::optional<Mesh> hung = hung_by_its_cloth(run, opened.design);
   std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(job.folder + ".zip")
                             ? job.folder + ".zip: is not an archive of this set; move it away, or --force to replace it"
-                            : write_texture_set(job.folder, opened.design, run.mesh, job.options);
+                            : write_texture_set(job.folder, opened.design, hung ? *hung : run.mesh, job.options);
   if (problem.empty() && run.options.zip) problem = write_archive(job, true);
   if (!problem.empty()) return tell(run, kNotWritten, job.file + ": not exported: " + problem);
   ++run.written;

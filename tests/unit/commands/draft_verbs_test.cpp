@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "files/design_drape.h"
 #include "files/files.h"
 #include "scratch_folder.h"
 
@@ -145,6 +146,25 @@ TEST_F(DraftVerbs, convert_to_a_smaller_loom_refuses_or_takes_the_nearest) {
   EXPECT_EQ(four.ends(), 16);
   EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--nearest"}).code, kUsage);
   EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--shafts", "0"}).code, kUsage);
+}
+
+/// The lowest of a mesh's places, mm.
+float lowest(const Mesh& mesh) {
+  float y = 1e9f;
+  for (const glm::vec3& place : mesh.position_mm) y = std::min(y, place.y);
+  return y;
+}
+
+TEST_F(DraftVerbs, an_exported_drape_hangs_as_its_cloth_does) {
+  const std::string denim = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/cloths/denim.wif";
+  ASSERT_EQ(run({"export", denim, "-o", path("sets"), "--target", "gltf", "--size", "16", "--mesh", "tablecloth"}).code,
+            kDone);
+  const ReadMesh exported = read_mesh(path("sets/denim/denim.glb"));
+  ASSERT_TRUE(exported.mesh) << exported.error;
+  Design design = open_design(denim).design;
+  design.scene.mesh = "tablecloth";
+  EXPECT_NEAR(lowest(*exported.mesh), lowest(*load_design_drape(design).mesh), 0.01f);
+  EXPECT_GT(std::abs(lowest(*exported.mesh) - lowest(*load_drape("tablecloth").mesh)), 1.0f);
 }
 
 }  // namespace

@@ -1,0 +1,322 @@
+// Every row of the table, run without a window in every state that it can be run in: what changes the design is taken
+// back exactly and brought again exactly, and what is no edit changes nothing.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "bare_desk.h"
+#include "draft/block_text.h"
+#include "draft/crossings.h"
+#include "draft/edits.h"
+#include "draft/factor.h"
+#include "draft/look_text.h"
+#include "session/selection.h"
+
+namespace weftlight::actions {
+namespace {
+
+/// All that a draft can have, so that nothing of it can be forgotten by an edit unseen.
+Design rich_design() {
+  Design d;
+  d.draft = blank_draft(24, 20, 8, 8);
+  for (int i = 0; i < 24; ++i) d.draft.threading.set(i, i % 14 < 8 ? i % 14 : 14 - i % 14, true);
+  for (int i = 0; i < 20; ++i) d.draft.treadling.set(i, i % 8, true);
+  for (int t = 0; t < 8; ++t)
+    for (const int s : {t, (t + 1) % 8, (t + 3) % 8}) d.draft.tieup.set(t, s, true);
+  d.draft.palette = {{1, 1, 1}, {0.1f, 0.2f, 0.5f}, {0.8f, 0.3f, 0.1f}};
+  for (size_t i = 0; i < 24; ++i) d.draft.warp.color[i] = static_cast<int>(i * i % 3);
+  for (size_t i = 0; i < 20; ++i) d.draft.weft.color[i] = static_cast<int>(i / 4 % 3);
+  d = with_new_yarn(std::move(d), Yarn{});
+  for (const int end : {2, 3, 11}) d = with_thread_thickness(std::move(d), System::kWarp, end, 0.1f * (end + 3));
+  for (const int pick : {1, 8}) d = with_thread_spacing(std::move(d), System::kWeft, pick, 1.25f);
+  d.title = "All of it";
+  d.loom = {Authority::kThreading, false, 8, 10, 3};
+  return d;
+}
+
+/// Twelve picks that lift four shafts alone and together: six treadles do with two feet.
+Design two_footed() {
+  Design d = rich_design();
+  d.draft = blank_draft(16, 12, 4, 6);
+  for (int i = 0; i < 16; ++i) d.draft.threading.set(i, i % 4, true);
+  d.draft.drive = Drive::kLiftplan;
+  d.draft.liftplan = BitMatrix(12, 4);
+  constexpr unsigned kLifts[] = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 1, 2};
+  for (int pick = 0; pick < 12; ++pick)
+    for (int s = 0; s < 4; ++s) d.draft.liftplan.set(pick, s, (kLifts[pick] >> s & 1) != 0);
+  d.loom = {Authority::kLiftplan, false, 4, 12, 0};
+  return d;
+}
+
+struct Stage {
+  std::string name;
+  std::function<Design()> design;
+  std::function<void(BareDesk&)> prepare;
+};
+
+using Prepare = std::function<void(BareDesk&)>;
+
+void select(BareDesk& desk, const Selection& s) {
+  const Draft& draft = desk.document().now().draft;
+  if (is_shown(draft, s.grid)) select_cells(desk.view().select, clipped(s, draft));
+}
+
+CellBlock small_block() {
+  BitMatrix cells(3, 4);
+  for (int i = 0; i < 3; ++i) cells.set(i, i, true), cells.set(i, 3, i == 1);
+  return {BitGrid::kDrawdown, cells};
+}
+
+/// A crossing that the loom cannot weave without another shaft.
+void refuse(BareDesk& desk) {
+  Design wish = desk.document().now();
+  wish.loom.shafts = wish.loom.treadles = kMaxShafts;
+  BitMatrix cells = drawdown(wish.draft);
+  for (int i = 0; i < std::min({10, cells.rows(), cells.cols()}); ++i) cells.set(i, i, !cells.get(i, i));
+  wish.draft = nearest_drawdown(wish.draft, cells, loom_size(wish)).draft;
+  desk.view().refusal = Refusal{0, std::make_shared<const Design>(wish)};
+  desk.view().refusal->nearest = nearest_to(desk.document().now(), wish);
+}
+
+std::vector<std::pair<std::string, Prepare>> preparations() {
+  const auto selection = [](BitGrid grid, int a0, int a1, int b0, int b1) {
+    return [=](BareDesk& d) { select(d, {grid, a0, a1, b0, b1}); };
+  };
+  return {
+      {"nothing", [](BareDesk&) {}},
+      {"threading selected", selection(BitGrid::kThreading, 2, 7, 0, 4)},
+      {"whole ends selected", selection(BitGrid::kThreading, 4, 9, 0, 99)},
+      {"tie-up selected", selection(BitGrid::kTieup, 1, 3, 1, 4)},
+      {"treadling selected", selection(BitGrid::kTreadling, 0, 5, 3, 6)},
+      {"liftplan selected", selection(BitGrid::kLiftplan, 0, 3, 2, 7)},
+      {"crossings selected", selection(BitGrid::kDrawdown, 3, 8, 2, 6)},
+      {"block in hand",
+       [](BareDesk& d) {
+         hold_block(d.view().select, d.document().now().draft, small_block(), false);
+         hold_block_over(d.view().select, BitGrid::kThreading, {1, 1});
+       }},
+      {"ends chosen",
+       [](BareDesk& d) {
+         d.view().chosen = {System::kWarp, {2, 3, 11}, 3, {}, false, false};
+       }},
+      {"picks chosen",
+       [](BareDesk& d) {
+         d.view().chosen = {System::kWeft, {1, 4}, 1, {}, false, false};
+       }},
+      {"cells on the clipboard", [](BareDesk& d) { d.set_clipboard(block_text(small_block())); }},
+      {"colours on the clipboard",
+       [](BareDesk& d) {
+         d.set_clipboard(color_text(d.document().now().draft, System::kWarp, std::vector<int>{1, 2, 4}));
+       }},
+      {"thickness on the clipboard", [](BareDesk& d) { d.set_clipboard("weftlight thickness: 0.5 - 0.8"); }},
+      {"at the loom", [](BareDesk& d) { d.view().at_loom.open = true; }},
+      {"refused", refuse},
+      {"held against another",
+       [](BareDesk& d) {
+         d.view().other = std::make_shared<OtherDraft>(OtherDraft{"other.wif", {}, {}});
+       }},
+      {"after two steps, one taken back",
+       [](BareDesk& d) {
+         d.commit({"Title", [](Design x) { return x.title = "Other", x; }});
+         d.commit({"Notes", [](Design x) { return x.title = "Third", x; }});
+         d.undo();
+       }},
+      {"seen otherwise, views kept",
+       [](BareDesk& d) {
+         d.commit(keep_view_edit(d.view(), "Near"));
+         d.view().camera.distance *= 2;
+         d.commit({"Lights", [](Design x) { return x.scene.lights = "overcast", x; }});
+       }},
+  };
+}
+
+std::vector<Stage> stages() {
+  const auto ruled_by = [](Authority authority) {
+    return [authority] {
+      Design d = rich_design();
+      d.loom.shafts = d.loom.treadles = 20;
+      return with_authority(std::move(d), authority);
+    };
+  };
+  const std::vector<std::pair<std::string, std::function<Design()>>> designs = {
+      {"threading rules", rich_design},
+      {"liftplan rules", ruled_by(Authority::kLiftplan)},
+      {"drawdown rules", ruled_by(Authority::kDrawdown)},
+      {"locked, sinking", [] { return with_lock(with_rising(rich_design(), false), true); }},
+      {"for two feet", two_footed},
+      {"one end, one pick",
+       [] {
+         Design d;
+         d.draft = blank_draft(1, 1, 1, 1);
+         return d;
+       }},
+  };
+  std::vector<Stage> all;
+  for (const auto& [of, design] : designs)
+    for (const auto& [name, prepare] : preparations()) all.push_back({of + ", " + name, design, prepare});
+  return all;
+}
+
+/// What changes the design in one state or another; all else changes it in none. Undo and redo walk along its history.
+const std::set<std::string> kEdits = {"advance_down",
+                                      "advance_up",
+                                      "clear",
+                                      "cut",
+                                      "delete_threads",
+                                      "double_mirrored",
+                                      "double_threads",
+                                      "drape.*",
+                                      "drop",
+                                      "half_turn",
+                                      "insert_threads",
+                                      "invert",
+                                      "larger_loom",
+                                      "liftplan",
+                                      "lights.*",
+                                      "loom_back",
+                                      "loom_next",
+                                      "mirror_across",
+                                      "mirror_down",
+                                      "move_down",
+                                      "move_left",
+                                      "move_right",
+                                      "move_up",
+                                      "point_end",
+                                      "quarter_turn",
+                                      "redo",
+                                      "repeat_all",
+                                      "repeat_end",
+                                      "reverse_threads",
+                                      "rising",
+                                      "rules.drawdown",
+                                      "rules.liftplan",
+                                      "rules.lock",
+                                      "rules.threading",
+                                      "shift_down",
+                                      "shift_left",
+                                      "shift_right",
+                                      "shift_up",
+                                      "sinking",
+                                      "skeleton",
+                                      "threads.from_yarn",
+                                      "threads.paste_looks",
+                                      "threads.warp_as_weft",
+                                      "threads.warp_thick_as_weft",
+                                      "threads.weft_as_warp",
+                                      "threads.weft_thick_as_warp",
+                                      "treadling",
+                                      "undo",
+                                      "view.*",
+                                      "view_keep_as",
+                                      "views_change"};
+
+/// What has a row for each drape, light or view.
+std::string kind_of(const std::string& id) {
+  for (const char* kind : {"drape.", "lights.", "view."})
+    if (id.starts_with(kind)) return kind + std::string("*");
+  return id;
+}
+
+std::vector<Action> whole_table() { return make_actions({"/drafts/one.wif"}, {}, {"Near"}); }
+
+/// Runs it in the state; true when it changed the design, which is then taken back and brought again.
+bool changes(const Action& action, const Stage& stage) {
+  BareDesk desk(stage.design());
+  stage.prepare(desk);
+  follow_document(desk.view(), desk.document());
+  const auto before = desk.document().snapshot();
+  const Design value = *before;
+  if (action.enabled && !action.enabled(desk)) return false;
+  if (action.label) {
+    EXPECT_FALSE(action.label(desk).empty());
+  }
+  const auto run = action.run;
+  run(desk);
+  follow_document(desk.view(), desk.document());
+  EXPECT_EQ(*before, value) << "a design that stands in the history is never written to";
+  const auto after = desk.document().snapshot();
+  EXPECT_TRUE(is_consistent(*after));
+  EXPECT_EQ(desk.document().cells(), drawdown(after->draft));
+  if (*after == *before) return false;
+  if (action.item.id == "undo" || action.item.id == "redo") return true;
+
+  EXPECT_FALSE(desk.document().history().undo_label().empty()) << "the step has a name";
+  EXPECT_FALSE(desk.document().is_saved());
+  const Design edited = *after;
+  desk.undo();
+  EXPECT_EQ(desk.document().now(), value) << "after undo";
+  EXPECT_EQ(desk.document().cells(), drawdown(value.draft)) << "after undo";
+  desk.redo();
+  EXPECT_EQ(desk.document().now(), edited) << "after redo";
+  EXPECT_EQ(desk.document().cells(), drawdown(edited.draft)) << "after redo";
+  follow_document(desk.view(), desk.document());
+
+  // Twice more: some join the step before, and all of them are taken back.
+  const size_t steps = desk.document().history().position();
+  for (int i = 0; i < 2; ++i)
+    if (!action.enabled || action.enabled(desk)) run(desk), follow_document(desk.view(), desk.document());
+  EXPECT_LE(desk.document().history().position(), steps + 2);
+  EXPECT_EQ(*before, value) << "a design that stands in the history is never written to";
+  desk.go_to_step(steps);
+  desk.undo();
+  EXPECT_EQ(desk.document().now(), value) << "after all of three are taken back";
+  return true;
+}
+
+TEST(EveryAction, IsRunInStatesThatAreWhole) {
+  for (const Stage& stage : stages()) {
+    ASSERT_TRUE(is_consistent(stage.design())) << stage.name;
+    BareDesk desk(stage.design());
+    stage.prepare(desk);
+    ASSERT_TRUE(is_consistent(desk.document().now())) << stage.name;
+  }
+}
+
+TEST(EveryAction, IsTakenBackAndBroughtAgainExactly) {
+  const std::vector<Stage> all = stages();
+  std::set<std::string> edits;
+  for (const Action& action : whole_table())
+    for (const Stage& stage : all) {
+      SCOPED_TRACE(action.item.id + ": " + stage.name);
+      if (changes(action, stage)) edits.insert(kind_of(action.item.id));
+      if (testing::Test::HasFailure()) return;
+    }
+  EXPECT_EQ(edits, kEdits) << "rows that change the design, in a state or another";
+}
+
+TEST(EveryAction, CanBeRunInSomeState) {
+  // Other tabs, files, and what crashed sessions left.
+  const std::set<std::string> needs_the_window = {"close_others", "close_right", "copy_path", "next_tab",
+                                                  "previous_tab", "recovery",    "reload",    "show_in_folder"};
+  const std::vector<Stage> all = stages();
+  std::set<std::string> never;
+  for (const Action& action : whole_table()) {
+    bool can = !action.enabled;
+    for (size_t i = 0; i < all.size() && !can; ++i) {
+      BareDesk desk(all[i].design());
+      all[i].prepare(desk);
+      can = action.enabled(desk);
+    }
+    if (!can) never.insert(action.item.id);
+  }
+  EXPECT_EQ(never, needs_the_window);
+}
+
+TEST(EveryAction, HasAnIdAndAKeyOfItsOwn) {
+  std::map<std::string, std::string> keys;
+  std::set<std::string> ids;
+  for (const Action& a : whole_table()) {
+    EXPECT_TRUE(ids.insert(a.item.id).second) << a.item.id;
+    EXPECT_FALSE(a.item.label.empty()) << a.item.id;
+    if (!a.item.shortcut.empty()) {
+      EXPECT_TRUE(keys.emplace(a.item.shortcut, a.item.id).second)
+          << a.item.shortcut << " of " << a.item.id << " and " << keys[a.item.shortcut];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::actions

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "draft/drawdown.h"
+#include "draft/fibre.h"
 
 namespace weftlight::analysis {
 namespace {
@@ -62,7 +63,7 @@ void add_needs(const Design& design, const ClothPlan& plan, System system, doubl
   for (const auto& [key, kind] : kinds) {
     const auto yarn = static_cast<size_t>(key.first);
     const YarnPrice price = yarn < plan.prices.size() ? plan.prices[yarn] : YarnPrice{};
-    const double tex = price.tex >= 0 ? price.tex : tex_of_diameter(design.yarns[yarn].diameter_mm);
+    const double tex = price.tex >= 0 ? price.tex : static_cast<double>(tex_of(design.yarns[yarn]));
     const double each_m = length_mm / 1000 * times * (1 + std::max(plan.spare, 0.0));
     YarnNeed need{system, key.first, key.second, std::llround(static_cast<double>(kind.threads) * times), 0, 0, -1};
     need.length_m = each_m * static_cast<double>(kind.threads);
@@ -98,12 +99,6 @@ Interlacing interlacing(const BitMatrix& cells) { return {turns_down(cells), tur
 double wraps_per_cm(float diameter_mm) { return diameter_mm > 0 ? 10.0 / static_cast<double>(diameter_mm) : 0; }
 
 double sett_per_cm(double wraps, double interlacings) { return wraps / (1 + std::max(interlacings, 0.0)); }
-
-double tex_of_diameter(float diameter_mm) {
-  constexpr double kTexTimesNe = 590.5;
-  const double inches = static_cast<double>(diameter_mm) / 25.4;
-  return kTexTimesNe * 28 * 28 * inches * inches;
-}
 
 YarnReport yarn_report(const Design& design, const ClothPlan& plan) {
   YarnReport out;

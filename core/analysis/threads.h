@@ -34,11 +34,8 @@ double wraps_per_cm(float diameter_mm);
 /// the Structure of Fabrics, 1884: a repeat of T threads with i interlacings has room for wraps T / (T + i).
 double sett_per_cm(double wraps_per_cm, double interlacing);
 
-/// Linear density in tex (g a km) of a yarn of this diameter. Based on: F. T. Peirce, The geometry of cloth
-/// structure, 1937: diameter in inches 1 / (28 sqrt(Ne)), for cotton of 1.1 cm3 a gram.
-double tex_of_diameter(float diameter_mm);
-
-/// What one yarn is sold as. Negative: not known (then the weight is by tex_of_diameter, and no cost is given).
+/// What one yarn is sold as. Negative: not known (then the weight is that of its fibre, tex_of(yarn), and no cost is
+/// given).
 struct YarnPrice {
   double tex = -1, per_kg = -1;
 };

@@ -1,7 +1,10 @@
 // `analyse` and `diff`: what a draft is as a weave and on a loom, and what two drafts differ in.
 
+#include <charconv>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "analysis/difference.h"
 #include "analysis/floats.h"
@@ -27,6 +30,48 @@ struct Findings {
   double warp_share = 0;
   YarnReport yarn;
 };
+
+/// None: no price.
+std::optional<double> price_in(std::string_view text) {
+  constexpr double kMost = 1e6;
+  double price = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), price);
+  if (error != std::errc() || end != text.data() + text.size() || !(price >= 0 && price <= kMost)) return {};
+  return price;
+}
+
+std::string names_of(const std::vector<Yarn>& yarns) {
+  std::string names;
+  for (const Yarn& yarn : yarns) names += (names.empty() ? "" : ", ") + yarn.name;
+  return names;
+}
+
+/// What is wrong with a price, or empty. Of yarns of one name all have it.
+std::string take_price(const Design& design, std::string_view text, ClothPlan& plan) {
+  const size_t equals = text.rfind('=');
+  const bool for_all = equals == std::string_view::npos;
+  const std::optional<double> price = price_in(for_all ? text : text.substr(equals + 1));
+  if (!price) return "give YARN=PRICE, or PRICE for all yarns: 0 to 1000000 a kilogram";
+  bool known = false;
+  for (size_t i = 0; i < design.yarns.size(); ++i) {
+    if (!for_all && design.yarns[i].name != text.substr(0, equals)) continue;
+    plan.prices[i].per_kg = *price;
+    known = true;
+  }
+  return known ? "" : "the draft's yarns are " + names_of(design.yarns);
+}
+
+/// False, with a line on stderr, when one is no price, or of a yarn that is not there. Later ones win.
+bool take_prices(const Design& design, const std::vector<std::string>& prices, ClothPlan& plan) {
+  plan.prices.resize(design.yarns.size());
+  for (const std::string& one : prices) {
+    const std::string wrong = take_price(design, one, plan);
+    if (wrong.empty()) continue;
+    std::fprintf(stderr, "weftlight: --price %s: %s\n", one.c_str(), wrong.c_str());
+    return false;
+  }
+  return true;
+}
 
 Findings findings_of(const Design& design, const AnalyseOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
@@ -84,17 +129,19 @@ Json yarn_json(const Design& design, const YarnReport& yarn) {
     if (need.cost >= 0) one["cost"] = need.cost;
     needs.push_back(one);
   }
-  return {{"ends", yarn.ends},
-          {"picks", yarn.picks},
-          {"ends_per_cm", yarn.ends_per_cm},
-          {"picks_per_cm", yarn.picks_per_cm},
-          {"loom_width_mm", yarn.loom_width_mm},
-          {"warp_length_mm", yarn.warp_length_mm},
-          {"warp_m", yarn.warp_m},
-          {"weft_m", yarn.weft_m},
-          {"weight_g", yarn.weight_g},
-          {"g_per_m2", yarn.g_per_m2},
-          {"needs", needs}};
+  Json json = {{"ends", yarn.ends},
+               {"picks", yarn.picks},
+               {"ends_per_cm", yarn.ends_per_cm},
+               {"picks_per_cm", yarn.picks_per_cm},
+               {"loom_width_mm", yarn.loom_width_mm},
+               {"warp_length_mm", yarn.warp_length_mm},
+               {"warp_m", yarn.warp_m},
+               {"weft_m", yarn.weft_m},
+               {"weight_g", yarn.weight_g},
+               {"g_per_m2", yarn.g_per_m2},
+               {"needs", needs}};
+  if (yarn.cost >= 0) json["cost"] = yarn.cost;
+  return json;
 }
 
 std::string as_json(const Design& design, const Findings& f, const AnalyseOptions& options) {
@@ -171,10 +218,13 @@ void print_yarn(const Design& design, const Findings& f) {
   for (const YarnNeed& need : y.needs) {
     const Rgb& c = color_of(design, need);
     const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
-    std::printf("  %s %-16s #%02x%02x%02x %6lld threads %9.1f m %8.1f g\n", name_of(need.system),
+    std::printf("  %s %-16s #%02x%02x%02x %6lld threads %9.1f m %8.1f g", name_of(need.system),
                 design.yarns[static_cast<size_t>(need.yarn)].name.c_str(), byte(c.r), byte(c.g), byte(c.b),
                 static_cast<long long>(need.threads), need.length_m, need.weight_g);
+    if (need.cost >= 0) std::printf(" %9.2f", need.cost);
+    std::printf("\n");
   }
+  if (y.cost >= 0) std::printf("cost            %.2f\n", y.cost);
 }
 
 }  // namespace
@@ -182,7 +232,9 @@ void print_yarn(const Design& design, const Findings& f) {
 int analyse_command(const AnalyseOptions& options) {
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
-  const Findings f = findings_of(opened.design, options);
+  AnalyseOptions priced = options;
+  if (!take_prices(opened.design, options.prices, priced.plan)) return kUsage;
+  const Findings f = findings_of(opened.design, priced);
   if (options.json) {
     std::printf("%s\n", as_json(opened.design, f, options).c_str());
     return kDone;

@@ -300,6 +300,9 @@ void add_analysis_options(CLI::App* verb, AnalyseOptions& o) {
   verb->add_option("--waste", o.plan.loom_waste_mm, "Warp that stays on the loom, mm")
       ->check(CLI::Range(0.0, kLongest));
   verb->add_option("--shrinkage", o.plan.warp_shrinkage, "In the wash, 0.1 for a tenth")->check(CLI::Range(0.0, 0.9));
+  verb->add_option("--spare", o.plan.spare, "Yarn lost in winding and shuttles, 0.1 for a tenth")
+      ->check(CLI::Range(0.0, 1.0));
+  verb->add_option("--price", o.prices, "What a kilogram costs: YARN=PRICE, or PRICE for all yarns");
 }
 
 bool take_picture_text(PictureOptions& o, const PictureText& t) {

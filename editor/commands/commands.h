@@ -95,6 +95,7 @@ struct AnalyseOptions {
   bool json = false;
   int float_limit = 7;
   ClothPlan plan;
+  std::vector<std::string> prices;  // YARN=PRICE of a kilogram, or PRICE, of all yarns
 };
 struct PrintCommand {
   std::string file, out;

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "../draft/hand_drafts.h"
+#include "draft/fibre.h"
+#include "draft/yarn_presets.h"
 
 namespace weftlight::analysis {
 namespace {
@@ -49,9 +51,14 @@ TEST(Sett, IsHalfTheWrapsInPlainWeaveAndTwoThirdsInTwill) {
   EXPECT_EQ(wraps_per_cm(0), 0);
 }
 
-TEST(Yarn, TexOfPeircesCotton) {
-  // Ne 16 cotton is 1/112 inch thick, 0.2268 mm, and 36.9 tex.
-  EXPECT_NEAR(tex_of_diameter(25.4f / 112), 590.5 / 16, 1e-3);
+TEST(Yarn, WeighsWhatItsCountSays) {
+  for (const Yarn& fibre : yarn_presets()) {
+    Design d = plain_cloth(10, 10);
+    d.yarns = {*with_count(fibre, "30 tex")};
+    const YarnReport r = yarn_report(d, {});
+    EXPECT_NEAR(r.weight_g / (r.warp_m + r.weft_m), 0.030, 3e-4)
+        << fibre.name << ", its thickness in whole micrometres";
+  }
 }
 
 TEST(Yarn, LengthWeightAndCostOfAPlainCloth) {

@@ -31,10 +31,10 @@ class ScratchFolder : public ScratchTest {
   }
 };
 
-/// The exit code of `weftlight ARGS`, and what it said on stderr.
+/// The exit code of `weftlight ARGS`, and what it said on stderr and on stdout.
 struct Ran {
   int code = -1;
-  std::string said;
+  std::string said, out;
 };
 inline Ran run(std::vector<std::string> args) {
   args.insert(args.begin(), "weftlight");
@@ -43,9 +43,9 @@ inline Ran run(std::vector<std::string> args) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   const CommandLine line = run_command_line(static_cast<int>(argv.size()), argv.data());
-  ::testing::internal::GetCapturedStdout();
+  std::string out = ::testing::internal::GetCapturedStdout();
   std::string said = ::testing::internal::GetCapturedStderr();
-  return {line.open_editor ? -1 : line.exit_code, said};
+  return {line.open_editor ? -1 : line.exit_code, said, out};
 }
 
 }  // namespace weftlight::commands

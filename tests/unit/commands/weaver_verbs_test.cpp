@@ -44,6 +44,42 @@ TEST_F(WeaverVerbs, analyse_as_json) {
   EXPECT_NE(said(analyse_command, options).find("hangs together  yes"), std::string::npos);
 }
 
+TEST_F(WeaverVerbs, analyse_counts_the_cost) {
+  const std::string two = path("two.wif");
+  Design d;
+  d.draft = blank_draft(10, 10, 2, 2);
+  d.yarns = {Yarn{}, Yarn{}};
+  d.yarns[0].name = "Cotton", d.yarns[1].name = "Silk = fine";
+  d.draft.weft.yarn.assign(10, 1);
+  ASSERT_TRUE(write_file_atomically(two, write_new_wif(d)).empty());
+  const auto yarn_of = [&](std::vector<std::string> args) {
+    args.insert(args.begin(), {"analyse", two, "--json", "--length", "2000", "--width", "500"});
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kDone);
+    return nlohmann::json::parse(ran.out)["yarn"];
+  };
+  const auto none = yarn_of({});
+  EXPECT_FALSE(none.contains("cost"));
+  EXPECT_FALSE(none["needs"][0].contains("cost"));
+  const auto one = yarn_of({"--price", "Cotton=40"});
+  EXPECT_NEAR(one["needs"][0]["cost"].get<double>(), 40 * one["needs"][0]["weight_g"].get<double>() / 1000, 1e-9);
+  EXPECT_FALSE(one.contains("cost")) << "the price of the silk is not known";
+  const auto both = yarn_of({"--price", "Cotton=40", "--price", "Silk = fine=200.5"});
+  EXPECT_NEAR(both["cost"].get<double>(),
+              both["needs"][0]["cost"].get<double>() + both["needs"][1]["weight_g"].get<double>() / 1000 * 200.5, 1e-9);
+  EXPECT_EQ(yarn_of({"--price", "7"})["cost"], yarn_of({"--price", "Silk = fine=7", "--price", "Cotton=7"})["cost"]);
+  EXPECT_NEAR(yarn_of({"--spare", "0.5"})["weight_g"].get<double>(),
+              yarn_of({"--spare", "0"})["weight_g"].get<double>() * 1.5, 1e-9);
+
+  const Ran text = run({"analyse", two, "--price", "10"});
+  EXPECT_NE(text.out.find("\ncost            0."), std::string::npos) << text.out;
+  const Ran unknown = run({"analyse", two, "--price", "Wool=3"});
+  EXPECT_EQ(unknown.code, kUsage);
+  EXPECT_NE(unknown.said.find("Cotton, Silk = fine"), std::string::npos) << unknown.said;
+  for (const char* odd : {"Cotton", "Cotton=", "Cotton=cheap", "Cotton=-1", "nan", "1e9"})
+    EXPECT_EQ(run({"analyse", two, "--price", odd}).code, kUsage) << odd;
+}
+
 TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
   ::testing::internal::CaptureStdout();
   EXPECT_EQ(diff_command({fixture_path("twill.wif"), fixture_path("twill.wif")}), kDone);

@@ -441,6 +441,12 @@ CommandLine run_command_line(int argc, char** argv) {
                               ->excludes(lifts_flag);
   auto* nearest_flag = convert_verb->add_flag("--nearest", convert.nearest,
                                               "What does not fit the loom is woven as nearly as it can be");
+  convert_verb->add_option("--ends", convert.picture.ends, "Of a picture: so many ends wide")
+      ->check(whole_number(2, kMaxShafts));
+  convert_verb->add_option("--colors", convert.picture.colors, "Of a picture: reduced to so many, each a weave")
+      ->check(whole_number(2, 16));
+  convert_verb->add_option("--floats", convert.picture.longest_float, "Of a picture: longest float of its weaves")
+      ->check(whole_number(1, 1000));
 
   PictureOptions picture;
   picture.view_azimuth = picture.view_elevation = picture.light_azimuth = picture.light_elevation = kUnset;

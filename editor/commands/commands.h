@@ -11,6 +11,7 @@
 #include "draft/design.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
+#include "files/picture_draft.h"
 #include "print/print.h"
 #include "wif/wif.h"
 
@@ -40,6 +41,7 @@ struct ConvertOptions {
   ConvertDrive drive = ConvertDrive::kAsIs;
   draft::LoomSize loom{};  // that it is to fit
   bool nearest = false;    // what does not fit is woven as nearly as it can be
+  files::PictureDraft picture{};
 };
 /// NaN or empty: as the design says.
 struct PictureOptions {
@@ -148,6 +150,7 @@ struct OpenedDesign {
 void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
 /// "file: cannot be written: cause; what to do" on stderr; kNotWritten.
 int not_written(const std::string& why);
-OpenedDesign open_design(const std::string& path, bool print_warnings = false);
+/// `picture`: how one becomes a draft.
+OpenedDesign open_design(const std::string& path, bool print_warnings = false, const files::PictureDraft& picture = {});
 
 }  // namespace weftlight::commands

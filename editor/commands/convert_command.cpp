@@ -54,7 +54,12 @@ int fit(Design& design, const ConvertOptions& options) {
 }  // namespace
 
 int convert_command(const ConvertOptions& options) {
-  const OpenedDesign opened = open_design(options.in);
+  if (options.picture != files::PictureDraft{} && !is_picture(options.in)) {
+    std::fprintf(stderr, "weftlight: --ends, --colors and --floats are for pictures, and %s is none\n",
+                 options.in.c_str());
+    return kUsage;
+  }
+  const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;
   Design design = opened.design;
   if (const int code = drive(design, options); code != kDone) return code;

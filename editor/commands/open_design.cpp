@@ -16,14 +16,14 @@ int not_written(const std::string& why) {
   return kNotWritten;
 }
 
-OpenedDesign open_design(const std::string& path, bool print_warnings) {
+OpenedDesign open_design(const std::string& path, bool print_warnings, const files::PictureDraft& picture) {
   OpenedDesign result;
   const FileBytes file = read_file(path);
   if (!file.error.empty()) {
     std::fprintf(stderr, "%s: %s; give the path of a draft\n", path.c_str(), file.error.c_str());
     return result;
   }
-  WifRead read = is_picture(path) ? read_picture_draft(path) : read_draft(file.bytes);
+  WifRead read = is_picture(path) ? read_picture_draft(path, picture) : read_draft(file.bytes);
   for (const Diagnostic& d : read.diagnostics) {
     const bool warning = print_warnings && d.severity == Severity::kWarning;
     if (d.severity == Severity::kError || warning) print_diagnostic(path, d);

@@ -3,11 +3,17 @@
 // Colours are grouped by k-means over a histogram of 32 steps a channel, begun at even shares of the pixels in order
 // of lightness, so that the same picture always gives the same colours (S. Lloyd, Least squares quantization in PCM,
 // 1982). Regions are filled with shaded satins: the same bindings, with more or fewer ends up beside them.
+//
+// Floats are bound one at a time where that makes the fewest others too long, until none is (after B. Selman, H. Kautz,
+// B. Cohen, Noise strategies for improving local search, 1994).
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <deque>
 #include <numeric>
+#include <random>
+#include <utility>
 
 #include "draft/generators/families.h"
 
@@ -15,6 +21,9 @@ namespace weftlight::draft {
 namespace {
 
 constexpr int kSteps = 32;  // of a channel
+// Of floats that are bound, one in so many is bound anywhere, lest two of them push each other to and fro.
+constexpr unsigned kOneByChance = 16, kBindingSeed = 1;
+constexpr int64_t kBindingsACrossing = 8;  // as many are given up; pictures take less than one
 
 struct Bin {
   std::array<double, 3> sum{};
@@ -124,33 +133,61 @@ int cost_of_change(BitMatrix& m, int row, int col, int longest) {
   return cost;
 }
 
-// One pass over the lines of one direction; true when something was changed.
-bool bind_floats(BitMatrix& m, int longest, bool along_row) {
-  bool changed = false;
-  const int lines = along_row ? m.rows() : m.cols(), n = along_row ? m.cols() : m.rows();
-  for (int line = 0; line < lines; ++line) {
-    int run = 1;
-    // A turn and a little more, so that a float over the edge is met whole.
-    for (int i = 1; i < n + longest + 1; ++i) {
-      const auto cell = [&](int k) { return along_row ? std::pair{line, k % n} : std::pair{k % n, line}; };
-      const auto [row, col] = cell(i);
-      const auto [row0, col0] = cell(i - 1);
-      run = m.get(row, col) == m.get(row0, col0) ? run + 1 : 1;
-      if (run <= longest) continue;
-      int best = i, least = 1 << 30;
-      for (int k = i; k > i - longest && k > 0; --k) {
-        const auto [r, c] = cell(k);
-        const int cost = cost_of_change(m, r, c, longest) * 64 + std::abs(i - longest / 2 - k);
-        if (cost < least) least = cost, best = k;
-      }
-      const auto [r, c] = cell(best);
-      m.set(r, c, !m.get(r, c));
-      changed = true;
-      run = i - best;
-      if (run == 0) run = 1;
-    }
+// A row or a column, and its cells round and round.
+struct Line {
+  bool along_row = false;
+  int number = 0;
+  int size(const BitMatrix& m) const { return along_row ? m.cols() : m.rows(); }
+  std::pair<int, int> place(const BitMatrix& m, int i) const {
+    return along_row ? std::pair{number, i % m.cols()} : std::pair{i % m.rows(), number};
   }
-  return changed;
+  bool at(const BitMatrix& m, int i) const {
+    const auto [row, col] = place(m, i);
+    return m.get(row, col);
+  }
+};
+
+// Where a run of so many cells is bound best: where the fewest other floats pass the limit, and of such places near an
+// even share of it.
+int best_binding(BitMatrix& m, const Line& line, int first, int length, int most) {
+  const int bindings = length / (most + 1), share = (length - bindings) / (bindings + 1);
+  int best = 0, least = 1 << 30;
+  for (int k = 0; k <= most && k < length; ++k) {
+    const auto [row, col] = line.place(m, first + k);
+    const int cost = cost_of_change(m, row, col, most) * 64 + std::abs(share - k);
+    if (cost < least) least = cost, best = k;
+  }
+  return best;
+}
+
+// Once along the line: binds each run that is longer than `most`, and tells `changed` where, as a cell of the line.
+template <typename Changed>
+void bind_line(BitMatrix& m, const Line& line, int most, std::mt19937& chance, const Changed& changed) {
+  const int n = line.size(m);
+  int start = 0;
+  while (start < n && line.at(m, start) == line.at(m, start + n - 1)) ++start;
+  start %= n;
+  for (int first = start; first < start + n;) {
+    int end = first + 1;
+    while (end < start + n && line.at(m, end) == line.at(m, first)) ++end;
+    if (end - first <= most) {
+      first = end;
+      continue;
+    }
+    const int at = chance() % kOneByChance == 0 ? static_cast<int>(chance() % static_cast<unsigned>(end - first))
+                                                : best_binding(m, line, first, end - first, most);
+    const auto [row, col] = line.place(m, first + at);
+    m.set(row, col, !m.get(row, col));
+    changed((first + at) % n);
+    first += at + 1;
+  }
+}
+
+BitMatrix plain(int rows, int cols) {
+  BitMatrix m(rows, cols);
+  for (int row = 0; row < rows; ++row)
+    for (int col = row % 2; col < cols; col += 2) m.set(row, col, true);
+  return m;
 }
 
 }  // namespace
@@ -174,14 +211,30 @@ Reduced reduced_colors(const Pixels& picture, int colors) {
 }
 
 BitMatrix with_bounded_floats(BitMatrix cells, int longest) {
-  constexpr int kPasses = 12;
-  const int most = std::max(longest, 1);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const bool rows = cells.cols() > most && bind_floats(cells, most, true);
-    const bool columns = cells.rows() > most && bind_floats(cells, most, false);
-    if (!rows && !columns) break;
+  const int most = std::max(longest, 1), rows = cells.rows(), cols = cells.cols();
+  if (most == 1) return plain(rows, cols);
+  // Lines to be looked at: a row by its number, a column by its own behind them.
+  std::deque<int> lines;
+  std::vector<char> waits(static_cast<size_t>(rows + cols), 0);
+  const auto look_at = [&](int line) {
+    if ((line < rows ? cols : rows) > most && !std::exchange(waits[static_cast<size_t>(line)], 1))
+      lines.push_back(line);
+  };
+  for (int line = 0; line < rows + cols; ++line) look_at(line);
+  std::mt19937 chance(kBindingSeed);
+  int64_t left = kBindingsACrossing * rows * cols;
+  while (!lines.empty() && left > 0) {
+    const int line = lines.front();
+    lines.pop_front();
+    waits[static_cast<size_t>(line)] = 0;
+    const bool along_row = line < rows;
+    bind_line(cells, {along_row, along_row ? line : line - rows}, most, chance, [&](int at) {
+      --left;
+      look_at(line);
+      look_at(along_row ? rows + at : at);
+    });
   }
-  return cells;
+  return left > 0 ? cells : plain(rows, cols);
 }
 
 BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how) {

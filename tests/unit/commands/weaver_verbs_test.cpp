@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "files/files.h"
@@ -156,6 +158,36 @@ TEST_F(WeaverVerbs, a_picture_of_points_comes_back_as_the_same_drawdown) {
   }
   ASSERT_EQ(write_file_atomically(path("bad.png"), "no picture"), "");
   EXPECT_FALSE(open_design(path("bad.png")).ok);
+}
+
+TEST_F(WeaverVerbs, a_picture_becomes_weaves_with_bounded_floats) {
+  files::Image photo{120, 80, 3, {}};
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 120; ++x)
+      for (const int period : {17, 29, 41})
+        photo.texels.push_back(0.5f +
+                               0.5f * std::sin(static_cast<float>(x * x / 30 + y * 3) / static_cast<float>(period)));
+  ASSERT_EQ(files::write_image(path("photo.png"), photo, files::PixelType::kU8), "");
+  const auto info = [&](const char* draft) { return nlohmann::json::parse(run({"info", path(draft), "--json"}).out); };
+  const auto longest = [&](const char* draft) {
+    const auto found = nlohmann::json::parse(run({"analyse", path(draft), "--json"}).out)["floats"]["longest"];
+    int most = 0;
+    for (const auto& [face, length] : found.items()) most = std::max(most, length.get<int>());
+    return most;
+  };
+  ASSERT_EQ(run({"convert", path("photo.png"), path("as_is.wif")}).code, kDone);
+  EXPECT_EQ(info("as_is.wif")["ends"], 120);
+  EXPECT_LE(longest("as_is.wif"), 7);
+  ASSERT_EQ(
+      run({"convert", path("photo.png"), path("small.wif"), "--ends", "60", "--colors", "4", "--floats", "3"}).code,
+      kDone);
+  EXPECT_EQ(info("small.wif")["ends"], 60);
+  EXPECT_EQ(info("small.wif")["picks"], 40) << "it keeps its shape";
+  EXPECT_LE(longest("small.wif"), 3);
+  EXPECT_EQ(run({"convert", fixture_path("twill.wif"), path("no.wif"), "--colors", "4"}).code, kUsage);
+  EXPECT_EQ(run({"convert", path("photo.png"), path("no.wif"), "--colors", "1"}).code, kUsage);
+  EXPECT_EQ(run({"convert", path("photo.png"), path("no.wif"), "--floats", "0"}).code, kUsage);
+  EXPECT_FALSE(std::filesystem::exists(path("no.wif")));
 }
 
 }  // namespace

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <random>
 #include <set>
 
+#include "analysis/floats.h"
 #include "draft/edits.h"
 #include "draft/factor.h"
 #include "draft/generators/families.h"
@@ -224,6 +228,55 @@ TEST(Picture, FloatsAreBoundedOnBothFaces) {
       ASSERT_LE(longest_run_down(transposed(bound), of), longest) << "weft, limit " << longest;
     }
   }
+}
+
+/// 0: grey from dark to light; 1: a disc on a ground; 2: noise; 3: smooth, with noise, as photographs; 4: fine lines;
+/// 5: one colour.
+Pixels drawn(int kind, int width, int height) {
+  std::mt19937 random(7);
+  Pixels out{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                  v = (static_cast<float>(y) + 0.5f) / static_cast<float>(height);
+      const float noise = static_cast<float>(random() % 1000) / 1000, far = std::hypot(u - 0.5f, v - 0.5f);
+      const float smooth = 0.5f + 0.25f * std::sin(9 * u + 5 * v) + 0.15f * std::sin(31 * v) + 0.1f * noise;
+      const float disc = far < 0.4f ? 0.5f + 0.5f * std::cos(8 * far) : 0.1f;
+      const bool lines = x % 9 == 0 || y % 13 == 0 || std::abs(u - v) < 0.01f;
+      const float of[] = {u, disc, noise, smooth, lines ? 0.1f : 0.9f, 0.4f};
+      const float c = of[kind];
+      out.rgb.push_back({c, c * c, 1 - 0.5f * c});
+    }
+  return out;
+}
+
+TEST(Picture, OfAnyKindKeepsTheLimitOfFloats) {
+  constexpr int kSizes[][2] = {{40, 40}, {97, 61}, {13, 17}, {8, 8}, {5, 90}, {150, 110}};
+  for (int kind = 0; kind < 6; ++kind)
+    for (const auto& [width, height] : kSizes)
+      for (const int colors : {2, 3, 8, 16})
+        for (const int shafts : {4, 5, 8, 16})
+          for (const int longest : {2, 3, 4, 5, 7, 10}) {
+            const BitMatrix cells = picture_weave(drawn(kind, width, height), {colors, longest, shafts});
+            const analysis::LongestFloats f = analysis::longest_floats(cells);
+            ASSERT_LE(std::max({f.warp_front, f.warp_back, f.weft_front, f.weft_back}), longest)
+                << "kind " << kind << ", " << width << " x " << height << ", " << colors << " colours, " << shafts
+                << " shafts";
+          }
+}
+
+TEST(Picture, DarkIsWarpFacedAndPlainWeaveOfFloatsOfOne) {
+  const BitMatrix shaded = picture_weave(drawn(0, 80, 80), {5, 7, 8});
+  const auto warp_up = [&](int from, int to) {
+    int up = 0;
+    for (int pick = 0; pick < 80; ++pick)
+      for (int end = from; end < to; ++end) up += shaded.get(pick, end);
+    return up / (80.0 * (to - from));
+  };
+  for (int from = 0; from < 64; from += 16) EXPECT_GT(warp_up(from, from + 16), warp_up(from + 16, from + 32)) << from;
+  const BitMatrix plain = picture_weave(drawn(3, 20, 12), {5, 1, 8});
+  for (int pick = 0; pick < 12; ++pick)
+    for (int end = 0; end < 20; ++end) ASSERT_EQ(plain.get(pick, end), (pick + end) % 2 == 0);
 }
 
 TEST(Picture, BecomesAJacquardDraft) {

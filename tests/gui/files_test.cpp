@@ -98,6 +98,46 @@ TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
   EXPECT_TRUE(comes_true([&] { return bytes_of(taken) == w.live(); }));
 }
 
+/// kdialog of a KDE desktop, which notes what it was asked and gives the answer that lies beside it.
+TEST_F(FilesTest, KdialogAsksOnItsDesktop) {
+  const fs::path other = folder_ / "other.wif", saved = folder_ / "kept here.wif";
+  put(other, straight_draft(20, 4));
+  put(folder_ / "kdialog", "#!/bin/sh\nfor word; do echo \"$word\"; done >> '" + (folder_ / "asked").string() +
+                               "'\nread -r answer < '" + (folder_ / "answer").string() +
+                               "' || exit 1\necho \"$answer\"\n");
+  put(folder_ / "zenity", "#!/bin/sh\nexit 1\n");
+  for (const char* program : {"kdialog", "zenity"}) fs::permissions(folder_ / program, fs::perms::owner_all);
+  Window w(display_, folder_, draft_, {"PATH=" + folder_.string(), "XDG_CURRENT_DESKTOP=KDE"});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const auto asked = [&](const std::string& word) {
+    return bytes_of(folder_ / "asked").find(word) != std::string::npos;
+  };
+
+  put(folder_ / "answer", other.string() + "\n");
+  display_.key("ctrl+o");
+  ASSERT_TRUE(comes_true([&] { return asked("--getopenfilename\n"); }));
+  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(other); })) << "the answer was not opened";
+  EXPECT_TRUE(asked("Weaving drafts (*.wif"));
+
+  put(folder_ / "answer", saved.string() + "\n");
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  display_.key("ctrl+shift+s");
+  ASSERT_TRUE(comes_true([&] { return asked("--getsavefilename\n"); }));
+  EXPECT_TRUE(comes_true([&] { return bytes_of(saved) == w.live(); })) << "it was not saved where kdialog said";
+
+  // Left without an answer: nothing happens, and it can be asked again.
+  fs::remove(folder_ / "answer");
+  fs::remove(folder_ / "asked");
+  const std::string before = w.live();
+  display_.key("ctrl+o");
+  ASSERT_TRUE(comes_true([&] { return asked("--getopenfilename\n"); }));
+  put(folder_ / "answer", draft_.string() + "\n");
+  usleep(500'000);
+  EXPECT_EQ(w.live(), before);
+  display_.key("ctrl+o");
+  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(draft_); }));
+}
+
 TEST_F(FilesTest, SavesThroughALink) {
   const fs::path link = folder_ / "link.wif";
   fs::create_symlink(draft_, link);

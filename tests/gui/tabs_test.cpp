@@ -183,6 +183,29 @@ TEST_F(TabsTest, ARightClickOffersWhatIsDoneWithATab) {
   EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == two; })) << "one draft needs no tabs";
 }
 
+TEST_F(TabsTest, ItsMenuSavesAndCopiesThePath) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_NO_FATAL_FAILURE(open_both(w));
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab.unsaved:2"); }));
+  const auto choose = [&](const std::string& tab, const std::string& item) {
+    display_.right_click(w.middle_of(tab));
+    ASSERT_TRUE(comes_true([&] { return w.has("tab_menu." + item); })) << tab << " has no " << item;
+    display_.click(w.middle_of("tab_menu." + item));
+    ASSERT_TRUE(comes_true([&] { return !w.has("tab_menu." + item); }));
+  };
+  ASSERT_NO_FATAL_FAILURE(choose("tab:2", "save"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tab.unsaved:2") && bytes_of(other_) == w.live(); }));
+  ASSERT_NO_FATAL_FAILURE(choose("tab:1", "copy_path"));
+  ASSERT_NO_FATAL_FAILURE(choose("tab:1", "close"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("tab:2") && w.live() == bytes_of(other_); }));
+  // What was copied opens it again.
+  display_.key("ctrl+o");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a ctrl+v Return");
+  EXPECT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() == bytes_of(draft_); }));
+}
+
 TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -112,6 +112,39 @@ TEST_F(ToolsTest, ShowsWhatTwoDraftsDifferIn) {
   EXPECT_TRUE(comes_true([&] { return !w.has("difference.same"); }));
 }
 
+TEST_F(ToolsTest, TheYarnOfAClothIsCountedAndPriced) {
+  {
+    Window w(display_, folder_, draft_, without_dialogs());
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    const std::string original = w.live();
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Analysis"));
+    ASSERT_TRUE(comes_true([&] { return w.has("section.need"); }));
+    for (const char* above : {"section.floats", "section.weave", "section.heddles", "section.analysis"}) {
+      const double at = w.place_of("section.need").first.y;
+      ASSERT_NO_FATAL_FAILURE(click(w, above));
+      ASSERT_TRUE(comes_true([&] { return w.place_of("section.need").first.y < at; })) << above << " did not shut";
+    }
+    ASSERT_NO_FATAL_FAILURE(click(w, "section.need"));
+    ASSERT_TRUE(comes_true([&] { return w.has("need:1") && w.has("need:2"); })) << "warp and weft";
+    EXPECT_FALSE(w.has("need.cost")) << "no price is known yet";
+    const auto type = [&](const std::string& control, const std::string& keys) {
+      ASSERT_NO_FATAL_FAILURE(click(w, control + ":figure"));
+      display_.key("ctrl+a " + keys + " Return");
+    };
+    ASSERT_NO_FATAL_FAILURE(type("plan.length", "2 5 0"));
+    ASSERT_NO_FATAL_FAILURE(type("plan.shrinkage", "1 2"));
+    ASSERT_NO_FATAL_FAILURE(type("price:1", "4 2"));
+    EXPECT_TRUE(comes_true([&] { return w.has("need.cost"); }));
+    EXPECT_EQ(w.live(), original) << "a plan is not part of the draft";
+    display_.key("ctrl+q");
+    EXPECT_EQ(w.process().wait(), 0);
+  }
+  const auto kept = nlohmann::json::parse(bytes_of(folder_ / "config/weftlight/settings.json"));
+  EXPECT_NEAR(kept["shrinkage"].get<double>(), 0.12, 1e-6);
+  const std::string yarn = design_of(straight_draft()).yarns.front().name;
+  EXPECT_EQ(kept["yarn_prices"][yarn].get<double>(), 42) << "the next draft with the yarn knows it";
+}
+
 TEST_F(ToolsTest, WeavesPickByPickAndKeepsThePlaceWithTheDraft) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

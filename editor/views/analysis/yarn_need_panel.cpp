@@ -57,9 +57,9 @@ void draw_need(PanelContext& c, const YarnNeed& n, int number) {
   const bool warp = n.system == System::kWarp;
   const std::string name = std::string(warp ? "Warp: " : "Weft: ") + c.design.yarns[static_cast<size_t>(n.yarn)].name;
   ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
-  std::string figures = std::to_string(n.threads) + (warp ? " ends, " : " picks, ") + length_text(n.length_m) + ", " +
-                        weight_text(n.weight_g);
-  if (n.cost >= 0) figures += ", " + text_of("%.2f", n.cost);
+  const std::string threads = std::to_string(n.threads) + (warp ? " end" : " pick") + (n.threads == 1 ? "" : "s");
+  std::string figures = threads + ", " + length_text(n.length_m) + ", " + weight_text(n.weight_g);
+  if (n.cost >= 0) figures += ", for " + text_of("%.2f", n.cost);
   muted_text(c, figures);
   ImGui::EndGroup();
   c.map.add_item("need:" + std::to_string(number));

@@ -1,7 +1,8 @@
 // node blender.js WEFTLIGHT BLENDER DRAFT...
 // Exports each draft for Blender on the plane, shows it there in Cycles under one sun by the set's own script (blender.py), and
-// holds the mean radiance against what texture_set.json says that the cloth sends. Leaves with 0, 1 (too far apart) or 77
-// (Blender is not installed, or cannot read .glb). With --table it prints every figure.
+// holds the mean radiance of what covers against what texture_set.json says that the cloth sends, and what is covered, by
+// pixels of 0.5 to 20 mm, against the coverage of the cloth. Leaves with 0, 1 (too far apart) or 77 (Blender is not
+// installed, or cannot read .glb). With --table it prints every figure.
 'use strict';
 const fs = require('fs');
 const os = require('os');
@@ -10,6 +11,7 @@ const { execFileSync, spawnSync } = require('child_process');
 
 const kMean = [[0, 60, 0.10], [60, 90, 0.35]];  // of the cloth, over azimuths, from so many degrees to so many
 const kError = 0.25;                     // RMS of the difference over the RMS of the cloth, to 60 degrees
+const kCoverTolerance = 0.05, kCoverPixels = [240, 60, 6];
 const kWindowM = 0.12, kPixels = 48, kSamples = 48;
 
 const luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
@@ -31,23 +33,30 @@ function measure(weftlight, blender, draft, folder) {
   const name = path.basename(draft, '.wif');
   execFileSync(weftlight, ['export', draft, '--target', 'blender', '--mesh', 'plane', '--size', '512', '-o', folder], { stdio: ['ignore', 'ignore', 'inherit'] });
   const set = path.join(folder, name);
-  const pairs = JSON.parse(fs.readFileSync(path.join(set, 'texture_set.json'))).fit.front.radiance;
-  const seen = shown(blender, set, name, pairs, folder);
-  return seen && pairs.map((p, i) => ({ name, angle: Math.acos(Math.min(1, p.view[2])) * 180 / Math.PI, cloth: luminance(p.cloth), blender: luminance(seen[i]) / Math.max(seen[i][3], 1e-3) }));
+  const list = JSON.parse(fs.readFileSync(path.join(set, 'texture_set.json'))), pairs = list.fit.front.radiance;
+  const cover = list.alpha === 'opaque' ? [] : kCoverPixels.map((pixels) => ({ view: [0, 0, 1], light: [0, 0, 1], pixels }));
+  const seen = shown(blender, set, name, [...pairs, ...cover], folder);
+  return seen && { name, rows: pairs.map((p, i) => ({ angle: Math.acos(Math.min(1, p.view[2])) * 180 / Math.PI, cloth: luminance(p.cloth), blender: luminance(seen[i]) / Math.max(seen[i][3], 1e-3) })),
+    cover: cover.map((p, i) => ({ mm: 1000 * kWindowM / p.pixels, wanted: list.coverage, blender: seen[pairs.length + i][3] })) };
 }
 
-function judge(rows) {
+function judge({ name, rows, cover }) {
   let far = 0;
   for (const [least, most, tolerance] of kMean) {
     const part = rows.filter((r) => r.angle <= most && r.angle >= least);
     const ratio = sum(part, (r) => r.blender) / sum(part, (r) => r.cloth);
-    console.log(`${rows[0].name}: ${least} to ${most} degrees Blender sends ${ratio.toFixed(3)} of the cloth`);
+    console.log(`${name}: ${least} to ${most} degrees Blender sends ${ratio.toFixed(3)} of the cloth`);
     if (Math.abs(ratio - 1) > tolerance) ++far;
   }
   const flat = rows.filter((r) => r.angle <= 60);
   const error = Math.sqrt(sum(flat, (r) => (r.blender - r.cloth) ** 2) / sum(flat, (r) => r.cloth ** 2));
-  console.log(`${rows[0].name}: to 60 degrees its RMS error is ${error.toFixed(3)}`);
-  return far + (error > kError ? 1 : 0);
+  console.log(`${name}: to 60 degrees its RMS error is ${error.toFixed(3)}`);
+  if (error > kError) ++far;
+  for (const c of cover) {
+    console.log(`${name}: by pixels of ${c.mm} mm ${c.blender.toFixed(3)} is covered, of the cloth ${c.wanted.toFixed(3)}`);
+    if (Math.abs(c.blender - c.wanted) > kCoverTolerance) ++far;
+  }
+  return far;
 }
 
 function main(args) {
@@ -58,10 +67,10 @@ function main(args) {
   for (const draft of drafts) {
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'weftlight-blender-'));
     try {
-      const rows = measure(weftlight, blender, draft, folder);
-      if (!rows) { console.log('skipped: Blender has no numpy, without which it reads no .glb (python3-numpy)'); return 77; }
-      if (table) for (const r of rows) console.log([r.name, r.angle.toFixed(1), r.cloth.toFixed(5), r.blender.toFixed(5)].join(','));
-      far += judge(rows);
+      const result = measure(weftlight, blender, draft, folder);
+      if (!result) { console.log('skipped: Blender has no numpy, without which it reads no .glb (python3-numpy)'); return 77; }
+      if (table) for (const r of result.rows) console.log([result.name, r.angle.toFixed(1), r.cloth.toFixed(5), r.blender.toFixed(5)].join(','));
+      far += judge(result);
     } finally {
       fs.rmSync(folder, { recursive: true, force: true });
     }

@@ -1,5 +1,5 @@
 """blender -b -P blender.py -- QUERY: shows a set's mesh in Cycles, flat, under one sun, and writes the mean radiance of
-each pair of directions (RGBA). QUERY (.json): glb, script ("" for the importer's own material), window_m, pixels, samples,
+each pair of directions (RGBA). QUERY (.json): glb, script ("" for the importer's own material), window_m, pixels (of a pair: its own), samples,
 pairs, out; or picture in place of pairs, and out (.png)."""
 import json
 import os
@@ -60,7 +60,7 @@ def mean_of(pair):
     up = of_gltf((0, 1, 0)) if abs(view[2]) > 0.99 else of_gltf((0, 0, 1))
     look_along(sun, of_gltf(pair["light"]), Vector((0.3, 0.2, 0.9)))
     look_along(eye, of_gltf(view), up)
-    wide = query["pixels"]
+    wide = pair.get("pixels", query["pixels"])
     tall = max(4, round(wide * abs(view[2])))
     eye.data.ortho_scale = query["window_m"]  # of the longer side
     scene.render.resolution_x, scene.render.resolution_y = wide, tall

@@ -5,7 +5,7 @@
 // Based on: Walter et al. 2007 and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017, Neubelt, Pettineo 2013 (Charlie
 //   sheen of glTF and HDRP); Zeltner, Burley, Chiang 2022, by the rational fits of MaterialX 1.39 (fuzz of OpenPBR and
 //   Blender 4); Ashikhmin, Premoze 2007 as in Unreal's cloth model (inverse GGX); Burley 2012 (sheen of U3M's
-//   principled shader and of Blender 3); Turquin 2019, "Practical multiple scattering compensation for microfacet
+//   principled shader, body of that and of Blender 3's); Turquin 2019, "Practical multiple scattering compensation for microfacet
 //   models", by a polynomial through three.js' table (RMS 0.02).
 
 #ifndef FORMULA
@@ -17,6 +17,7 @@ const int kSheenCharlie = 1;
 const int kSheenZeltner = 2;
 const int kSheenInverseGgx = 3;
 const int kSheenDisney = 4;
+const int kSheenNoneDisney = 5;          // none, over Disney's body
 
 const float kEngineF0 = 0.04f;          // of dielectrics, in every engine
 const float kLeastEngineAlpha = 0.002f;  // roughness 0.045
@@ -95,6 +96,16 @@ FORMULA float engine_loss(float mu, float roughness) {
   return max(r * r * (a + r * (b + r * c)), 0.0f);
 }
 
+// Body of Disney's principled shader over Lambert's, which nothing that is mirrored lessens.
+FORMULA float disney_body(float nl, float nv, float lh, float roughness) {
+  float l = 1.0f - nl;
+  float v = 1.0f - nv;
+  float l5 = l * l * l * l * l;
+  float v5 = v * v * v * v * v;
+  float back = 2.0f * roughness * lh * lh;
+  return (1.0f - 0.5f * l5) * (1.0f - 0.5f * v5) + back * (l5 + v5 + l5 * v5 * (back - 1.0f));
+}
+
 FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
   EngineParts p;
   p.body = vec3(0.0f);
@@ -118,6 +129,8 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float loss = sheen == kSheenCharlie ? engine_loss(nv, sqrt(min(ax, ay))) : 0.0f;
   float dielectric = clamp(m.f0 + (m.f90 - m.f0) * k5, 0.0f, 1.0f);
   float body = (1.0f - m.metal) * (1.0f - dielectric) / kPi;
+  if (sheen == kSheenDisney || sheen == kSheenNoneDisney)
+    body = (1.0f - m.metal) * disney_body(nl, nv, 1.0f - k, sqrt(sqrt(ax * ay))) / kPi;
   vec3 metal = (m.base + (1.0f - m.base) * k5) * (1.0f + m.base * loss) * (m.metal * shine);
   p.body = (m.base * body + metal) * nl;
   p.gloss = vec2(1.0f - k5, k5) * ((1.0f - m.metal) * shine * (1.0f + m.f0 * loss) * nl);

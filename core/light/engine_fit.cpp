@@ -1,4 +1,5 @@
-// Linear least squares over pairs of views and lights, relative to what is sent and to the mean of the view; the widths
+// Linear least squares over pairs of views and lights, relative to what is sent and to the mean of the view, and over
+// those means; the widths
 // of the lobe and the sheen's roughness by a search down the error; what couples the parts (Fresnel, and what sheen
 // leaves) is taken from the round before.
 
@@ -25,6 +26,7 @@ constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;        // of the search, i
 constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // of the variances, where all of the spread is in them
 constexpr float kSmoothestSheen = 0.2f, kRoughestSheen = 1.0f;
 constexpr float kHighlightShare = 0.2f;  // of what is sent in the size of an error; the rest is the mean of the view
+constexpr float kMeanPull = 4.0f;        // weight of the mean of a view, over that of all its pairs
 constexpr float kHue = 0.05f;            // pull of the base colour's factors to their mean: a dark channel tells little
 constexpr float kSteepView = 0.26f, kSteepViewShare = 0.3f;  // weight of views past 75 degrees
 
@@ -214,14 +216,35 @@ struct Normal {
   static constexpr size_t kF0 = 3, kF90 = 4;
 };
 
+/// A pair's part of each unknown, in a channel.
+Unknowns row_of(const Sent& sent, int channel) {
+  Unknowns row{0, 0, 0, sent.gloss.x, sent.gloss.y, sent.fuzz[channel]};
+  row[static_cast<size_t>(channel)] = sent.body[channel];
+  return row;
+}
+
+/// The pairs of a view summed up, as one more of them: what is too bright towards one light and too dark towards
+/// another still sends what the cloth does.
+void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const Sent> sent, int channel) {
+  Unknowns sum{};
+  float wanted = 0, shares = 1e-9f, weights = 0;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    const Unknowns row = row_of(sent[i], channel);
+    for (size_t k = 0; k < kUnknowns; ++k) sum[k] += pairs[i].share * row[k];
+    wanted += pairs[i].share * pairs[i].wanted[channel], shares += pairs[i].share, weights += pairs[i].weight;
+  }
+  for (float& x : sum) x /= shares;
+  to.add(sum, wanted / shares, kMeanPull * weights);
+}
+
 Normal normal_of(const Problem& problem, const std::vector<Sent>& sent) {
   Normal out;
-  for (size_t i = 0; i < sent.size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      Unknowns row{0, 0, 0, sent[i].gloss.x, sent[i].gloss.y, sent[i].fuzz[c]};
-      row[static_cast<size_t>(c)] = sent[i].body[c];
-      out.add(row, problem.pairs[i].wanted[c], problem.pairs[i].weight);
-    }
+  const size_t lights = problem.lights.size();
+  for (int c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < sent.size(); ++i)
+      out.add(row_of(sent[i], c), problem.pairs[i].wanted[c], problem.pairs[i].weight);
+    for (size_t first = 0; first < sent.size(); first += lights)
+      add_mean(out, std::span(problem.pairs).subspan(first, lights), std::span(sent).subspan(first, lights), c);
   }
   return out;
 }
@@ -234,7 +257,8 @@ Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
   float most_sheen = 1e-3f;
   for (const EngineTexel& t : texels.texels)
     most_sheen = std::max({most_sheen, t.material.sheen.r, t.material.sheen.g, t.material.sheen.b});
-  const bool fixed = model.most_f0 <= formulas::kEngineF0, plain = model.sheen == formulas::kSheenNone;
+  const bool fixed = model.most_f0 <= formulas::kEngineF0,
+             plain = model.sheen == formulas::kSheenNone || model.sheen == formulas::kSheenNoneDisney;
   return {{kLeastBase, kLeastBase, kLeastBase, fixed ? formulas::kEngineF0 : 0, model.grazing ? 0.0f : 1.0f, 0},
           {kMostScale, kMostScale, kMostScale, model.most_f0, 1, plain ? 0 : std::min(kMostScale, 1 / most_sheen)}};
 }
@@ -297,21 +321,26 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
 
 std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                       const EngineModel& model, const EngineFit& fit) {
-  constexpr size_t kLight = 6 * kLightAzimuths + kLightAzimuths / 4 * 3;  // from -v, which is the top of an image
+  // From -v, which is the top of an image, and from u, its left.
+  constexpr std::array<size_t, 2> kLights{6 * kLightAzimuths + kLightAzimuths / 4 * 3, 6 * kLightAzimuths};
   const std::array<formulas::YarnLobes, 2> yarns = mean_yarns(cloth, response);
   const std::array<glm::vec3, kResponseViews> w = response_views();
-  Problem problem{{}, {{kLight, w[view_of_light(kLight)], 1}}, {}};
+  Problem problem;
   for (size_t k = 3; k < static_cast<size_t>(kResponseElevations); ++k) {
-    for (size_t a = 0; a < (k == 7 ? 1 : size_t{kViewAzimuths}); a += kViewAzimuths / 4) {
-      const size_t view = k * kViewAzimuths + a;
-      problem.views.push_back({view, w[view], 1});
-      problem.pairs.push_back({problem.views.size() - 1, 0, cloth_answer(yarns, response, view, kLight), 1, 1});
-    }
+    for (size_t a = 0; a < (k == 7 ? 1 : size_t{kViewAzimuths}); a += kViewAzimuths / 4)
+      problem.views.push_back({k * kViewAzimuths + a, w[k * kViewAzimuths + a], 1});
+  }
+  for (size_t l = 0; l < kLights.size(); ++l) {
+    problem.lights.push_back({kLights[l], w[view_of_light(kLights[l])], 1});
+    for (size_t v = 0; v < problem.views.size(); ++v)
+      problem.pairs.push_back({v, l, cloth_answer(yarns, response, problem.views[v].index, kLights[l]), 1, 1});
   }
   const std::vector<Sent> sent = sent_by(texels, problem, model, fit);
   std::vector<EngineCheck> out;
-  for (size_t i = 0; i < sent.size(); ++i)
-    out.push_back({problem.views[i].w, problem.lights[0].w, problem.pairs[i].wanted, whole(sent[i], fit)});
+  for (size_t i = 0; i < sent.size(); ++i) {
+    const Pair& pair = problem.pairs[i];
+    out.push_back({problem.views[pair.view].w, problem.lights[pair.light].w, pair.wanted, whole(sent[i], fit)});
+  }
   return out;
 }
 

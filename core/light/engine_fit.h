@@ -34,7 +34,8 @@ struct EngineFit {
   glm::vec2 lobe{1, 1};  // factors of the footprint's variances along the fibres and across
   /// As engines whose Specular is 1/2 for the usual reflectance, and its double.
   float specular() const { return 0.5f * f0 / formulas::kEngineF0; }
-  float error = 0;  // relative RMSE over views (to 79 degrees) and lights
+  float error = 0;  // relative RMSE over views (to 79 degrees) and lights, and over the means of views, which count
+                    // four times as much
 };
 
 /// One pair of directions (x along the weft, y along the warp, z out) and what cloth and fitted material send, for a
@@ -42,7 +43,7 @@ struct EngineFit {
 struct EngineCheck {
   glm::vec3 view, light, cloth, engine;
 };
-/// Straight on and at 43, 59, 71 and 79 degrees along warp and weft, lit from 43 degrees.
+/// Straight on and at 43, 59, 71 and 79 degrees along warp and weft, lit from 43 degrees along warp, then along weft.
 std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                       const EngineModel& model, const EngineFit& fit);
 

@@ -41,11 +41,10 @@ void expect_near(const Measured& m, const EngineModel& model, const Nearness& bo
   }
 }
 
-constexpr EngineModel kModels[] = {{formulas::kSheenCharlie, 1, true, true},
-                                   {formulas::kSheenZeltner, 0.08f, false, true},
-                                   {formulas::kSheenNone, 0.16f, false, true},
-                                   {formulas::kSheenInverseGgx, 0.08f, false, false},
-                                   {formulas::kSheenDisney, 0.08f, false, true}};
+constexpr EngineModel kModels[] = {
+    {formulas::kSheenCharlie, 1, true, true},     {formulas::kSheenZeltner, 0.08f, false, true},
+    {formulas::kSheenNone, 0.16f, false, true},   {formulas::kSheenInverseGgx, 0.08f, false, false},
+    {formulas::kSheenDisney, 0.08f, false, true}, {formulas::kSheenNoneDisney, 0.5f, false, true}};
 
 TEST(EngineFit, MattClothsAreWithinATenthInEveryModel) {
   const Measured cloths[] = {measured(plain({2, 2})), measured(twill({3, 1}, Lean::kRight, {4, 4}))};
@@ -68,6 +67,12 @@ TEST(EngineFit, GlossySatinKeepsItsHighlight) {
   const EngineFit fit = fit_engine(seen, m.cloth, m.response, kModels[0]);
   const EngineLobe wide = engine_lobe(seen.texels[0], {1, 1}, 1), held = engine_lobe(seen.texels[0], fit.lobe, 1);
   EXPECT_LT(held.roughness, 0.9f * wide.roughness) << "the spread of the normals is no highlight";
+}
+
+TEST(EngineFit, ARoundHighlightSendsAsMuchAsTheBandOfASatin) {
+  const Measured m = measured(shining_satin());
+  expect_near(m, {formulas::kSheenNone, 1, false, false}, {0.11f, 1.0f, 0.16f}, "Unity HDRP");
+  expect_near(m, kModels[3], {0.11f, 1.0f, 0.16f}, "Unreal");
 }
 
 TEST(EngineFit, WhatAnEngineCannotSetStays) {

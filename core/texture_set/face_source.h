@@ -3,6 +3,7 @@
 // whole in few texels for what is known of it from afar, and rows of the full size with all their supersampling.
 
 #include <memory>
+#include <optional>
 
 #include "cloth/cloth.h"
 #include "light/engine_fit.h"
@@ -21,10 +22,11 @@ TextureSize texture_size(float width_mm, float depth_mm, int size);
 
 struct FaceOptions {
   TextureSize size;
-  bool horizon = false;    // kept in small()
-  bool fitted = true;      // colours, sheen and occlusion as an engine needs them; false: the cloth's own
-  EngineModel model;       // that it is fitted to
-  float footprint_mm = 0;  // of a pixel, whose facets roughness holds; 0: of a texel alone
+  bool horizon = false;                // kept in small()
+  bool fitted = true;                  // colours, sheen and occlusion as an engine needs them; false: the cloth's own
+  EngineModel model;                   // that it is fitted to
+  std::optional<EngineModel> older{};  // and what else: older_fit()
+  float footprint_mm = 0;              // of a pixel, whose facets roughness holds; 0: of a texel alone
 };
 
 /// Deterministic: the same bits however many bands are asked for.
@@ -43,6 +45,8 @@ class FaceSource {
   /// Rows that are made at a time; a power of two that divides the height.
   int band() const { return band_; }
   const EngineFit& fit() const { return fit_; }
+  /// The same cloth in the older model; fit() where there is none.
+  const EngineFit& older_fit() const { return older_fit_; }
   const std::vector<EngineCheck>& checks() const { return checks_; }
   const std::vector<EngineScore>& scores() const { return scores_; }
   float coverage() const { return coverage_; }  // mean, 0..1
@@ -65,7 +69,7 @@ class FaceSource {
   Plane<float> occlusion_;       // of the coarse maps; empty: each piece finds its own
   Plane<glm::vec3> footprints_;  // covariance of their facets, as the fit scales it
   float share_ = 0;              // how far a texel takes the lobe of its footprint for its own
-  EngineFit fit_;
+  EngineFit fit_, older_fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;
   float coverage_ = 1, occlusion_gain_ = 1;

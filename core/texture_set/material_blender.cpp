@@ -4,8 +4,8 @@
 namespace weftlight::texture_set {
 namespace {
 
-// Blender 3.4 and 4; sockets were renamed in 4.0. Its glTF importer stores 1 - v: a whole unit, which is a millimetre
-// there, is taken back.
+// Blender 3.4 and 4; sockets were renamed in 4.0, and the body is a Lambert's since, less what is mirrored. Its glTF
+// importer stores 1 - v: a whole unit, which is a millimetre there, is taken back.
 constexpr const char* kScript =
     R"("""Builds the material "{NAME}" from the images beside this file: front and back, each with its own.
 Run it in the Scripting tab (open it there from the folder of the set), or `blender -P` it.
@@ -30,6 +30,10 @@ def folder():
 
 
 FOLDER = folder()
+THROUGH = {THROUGH}  # share of the body's light that leaves behind
+OLDER = bpy.app.version < (4, 0, 0)  # whose body is brighter: a colour over that of the images, Specular
+FACES = {"": ({OLDER_FRONT}) if OLDER else ((1, 1, 1), {SPECULAR}),
+         "_back": ({OLDER_BACK}) if OLDER else ((1, 1, 1), {BACK_SPECULAR})}
 material = bpy.data.materials.new(NAME)
 material.use_nodes = True
 material.blend_method = "{BLEND}"
@@ -69,14 +73,25 @@ def normal_map(suffix):
     return node.outputs["Normal"]
 
 
-def face(side, specular):
+def times(colour, factor):
+    node = nodes.new("ShaderNodeMixRGB")
+    node.blend_type = "MULTIPLY"
+    node.inputs["Fac"].default_value = 1
+    links.new(colour, node.inputs["Color1"])
+    links.new(factor, node.inputs["Color2"])
+    return node.outputs["Color"]
+
+
+def face(side):
+    tint, specular = FACES[side]
     shader = nodes.new("ShaderNodeBsdfPrincipled")
-    shade = nodes.new("ShaderNodeMixRGB")
-    shade.blend_type = "MULTIPLY"
-    shade.inputs["Fac"].default_value = 1
-    links.new(image(side + "_basecolor.png", True), shade.inputs["Color1"])
-    links.new(image(side + "_occlusion.png"), shade.inputs["Color2"])
-    feed(shader, shade.outputs["Color"], "Base Color")
+    colour = times(image(side + "_basecolor.png", True), image(side + "_occlusion.png"))
+    if OLDER:
+        shift = nodes.new("ShaderNodeCombineRGB")
+        for socket, part in zip(shift.inputs, tint):
+            socket.default_value = part
+        colour = times(colour, shift.outputs["Image"])
+    feed(shader, colour, "Base Color")
     if "{BLEND}" != "OPAQUE":
         feed(shader, image(side + "_alpha.png"), "Alpha")
     feed(shader, image(side + "_roughness.png"), "Roughness")
@@ -85,7 +100,16 @@ def face(side, specular):
     feed(shader, normal_map(side + "_normal.png"), "Normal")
     feed(shader, normal_map(side + "_tangent.png"), "Tangent")
     feed(shader, number(specular), "Specular IOR Level", "Specular")
-    return shader.outputs["BSDF"]
+    if THROUGH == 0:
+        return shader.outputs["BSDF"]
+    # What comes through the threads from a light behind them.
+    behind = nodes.new("ShaderNodeBsdfTranslucent")
+    thread = colour if "{BLEND}" == "OPAQUE" else times(colour, image(side + "_alpha.png"))
+    links.new(times(thread, number(THROUGH)), behind.inputs["Color"])
+    both = nodes.new("ShaderNodeAddShader")
+    links.new(shader.outputs["BSDF"], both.inputs[0])
+    links.new(behind.outputs["BSDF"], both.inputs[1])
+    return both.outputs["Shader"]
 
 
 def without_back(mesh):
@@ -100,8 +124,8 @@ def without_back(mesh):
 
 both = nodes.new("ShaderNodeMixShader")
 links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], both.inputs[0])
-links.new(face("", {SPECULAR}), both.inputs[1])
-links.new(face("_back", {BACK_SPECULAR}), both.inputs[2])
+links.new(face(""), both.inputs[1])
+links.new(face("_back"), both.inputs[2])
 links.new(both.outputs["Shader"], nodes["Material Output"].inputs["Surface"])
 for thing in bpy.context.selected_objects:
     if thing.type == "MESH":
@@ -127,6 +151,15 @@ const char* blend_of(Alpha alpha) {
   return "OPAQUE";
 }
 
+/// Tint and Specular of Blender 3, as Python writes them.
+std::string older_of(const FaceSource& face) {
+  const EngineFit& older = face.older_fit();
+  const glm::vec3 tint = older.base / face.fit().base;
+  const auto text = [](float v) { return number(static_cast<double>(v)); };
+  return filled("({R}, {G}, {B}), {SPECULAR}",
+                {{"R", text(tint.r)}, {"G", text(tint.g)}, {"B", text(tint.b)}, {"SPECULAR", text(older.specular())}});
+}
+
 }  // namespace
 
 std::string write_blender_script(const SetFacts& set) {
@@ -137,6 +170,9 @@ std::string write_blender_script(const SetFacts& set) {
                                                 {"BLEND", blend_of(set.alpha)},
                                                 {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
                                                 {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
+                                                {"THROUGH", number(static_cast<double>(mean_transmission(set)))},
+                                                {"OLDER_FRONT", older_of(set.front)},
+                                                {"OLDER_BACK", older_of(set.back)},
                                                 {"SPECULAR", number(static_cast<double>(front.specular()))},
                                                 {"BACK_SPECULAR", number(static_cast<double>(back.specular()))}}));
 }

@@ -1,5 +1,6 @@
 #include "texture_set/material_files.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 
@@ -45,6 +46,20 @@ std::string image_named(const SetFacts& set, const std::string& suffix, Face fac
     if (row.suffix == suffix) return image_file(row, set.name, face);
   }
   return {};
+}
+
+float mean_transmission(const SetFacts& set) {
+  constexpr float kLeast = 0.005f;
+  const Cloth& cloth = set.front.cloth();
+  float sum = 0;
+  for (const auto* threads : {&cloth.ends, &cloth.picks}) {
+    for (const ThreadBody& t : *threads) {
+      const Lobes& lobes = cloth.yarns[static_cast<size_t>(t.yarn)].lobes;
+      sum += lobes.metallic ? 0 : lobes.transmission;
+    }
+  }
+  const float mean = sum / static_cast<float>(std::max<size_t>(cloth.ends.size() + cloth.picks.size(), 1));
+  return mean < kLeast ? 0 : std::min(mean, 1.0f);
 }
 
 std::string digest(const std::string& text) {

@@ -51,6 +51,8 @@ std::string filled(std::string text, const std::vector<std::pair<std::string, st
 std::string number(double v);
 /// File of the target's image whose suffix this is.
 std::string image_named(const SetFacts& set, const std::string& suffix, Face face);
+/// Share of the body's light that leaves behind: mean over the threads; 0 where there is next to none.
+float mean_transmission(const SetFacts& set);
 /// 32 hexadecimal digits that stay the same for the same text.
 std::string digest(const std::string& text);
 

@@ -6,21 +6,6 @@
 namespace weftlight::texture_set {
 namespace {
 
-constexpr float kLeastTransmission = 0.005f;
-
-/// Share of the body's light that leaves behind: mean over the threads.
-float mean_transmission(const Cloth& cloth) {
-  float sum = 0;
-  for (const auto* threads : {&cloth.ends, &cloth.picks}) {
-    for (const ThreadBody& t : *threads) {
-      const Lobes& lobes = cloth.yarns[static_cast<size_t>(t.yarn)].lobes;
-      sum += lobes.metallic ? 0 : lobes.transmission;
-    }
-  }
-  const float mean = sum / static_cast<float>(std::max<size_t>(cloth.ends.size() + cloth.picks.size(), 1));
-  return mean < kLeastTransmission ? 0 : std::min(mean, 1.0f);
-}
-
 /// The Blender set's images are those of its script: its .glb carries glTF's, embedded, of a large set at 1024.
 GltfMaterial material_of(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
@@ -48,7 +33,7 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   m.uv_scale_u = 1 / source.small().width_mm;
   m.uv_scale_v = 1 / source.small().depth_mm;
   m.f0 = source.fit().f0, m.f90 = source.fit().f90;
-  m.transmission = mean_transmission(source.cloth());
+  m.transmission = mean_transmission(set);
   m.alpha = set.alpha == Alpha::kOpaque ? GltfAlpha::kOpaque
             : set.alpha == Alpha::kMask ? GltfAlpha::kMask
                                         : GltfAlpha::kBlend;

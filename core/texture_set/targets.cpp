@@ -332,6 +332,11 @@ EngineModel engine_model(Target target, bool metal) {
   return model;
 }
 
+std::optional<EngineModel> older_model(Target target) {
+  if (target != Target::kBlender) return std::nullopt;
+  return EngineModel{formulas::kSheenNoneDisney, 0.5f, false, true};
+}
+
 namespace {
 // Coverage from which on gaps are no windows: blended cloth has no depth, so that folds show through one another.
 constexpr float kPinholes = 0.95f;

@@ -89,6 +89,8 @@ struct ImageRow {
 
 /// What the target's material has, that a set is fitted to (core/light/engine_fit.h). metal: there are metal yarns.
 EngineModel engine_model(Target target, bool metal);
+/// What versions before the present one have in its place, where the material's own numbers differ for them.
+std::optional<EngineModel> older_model(Target target);
 
 /// The rows of a target, in the order of the contact sheet.
 std::span<const ImageRow> image_rows(Target target);

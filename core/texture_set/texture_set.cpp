@@ -22,6 +22,7 @@ using nlohmann::json;
 
 constexpr size_t kMostTileThreads = 8192;  // of a system, in a tile of many repeats
 constexpr float kLeastTexelsAThread = 2;
+constexpr float kOpenCover = 0.9f;  // from which down gaps are seen
 constexpr int kLeastSize = 16, kMostSize = 8192;
 
 std::string millimetres(float v) {
@@ -165,6 +166,22 @@ Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float ti
                repeats_for(cloth.depth_mm, tile_mm, cloth.picks.size()));
 }
 
+/// Of the plane, about: as if threads lay straight.
+float cover_of(const Cloth& cloth) {
+  const auto share = [](const std::vector<ThreadBody>& threads, float mm) {
+    float sum = 0;
+    for (const ThreadBody& t : threads) sum += t.width_mm;
+    return std::min(sum / std::max(mm, 1e-6f), 1.0f);
+  };
+  return 1 - (1 - share(cloth.ends, cloth.width_mm)) * (1 - share(cloth.picks, cloth.depth_mm));
+}
+
+/// Their importers are told to keep coverage, or they have no mips.
+bool keeps_masks(Target target) {
+  return target == Target::kUnreal || target == Target::kUnityHdrp || target == Target::kUnityUrp ||
+         target == Target::kBlender || target == Target::kRaw;
+}
+
 bool has_metal(const Cloth& cloth) {
   return std::any_of(cloth.yarns.begin(), cloth.yarns.end(), [](const Yarn& y) { return y.lobes.metallic; });
 }
@@ -174,7 +191,8 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   const bool raw = options.target == Target::kRaw;
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
-  of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth));
+  of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth)),
+  of.older = older_model(options.target);
   // A path tracer averages what texels send, not texels: each keeps its own facets.
   const bool traced = options.target == Target::kBlender;
   of.footprint_mm = raw || traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
@@ -338,8 +356,14 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
-  if (each >= kLeastTexelsAThread) return {};
-  return {"a thread gets " + millimetres(each) + " texels; give a larger --size (or a smaller tile) to see threads"};
+  std::vector<std::string> out;
+  if (each < kLeastTexelsAThread)
+    out.push_back("a thread gets " + millimetres(each) +
+                  " texels; give a larger --size (or a smaller tile) to see threads");
+  if (options.alpha == Alpha::kMask && !options.mips && !keeps_masks(options.target) && cover_of(cloth) < kOpenCover)
+    out.push_back(
+        "gaps of a mask close from afar where programs make the mips; --alpha auto keeps them, or --mips ktx2");
+  return out;
 }
 
 std::string who_is_there(const std::string& folder, const TextureSetOptions& options) {

@@ -520,6 +520,19 @@ TEST(TextureSet, AMillimetreIsAMillimetre) {
   holds(Target::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }
 
+TEST(TextureSet, SaysWhereAMaskCloses) {
+  Design design = plain({2, 2});
+  TextureSetOptions options = options_for(Target::kGltf, 128);
+  options.alpha = Alpha::kMask;
+  EXPECT_TRUE(warnings_of(design, options).empty()) << "a dense cloth";
+  for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
+  EXPECT_EQ(warnings_of(design, options).size(), 1u);
+  options.mips = MipContainer::kKtx2;
+  EXPECT_TRUE(warnings_of(design, options).empty()) << "mips of our own keep what is cut out";
+  options.mips = {}, options.target = Target::kUnreal;
+  EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer is told to";
+}
+
 TEST(TextureSet, TilesOfManyRepeats) {
   const Design design = sample_design();
   const Cloth one = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);

@@ -4,18 +4,13 @@
 #include <benchmark/benchmark.h>
 #include <imgui.h>
 
-#include <memory>
-#include <random>
 #include <string>
 
 #include "draft/edits.h"
-#include "draft/generators.h"
 #include "draft/selection_edits.h"
-#include "gl/context.h"
+#include "screen.h"
 #include "session/document.h"
 #include "session/paint.h"
-#include "ui/fonts.h"
-#include "ui/style.h"
 #include "views/draft/draft_panel.h"
 #include "wif/other_formats.h"
 #include "wif/wif.h"
@@ -25,22 +20,7 @@ namespace {
 using namespace weftlight;
 using namespace weftlight::session;
 using namespace weftlight::views;
-
-struct Size {
-  int ends, picks;
-};
-constexpr Size kJacquard{1285, 3058}, kLarge{10000, 10000};
-
-/// 32 shafts; treadled, or by a liftplan in no order.
-Design design_of(Size size, Drive drive) {
-  Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {size.ends, size.picks});
-  if (drive == Drive::kTreadling) return design;
-  design = to_liftplan(std::move(design));
-  std::mt19937 random(1);
-  for (int p = 0; p < size.picks; ++p)
-    for (int s = 0; s < design.draft.shafts; ++s) design.draft.liftplan.set(p, s, random() % 2 == 0);
-  return design;
-}
+using namespace weftlight::bench;
 
 Edit to_shaft(int shaft) {
   return {"Paint", [shaft](Design d) { return with_threading(std::move(d), d.draft.ends() / 2, shaft, true); }};
@@ -87,62 +67,13 @@ void save(benchmark::State& state, Size size, Drive drive) {
   for (auto _ : state) benchmark::DoNotOptimize(document.writer()().size());
 }
 
-/// What the draft's panel needs around it, without a window.
-class Screen {
- public:
-  Screen() : context_(gl::HeadlessContext::create(problem_)) {
-    if (!context_) return;
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {1600, 1000};
-    io.DeltaTime = 1.0f / 60;
-    style_.color = light_colors();
-    style_.font = load_fonts(1, 1);
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    apply(style_);
-  }
-  ~Screen() {
-    if (context_) ImGui::DestroyContext();
-  }
-  Screen(const Screen&) = delete;
-  Screen& operator=(const Screen&) = delete;
-
-  const std::string& problem() const { return problem_; }
-  void frame(const Document& document, DocumentView& view, DraftPictures& pictures) {
-    map_.clear();
-    tip_.begin(0);
-    FrameNotes notes;
-    Intents wanted;
-    PanelContext c{{style_, map_, tip_, focus_},
-                   document.now(),
-                   document.cells(),
-                   document.revision(),
-                   view,
-                   settings_,
-                   notes,
-                   wanted};
-    ImGui::NewFrame();
-    ImGui::SetNextWindowPos({0, 60});
-    ImGui::SetNextWindowSize({800, 900});
-    ImGui::Begin("Draft", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-    draw_draft(c, pictures);
-    ImGui::End();
-    ImGui::Render();
-    for (const Intent& one : wanted.take())
-      if (const auto* gesture = std::get_if<Gesture>(&one)) gesture->run(view, document.now());
-  }
-
- private:
-  std::string problem_, focus_;
-  std::unique_ptr<gl::HeadlessContext> context_;
-  Style style_;
-  UiMap map_;
-  Tip tip_;
-  Settings settings_;
-};
+void draw_grids(PanelContext& c, DraftPictures& pictures) {
+  ImGui::SetNextWindowPos({0, 60});
+  ImGui::SetNextWindowSize({800, 900});
+  ImGui::Begin("Draft", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  draw_draft(c, pictures);
+  ImGui::End();
+}
 
 /// One frame of the grids, moved on by a few threads, at so many pixels a thread.
 void pan(benchmark::State& state, Size size, float pitch) {
@@ -151,12 +82,12 @@ void pan(benchmark::State& state, Size size, float pitch) {
   const Document document(design_of(size, Drive::kTreadling));
   DocumentView view = view_of(document, false);
   DraftPictures pictures;
-  screen.frame(document, view, pictures);
+  screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, pictures); });
   view.pitch = pitch;
   for (auto _ : state) {
     view.scroll_end = static_cast<float>(static_cast<int>(view.scroll_end + 3) % (size.ends / 4));
     view.scroll_pick = static_cast<float>(static_cast<int>(view.scroll_pick + 3) % (size.picks / 4));
-    screen.frame(document, view, pictures);
+    screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, pictures); });
   }
 }
 

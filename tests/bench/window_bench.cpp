@@ -1,0 +1,135 @@
+// One whole frame of the window, without the system's window and without the picture of the cloth: menus, header,
+// grids, inspector, status line, and what differs from the frame before.
+
+#include <benchmark/benchmark.h>
+#include <imgui.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../unit/actions/bare_desk.h"
+#include "screen.h"
+#include "session/report.h"
+#include "ui/damage.h"
+#include "views/analysis/analysis_panel.h"
+#include "views/analysis/report_panel.h"
+#include "views/analysis/yarn_need_panel.h"
+#include "views/cloth/preview_panel.h"
+#include "views/draft/draft_header.h"
+#include "views/draft/draft_panel.h"
+#include "views/inspector/accuracy_rows.h"
+#include "views/inspector/palette_panel.h"
+#include "views/inspector/scene_panel.h"
+#include "views/inspector/threads_panel.h"
+#include "views/inspector/yarn_panel.h"
+#include "views/shell/action_list.h"
+#include "views/shell/status_bar.h"
+#include "views/shell/window_layout.h"
+
+namespace {
+
+using namespace weftlight;
+using namespace weftlight::bench;
+
+enum Tab { kThreads, kYarns, kCloth, kAnalysis };
+
+/// As the editor draws it (app/editor_frame.cpp), with its own of what panels keep.
+class WholeWindow {
+ public:
+  explicit WholeWindow(Design design) : desk_(std::move(design)) {
+    desk_.view() = view_of(desk_.document(), false);
+    report_ = report_on(desk_.document().now(), desk_.document().cells(), 5);
+    report_.revision = desk_.document().revision();
+  }
+
+  DocumentView& view() { return desk_.view(); }
+  const Document& document() const { return desk_.document(); }
+  /// Counts what is to be drawn anew.
+  size_t frame(Screen& screen, Tab tab) {
+    screen.frame(desk_.document(), desk_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
+    return damage_.of(screen.drawn()).size();
+  }
+
+ private:
+  static void begin(const char* name, const PaneRect& pane) {
+    ImGui::SetNextWindowPos(pane.at);
+    ImGui::SetNextWindowSize({std::max(1.0f, pane.size.x), std::max(1.0f, pane.size.y)});
+    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  }
+
+  void draw(PanelContext& c, Screen& screen, Tab tab) {
+    c.report = &report_;
+    const std::vector<ActionItem> items = actions::show(table_, desk_);
+    draw_menu_bar(c, items, "draft.wif");
+    const ImGuiViewport* view = ImGui::GetMainViewport();
+    const WindowLayout l = lay_out_window(screen.style(), view->WorkPos, view->WorkSize, 0.5f, true);
+    begin("Draft", l.draft);
+    draw_draft_header(c, "draft.wif", items);
+    draw_draft(c, pictures_);
+    ImGui::End();
+    begin("Cloth", l.cloth);
+    draw_preview(c, {}, pane_);
+    ImGui::End();
+    begin("Inspector", l.inspector);
+    draw_tab(c, tab);
+    ImGui::End();
+    begin("Status", l.status);
+    draw_status_bar(c, {}, {}, {});
+    ImGui::End();
+    draw_context_menu(c, items, &ActionItem::on_selection, "context", false);
+  }
+
+  void draw_tab(PanelContext& c, Tab tab) {
+    if (tab == kThreads) draw_palette(c), draw_threads(c, typed_);
+    if (tab == kYarns) draw_yarns(c, strip_);
+    if (tab == kCloth) draw_scene(c), draw_accuracy(c);
+    if (tab != kAnalysis) return;
+    draw_report(c, c.report);
+    draw_analysis(c, analysis_);
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID("section.need"), true);
+    draw_yarn_need(c);
+  }
+
+  actions::BareDesk desk_;
+  std::vector<actions::Action> table_ = actions::make_actions({});
+  Report report_;
+  DraftPictures pictures_;
+  YarnStrip strip_;
+  AnalysisState analysis_;
+  std::string typed_;
+  ImVec2 pane_{0, 0};
+  ui::Damage damage_;
+};
+
+Design starter() { return twill({2, 2}, Lean::kRight, {70, 70}); }
+Design jacquard() { return design_of(kJacquard, Drive::kTreadling); }
+Design large() { return design_of(kLarge, Drive::kTreadling); }
+
+/// A frame in which the draft is moved on by a few threads; `pitch` 0: it fits, and nothing moves.
+void whole_frame(benchmark::State& state, Design (*design)(), float pitch, Tab tab) {
+  Screen screen;
+  if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());
+  WholeWindow window(design());
+  for (int i = 0; i < 3; ++i) window.frame(screen, tab);
+  window.view().pitch = pitch;
+  const int ends = window.document().now().draft.ends(), picks = window.document().now().draft.picks();
+  for (auto _ : state) {
+    DocumentView& v = window.view();
+    v.scroll_end = static_cast<float>(static_cast<int>(v.scroll_end + 3) % std::max(1, ends / 4));
+    v.scroll_pick = static_cast<float>(static_cast<int>(v.scroll_pick + 3) % std::max(1, picks / 4));
+    benchmark::DoNotOptimize(window.frame(screen, tab));
+  }
+}
+
+BENCHMARK_CAPTURE(whole_frame, starter_threads, starter, 0.0f, kThreads)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, starter_yarns, starter, 0.0f, kYarns)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, starter_cloth, starter, 0.0f, kCloth)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, starter_analysis, starter, 0.0f, kAnalysis)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, 1285_x_3058_near, jacquard, 12.0f, kThreads)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, 1285_x_3058_analysis, jacquard, 12.0f, kAnalysis)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, 10000_near, large, 12.0f, kThreads)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, 10000_far, large, 0.2f, kThreads)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_frame, 10000_analysis, large, 12.0f, kAnalysis)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -160,6 +160,8 @@ Material:
   m_ValidKeywords:
 {KEYWORDS}  m_DoubleSidedGI: 0
   m_CustomRenderQueue: {QUEUE}
+  stringTagMap:
+    RenderType: {TYPE}
   m_SavedProperties:
     serializedVersion: 3
     m_TexEnvs:
@@ -218,22 +220,53 @@ std::string unity_colors(const SetFacts& set, Face face) {
   return "    - _SpecularColor: {r: " + f0 + ", g: " + f0 + ", b: " + f0 + ", a: 1}\n";
 }
 
+/// How its passes blend and write depth: the inspector derives these from the choices above them, but an import does
+/// not. Gaps do not shine.
+std::vector<std::string> unity_blending(bool hdrp, Alpha alpha) {
+  const bool blend = alpha == Alpha::kBlend, cut = alpha == Alpha::kMask || alpha == Alpha::kHashed;
+  const std::string write = blend ? "_ZWrite: 0" : "_ZWrite: 1";
+  const std::string over = blend ? "10" : "0";  // one less the alpha
+  if (hdrp)                                     // its shader multiplies by alpha itself
+    return {"_BlendMode: 0",
+            "_SrcBlend: 1",
+            "_DstBlend: " + over,
+            "_AlphaSrcBlend: 1",
+            "_AlphaDstBlend: " + over,
+            "_EnableBlendModePreserveSpecularLighting: 0",
+            write,
+            "_TransparentZWrite: 0",
+            blend ? "_ZTestDepthEqualForOpaque: 4" : "_ZTestDepthEqualForOpaque: 3",
+            cut ? "_ZTestGBuffer: 3" : "_ZTestGBuffer: 4"};
+  return {"_BlendModePreserveSpecular: 0",
+          blend ? "_SrcBlend: 5" : "_SrcBlend: 1",
+          "_DstBlend: " + over,
+          "_SrcBlendAlpha: 1",
+          "_DstBlendAlpha: " + over,
+          cut ? "_AlphaToMask: 1" : "_AlphaToMask: 0",
+          write};
+}
+
 std::vector<std::string> unity_floats(const SetFacts& set, Face face, bool hdrp) {
   const std::string cut = set.alpha == Alpha::kMask || set.alpha == Alpha::kHashed ? "1" : "0";
   const std::string blend = set.alpha == Alpha::kBlend ? "1" : "0";
+  std::vector<std::string> out;
   if (hdrp)
-    return {"_AlphaCutoffEnable: " + cut,
-            "_AlphaCutoff: 0.5",
-            "_SurfaceType: " + blend,
-            "_CullMode: 2",
-            has_specular_color(set, face) ? "_MaterialID: 4" : "_MaterialID: 1",
-            "_NormalScale: 1",
-            "_Metallic: 1",
-            "_UVBase: 0",
-            "_ReceivesSSR: 1"};
-  return {
-      "_AlphaClip: " + cut, "_Cutoff: 0.5",   "_Surface: " + blend,    "_Blend: 0",       "_Cull: 2", "_BumpScale: 1",
-      "_Metallic: 1",       "_Smoothness: 1", "_OcclusionStrength: 1", "_WorkflowMode: 1"};
+    out = {"_AlphaCutoffEnable: " + cut,
+           "_AlphaCutoff: 0.5",
+           "_SurfaceType: " + blend,
+           "_CullMode: 2",
+           has_specular_color(set, face) ? "_MaterialID: 4" : "_MaterialID: 1",
+           "_NormalScale: 1",
+           "_Metallic: 1",
+           "_UVBase: 0",
+           "_ReceivesSSR: 1"};
+  else
+    out = {
+        "_AlphaClip: " + cut, "_Cutoff: 0.5",   "_Surface: " + blend,    "_Blend: 0",       "_Cull: 2", "_BumpScale: 1",
+        "_Metallic: 1",       "_Smoothness: 1", "_OcclusionStrength: 1", "_WorkflowMode: 1"};
+  const std::vector<std::string> blending = unity_blending(hdrp, set.alpha);
+  out.insert(out.end(), blending.begin(), blending.end());
+  return out;
 }
 
 std::string write_unity_face(const SetFacts& set, Face face) {
@@ -263,6 +296,9 @@ std::string write_unity_face(const SetFacts& set, Face face) {
                                                        {"QUEUE", set.alpha == Alpha::kBlend    ? "3000"
                                                                  : set.alpha == Alpha::kOpaque ? "-1"
                                                                                                : "2450"},
+                                                       {"TYPE", set.alpha == Alpha::kBlend    ? "Transparent"
+                                                                : set.alpha == Alpha::kOpaque ? "Opaque"
+                                                                                              : "TransparentCutout"},
                                                        {"TEXTURES", lines(textures)},
                                                        {"FLOATS", lines(unity_floats(set, face, hdrp))},
                                                        {"COLORS", unity_colors(set, face)}}));

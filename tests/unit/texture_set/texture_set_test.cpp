@@ -520,6 +520,28 @@ TEST(TextureSet, AMillimetreIsAMillimetre) {
   holds(Target::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }
 
+/// Unity's inspector would set these, but an import does not: a blended material without them is drawn opaque.
+TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
+  const Scratch scratch("unity");
+  TextureSetOptions options = options_for(Target::kUnityUrp, 32);
+  const auto material = [&](Target target, Alpha alpha) {
+    options.target = target, options.alpha = alpha;
+    const std::string folder = scratch / (std::string(target_name(target)) + alpha_name(alpha));
+    EXPECT_EQ(write_texture_set(folder, sample_design(), {}, options), "");
+    std::ifstream file(folder + "/sample.mat");
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  for (const Target target : {Target::kUnityUrp, Target::kUnityHdrp}) {
+    const std::string blended = material(target, Alpha::kBlend), opaque = material(target, Alpha::kOpaque),
+                      cut = material(target, Alpha::kMask);
+    for (const char* line : {"RenderType: Transparent\n", "_DstBlend: 10\n", "_ZWrite: 0\n"})
+      EXPECT_NE(blended.find(line), std::string::npos) << line;
+    for (const char* line : {"RenderType: Opaque\n", "_DstBlend: 0\n", "_ZWrite: 1\n"})
+      EXPECT_NE(opaque.find(line), std::string::npos) << line;
+    EXPECT_NE(cut.find("RenderType: TransparentCutout\n"), std::string::npos);
+  }
+}
+
 TEST(TextureSet, SaysWhereAMaskCloses) {
   Design design = plain({2, 2});
   TextureSetOptions options = options_for(Target::kGltf, 128);

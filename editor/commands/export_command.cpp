@@ -30,6 +30,8 @@ constexpr auto kWatchStep = std::chrono::milliseconds(500);
 struct Job {
   std::string file, folder;
   TextureSetOptions options;
+  std::string form;         // of the folder
+  fs::file_time_type seen;  // of the file, before it was read
 };
 
 /// What the jobs share and add to.
@@ -90,6 +92,10 @@ std::string folder_name(const std::string& form, const std::string& name, Target
   return out.string();
 }
 
+std::string folder_of(const std::string& out, const std::string& form, const TextureSetOptions& o) {
+  return (fs::path(out) / folder_name(form, o.name, o.target, o.size)).string();
+}
+
 /// One folder a draft and target; drafts of the same name are numbered.
 std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
@@ -108,7 +114,8 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
       o.modified = changed(file);
       if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
-      jobs.push_back({file, (fs::path(options.out) / folder_name(form, name, target, options.size)).string(), o});
+      std::error_code ec;
+      jobs.push_back({file, folder_of(options.out, form, o), o, form, fs::last_write_time(file, ec)});
     }
   }
   return jobs;
@@ -145,8 +152,10 @@ std::optional<Mesh> hung_by_its_cloth(const Run& run, Design design) {
 void run_job(Job job, Run& run) {
   const OpenedDesign opened = open_design(job.file);
   if (!opened.ok) return tell(run, kBadInput, job.file + ": not exported: it cannot be read");
-  if (run.options.texels_per_mm > 0)
+  if (run.options.texels_per_mm > 0) {
     job.options.size = size_for(opened.design, run.options.texels_per_mm, job.options.tile_mm);
+    job.folder = folder_of(run.options.out, job.form, job.options);
+  }
   job.options.archived = run.options.zip;
   job.options.key = digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh);
   if (run.options.resume && is_complete(job.folder, job.options.key)) {
@@ -181,18 +190,16 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   return run.worst;
 }
 
-/// Exports again whatever changes, until the program is ended.
-void watch(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
-  std::vector<fs::file_time_type> seen(jobs.size());
-  std::error_code ec;
-  for (size_t i = 0; i < jobs.size(); ++i) seen[i] = fs::last_write_time(jobs[i].file, ec);
+/// Exports again whatever changes since its job was made, until the program is ended.
+void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh) {
   std::fprintf(stderr, "weftlight: watching %zu sets; Ctrl+C ends\n", jobs.size());
   while (true) {
     std::this_thread::sleep_for(kWatchStep);
     std::vector<Job> changed_jobs;
-    for (size_t i = 0; i < jobs.size(); ++i) {
-      const auto now = fs::last_write_time(jobs[i].file, ec);
-      if (!ec && now != seen[i]) changed_jobs.push_back(jobs[i]), seen[i] = now;
+    for (Job& job : jobs) {
+      std::error_code ec;
+      const auto now = fs::last_write_time(job.file, ec);
+      if (!ec && now != job.seen) job.seen = now, changed_jobs.push_back(job);
     }
     if (!changed_jobs.empty()) run_all(changed_jobs, options, mesh);
   }

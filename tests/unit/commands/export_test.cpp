@@ -1,0 +1,122 @@
+// export of many drafts for many programs in one call: where sets come to lie, how large they are, what is kept and
+// what failed.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/files.h"
+#include "scratch_folder.h"
+
+namespace weftlight::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Args = std::vector<std::string>;
+
+class Export : public ScratchFolder {
+ protected:
+  void SetUp() override {
+    ScratchFolder::SetUp();
+    fs::create_directories(path("drafts/deep"));
+    fs::copy_file(fixture_path("twill.wif"), path("drafts/a.wif"));
+    fs::copy_file(fixture_path("luminescence.wif"), path("drafts/deep/b.wif"));
+  }
+  Ran exported(Args more) const {
+    Args args{"export", path("drafts"), "-o", path("sets")};
+    args.insert(args.end(), more.begin(), more.end());
+    return run(args);
+  }
+  json list(const std::string& set) const {
+    return json::parse(read_file(path("sets/" + set + "/texture_set.json")).bytes);
+  }
+  bool has(const std::string& name) const { return fs::exists(path("sets/" + name)); }
+};
+
+TEST_F(Export, a_folder_for_several_targets) {
+  const Ran ran = exported({"--target", "raw,unity-urp", "--size", "16"});
+  EXPECT_EQ(ran.code, kDone) << ran.said;
+  for (const char* set : {"a/raw", "a/unity-urp", "b/raw", "b/unity-urp"})
+    EXPECT_TRUE(has(std::string(set) + "/texture_set.json")) << set;
+  EXPECT_NE(ran.said.find("4 sets written"), std::string::npos) << ran.said;
+}
+
+TEST_F(Export, names_follow_the_template) {
+  EXPECT_EQ(exported({"--target", "raw", "--size", "32", "--name", "{target}/{size}/{name}"}).code, kDone);
+  EXPECT_TRUE(has("raw/32/b/texture_set.json"));
+  EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "9", "--name", "dense/{name}_{size}"}).code, kDone);
+  const std::string made = fs::directory_iterator(path("sets/dense"))->path().filename();
+  const json texels = list("dense/" + made)["size_texels"];
+  EXPECT_EQ(made.substr(made.find('_') + 1), std::to_string(std::max(texels[0].get<int>(), texels[1].get<int>())));
+  EXPECT_EQ(exported({"--target", "raw,godot", "--name", "{name}"}).code, kUsage) << "two sets in one folder";
+}
+
+TEST_F(Export, texels_a_millimetre_and_tiles_of_many_repeats) {
+  EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "12", "--tile-cm", "1"}).code, kDone);
+  const json a = list("a");
+  EXPECT_GE(a["size_mm"][0].get<float>(), 10);
+  EXPECT_GE(a["size_texels"][0].get<float>(), 12 * a["size_mm"][0].get<float>());
+  EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "12", "--size", "64"}).code, kUsage);
+  const Ran thin = exported({"--target", "raw", "--size", "16", "--tile-cm", "5"});
+  EXPECT_EQ(thin.code, kDone);
+  EXPECT_NE(thin.said.find("texels; give a larger --size"), std::string::npos) << thin.said;
+}
+
+TEST_F(Export, archives_stand_beside_their_sets) {
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16", "--zip"}).code, kDone);
+  EXPECT_EQ(read_file(path("sets/a.zip")).bytes.substr(0, 2), "PK");
+  write_file_atomically(path("sets/b.zip"), "mine");
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16", "--zip"}).code, kDone) << "its own, which was listed";
+  fs::remove_all(path("sets/b")), write_file_atomically(path("sets/b.zip"), "mine");
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16", "--zip"}).code, kNotWritten);
+  EXPECT_EQ(read_file(path("sets/b.zip")).bytes, "mine");
+}
+
+TEST_F(Export, what_failed_is_said_at_the_end_and_the_rest_is_done) {
+  write_file_atomically(path("drafts/aa.wif"), "no draft");
+  const Ran ran = exported({"--target", "raw", "--size", "16"});
+  EXPECT_EQ(ran.code, kBadInput);
+  EXPECT_TRUE(has("a/texture_set.json") && has("b/texture_set.json"));
+  EXPECT_NE(ran.said.find("2 sets written, 0 were complete, 1 failed\n  " + path("drafts/aa.wif")), std::string::npos)
+      << ran.said;
+}
+
+TEST_F(Export, resume_makes_what_is_missing_or_of_another_draft) {
+  const Args again{"--target", "raw", "--size", "16", "--resume"};
+  EXPECT_EQ(exported(again).code, kDone);
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+  fs::remove(path("sets/a/a_front_height.exr"));
+  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a file is gone";
+  fs::copy_file(fixture_path("twill.wif"), path("drafts/deep/b.wif"), fs::copy_options::overwrite_existing);
+  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "another draft";
+}
+
+TEST_F(Export, watch_exports_again_what_changes) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts").c_str(), "-o", path("sets").c_str(), "--target",
+          "raw", "--size", "16", "--watch", nullptr);
+    _exit(127);
+  }
+  const auto comes = [&](const auto& what) {
+    for (int i = 0; i < 600 && !what(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return what();
+  };
+  EXPECT_TRUE(comes([&] { return has("a/texture_set.json"); }));
+  // While the first sets may still be made: such a change is not to be missed.
+  fs::copy_file(fixture_path("luminescence.wif"), path("drafts/a.wif"), fs::copy_options::overwrite_existing);
+  const auto ends = [&] { return list("a")["repeat"]["ends"].get<int>(); };
+  const int before = ends();
+  EXPECT_TRUE(comes([&] { return ends() != before; })) << before;
+  kill(child, SIGTERM);
+  waitpid(child, nullptr, 0);
+}
+
+}  // namespace
+}  // namespace weftlight::commands

@@ -75,8 +75,13 @@ def texture(side, kind):
 
 
 def material(side, specular):
-    made = unreal.AssetToolsHelpers.get_asset_tools().create_asset(
-        "M_" + NAME + side, INTO, unreal.Material, unreal.MaterialFactoryNew())
+    asset = "M_" + NAME + side
+    if unreal.EditorAssetLibrary.does_asset_exist(INTO + "/" + asset):  # of an earlier import: meshes keep it
+        made = unreal.load_asset(INTO + "/" + asset)
+        lib.delete_all_material_expressions(made)
+    else:
+        made = unreal.AssetToolsHelpers.get_asset_tools().create_asset(
+            asset, INTO, unreal.Material, unreal.MaterialFactoryNew())
     made.set_editor_property("shading_model", unreal.MaterialShadingModel.MSM_CLOTH)
     made.set_editor_property("two_sided", False)
     if ALPHA == "blend":

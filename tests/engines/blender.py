@@ -17,8 +17,9 @@ cloth = [thing for thing in bpy.context.scene.objects if thing.type == "MESH"]
 if query["script"]:
     for thing in cloth:
         thing.select_set(True)
-    with open(query["script"]) as file:
-        exec(compile(file.read(), query["script"], "exec"), {"__name__": "__main__", "__file__": query["script"]})
+    text = bpy.data.texts.load(query["script"])  # as the Scripting tab runs it: its file is none that is there
+    shown = os.path.join(bpy.data.filepath or "untitled.blend", text.name)
+    exec(compile(text.as_string(), shown, "exec"), {"__name__": "__main__", "__file__": shown})
 scene = bpy.context.scene
 scene.render.engine = "CYCLES"
 scene.cycles.samples = query["samples"]

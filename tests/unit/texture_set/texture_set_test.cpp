@@ -520,6 +520,42 @@ TEST(TextureSet, AMillimetreIsAMillimetre) {
   holds(Target::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }
 
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(TextureSet, UnityReadsEachMapAsItIs) {
+  const Scratch scratch("unity-maps");
+  for (const Target target : {Target::kUnityUrp, Target::kUnityHdrp}) {
+    const std::string folder = scratch / target_name(target);
+    ASSERT_EQ(write_texture_set(folder, sample_design(), {}, options_for(target, 32)), "");
+    for (const json& map : list_of(folder)["maps"]) {
+      const std::string file = map["file"], meta = text_of(folder + "/" + file + ".meta");
+      EXPECT_NE(meta.find(map["color_space"] == "sRGB" ? "sRGBTexture: 1\n" : "sRGBTexture: 0\n"), std::string::npos)
+          << file;
+      const bool normal = file.find("_Normal") != std::string::npos;
+      EXPECT_NE(meta.find(normal ? "textureType: 1\n" : "textureType: 0\n"), std::string::npos) << file;
+    }
+  }
+}
+
+/// HDRP adds its smoothness and normal, less a half and doubled, to those of the cloth that it is laid over.
+TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
+  const Scratch scratch("thread-map");
+  ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(Target::kUnityHdrp, 128)), "");
+  const Image map = *read_image(scratch / "h/sample_ThreadMap.png").image;
+  ASSERT_EQ(map.channels, 4);
+  std::array<double, 4> mean{};
+  for (size_t i = 0; i < map.texels.size(); ++i)
+    mean[i % 4] += static_cast<double>(map.texels[i]) / (map.width * map.height);
+  EXPECT_GT(mean[0], 0.9) << "occlusion multiplies";
+  EXPECT_NEAR(mean[1], 0.5, 0.02) << "normal, y";
+  EXPECT_NEAR(mean[2], 0.5, 0.01) << "smoothness";
+  EXPECT_NEAR(mean[3], 0.5, 0.02) << "normal, x";
+  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for Fabric's thread slot"), std::string::npos);
+}
+
 /// Unity's inspector would set these, but an import does not: a blended material without them is drawn opaque.
 TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
   const Scratch scratch("unity");
@@ -528,8 +564,7 @@ TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
     options.target = target, options.alpha = alpha;
     const std::string folder = scratch / (std::string(target_name(target)) + alpha_name(alpha));
     EXPECT_EQ(write_texture_set(folder, sample_design(), {}, options), "");
-    std::ifstream file(folder + "/sample.mat");
-    return std::string(std::istreambuf_iterator<char>(file), {});
+    return text_of(folder + "/sample.mat");
   };
   for (const Target target : {Target::kUnityUrp, Target::kUnityHdrp}) {
     const std::string blended = material(target, Alpha::kBlend), opaque = material(target, Alpha::kOpaque),

@@ -14,7 +14,6 @@ namespace weftlight::light {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kWhole = 1 << 18;            // crossings up to which a cloth is taken whole
 constexpr int kWindow = 64, kWindows = 4;  // threads and windows a side, else
 constexpr int kMostCells = 48;             // of crossings, along a ray
 constexpr int kAbove = 1 << 13;            // places seen from above
@@ -23,25 +22,6 @@ constexpr float kEvenTurns = 0.55f;
 
 /// Coordinate 0..1 of point k of an even spread.
 float part(int k, double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); }
-
-/// The threads of a window as a cloth of their own.
-Cloth cut(const Cloth& cloth, const CellRect& w) {
-  Cloth out;
-  out.yarns = cloth.yarns;
-  const auto threads = [](const std::vector<ThreadBody>& from, int first, int last, float& length) {
-    std::vector<ThreadBody> to(from.begin() + first, from.begin() + last);
-    const float start = to.front().centre_mm - 0.5f * to.front().spacing_mm;
-    for (ThreadBody& t : to) t.centre_mm -= start;
-    length = to.back().centre_mm + 0.5f * to.back().spacing_mm;
-    return to;
-  };
-  out.ends = threads(cloth.ends, w.end0, w.end1, out.width_mm);
-  out.picks = threads(cloth.picks, w.pick0, w.pick1, out.depth_mm);
-  out.up = BitMatrix(w.pick1 - w.pick0, w.end1 - w.end0);
-  for (int p = w.pick0; p < w.pick1; ++p)
-    for (int e = w.end0; e < w.end1; ++e) out.up.set(p - w.pick0, e - w.end0, cloth.up.get(p, e));
-  return out;
-}
 
 std::vector<Cloth> windows_of(const Cloth& cloth) {
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
@@ -262,10 +242,28 @@ std::array<glm::vec3, kResponseViews> response_views() {
 
 FacetMoments facet_moments(const glm::vec3& n) { return {n.x, n.y, n.x * n.x, n.y * n.y}; }
 
+Cloth cut(const Cloth& cloth, const CellRect& w) {
+  Cloth out;
+  out.yarns = cloth.yarns;
+  const auto threads = [](const std::vector<ThreadBody>& from, int first, int last, float& length) {
+    std::vector<ThreadBody> to(from.begin() + first, from.begin() + last);
+    const float start = to.front().centre_mm - 0.5f * to.front().spacing_mm;
+    for (ThreadBody& t : to) t.centre_mm -= start;
+    length = to.back().centre_mm + 0.5f * to.back().spacing_mm;
+    return to;
+  };
+  out.ends = threads(cloth.ends, w.end0, w.end1, out.width_mm);
+  out.picks = threads(cloth.picks, w.pick0, w.pick1, out.depth_mm);
+  out.up = BitMatrix(w.pick1 - w.pick0, w.end1 - w.end0);
+  for (int p = w.pick0; p < w.pick1; ++p)
+    for (int e = w.end0; e < w.end1; ++e) out.up.set(p - w.pick0, e - w.end0, cloth.up.get(p, e));
+  return out;
+}
+
 ThreadPlaces thread_places(const Cloth& cloth, int count) {
   ThreadPlaces out;
   if (cloth.ends.empty() || cloth.picks.empty()) return out;
-  const bool large = cloth.layers.empty() && cloth.ends.size() * cloth.picks.size() > kWhole;
+  const bool large = cloth.layers.empty() && cloth.ends.size() * cloth.picks.size() > kWholeCrossings;
   const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
   const int windows = static_cast<int>(parts.size());
   const int each = std::max(1, count / 2 / windows), above = kAbove / windows;

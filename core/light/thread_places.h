@@ -64,6 +64,10 @@ struct ThreadPlaces {
   float around_mean = 0, around_variance = 0;
 };
 
+inline constexpr size_t kWholeCrossings = 1 << 18;  // up to which a cloth is taken whole, else in windows
+/// The threads of a window as a cloth of their own, of one layer.
+Cloth cut(const Cloth& cloth, const CellRect& window);
+
 /// `count` places, the same every time. Of a cloth of very many crossings: in windows spread over it. Those that
 /// no direction reaches are left out.
 ThreadPlaces thread_places(const Cloth& cloth, int count);

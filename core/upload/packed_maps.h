@@ -10,6 +10,7 @@
 
 #include "cloth/maps.h"
 #include "draft/drawdown.h"
+#include "light/thread_error.h"
 #include "shaders/interop.h"
 #include "upload/names.h"
 
@@ -76,6 +77,7 @@ struct ClothLobes {
   ResponseTables response;
   // The threads one by one (thread_block.h), whole rows of THREAD_MAP_WIDTH texels; empty where there are too many.
   std::vector<glm::uvec4> threads;
+  ThreadErrors errors;  // by which the ladder is fitted to the cloth
   bool operator==(const ClothLobes&) const = default;
 };
 

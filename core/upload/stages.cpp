@@ -371,6 +371,7 @@ void Stages::take_lobes(const Design& design, Effort effort, StageResult& result
   old_response_ = effort == Effort::kQuick;
   if (old_response_ && !lobes.response.empty()) keep_response(data, lobes.data);
   else lobes.response = response_tables(data, front, back, old_response_ ? kQuickSamples : kResponseSamples);
+  if (!old_response_) lobes.errors = packed_.crossings.empty() ? ThreadErrors{} : thread_errors(front_.cloth);
   if (engine_ && !old_response_) {
     const BitMatrix cells = cells_.rows() > 0 ? cells_ : drawdown(design.draft);  // they may be given up already
     for_each_job(2, [&](int f) {

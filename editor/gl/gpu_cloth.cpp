@@ -181,6 +181,7 @@ void GpuCloth::upload(const ClothPatches& patches) {
 
 void GpuCloth::upload_lobes(const ClothLobes& lobes) {
   data_ = lobes.data;
+  errors_ = lobes.errors;
   glBindBuffer(GL_UNIFORM_BUFFER, block_.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof data_, &data_, GL_DYNAMIC_DRAW);
   if (!lobes.threads.empty()) upload_threads(lobes.threads);

@@ -29,6 +29,8 @@ class GpuCloth {
   bool has_threads() const { return has_threads_; }
   ThreadKind thread_kind() const { return thread_kind_; }
   const interop::ClothData& data() const { return data_; }
+  /// Of rung yarn on this cloth.
+  const ThreadErrors& errors() const { return errors_; }
   size_t bytes() const { return bytes_; }
 
  private:
@@ -52,6 +54,7 @@ class GpuCloth {
   ThreadKind thread_kind_;
   GlBuffer block_;
   interop::ClothData data_{};
+  ThreadErrors errors_;
   float width_mm_ = 0, depth_mm_ = 0, mean_spacing_mm_ = 0;
   size_t bytes_ = 0;
 };

@@ -72,7 +72,7 @@ struct Renderer::Parts {
   FrameStats stats;
   DrawnFrame last;
   ShippedLadder shipped = shipped_ladder();
-  Ladder ladder = shipped.ladder;
+  Ladder asked = shipped.ladder, ladder = asked;  // of any cloth, and fitted to this one
 
   bool build(std::string& error);
   void set_lights(LightRig lights);
@@ -94,6 +94,7 @@ struct Renderer::Parts {
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].coverage + cloth.data().systems[1].coverage); }
   std::array<glm::vec4, 6> ground_drawn{};  // what the light on the ground was made by
   RungShares shares;                        // of the last picture
+  void fit_ladder() { ladder = fitted(asked, cloth.errors()); }
   bool has_gaps() const;
   void take_queries(bool wait);
 };
@@ -127,8 +128,9 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
   const bool straight_to_repeat = plan.rungs[1] <= plan.rungs[0];
   if (!cloth.has_threads()) plan.rungs[0] = 0;
   if (straight_to_repeat) plan.rungs[1] = plan.rungs[0];
-  // One answer for all the cloth holds only where its pattern is no longer seen.
-  plan.rungs[2] = std::max(plan.rungs[2], cloth.data().even_yarns);
+  // One answer for all the cloth holds where its pattern is no longer seen, and there it is the better: measured for
+  // this cloth, not by footprint.
+  plan.rungs[2] = std::max(plan.rungs[1], cloth.data().even_yarns);
   return plan;
 }
 
@@ -479,10 +481,19 @@ void Renderer::set_mesh(PreparedMesh mesh) {
 }
 void Renderer::set_lights(LightRig lights) { parts_->set_lights(std::move(lights)); }
 const std::vector<std::string>& Renderer::light_remarks() const { return parts_->rig.remarks; }
-void Renderer::upload(const PackedCloth& cloth) { parts_->cloth.upload(cloth); }
-void Renderer::upload(PackedCloth&& cloth) { parts_->cloth.upload(std::move(cloth)); }
+void Renderer::upload(const PackedCloth& cloth) {
+  parts_->cloth.upload(cloth);
+  parts_->fit_ladder();
+}
+void Renderer::upload(PackedCloth&& cloth) {
+  parts_->cloth.upload(std::move(cloth));
+  parts_->fit_ladder();
+}
 void Renderer::upload(const ClothPatches& patches) { parts_->cloth.upload(patches); }
-void Renderer::upload_lobes(const ClothLobes& lobes) { parts_->cloth.upload_lobes(lobes); }
+void Renderer::upload_lobes(const ClothLobes& lobes) {
+  parts_->cloth.upload_lobes(lobes);
+  parts_->fit_ladder();
+}
 
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
   parts_->last = {scene, look, frame, kAllRungs, false, {}};
@@ -520,7 +531,10 @@ float Renderer::tolerance_within(float budget_ms) {
                                   budget_ms);
 }
 
-void Renderer::set_ladder(const Ladder& ladder) { parts_->ladder = ladder; }
+void Renderer::set_ladder(const Ladder& ladder) {
+  parts_->asked = ladder;
+  parts_->fit_ladder();
+}
 SeenPart Renderer::seen() const {
   SeenPart seen = seen_part(parts_->shares, parts_->cloth.mean_spacing_mm());
   seen.pixel_mm *= parts_->last.frame.render_scale;

@@ -1,0 +1,76 @@
+// How few samples a cloth's threads need: measured on it, and the ladder fitted to that.
+
+#include "light/thread_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "draft/draft.h"
+
+namespace weftlight::light {
+namespace {
+
+Cloth plain() {
+  constexpr int kThreads = 16;
+  Design design;
+  design.draft = blank_draft(kThreads, kThreads, 2, 2);
+  Draft& d = design.draft;
+  d.drive = Drive::kLiftplan;
+  for (int i = 0; i < kThreads; ++i) {
+    d.threading.set(i, i % 2, true);
+    d.liftplan.set(i, i % 2, true);
+  }
+  for (Threads* system : {&d.warp, &d.weft}) {
+    std::fill(system->spacing_mm.begin(), system->spacing_mm.end(), 0.5f);
+    std::fill(system->thickness_mm.begin(), system->thickness_mm.end(), 0.45f);
+  }
+  return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
+}
+
+/// Errors as large as the worst cloths' are, of so many samples and at any footprint.
+Ladder of_the_worst() {
+  Ladder ladder;
+  for (int i = 0; i < formulas::kLattices; ++i) {
+    for (const float yarns : kErrorFootprints) {
+      const int samples = formulas::lattice_of(i).x;
+      const float error = 1.2f * std::sqrt(yarns / static_cast<float>(samples));
+      ladder.push_back({Method::kYarn, yarns, 10.0f * static_cast<float>(samples), error, error, samples});
+    }
+  }
+  ladder.push_back({Method::kRepeat, 1, 1, 0.1f, 0.1f, 1});
+  return ladder;
+}
+
+TEST(ThreadErrors, FallWithSamplesAndAreTheSameEveryTime) {
+  const ThreadErrors errors = thread_errors(plain());
+  EXPECT_TRUE(errors.measured);
+  EXPECT_EQ(errors, thread_errors(plain()));
+  for (size_t f = 0; f < kErrorFootprints.size(); ++f) {
+    for (const float e : errors.rel_rmse[f]) EXPECT_TRUE(e > 0 && e < 1) << kErrorFootprints[f] << ' ' << e;
+    EXPECT_LT(errors.rel_rmse[f].back(), errors.rel_rmse[f].front()) << kErrorFootprints[f];
+  }
+  EXPECT_GT(errors.rel_rmse.back()[1], 1.5f * errors.rel_rmse.front()[1]);
+  // Regular weaves in one colour: an eighth of what nothing at all would be off by.
+  EXPECT_LT(errors.rel_rmse.back().back(), 0.125f);
+}
+
+TEST(ThreadErrors, FitTheLadderToTheCloth) {
+  const Ladder any = of_the_worst();
+  const Plan plan = plan_of(any, {0.15f}), own = plan_of(fitted(any, thread_errors(plain())), {0.15f});
+  EXPECT_LT(samples_at(own, 0.5f), samples_at(plan, 0.5f));
+  EXPECT_GE(samples_at(own, 1), samples_at(own, 0.25f));
+  // Other rungs, and cloths that nothing is known of, keep their rows.
+  EXPECT_EQ(expected_error(fitted(any, thread_errors(plain())), Method::kRepeat, 1), 0.1f);
+  EXPECT_EQ(expected_error(fitted(any, {}), Method::kYarn, 1, 5), expected_error(any, Method::kYarn, 1, 5));
+}
+
+TEST(ThreadErrors, OfNoThreadsAreNotMeasured) {
+  EXPECT_FALSE(thread_errors({}).measured);
+  // A ladder without rows of rung yarn stays as it is.
+  const Ladder none{{Method::kRepeat, 1, 1, 0.1f, 0.1f, 1}};
+  EXPECT_EQ(expected_error(fitted(none, thread_errors(plain())), Method::kRepeat, 1), 0.1f);
+}
+
+}  // namespace
+}  // namespace weftlight::light

@@ -203,7 +203,7 @@ std::string write_unity_images(const SetFacts& set, Face face) {
     const std::string file = image_file(row, set.name, face);
     const bool normal = std::string_view(row.suffix).starts_with("_Normal");
     const bool covers = row.channels[3] == Channel::kCoverage && set.alpha == Alpha::kMask;
-    const std::string problem =
+    std::string problem =
         write_file_atomically(set.folder + "/" + file + ".meta", filled(kUnityTexture, {{"GUID", guid(file)},
                                                                                         {"SRGB", row.srgb ? "1" : "0"},
                                                                                         {"KEEP", covers ? "1" : "0"},
@@ -294,7 +294,7 @@ std::string write_unity_face(const SetFacts& set, Face face) {
   std::string keywords;
   for (const std::string& w : words) keywords += "  - " + w + "\n";
   const std::string name = set.name + (face == Face::kBack ? "_back" : ""), file = name + ".mat";
-  const std::string problem = write_file_atomically(
+  std::string problem = write_file_atomically(
       set.folder + "/" + file, filled(kUnityMaterial, {{"NAME", name},
                                                        {"SHADER", hdrp ? kHdrpLit : kUrpLit},
                                                        {"KEYWORDS", keywords},

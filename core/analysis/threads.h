@@ -38,6 +38,7 @@ double sett_per_cm(double wraps_per_cm, double interlacing);
 /// given).
 struct YarnPrice {
   double tex = -1, per_kg = -1;
+  bool operator==(const YarnPrice&) const = default;
 };
 
 /// How a cloth is planned. Lengths in mm; shares 0..1 (0.1: a tenth).
@@ -48,6 +49,7 @@ struct ClothPlan {
   double warp_shrinkage = 0.08, weft_shrinkage = 0.08;  // in the wash
   double spare = 0.05;                                  // yarn that is lost in winding and shuttles
   std::vector<YarnPrice> prices;                        // by yarn; may be shorter
+  bool operator==(const ClothPlan&) const = default;
 };
 
 /// Yarn of one kind and colour in one system.

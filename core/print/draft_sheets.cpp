@@ -193,7 +193,9 @@ void draw_numbers(const Pen& pen, const Drawing& g, const Part& part) {
 
 void draw_title(const Pen& pen, const Drawing& g, const Part& part, int sheet) {
   const Draft& d = g.draft();
-  const std::string title = g.design.title.empty() ? "Draft" : g.design.title;
+  const std::string title = !g.design.title.empty()   ? g.design.title
+                            : !g.options.name.empty() ? g.options.name
+                                                      : "Draft";
   pen.text(kMargin, kMargin + 4.5, 5, title, kInk, true);
   std::string facts = std::to_string(d.ends()) + " ends, " + std::to_string(d.picks()) + " picks, " +
                       std::to_string(d.shafts) + " shafts";

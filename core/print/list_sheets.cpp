@@ -80,23 +80,29 @@ void list_heddles(std::vector<Line>& out, const LoomUse& use) {
   if (use.unthreaded_ends > 0) out.push_back({"On no shaft", {{std::to_string(use.unthreaded_ends), -1}}});
 }
 
-void list_yarn(std::vector<Line>& out, const Design& design) {
-  const YarnReport r = yarn_report(design, {});
+void list_yarn(std::vector<Line>& out, const Design& design, const ClothPlan& plan) {
+  const YarnReport r = yarn_report(design, plan);
   out.push_back({"Yarn", {}});
   for (const YarnNeed& need : r.needs)
     out.push_back({need.system == System::kWarp ? "Warp" : "Weft",
                    {{number("%.1f m", need.length_m), need.color},
                     {number("%.1f g", need.weight_g), -1},
                     {design.yarns[static_cast<size_t>(need.yarn)].name, -1}}});
+  if (r.cost >= 0) out.push_back({"Cost", {{number("%.2f", r.cost), -1}}});
+  out.push_back({"On the loom",
+                 {{std::to_string(r.ends) + " ends", -1},
+                  {number("%.1f cm wide", r.loom_width_mm / 10), -1},
+                  {number("warp %.2f m long", r.warp_length_mm / 1000), -1}}});
   out.push_back({"Sett", {{number("%.1f ends/cm", r.ends_per_cm), -1}, {number("%.1f picks/cm", r.picks_per_cm), -1}}});
 }
 
-std::vector<Line> lines_of(const Design& design, const PrintParts& parts) {
+std::vector<Line> lines_of(const Design& design, const PrintOptions& options) {
+  const PrintParts& parts = options.parts;
   const Draft& d = design.draft;
   std::vector<Line> out;
   constexpr int kGroup = 10;
   if (parts.heddles) list_heddles(out, loom_use(d));
-  if (parts.yarn) list_yarn(out, design);
+  if (parts.yarn) list_yarn(out, design, options.plan);
   if (!parts.lists) return out;
   list_rows(out, "Threading, shaft of each end", d.threading, kGroup);
   list_colors(out, "Warp colours", d.warp);
@@ -162,7 +168,7 @@ void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, c
 std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options) {
   const double width = (options.paper.width_mm - 2 * kMargin - 8) / 2;
   const double bottom = options.paper.height_mm - kMargin;
-  const std::vector<Line> lines = lines_of(design, options.parts);
+  const std::vector<Line> lines = lines_of(design, options);
   const bool swatch = options.parts.swatch;
   std::vector<std::vector<Column>> sheets;
   size_t next = 0;

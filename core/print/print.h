@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/threads.h"
 #include "draft/design.h"
 #include "print/names.h"
 
@@ -55,6 +56,8 @@ struct PrintOptions {
   bool threading_below = false;  // the drawdown
   double png_dpi = 150;
   PrintParts parts{};
+  ClothPlan plan{};    // of the cloth that the yarn is for
+  std::string name{};  // stands over a draft without a title; empty: "Draft"
   bool operator==(const PrintOptions&) const = default;
 };
 inline constexpr double kSmallestCell = 1.6;  // mm, where the scale is not said

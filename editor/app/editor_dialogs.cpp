@@ -8,6 +8,7 @@
 #include "draft/generators/sections.h"
 #include "draft/lights.h"
 #include "draft/selection_edits.h"
+#include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
 namespace {
@@ -149,6 +150,9 @@ void Editor::ask_print() {
   prompt.options.end1_right = settings_.end1_right;
   prompt.options.pick1_bottom = settings_.pick1_bottom;
   prompt.options.threading_below = settings_.threading_below;
+  prompt.options.heavy_lines = settings_.heavy_lines;
+  prompt.options.plan = plan_of(document().now(), view(), settings_);
+  prompt.options.name = std::filesystem::path(document().shown_name()).stem().string();
   prompt.preview = std::make_shared<SheetPreview>(document().snapshot(), Window::wake);
   ask(std::move(prompt), [this](int) {
     const PrintPrompt p = std::get<PrintPrompt>(dialog_);

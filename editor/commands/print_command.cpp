@@ -1,6 +1,7 @@
 // `print`: the draft on paper, as PDF, SVG or PNG; a sheet a file where the format holds one.
 
 #include <cstdio>
+#include <filesystem>
 
 #include "commands/commands.h"
 #include "print/print.h"
@@ -17,7 +18,9 @@ int print_command(const PrintCommand& options) {
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
   const auto format = pdf ? print::PrintFormat::kPdf : svg ? print::PrintFormat::kSvg : print::PrintFormat::kPng;
-  const print::Printed printed = print::printed(opened.design, format, options.options);
+  print::PrintOptions how = options.options;
+  how.name = std::filesystem::path(options.file).stem().string();
+  const print::Printed printed = print::printed(opened.design, format, how);
   if (!printed.why.empty()) {
     std::fprintf(stderr, "%s: %s\n", options.file.c_str(), printed.why.c_str());
     return kBadInput;

@@ -60,8 +60,6 @@ void draw_yarn_use(const PanelContext& c, const AnalysisState& s) {
   const double wraps = wraps_per_cm(c.design.yarns.front().diameter_mm);
   std::snprintf(text, sizeof text, "%.1f a cm (%.1f wraps)", sett_per_cm(wraps, s.interlacings.weft), wraps);
   fact(c, "From wraps", text, "Ends a cm on the loom for a firm cloth of the first yarn in this weave (Ashenhurst)");
-  std::snprintf(text, sizeof text, "warp %.1f m, weft %.1f m, %.0f g", s.yarn.warp_m, s.yarn.weft_m, s.yarn.weight_g);
-  fact(c, "Yarn", text, "For the draft as it is, with loom waste, take-up, shrinkage and a twentieth to spare");
 }
 
 }  // namespace

@@ -75,6 +75,25 @@ TEST(Print, OnlyWhatWasChosenIsPrinted) {
   EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "nothing was chosen to be printed");
 }
 
+TEST(Print, ThePlannedClothAndTheNameAreOnPaper) {
+  Design d = overshot_design(40, 40);
+  d.title.clear();
+  PrintOptions o, planned;
+  o.parts = planned.parts = {false, false, false, true, false};
+  const auto sheet = [&d](const PrintOptions& options) { return picture_of_sheet(d, options, 0, 2).pixels; };
+  planned.plan.length_mm = 2500;
+  EXPECT_NE(sheet(planned), sheet(o)) << "more yarn";
+  PrintOptions priced = planned;
+  priced.plan.prices.assign(d.yarns.size(), {-1, 40});
+  EXPECT_NE(sheet(priced), sheet(planned)) << "its cost";
+  o.parts = {true, false, false, false, false};
+  PrintOptions named = o;
+  named.name = "towel";
+  EXPECT_NE(sheet(named), sheet(o));
+  d.title = "Towel";
+  EXPECT_EQ(sheet(named), sheet(o)) << "its title stands over it";
+}
+
 TEST(Print, TheSheetIsSeenBeforeItIsPrinted) {
   const Design d = overshot_design(96, 96);
   PrintOptions o;

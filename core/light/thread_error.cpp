@@ -17,7 +17,7 @@ namespace {
 using Scene = thread_formulas::ThreadScene;
 
 constexpr int kPixels = 48;                       // a footprint and view
-constexpr float kFewPixels = 1.15f;               // what so many may leave out
+constexpr float kFewPixels = 1.25f;               // what so many may leave out
 constexpr glm::ivec2 kFine{89, 34};               // Fibonacci's, as formulas::lattice_of()
 constexpr int kViewCells = 48, kLightCells = 24;  // as rung_yarn.glsl
 // Of the threads themselves against the traced truth, without any error of sampling (docs/chart.md).

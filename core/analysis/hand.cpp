@@ -42,13 +42,28 @@ struct ThreadHand {
   double g_per_m = 0, bending_n_mm2 = 0;
 };
 
-ThreadHand thread_hand(Yarn yarn, float thickness_mm) {
+/// 0..1: stays round in the cloth, as a yarn bound through and through does.
+double firmness(const Yarn& yarn) {
+  return std::clamp((static_cast<double>(yarn.flattening) - kFirmFrom) / (1 - kFirmFrom), 0.0, 1.0);
+}
+
+/// Gum is boiled off in the piece, and an organdie's finish is the cloth's: where one yarn has gone flat, none is
+/// bound, and what is round is so by its twist (a crepe's weft) or as it lies (a charmeuse's).
+double cloth_firmness(const Design& design) {
+  double firm = 1;
+  for (const System system : {System::kWarp, System::kWeft})
+    for (const int yarn : design.draft.threads(system).yarn)
+      if (const auto y = static_cast<size_t>(std::max(yarn, 0)); y < design.yarns.size())
+        firm = std::min(firm, firmness(design.yarns[y]));
+  return firm;
+}
+
+ThreadHand thread_hand(Yarn yarn, float thickness_mm, double firm) {
   if (thickness_mm >= 0) yarn.diameter_mm = thickness_mm;
   const FibreBody& fibre = kFibres[static_cast<size_t>(fibre_of(yarn))];
   const double tex = static_cast<double>(tex_of(yarn)), area = tex / (1000 * fibre.density);
   const double fibres = std::max(area / fibre.section, 1.0);
   const double lean = std::numbers::pi * static_cast<double>(yarn.diameter_mm * yarn.turns_per_m) / 1000;
-  const double firm = std::clamp((static_cast<double>(yarn.flattening) - kFirmFrom) / (1 - kFirmFrom), 0.0, 1.0);
   const double held = kCohesion * std::sqrt(fibres) * (1 + (kFirmer - 1) * firm);
   const double cohesion = 1 + std::max(held - 1, 0.0) * std::max(lean / (lean + kHoldingTwist), firm);
   return {tex / 1000, fibre.modulus * area * fibre.section / (4 * std::numbers::pi) * cohesion};
@@ -59,13 +74,13 @@ struct SystemHand {
   double g_per_m = 0, bending_n_mm2 = 0, extent_mm = 0, height_mm = 0;
 };
 
-SystemHand system_hand(const Design& design, System system) {
+SystemHand system_hand(const Design& design, System system, double firm) {
   const Threads& threads = design.draft.threads(system);
   SystemHand sum;
   const size_t count = threads.color.size();
   if (design.yarns.empty()) return sum;
   std::vector<ThreadHand> known(design.yarns.size());
-  for (size_t y = 0; y < known.size(); ++y) known[y] = thread_hand(design.yarns[y], -1);
+  for (size_t y = 0; y < known.size(); ++y) known[y] = thread_hand(design.yarns[y], -1, firm);
   float last = -1;
   size_t last_yarn = 0;
   ThreadHand given_hand;
@@ -75,7 +90,7 @@ SystemHand system_hand(const Design& design, System system) {
     const float given = entry(threads.thickness_mm, i, kFromYarn), spacing = entry(threads.spacing_mm, i, kFromYarn);
     const float thick = given >= 0 ? given : yarn.diameter_mm;
     if (given >= 0 && (given != last || index != last_yarn))
-      given_hand = thread_hand(yarn, given), last = given, last_yarn = index;
+      given_hand = thread_hand(yarn, given, firm), last = given, last_yarn = index;
     const ThreadHand& hand = given >= 0 ? given_hand : known[index];
     sum.g_per_m += hand.g_per_m, sum.bending_n_mm2 += hand.bending_n_mm2;
     sum.extent_mm += static_cast<double>(spacing > 0 ? spacing : thick);
@@ -88,7 +103,8 @@ SystemHand system_hand(const Design& design, System system) {
 }  // namespace
 
 ClothHand cloth_hand(const Design& design) {
-  const SystemHand warp = system_hand(design, System::kWarp), weft = system_hand(design, System::kWeft);
+  const double firm = cloth_firmness(design);
+  const SystemHand warp = system_hand(design, System::kWarp, firm), weft = system_hand(design, System::kWeft, firm);
   ClothHand hand;
   if (!(warp.extent_mm > 0) || !(weft.extent_mm > 0)) return hand;
   hand.kg_per_m2 = kCrimp * (warp.g_per_m / warp.extent_mm + weft.g_per_m / weft.extent_mm);

@@ -22,8 +22,9 @@ Yarn with_lustre(Yarn yarn, float lustre);
 /// Stray fibres (0..1) and with them the fuzz that stands off, in the ratio that the fibre's ready yarn has.
 Yarn with_hairiness(Yarn yarn, float hairiness);
 
-/// Grams a kilometre (tex) of a round thread so thick, of the density of its fibre and as firm as its ready yarn is
-/// spun.
+/// Share (0..1) of a thread that is fibre: as its ready yarn is spun, less of one that is hairier.
+double packing_of(const Yarn& yarn);
+/// Grams a kilometre (tex) of a round thread so thick, of the density of its fibre and so packed.
 float tex_of(const Yarn& yarn);
 /// As thick as its fibre spun to that count is: "Ne 8/2", "30 tex" (count.h); none: not understood.
 std::optional<Yarn> with_count(Yarn yarn, std::string_view count);

@@ -53,6 +53,18 @@ TEST(ClothHand, HeavierYarnsAndCloserSettsWeighMore) {
   EXPECT_NEAR(cloth_hand(given).kg_per_m2, cloth_hand(heavy).kg_per_m2, 1e-6);
 }
 
+TEST(ClothHand, WhereOneYarnHasGoneFlatNoneIsBoundByGum) {
+  Design organdie = shirting();
+  organdie.yarns.push_back(organdie.yarns[0]);
+  organdie.yarns[0].flattening = organdie.yarns[1].flattening = 1;
+  organdie.draft.weft.yarn.assign(organdie.draft.weft.color.size(), 1);
+  Design boiled = organdie, soft = organdie;
+  boiled.yarns[0].flattening = 0.5f;
+  soft.yarns[0].flattening = soft.yarns[1].flattening = 0.5f;
+  EXPECT_GT(cloth_hand(organdie).bending_n_m, 2 * cloth_hand(soft).bending_n_m);
+  EXPECT_NEAR(cloth_hand(boiled).bending_n_m / cloth_hand(soft).bending_n_m, 1, 1e-6);
+}
+
 TEST(ClothHand, ADraftWithoutThreadsHasNone) {
   const ClothHand hand = cloth_hand(Design{});
   EXPECT_EQ(hand.kg_per_m2, 0);

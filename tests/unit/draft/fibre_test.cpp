@@ -65,6 +65,18 @@ TEST(Fibre, SlidersReadBackWhatTheySet) {
   }
 }
 
+TEST(Fibre, AYarnHairierThanItsReadyOneIsLoftierAndItsCountKeeps) {
+  const Yarn ready = yarn_preset("Wool");
+  EXPECT_NEAR(packing_of(ready), 0.5, 1e-9);
+  const Yarn tweedy = with_hairiness(ready, 1);
+  EXPECT_NEAR(packing_of(tweedy), 0.2, 1e-6);
+  EXPECT_EQ(packing_of(with_hairiness(ready, 0)), packing_of(ready));
+  const std::optional<Yarn> spun = with_count(tweedy, "Nm 5.6");
+  ASSERT_TRUE(spun);
+  EXPECT_NEAR(tex_of(*spun), 178.6f, 0.5f);
+  EXPECT_NEAR(spun->diameter_mm, 0.932f, 0.002f) << "as tweed's is";
+}
+
 TEST(Fibre, CountsAreThoseTheReadyYarnsWereMadeFrom) {
   const std::pair<const char*, const char*> counts[] = {{"Cotton", "Ne 8/2"},
                                                         {"Mercerised cotton", "Ne 10/2"},

@@ -52,6 +52,21 @@ TEST(Presets, ClothsHangAsTheirKindsDo) {
   EXPECT_LT(hand("organza").bending_length_mm, 0.9 * hand("denim").bending_length_mm);
   EXPECT_NEAR(hand("denim").kg_per_m2, 0.475, 0.03);
   EXPECT_LT(hand("organza").kg_per_m2, 0.03);
+  // Satin charmeuse of polyester falls as that of silk does: its round weft is not bound by gum.
+  EXPECT_LT(hand("polyester_satin_charmeuse").bending_length_mm, 15);
+}
+
+TEST(Presets, ClothsWeighWhatSuchClothsWeigh) {
+  const auto g_per_m2 = [](const char* cloth) {
+    const WifRead read = read_wif(read_file(presets_path("cloths/" + std::string(cloth) + ".wif")).bytes);
+    return 1000 * analysis::cloth_hand(read.file.value().design).kg_per_m2;
+  };
+  // By count and sett: Nm 5.6 at 9.6 and 9 a centimetre is 349 g/m2 with crimp; 12.5 oz denim 424; gum silk 23.
+  EXPECT_NEAR(g_per_m2("tweed"), 349, 35);
+  EXPECT_NEAR(g_per_m2("cotton_denim"), 424, 42);
+  EXPECT_NEAR(g_per_m2("gabardine"), 235, 24);
+  EXPECT_NEAR(g_per_m2("organza"), 21, 5);
+  EXPECT_LT(g_per_m2("silk_charmeuse"), 115);
 }
 
 TEST(Presets, FilesReadWithoutAComplaint) {

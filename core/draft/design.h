@@ -27,6 +27,7 @@ struct Look {
 /// its right; elevation 90 is straight above.
 struct Scene {
   std::string mesh = "tablecloth";  // name in presets/meshes, or a path to .glb/.gltf
+  bool own_drape = false;           // simulated with this cloth's own stiffness, not with that of its kind
   float view_azimuth = 25, view_elevation = 22;
   float view_distance = 1.0f;  // 1 frames the mesh
   float pan_x = 0, pan_y = 0;  // in frame widths

@@ -79,6 +79,26 @@ float table(Vec3 p) {
   return outside + std::min(std::max(out, up), 0.0f) - kEdge;
 }
 
+std::array<Box, 2> board_boxes() {
+  constexpr float kHalfThick = 16;
+  const Vec3 middle = Vec3{0, kBoardHeight, 0} - turned_back({0, kHalfThick, 0}, kBoardLean);
+  return {{{middle, {265, kHalfThick, 265}, 12, kBoardLean}, {{0, 70, -60}, {150, 70, 80}, 14, 0}}};
+}
+
+Vec3 turned_back(Vec3 p, float lean) {
+  return {p[0], p[1] * std::cos(lean) + p[2] * std::sin(lean), p[2] * std::cos(lean) - p[1] * std::sin(lean)};
+}
+
+float board(Vec3 p) {
+  float nearest = ground(p);
+  for (const Box& box : board_boxes()) {
+    const Vec3 out = glm::abs(turned_back(p - box.centre, -box.lean_rad)) - (box.half - box.edge);
+    const float inside = std::min(std::max(out[0], std::max(out[1], out[2])), 0.0f);
+    nearest = std::min(nearest, length(glm::max(out, Vec3(0))) + inside - box.edge);
+  }
+  return nearest;
+}
+
 float dress_form(Vec3 p) {
   const Arm a = arm();
   const Vec3 right{std::fabs(p[0]), p[1], p[2]};

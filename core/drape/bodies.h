@@ -1,6 +1,8 @@
 #pragma once
 // What the drapes lie on, as signed distances to collide with and as meshes to draw.
 
+#include <array>
+
 #include "drape/mesh.h"
 #include "drape/names.h"
 #include "drape/solver.h"
@@ -22,6 +24,17 @@ float table(Vec3 p);
 float dress_form(Vec3 p);
 /// Its lower half, cut a little above the waist, without arms.
 float skirt_form(Vec3 p);
+/// A board that leans towards the viewer, on its foot.
+float board(Vec3 p);
+struct Box {
+  Vec3 centre, half;
+  float edge;      // radius of its edges
+  float lean_rad;  // backwards, about x
+};
+std::array<Box, 2> board_boxes();
+/// From a box's own directions to those of the room.
+Vec3 turned_back(Vec3 p, float lean_rad);
+constexpr float kBoardHeight = 170, kBoardLean = -0.42f;  // of the middle of its upper side; radians
 
 /// Half width (x), half depth (z) and middle (z) of the form's trunk at a height.
 struct Section {

@@ -16,11 +16,12 @@ void append_quad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
 }
 
 /// Turns a profile of (radius, height), from the bottom up on the outside, about the axis y.
-void append_turned(Mesh& mesh, const std::vector<Vec2>& profile, uint32_t around) {
+/// `ahead`: of the first column, in columns.
+void append_turned(Mesh& mesh, const std::vector<Vec2>& profile, uint32_t around, float ahead = 0) {
   const auto first = static_cast<uint32_t>(mesh.position_mm.size());
   for (const Vec2& point : profile) {
     for (uint32_t k = 0; k < around; ++k) {
-      const float phi = 2 * kPi * static_cast<float>(k) / static_cast<float>(around);
+      const float phi = 2 * kPi * (static_cast<float>(k) + ahead) / static_cast<float>(around);
       mesh.position_mm.push_back({point[0] * std::sin(phi), point[1], point[0] * std::cos(phi)});
     }
   }
@@ -48,6 +49,33 @@ std::vector<Vec2> disc(float radius, float bottom, float top, float edge) {
   append_round(profile, {radius - edge, top - edge}, edge, 0);
   profile.push_back({0, top});
   return profile;
+}
+
+/// A small ball whose eighths are drawn apart to the corners.
+void append_box(Mesh& mesh, const Box& box) {
+  constexpr int kRows = 6;
+  constexpr uint32_t kAround = 4 * kRows;
+  const auto first = mesh.position_mm.size();
+  std::vector<Vec2> profile;
+  for (const float from : {-1.0f, 0.0f}) append_round(profile, {0, from < 0 ? -1.0f : 1.0f}, box.edge, from);
+  profile.front()[0] = profile.back()[0] = 0;
+  append_turned(mesh, profile, kAround, 0.5f);
+  const Vec3 core = box.half - box.edge;
+  for (size_t i = first; i < mesh.position_mm.size(); ++i) {
+    Vec3& p = mesh.position_mm[i];
+    const size_t around = (i - first) % kAround;
+    const bool upper = i - first >= (mesh.position_mm.size() - first) / 2;
+    p[1] += upper ? -1.0f : 1.0f;  // the profile kept its halves apart by this
+    p += core * Vec3{around < kAround / 2 ? 1.0f : -1.0f, upper ? 1.0f : -1.0f,
+                     around < kAround / 4 || around >= 3 * kAround / 4 ? 1.0f : -1.0f};
+    p = box.centre + turned_back(p, box.lean_rad);
+  }
+  const auto corner = [&](size_t row, uint32_t quarter) {
+    return static_cast<uint32_t>(first + row * kAround + quarter * kAround / 4);
+  };
+  const size_t top = profile.size() - 1;
+  append_quad(mesh, corner(top, 0), corner(top, 1), corner(top, 2), corner(top, 3));
+  append_quad(mesh, corner(0, 3), corner(0, 2), corner(0, 1), corner(0, 0));
 }
 
 void append_ball(Mesh& mesh) {
@@ -185,7 +213,10 @@ Mesh mesh_of_body(const std::string& name) {
     append_zero_set(mesh, skirt_form, sample(skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
     stand(mesh, kSkirtLowered);
   }
-  if (name == "tunic") {
+  if (name == "cushion") {
+    for (const Box& box : board_boxes()) append_box(mesh, box);
+  }
+  if (name == "tunic" || name == "scarf") {
     append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 11));
     stand(mesh, kTunicLowered);
   }

@@ -1,10 +1,12 @@
 // The shipped drapes: how each is cut, where it starts and what it falls on.
 
 #include <algorithm>
+#include <optional>
 
 #include "drape/bodies.h"
 #include "drape/garments.h"
 #include "drape/hang.h"
+#include "drape/soft_goods.h"
 #include "drape/vec.h"
 
 namespace weftlight::drape {
@@ -90,6 +92,16 @@ Drape curtain() {
   return drape;
 }
 
+/// None of the plane and of unknown names.
+std::optional<Drape> made(const std::string& name) {
+  const std::pair<const char*, Drape (*)()> kDrapes[]{
+      {"sphere", sphere}, {"tablecloth", tablecloth}, {"curtain", curtain}, {"skirt", skirt},
+      {"tunic", tunic},   {"scarf", scarf},           {"cushion", cushion}};
+  for (const auto& [known, make] : kDrapes)
+    if (name == known) return make();
+  return std::nullopt;
+}
+
 Mesh finish(Drape drape, const std::string& name, float steps_scale) {
   Cloth cloth = weave(drape.pattern, drape.fabric, drape.fall.reach_mm());
   for (const uint32_t particle : drape.held) cloth.inverse_mass[particle] = 0;
@@ -104,21 +116,28 @@ Mesh finish(Drape drape, const std::string& name, float steps_scale) {
 }  // namespace
 
 const std::vector<std::string>& drape_names() {
-  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain", "skirt", "tunic"};
+  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain",
+                                              "skirt", "tunic",  "scarf",      "cushion"};
   return names;
 }
 
 Mesh simulate_drape(const std::string& name, Hang hang, float steps_scale) {
   if (name == "plane") return plane();
-  const std::pair<const char*, Drape (*)()> kDrapes[]{
-      {"sphere", sphere}, {"tablecloth", tablecloth}, {"curtain", curtain}, {"skirt", skirt}, {"tunic", tunic}};
-  for (const auto& [known, make] : kDrapes) {
-    if (name != known) continue;
-    Drape drape = make();
-    drape.fabric = in_hang(drape.fabric, hang);
-    return finish(std::move(drape), name, steps_scale);
-  }
-  return {};
+  std::optional<Drape> drape = made(name);
+  if (!drape) return {};
+  drape->fabric = in_hang(drape->fabric, hang);
+  return finish(std::move(*drape), name, steps_scale);
+}
+
+Mesh simulate_drape(const std::string& name, const OwnHang& hang, const std::function<bool(double share)>& go_on,
+                    float steps_scale) {
+  std::optional<Drape> drape = made(name);
+  if (!drape) return {};
+  hang_itself(drape->fabric, drape->fall, hang);
+  bool left = false;
+  drape->fall.go_on = [&](double share) { return !go_on || (left = !go_on(share), !left); };
+  Mesh mesh = finish(std::move(*drape), name, steps_scale);
+  return left ? Mesh{} : mesh;
 }
 
 Mesh simulate_drape(const std::string& name, float steps_scale) {

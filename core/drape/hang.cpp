@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -14,6 +15,13 @@ constexpr double kLimpUpTo_mm = 15, kStiffFrom_mm = 23;
 constexpr std::array<double, 3> kBending{0.25, 1, 4};
 // Silk without twist shears at a touch; raw silk and jammed cotton hold.
 constexpr std::array<double, 3> kBias{0.5, 1, 2.5};
+
+constexpr double kGravity = 9.81;
+// Between the three hangs', as a power of the bending length.
+constexpr double kBiasPower = 1.75, kMediumLength_mm = 19;
+constexpr double kUsualThickness_mm = 0.5;  // that the drapes' distances are made for
+constexpr double kShortest_mm = 6, kLongest_mm = 60, kThickest_mm = 4;
+constexpr int kOwnVersion = 1;  // of what comes out: another makes kept ones anew
 
 double twice_area(Vec3 a, Vec3 b, Vec3 c) {
   return static_cast<double>((b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x));
@@ -30,6 +38,28 @@ Fabric in_hang(Fabric fabric, Hang hang) {
   fabric.bending_n_m *= kBending[static_cast<size_t>(hang)];
   fabric.bias_n_per_m *= kBias[static_cast<size_t>(hang)];
   return fabric;
+}
+
+OwnHang own_hang(double bending_length_mm, double thickness_mm) {
+  const double c = std::clamp(bending_length_mm > 0 ? bending_length_mm : kMediumLength_mm, kShortest_mm, kLongest_mm);
+  const double thick = std::clamp(thickness_mm > 0 ? thickness_mm : kUsualThickness_mm, 0.05, kThickest_mm);
+  return {static_cast<int>(std::lround(2 * c)), 5 * static_cast<int>(std::lround(20 * thick))};
+}
+
+std::string drape_file(const std::string& name, const OwnHang& hang) {
+  char figures[48];
+  std::snprintf(figures, sizeof figures, "_%.1fmm_%.2fmm_v%d", hang.half_mm / 2.0, hang.thickness_10um / 100.0,
+                kOwnVersion);
+  return name + figures;
+}
+
+void hang_itself(Fabric& fabric, Fall& fall, const OwnHang& hang) {
+  const double c = hang.half_mm / 2.0, more_mm = hang.thickness_10um / 100.0 - kUsualThickness_mm;
+  // Peirce's c^3 = B / (w g); with the weight of the drape's own fabric, whose threads and air are made for it.
+  fabric.bending_n_m = fabric.kg_per_m2 * kGravity * std::pow(c / 1000, 3);
+  fabric.bias_n_per_m *= std::pow(c / kMediumLength_mm, kBiasPower);
+  fall.skin_mm += more_mm / 2;
+  fall.apart_mm += more_mm;
 }
 
 std::string drape_file(const std::string& name, Hang hang) {

@@ -2,11 +2,13 @@
 // How cloths unlike in stiffness hang: three of each drape, of which a cloth's bending length chooses.
 
 #include <array>
+#include <functional>
 #include <string>
 
 #include "drape/fabric.h"
 #include "drape/mesh.h"
 #include "drape/names.h"
+#include "drape/solver.h"
 
 namespace weftlight::drape {
 
@@ -20,6 +22,24 @@ Hang hang_of(double bending_length_mm);
 
 /// The drape's own fabric, limper or stiffer.
 Fabric in_hang(Fabric fabric, Hang hang);
+
+/// One cloth's, in steps that nobody sees: all of it that a simulation knows, and so the key of what came out. Weight
+/// cancels out: it is in the bending length.
+struct OwnHang {
+  int half_mm = 38;         // of the bending length: 12..120
+  int thickness_10um = 50;  // hundredths of a millimetre, in steps of five
+  bool operator==(const OwnHang&) const = default;
+};
+OwnHang own_hang(double bending_length_mm, double thickness_mm);
+/// Of the mesh that is kept, without its ending: "tablecloth_19.0mm_0.50mm_v1".
+std::string drape_file(const std::string& name, const OwnHang& hang);
+/// Makes a drape's fabric and its fall those of the cloth.
+void hang_itself(Fabric& fabric, Fall& fall, const OwnHang& hang);
+/// As simulate_drape() of mesh.h, with a cloth's own stiffness in bending and in shear and its own thickness. `go_on`:
+/// asked some hundred times, with the share that is done; false: leave it. Empty of what was left, of the plane and of
+/// unknown names.
+Mesh simulate_drape(const std::string& name, const OwnHang& hang, const std::function<bool(double share)>& go_on = {},
+                    float steps_scale = 1.0f);
 
 /// As simulate_drape() of mesh.h, which is the medium one.
 Mesh simulate_drape(const std::string& name, Hang hang, float steps_scale = 1.0f);

@@ -28,6 +28,7 @@ struct Plane {
 struct Contacts {
   std::vector<Plane> planes;
   std::vector<Pair> pairs;
+  std::vector<Vec3d> push;  // what Fall::push gave; empty: nothing pushes
 };
 
 struct Surface {
@@ -119,11 +120,12 @@ void solve(const Pair& pair, Cloth& cloth, const std::vector<Vec3d>& before, con
   cloth.position[pair.b] -= back * share_b;
 }
 
-void predict(Cloth& cloth, double dt, double keep) {
+void predict(Cloth& cloth, const std::vector<Vec3d>& push, double dt, double keep) {
   for (size_t i = 0; i < cloth.position.size(); ++i) {
     Vec3d& v = cloth.velocity[i];
     if (cloth.inverse_mass[i] > 0) {
       v[1] -= kGravity * dt;
+      if (!push.empty()) v += push[i] * dt;
       v = v * keep;
       const double speed = length(v);
       if (speed > kMaxSpeed) v = v * (kMaxSpeed / speed);
@@ -134,7 +136,7 @@ void predict(Cloth& cloth, double dt, double keep) {
 
 void substep(Cloth& cloth, const Contacts& contacts, const Fall& how, double dt, double keep) {
   const std::vector<Vec3d> before = cloth.position;
-  predict(cloth, dt, keep);
+  predict(cloth, contacts.push, dt, keep);
   const double per_dt2 = 1 / (dt * dt);
   for (const Bend& bend : cloth.bends) solve(bend, cloth, per_dt2);
   for (const Stretch& stretch : cloth.stretches) solve(stretch, cloth, per_dt2);
@@ -152,8 +154,10 @@ void fall(Cloth& cloth, const Distance& body, const Fall& how) {
   const int looks = std::max(1, static_cast<int>(how.seconds * how.looks_per_second));
   Contacts contacts;
   for (int look = 0; look < looks; ++look) {
+    if (how.go_on && !how.go_on(look / static_cast<double>(looks))) return;
     const double time = look / static_cast<double>(how.looks_per_second);
     if (how.lead) how.lead(cloth, time, time + 1.0 / how.looks_per_second);
+    if (how.push) how.push(cloth, time, contacts.push);
     find_planes(cloth, body, how, contacts.planes);
     find_pairs(cloth, how.reach_mm(), contacts.pairs);
     const bool resting = look > how.rest_from * looks;

@@ -25,6 +25,10 @@ struct Fall {
   double reach_mm() const { return apart_mm + 6; }
   /// Moves the held particles (sets their velocity) for the time to the next look.
   std::function<void(Cloth&, double time, double until)> lead;
+  /// What pushes the particles beside their weight until the next look, mm/s2.
+  std::function<void(const Cloth&, double time, std::vector<Vec3d>& push)> push;
+  /// Asked before each look, with the share of the time that is over; false: leave it as it is.
+  std::function<bool(double share)> go_on;
 };
 
 void fall(Cloth& cloth, const Distance& body, const Fall& how);

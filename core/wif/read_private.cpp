@@ -142,6 +142,7 @@ void read_scene(const Source& s, const WifSection& section, Scene& scene) {
   read_color(s, section, "Background", scene.background);
   const WifKey* mesh = section.find("Mesh");
   scene.mesh = mesh ? words(s, *mesh) : std::string{};
+  if (const WifKey* own = section.find("Own Drape")) scene.own_drape = word_as_bool(own->value).value_or(false);
   if (const WifKey* lights = section.find("Lights")) {
     const std::string name = words(s, *lights);
     scene.lights = is_environment(name) ? name : light_setup(name).id;

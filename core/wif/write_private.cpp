@@ -82,6 +82,7 @@ WifEntries scene_of(const Scene& scene) {
   WifEntries section{"SCENE", {}};
   if (scene == Scene{}) return section;
   if (!scene.mesh.empty()) add(section, "Mesh", escaped(scene.mesh), true);
+  if (scene.own_drape) add(section, "Own Drape", "true");
   add_fields(section, "", kSceneFloats, scene);
   if (scene.lights != Scene{}.lights) add(section, "Lights", escaped(scene.lights), true);
   if (scene.surroundings) add(section, "Surroundings", "true");

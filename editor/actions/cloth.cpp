@@ -3,8 +3,29 @@
 #include "actions/action_parts.h"
 #include "draft/lights.h"
 #include "drape/mesh.h"
+#include "files/design_drape.h"
 
 namespace weftlight::actions {
+namespace {
+
+void add_own_drape(Actions& all) {
+  Action& own = add(all, "Cloth", "drape.own", "Drape this cloth", "", [](Desk& e) {
+    const bool on = !e.document().now().scene.own_drape;
+    e.commit(own_drape_edit(on));
+  });
+  own.item.group = true;
+  own.enabled = [](const Desk& e) { return files::can_drape(e.document().now()); };
+  own.checked = [](const Desk& e) { return e.document().now().scene.own_drape; };
+  Action& stop = add(all, "Cloth", "drape.stop", "Stop draping", "", [](Desk& e) { e.stop_draping(); });
+  stop.enabled = [](const Desk& e) { return e.drape_state().stage == DrapeStage::kFalling; };
+  Action& again = add(all, "Cloth", "drape.again", "Drape it again", "", [](Desk& e) { e.drape_again(); });
+  again.enabled = [](const Desk& e) {
+    const DrapeStage stage = e.drape_state().stage;
+    return stage == DrapeStage::kStopped || stage == DrapeStage::kFailed;
+  };
+}
+
+}  // namespace
 
 void add_cloth_actions(Actions& all) {
   for (const std::string& name : drape_names()) {
@@ -16,6 +37,7 @@ void add_cloth_actions(Actions& all) {
     });
     a.checked = [name](const Desk& e) { return e.document().now().scene.mesh == name; };
   }
+  add_own_drape(all);
   for (const LightSetup& setup : kLightSetups) {
     Action& a = add(all, "Cloth", (std::string("lights.") + setup.id).c_str(),
                     (std::string("Light: ") + setup.label).c_str(), "", [&setup](Desk& e) {

@@ -7,6 +7,7 @@
 #include "actions/names.h"
 #include "session/document.h"
 #include "session/document_view.h"
+#include "session/draper.h"
 #include "session/report.h"
 #include "session/user_files.h"
 
@@ -98,6 +99,11 @@ class Desk {
   virtual void change_views() = 0;
   /// A flat swatch in the place of the drape, or the drape again.
   virtual void toggle_flat() = 0;
+  /// Of the cloth's own drape.
+  virtual DrapeState drape_state() const = 0;
+  virtual void stop_draping() = 0;
+  /// After it was stopped, or failed.
+  virtual void drape_again() = 0;
   /// In the status line, for a while.
   virtual void say(std::string text) = 0;
 

@@ -262,6 +262,7 @@ void Editor::follow_shown() {
 void Editor::edited() {
   if (!std::ranges::equal(views_in_menu_, document().now().views, {}, {}, &NamedView::name)) remake_actions();
   preview_.submit(hung());
+  draper_.follow(document().snapshot());
   keep_live_export();
   export_again();
   frames_due_ = std::max(frames_due_, 3);

@@ -101,6 +101,9 @@ class Editor : public Desk {
   void keep_view_as() override;
   void change_views() override;
   void toggle_flat() override;
+  DrapeState drape_state() const override { return draper_.state(); }
+  void stop_draping() override { draper_.stop(); }
+  void drape_again() override { draper_.again(document().snapshot()); }
   void say(std::string text) override;
   std::string clipboard() const override;
   void set_clipboard(const std::string& text) override;
@@ -142,6 +145,8 @@ class Editor : public Desk {
   /// Beside the others; nothing of them is lost.
   void open_beside(Document document, Origin origin);
   void edited();
+  /// True when there is something to show of the cloth's own drape.
+  bool take_drape_news();
   void report(std::vector<Diagnostic> remarks, const std::string& path);
   void ask(Dialog dialog, std::function<void(int button)> then);
   /// Once the weaver decided about what is unsaved in it.
@@ -203,6 +208,7 @@ class Editor : public Desk {
   std::shared_ptr<LiveExport> live_export_;
   std::string live_problem_, trouble_;
   FileDialog file_dialog_;
+  Draper draper_{Window::wake};
   PreviewPane preview_;
   DraftPictures draft_pictures_;
   YarnStrip strip_;

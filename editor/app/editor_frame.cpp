@@ -98,7 +98,7 @@ void Editor::frame() {
   const double now = Window::seconds();
   const bool dialog_changed = take_export_news() | take_dialog_news(dialog_, dialog_busy_);
   const bool cloth_changed = preview_.poll() | dialog_changed | reporter_.poll() | take_loom_news() |
-                             carry_out(type_after_wait(view(), document().now(), now));
+                             take_drape_news() | carry_out(type_after_wait(view(), document().now(), now));
   // What it holds may lay it out anew, and the map wants it to stand still.
   if (dialog_changed) frames_due_ = std::max(frames_due_, 2);
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
@@ -198,7 +198,8 @@ void Editor::draw_window() {
                  settings_,
                  notes_,
                  wanted,
-                 report()};
+                 report(),
+                 draper_.state()};
   push_font(style_.font.text);
   const std::vector<ActionItem> items = show(actions_, *this);
   wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));

@@ -22,6 +22,13 @@ void Editor::toggle_flat() {
   frames_due_ = std::max(frames_due_, 3);
 }
 
+bool Editor::take_drape_news() {
+  const Draper::News news = draper_.take_news();
+  if (!news.said.empty()) say(news.said);
+  if (news.draped) preview_.submit(hung());
+  return news.any;
+}
+
 std::shared_ptr<const Design> Editor::hung() const {
   if (!view().flat) return document().snapshot();
   Design flat = document().now();

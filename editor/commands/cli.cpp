@@ -18,6 +18,7 @@
 #include "commands/commands.h"
 #include "draft/lights.h"
 #include "draft/methods.h"
+#include "drape/mesh.h"
 #include "light/formulas.h"
 
 namespace weftlight::commands {
@@ -254,6 +255,7 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
   verb->add_option("-o,--output", o.out, "Picture: .png or .exr")->required()->check(some_name());
   verb->add_option("--mesh", o.mesh, "A shipped drape or a .glb/.gltf file");
+  verb->add_flag("--own-drape", o.own_drape, "A shipped drape, simulated with this cloth's own stiffness (seconds)");
   verb->add_option("--size", t.size, "Pixels, WxH")->check(pair_of('x', "WxH"));
   verb->add_option("--method", o.method, "Rung of the ladder")->check(CLI::IsMember(drawn_methods()));
   verb->add_option("--yarns-per-pixel", o.yarns_per_pixel, "Footprint at the middle of the picture")
@@ -364,6 +366,12 @@ void take_print_text(print::PrintOptions& o, const PrintText& t) {
 }
 
 }  // namespace
+
+static std::string drapes_in_words() {
+  std::string words;
+  for (const std::string& name : drape_names()) words += (words.empty() ? "" : ", ") + name;
+  return words;
+}
 
 CommandLine run_command_line(int argc, char** argv) {
   CommandLine result;
@@ -525,8 +533,10 @@ CommandLine run_command_line(int argc, char** argv) {
   add_response_options(response_verb, response, response_views, response_lights, response_face);
 
   DrapeOptions drape;
-  auto* drape_verb = app.add_subcommand("drape", "Simulate a shipped drape again");
-  drape_verb->add_option("name", drape.name, "plane, sphere, tablecloth, curtain, skirt, tunic or all")->required();
+  auto* drape_verb = app.add_subcommand("drape", "Simulate a shipped drape again, or a draft's own");
+  drape_verb->add_option("name", drape.name, drapes_in_words() + " or all; or a draft, whose cloth is draped")
+      ->required();
+  drape_verb->add_option("--mesh", drape.mesh, "Of a draft: the drape, instead of its scene's");
   drape_verb->add_option("--hang", drape.hang, "How stiff the cloth is: limp, medium or stiff (all: each of them)")
       ->check(CLI::IsMember({"limp", "medium", "stiff"}));
   drape_verb->add_option("-o,--output", drape.out, "A .glb or .gltf, or a folder for all")

@@ -46,7 +46,8 @@ struct ConvertOptions {
 /// NaN or empty: as the design says.
 struct PictureOptions {
   std::string file, out, mesh, method, stats;
-  std::string view_name;  // kept with the draft, or one that every draft has; the options below rule over it
+  bool own_drape = false;  // simulated with the cloth's own stiffness, and kept
+  std::string view_name;   // kept with the draft, or one that every draft has; the options below rule over it
   int width = 1280, height = 800;
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
@@ -88,8 +89,9 @@ struct ResponseOptions {
   int spp = 16;  // reference only: rays in each of a thousand places of the repeat
 };
 struct DrapeOptions {
-  std::string name, out;        // name "all": every shipped drape, however it hangs, into the folder `out`
-  std::string hang = "medium";  // of one drape: limp, medium or stiff
+  std::string name, out;  // name "all": every shipped drape, however it hangs, into the folder `out`; or a draft
+  std::string hang;       // of one drape: limp, medium or stiff; empty: medium, or a draft's own
+  std::string mesh;       // of a draft: which drape; empty: its scene's
 };
 
 struct AnalyseOptions {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "draft/lights.h"
+#include "files/design_drape.h"
 #include "files/files.h"
 #include "gl/pipeline.h"
 #include "light/ladder.h"
@@ -18,6 +19,7 @@ std::string extension_of(const std::string& path) { return std::filesystem::path
 void take_options(Design& design, const PictureOptions& o) {
   Scene& scene = design.scene;
   if (!o.mesh.empty()) scene.mesh = o.mesh;
+  if (o.own_drape) scene.own_drape = true;
   if (is_environment(o.lights)) scene = lit_by_environment(scene, o.lights);
   else if (!o.lights.empty()) scene = lit_by(scene, light_setup(o.lights));
   if (o.surroundings) scene.surroundings = true;
@@ -29,6 +31,18 @@ void take_options(Design& design, const PictureOptions& o) {
   }
   if (o.tolerance > 0) design.look.tolerance = o.tolerance;
   if (!o.method.empty()) design.look.method = method_from_name(o.method).value_or(Method::kAuto);
+}
+
+/// The cloth's own drape, where the scene asks for it and it is not kept yet.
+void drape(const Design& design, StatusLine& status) {
+  if (!design.scene.own_drape || !can_drape(design) || is_draped(design)) return;
+  const std::string problem = drape_cloth(design, [&status](double share) {
+    status.say("draping, " + std::to_string(static_cast<int>(100 * share)) + " %");
+    return true;
+  });
+  status.clear();
+  if (!problem.empty())
+    std::fprintf(stderr, "weftlight: warning: %s; drawn as cloths of its kind hang\n", problem.c_str());
 }
 
 std::string no_view_text(const Design& design, const std::string& name) {
@@ -63,6 +77,7 @@ int PictureSetup::open(const PictureOptions& o) {
     design.scene = drawn_scene(*view);
   }
   take_options(design, o);
+  drape(design, status);
   std::string error;
   context = HeadlessContext::create(error);
   if (context) renderer = Renderer::create(error);

@@ -7,6 +7,7 @@
 #include "draft/design.h"
 #include "draft/drawdown.h"
 #include "session/document_view.h"
+#include "session/draper.h"
 #include "session/edit.h"
 #include "session/intent.h"
 #include "session/report.h"
@@ -33,6 +34,7 @@ struct PanelContext : Context {
   FrameNotes& frame;
   Intents& wanted;
   const Report* report = nullptr;  // the last one made, of this design or one before; null: none
+  DrapeState drape{};              // of the cloth's own drape
 };
 
 /// A colour of the design as ImGui packs it.

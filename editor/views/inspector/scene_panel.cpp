@@ -8,6 +8,7 @@
 #include "draft/methods.h"
 #include "drape/mesh.h"
 #include "ui/widgets.h"
+#include "views/inspector/hang_rows.h"
 
 namespace weftlight::views {
 namespace {
@@ -156,6 +157,7 @@ MaybeEdit draw_method(PanelContext& c) {
 MaybeEdit draw_scene(PanelContext& c) {
   if (!section(c, "section.scene", "Cloth in the light")) return {};
   MaybeEdit edit = draw_mesh(c);
+  if (MaybeEdit own = draw_hang(c)) edit = std::move(own);
   if (MaybeEdit lights = draw_setups(c)) edit = std::move(lights);
   if (MaybeEdit picture = draw_picture(c)) edit = std::move(picture);
   if (MaybeEdit method = draw_method(c)) edit = std::move(method);

@@ -77,6 +77,9 @@ class BareDesk : public Desk {
   void toggle_flat() override { view_.flat = !view_.flat; }
   void focus(std::string) override {}
   Hover hover() const override { return {}; }
+  DrapeState drape_state() const override { return drape_; }
+  void stop_draping() override { drape_ = {DrapeStage::kStopped, 0, {}}; }
+  void drape_again() override { drape_ = {DrapeStage::kFalling, 0, {}}; }
   void say(std::string) override {}
   std::string clipboard() const override { return clipboard_; }
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
@@ -86,6 +89,7 @@ class BareDesk : public Desk {
   DocumentView view_;
   Settings settings_;
   std::string clipboard_;
+  DrapeState drape_{DrapeStage::kFalling, 0.5f, {}};
 };
 
 }  // namespace weftlight::actions

@@ -82,6 +82,11 @@ TEST_F(ExitCodes, bad_usage_is_2) {
            {"export", draft(), "-o", path("set"), "--jobs", "0"},
            {"drape", "tent", "-o", path("tent.glb")},
            {"drape", "plane"},
+           {"drape", "skirt", "-o", path("skirt.glb"), "--mesh", "tunic"},
+           {"drape", draft(), "-o", path("own.glb"), "--hang", "limp"},
+           {"drape", draft(), "-o", path("own.glb"), "--mesh", "plane"},
+           {"drape", draft(), "-o", path("own.glb"), "--mesh", "tent"},
+           {"drape", draft(), "-o", path("own.png")},
        }) {
     const Ran ran = run(args);
     EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
@@ -101,6 +106,7 @@ TEST_F(ExitCodes, a_draft_that_cannot_be_used_is_3_and_says_where) {
     EXPECT_NE(ran.said.find(bad + ":4: "), std::string::npos) << ran.said;
   }
   for (const Args& args : std::vector<Args>{{"render", none, "-o", path("out.png")},
+                                            {"drape", none, "-o", path("own.glb")},
                                             {"reference", none, "-o", path("out.exr")},
                                             {"export", none, "-o", path("set"), "--size", "16"}}) {
     const Ran ran = run(args);
@@ -137,6 +143,7 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
            {"drape", "plane", "-o", path("no/plane.glb")},
            {"drape", "plane", "-o", path("folder.glb")},
            {"drape", "all", "-o", path("file")},
+           {"drape", draft(), "-o", path("no/own.glb"), "--mesh", "sphere"},
            {"response", draft(), "-o", path("no/out.csv")},
            {"print", draft(), "-o", path("no/out.pdf")},
            {"weave", "plain", "-o", path("no/out.wif")},

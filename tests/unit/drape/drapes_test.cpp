@@ -97,6 +97,8 @@ TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
   EXPECT_EQ(inside(shipped("tablecloth"), table, 0), 0);
   EXPECT_EQ(inside(shipped("skirt"), skirt_form, kSkirtLowered), 0);
   EXPECT_EQ(inside(shipped("tunic"), dress_form, kTunicLowered), 0);
+  EXPECT_EQ(inside(shipped("scarf"), dress_form, kTunicLowered), 0);
+  EXPECT_EQ(inside(shipped("cushion"), board, 0), 0);
   for (const std::string& name : drape_names()) EXPECT_EQ(inside(shipped(name), ground, 0), 0) << name;
 }
 
@@ -149,6 +151,8 @@ int open_loops(const Mesh& mesh) {
 TEST(Drapes, GarmentsAreClosedAtTheirSeams) {
   EXPECT_EQ(open_loops(shipped("skirt")), 2);  // waist and hem
   EXPECT_EQ(open_loops(shipped("tunic")), 4);  // neck, hem and two cuffs
+  EXPECT_EQ(open_loops(shipped("scarf")), 1);
+  EXPECT_EQ(open_loops(shipped("cushion")), 0);
 }
 
 TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
@@ -200,6 +204,47 @@ TEST(Drapes, ABendingLengthChoosesHowItHangs) {
   EXPECT_EQ(drape_file("skirt", Hang::kMedium), "skirt");
   EXPECT_EQ(drape_file("skirt", Hang::kStiff), "skirt_stiff");
   EXPECT_EQ(drape_file("plane", Hang::kStiff), "plane");
+}
+
+TEST(Drapes, ACushionIsFilled) {
+  for (const Hang hang : kHangs) {
+    const Mesh mesh = shipped(drape_file("cushion", hang));
+    double six_volumes = 0;
+    for (size_t t = 0; t < mesh.index.size(); t += 3)
+      six_volumes +=
+          static_cast<double>(dot(glm::cross(mesh.position_mm[mesh.index[t]], mesh.position_mm[mesh.index[t + 1]]),
+                                  mesh.position_mm[mesh.index[t + 2]]));
+    EXPECT_NEAR(six_volumes / 6 / (420.0 * 420 * 420), 0.16, 0.02);
+  }
+}
+
+TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
+  const OwnHang shirting = own_hang(19.2, 0.33);
+  EXPECT_EQ(shirting.half_mm, 38);
+  EXPECT_EQ(drape_file("skirt", shirting), "skirt_19.0mm_0.35mm_v1");
+  EXPECT_EQ(own_hang(19.1, 0.34), shirting) << "nobody sees that";
+  EXPECT_EQ(own_hang(0, 0), own_hang(19, 0.5)) << "not known";
+  EXPECT_EQ(own_hang(1e9, 1e9).half_mm, 120);
+  EXPECT_EQ(own_hang(std::nan(""), std::nan("")), own_hang(19, 0.5));
+  // Of the tablecloth, whose shipped hangs are of 12, 19 and 30 mm.
+  Fabric limp, stiff;
+  Fall how, thick;
+  hang_itself(limp, how, own_hang(12, 0.2));
+  hang_itself(stiff, thick, own_hang(30, 1.2));
+  EXPECT_NEAR(std::cbrt(limp.bending_n_m / (limp.kg_per_m2 * 9.81)), 0.012, 1e-4);
+  EXPECT_NEAR(std::cbrt(stiff.bending_n_m / (stiff.kg_per_m2 * 9.81)), 0.030, 1e-4);
+  EXPECT_GT(stiff.bias_n_per_m, 4 * limp.bias_n_per_m);
+  EXPECT_NEAR(thick.apart_mm - how.apart_mm, 1.0, 1e-6);
+}
+
+TEST(Drapes, AFallThatIsLeftGivesNothing) {
+  int asked = 0;
+  EXPECT_TRUE(simulate_drape(
+                  "sphere", own_hang(15, 0.4), [&](double) { return ++asked < 3; }, kQuick)
+                  .index.empty());
+  EXPECT_EQ(asked, 3);
+  EXPECT_FALSE(simulate_drape("sphere", own_hang(15, 0.4), {}, kQuick).index.empty());
+  EXPECT_TRUE(simulate_drape("plane", own_hang(15, 0.4)).index.empty());
 }
 
 TEST(Drapes, AFlatDiscHasTheCoefficientOfItsArea) {

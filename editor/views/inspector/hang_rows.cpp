@@ -1,0 +1,85 @@
+#include "views/inspector/hang_rows.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "analysis/hand.h"
+#include "drape/hang.h"
+#include "files/design_drape.h"
+#include "ui/widgets.h"
+
+namespace weftlight::views {
+namespace {
+
+/// Beside the labels' column, as much of it as fits.
+void words(const PanelContext& c, const std::string& text, ImU32 color, const char* tip) {
+  row_label(c, "", tip);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  tooltip(c, tip);
+}
+
+void draw_falling(PanelContext& c) {
+  constexpr const char* kTip = "The cloth falls, thread by thread; meanwhile the picture shows how its kind hangs";
+  row_label(c, "", kTip);
+  const float stop_width = ImGui::CalcTextSize("Stop").x + 4 * ImGui::GetStyle().FramePadding.x;
+  const float width = std::max(c.style.px(20), ImGui::GetContentRegionAvail().x - stop_width);
+  const float down = (ImGui::GetFrameHeight() - c.style.px(8)) / 2, y = ImGui::GetCursorPosY();
+  ImGui::SetCursorPosY(y + down);
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, c.style.color.accent);
+  ImGui::ProgressBar(c.drape.share, {width, c.style.px(8)}, "");
+  ImGui::PopStyleColor();
+  c.map.add_item("drape.progress");
+  tooltip(c, kTip);
+  ImGui::SameLine();
+  ImGui::SetCursorPosY(y);
+  if (text_button(c, "drape.stop", "Stop", "Leave it; the cloth hangs as its kind does"))
+    c.wanted.add_action("drape.stop");
+}
+
+void draw_stage(PanelContext& c) {
+  if (c.drape.stage == DrapeStage::kFalling) return draw_falling(c);
+  const bool failed = c.drape.stage == DrapeStage::kFailed;
+  if (!failed && c.drape.stage != DrapeStage::kStopped) return;
+  if (failed) words(c, c.drape.problem, c.style.color.error, "What went wrong");
+  row_label(c, "", "It hangs as its kind does");
+  if (text_button(c, "drape.again", "Drape it again", "Lets it fall once more; takes seconds"))
+    c.wanted.add_action("drape.again");
+}
+
+}  // namespace
+
+std::string hang_in_words(const Design& design) {
+  const analysis::ClothHand hand = analysis::cloth_hand(design);
+  if (!(hand.bending_length_mm > 0)) return {};
+  constexpr const char* kWords[] = {"Limp", "Medium", "Stiff"};
+  char text[96];
+  std::snprintf(text, sizeof text, "%s: bends over %.0f mm, weighs %.0f g/m\xC2\xB2",
+                kWords[static_cast<size_t>(hang_of(hand.bending_length_mm))], hand.bending_length_mm,
+                1000 * hand.kg_per_m2);
+  return text;
+}
+
+MaybeEdit draw_hang(PanelContext& c) {
+  if (!files::can_drape(c.design)) return {};
+  constexpr const char* kTip =
+      "As cloths of its kind (limp, medium or stiff) do, at once; or as this cloth does, by its own stiffness, which "
+      "takes seconds and is kept";
+  row_label(c, "Hangs", kTip);
+  constexpr const char* kWays[] = {"As its kind", "As itself"};
+  int way = c.design.scene.own_drape ? 1 : 0;
+  MaybeEdit edit;
+  if (segmented(c, "scene.own_drape", kWays, way)) edit = own_drape_edit(way == 1);
+  if (const std::string hang = hang_in_words(c.design); !hang.empty())
+    words(c, hang, c.style.color.muted,
+          "Peirce's bending length, by which a strip that juts out sinks under its own weight: 12 mm is charmeuse, "
+          "19 shirting, 30 denim. From yarns and sett, as the weight is");
+  draw_stage(c);
+  ImGui::Dummy({0, c.style.px(2)});
+  return edit;
+}
+
+}  // namespace weftlight::views

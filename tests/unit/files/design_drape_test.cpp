@@ -1,0 +1,106 @@
+// A cloth's own drape: simulated once, kept by what it hangs by, and never taken where what is kept is no drape.
+
+#include "files/design_drape.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "../scratch_fixture.h"
+#include "base/files.h"
+#include "draft/edits.h"
+#include "drape/hang.h"
+
+namespace weftlight::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+Design sheeting() {
+  Design d;
+  d.draft = blank_draft(16, 16, 2, 2);
+  d.yarns.resize(1);
+  d.scene.mesh = "sphere";
+  d.scene.own_drape = true;
+  return d;
+}
+
+/// Each with a cache of its own.
+class DesignDrape : public ScratchTest {
+ protected:
+  void SetUp() override { setenv("XDG_CACHE_HOME", dir_.c_str(), 1); }
+  void TearDown() override { unsetenv("XDG_CACHE_HOME"); }
+  /// As if it had been simulated: the limp one, so that it is told from the sheeting's.
+  static void keep(const Design& d) {
+    const std::string path = kept_drape_path(d);
+    fs::create_directories(fs::path(path).parent_path());
+    fs::copy_file(fs::path(presets_dir()) / "meshes/sphere_limp.glb", path, fs::copy_options::overwrite_existing);
+  }
+};
+
+TEST_F(DesignDrape, KeptIsShownWhereTheSceneAsks) {
+  Design d = sheeting();
+  const std::string shipped = drape_key(d);
+  EXPECT_FALSE(is_draped(d));
+  keep(d);
+  EXPECT_TRUE(is_draped(d));
+  EXPECT_NE(drape_key(d), shipped);
+  const Mesh limp = load_design_drape(d).mesh.value_or(Mesh{});
+  EXPECT_EQ(limp.name, "sphere");
+  d.scene.own_drape = false;
+  EXPECT_EQ(drape_key(d), shipped);
+  EXPECT_NE(load_design_drape(d).mesh.value_or(Mesh{}).position_mm, limp.position_mm);
+}
+
+TEST_F(DesignDrape, ColoursAndWeaveKeepItYarnAndSettDoNot) {
+  Design d = sheeting();
+  const std::string kept = kept_drape_path(d);
+  Design other = d;
+  other.draft.threading.set(0, 1, true);
+  EXPECT_EQ(kept_drape_path(other), kept);
+  other = d;
+  other.yarns[0].diameter_mm *= 2;
+  EXPECT_NE(kept_drape_path(other), kept);
+  other = d;
+  other.scene.mesh = "plane";
+  EXPECT_EQ(kept_drape_path(other), "");
+}
+
+TEST_F(DesignDrape, WhatIsBrokenOrOfAnotherDrapeIsNotTaken) {
+  const Design d = sheeting();
+  keep(d);
+  const std::string path = kept_drape_path(d);
+  fs::resize_file(path, 1000);
+  EXPECT_FALSE(is_draped(d));
+  EXPECT_TRUE(load_design_drape(d).mesh) << "the shipped one stands in";
+  fs::copy_file(fs::path(presets_dir()) / "meshes/skirt.glb", path, fs::copy_options::overwrite_existing);
+  EXPECT_FALSE(is_draped(d));
+  EXPECT_TRUE(load_design_drape(d).mesh);
+}
+
+TEST_F(DesignDrape, LeftHalfwayNothingIsKept) {
+  const Design d = sheeting();
+  int asked = 0;
+  EXPECT_EQ(drape_cloth(d, [&](double) { return ++asked < 3; }), "");
+  EXPECT_EQ(asked, 3);
+  EXPECT_FALSE(fs::exists(kept_drape_path(d)));
+}
+
+TEST_F(DesignDrape, AFolderThatCannotBeMadeIsSaid) {
+  written("weftlight", "a file in the way");
+  EXPECT_NE(drape_cloth(sheeting()).find("weftlight"), std::string::npos);
+}
+
+TEST_F(DesignDrape, TheOldestMakeRoom) {
+  const Design d = sheeting();
+  keep(d);
+  const fs::path first = kept_drape_path(d);
+  for (int i = 0; i < 60; ++i) fs::copy_file(first, first.parent_path() / ("other" + std::to_string(i) + ".glb"));
+  fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  make_room(first.parent_path().string());
+  EXPECT_FALSE(fs::exists(first));
+  EXPECT_EQ(std::distance(fs::directory_iterator(first.parent_path()), {}), 48);
+}
+
+}  // namespace
+}  // namespace weftlight::files

@@ -1,0 +1,107 @@
+// The cloth's own drape on request: it falls on a thread of its own, can be stopped, and is found again.
+
+#include "session/draper.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "../scratch_fixture.h"
+#include "draft/edits.h"
+#include "files/design_drape.h"
+#include "session/document.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::shared_ptr<const Design> cloth(bool own) {
+  Design d;
+  d.draft = blank_draft(16, 16, 2, 2);
+  d.yarns.resize(1);
+  d.scene.mesh = "sphere", d.scene.own_drape = own;
+  return std::make_shared<const Design>(std::move(d));
+}
+
+class DraperTest : public ScratchTest {
+ protected:
+  void SetUp() override { setenv("XDG_CACHE_HOME", dir_.c_str(), 1); }
+  void TearDown() override { unsetenv("XDG_CACHE_HOME"); }
+  static void keep(const Design& d, const char* mesh) {
+    const std::string path = files::kept_drape_path(d);
+    fs::create_directories(fs::path(path).parent_path());
+    fs::copy_file(fs::path(presets_dir()) / "meshes" / mesh, path, fs::copy_options::overwrite_existing);
+  }
+  template <class Holds>
+  static bool comes_true(const Holds& holds) {
+    for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(10)))
+      if (holds()) return true;
+    return false;
+  }
+};
+
+TEST_F(DraperTest, TheShippedOneIsTheDefault) {
+  Draper draper([] {});
+  draper.follow(cloth(false));
+  EXPECT_EQ(draper.state().stage, DrapeStage::kShipped);
+  EXPECT_FALSE(draper.busy());
+}
+
+TEST_F(DraperTest, WhatIsKeptComesBackAtOnce) {
+  const auto design = cloth(true);
+  keep(*design, "sphere_limp.glb");
+  Draper draper([] {});
+  draper.follow(design);
+  ASSERT_TRUE(comes_true([&] { return draper.state().stage == DrapeStage::kOwn; }));
+  const Draper::News news = draper.take_news();
+  EXPECT_TRUE(news.draped);
+  EXPECT_EQ(news.said, "") << "nothing was done that is worth a word";
+  draper.follow(cloth(false));
+  EXPECT_EQ(draper.state().stage, DrapeStage::kShipped);
+}
+
+TEST_F(DraperTest, ItFallsUntilItIsStoppedAndAgainWhenAsked) {
+  const auto design = cloth(true);
+  Draper draper([] {});
+  draper.follow(design);
+  ASSERT_TRUE(comes_true([&] { return draper.state().share > 0; }));
+  draper.stop();
+  EXPECT_EQ(draper.state().stage, DrapeStage::kStopped);
+  draper.follow(design);
+  EXPECT_EQ(draper.state().stage, DrapeStage::kStopped) << "an edit of something else does not begin it anew";
+  EXPECT_FALSE(fs::exists(files::kept_drape_path(*design)));
+  draper.again(design);
+  EXPECT_TRUE(draper.busy());
+}
+
+TEST_F(DraperTest, WhatIsKeptAndBrokenIsSimulatedAgain) {
+  const auto design = cloth(true);
+  keep(*design, "skirt.glb");
+  Draper draper([] {});
+  draper.follow(design);
+  ASSERT_TRUE(comes_true([&] { return draper.state().share > 0; }));
+  EXPECT_EQ(draper.state().stage, DrapeStage::kFalling);
+}
+
+TEST_F(DraperTest, AFolderThatCannotBeMadeIsToldInWords) {
+  written("weftlight", "a file in the way");
+  Draper draper([] {});
+  draper.follow(cloth(true));
+  ASSERT_TRUE(comes_true([&] { return draper.state().stage == DrapeStage::kFailed; }));
+  EXPECT_NE(draper.state().problem.find("weftlight"), std::string::npos);
+  EXPECT_NE(draper.take_news().said, "");
+}
+
+TEST(OwnDrape, IsAStepOfUndo) {
+  Document document{*cloth(false)};
+  document.commit(own_drape_edit(true), 0);
+  EXPECT_TRUE(document.now().scene.own_drape);
+  document.undo();
+  EXPECT_FALSE(document.now().scene.own_drape);
+}
+
+}  // namespace
+}  // namespace weftlight::session

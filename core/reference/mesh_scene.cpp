@@ -82,7 +82,7 @@ bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Me
   const Vec2 &a = mesh.uv_mm[corner[0]], &b = mesh.uv_mm[corner[1]], &c = mesh.uv_mm[corner[2]];
   hit.uv_mm = {a[0] * w + b[0] * u + c[0] * v, a[1] * w + b[1] * u + c[1] * v};
   const glm::vec3 face(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-  hit.front = glm::dot(face, direction) < 0;
+  hit.front = (glm::dot(face, direction) < 0) == (glm::dot(face, hit.normal) > 0);
   return true;
 }
 

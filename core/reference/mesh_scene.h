@@ -15,7 +15,7 @@ struct MeshHit {
   glm::vec3 position;
   glm::vec2 uv_mm;
   glm::vec3 weft, warp, normal;  // orthonormal: along u, along v, out of the front face
-  bool front = true;             // the ray met the front face
+  bool front = true;             // the ray met the side that the normals stand on
   uint32_t triangle = 0;
 };
 

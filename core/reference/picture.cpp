@@ -10,7 +10,8 @@
 namespace weftlight::reference {
 namespace {
 
-constexpr int kMostLayers = 8;  // of cloth behind cloth, through gaps
+constexpr int kMostLayers = 8;           // of cloth behind cloth, through gaps
+constexpr float kEnterThicknesses = 30;  // how far before a point a ray enters the cloth there
 
 /// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not
 /// depend on them.
@@ -43,6 +44,18 @@ struct LocalFrame {
   glm::vec3 to(glm::vec3 w) const { return {glm::dot(w, hit.weft), glm::dot(w, hit.warp), glm::dot(w, hit.normal)}; }
   glm::vec3 from(glm::vec3 l) const { return hit.weft * l.x + hit.warp * l.y + hit.normal * l.z; }
 };
+
+/// Rounded normals turn from an eye that still sees the triangle, at the rim of every fold: there it would look at the
+/// other face, or begin inside a thread. They are leaned towards it until it looks down on the face by a little more
+/// than a ray needs that enters so far off.
+void lean_to(MeshHit& hit, glm::vec3 direction) {
+  constexpr float kLeast = 1.1f / kEnterThicknesses;
+  const float side = hit.front ? -1.0f : 1.0f, cosine = side * glm::dot(hit.normal, direction);
+  if (cosine >= kLeast) return;
+  hit.normal = glm::normalize(hit.normal + direction * (side * (kLeast - cosine)));
+  hit.weft = glm::normalize(hit.weft - hit.normal * glm::dot(hit.weft, hit.normal));
+  hit.warp = glm::cross(hit.normal, hit.weft);
+}
 
 struct DrapeTrace {
   const ClothTracer& tracer;
@@ -86,12 +99,13 @@ struct DrapeTrace {
       MeshHit hit;
       if (!cloth.intersect(picture.eye, direction, t_min, hit)) return glm::vec4(0);
       if (stopped && stop.t < hit.t) return glm::vec4(0);
+      lean_to(hit, direction);
       const LocalFrame frame{hit};
       const glm::vec3 local = face(frame.to(direction));
       const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
       // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
-      const Seen seen =
-          tracer.trace(at - local * (30 * thickness), local, 0, around(hit, light), sampler, picture.bounces);
+      const Seen seen = tracer.trace(at - local * (kEnterThicknesses * thickness), local, 0, around(hit, light),
+                                     sampler, picture.bounces);
       if (seen.hit) return glm::vec4(seen.radiance, 1);
       t_min = hit.t + thickness;
     }

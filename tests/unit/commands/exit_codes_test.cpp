@@ -130,6 +130,27 @@ TEST_F(ExitCodes, a_mesh_that_cannot_be_used_is_3_and_is_named) {
   EXPECT_EQ(files(), std::set<std::string>{"broken.glb"});
 }
 
+TEST_F(ExitCodes, a_picture_of_light_that_cannot_be_used_is_3_and_is_named) {
+  written("words.hdr", "these are words\n");
+  written("broken.exr", "v/1\x01, but not really");
+  written("square.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 64\n");
+  written("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 60000\n");
+  const std::pair<const char*, const char*> refused[] = {{"none.exr", "no such file"},
+                                                         {"words.hdr", "give an .hdr or an .exr that is whole"},
+                                                         {"broken.exr", "give an .hdr or an .exr that is whole"},
+                                                         {"square.hdr", "twice as wide as high"},
+                                                         {"huge.hdr", "scale it down"}};
+  for (const auto& [name, why] : refused) {
+    for (const char* verb : {"render", "reference"}) {
+      const Ran ran = run({verb, draft(), "-o", path("out.png"), "--size", "32x24", "--environment", path(name)});
+      EXPECT_EQ(ran.code, kBadInput) << verb << " " << name;
+      EXPECT_NE(ran.said.find(path(name)), std::string::npos) << ran.said;
+      EXPECT_NE(ran.said.find(why), std::string::npos) << ran.said;
+    }
+  }
+  EXPECT_EQ(files(), (std::set<std::string>{"broken.exr", "huge.hdr", "square.hdr", "words.hdr"}));
+}
+
 TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
   written("file", "in the way");
   std::filesystem::create_directories(path("folder.png"));

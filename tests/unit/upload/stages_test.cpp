@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "../scratch.h"
+#include "base/files.h"
 #include "draft/edits.h"
 
 namespace weftlight::upload {
@@ -133,6 +135,29 @@ TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
   EXPECT_FALSE(stages.update(keep(before), Effort::kQuick).patches.empty()) << "as it was before";
   EXPECT_TRUE(stages.update(keep(before)).all_maps);
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
+// What the window draws by: the preview keeps the light that it has.
+TEST(Stages, APictureOfLightThatCannotBeReadIsToldAndTheOldLightStays) {
+  const Scratch scratch;
+  Stages stages;
+  Design d = satin();
+  const auto update = [&] { return stages.update(std::make_shared<const Design>(d)); };
+  const StageResult first = update();
+  EXPECT_TRUE(first.lights && first.problem.empty()) << first.problem;
+  for (const char* size : {"-Y 64 +X 64", "-Y 30000 +X 60000", "-Y 64 +X 128"}) {  // square, huge, empty
+    const std::string path = scratch / "light.hdr";
+    ASSERT_EQ(base::write_file_atomically(path, std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + size + "\n"),
+              "");
+    d.scene.lights = path;
+    const StageResult broken = update();
+    EXPECT_FALSE(broken.lights) << size;
+    EXPECT_NE(broken.problem.find(path), std::string::npos) << broken.problem;
+    EXPECT_EQ(update().problem, broken.problem) << "told as long as the design asks for it";
+    d.scene.lights = "window";
+    const StageResult mended = update();
+    EXPECT_TRUE(mended.lights && mended.problem.empty()) << mended.problem;
+  }
 }
 
 }  // namespace

@@ -78,8 +78,8 @@ struct YarnData {
   vec4 tint;          // rgb of the specular, linear; w: share of it in the thread's colour (metal: all)
   float reflectance;  // of the clear fibres at normal incidence
   float pile;         // that over one layer's
-  float spare_b;      // for further numbers of a yarn; 0
-  float spare_c;
+  float inner_pale;   // how often the way of the dyed share through the dye is halved, -1..2
+  float spare_c;      // for further numbers of a yarn; 0
 };
 
 // One thread system of one face: index face * 2 + system (0 warp, 1 weft).

@@ -30,10 +30,13 @@ FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   y.slope_cov = vec3(data.along_width * data.along_width, 0.0f, data.across_width * data.across_width);
   y.f90 = data.specular;
   y.pile = data.pile;
-  y.f0 = vec3(data.tint) * data.specular * mix(vec3(data.reflectance), color, data.tint.w);
+  // Half the way through the dye: the root of its colour; twice: the square. Between, in proportion.
+  vec3 root = sqrt(color);
+  vec3 inner = color + max(data.inner_pale, 0.0f) * (root - color) + min(data.inner_pale, 0.0f) * (color - color * color);
+  y.f0 = vec3(data.tint) * data.specular * mix(vec3(data.reflectance), inner, data.tint.w);
   y.body = body * (1.0f - data.transmission);
   y.through = body * data.transmission;
-  y.fuzz_colour = sqrt(color);   // light leaves a lone fibre after fewer meetings with the dye
+  y.fuzz_colour = root;   // light leaves a lone fibre after fewer meetings with the dye
   y.fuzz = data.fuzz;
   y.fuzz_depth = data.fuzz_depth;
   return y;

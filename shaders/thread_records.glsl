@@ -167,7 +167,7 @@ FORMULA YarnData record_yarn(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   y.tint = uintBitsToFloat(c);
   y.reflectance = uintBitsToFloat(d.x);
   y.pile = uintBitsToFloat(d.y);
-  y.spare_b = uintBitsToFloat(d.z);
+  y.inner_pale = uintBitsToFloat(d.z);
   y.spare_c = uintBitsToFloat(d.w);
   return y;
 }

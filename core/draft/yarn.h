@@ -31,6 +31,8 @@ struct Lobes {
   // Transmission: light from behind through the body (gaps are apart, in coverage).
   float transmission = 0.1f;  // of the body part
   bool metallic = false;      // specular takes the thread's colour, no body
+  // Further numbers stand here, at the end: the ready yarns give theirs in this order, and need not name them.
+  float inner_depth = 1.0f;  // way of the inner glow through the dye: power of the thread's colour that it has
   bool operator==(const Lobes&) const = default;
 };
 

@@ -88,7 +88,7 @@ inline constexpr std::array<YarnField<Yarn>, 9> kYarnFields{{
      &Yarn::melange},
 }};
 
-inline constexpr std::array<YarnField<Lobes>, 10> kLobeFields{{
+inline constexpr std::array<YarnField<Lobes>, 11> kLobeFields{{
     {{"Specular", "specular", "Shine", "", 2, 0, 1, 0, 1, false, "Strength of the light mirrored along the fibres",
       "1: all that Fresnel's equations mirror"},
      &Lobes::specular},
@@ -111,6 +111,10 @@ inline constexpr std::array<YarnField<Lobes>, 10> kLobeFields{{
       "Share of the shine that went through the fibres and has the thread's colour",
       "Sadeghi et al. 2013 (volume scattering); fitted to measured cloths"},
      &Lobes::inner},
+    {{"Inner Depth", "inner_depth", "Inner colour", "", 2, 0, 2, 0, 2, false,
+      "How far through the dye the inner glow went: 1 has the thread's colour, less is paler, more is deeper",
+      "Bouguer's law over the mean chord of the fibre (Cauchy): round 1, bean 0.76, slit film 0.3"},
+     &Lobes::inner_depth},
     {{"Body", "body", "Body", "", 2, 0, 1, 0, 1, false,
       "Light that entered the thread and leaves it in the thread's colour", "1: the colour picked is what is seen"},
      &Lobes::body},

@@ -34,6 +34,7 @@ interop::YarnData yarn_data(const Lobes& any) {
   y.body = shares.body, y.transmission = lobes.transmission;
   y.fuzz = lobes.fuzz, y.fuzz_width = lobes.fuzz_width, y.fuzz_depth = lobes.fuzz_width * lobes.fuzz_width;
   y.tint = {tint.r, tint.g, tint.b, shares.dyed};
+  y.inner_pale = lobes.metallic ? 0 : -std::log2(std::clamp(lobes.inner_depth, 0.25f, 2.0f));
   return y;
 }
 

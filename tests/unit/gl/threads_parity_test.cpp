@@ -402,8 +402,8 @@ TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
     tint.w = k % 5 == 0 ? 1.0f : 0.0f;
     cases.push_back({vec4(slanted(0.05f + 0.95f * u(rng), 6.2831853f * u(rng)), 0),
                      vec4(slanted(0.05f + 0.95f * u(rng), 6.2831853f * u(rng)), 0), widths,
-                     four() + vec4(0, 0.05f, 0.05f, 0), tint, vec4(0.02f + 0.1f * u(rng), 1 + 5 * u(rng), 0, 0), four(),
-                     four()});
+                     four() + vec4(0, 0.05f, 0.05f, 0), tint,
+                     vec4(0.02f + 0.1f * u(rng), 1 + 5 * u(rng), 3 * u(rng) - 1, 0), four(), four()});
   }
   const std::vector<vec4> all = run_pixels(pixel_program({"tables.glsl", "lobes.glsl", "lattice.glsl", "rungs.glsl",
                                                           "engine.glsl", "thread_records.glsl", "hair.glsl"},

@@ -331,6 +331,21 @@ TEST(YarnLobes, WhatWentThroughTheFibresTakesTheirColour) {
   EXPECT_NEAR(y.f0.z, 0.75f * clear, 1e-6f);
 }
 
+TEST(YarnLobes, AShorterWayThroughTheDyeIsPaler) {
+  Lobes lobes;
+  lobes.inner = 0.5f;
+  const float clear = 0.5f * mirror_shares(lobes).clear;
+  for (const float depth : {0.5f, 1.0f, 2.0f}) {
+    lobes.inner_depth = depth;
+    const YarnLobes y = yarn_lobes(lobes, {0.8f, 0.1f, 1});
+    EXPECT_NEAR(y.f0.x, clear + 0.5f * std::pow(0.8f, depth), 1e-6f);
+    EXPECT_NEAR(y.f0.y, clear + 0.5f * std::pow(0.1f, depth), 1e-6f);
+    EXPECT_NEAR(y.f0.z, clear + 0.5f, 1e-6f) << "undyed stays white";
+  }
+  lobes.metallic = true;
+  EXPECT_FLOAT_EQ(yarn_lobes(lobes, {1, 0.7f, 0.3f}).f0.y, 0.7f) << "a metal has no inside";
+}
+
 TEST(YarnLobes, MetalHasTheThreadsColourAndNoBody) {
   Lobes gold;
   gold.metallic = true;

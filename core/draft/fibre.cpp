@@ -23,6 +23,26 @@ struct Substance {
 constexpr std::array<Substance, 8> kSubstances{
     {{1.52, 0.6}, {1.52, 0.65}, {1.5, 0.65}, {1.34, 0.6}, {1.31, 0.5}, {1.52, 0.6}, {1.39, 0.6}, {1.39, 0.6}}};
 
+/// How a shape differs from the round: spread of the light that fibres mirror, layers that do, inner glow and what
+/// passes. Flat sides throw light together, and lobes throw back what would pass (W. E. Morton and J. W. S. Hearle,
+/// Physical Properties of Textile Fibres, ch. 25); cotton's bean turns about itself all along and is the duller the
+/// less round it is (Adderley 1924, there). By rank, but for the depth: the mean chord, pi area / perimeter (Cauchy),
+/// over that of a circle as large. Trilobal: r = 1 + cos(3 a) / 3; bean: cotton of maturity 0.58; film: 12 by 370 um.
+struct Shape {
+  float along, across, layers, inner, transmission, depth;
+};
+constexpr std::array<Shape, kCrossSectionNames.size()> kShapes{{{1, 1, 1, 1, 1, 1},
+                                                                {1, 0.8f, 1.35f, 1.25f, 0.7f, 0.84f},
+                                                                {1.35f, 1.15f, 0.75f, 0.9f, 0.9f, 0.76f},
+                                                                {0.85f, 0.35f, 1, 0.7f, 1.2f, 0.31f}}};
+
+/// Of the ready yarns, by preset.
+constexpr std::array<CrossSection, 8> kReadySections{{CrossSection::kBean, CrossSection::kRound, CrossSection::kRound,
+                                                      CrossSection::kTrilobal, CrossSection::kRound,
+                                                      CrossSection::kRound, CrossSection::kRound, CrossSection::kFlat}};
+
+const Shape& shape_of(CrossSection s) { return kShapes[static_cast<size_t>(s)]; }
+
 const Substance& substance_of(const Yarn& yarn) { return kSubstances[static_cast<size_t>(fibre_of(yarn))]; }
 
 const Yarn& preset_of(int preset) {
@@ -31,16 +51,54 @@ const Yarn& preset_of(int preset) {
 }
 
 /// Of what tells fibres apart and no slider of a weaver's moves: index, strength, how they lie across, inner light,
-/// what passes through, bundles.
+/// what passes through and how far, bundles.
 float unlikeness(const Yarn& a, const Yarn& b) {
   const auto octaves = [](float x, float y) { return std::log2((x + 0.01f) / (y + 0.01f)); };
   const float index = 40 * (a.lobes.ior - b.lobes.ior), inner = 5 * (a.lobes.inner - b.lobes.inner),
               across = octaves(a.lobes.across_width, b.lobes.across_width),
               bundle = 0.4f * octaves(a.fibre_um, b.fibre_um), groove = 2 * (a.groove_depth - b.groove_depth),
               specular = 8 * (a.lobes.specular - b.lobes.specular),
-              through = 20 * (a.lobes.transmission - b.lobes.transmission);
+              through = 20 * (a.lobes.transmission - b.lobes.transmission),
+              depth = 6 * octaves(a.lobes.inner_depth, b.lobes.inner_depth);
   return (a.lobes.metallic != b.lobes.metallic ? 1e6f : 0) + index * index + inner * inner + across * across +
-         bundle * bundle + groove * groove + specular * specular + through * through;
+         bundle * bundle + groove * groove + specular * specular + through * through + depth * depth;
+}
+
+/// Of another shape, whatever it had.
+Lobes reshaped(Lobes lobes, const Shape& from, const Shape& to) {
+  lobes.along_width *= to.along / from.along;
+  lobes.across_width *= to.across / from.across;
+  lobes.layers = 1 + (lobes.layers - 1) * to.layers / from.layers;
+  lobes.inner *= to.inner / from.inner;
+  lobes.transmission *= to.transmission / from.transmission;
+  lobes.inner_depth *= to.depth / from.depth;
+  return clamped(lobes);
+}
+
+struct Kind {
+  int preset = 0;
+  CrossSection section = CrossSection::kRound;
+};
+
+Yarn usual_of(const Kind& kind) {
+  Yarn yarn = preset_of(kind.preset);
+  const CrossSection own = kReadySections[static_cast<size_t>(kind.preset)];
+  if (kind.section != own) yarn.lobes = reshaped(yarn.lobes, shape_of(own), shape_of(kind.section));
+  return yarn;
+}
+
+/// What it is most like, of all ready yarns in all shapes.
+Kind kind_of(const Yarn& yarn) {
+  Kind best;
+  float least = 1e30f;
+  for (int preset = 0; preset < static_cast<int>(kReadySections.size()); ++preset) {
+    for (size_t s = 0; s < kShapes.size(); ++s) {
+      const Kind kind{preset, static_cast<CrossSection>(s)};
+      const float off = unlikeness(yarn, usual_of(kind));
+      if (off < least) least = off, best = kind;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -54,10 +112,16 @@ double packing_of(const Yarn& yarn) {
   return substance_of(yarn).packing * (1 - kLoftier * more);
 }
 
-int fibre_of(const Yarn& yarn) {
-  const auto all = yarn_presets();
-  const auto at = std::ranges::min_element(all, {}, [&](const Yarn& y) { return unlikeness(yarn, y); });
-  return static_cast<int>(at - all.begin());
+int fibre_of(const Yarn& yarn) { return kind_of(yarn).preset; }
+
+CrossSection cross_section(const Yarn& yarn) { return kind_of(yarn).section; }
+
+Yarn with_cross_section(Yarn yarn, CrossSection section) {
+  const Kind kind = kind_of(yarn);
+  if (kind.section == section) return yarn;
+  yarn.lobes = reshaped(yarn.lobes, shape_of(kind.section), shape_of(section));
+  yarn.lobes.inner_depth = usual_of({kind.preset, section}).lobes.inner_depth;
+  return yarn;
 }
 
 Yarn with_fibre(Yarn yarn, int preset) {
@@ -68,12 +132,12 @@ Yarn with_fibre(Yarn yarn, int preset) {
 }
 
 float lustre(const Yarn& yarn) {
-  const float usual = preset_of(fibre_of(yarn)).lobes.along_width, own = std::max(yarn.lobes.along_width, 1e-4f);
+  const float usual = usual_of(kind_of(yarn)).lobes.along_width, own = std::max(yarn.lobes.along_width, 1e-4f);
   return std::clamp(0.5f + std::log(usual / own) / std::log(kLustreRange), 0.0f, 1.0f);
 }
 
 Yarn with_lustre(Yarn yarn, float lustre) {
-  const Lobes& usual = preset_of(fibre_of(yarn)).lobes;
+  const Lobes usual = usual_of(kind_of(yarn)).lobes;
   const float brighter = std::pow(kLustreRange, std::clamp(lustre, 0.0f, 1.0f) - 0.5f);
   yarn.lobes.along_width = usual.along_width / brighter;
   yarn.lobes.layers = 1 + (usual.layers - 1) * std::sqrt(brighter);

@@ -1,7 +1,9 @@
 #pragma once
-// A yarn as a weaver speaks of it: its fibre, how it shines, how hairy it is. Each is a choice of the numbers of
-// yarn_fields.h, measured against the ready yarn of that fibre; nothing of it is kept beside them.
+// A yarn as a weaver speaks of it: its fibre and that fibre's shape, how it shines, how hairy it is. Each is a choice
+// of the numbers of yarn_fields.h, measured against the ready yarn of that fibre; nothing of it is kept beside them.
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -14,7 +16,16 @@ int fibre_of(const Yarn& yarn);
 /// The yarn spun from that preset's fibre: its light, grooves and hairiness; name, thickness, twist and spinning stay.
 Yarn with_fibre(Yarn yarn, int preset);
 
-/// 0 (dull) to 1 (bright); 1/2 as the ready yarn of its fibre shines. From the spread along the fibre.
+/// What a fibre looks like where it is cut: wool and melt-spun filament, silk and bright filament, cotton, slit film.
+enum class CrossSection : uint8_t { kRound, kTrilobal, kBean, kFlat };
+inline constexpr std::array<const char*, 4> kCrossSectionNames{"Round", "Trilobal", "Bean", "Flat film"};
+
+/// The one that is most like it, by the colour that its inner glow has.
+CrossSection cross_section(const Yarn& yarn);
+/// The same yarn of fibres of another shape. A ready yarn in its own shape is as it was.
+Yarn with_cross_section(Yarn yarn, CrossSection section);
+
+/// 0 (dull) to 1 (bright); 1/2 as the ready yarn of its fibre, in its shape, shines. From the spread along the fibre.
 float lustre(const Yarn& yarn);
 /// A brighter fibre has a narrower highlight (along) from more clear layers; held in their ranges.
 Yarn with_lustre(Yarn yarn, float lustre);

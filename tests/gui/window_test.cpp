@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "draft/drawdown.h"
+#include "draft/fibre.h"
 #include "on_display.h"
 
 namespace weftlight::gui {
@@ -230,6 +231,23 @@ TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
   display_.key("F7");
   EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && still_picture(w) == alone; }))
       << "the preview did not come back whole";
+  quit(w);
+}
+
+TEST_F(WindowTest, ACrossSectionIsChosenByItsName) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  const Yarn before = design_of(original).yarns[0];
+  display_.click(w.middle_of("inspector:Yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.section"); }));
+  display_.click(w.middle_of("yarn.section"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.section:Flat film"); }));
+  display_.click(w.middle_of("yarn.section:Flat film"));
+  ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
+  EXPECT_EQ(design_of(w.live()).yarns[0], with_cross_section(before, CrossSection::kFlat)) << "as the file keeps it";
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; }));
   quit(w);
 }
 

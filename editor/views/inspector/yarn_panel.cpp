@@ -130,6 +130,24 @@ bool draw_fibre(PanelContext& c, Yarn& yarn) {
   return chosen;
 }
 
+/// How each fibre is shaped: its light alone.
+bool draw_cross_section(PanelContext& c, Yarn& yarn) {
+  row_label(c, "Cross-section",
+            "What a fibre looks like where it is cut. Trilobal glitters, cotton's bean is duller, flat film flashes; "
+            "the flatter, the paler its inner glow");
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const size_t now = static_cast<size_t>(cross_section(yarn));
+  if (!begin_combo(c, "yarn.section", kCrossSectionNames[now])) return false;
+  bool chosen = false;
+  for (size_t i = 0; i < kCrossSectionNames.size(); ++i) {
+    if (ImGui::Selectable(kCrossSectionNames[i], i == now))
+      yarn = with_cross_section(yarn, static_cast<CrossSection>(i)), chosen = true;
+    c.map.add_item(std::string("yarn.section:") + kCrossSectionNames[i]);
+  }
+  end_combo();
+  return chosen;
+}
+
 /// The count that the thickness makes; another one typed sets the thickness.
 bool draw_count(PanelContext& c, Yarn& yarn) {
   row_label(c, "Count", "How heavy it is, as it is sold: Ne 8/2, Nm 30/2, 16 lea, 150 den, 30 tex. Sets the thickness");
@@ -165,6 +183,7 @@ bool draw_field(PanelContext& c, const YarnField<Yarn>& field, Yarn& yarn) {
 const char* draw_weavers(PanelContext& c, Yarn& yarn) {
   const char* what = nullptr;
   if (draw_fibre(c, yarn)) what = "Fibre";
+  if (draw_cross_section(c, yarn)) what = "Cross-section";
   if (draw_count(c, yarn)) what = "Count";
   if (draw_lustre(c, yarn)) what = kLustreFacts.label;
   const auto first = [](const YarnField<Yarn>& f) {

@@ -1,4 +1,4 @@
-// Fibre, lustre and hairiness: choices of a yarn's numbers that read back as they were made.
+// Fibre, cross-section, lustre and hairiness: choices of a yarn's numbers that read back as they were made.
 
 #include "draft/fibre.h"
 
@@ -44,6 +44,42 @@ TEST(Fibre, AChoiceKeepsWhatTheSpinnerMade) {
     EXPECT_EQ(chosen.turns_per_m, 123);
     EXPECT_EQ(chosen.irregularity, 0.1f);
   }
+}
+
+TEST(Fibre, AnotherCrossSectionReadsBackAndBringsTheYarnBack) {
+  for (const Yarn& ready : yarn_presets()) {
+    const CrossSection own = cross_section(ready);
+    EXPECT_EQ(with_cross_section(ready, own), ready) << ready.name;
+    for (size_t s = 0; s < kCrossSectionNames.size(); ++s) {
+      const CrossSection section = static_cast<CrossSection>(s);
+      const Yarn yarn = with_cross_section(ready, section);
+      EXPECT_EQ(yarn, clamped(yarn)) << ready.name;
+      EXPECT_EQ(cross_section(yarn), section) << ready.name;
+      EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name, ready.name) << kCrossSectionNames[s];
+      EXPECT_NEAR(lustre(yarn), 0.5f, 1e-3f) << ready.name << ": as bright as such a fibre is";
+      const Yarn back = with_cross_section(yarn, own);
+      EXPECT_NEAR(back.lobes.across_width, ready.lobes.across_width, 1e-5f);
+      EXPECT_NEAR(back.lobes.layers, ready.lobes.layers, 1e-4f);
+      EXPECT_EQ(back.lobes.inner_depth, ready.lobes.inner_depth);
+      EXPECT_EQ(cross_section(with_lustre(yarn, 0.9f)), section) << ready.name;
+      EXPECT_EQ(back.diameter_mm, ready.diameter_mm);
+    }
+  }
+}
+
+TEST(Fibre, FlatSidesThrowLightTogetherAndBeansSpreadIt) {
+  const Yarn& round = yarn_preset("Polyester filament");
+  const Yarn trilobal = with_cross_section(round, CrossSection::kTrilobal),
+             bean = with_cross_section(round, CrossSection::kBean),
+             film = with_cross_section(round, CrossSection::kFlat);
+  EXPECT_GT(trilobal.lobes.layers, round.lobes.layers);
+  EXPECT_LT(trilobal.lobes.transmission, round.lobes.transmission);
+  EXPECT_GT(bean.lobes.along_width, round.lobes.along_width);
+  EXPECT_LT(film.lobes.across_width, trilobal.lobes.across_width);
+  // The shorter the way through a fibre, the paler what comes out.
+  EXPECT_LT(film.lobes.inner_depth, bean.lobes.inner_depth);
+  EXPECT_LT(bean.lobes.inner_depth, trilobal.lobes.inner_depth);
+  EXPECT_LT(trilobal.lobes.inner_depth, 1);
 }
 
 TEST(Fibre, SlidersReadBackWhatTheySet) {

@@ -46,13 +46,6 @@ std::string folder_of(const Resource& resource) {
 
 }  // namespace
 
-std::string cache_dir() {
-  if (const char* given = std::getenv("XDG_CACHE_HOME"); given != nullptr && *given == '/')
-    return (fs::path(given) / "weftlight").string();
-  const char* home = std::getenv("HOME");
-  return (fs::path(home != nullptr ? home : ".") / ".cache/weftlight").string();
-}
-
 std::string presets_dir() { return folder_of(kPresets); }
 std::string shaders_dir() { return folder_of(kShaders); }
 

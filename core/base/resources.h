@@ -1,5 +1,5 @@
 #pragma once
-// Where the files that belong to the program lie, presets and shaders, and where it keeps what it can make again.
+// Where the files that belong to the program lie: presets and shaders.
 
 #include <string>
 
@@ -10,8 +10,5 @@ namespace weftlight::base {
 /// the source tree that it was built from.
 std::string presets_dir();
 std::string shaders_dir();
-
-/// $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight: the user's, for what can be made again.
-std::string cache_dir();
 
 }  // namespace weftlight::base

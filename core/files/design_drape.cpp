@@ -7,6 +7,7 @@
 #include "analysis/hand.h"
 #include "base/files.h"
 #include "base/resources.h"
+#include "base/user_folders.h"
 #include "drape/hang.h"
 
 namespace weftlight::files {
@@ -72,7 +73,7 @@ bool can_drape(const Design& design) {
 std::string kept_drape_path(const Design& design) {
   if (!can_drape(design)) return {};
   const std::string file = drape_file(design.scene.mesh, own_hang_of(design)) + ".glb";
-  return (fs::path(cache_dir()) / "drapes" / file).string();
+  return (fs::path(cache_folder()) / "drapes" / file).string();
 }
 
 bool is_draped(const Design& design) { return load_kept(design).mesh.has_value(); }

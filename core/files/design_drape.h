@@ -1,6 +1,6 @@
 #pragma once
 // The drape that a design is shown on, as a cloth of its yarns and its sett hangs: one of the shipped three of its
-// kind, or one simulated for this cloth alone, kept in the user's cache (cache_dir()/drapes).
+// kind, or one simulated for this cloth alone, kept in the user's cache (cache_folder()/drapes).
 
 #include <functional>
 #include <string>

@@ -6,10 +6,10 @@
 
 #include "app/editor.h"
 #include "app/window.h"
+#include "base/user_folders.h"
 #include "session/file_identity.h"
 #include "session/leftovers.h"
 #include "session/own_output.h"
-#include "session/user_folders.h"
 
 namespace weftlight::app {
 namespace {
@@ -22,7 +22,7 @@ std::string refused_flag(const EditorOptions& o) {
   std::string refused;
   if (!o.live_export.empty())
     refused = refusal("--live-export", o.live_export,
-                      session::LiveExport(o.live_export, session::state_folder()).refusal(o.file));
+                      session::LiveExport(o.live_export, base::state_folder()).refusal(o.file));
   if (refused.empty() && !o.ui_map.empty())
     refused = refusal("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
   if (refused.empty() && session::same_file(o.ui_map, o.live_export))

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/user_folders.h"
 #include "draft/edits.h"
 #include "files/files.h"
 #include "session/file_names.h"
 #include "session/gallery.h"
 #include "session/leftovers.h"
-#include "session/user_folders.h"
 
 namespace weftlight::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/editor.h"
+#include "base/user_folders.h"
 #include "session/bring_back.h"
 #include "session/gallery.h"
-#include "session/user_folders.h"
 
 namespace weftlight::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/user_folders.h"
 #include "base/utf8.h"
-#include "session/user_folders.h"
 
 namespace weftlight::session {
 namespace {

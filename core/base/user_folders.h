@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace weftlight::session {
+namespace weftlight::base {
 
 /// $XDG_CONFIG_HOME/weftlight, or ~/.config/weftlight: settings.
 std::string config_folder();
@@ -12,4 +12,4 @@ std::string state_folder();
 /// $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight: what can be made again, as small pictures of drafts.
 std::string cache_folder();
 
-}  // namespace weftlight::session
+}  // namespace weftlight::base

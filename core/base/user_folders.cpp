@@ -1,11 +1,9 @@
-#include "session/user_folders.h"
+#include "base/user_folders.h"
 
 #include <cstdlib>
 #include <filesystem>
 
-#include "base/resources.h"
-
-namespace weftlight::session {
+namespace weftlight::base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +19,7 @@ std::string user_folder(const char* variable, const char* fallback) {
 }  // namespace
 
 std::string config_folder() { return user_folder("XDG_CONFIG_HOME", ".config"); }
-std::string cache_folder() { return base::cache_dir(); }
+std::string cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 std::string state_folder() { return user_folder("XDG_STATE_HOME", ".local/state"); }
 
-}  // namespace weftlight::session
+}  // namespace weftlight::base

@@ -95,10 +95,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   // A body sends the light of the half of the sky that it faces; highlights are wide.
   vec3 soft_from = sums.soft_from * (0.667 / max(sums.soft.r + sums.soft.g + sums.soft.b, 1.0e-6));
   vec3 glossy_from = sums.glossy_from * (0.8 / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6));
-  // Facets that mirror at the eye lie high, where less of the sky is hidden: measured, about the root of the mean share.
-  float left = sky_left(side, f);
-  vec3 sky = sums.soft * sky_about(from_side(side, soft_from)) * left
-           + sums.glossy * sky_about(from_side(side, glossy_from)) * sqrt(left);
-  vec3 radiance = (x.key * sums.key + sky * side.sky) * scale;
+  vec3 sky = sums.soft * sky_about(from_side(side, soft_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
+  vec3 radiance = (x.key * sums.key + sky * (side.sky * sky_left(side, f))) * scale;
   return vec4(radiance, sums.cover / float(count));
 }

@@ -91,7 +91,7 @@ std::string drape_cloth(const Design& design, const std::function<bool(double sh
   if (ec) return folder.string() + ": the folder cannot be made: " + cause_of(ec.value());
   const Mesh mesh = simulate_design_drape(design, go_on);
   if (mesh.position_mm.empty()) return {};
-  const std::string problem = write_mesh(path, mesh, nullptr);
+  std::string problem = write_mesh(path, mesh, nullptr);
   if (problem.empty()) make_room(folder.string());
   return problem;
 }

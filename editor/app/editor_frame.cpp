@@ -101,6 +101,7 @@ void Editor::frame() {
                              take_drape_news() | carry_out(type_after_wait(view(), document().now(), now));
   // What it holds may lay it out anew, and the map wants it to stand still.
   if (dialog_changed) frames_due_ = std::max(frames_due_, 2);
+  if (cloth_changed && !preview_.picture().refining) frames_due_ = std::max(frames_due_, 2);
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
   const bool draw_now = frames_due_ > 0 || cloth_changed || tip_due || ImGui::GetIO().WantTextInput;
   if (!draw_now) return;

@@ -56,14 +56,14 @@ class PictureMaker {
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// The newest design is still being worked on.
   bool busy() const { return renderer_ && pipeline_.busy(); }
+  /// Whether more samples of the threads would make the resting picture finer.
+  bool can_refine() const;
 
  private:
   Frame frame_of(const PictureRequest& request) const;
   void draw_pass(const PictureRequest& request, float scale);
   /// The look to draw with: by its own tolerance, or by what the last picture took.
   Look look_for(const PictureRequest& request);
-  /// Whether more samples of the threads would make the resting picture finer.
-  bool can_refine() const;
   float moving_scale() const;
   /// Still for so long: every pixel is drawn.
   double rest_s() const;

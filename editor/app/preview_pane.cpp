@@ -130,6 +130,7 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   made.picture.budget_ms = request.budget_ms;
   made.picture.problem = maker.problem();
   made.picture.busy = maker.busy();
+  made.picture.refining = maker.can_refine();
   made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, c.problem};
   if (!made.picture.busy) made.made = maker.design();
   {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -32,6 +33,8 @@ std::string twill() {
   return write_new_wif(d) + "[PRIVATE ANOTHER PROGRAM]\nKept=as it is\n";
 }
 
+constexpr double kSameCloth = 0.025;  // 0.016 between a first picture and the same made again; an edit: 0.042
+
 class WindowTest : public OnDisplay {
  protected:
   void SetUp() override {
@@ -41,7 +44,9 @@ class WindowTest : public OnDisplay {
     put(draft_, twill());
   }
 
-  static bool is_settled(const Window& w) { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }
+  static bool is_settled(const Window& w) {
+    return w.is_ready() && w.has("view.picture") && !w.has("view.busy") && !w.has("view.refining");
+  }
 
   /// The cloth, without the line of figures at its foot.
   std::string picture(const Window& w) const {
@@ -58,6 +63,18 @@ class WindowTest : public OnDisplay {
       return is_settled(w) && !now.empty() && now == last;
     });
     return now;
+  }
+
+  /// Root mean square of what two pictures of one size differ by, of 1; of unlike sizes 1. How a picture's samples fall
+  /// into passes goes by the clock.
+  static double apart(const std::string& a, const std::string& b) {
+    if (a.size() != b.size() || a.empty()) return 1;
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+      const double d = (static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])) / 255.0;
+      sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(a.size()));
   }
 
   std::string drawdown_of(const fs::path& wif) const {
@@ -91,11 +108,13 @@ TEST_F(WindowTest, PaintsUndoesSavesAndOpensAgain) {
     EXPECT_EQ(painted.draft.threading.first(2), 0);
     EXPECT_NE(drawdown_of(folder_ / "live.wif"), drawdown_of(draft_));
     EXPECT_EQ(bytes_of(draft_), original) << "nothing is saved unasked";
-    EXPECT_TRUE(comes_true([&] { return still_picture(w) != cloth; })) << "the cloth did not follow the edit";
+    EXPECT_TRUE(comes_true([&] { return apart(still_picture(w), cloth) > kSameCloth; }))
+        << "the cloth did not follow the edit";
 
     display_.key("ctrl+z");
     EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "undo did not bring the draft back";
-    EXPECT_TRUE(comes_true([&] { return still_picture(w) == cloth; })) << "undo did not bring the cloth back";
+    EXPECT_TRUE(comes_true([&] { return apart(still_picture(w), cloth) < kSameCloth; }))
+        << "undo did not bring the cloth back";
 
     display_.key("ctrl+shift+z");
     ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
@@ -229,7 +248,7 @@ TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
       << "the slider did not move";
   EXPECT_TRUE(comes_true([&] { return half(0.3, 0.45) != quarter; })) << "the traced threads did not follow the slider";
   display_.key("F7");
-  EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && still_picture(w) == alone; }))
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && apart(still_picture(w), alone) < kSameCloth; }))
       << "the preview did not come back whole";
   quit(w);
 }
@@ -262,13 +281,13 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   display_.click(w.middle_of("section.yarns"));
   ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < high; }));
   display_.click(w.middle_of("section.lobes"));
-  ASSERT_TRUE(comes_true([&] { return w.has("yarn.body"); }));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.specular"); }));
   const auto seen = [&](const char* control) {
     const auto [place, size] = w.place_of(control);
     return display_.picture(place, size);
   };
   const std::string plot = seen("yarn.lobes"), strip = seen("yarn.strip");
-  const auto [place, size] = w.place_of("yarn.body");
+  const auto [place, size] = w.place_of("yarn.specular");
   display_.click({place.x + 0.2 * size.x, place.y + size.y / 2});
   ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
   EXPECT_TRUE(comes_true([&] { return seen("yarn.lobes") != plot && seen("yarn.strip") != strip; }));

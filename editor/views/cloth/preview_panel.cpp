@@ -274,6 +274,7 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
     dl->AddRectFilled(a, b, picture.problem.empty() ? to_u32(c.design.scene.background) : c.style.color.panel);
   }
   if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);
+  if (picture.refining) c.map.add("view.refining", a.x, a.y, pane.x, pane.y);
   if (!picture.problem.empty() && picture.texture == 0) draw_problem(c, a, b, picture.problem);
   else if (!picture.problem.empty()) draw_note(c, {a.x + c.style.px(16), a.y + c.style.px(12)}, picture.problem);
 }

@@ -26,6 +26,7 @@ struct PreviewPicture {
   float tolerance = 0, budget_ms = 0;  // it was drawn with; 0: not by time
   std::string problem;                 // why there is none, or what is wrong with the mesh
   bool busy = false;                   // the newest edit is still being worked on
+  bool refining = false;               // a finer one of the same is on its way
   ReferencePicture reference;
 };
 

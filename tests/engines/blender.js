@@ -56,7 +56,7 @@ function judge({ name, rows, cover, through, behind }) {
   console.log(`${name}: to 60 degrees its RMS error is ${error.toFixed(3)}`);
   if (error > kError) ++far;
   console.log(`${name}: lit from behind Blender sends ${behind.toFixed(3)} of what it does lit from before; its threads let ${through} of their body's through`);
-  if (behind < 0.4 * through || behind > 1.3 * through) ++far;
+  if (behind < 0.15 * through || behind > 1.3 * through) ++far;
   for (const c of cover) {
     console.log(`${name}: by pixels of ${c.mm} mm ${c.blender.toFixed(3)} is covered, of the cloth ${c.wanted.toFixed(3)}`);
     if (Math.abs(c.blender - c.wanted) > kCoverTolerance) ++far;

@@ -239,13 +239,14 @@ TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
   display_.key("F7");
   ASSERT_TRUE(comes_true([&] { return w.has("view.reference"); })) << "nothing was traced";
   const auto [pane, size] = w.place_of("view");
-  const auto half = [&](double left, double right) {
+  const auto half = [&, pane = pane, size = size](double left, double right) {
     return display_.picture({pane.x + left * size.x, pane.y + 60}, {(right - left) * size.x, size.y - 140});
   };
   const std::string quarter = half(0.3, 0.45);
   display_.drag({w.middle_of("view.compare"), {pane.x + 0.25 * size.x, pane.y + 0.5 * size.y}});
-  EXPECT_TRUE(comes_true([&] { return w.middle_of("view.compare").x < pane.x + 0.3 * size.x; }))
-      << "the slider did not move";
+  EXPECT_TRUE(comes_true([&, pane = pane, size = size] {
+    return w.middle_of("view.compare").x < pane.x + 0.3 * size.x;
+  })) << "the slider did not move";
   EXPECT_TRUE(comes_true([&] { return half(0.3, 0.45) != quarter; })) << "the traced threads did not follow the slider";
   display_.key("F7");
   EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && apart(still_picture(w), alone) < kSameCloth; }))
@@ -329,7 +330,9 @@ TEST_F(WindowTest, ChosenEndsTakeAThicknessThatTheFileKeeps) {
     display_.click_holding("shift", w.cell("warp_numbers", 5, 1));
     ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); })) << "nothing was chosen";
     const auto [place, size] = w.place_of("threads.thickness");
-    const auto at = [&](double share) { return Point{place.x + share * size.x, place.y + size.y / 2}; };
+    const auto at = [place = place, size = size](double share) {
+      return Point{place.x + share * size.x, place.y + size.y / 2};
+    };
     display_.drag({at(0.2), at(0.4), at(0.5)});
     ASSERT_TRUE(comes_true([&] { return w.live() != original; })) << "the slider changed nothing";
     const auto thickness = [&] { return design_of(w.live()).draft.warp.thickness_mm; };

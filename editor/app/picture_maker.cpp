@@ -14,10 +14,10 @@ constexpr double kBusyRestS = 2;        // while the worker makes a better cloth
 constexpr double kBusyPollS = 0.01;     // how often the worker is asked
 constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
-constexpr int kMostAPass = 8;
-constexpr double kPassMs = 30;      // the next pass takes more samples below, fewer above twice it
-constexpr float kAsGood = 0.1f;     // a tolerance that differs by less is the same
-constexpr double kRefineMs = 4000;  // for all passes of one picture
+constexpr int kMostAPass = 4;           // the lattice of 8 samples
+constexpr double kPassMs = 30;          // the next pass takes more samples below, fewer above twice it
+constexpr float kAsGood = 0.1f;         // a tolerance that differs by less is the same
+constexpr double kRefineMs = 4000;      // for all passes of one picture
 constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
 
 }  // namespace
@@ -79,8 +79,7 @@ bool PictureMaker::draw(const PictureRequest& request, bool moving, double now_s
   const float scale = resting ? 1.0f : moving_scale();
   const bool anew = changed || drawn_scale_ < scale, finer = !anew && can_refine();
   if (anew) {
-    passes_ = samples_ = 0;
-    spent_ms_ = 0;
+    begin_passes();
     held_used_ = false;
     draw_pass(request, scale);
     dirty_ = false;
@@ -108,6 +107,11 @@ Look PictureMaker::look_for(const PictureRequest& request) {
   return look;
 }
 
+void PictureMaker::begin_passes() {
+  passes_ = samples_ = 0;
+  spent_ms_ = 0;
+}
+
 /// One more pass of a resting picture, or the picture of what moves.
 void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   Frame frame = frame_of(request);
@@ -115,9 +119,11 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   frame.timed = true;
   if (passes_ == 0 && ms_a_sample_ > 0)
     all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
-  frame.samples = samples_a_pass_;
+  const int samples = formulas::lattice_of(lattice_a_pass_).x;
+  frame.samples = samples;
   frame.all_samples = all_samples_;
-  if (scale == 1) frame.pass = passes_;
+  if (scale == 1)
+    frame.pass = passes_, frame.share = static_cast<float>(samples) / static_cast<float>(samples_ + samples);
   stats_ = renderer_->draw(request.scene, look_for(request), frame);
   pipeline_.look(renderer_->seen());
   if (scale == 1) stats_ = renderer_->measure();
@@ -134,12 +140,12 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   drawn_scale_ = scale;
   if (scale < 1) return;
   constexpr float kMostlyThreads = 0.3f;
-  if (stats_.gpu_ms > 0 && stats_.rung_shares[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples_a_pass_;
+  if (stats_.gpu_ms > 0 && stats_.rung_shares[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples;
   ++passes_;
-  samples_ += samples_a_pass_;
+  samples_ += samples;
   spent_ms_ += stats_.gpu_ms;
-  if (stats_.gpu_ms < kPassMs) samples_a_pass_ = std::min(kMostAPass, 2 * samples_a_pass_);
-  if (stats_.gpu_ms > 2 * kPassMs) samples_a_pass_ = std::max(1, samples_a_pass_ / 2);
+  if (stats_.gpu_ms < kPassMs) lattice_a_pass_ = std::min(kMostAPass, lattice_a_pass_ + 1);
+  if (stats_.gpu_ms > 2 * kPassMs) lattice_a_pass_ = std::max(0, lattice_a_pass_ - 1);
 }
 
 void PictureMaker::follow_reference(const PictureRequest& request, bool changed) {
@@ -161,14 +167,14 @@ TraceJob PictureMaker::job_of(const PictureRequest& request) {
   Frame frame = frame_of(request);
   if (request.show_rungs) {
     frame.false_color_rungs = false;
-    frame.samples = samples_a_pass_, frame.all_samples = all_samples_;
+    frame.samples = formulas::lattice_of(lattice_a_pass_).x, frame.all_samples = all_samples_;
     renderer_->draw(request.scene, request.look, frame);
   }
   job.preview = renderer_->read_back();
   frame.cloth = false;
   job.exposure_ev = renderer_->draw(request.scene, request.look, frame).exposure_ev;
   job.around = renderer_->read_back();
-  passes_ = samples_ = 0;
+  begin_passes();
   draw_pass(request, 1);
   return job;
 }

@@ -61,6 +61,7 @@ class PictureMaker {
 
  private:
   Frame frame_of(const PictureRequest& request) const;
+  void begin_passes();
   void draw_pass(const PictureRequest& request, float scale);
   /// The look to draw with: by its own tolerance, or by what the last picture took.
   Look look_for(const PictureRequest& request);
@@ -79,7 +80,7 @@ class PictureMaker {
   float drawn_scale_ = 0;
   double moved_s_ = -1e9;
   int passes_ = 0, samples_ = 0;              // of the resting picture, so far
-  int samples_a_pass_ = 2, all_samples_ = 8;  // the first picture tells what it costs
+  int lattice_a_pass_ = 1, all_samples_ = 8;  // the first picture tells what it costs
   double spent_ms_ = 0;                       // on its passes
   double ms_a_sample_ = 0;                    // of a picture mostly of threads
   double full_ms_ = 0, moving_ms_ = 0;        // the cloth's cost at every pixel, at rest and by the moving programs

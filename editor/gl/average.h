@@ -12,8 +12,9 @@ namespace weftlight::gl {
 class Average {
  public:
   bool build(std::string& error);
-  /// Takes the sRGB-encoded picture number `pass` (0 begins anew) and leaves the mean in its place.
-  void add(GLuint texture, GLuint framebuffer, int width, int height, int pass);
+  /// Takes the sRGB-encoded picture, whose share in the mean is above 0 to 1 (1 begins anew), and leaves the mean in
+  /// its place.
+  void add(GLuint texture, GLuint framebuffer, int width, int height, float share);
 
  private:
   void draw(GLuint from, GLuint to);

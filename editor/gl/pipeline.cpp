@@ -39,6 +39,7 @@ struct Pipeline::Parts {
   void wait_for_picture(const std::stop_token& stop);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
+  bool has_news() const { return mesh || lights || all_maps || quick_maps || !patches.empty() || lobes; }
 };
 
 /// Quick maps are small: a copy of them is handed over, so that they can be taken up while the full ones are made.
@@ -87,7 +88,7 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
   if (wait) hold.lock();
   std::unique_lock lock(mutex);
   if (all_maps && !wait && !hold.try_lock()) return false;
-  const bool changed = mesh || lights || all_maps || quick_maps || !patches.empty() || lobes;
+  const bool changed = has_news();
   if (mesh) renderer.set_mesh(std::move(*mesh));
   mesh.reset();
   if (lights) renderer.set_lights(std::move(*lights));
@@ -135,7 +136,11 @@ std::string Pipeline::problem() const {
   return parts_->problem;
 }
 
-bool Pipeline::busy() const { return parts_->worker.busy(); }
+bool Pipeline::busy() const {
+  if (parts_->worker.busy()) return true;
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->has_news();
+}
 
 std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer) {
   Stages stages;

@@ -29,6 +29,7 @@ class Pipeline {
   std::string finish(Renderer& renderer);
   /// Problem of the last design, if any (shown by the window).
   std::string problem() const;
+  /// Until the last of what was submitted is computed and taken up.
   bool busy() const;
 
  private:

@@ -500,7 +500,7 @@ FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& fra
   Target& screen = parts_->screen;
   parts_->draw_scene(parts_->last, screen, false);
   if (frame.pass >= 0)
-    parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.pass);
+    parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.share);
   parts_->take_queries(false);
   return parts_->stats;
 }

@@ -32,8 +32,10 @@ struct Frame {
   bool transparent = false;   // leave the background out (alpha 0)
   bool false_color_rungs = false;
   // Samples a pixel of rung yarn: as many as the tolerance asks for, and no more than these. A picture may be the mean
-  // of several passes, each with so many (pass < 0: this one alone); `all_samples`: of all of them.
+  // of several passes, each with so many (pass < 0: this one alone); `share`: of this pass in the mean of those so far;
+  // `all_samples`: of all of them.
   int samples = formulas::kMostYarnSamples, pass = -1;
+  float share = 1;
   int all_samples = formulas::kMostYarnSamples;
   bool exact_samples = false;  // not by tolerance: the largest lattice of no more than `samples`
   bool timed = false;          // wait for the cloth on a software renderer, so that gpu_ms is measured there too

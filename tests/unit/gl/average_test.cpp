@@ -58,11 +58,11 @@ TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
   Average average;
   ASSERT_TRUE(average.build(error)) << error;
   Picture picture;
-  average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, 0);
+  average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, 1);
   ASSERT_EQ(poison(), 1);
-  for (const int pass : {0, 1, 2}) {
-    average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, pass);
-    EXPECT_NEAR(picture.middle(), 128, 2) << pass;
+  for (const float share : {1.0f, 0.5f, 0.3f}) {
+    average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, share);
+    EXPECT_NEAR(picture.middle(), 128, 2) << share;
   }
 }
 

@@ -1,6 +1,8 @@
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "gl/shader_program.h"
 #include "picture.h"
@@ -232,6 +234,18 @@ TEST_F(PictureTest, NewestDesignWinsInThePipeline) {
   const Mean m = middle(draw());
   EXPECT_GT(m.b, 2 * m.r);
   EXPECT_FALSE(pipeline.busy());
+}
+
+// The window called its first picture the last one while a better cloth lay finished.
+TEST_F(PictureTest, ThePipelineIsBusyUntilWhatItMadeIsTakenUp) {
+  Pipeline pipeline;
+  Design design = twill(4, 2, kRed, kRed);
+  design.scene.mesh = "";
+  pipeline.submit(std::make_shared<const Design>(design));
+  std::this_thread::sleep_for(std::chrono::seconds(2));  // long enough for it to be computed, mostly
+  EXPECT_TRUE(pipeline.busy());
+  while (pipeline.busy()) pipeline.poll(*renderer);
+  EXPECT_FALSE(pipeline.poll(*renderer));
 }
 
 TEST_F(PictureTest, AMeshThatIsNotThereIsAProblemAndTheClothIsDrawnAllTheSame) {

@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "commands/chart/bench.h"
+#include "commands/chart/drapes.h"
 #include "commands/chart/figures.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
@@ -112,6 +113,8 @@ class Run {
     if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);
     const std::string light = error.empty() ? other_lights(error) : "";
     if (error.empty()) error = write_file_atomically(dir_ + "/light.csv", light);
+    const std::vector<DrapeRow> hung = error.empty() ? drapes(error) : std::vector<DrapeRow>{};
+    if (error.empty()) error = write_file_atomically(dir_ + "/drapes.csv", drapes_csv(hung));
     const std::string whole = error.empty() ? frames(error) : "";
     if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", whole);
     return error.empty() ? kDone : fail(kNotWritten, error);
@@ -140,6 +143,19 @@ class Run {
       }
     }
     return out.str();
+  }
+
+  std::vector<DrapeRow> drapes(std::string& error) {
+    std::vector<DrapeRow> hung;
+    for (const DrapeRow& cell : drape_cells(bench_.methods(), bench_.effort())) {
+      const auto of_it = [&cell](size_t scene) { return cell.scene == kChartScenes[scene].name; };
+      const std::vector<size_t> there = scenes();
+      if (std::none_of(there.begin(), there.end(), of_it)) continue;
+      const std::optional<DrapeRow> row = bench_.draped(cell, error);
+      if (!row) return {};
+      hung.push_back(*row);
+    }
+    return hung;
   }
 
   /// What a whole picture of cloth costs, by method and by what `auto` is asked for.

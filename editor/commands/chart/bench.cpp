@@ -31,34 +31,7 @@ constexpr glm::vec3 kIrradiance{kKeyIrradiance};
 constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm: no pixel begins where a thread does
 constexpr int kTile = 1024;                 // of a finer picture
 
-/// Of all threads of this process.
-double processor_ns() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
-}
-
-Pixels colours(const Image& image) {
-  Pixels pixels;
-  pixels.reserve(image.texels.size() / 4);
-  for (size_t i = 0; i + 3 < image.texels.size(); i += 4)
-    pixels.emplace_back(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
-  return pixels;
-}
-
-Pixels colours(const TracedImage& image) {
-  Pixels pixels;
-  pixels.reserve(image.pixels.size());
-  for (const glm::vec4& p : image.pixels) pixels.emplace_back(p);
-  return pixels;
-}
-
-size_t scene_of(const ChartRow& cell) {
-  for (size_t i = 0; i < kChartScenes.size(); ++i) {
-    if (cell.scene == kChartScenes[i].name) return i;
-  }
-  return 0;
-}
+size_t scene_of(const ChartRow& cell) { return scene_named(cell.scene); }
 
 double textures(const PackedFace& face, unsigned read) {
   double bytes = 0;
@@ -84,6 +57,42 @@ FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& st
 }
 
 }  // namespace
+
+double processor_ns() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
+}
+
+Pixels colours(const Image& image) {
+  Pixels pixels;
+  pixels.reserve(image.texels.size() / 4);
+  for (size_t i = 0; i + 3 < image.texels.size(); i += 4)
+    pixels.emplace_back(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
+  return pixels;
+}
+
+Pixels colours(const TracedImage& image) {
+  Pixels pixels;
+  pixels.reserve(image.pixels.size());
+  for (const glm::vec4& p : image.pixels) pixels.emplace_back(p);
+  return pixels;
+}
+
+double cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+size_t scene_named(const std::string& name) {
+  for (size_t i = 0; i < kChartScenes.size(); ++i) {
+    if (name == kChartScenes[i].name) return i;
+  }
+  return 0;
+}
+
+Pixels mean_of(const Truth& truth) {
+  Pixels mean = truth.half;
+  for (size_t i = 0; i < mean.size(); ++i) mean[i] = 0.5f * (mean[i] + truth.other_half[i]);
+  return mean;
+}
 
 double method_bytes(const PackedCloth& cloth, Method method) {
   const unsigned read = chart_method(method).reads;
@@ -147,8 +156,10 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   auto made = std::make_unique<Loaded>();
   Design design = read.file->design;
   design.look.method = Method::kVrst03;  // the only one that asks for maps of its own
+  design.scene = drape_scene(ChartLight::kKey);
   Stages stages;
-  stages.update(std::make_shared<const Design>(design));
+  StageResult result = stages.update(std::make_shared<const Design>(design));
+  if (result.mesh) made->mesh = std::move(*result.mesh);
   made->packed = stages.packed();
   const BitMatrix cells = drawdown(design.draft);
   made->cloth = lay_out(design, cells, Face::kFront, choose_period(design, cells));
@@ -290,7 +301,7 @@ double ChartBench::patch_ns(const FlatPatch& patch, const Look& look) {
   renderer_->draw_patch(patch, look);
   const FrameStats stats = renderer_->measure();
   if (!renderer_->is_software()) return stats.gpu_ms * 1e6;
-  return (processor_ns() - before) / std::max(1u, std::thread::hardware_concurrency());
+  return (processor_ns() - before) / cores();
 }
 
 double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
@@ -382,9 +393,7 @@ std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& e
   ChartRow row = cell;
   row.model_error = relative_rmse(drawn, known->half, known->other_half);
   row.energy_ratio = 0.5 * (mean_ratio(drawn, known->half) + mean_ratio(drawn, known->other_half));
-  Pixels traced = known->half;
-  for (size_t i = 0; i < traced.size(); ++i) traced[i] = 0.5f * (traced[i] + known->other_half[i]);
-  row.flip = flip_error(drawn, traced, size, size);
+  row.flip = flip_error(drawn, mean_of(*known), size, size);
   row.filtering_error = filtering_error(cell, pixel);
   row.flicker = flicker(cell, pixel);
   row.ns_per_pixel = nanoseconds(cell, pixel);

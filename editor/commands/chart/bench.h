@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/chart/counter.h"
+#include "commands/chart/drapes.h"
 #include "commands/chart/error.h"
 #include "commands/chart/names.h"
 #include "commands/chart/rows.h"
@@ -36,6 +37,7 @@ class ChartBench {
   static std::unique_ptr<ChartBench> create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter,
                                             std::string& error);
 
+  const ChartEffort& effort() const { return effort_; }
   /// Methods that the renderer draws as themselves.
   std::vector<Method> methods();
   /// All figures of a row; empty with `error` set.
@@ -48,6 +50,8 @@ class ChartBench {
   /// patch, shared among its cores and scaled.
   std::optional<double> frame_ms(size_t scene, const Look& look, double yarns_per_pixel, std::array<int, 2> size,
                                  std::string& error);
+  /// All figures of a row on the drape.
+  std::optional<DrapeRow> draped(const DrapeRow& cell, std::string& error);
   double truth_noise(const ChartRow& cell, std::string& error);
   /// What auto chooses by from now on.
   void use_ladder(const Ladder& ladder);
@@ -59,11 +63,15 @@ class ChartBench {
 
  private:
   struct Loaded {
+    PreparedMesh mesh;
     Cloth cloth;
     PackedCloth packed;
     std::unique_ptr<TubeScene> tubes;  // made when the first truth is asked for
     std::map<std::pair<int, double>, Truth> truths;
     std::map<std::pair<int, double>, Pixels> fine;  // supersampled, of rung yarn
+    std::unique_ptr<MeshScene> hung, body;          // made when the first draped truth is asked for
+    std::map<std::pair<ChartLight, double>, Truth> draped;
+    std::map<std::tuple<ChartLight, double, int>, double> bare_ns;  // pictures of so many pixels without the cloth
   };
   ChartBench() = default;
   Loaded* load(size_t scene, std::string& error);
@@ -81,17 +89,30 @@ class ChartBench {
   double patch_ns(const FlatPatch& patch, const Look& look);
   double nanoseconds(const ChartRow& cell, const PixelSteps& pixel);
   double instructions(const ChartRow& cell);
+  bool hang(size_t scene, std::string& error);
+  const Truth& draped_truth(size_t scene, const DrapeRow& cell);
+  double picture_ns(const DrapeRow& cell, const Frame& frame, FrameStats& stats);
+  double draped_ns(size_t scene, const DrapeRow& cell);
 
   ChartEffort effort_;
   std::unique_ptr<HeadlessContext> context_;  // outlives the renderer
   std::unique_ptr<Renderer> renderer_;
   std::array<std::unique_ptr<Loaded>, kChartScenes.size()> loaded_;
-  std::optional<size_t> shown_;
+  std::optional<size_t> shown_, hung_;
   Ladder ladder_;
   std::unique_ptr<DrawCounter> counter_;
   std::map<std::tuple<size_t, Method, float, double>, double> frame_ns_;
   std::map<std::tuple<size_t, int, double, Method, int>, double> counted_;
 };
+
+/// What the measurements share: processor time of all threads of this process, its cores, a scene by its name (the
+/// first where there is none), colours without alpha, the mean of both halves.
+double processor_ns();
+double cores();
+size_t scene_named(const std::string& name);
+Pixels colours(const Image& image);
+Pixels colours(const TracedImage& image);
+Pixels mean_of(const Truth& truth);
 
 /// Texture memory that a method reads, both faces.
 double method_bytes(const PackedCloth& cloth, Method method);

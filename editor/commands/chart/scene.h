@@ -57,6 +57,10 @@ struct ChartEffort {
   int patch_least = 16;             // pixels along a side
   double patch_yarns = 8;           // or more, to hold so many
   int tube_facets = 48;             // of the truth
+  int drape_width = 96, drape_height = 16;  // pixels: across the folds, which are as high as the cloth
+  int drape_rays = 100'000;                 // of each half of its truth
+  int drape_timing_size = 128, drape_yarn_timing_size = 64;
+  size_t drape_footprints = 3;  // of kDrapeFootprints, the last ones
 };
 ChartEffort chart_effort(bool quick);
 

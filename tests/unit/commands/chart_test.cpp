@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 
 #include "commands/chart/counter.h"
+#include "commands/chart/drapes.h"
 #include "commands/chart/error.h"
 #include "commands/chart/flip.h"
 #include "commands/chart/rows.h"
@@ -187,6 +189,21 @@ TEST(chart_cells, of_a_part_are_those_that_hold_what_is_named) {
   EXPECT_EQ(held({{"satin", "plain"}, {80}, {0.125, 2}}), 2 * 1 * 2 * 2);
 }
 
+TEST(chart_drapes, are_two_cloths_in_three_lights_at_each_footprint) {
+  const std::vector<DrapeRow> all = drape_cells({Method::kFlat, Method::kAuto}, chart_effort(false));
+  ASSERT_EQ(all.size(), kDrapedScenes.size() * kDrapeLights.size() * kDrapeFootprints.size() * 2);
+  const std::string text = drapes_csv({all.front()});
+  EXPECT_EQ(text,
+            "mesh,scene,light,yarns_per_pixel,method,ns_per_pixel,rel_rmse_model,flip,energy_ratio,rel_rmse_noise\n"
+            "curtain,plain,key,0.5,flat,0,0,0,1,0\n");
+  EXPECT_EQ(drape_scene(ChartLight::kKey).sky_strength, 0);
+  EXPECT_EQ(drape_scene(ChartLight::kSky).light_strength, 0);
+  for (const char* name : kDrapedScenes) {
+    EXPECT_TRUE(std::any_of(kChartScenes.begin(), kChartScenes.end(),
+                            [name](const ChartScene& scene) { return std::string(scene.name) == name; }));
+  }
+}
+
 TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
   ASSERT_EQ(run({0}), kDone);
   const std::vector<ChartRow> flat = rows();
@@ -214,6 +231,19 @@ TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
   }
   EXPECT_GT(read(dir_ / "frames.csv").size(), 200u);
   EXPECT_NE(read(dir_ / "light.csv").find("behind,plain,60,2,cloth,"), std::string::npos);
+  const std::string drapes = read(dir_ / "drapes.csv");
+  EXPECT_EQ(std::count(drapes.begin(), drapes.end(), '\n'), 1 + std::ssize(kDrapeLights) * std::ssize(methods));
+  // What hangs sends about what its traced threads send.
+  for (const std::string row : {"curtain,plain,key,4,cloth,", "curtain,plain,sky,4,repeat,"}) {
+    const size_t at = drapes.find(row);
+    ASSERT_NE(at, std::string::npos) << row;
+    double ns = 0, error = 0, flip = 0, energy = 0;
+    ASSERT_EQ(std::sscanf(drapes.c_str() + at + row.size(), "%lf,%lf,%lf,%lf", &ns, &error, &flip, &energy), 4);
+    EXPECT_GT(ns, 0);
+    EXPECT_NEAR(energy, 1, 0.1) << row;
+    EXPECT_LT(error, 0.25) << row;
+    EXPECT_LT(flip, 0.15) << row;
+  }
 }
 
 TEST(chart_command, says_when_the_folder_cannot_be_made) {

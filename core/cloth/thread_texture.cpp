@@ -51,4 +51,16 @@ ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System sys
   return t;
 }
 
+std::array<std::vector<ThreadTexture>, 2> thread_textures(const Cloth& cloth) {
+  const auto of = [&cloth](const std::vector<ThreadBody>& bodies, System system, float length_mm) {
+    std::vector<ThreadTexture> out;
+    for (size_t i = 0; i < bodies.size(); ++i) {
+      out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(bodies[i].yarn)], bodies[i], system,
+                                   static_cast<int>(i), length_mm));
+    }
+    return out;
+  };
+  return {of(cloth.ends, System::kWarp, cloth.depth_mm), of(cloth.picks, System::kWeft, cloth.width_mm)};
+}
+
 }  // namespace weftlight::cloth

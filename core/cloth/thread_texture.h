@@ -2,8 +2,10 @@
 // The fine pattern on a thread, as the formulas of shaders/thread_texture.glsl read it: grooves, plies and tone
 // over (around, along), periodic with the tile; and the records of threads of shaders/thread_records.glsl.
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "cloth/cloth.h"
 #include "cloth/names.h"
@@ -37,5 +39,7 @@ using thread_formulas::ThreadTexture;
 
 /// `length_mm` is the period along the thread.
 ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm);
+/// Of every end, then of every pick.
+std::array<std::vector<ThreadTexture>, 2> thread_textures(const Cloth& cloth);
 
 }  // namespace weftlight::cloth

@@ -44,15 +44,11 @@ PixelSides pixel_of(const glm::vec3& view, float side_mm) {
 
 class Sampler {
  public:
-  explicit Sampler(const Cloth& cloth) : cloth_(cloth), scene_(cloth), grid_(scene_.grid()) {
+  explicit Sampler(const Cloth& cloth)
+      : cloth_(cloth), scene_(cloth), grid_(scene_.grid()), patterns_(thread_textures(cloth)) {
     for (size_t s = 0; s < 2; ++s) {
-      const std::vector<ThreadBody>& bodies = s == 0 ? cloth.ends : cloth.picks;
-      for (size_t i = 0; i < bodies.size(); ++i) {
-        const Yarn& yarn = cloth.yarns[static_cast<size_t>(bodies[i].yarn)];
-        patterns_[s].push_back(
-            thread_texture(yarn, bodies[i], s == 0 ? System::kWarp : System::kWeft, static_cast<int>(i), length(s)));
-        lobes_[s].push_back(yarn_lobes(yarn.lobes, bodies[i].colour));
-      }
+      for (const ThreadBody& body : s == 0 ? cloth.ends : cloth.picks)
+        lobes_[s].push_back(yarn_lobes(cloth.yarns[static_cast<size_t>(body.yarn)].lobes, body.colour));
     }
   }
   /// Mean of the points of a lattice, as rung_yarn.glsl (shade_yarn) takes them.

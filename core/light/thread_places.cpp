@@ -39,16 +39,13 @@ std::vector<Cloth> windows_of(const Cloth& cloth) {
 /// Places of one cloth.
 class Placer {
  public:
-  explicit Placer(const Cloth& cloth) : cloth_(cloth), scene_(cloth), grid_(scene_.grid()), views_(response_views()) {
+  explicit Placer(const Cloth& cloth)
+      : cloth_(cloth),
+        scene_(cloth),
+        grid_(scene_.grid()),
+        textures_(thread_textures(cloth)),
+        views_(response_views()) {
     for (int i = 0; i < grid_.layers; ++i) layers_.push_back(scene_.thread_layer(i, 1));
-    for (int s = 0; s < 2; ++s) {
-      const std::vector<ThreadBody>& bodies = s == 0 ? cloth.ends : cloth.picks;
-      for (size_t i = 0; i < bodies.size(); ++i) {
-        const Yarn& yarn = cloth.yarns[static_cast<size_t>(bodies[i].yarn)];
-        textures_[s].push_back(
-            thread_texture(yarn, bodies[i], s == 0 ? System::kWarp : System::kWeft, static_cast<int>(i), length(s)));
-      }
-    }
   }
   /// Place k of `count` of a system; area 0 where there is none.
   ThreadPlace place(int system, int k, int count);

@@ -49,17 +49,7 @@ struct ClothTracer::Point {
   int thread = 0;
 };
 
-ClothTracer::ClothTracer(const TubeScene& tubes) : tubes_(tubes) {
-  const Cloth& cloth = tubes.cloth();
-  const auto fill = [&](const std::vector<ThreadBody>& bodies, System system, float length) {
-    std::vector<ThreadTexture> out;
-    for (size_t i = 0; i < bodies.size(); ++i)
-      out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(bodies[i].yarn)], bodies[i], system,
-                                   static_cast<int>(i), length));
-    return out;
-  };
-  textures_[0] = fill(cloth.ends, System::kWarp, cloth.depth_mm);
-  textures_[1] = fill(cloth.picks, System::kWeft, cloth.width_mm);
+ClothTracer::ClothTracer(const TubeScene& tubes) : tubes_(tubes), textures_(thread_textures(tubes.cloth())) {
   hair_mm_ = 2e-4f * std::max(tubes.z_max() - tubes.z_min(), 1e-4f);
 }
 

@@ -4,6 +4,7 @@
 //
 // Based on: Kajiya 1986 (rendering equation, estimated by following paths).
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -61,7 +62,7 @@ class ClothTracer {
   bool shadowed(const Point& point, glm::vec3 towards) const;
 
   const TubeScene& tubes_;
-  std::vector<ThreadTexture> textures_[2];
+  std::array<std::vector<ThreadTexture>, 2> textures_;
   float hair_mm_;  // offset of secondary rays
 };
 

@@ -6,27 +6,12 @@
 
 #include <cmath>
 
-#include "draft/draft.h"
+#include "plain_cloth.h"
 
 namespace weftlight::light {
 namespace {
 
-Cloth plain() {
-  constexpr int kThreads = 16;
-  Design design;
-  design.draft = blank_draft(kThreads, kThreads, 2, 2);
-  Draft& d = design.draft;
-  d.drive = Drive::kLiftplan;
-  for (int i = 0; i < kThreads; ++i) {
-    d.threading.set(i, i % 2, true);
-    d.liftplan.set(i, i % 2, true);
-  }
-  for (Threads* system : {&d.warp, &d.weft}) {
-    std::fill(system->spacing_mm.begin(), system->spacing_mm.end(), 0.5f);
-    std::fill(system->thickness_mm.begin(), system->thickness_mm.end(), 0.45f);
-  }
-  return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
-}
+Cloth plain() { return plain_cloth(16, 0.5f, 0.45f); }
 
 /// Errors as large as the worst cloths' are, of so many samples and at any footprint.
 Ladder of_the_worst() {

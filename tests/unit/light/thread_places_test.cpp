@@ -8,8 +8,8 @@
 
 #include "cloth/maps.h"
 #include "cloth/thread_scene.h"
-#include "draft/draft.h"
 #include "light/cloth_response.h"
+#include "plain_cloth.h"
 
 namespace weftlight::light {
 namespace {
@@ -17,20 +17,9 @@ namespace {
 constexpr float kSpacing = 2;
 
 Cloth plain(int threads, float thickness_mm) {
-  Design design;
-  design.draft = blank_draft(threads, threads, 2, 2);
-  Draft& d = design.draft;
-  d.drive = Drive::kLiftplan;
-  for (int i = 0; i < threads; ++i) {
-    d.threading.set(i, i % 2, true);
-    d.liftplan.set(i, i % 2, true);
-  }
-  for (Threads* system : {&d.warp, &d.weft}) {
-    std::fill(system->spacing_mm.begin(), system->spacing_mm.end(), kSpacing);
-    std::fill(system->thickness_mm.begin(), system->thickness_mm.end(), thickness_mm);
-  }
-  design.yarns[0].plies = 1;
-  return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
+  Yarn yarn;
+  yarn.plies = 1;
+  return plain_cloth(threads, kSpacing, thickness_mm, yarn);
 }
 
 /// Share of the plane that each system covers, seen along a view.

@@ -1,0 +1,30 @@
+#pragma once
+// Plain weave laid out whole, its ends and picks alike: what the measurements on threads are tried on.
+
+#include <algorithm>
+
+#include "cloth/cloth.h"
+#include "draft/draft.h"
+#include "draft/drawdown.h"
+#include "light/names.h"
+
+namespace weftlight::light {
+
+inline Cloth plain_cloth(int threads, float spacing_mm, float thickness_mm, const Yarn& yarn = {}) {
+  Design design;
+  design.draft = blank_draft(threads, threads, 2, 2);
+  design.yarns[0] = yarn;
+  Draft& d = design.draft;
+  d.drive = Drive::kLiftplan;
+  for (int i = 0; i < threads; ++i) {
+    d.threading.set(i, i % 2, true);
+    d.liftplan.set(i, i % 2, true);
+  }
+  for (Threads* system : {&d.warp, &d.weft}) {
+    std::fill(system->spacing_mm.begin(), system->spacing_mm.end(), spacing_mm);
+    std::fill(system->thickness_mm.begin(), system->thickness_mm.end(), thickness_mm);
+  }
+  return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
+}
+
+}  // namespace weftlight::light

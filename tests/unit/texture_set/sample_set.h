@@ -1,0 +1,36 @@
+#pragma once
+// A small set to export, and what its list says: for the tests of what a set's images hold and of its files.
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "draft/generators.h"
+#include "texture_set/texture_set.h"
+
+namespace weftlight::texture_set {
+
+/// A two-coloured herringbone with a yarn of each kind; 16 ends x 4 picks a repeat, so it is not square.
+inline Design sample_design() {
+  Design design = herringbone({2, 2}, 8, {32, 16});
+  design.title = "Sample";
+  Yarn metal;
+  metal.lobes.metallic = true;
+  metal.lobes.across_width = 0.1f;
+  design.yarns = {Yarn{}, metal};
+  for (int e = 0; e < design.draft.ends(); e += 8) design.draft.warp.yarn[static_cast<size_t>(e)] = 1;
+  return design;
+}
+
+inline TextureSetOptions options_for(Target target, int size = 128) {
+  TextureSetOptions options;
+  options.target = target, options.name = "sample", options.size = size;
+  options.source = "sample.wif", options.draft_path = "drafts/sample.wif", options.program_version = "1.2.3";
+  return options;
+}
+
+inline nlohmann::json list_of(const std::string& folder) {
+  return nlohmann::json::parse(std::ifstream(folder + "/texture_set.json"));
+}
+
+}  // namespace weftlight::texture_set

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "reference/tubes.h"
@@ -72,22 +73,32 @@ Cloth slubs() {
 
 class Threads : public testing::TestWithParam<int> {
  protected:
-  void SetUp() override {
-    cloth = GetParam() == kThick     ? with_thick_ends()
-            : GetParam() == kPockets ? pockets()
-            : GetParam() == kSlubs   ? slubs()
-                                     : twill(GetParam(), 3 - GetParam() / 2);
-    std::string error;
-    tubes = TubeScene::build(cloth, {}, error);
-    ASSERT_TRUE(tubes) << error;
+  /// Built once for all tests of a weave: it is most of their time.
+  struct Woven {
+    Cloth cloth;
+    std::unique_ptr<TubeScene> tubes;
+  };
+  static Cloth weave(int which) {
+    return which == kThick     ? with_thick_ends()
+           : which == kPockets ? pockets()
+           : which == kSlubs   ? slubs()
+                               : twill(which, 3 - which / 2);
   }
+  void SetUp() override {
+    Woven& woven = all[GetParam()];
+    std::string error;
+    if (!woven.tubes) woven.cloth = weave(GetParam()), woven.tubes = TubeScene::build(woven.cloth, {}, error);
+    ASSERT_TRUE(woven.tubes) << error;
+  }
+  static void TearDownTestSuite() { all.clear(); }
   static constexpr int kThick = 4, kPockets = 5, kSlubs = 6;
-  Cloth cloth;
-  std::unique_ptr<TubeScene> tubes;
+  static inline std::map<int, Woven> all;
+  const Cloth& cloth() const { return all[GetParam()].cloth; }
+  const TubeScene& tubes() const { return *all[GetParam()].tubes; }
 };
 
 TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
-  ThreadScene threads(cloth);
+  ThreadScene threads(cloth());
   const auto grid = threads.grid();
   const glm::vec3 light = direction(40, 70);
   for (const float tilt : {0.0f, 40.0f, 80.0f}) {
@@ -100,7 +111,7 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
     for (int i = 0; i < kRays; ++i) {
       const glm::vec2 at = glm::vec2(unit(random), unit(random)) * grid.period;
       TubeHit hit;
-      const bool met = tubes->intersect(glm::vec3(at, 0) + v * (4 * grid.top / v.z), -v, 0, hit);
+      const bool met = tubes().intersect(glm::vec3(at, 0) + v * (4 * grid.top / v.z), -v, 0, hit);
       const auto found = threads.first_thread(grid, at, v, 48);
       if (met != (found.system >= 0) ||
           (met && (found.system != static_cast<int>(hit.system) || found.strand.thread != hit.thread))) {
@@ -113,7 +124,7 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
       turned += static_cast<double>(std::acos(std::min(1.0f, glm::dot(point.normal, hit.normal))));
       if (glm::dot(hit.normal, light) <= 0) continue;
       ++lit;
-      if (tubes->occluded(hit.position + hit.normal * (2e-3f * grid.top), light, 0) !=
+      if (tubes().occluded(hit.position + hit.normal * (2e-3f * grid.top), light, 0) !=
           threads.threads_block(grid, found.at, light, 24, found.system, found.strand.thread))
         ++other_shadow;
     }
@@ -128,7 +139,7 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
 }
 
 TEST_P(Threads, LightFromBelowIsStoppedByTheThreadsBelow) {
-  ThreadScene threads(cloth);
+  ThreadScene threads(cloth());
   const auto grid = threads.grid();
   const glm::vec3 light = -direction(30, 10);
   int other = 0;
@@ -136,14 +147,14 @@ TEST_P(Threads, LightFromBelowIsStoppedByTheThreadsBelow) {
   for (int i = 0; i < kPoints; ++i) {
     const glm::vec2 at = glm::fract(glm::vec2(0.7549f, 0.5698f) * static_cast<float>(i)) * grid.period;
     const glm::vec3 from(at, 0.98f * grid.top);
-    if (tubes->occluded(from, light, 0) != threads.threads_block(grid, from, light, 24, -1, 0)) ++other;
+    if (tubes().occluded(from, light, 0) != threads.threads_block(grid, from, light, 24, -1, 0)) ++other;
   }
   EXPECT_LT(other, 0.03 * kPoints);
 }
 
 TEST_P(Threads, TheTileHasNoSeam) {
   // Sections lean over the tile's border: both sides must know them.
-  ThreadScene threads(cloth);
+  ThreadScene threads(cloth());
   const auto grid = threads.grid();
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(0, 1);
@@ -151,7 +162,7 @@ TEST_P(Threads, TheTileHasNoSeam) {
     glm::vec2 at = glm::vec2(unit(random), unit(random)) * grid.period;
     at[i % 2] = (unit(random) - 0.5f) * 0.2f * grid.spacing;
     TubeHit hit;
-    if (!tubes->intersect(glm::vec3(at, 2 * grid.top), {0, 0, -1}, 0, hit)) continue;
+    if (!tubes().intersect(glm::vec3(at, 2 * grid.top), {0, 0, -1}, 0, hit)) continue;
     EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z,
                 (GetParam() == kPockets ? 0.2f : 0.1f) * grid.top)
         << at.x << ' ' << at.y;
@@ -159,12 +170,12 @@ TEST_P(Threads, TheTileHasNoSeam) {
 }
 
 TEST_P(Threads, TheBackIsTheFrontTurnedOver) {
-  Cloth back = cloth;
-  for (int p = 0; p < cloth.up.rows(); ++p)
-    for (int e = 0; e < cloth.up.cols(); ++e) back.up.set(p, e, !cloth.up.get(p, e));
+  Cloth back = cloth();
+  for (int p = 0; p < cloth().up.rows(); ++p)
+    for (int e = 0; e < cloth().up.cols(); ++e) back.up.set(p, e, !cloth().up.get(p, e));
   for (float& level : back.warp_level_mm) level = -level;
   for (float& level : back.weft_level_mm) level = -level;
-  ThreadScene turned(cloth, Face::kBack), complement(back);
+  ThreadScene turned(cloth(), Face::kBack), complement(back);
   const auto a = turned.grid(), b = complement.grid();
   for (int i = 0; i < 500; ++i) {
     const glm::vec2 at = glm::fract(glm::vec2(0.7549f, 0.5698f) * static_cast<float>(i)) * a.period;

@@ -14,22 +14,28 @@ namespace {
 constexpr double kGravity = 9.81, kCrimp = 1.05;  // a thread is so much longer than the cloth
 // Of the mean between free and bound fibres: cotton cloths of known bending length (shirting 18 to 20 mm, 14 oz denim
 // 25).
-constexpr double kCohesion = 0.33;
+constexpr double kCohesion = 0.38;
 constexpr double kHoldingTwist = 0.05;  // tangent of the twist at which half of the cohesion is there
 // A thread that stays round in the cloth is firm: raw silk in its gum, hard-twisted.
 constexpr double kFirmFrom = 0.85, kFirmer = 3;
 
+// Filament twisted so hard, and not plied against it, that its torque draws the wet cloth together: tangents of the
+// twist from an organzine's, which does not, to a crepe's; how much longer than the cloth its yarn then is (widths of
+// crepe de chine before and after the boil, the trade's; an estimate); unevenness (CV, %) that no filament has.
+constexpr double kOrganzine = 0.2, kCrepe = 0.3, kContraction = 0.12, kFilamentUpTo = 6;
+
 /// By preset, as yarn_presets.cpp has them: modulus in bending, N/mm2; section of a fibre, mm2; density, g/cm3.
 struct FibreBody {
   double modulus, section, density;
+  bool filament = false;
 };
 constexpr std::array<FibreBody, 8> kFibres{{{6000, 1.05e-4, 1.52},
                                             {7000, 1.1e-4, 1.52},
                                             {11000, 2.5e-4, 1.5},
-                                            {8000, 1e-4, 1.34},
+                                            {8000, 1e-4, 1.34, true},
                                             {2000, 3.5e-4, 1.31},
-                                            {6000, 1.1e-4, 1.52},
-                                            {6000, 1.2e-4, 1.39},
+                                            {6000, 1.1e-4, 1.52, true},
+                                            {6000, 1.2e-4, 1.39, true},
                                             {4000, 5e-3, 1.39}}};
 
 template <class T>
@@ -58,15 +64,26 @@ double cloth_firmness(const Design& design) {
   return firm;
 }
 
+/// 0..1: of a crepe, whose filaments lie loose in its waves: torque has gone with the contraction, and where gum was is
+/// room, so that they slide (M. Matsudaira, S. Kawabata 1988, A study of the mechanical properties of woven silk
+/// fabrics).
+double crepe_share(const Yarn& yarn, const FibreBody& fibre, double lean) {
+  const bool filament = fibre.filament && yarn.plies == 1 && static_cast<double>(yarn.unevenness) < kFilamentUpTo;
+  return filament ? std::clamp((lean - kOrganzine) / (kCrepe - kOrganzine), 0.0, 1.0) : 0;
+}
+
 ThreadHand thread_hand(Yarn yarn, float thickness_mm, double firm) {
+  const double tex = static_cast<double>(thickness_mm >= 0 ? tex_of(yarn, thickness_mm) : tex_of(yarn));
   if (thickness_mm >= 0) yarn.diameter_mm = thickness_mm;
   const FibreBody& fibre = kFibres[static_cast<size_t>(fibre_of(yarn))];
-  const double tex = static_cast<double>(tex_of(yarn)), area = tex / (1000 * fibre.density);
+  const double area = tex / (1000 * fibre.density);
   const double fibres = std::max(area / fibre.section, 1.0);
   const double lean = std::numbers::pi * static_cast<double>(yarn.diameter_mm * yarn.turns_per_m) / 1000;
   const double held = kCohesion * std::sqrt(fibres) * (1 + (kFirmer - 1) * firm);
-  const double cohesion = 1 + std::max(held - 1, 0.0) * std::max(lean / (lean + kHoldingTwist), firm);
-  return {tex / 1000, fibre.modulus * area * fibre.section / (4 * std::numbers::pi) * cohesion};
+  const double crepe = crepe_share(yarn, fibre, lean) * (1 - firm), path = 1 + kContraction * crepe;
+  const double bound = std::max((1 - crepe) * lean / (lean + kHoldingTwist), firm);
+  const double cohesion = 1 + std::max(held - 1, 0.0) * bound;
+  return {path * tex / 1000, fibre.modulus * area * fibre.section / (4 * std::numbers::pi) * cohesion / path};
 }
 
 /// Sums over a system's threads, and their extent.

@@ -11,8 +11,9 @@ namespace weftlight::analysis {
 /// Based on: the bending of a yarn whose fibres slide freely, N E I, and of one whose fibres are bound, N^2 E I (S.
 /// Backer 1952; J. D. Owen, G. Livesey 1964: cloth lies between); the geometric mean of both, times kCohesion, less
 /// for filament without twist. E of fibres in bending: W. E. Morton, J. W. S. Hearle, Physical Properties of Textile
-/// Fibres, ch. 17 (an E in between for flax, whose ultimates are kinked). Bending length, (B / (w g))^(1/3): F. T.
-/// Peirce 1930, The "handle" of cloth as a measurable quantity.
+/// Fibres, ch. 17 (an E in between for flax, whose ultimates are kinked). Crepe yarns, by their twist, contract the
+/// cloth and bind nothing. Bending length, (B / (w g))^(1/3): F. T. Peirce 1930, The "handle" of cloth as a measurable
+/// quantity.
 struct ClothHand {
   double kg_per_m2 = 0;
   double bending_n_m = 0;

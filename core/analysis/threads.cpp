@@ -62,13 +62,13 @@ void add_needs(const Design& design, const ClothPlan& plan, System system, doubl
   const size_t begin = out.needs.size();
   for (const auto& [key, kind] : kinds) {
     const auto yarn = static_cast<size_t>(key.first);
-    const YarnPrice price = yarn < plan.prices.size() ? plan.prices[yarn] : YarnPrice{};
-    const double tex = price.tex >= 0 ? price.tex : static_cast<double>(tex_of(design.yarns[yarn]));
+    const double per_kg = yarn < plan.price_per_kg.size() ? plan.price_per_kg[yarn] : -1;
+    const double tex = static_cast<double>(tex_of(design.yarns[yarn]));
     const double each_m = length_mm / 1000 * times * (1 + std::max(plan.spare, 0.0));
     YarnNeed need{system, key.first, key.second, std::llround(static_cast<double>(kind.threads) * times), 0, 0, -1};
     need.length_m = each_m * static_cast<double>(kind.threads);
     need.weight_g = each_m * kind.weight_share * tex / 1000;
-    if (price.per_kg >= 0) need.cost = need.weight_g / 1000 * price.per_kg;
+    if (per_kg >= 0) need.cost = need.weight_g / 1000 * per_kg;
     out.needs.push_back(need);
   }
   std::stable_sort(out.needs.begin() + static_cast<std::ptrdiff_t>(begin), out.needs.end(),

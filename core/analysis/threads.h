@@ -34,13 +34,6 @@ double wraps_per_cm(float diameter_mm);
 /// the Structure of Fabrics, 1884: a repeat of T threads with i interlacings has room for wraps T / (T + i).
 double sett_per_cm(double wraps_per_cm, double interlacing);
 
-/// What one yarn is sold as. Negative: not known (then the weight is that of its fibre, tex_of(yarn), and no cost is
-/// given).
-struct YarnPrice {
-  double tex = -1, per_kg = -1;
-  bool operator==(const YarnPrice&) const = default;
-};
-
 /// How a cloth is planned. Lengths in mm; shares 0..1 (0.1: a tenth).
 struct ClothPlan {
   double length_mm = 0, width_mm = 0;  // finished; 0: as the draft is long and wide
@@ -48,7 +41,7 @@ struct ClothPlan {
   double warp_take_up = 0.08, weft_take_up = 0.06;
   double warp_shrinkage = 0.08, weft_shrinkage = 0.08;  // in the wash
   double spare = 0.05;                                  // yarn that is lost in winding and shuttles
-  std::vector<YarnPrice> prices;                        // by yarn; may be shorter
+  std::vector<double> price_per_kg;                     // by yarn; may be shorter; negative: not known
   bool operator==(const ClothPlan&) const = default;
 };
 

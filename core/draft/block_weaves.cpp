@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "draft/fibre.h"
 #include "draft/generators.h"
 
 namespace weftlight::draft {
@@ -67,10 +68,9 @@ Design overshot(const std::vector<int>& blocks, int length, ClothSize size) {
     }
   }
   Design design = make_design(recipe, size);
-  Yarn pattern = design.yarns[0];
+  Yarn pattern = with_thickness(design.yarns[0], 1.6f * design.yarns[0].diameter_mm);  // covers the tabby beside it
   pattern.name = "Pattern weft";
-  pattern.diameter_mm *= 1.6f;  // covers the tabby beside it
-  pattern.flattening = 0.6f;    // soft and little twisted, so that it spreads
+  pattern.flattening = 0.6f;  // soft and little twisted, so that it spreads
   design.yarns.push_back(pattern);
   for (int p = 0; p < design.draft.picks(); p += 2) design.draft.weft.yarn[p] = 1;
   return with_sett(std::move(design));

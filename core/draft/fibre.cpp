@@ -15,8 +15,8 @@ namespace {
 // polymer are (delustred fibre: titanium dioxide); its layers follow by the root.
 constexpr float kLustreRange = 9.0f;
 
-/// By preset, as yarn_presets.cpp has them: density of the fibre, g/cm3; share of the thread that is fibre. Of metallic
-/// yarn the film's.
+/// By preset, as yarn_presets.cpp has them: density of the fibre, g/cm3; share of the thread that is fibre, where
+/// no count is set. Of metallic yarn the film's.
 struct Substance {
   double density, packing;
 };
@@ -44,6 +44,11 @@ constexpr std::array<CrossSection, 8> kReadySections{{CrossSection::kBean, Cross
 const Shape& shape_of(CrossSection s) { return kShapes[static_cast<size_t>(s)]; }
 
 const Substance& substance_of(const Yarn& yarn) { return kSubstances[static_cast<size_t>(fibre_of(yarn))]; }
+
+/// Of a thread that were all fibre.
+double solid_tex(const Yarn& yarn, float diameter_mm) {
+  return tex_from_diameter(static_cast<double>(diameter_mm), substance_of(yarn).density, 1);
+}
 
 const Yarn& preset_of(int preset) {
   const auto all = yarn_presets();
@@ -103,15 +108,6 @@ Kind kind_of(const Yarn& yarn) {
 
 }  // namespace
 
-/// Share of the thread that is fibre. A yarn that is hairier than its ready one is spun or brushed loftier, and its
-/// thickness is in part that of the hairs: woollen of Nm 5.6 stands 0.93 mm thick, a fifth of it fibre.
-double packing_of(const Yarn& yarn) {
-  constexpr double kLoftier = 0.6;  // of the share, lost where all is hair
-  const double usual = static_cast<double>(preset_of(fibre_of(yarn)).hairiness);
-  const double more = std::clamp((static_cast<double>(yarn.hairiness) - usual) / std::max(1 - usual, 0.01), 0.0, 1.0);
-  return substance_of(yarn).packing * (1 - kLoftier * more);
-}
-
 int fibre_of(const Yarn& yarn) { return kind_of(yarn).preset; }
 
 CrossSection cross_section(const Yarn& yarn) { return kind_of(yarn).section; }
@@ -152,16 +148,41 @@ Yarn with_hairiness(Yarn yarn, float hairiness) {
 }
 
 float tex_of(const Yarn& yarn) {
-  const double packing = packing_of(yarn);
-  return static_cast<float>(
-      tex_from_diameter(static_cast<double>(yarn.diameter_mm), substance_of(yarn).density, packing));
+  if (yarn.tex > 0) return yarn.tex;
+  return static_cast<float>(solid_tex(yarn, yarn.diameter_mm) * substance_of(yarn).packing);
+}
+
+float tex_of(const Yarn& yarn, float thickness_mm) {
+  if (!(yarn.diameter_mm > 0)) {
+    Yarn so_thick = yarn;
+    so_thick.diameter_mm = thickness_mm;
+    return tex_of(so_thick);
+  }
+  const float ratio = thickness_mm / yarn.diameter_mm;
+  return tex_of(yarn) * ratio * ratio;
+}
+
+double fibre_share(const Yarn& yarn) {
+  return yarn.diameter_mm > 0 ? static_cast<double>(tex_of(yarn)) / solid_tex(yarn, yarn.diameter_mm) : 0;
+}
+
+Yarn with_thickness(Yarn yarn, float diameter_mm) {
+  if (yarn.tex > 0) yarn.tex = std::round(100 * tex_of(yarn, diameter_mm)) / 100;
+  yarn.diameter_mm = diameter_mm;
+  return clamped(std::move(yarn));
 }
 
 std::optional<Yarn> with_count(Yarn yarn, std::string_view count) {
+  if (count.find_first_not_of(" \t") == std::string_view::npos) {
+    yarn.tex = 0;
+    return yarn;
+  }
   const std::optional<double> tex = tex_from_text(count);
   if (!tex) return std::nullopt;
-  const double diameter_mm = diameter_from_tex_mm(*tex, substance_of(yarn).density, packing_of(yarn));
-  yarn.diameter_mm = static_cast<float>(std::round(diameter_mm * 1000) / 1000);
+  const Substance& fibre = substance_of(yarn);
+  const double share = yarn.diameter_mm > 0 ? fibre_share(yarn) : fibre.packing;
+  yarn.diameter_mm = static_cast<float>(std::round(diameter_from_tex_mm(*tex, fibre.density, share) * 1000) / 1000);
+  yarn.tex = static_cast<float>(*tex);
   return clamped(std::move(yarn));
 }
 

@@ -33,11 +33,17 @@ Yarn with_lustre(Yarn yarn, float lustre);
 /// Stray fibres (0..1) and with them the fuzz that stands off, in the ratio that the fibre's ready yarn has.
 Yarn with_hairiness(Yarn yarn, float hairiness);
 
-/// Share (0..1) of a thread that is fibre: as its ready yarn is spun, less of one that is hairier.
-double packing_of(const Yarn& yarn);
-/// Grams a kilometre (tex) of a round thread so thick, of the density of its fibre and so packed.
+/// Its count in tex, grams a kilometre: the one that is set, else that of a round thread of its fibre so thick, packed
+/// as its ready yarn is.
 float tex_of(const Yarn& yarn);
-/// As thick as its fibre spun to that count is: "Ne 8/2", "30 tex" (count.h); none: not understood.
+/// Of a thread that the draft makes so thick, mm: as its section.
+float tex_of(const Yarn& yarn, float thickness_mm);
+/// Share of its thickness that is fibre: 0.6 of cotton, 0.2 of a lofty woollen; 0 of none. More than 0.91 cannot be.
+double fibre_share(const Yarn& yarn);
+/// Another thickness of the same yarn: a count that is set becomes that of its section.
+Yarn with_thickness(Yarn yarn, float diameter_mm);
+/// Of that count, "Ne 8/2" or "30 tex" (count.h), and as much thicker or thinner. "": not set any more; the thickness
+/// stays. None: not understood.
 std::optional<Yarn> with_count(Yarn yarn, std::string_view count);
 
 }  // namespace weftlight::draft

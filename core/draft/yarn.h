@@ -32,7 +32,7 @@ struct Lobes {
   float transmission = 0.1f;  // of the body part
   bool metallic = false;      // specular takes the thread's colour, no body
   // Further numbers stand here, at the end: the ready yarns give theirs in this order, and need not name them.
-  float inner_depth = 1.0f;  // way of the inner glow through the dye: power of the thread's colour that it has
+  float inner_depth = 1.0f;  // way of the inner glow through the dye, over that through a round fibre
   bool operator==(const Lobes&) const = default;
 };
 
@@ -50,6 +50,7 @@ struct Yarn {
   float unevenness = 0;        // coefficient of variation of its mass along it, %
   float melange = 0;           // how unlike the colours of neighbouring fibres are
   Lobes lobes;
+  float tex = 0;  // count, grams a kilometre; 0: none is set, it follows from the thickness (tex_of() in fibre.h)
   bool operator==(const Yarn&) const = default;
 };
 

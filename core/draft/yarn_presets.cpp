@@ -38,7 +38,8 @@ namespace {
 constexpr Rgb kWhite{1, 1, 1};
 
 std::array<Yarn, 8> make_presets() {
-  // Lobes: specular, tint, index, along, across, layers, inner, body, fuzz, fuzz width, transmission, metallic.
+  // Last the count, tex. Lobes: specular, tint, index, along, across, layers, inner, body, fuzz, fuzz width,
+  // transmission, metallic.
   return {{
       // Ne 8/2 ring-spun, 148 tex, phi 0.6; 22 degrees.
       {"Cotton",
@@ -53,7 +54,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        11,
        0,
-       {1.0f, kWhite, 1.55f, 0.30f, 0.20f, 3, 0.10f, 0.9f, 0.12f, 0.55f, 0.12f, false}},
+       {1.0f, kWhite, 1.55f, 0.30f, 0.20f, 3, 0.10f, 0.9f, 0.12f, 0.55f, 0.12f, false},
+       147.6f},
       // Ne 10/2 gassed, 118 tex, phi 0.65; 20 degrees.
       {"Mercerised cotton",
        0.39f,
@@ -67,7 +69,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        9,
        0,
-       {1.0f, kWhite, 1.55f, 0.16f, 0.30f, 4, 0.12f, 0.9f, 0.06f, 0.45f, 0.12f, false}},
+       {1.0f, kWhite, 1.55f, 0.16f, 0.30f, 4, 0.12f, 0.9f, 0.06f, 0.45f, 0.12f, false},
+       118.1f},
       // Lea 16/2 wet-spun, 207 tex, phi 0.65; 16 degrees.
       {"Linen",
        0.52f,
@@ -81,7 +84,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        18,
        0,
-       {1.0f, kWhite, 1.56f, 0.38f, 0.30f, 4.4f, 0.40f, 0.9f, 0.02f, 0.50f, 0.14f, false}},
+       {1.0f, kWhite, 1.56f, 0.38f, 0.30f, 4.4f, 0.40f, 0.9f, 0.02f, 0.50f, 0.14f, false},
+       206.7f},
       // Nm 30/2 spun, 67 tex, phi 0.6; 14 degrees.
       {"Silk",
        0.33f,
@@ -95,7 +99,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        10,
        0,
-       {0.95f, kWhite, 1.56f, 0.087f, 0.89f, 4.5f, 0.09f, 0.9f, 0.012f, 0.40f, 0.14f, false}},
+       {0.95f, kWhite, 1.56f, 0.087f, 0.89f, 4.5f, 0.09f, 0.9f, 0.012f, 0.40f, 0.14f, false},
+       66.7f},
       // Nm 28/2 worsted, 71 tex, phi 0.5; 18 degrees.
       {"Wool",
        0.37f,
@@ -109,7 +114,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        13,
        0,
-       {0.7f, kWhite, 1.55f, 0.42f, 0.60f, 2, 0.10f, 1.0f, 0.35f, 0.65f, 0.10f, false}},
+       {0.7f, kWhite, 1.55f, 0.42f, 0.60f, 2, 0.10f, 1.0f, 0.35f, 0.65f, 0.10f, false},
+       71.4f},
       // 300 den filament, 33 tex, phi 0.6; 5 degrees.
       {"Viscose",
        0.22f,
@@ -123,7 +129,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        1,
        0,
-       {1.0f, kWhite, 1.53f, 0.10f, 0.60f, 4, 0.10f, 0.9f, 0.02f, 0.40f, 0.20f, false}},
+       {1.0f, kWhite, 1.53f, 0.10f, 0.60f, 4, 0.10f, 0.9f, 0.02f, 0.40f, 0.20f, false},
+       33.3f},
       // 150 den filament, 17 tex, phi 0.6; 4 degrees.
       {"Polyester filament",
        0.16f,
@@ -137,8 +144,9 @@ std::array<Yarn, 8> make_presets() {
        0,
        1,
        0,
-       {0.95f, kWhite, 1.63f, 0.06f, 0.69f, 8, 0.02f, 0.9f, 0.004f, 0.35f, 0.12f, false}},
-      // Slit film 0.37 mm wide, folded round its core to about 0.25 mm.
+       {0.95f, kWhite, 1.63f, 0.06f, 0.69f, 8, 0.02f, 0.9f, 0.004f, 0.35f, 0.12f, false},
+       16.7f},
+      // Slit film 0.37 mm wide, 12 um thick: 6.2 tex; with two 30 den of core 12.9 tex. Folded to about 0.25 mm.
       {"Metallic",
        0.25f,
        Twist::kNone,
@@ -151,7 +159,8 @@ std::array<Yarn, 8> make_presets() {
        0,
        0,
        0,
-       {1.0f, kWhite, 1.50f, 0.06f, 0.22f, 1, 0, 0.0f, 0.0f, 0.30f, 0.0f, true}},
+       {1.0f, kWhite, 1.50f, 0.06f, 0.22f, 1, 0, 0.0f, 0.0f, 0.30f, 0.0f, true},
+       12.9f},
   }};
 }
 

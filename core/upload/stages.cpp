@@ -40,6 +40,7 @@ constexpr int kSeenLevels = 4, kSeenStep = 1 << kSeenLevels;  // levels of a par
 
 bool same_yarn_shape(Yarn a, Yarn b) {
   a.lobes = b.lobes = Lobes{};
+  a.tex = b.tex = 0;  // weighs, and is not seen
   return a == b;
 }
 

@@ -33,7 +33,9 @@ void add_fields(WifEntries& section, const std::string& prefix, const FloatField
 template <class T, size_t N>
 void add_fields(WifEntries& section, const std::string& prefix, const std::array<YarnField<T>, N>& fields,
                 const T& value) {
-  for (const YarnField<T>& field : fields) add(section, prefix + field.facts.key, shortest(value.*field.member));
+  for (const YarnField<T>& field : fields)
+    if (!field.facts.optional || value.*field.member != 0)
+      add(section, prefix + field.facts.key, shortest(value.*field.member));
 }
 
 WifEntries yarns_of(const Design& design) {

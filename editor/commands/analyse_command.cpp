@@ -12,6 +12,7 @@
 #include "analysis/threads.h"
 #include "commands/commands.h"
 #include "draft/factor.h"
+#include "draft/fibre.h"
 #include "draft/repeat.h"
 
 namespace weftlight::commands {
@@ -55,7 +56,7 @@ std::string take_price(const Design& design, std::string_view text, ClothPlan& p
   bool known = false;
   for (size_t i = 0; i < design.yarns.size(); ++i) {
     if (!for_all && design.yarns[i].name != text.substr(0, equals)) continue;
-    plan.prices[i].per_kg = *price;
+    plan.price_per_kg[i] = *price;
     known = true;
   }
   return known ? "" : "the draft's yarns are " + names_of(design.yarns);
@@ -63,7 +64,7 @@ std::string take_price(const Design& design, std::string_view text, ClothPlan& p
 
 /// False, with a line on stderr, when one is no price, or of a yarn that is not there. Later ones win.
 bool take_prices(const Design& design, const std::vector<std::string>& prices, ClothPlan& plan) {
-  plan.prices.resize(design.yarns.size());
+  plan.price_per_kg.resize(design.yarns.size(), -1);
   for (const std::string& one : prices) {
     const std::string wrong = take_price(design, one, plan);
     if (wrong.empty()) continue;
@@ -126,6 +127,7 @@ Json yarn_json(const Design& design, const YarnReport& yarn) {
     Json one = {{"system", name_of(need.system)}, {"yarn", design.yarns[static_cast<size_t>(need.yarn)].name},
                 {"color", {c.r, c.g, c.b}},       {"threads", need.threads},
                 {"length_m", need.length_m},      {"weight_g", need.weight_g}};
+    one["tex"] = tex_of(design.yarns[static_cast<size_t>(need.yarn)]);
     if (need.cost >= 0) one["cost"] = need.cost;
     needs.push_back(one);
   }
@@ -208,8 +210,8 @@ void print_yarn(const Design& design, const Findings& f) {
   std::printf("sett            %.1f ends/cm, %.1f picks/cm\n", y.ends_per_cm, y.picks_per_cm);
   for (size_t i = 0; i < design.yarns.size(); ++i) {
     const double wraps = wraps_per_cm(design.yarns[i].diameter_mm);
-    std::printf("  from wraps    %s: %.1f wraps/cm, sett %.1f/cm\n", design.yarns[i].name.c_str(), wraps,
-                sett_per_cm(wraps, f.interlacings.weft));
+    std::printf("  from wraps    %s: %.1f tex, %.1f wraps/cm, sett %.1f/cm\n", design.yarns[i].name.c_str(),
+                static_cast<double>(tex_of(design.yarns[i])), wraps, sett_per_cm(wraps, f.interlacings.weft));
   }
   std::printf("on the loom     %lld ends, %.0f mm wide, warp %.2f m long; %lld picks\n", static_cast<long long>(y.ends),
               y.loom_width_mm, y.warp_length_mm / 1000, static_cast<long long>(y.picks));

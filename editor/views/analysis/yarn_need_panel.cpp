@@ -119,7 +119,7 @@ ClothPlan plan_of(const Design& design, const DocumentView& view, const Settings
   plan.spare = static_cast<double>(settings.spare_yarn);
   for (const Yarn& yarn : design.yarns) {
     const auto price = settings.yarn_prices.find(yarn.name);
-    plan.prices.push_back({-1, price != settings.yarn_prices.end() ? static_cast<double>(price->second) : -1});
+    plan.price_per_kg.push_back(price != settings.yarn_prices.end() ? static_cast<double>(price->second) : -1);
   }
   return plan;
 }

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <optional>
 
 #include "draft/fibre.h"
 #include "draft/yarn_fields.h"
@@ -14,6 +12,7 @@
 #include "session/paint.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
+#include "views/inspector/count_row.h"
 #include "views/inspector/lobes_plot.h"
 
 namespace weftlight::views {
@@ -148,22 +147,6 @@ bool draw_cross_section(PanelContext& c, Yarn& yarn) {
   return chosen;
 }
 
-/// The count that the thickness makes; another one typed sets the thickness.
-bool draw_count(PanelContext& c, Yarn& yarn) {
-  row_label(c, "Count", "How heavy it is, as it is sold: Ne 8/2, Nm 30/2, 16 lea, 150 den, 30 tex. Sets the thickness");
-  ImGui::SetNextItemWidth(-FLT_MIN);
-  char tex[32];
-  std::snprintf(tex, sizeof tex, "%.3g tex", static_cast<double>(tex_of(yarn)));
-  std::string typed = tex;
-  const bool entered = ImGui::InputText("##count", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
-  c.map.add_item("yarn.count");
-  if (!entered) return false;
-  const std::optional<Yarn> spun = with_count(yarn, typed);
-  if (!spun) return false;
-  yarn = *spun;
-  return true;
-}
-
 bool draw_lustre(PanelContext& c, Yarn& yarn) {
   float bright = lustre(yarn);
   if (!field_slider(c, kLustreFacts, bright)) return false;
@@ -189,12 +172,15 @@ const char* draw_weavers(PanelContext& c, Yarn& yarn) {
   const auto first = [](const YarnField<Yarn>& f) {
     return f.member == &Yarn::turns_per_m || f.member == &Yarn::hairiness;
   };
+  const auto later = [&](const YarnField<Yarn>& f) {
+    return !first(f) && !f.facts.optics && f.member != &Yarn::tex;  // the count has its own row
+  };
   for (const YarnField<Yarn>& field : kYarnFields)
     if (first(field) && draw_field(c, field, yarn)) what = field.facts.label;
   if (draw_twist(c, yarn)) what = "Hand";
   if (draw_plies(c, yarn)) what = kPliesFacts.label;
   for (const YarnField<Yarn>& field : kYarnFields)
-    if (!first(field) && !field.facts.optics && draw_field(c, field, yarn)) what = field.facts.label;
+    if (later(field) && draw_field(c, field, yarn)) what = field.facts.label;
   return what;
 }
 

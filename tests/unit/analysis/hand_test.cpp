@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "../draft/hand_drafts.h"
 #include "draft/fibre.h"
@@ -29,11 +30,11 @@ TEST(ClothHand, IsWhatASumByHandGives) {
   // 4000 threads of 20 g a kilometre in a metre of each system, 1.05 times as long as the cloth: 168 g.
   EXPECT_NEAR(hand.kg_per_m2, 0.168, 0.001);
   // 20 tex are 0.01316 mm2 of cotton, 125.3 fibres of 1.05e-4 mm2. Free they bend with 6000 x 0.01316 x 1.05e-4 / 4 pi
-  // = 6.597e-4 N mm2; cohesion 0.33 sqrt(125.3) = 3.694, at a lean of pi 0.167 x 0.8 = 0.419 1 + 2.694 x 0.419 / 0.469
-  // = 3.407; four threads a mm: 8.99e-3 N mm.
-  EXPECT_NEAR(hand.bending_n_m, 8.99e-6, 0.03e-6);
-  // Cube root of 8.99e-6 N m over 0.168 x 9.81 N/m2.
-  EXPECT_NEAR(hand.bending_length_mm, 17.6, 0.1);
+  // = 6.597e-4 N mm2; cohesion 0.38 sqrt(125.3) = 4.254, at a lean of pi 0.167 x 0.8 = 0.419 1 + 3.254 x 0.419 / 0.469
+  // = 3.907; four threads a mm: 10.31e-3 N mm.
+  EXPECT_NEAR(hand.bending_n_m, 10.31e-6, 0.03e-6);
+  // Cube root of 10.31e-6 N m over 0.168 x 9.81 N/m2.
+  EXPECT_NEAR(hand.bending_length_mm, 18.4, 0.1);
 }
 
 TEST(ClothHand, HeavierYarnsAndCloserSettsWeighMore) {
@@ -63,6 +64,36 @@ TEST(ClothHand, WhereOneYarnHasGoneFlatNoneIsBoundByGum) {
   soft.yarns[0].flattening = soft.yarns[1].flattening = 0.5f;
   EXPECT_GT(cloth_hand(organdie).bending_n_m, 2 * cloth_hand(soft).bending_n_m);
   EXPECT_NEAR(cloth_hand(boiled).bending_n_m / cloth_hand(soft).bending_n_m, 1, 1e-6);
+}
+
+TEST(ClothHand, ACountThatIsSetWeighsWhateverTheThickness) {
+  Design lofty = shirting();
+  lofty.yarns[0].diameter_mm *= 1.5f;
+  EXPECT_NEAR(cloth_hand(lofty).kg_per_m2, cloth_hand(shirting()).kg_per_m2, 1e-9);
+  lofty.yarns[0].tex = 0;
+  EXPECT_NEAR(cloth_hand(lofty).kg_per_m2 / cloth_hand(shirting()).kg_per_m2, 2.25, 0.05) << "in whole micrometres";
+}
+
+TEST(ClothHand, ACrepesTwistContractsTheClothAndMakesItLimp) {
+  Design silk = shirting();
+  for (const Yarn& ready : yarn_presets())
+    if (ready.name == "Silk") silk.yarns[0] = *with_count(ready, "66 den");
+  Yarn& yarn = silk.yarns[0];
+  yarn.plies = 1, yarn.flattening = 0.7f, yarn.unevenness = 4;
+  const auto twisted = [&](float tangent) {
+    yarn.turns_per_m = 1000 * tangent / (std::numbers::pi_v<float> * yarn.diameter_mm);
+    return cloth_hand(silk);
+  };
+  const ClothHand organzine = twisted(0.19f), crepe = twisted(0.31f);
+  EXPECT_NEAR(crepe.kg_per_m2 / organzine.kg_per_m2, 1.12, 1e-3) << "a longer path";
+  // 54.7 filaments, 1 + (0.38 sqrt(54.7) - 1) x 0.19 / 0.24 times as stiff as loose ones, and the path is longer.
+  EXPECT_NEAR(organzine.bending_n_m / crepe.bending_n_m, 1.12 * 2.434, 0.02);
+  EXPECT_LT(crepe.bending_length_mm, 0.75 * organzine.bending_length_mm);
+  // Staple yarn needs its twist, which binds it; plies take it back.
+  for (const auto& [plies, unevenness] : {std::pair(1, 12.0f), std::pair(2, 4.0f)}) {
+    yarn.plies = plies, yarn.unevenness = unevenness;
+    EXPECT_GT(twisted(0.31f).bending_n_m, organzine.bending_n_m);
+  }
 }
 
 TEST(ClothHand, ADraftWithoutThreadsHasNone) {

@@ -71,7 +71,8 @@ TEST(Yarn, LengthWeightAndCostOfAPlainCloth) {
   plan.weft_take_up = 0.05;
   plan.warp_shrinkage = plan.weft_shrinkage = 0;
   plan.spare = 0;
-  plan.prices = {{200, 10}};  // 200 g a km, 10 a kg
+  plan.price_per_kg = {10};
+  d.yarns[0].tex = 200;
   const YarnReport r = yarn_report(d, plan);
   EXPECT_EQ(r.ends, 100);
   EXPECT_EQ(r.picks, 200);

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../yarns.h"
 #include "draft/count.h"
+#include "draft/edits.h"
+#include "draft/history.h"
 
 namespace weftlight::draft {
 namespace {
@@ -101,16 +105,55 @@ TEST(Fibre, SlidersReadBackWhatTheySet) {
   }
 }
 
-TEST(Fibre, AYarnHairierThanItsReadyOneIsLoftierAndItsCountKeeps) {
-  const Yarn ready = yarn_preset("Wool");
-  EXPECT_NEAR(packing_of(ready), 0.5, 1e-9);
-  const Yarn tweedy = with_hairiness(ready, 1);
-  EXPECT_NEAR(packing_of(tweedy), 0.2, 1e-6);
-  EXPECT_EQ(packing_of(with_hairiness(ready, 0)), packing_of(ready));
-  const std::optional<Yarn> spun = with_count(tweedy, "Nm 5.6");
-  ASSERT_TRUE(spun);
-  EXPECT_NEAR(tex_of(*spun), 178.6f, 0.5f);
-  EXPECT_NEAR(spun->diameter_mm, 0.932f, 0.002f) << "as tweed's is";
+TEST(Fibre, ACountFollowsTheThicknessUntilItIsSet) {
+  Yarn yarn = yarn_preset("Cotton");
+  yarn.tex = 0, yarn.diameter_mm = 0.45f;
+  const float fine = tex_of(yarn);
+  EXPECT_NEAR(fine, 145, 1);  // 250 pi x 1.52 x 0.6 x 0.45^2
+  yarn.diameter_mm = 0.9f;
+  EXPECT_NEAR(tex_of(yarn), 4 * fine, 0.01f);
+  EXPECT_NEAR(fibre_share(yarn), 0.6, 1e-6);
+  Yarn set = *with_count(yarn, "Ne 8/2");
+  EXPECT_NEAR(set.tex, 147.6f, 0.1f);
+  EXPECT_NEAR(set.diameter_mm, 0.9f * std::sqrt(147.6f / (4 * fine)), 0.001f) << "as much thinner as it is lighter";
+  set.diameter_mm = 0.7f;
+  EXPECT_NEAR(tex_of(set), 147.6f, 0.1f) << "loftier, and as heavy as it was";
+  EXPECT_LT(fibre_share(set), 0.3);
+  EXPECT_NEAR(tex_of(set, 1.4f), 4 * tex_of(set), 0.01f) << "the draft's own thickness: more of the same yarn";
+  EXPECT_NEAR(tex_of(with_thickness(set, 1.4f)), 4 * tex_of(set), 0.01f);
+  EXPECT_NEAR(with_count(set, "Ne 4/2")->diameter_mm, 0.7f * std::sqrt(2.0f), 0.001f) << "keeps its loft";
+  const Yarn unset = *with_count(set, "  ");
+  EXPECT_EQ(unset.tex, 0);
+  EXPECT_EQ(unset.diameter_mm, 0.7f);
+}
+
+TEST(Fibre, NoSliderOfItsLooksChangesACount) {
+  for (const bool is_set : {true, false})
+    for (Yarn yarn : yarn_presets()) {
+      if (!is_set) yarn.tex = 0;
+      const float tex = tex_of(yarn);
+      for (const float share : {0.0f, 0.5f, 1.0f}) {
+        EXPECT_EQ(tex_of(with_hairiness(yarn, share)), tex) << yarn.name << " hairy " << share;
+        EXPECT_EQ(tex_of(with_lustre(yarn, share)), tex) << yarn.name << " bright " << share;
+      }
+      for (size_t s = 0; s < kCrossSectionNames.size(); ++s)
+        EXPECT_EQ(tex_of(with_cross_section(yarn, static_cast<CrossSection>(s))), tex) << yarn.name;
+      if (is_set) {
+        EXPECT_EQ(tex_of(with_fibre(yarn, 2)), tex) << yarn.name << ": of another fibre, as heavy";
+      }
+    }
+}
+
+TEST(Fibre, ACountIsUndoneWithTheThicknessThatCameOfIt) {
+  Design design;
+  design.yarns = {yarn_preset("Wool")};
+  History history(design);
+  history.commit(with_yarn(history.now(), 0, *with_count(history.now().yarns[0], "Nm 5.6")), "Yarn: Count");
+  EXPECT_NEAR(history.now().yarns[0].tex, 178.6f, 0.1f);
+  history.undo();
+  EXPECT_EQ(history.now(), design);
+  history.redo();
+  EXPECT_NEAR(tex_of(history.now().yarns[0]), 178.6f, 0.1f);
 }
 
 TEST(Fibre, CountsAreThoseTheReadyYarnsWereMadeFrom) {
@@ -127,10 +170,11 @@ TEST(Fibre, CountsAreThoseTheReadyYarnsWereMadeFrom) {
     ASSERT_TRUE(spun) << name;
     EXPECT_NEAR(spun->diameter_mm / ready.diameter_mm, 1, 0.04f) << name;
     const double tex = tex_from_text(count).value_or(0);
-    EXPECT_NEAR(static_cast<double>(tex_of(*spun)) / tex, 1, 0.01) << name;
+    EXPECT_NEAR(static_cast<double>(tex_of(*spun)) / tex, 1, 1e-4) << name;
+    EXPECT_NEAR(static_cast<double>(ready.tex) / tex, 1, 3e-3) << name;
+    EXPECT_NEAR(fibre_share(ready), 0.61, 0.12) << name;
   }
   EXPECT_FALSE(with_count(yarn_preset("Cotton"), "thick"));
-  EXPECT_FALSE(with_count(yarn_preset("Cotton"), ""));
   EXPECT_EQ(with_count(yarn_preset("Cotton"), "Ne 8/2")->lobes, yarn_preset("Cotton").lobes);
 }
 

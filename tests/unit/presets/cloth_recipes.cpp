@@ -1,11 +1,12 @@
 // Whole cloths: weave, sett of the finished cloth, yarns by count. presets/cloths holds what these give.
 //
-// Setts and counts are customary constructions. Denim 14 oz: Ne 7 by Ne 6, 66 by 43 threads an inch; chambray: Ne 30,
-// 112 by 90; oxford: two ends of Ne 32 by Ne 10, 2 x 53 by 63; gabardine: Nm 60/2, 2 : 1 (J. J. Pizzuto, Fabric
-// Science; S. Adanur, Handbook of Weaving, 2001). Tweed: Nm 5.6 woollen, 8 ends a centimetre (Harris). Flannel: Nm 22
-// woollen. Duchesse satin, taffeta, organza, crepe de chine, charmeuse: raw silk of 20/22 denier, so many threads
-// together (the trade's descriptions of 14 to 22 momme cloth). Linen: lea 25 and 18; table damask on five shafts,
-// lea 40.
+// Setts are customary constructions (J. J. Pizzuto, Fabric Science; S. Adanur, Handbook of Weaving, 2001), and counts
+// those that such cloths are woven of at them: denim 14 oz of Ne 6 by Ne 5; chambray and chintz of Ne 40, 112 by 90 an
+// inch; oxford, two ends of Ne 40 by Ne 14, 2 x 53 by 63; gabardine of Nm 60/2, 2 : 1; tweed of woollen Nm 5.6
+// (Harris); flannel of woollen Nm 15; linen of lea 25, table damask on five shafts of lea 40. Silks are raw silk of
+// 20/22 denier, so many threads together, as the trade describes cloth of 14 to 36 momme; boiled off they lose 24 %
+// (sericin is 22 to 25 % of raw silk: J. G. Cook, Handbook of Textile Fibres, 1984). How thick each thread stands in
+// the finished cloth is by eye; docs/measured.md holds the weights.
 
 #include <cmath>
 
@@ -17,25 +18,23 @@
 namespace weftlight::wif {
 namespace {
 
-/// Density, g/cm3, and share of the thread that is fibre (yarn_presets.cpp has their sources).
-struct Substance {
-  double density, packing;
-};
-// Finished cloth: washing and milling open its yarns, and threads that touch close it.
-constexpr Substance kCotton{1.52, 0.5}, kLinen{1.5, 0.62}, kSilk{1.34, 0.52}, kGum{1.34, 0.6}, kWorsted{1.31, 0.48},
-    kWoollen{1.31, 0.2}, kMilled{1.31, 0.33};
+constexpr float kReeled = 4;         // silk from the cocoon, unlike the library's, which is spun
+constexpr float kBoiledOff = 0.76f;  // of raw silk's weight, without its gum
 
-constexpr float kReeled = 4;  // silk from the cocoon, unlike the library's, which is spun
-
-/// The preset spun to a count; `turns` a metre, of singles.
-Yarn spun(const char* preset, const char* name, const char* count, Substance of, float turns, int plies = 1) {
+/// The preset spun to a count, so thick in the finished cloth (washing and milling open its yarns, and threads that
+/// touch close it); `turns` a metre, of singles.
+Yarn spun(const char* preset, const char* name, const char* count, float diameter_mm, float turns, int plies = 1) {
   Yarn yarn = yarn_preset(preset);
   yarn.name = std::string(name) + " " + count;
-  yarn.diameter_mm =
-      static_cast<float>(diameter_from_tex_mm(tex_from_text(count).value_or(30), of.density, of.packing));
-  yarn.diameter_mm = std::round(yarn.diameter_mm * 1000) / 1000;
+  yarn.diameter_mm = diameter_mm;
+  yarn.tex = static_cast<float>(std::round(100 * tex_from_text(count).value_or(30)) / 100);
   yarn.turns_per_m = turns, yarn.plies = plies;
   if (preset == std::string("Silk")) yarn.unevenness = kReeled;
+  return yarn;
+}
+
+Yarn boiled_off(Yarn yarn) {
+  yarn.tex = std::round(100 * kBoiledOff * yarn.tex) / 100;
   return yarn;
 }
 
@@ -71,11 +70,10 @@ Rgb dye(float r, float g, float b) {
   return {whole(r), whole(g), whole(b)};
 }
 
-Yarn fitted(const char* preset, const char* name, float diameter_mm, float flattening, float turns) {
-  Yarn yarn = yarn_preset(preset);
-  yarn.name = name;
-  yarn.diameter_mm = diameter_mm, yarn.flattening = flattening, yarn.turns_per_m = turns;
-  yarn.plies = 1, yarn.twist = Twist::kZ;
+Yarn fitted(const char* preset, const char* name, const char* count, float diameter_mm, float flattening, float turns) {
+  Yarn yarn = spun(preset, name, count, diameter_mm, turns);
+  yarn.flattening = flattening;
+  yarn.twist = Twist::kZ;
   yarn.unevenness = 0;  // as it was fitted
   return yarn;
 }
@@ -92,16 +90,16 @@ Design measured(Design d, Rgb warp_dye, Rgb weft_dye, const Yarn& warp, const Ya
 
 Design linen_plain() {
   const Rgb blue = dye(0.103f, 0.28f, 0.36f);
-  const Yarn yarn = fitted("Linen", "Linen 23 lea", 0.254f, 0.5f, 320);
+  const Yarn yarn = fitted("Linen", "Linen", "40 lea", 0.254f, 0.5f, 320);
   return titled(worn(measured(plain({16, 16}), blue, blue, yarn, yarn, 0.36f, 0.36f), "tablecloth", 25, 24),
                 "Linen, measured", {"Plain weave, 28 by 28 a centimetre, as Sadeghi and others 2013 measured it."});
 }
 
 Design crepe_de_chine() {
   const Rgb gold = dye(0.23f, 0.243f, 0.0039f);
-  Yarn warp = fitted("Silk", "Raw silk 2 x 22 den", 0.092f, 0.35f, 67);
+  Yarn warp = boiled_off(fitted("Silk", "Raw silk", "66 den", 0.092f, 0.35f, 67));
   warp.lobes.along_width = 0.082f, warp.lobes.across_width = 0.155f, warp.lobes.layers = 9.4f, warp.lobes.inner = 0.48f;
-  Yarn weft = fitted("Silk", "Crepe silk 2 x 22 den", 0.09f, 0.99f, 1075);
+  Yarn weft = boiled_off(fitted("Silk", "Crepe silk", "66 den", 0.09f, 0.99f, 1075));
   weft.lobes.along_width = 0.244f, weft.lobes.across_width = 0.171f, weft.lobes.layers = 4.7f,
   weft.lobes.inner = 0.164f;
   return titled(worn(measured(plain({16, 16}), gold, gold, warp, weft, 0.13f, 0.28f), "skirt", 15, 12),
@@ -114,11 +112,11 @@ Design polyester_charmeuse() {
   crowfoot.shafts = 4, crowfoot.threading = {0, 1, 2, 3}, crowfoot.treadling = {0, 1, 3, 2};
   crowfoot.tieup = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
   const Rgb rose = dye(0.1775f, 0.0695f, 0.0695f);
-  Yarn warp = fitted("Polyester filament", "Polyester 60 den", 0.1f, 0.323f, 29);
+  Yarn warp = fitted("Polyester filament", "Polyester", "75 den", 0.1f, 0.323f, 29);
   warp.groove_depth = 0.092f;
   warp.lobes.specular = 0.873f, warp.lobes.along_width = 0.0851f, warp.lobes.across_width = 0.733f,
   warp.lobes.layers = 16, warp.lobes.inner = 0.101f, warp.lobes.body = 0.584f, warp.lobes.fuzz = 0.001f;
-  Yarn weft = fitted("Polyester filament", "Polyester 95 den", 0.127f, 1, 10);
+  Yarn weft = fitted("Polyester filament", "Polyester", "100 den", 0.127f, 1, 10);
   weft.lobes.specular = 0.956f, weft.lobes.along_width = 0.0736f, weft.lobes.across_width = 0.02f,
   weft.lobes.layers = 10.6f, weft.lobes.inner = 0.055f, weft.lobes.body = 1;
   return titled(worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.284f, 0.3f), "skirt", 15, 12),
@@ -127,8 +125,8 @@ Design polyester_charmeuse() {
 }
 
 Design cotton_denim() {
-  const Yarn warp = fitted("Cotton", "Cotton Ne 7.8", 0.325f, 0.55f, 400),
-             weft = fitted("Cotton", "Cotton Ne 5.2", 0.4f, 0.86f, 461);
+  const Yarn warp = fitted("Cotton", "Cotton", "Ne 7.8", 0.325f, 0.55f, 400),
+             weft = fitted("Cotton", "Cotton", "Ne 5.2", 0.4f, 0.86f, 461);
   return titled(worn(measured(twill({3, 1}, Lean::kRight, {32, 32}), dye(0.0164f, 0.0213f, 0.0235f),
                               dye(0.11f, 0.11f, 0.11f), warp, weft, 0.41f, 0.52f),
                      "skirt", 20, 12),
@@ -137,8 +135,8 @@ Design cotton_denim() {
 
 Design silk_charmeuse() {
   const Rgb plum = dye(0.012f, 0.012f, 0.012f);
-  const Yarn warp = fitted("Silk", "Silk 3 x 22 den", 0.11f, 0.83f, 60),
-             weft = fitted("Silk", "Silk 2 x 20 den", 0.081f, 0.83f, 33);
+  const Yarn warp = boiled_off(fitted("Silk", "Silk", "66 den", 0.11f, 0.83f, 60)),
+             weft = boiled_off(fitted("Silk", "Silk", "40 den", 0.081f, 0.83f, 33));
   return titled(
       worn(measured(satin(8, 3, Face::kFront, {16, 16}), plum, plum, warp, weft, 0.0993f, 0.165f), "skirt", 15, 12),
       "Silk charmeuse, measured", {"Warp satin on eight shafts, 101 by 61 a centimetre (Irawan and Marschner 2012)."});
@@ -146,8 +144,8 @@ Design silk_charmeuse() {
 
 Design cotton_twill() {
   const Rgb dark = dye(0.012f, 0.012f, 0.012f);
-  const Yarn warp = fitted("Cotton", "Cotton Ne 19", 0.208f, 0.55f, 1100),
-             weft = fitted("Cotton", "Cotton Ne 12.5", 0.257f, 0.55f, 1100);
+  const Yarn warp = fitted("Cotton", "Cotton", "Ne 19", 0.208f, 0.55f, 1100),
+             weft = fitted("Cotton", "Cotton", "Ne 12.5", 0.257f, 0.55f, 1100);
   return titled(
       worn(measured(twill({3, 1}, Lean::kRight, {32, 32}), dark, dark, warp, weft, 0.257f, 0.35f), "skirt", -25, 10),
       "Cotton twill, measured", {"3/1 twill, 39 by 29 a centimetre (Irawan and Marschner 2012)."});
@@ -155,8 +153,8 @@ Design cotton_twill() {
 
 Design denim() {
   Design d = with_colors(twill({3, 1}, Lean::kRight, {128, 128}), palette({0x25386a, 0xf2ecde}), {{0, 1}}, {{1, 1}});
-  Yarn warp = spun("Cotton", "Ring-spun cotton", "Ne 7", kCotton, 560),
-       weft = spun("Cotton", "Cotton", "Ne 6", kCotton, 480);
+  Yarn warp = spun("Cotton", "Ring-spun cotton", "Ne 6", 0.376f, 560),
+       weft = spun("Cotton", "Cotton", "Ne 5", 0.406f, 480);
   warp.twist = weft.twist = Twist::kZ;
   // Indigo stays on the outside of rope-dyed ends, and wears off where they stand proud: light and dark along and
   // between.
@@ -166,36 +164,36 @@ Design denim() {
   warp.unevenness = 26, weft.unevenness = 20;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
   return titled(worn(std::move(d), "skirt", 20, 12, 0.6f), "Denim",
-                {"3/1 right-hand twill, 14 oz: indigo Ne 7 over ecru Ne 6, 26 by 17 a centimetre."});
+                {"3/1 right-hand twill, 14 oz: indigo Ne 6 over ecru Ne 5, 26 by 17 a centimetre."});
 }
 
 Design chambray() {
   Design d = with_colors(plain({128, 128}), palette({0x3463a8, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Cotton", "Combed cotton", "Ne 30", kCotton, 820);
+  Yarn yarn = spun("Cotton", "Combed cotton", "Ne 40", 0.182f, 820);
   yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.unevenness = 15, yarn.fibre_um = 22;
   yarn.hairiness = 0.35f, yarn.melange = 0.15f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
   return titled(worn(std::move(d), "tunic", 20, 8, 0.55f), "Chambray",
-                {"Plain weave, blue warp and white weft, Ne 30, 44 by 36 a centimetre."});
+                {"Plain weave, blue warp and white weft, Ne 40, 44 by 36 a centimetre."});
 }
 
 Design oxford() {
   Recipe pairs;
   pairs.shafts = 2, pairs.threading = {0, 0, 1, 1}, pairs.tieup = {{0}, {1}}, pairs.treadling = {0, 1};
   Design d = with_colors(make_design(pairs, {128, 80}), palette({0x8fb2dc, 0xf6f5f1}), {{0, 1}}, {{1, 1}});
-  Yarn warp = spun("Cotton", "Combed cotton", "Ne 32", kCotton, 850),
-       weft = spun("Cotton", "Soft cotton", "Ne 10", kCotton, 380);
+  Yarn warp = spun("Cotton", "Combed cotton", "Ne 40", 0.176f, 850),
+       weft = spun("Cotton", "Soft cotton", "Ne 14", 0.315f, 380);
   warp.irregularity = 0.04f, warp.unevenness = 13, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
   weft.irregularity = 0.05f, weft.unevenness = 15, weft.fibre_um = 30, weft.flattening = 0.7f;
   d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
   return titled(worn(std::move(d), "tunic", -20, 8, 0.55f), "Oxford",
                 {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
-                 "Ne 32 by Ne 10, 42 by 25 a centimetre."});
+                 "Ne 40 by Ne 14, 42 by 25 a centimetre."});
 }
 
 Design gabardine() {
   Design d = with_colors(twill({2, 2}, Lean::kRight, {32, 32}), palette({0xa5916c, 0x9b8763}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Wool", "Worsted", "Nm 60/2", kWorsted, 620, 2);
+  Yarn yarn = spun("Wool", "Worsted", "Nm 60/2", 0.26f, 620, 2);
   yarn.twist = Twist::kS, yarn.irregularity = 0.02f, yarn.fibre_um = 24, yarn.hairiness = 0.12f,
   yarn.groove_depth = 0.3f;
   // Clear finish: singed, cropped and pressed.
@@ -208,7 +206,7 @@ Design gabardine() {
 
 Design tweed() {
   Design d = with_colors(herringbone({2, 2}, 16, {128, 128}), palette({0x54432f, 0xc9b999}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Wool", "Woollen", "Nm 5.6", kWoollen, 260);
+  Yarn yarn = spun("Wool", "Woollen", "Nm 5.6", 0.932f, 260);
   yarn.twist = Twist::kZ, yarn.irregularity = 0.06f, yarn.unevenness = 26, yarn.melange = 1.0f, yarn.fibre_um = 45,
   yarn.hairiness = 1.0f;
   yarn.groove_depth = 0.25f, yarn.flattening = 0.7f, yarn.lobes.fuzz = 0.6f, yarn.lobes.fuzz_width = 0.8f;
@@ -221,27 +219,28 @@ Design tweed() {
 
 Design flannel() {
   Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x9b9ea4, 0x9b9ea4}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Wool", "Woollen", "Nm 22", kMilled, 250);
+  Yarn yarn = spun("Wool", "Woollen", "Nm 15", 0.366f, 250);
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.unevenness = 20, yarn.melange = 0.8f;
   d.finish.raised = 1;  // a nap over the weave
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
   return titled(worn(std::move(d), "skirt", 20, 12, 0.65f), "Flannel",
-                {"2/2 twill of grey melange, woollen Nm 22, 19 by 17 a centimetre, milled and raised."});
+                {"2/2 twill of grey melange, woollen Nm 15, 19 by 17 a centimetre, milled and raised."});
 }
 
 Design chintz() {
   Design d = with_colors(plain({16, 16}), palette({0x1f6a5c, 0x1f6a5c}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Cotton", "Cotton", "Ne 30", kCotton, 900);
+  Yarn yarn = spun("Cotton", "Cotton", "Ne 40", 0.182f, 900);
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f;
   d.finish.calendered = 1;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 42, 36);
   return titled(worn(std::move(d), "curtain", 20, 8), "Chintz",
-                {"Plain weave of cotton Ne 30, 42 by 36 a centimetre, calendered: flat threads, a glazed face."});
+                {"Plain weave of cotton Ne 40, 42 by 36 a centimetre, calendered: flat threads, a glazed face."});
 }
 
 Design silk_satin() {
   Design d = with_colors(satin(8, 3, Face::kFront, {16, 16}), palette({0xc9a05c, 0xb98f4e}), {{0, 1}}, {{1, 1}});
-  Yarn warp = spun("Silk", "Organzine", "63 den", kSilk, 120), weft = spun("Silk", "Tram", "252 den", kSilk, 100);
+  Yarn warp = boiled_off(spun("Silk", "Organzine", "63 den", 0.113f, 120)),
+       weft = boiled_off(spun("Silk", "Tram", "252 den", 0.226f, 100));
   d = set_at(with_yarns(std::move(d), warp, weft), 118, 42);
   return titled(lit(worn(std::move(d), "skirt", 15, 12), -35, 18), "Silk satin",
                 {"Duchesse: warp satin on eight shafts, 118 by 42 a centimetre, raw silk 3 and 12 fold."});
@@ -249,7 +248,8 @@ Design silk_satin() {
 
 Design taffeta() {
   Design d = with_colors(plain({16, 16}), palette({0x123a9e, 0xb5122e}), {{0, 1}}, {{1, 1}});
-  Yarn warp = spun("Silk", "Organzine", "84 den", kSilk, 500), weft = spun("Silk", "Tram", "126 den", kSilk, 120);
+  Yarn warp = boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 500)),
+       weft = boiled_off(spun("Silk", "Tram", "126 den", 0.16f, 120));
   warp.flattening = weft.flattening = 0.5f;
   d = set_at(with_yarns(std::move(d), warp, weft), 62, 46);
   return titled(lit(worn(std::move(d), "skirt", 15, 12), -40, 25), "Shot taffeta",
@@ -258,7 +258,7 @@ Design taffeta() {
 
 Design organza() {
   Design d = with_colors(plain({16, 16}), palette({0xf2b8c6, 0xf6c8d2}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Silk", "Gum silk", "21 den", kGum, 1200);
+  Yarn yarn = spun("Silk", "Gum silk", "21 den", 0.061f, 1200);
   yarn.flattening = 1, yarn.lobes.transmission = 0.35f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 40);
   return titled(
@@ -268,12 +268,12 @@ Design organza() {
 
 Design linen() {
   Design d = with_colors(plain({128, 128}), palette({0xcdbf9f, 0xd6c9ab}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Linen", "Wet-spun linen", "18 lea", kLinen, 330);
+  Yarn yarn = spun("Linen", "Wet-spun linen", "25 lea", 0.355f, 330);
   yarn.irregularity = 0.14f, yarn.unevenness = 36, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
   yarn.flattening = 0.55f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
   return titled(worn(std::move(d), "tablecloth", 25, 24, 0.6f), "Linen",
-                {"Plain weave of thick and thin yarn, lea 18, 21 by 20 a centimetre."});
+                {"Plain weave of thick and thin yarn, lea 25, 21 by 20 a centimetre."});
 }
 
 /// Five-shaft satin on so many blocks: `order` says which block each unit of five threads and of five picks is, and
@@ -311,7 +311,7 @@ Design damask() {
   for (auto block = half.rbegin(); block != half.rend(); ++block) order.insert(order.end(), 4, *block);
   Design d = with_colors(block_damask(order, {{1, 0, 0, 0}, {0, 1, 1, 0}, {0, 1, 0, 1}, {0, 0, 1, 1}}),
                          palette({0xf3efe4, 0xf3efe4}), {{0, 1}}, {{1, 1}});
-  Yarn yarn = spun("Linen", "Bleached linen", "40 lea", kLinen, 480);
+  Yarn yarn = spun("Linen", "Bleached linen", "40 lea", 0.238f, 480);
   yarn.irregularity = 0.03f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
   // Beetled and calendered: flat threads that shine along themselves.
   yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
@@ -323,8 +323,8 @@ Design damask() {
 
 Design ottoman() {
   Design d = with_colors(plain({48, 8}), palette({0x3d6e5a, 0x3a6a57}), {{0, 1}}, {{1, 1}});
-  Yarn warp = spun("Silk", "Organzine", "84 den", kSilk, 300),
-       weft = spun("Cotton", "Corded cotton", "Ne 3/4", kCotton, 160, 4);
+  Yarn warp = boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 300)),
+       weft = spun("Cotton", "Corded cotton", "Ne 5/4", 1.149f, 160, 4);
   warp.flattening = 0.5f, weft.flattening = 1;
   d = set_at(with_yarns(std::move(d), warp, weft), 66, 7);
   return titled(lit(worn(std::move(d), "skirt", 20, 12, 0.7f), -45, 40), "Ottoman",

@@ -7,6 +7,7 @@
 
 #include "../yarns.h"
 #include "draft/edits.h"
+#include "draft/fibre.h"
 #include "draft/generators.h"
 #include "wif/names.h"
 
@@ -23,9 +24,9 @@ Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float opennes
 // The preset spun heavier: the angle of the fibres, hence the look, stays.
 Yarn heavy(Yarn yarn, float diameter_mm) {
   const float scale = diameter_mm / yarn.diameter_mm;
+  yarn = with_thickness(std::move(yarn), diameter_mm);
   yarn.name = "Heavy " + yarn.name;
   yarn.name[6] = static_cast<char>(std::tolower(static_cast<unsigned char>(yarn.name[6])));
-  yarn.diameter_mm = diameter_mm;
   yarn.turns_per_m = std::round(yarn.turns_per_m / scale);
   yarn.fibre_um = std::round(yarn.fibre_um * std::sqrt(scale));  // grooves widen and grow in number alike
   return yarn;
@@ -106,9 +107,8 @@ Design huck() {
 Design overshot_coverlet() {
   Design d = overshot({0, 1, 2, 3, 0, 1, 2, 3, 0, 3, 2, 1, 0, 3, 2, 1}, 4, {128, 128});
   d = with_colors(std::move(d), palette({0xefe6d2, 0x24365e}), {{0, 1}}, {{1, 1}, {0, 1}});
-  Yarn pattern = yarn("Wool");
+  Yarn pattern = with_thickness(yarn("Wool"), 0.72f);  // twice the tabby, to cover it
   pattern.name = "Pattern wool";
-  pattern.diameter_mm = 0.72f;  // twice the tabby, to cover it
   pattern.flattening = 0.6f;
   d = with_yarns(std::move(d), yarn("Cotton"), pattern);
   for (int p = 1; p < d.draft.picks(); p += 2) d = with_thread_yarn(std::move(d), System::kWeft, p, 0);

@@ -84,7 +84,7 @@ TEST(Print, ThePlannedClothAndTheNameAreOnPaper) {
   planned.plan.length_mm = 2500;
   EXPECT_NE(sheet(planned), sheet(o)) << "more yarn";
   PrintOptions priced = planned;
-  priced.plan.prices.assign(d.yarns.size(), {-1, 40});
+  priced.plan.price_per_kg.assign(d.yarns.size(), 40);
   EXPECT_NE(sheet(priced), sheet(planned)) << "its cost";
   o.parts = {true, false, false, false, false};
   PrintOptions named = o;

@@ -23,9 +23,9 @@ TEST(YarnNeed, APlanIsOfTheViewAndOfTheSettings) {
   EXPECT_EQ(plan.width_mm, 500);
   EXPECT_EQ(plan.loom_waste_mm, 750);
   EXPECT_NEAR(plan.weft_shrinkage, 0.1, 1e-6);
-  ASSERT_EQ(plan.prices.size(), 2u);
-  EXPECT_EQ(plan.prices[0].per_kg, 40);
-  EXPECT_LT(plan.prices[1].per_kg, 0) << "not known";
+  ASSERT_EQ(plan.price_per_kg.size(), 2u);
+  EXPECT_EQ(plan.price_per_kg[0], 40);
+  EXPECT_LT(plan.price_per_kg[1], 0) << "not known";
   const analysis::YarnReport r = analysis::yarn_report(d, plan);
   EXPECT_NEAR(r.cost, r.weight_g / 1000 * 40, 1e-6) << "all of it is linen";
   d.draft.weft.yarn[3] = 1;

@@ -243,6 +243,24 @@ TEST(edit, what_wif_cannot_hold) {
   }
 }
 
+TEST(edit, a_count_is_one_line_and_only_where_it_is_set) {
+  WifFile file = opened(fixture("twill.wif"));
+  Design two = file.design;
+  two.yarns.resize(2);
+  two.yarns[1].name = "Chambray";
+  const std::string old = write_wif(file, two);
+  EXPECT_EQ(old.find("Tex="), std::string::npos) << "a file of before knows no count";
+  file = opened(old);
+  EXPECT_EQ(write_wif(file, file.design), old);
+  Design counted = file.design;
+  counted.yarns[1].tex = 14.76f;
+  const std::string with_count = write_wif(file, counted);
+  expect_change(line_diff(old, with_count), {}, {"2 Tex=14.76\r\n"});
+  const WifFile again = opened(with_count);
+  EXPECT_EQ(again.design, counted);
+  EXPECT_EQ(write_wif(again, file.design), old) << "not set any more";
+}
+
 TEST(edit, going_back_to_defaults_removes_the_private_sections) {
   const WifFile file = opened(fixture("twill.wif"));
   Design now = file.design;

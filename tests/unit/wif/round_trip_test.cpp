@@ -62,6 +62,7 @@ Yarn random_yarn(Dice& dice) {
   Yarn yarn;
   yarn.name = random_text(dice);
   yarn.diameter_mm = dice.between(0, 50);
+  if (dice.coin()) yarn.tex = dice.between(0.1f, 2000);
   yarn.twist = static_cast<Twist>(dice.upto(2));
   yarn.plies = 1 + dice.upto(7);
   yarn.turns_per_m = dice.between(0, 5000);

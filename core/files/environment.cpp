@@ -104,11 +104,24 @@ bool read_rows(OIIO::ImageInput& in, int y, int end, const Channels& c, std::vec
                        rows.data());
 }
 
-ReadEnvironment read_from(const std::string& path) {
+/// Null with `error` set when the head refuses it.
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path, std::string& error) {
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(path, ec)) {
+    error = path + ": no such file; choose another picture";
+    return nullptr;
+  }
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
-  if (!in) return {{}, path + ": " + OIIO::geterror() + "; give an .hdr or an .exr that is whole", {}};
+  if (!in) error = path + ": " + OIIO::geterror() + "; give an .hdr or an .exr that is whole";
+  else if (const std::string why = refused(in->format_name(), in->spec()); !why.empty()) error = path + ": " + why;
+  return error.empty() ? std::move(in) : nullptr;
+}
+
+ReadEnvironment read_from(const std::string& path) {
+  std::string error;
+  const std::unique_ptr<OIIO::ImageInput> in = open(path, error);
+  if (!in) return {{}, error, {}};
   const OIIO::ImageSpec& spec = in->spec();
-  if (const std::string why = refused(in->format_name(), spec); !why.empty()) return {{}, path + ": " + why, {}};
   const Channels channels = channels_of(spec);
   // Tiles are read in whole rows of them.
   constexpr int64_t kMostValues = int64_t{1} << 26;  // 256 MB
@@ -136,13 +149,21 @@ ReadEnvironment read_from(const std::string& path) {
 }  // namespace
 
 ReadEnvironment read_environment(const std::string& path) {
-  std::error_code ec;
-  if (!std::filesystem::is_regular_file(path, ec)) return {{}, path + ": no such file; choose another picture", {}};
   try {
     return read_from(path);
   } catch (const std::exception& e) {
     return {{}, path + ": " + e.what() + "; the file is broken", {}};
   }
+}
+
+std::string environment_problem(const std::string& path) {
+  std::string error;
+  try {
+    open(path, error);
+  } catch (const std::exception& e) {
+    error = path + ": " + e.what() + "; the file is broken";
+  }
+  return error;
 }
 
 }  // namespace weftlight::files

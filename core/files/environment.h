@@ -22,4 +22,8 @@ struct ReadEnvironment {
 /// Of light: texels are weighed by the part of the sphere that they cover.
 ReadEnvironment read_environment(const std::string& path);
 
+/// What the file's head alone tells against it, in the words of ReadEnvironment::error, within milliseconds; empty: it
+/// may be read.
+std::string environment_problem(const std::string& path);
+
 }  // namespace weftlight::files

@@ -8,6 +8,7 @@
 #include "draft/generators/sections.h"
 #include "draft/lights.h"
 #include "draft/selection_edits.h"
+#include "files/environment.h"
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
@@ -137,6 +138,7 @@ void Editor::ask_environment() {
       FileAsk::kOpen, "Light from a picture", is_environment(now) ? now : "",
       [this](const std::string& path) {
         if (!is_environment(path)) return say("Light comes from pictures that end in .hdr or .exr");
+        if (const std::string problem = environment_problem(path); !problem.empty()) return say(problem);
         commit({"Light from a picture", [path](Design d) {
                   d.scene = lit_by_environment(d.scene, path);
                   return d;

@@ -65,6 +65,23 @@ TEST_F(DeskTest, TheLibraryLooksTheSameAndGivesCopies) {
   EXPECT_TRUE(comes_true([&] { return w.has("dialog.path"); })) << "a shipped draft is never overwritten";
 }
 
+TEST_F(DeskTest, APictureOfLightThatCannotBeReadChangesNothing) {
+  put(folder_ / "words.hdr", "these are words");
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  display_.click(w.middle_of("inspector:Cloth"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "scene.environment"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type((folder_ / "words.hdr").string());
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog.path"); }));
+  EXPECT_EQ(w.live(), before);
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0) << "nothing is unsaved";
+}
+
 TEST_F(DeskTest, ViewsOfTheClothAreKeptByName) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -182,7 +182,7 @@ std::optional<Yarn> with_count(Yarn yarn, std::string_view count) {
   const Substance& fibre = substance_of(yarn);
   const double share = yarn.diameter_mm > 0 ? fibre_share(yarn) : fibre.packing;
   yarn.diameter_mm = static_cast<float>(std::round(diameter_from_tex_mm(*tex, fibre.density, share) * 1000) / 1000);
-  yarn.tex = static_cast<float>(*tex);
+  yarn.tex = static_cast<float>(std::round(*tex * 1000) / 1000);
   return clamped(std::move(yarn));
 }
 

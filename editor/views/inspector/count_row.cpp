@@ -43,7 +43,7 @@ std::string count_in_words(const Yarn& yarn) {
   if (!(tex > 0)) return "as thick as the draft says";
   std::string text = "Ne " + three_figures(count_of(tex, CountUnit::kNe)) + ", Nm " +
                      three_figures(count_of(tex, CountUnit::kNm)) + ", " +
-                     three_figures(count_of(tex, CountUnit::kDenier)) + " den; ";
+                     three_figures(count_of(tex, CountUnit::kDenier)) + " den\n";
   if (!(yarn.tex > 0)) return text + "follows the thickness";
   const double share = fibre_share(yarn);
   if (share > kClosest) return text + "more than fits in its thickness";

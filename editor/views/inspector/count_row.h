@@ -7,7 +7,7 @@
 
 namespace weftlight::views {
 
-/// "Ne 40, Nm 67.7, 133 den; follows the thickness"; of a count that is set, the share of the thread that is fibre.
+/// "Ne 40, Nm 67.7, 133 den", and below "follows the thickness"; of a count that is set, how much of it is fibre.
 std::string count_in_words(const Yarn& yarn);
 
 /// True while it changes the yarn.

@@ -192,7 +192,7 @@ constexpr float kOctaveStep = 0.25f;
 
 float yarns_at(int step) { return std::exp2(kOctaveStep * static_cast<float>(step)); }
 
-std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance, const std::vector<Choice>& among) {
+std::array<float, 3> edges_among(const Ladder& ladder, float tolerance, const std::vector<Choice>& among) {
   std::array<float, 3> edges{1e6f, 1e6f, 1e6f};
   int rank = 3;  // the finest rung any coarser footprint needs
   for (int step = kMostStep; step >= -kMostStep; --step) {
@@ -200,6 +200,21 @@ std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance, const std
     const Method m = cheapest(ladder, yarns, tolerance, among).method;
     rank = std::min(rank, static_cast<int>(std::find(std::begin(kRungs), std::end(kRungs), m) - std::begin(kRungs)));
     for (int k = 0; k < rank; ++k) edges[static_cast<size_t>(k)] = yarns;
+  }
+  return edges;
+}
+
+/// Near the threads `cell` may be further off than `repeat`. Where a coarser footprint would have it kept although it
+/// no longer holds there what `repeat` does, it is left out.
+std::array<float, 3> rung_edges(const Ladder& ladder, float tolerance, std::vector<Choice> among) {
+  const std::array<float, 3> edges = edges_among(ladder, tolerance, among);
+  for (int step = -kMostStep; step <= kMostStep; ++step) {
+    const float yarns = yarns_at(step);
+    if (yarns < edges[0] || yarns >= edges[1]) continue;
+    const float cell = expected_error(ladder, Method::kCell, yarns);
+    if (cell <= tolerance || cell <= kAsGood * expected_error(ladder, Method::kRepeat, yarns)) continue;
+    std::erase_if(among, [](const Choice& c) { return c.method == Method::kCell; });
+    return edges_among(ladder, tolerance, among);
   }
   return edges;
 }

@@ -164,6 +164,29 @@ TEST(Ladder, SamplesFollowToleranceAndFootprint) {
   EXPECT_LT(expected(ladder, tight, 1).error, expected(ladder, loose, 1).error);
 }
 
+TEST(Ladder, CellIsNotKeptWhereItNoLongerHolds) {
+  // As measured of a twill: `cell` is cheaper than `repeat`, and from one yarn a pixel down the worse of the two.
+  Ladder ladder;
+  const auto add = [&ladder](Method method, int samples, float cost, std::array<float, 3> errors) {
+    for (size_t i = 0; i < 3; ++i) {
+      const float yarns = std::exp2(static_cast<float>(i) - 1.5f);
+      ladder.push_back({method, yarns, cost, errors[i], errors[i], samples});
+    }
+  };
+  add(Method::kYarn, 2, 540, {0.38f, 0.46f, 0.47f});
+  add(Method::kYarn, 3, 770, {0.27f, 0.32f, 0.35f});
+  add(Method::kCell, 1, 164, {0.49f, 0.40f, 0.34f});
+  add(Method::kRepeat, 1, 265, {0.43f, 0.32f, 0.25f});
+  add(Method::kCloth, 1, 102, {0.56f, 0.43f, 0.33f});
+  float last = 0;
+  for (const float tolerance : {0.34f, 0.38f, 0.42f, 0.46f, 0.5f}) {
+    const float error = expected(ladder, plan_of(ladder, {tolerance}), 0.5f).error;
+    EXPECT_LE(error, tolerance) << tolerance;
+    EXPECT_GE(error, last - 1e-4f) << tolerance;
+    last = error;
+  }
+}
+
 TEST(Lattice, PointsSpreadOverThePixelAndPassesFillIn) {
   using namespace formulas;
   EXPECT_EQ(lattice_of(kLattices - 1).x, kMostYarnSamples);

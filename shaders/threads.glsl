@@ -16,6 +16,7 @@
 // both sides of a branch):
 //   EVEN_THREADS   the rooms of each system's threads are alike
 //   ONE_LAYER
+//   SMOOTH_YARNS   none of them swells along its length
 //
 // Loops ask at their end whether to go on: there one that asks first runs its body once more.
 //
@@ -139,9 +140,14 @@ FORMULA int thread_at(ThreadGrid g, int system, float place) {
 
 // 1 over a thread's half width and half height where it crosses thread `at` of the other system.
 FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
+  vec2 half_sizes = max(vec2(body.half_width, body.half_height), vec2(1.0e-6f));
+#if defined(SMOOTH_YARNS)
+  return 1.0f / half_sizes;
+#else
   int other = 1 - system;
   float f = swell_at(body.swell, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
-  return 1.0f / swollen(max(vec2(body.half_width, body.half_height), vec2(1.0e-6f)), body.half_room, f);
+  return 1.0f / swollen(half_sizes, body.half_room, f);
+#endif
 }
 
 FORMULA Strand strand_of(int thread, ThreadSection body, vec2 thin, vec2 next_thin, float base, float start, float step,

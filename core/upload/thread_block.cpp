@@ -71,6 +71,21 @@ std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
   return to;
 }
 
+namespace {
+
+/// Records of ends, and of picks, lie between where theirs begin and where their bins do.
+bool none_swells(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head) {
+  for (int system = 0; system < 2; ++system) {
+    for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
+      const size_t body = static_cast<size_t>(at + THREAD_BODY);
+      if (body >= records.size() || thread_formulas::record_body(records[body]).swell > 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
   using Texels = std::array<glm::uvec4, THREAD_HEAD_TEXELS>;
   ThreadKind kind;
@@ -81,6 +96,7 @@ ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
     layers = static_cast<size_t>(std::max(head.layers, 1));
     kind.one_layer = layers == 1;
     kind.even = (i == 0 || kind.even) && head.even.x > 0 && head.even.y > 0;
+    if (i == 0) kind.smooth = none_swells(records, head);
   }
   return kind;
 }

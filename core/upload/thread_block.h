@@ -22,6 +22,7 @@ std::vector<glm::uvec4> thread_records(const Cloth& front, float top_mm);
 struct ThreadKind {
   bool even = false;  // the rooms of each system's threads are alike
   bool one_layer = false;
+  bool smooth = false;  // no thread swells along its length
 };
 /// Of the texels of thread_records().
 ThreadKind thread_kind(const std::vector<glm::uvec4>& records);

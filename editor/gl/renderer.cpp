@@ -64,7 +64,7 @@ struct Renderer::Parts {
     GlProgram program;
     std::string problem;
   };
-  std::map<std::array<int, 6>, ClothProgram> cloth_programs;
+  std::map<std::array<int, 7>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, hair_timer;
   bool queried = false, hairs_queried = false, software = false;
@@ -137,7 +137,8 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
 /// more_lit: with the lights of an environment beside the key light. kind: the cloth that it is for.
 const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs, bool more_lit,
                                                                     ThreadKind kind) {
-  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, rungs, more_lit, kind.even, kind.one_layer}];
+  ClothProgram& made =
+      cloth_programs[{static_cast<int>(method), taps, rungs, more_lit, kind.even, kind.one_layer, kind.smooth}];
   if (!made.program.peek() && made.problem.empty()) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
@@ -147,6 +148,7 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
     if (more_lit) defines.push_back("MORE_LIT");
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
+    if (kind.smooth) defines.push_back("SMOOTH_YARNS");
     made.program = build_program("cloth.vert", "cloth.frag", defines, made.problem);
     if (!made.problem.empty()) made.problem = name + ": " + made.problem;
   }

@@ -241,11 +241,11 @@ TEST(ThreadRecords, TellOfWhatKindTheThreadsAre) {
   const Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   const ThreadKind even =
       thread_kind(packed(lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft)).lobes.threads);
-  EXPECT_TRUE(even.even && even.one_layer);
+  EXPECT_TRUE(even.even && even.one_layer && even.smooth);
   const ThreadKind uneven = thread_kind(packed(uneven_twill()).lobes.threads);
-  EXPECT_TRUE(!uneven.even && uneven.one_layer);
+  EXPECT_TRUE(!uneven.even && uneven.one_layer && !uneven.smooth);
   EXPECT_FALSE(thread_kind(packed(pockets()).lobes.threads).one_layer);
-  EXPECT_FALSE(thread_kind({}).even);
+  EXPECT_FALSE(thread_kind({}).even || thread_kind({}).smooth);
 }
 
 TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
@@ -262,6 +262,7 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
     std::vector<std::string> defines;
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
+    if (kind.smooth) defines.push_back("SMOOTH_YARNS");
     SCOPED_TRACE(std::to_string(cloth.layers.size()) + " layers, " + (kind.even ? "even" : "uneven"));
     GpuCloth gpu_cloth;
     gpu_cloth.upload(p);

@@ -30,14 +30,18 @@ using glm::vec4;
 #define YARN_TEXELS 4
 #define CROSSING_BLOCK 4096
 
-// Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights;
-// bins of slope angles. Tables of views and lights: answer, lean, answer from behind, each of face * 2 + system; of
-// views: of each face what is seen, the sky by warp and by weft, and where from.
+// Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
+// lights from behind the cloth; bins of slope angles. Tables of views: of each face what is seen, the sky by warp and by
+// weft, and where from.
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16
+#define BEHIND_ELEVATIONS 12
+#define BEHIND_AROUND 32
+// Texels of the answer along one view: answer and lean, and below them the answer to light from behind.
+#define RESPONSE_WIDTH 34
+#define RESPONSE_HEIGHT 80
 #define RESPONSE_SLOPES 64
-#define RESPONSE_TABLES 12
 #define SEEN_TABLES 8
 
 struct FrameData {

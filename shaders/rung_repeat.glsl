@@ -2,15 +2,16 @@
 // the colour and cover of the footprint and leans it with the footprint's facets; `cloth` takes the means of the
 // period and so needs no map at all.
 
-// Of the system's answer (table 0), of how it leans (table 1), or of its answer to light from behind (table 2), between
-// the nodes.
+// Of the system's answer (table 0) or of how it leans (table 1), between the nodes; of lights from behind of its answer
+// alone.
 vec4 response_at(int table, int system, vec3 l, vec3 v) {
-  vec2 i = response_coord(l);
   vec2 o = response_coord(v);
-  const float lights = float(RESPONSE_LIGHTS_AROUND);
   const float views = float(RESPONSE_VIEWS_AROUND);
   const float up = float(RESPONSE_ELEVATIONS);
-  vec2 at = vec2((i.x * lights + 0.5) / (lights + 1.0), ((float(table) * 4.0 + float(system)) * up + i.y + 0.5) / (float(RESPONSE_TABLES) * up));
+  const vec2 size = vec2(float(RESPONSE_WIDTH), float(RESPONSE_HEIGHT));
+  vec2 before = response_coord(l) * vec2(float(RESPONSE_LIGHTS_AROUND), 1.0) + vec2(float(table * (RESPONSE_LIGHTS_AROUND + 1)), float(system) * up);
+  vec2 behind = behind_coord(l) * vec2(float(BEHIND_AROUND), 1.0) + vec2(0.0, 4.0 * up + float(system * BEHIND_ELEVATIONS));
+  vec2 at = ((l.z > 0.0 ? before : behind) + 0.5) / size;
   o.x *= views;
   vec2 cell = min(floor(o), vec2(views - 1.0, up - 2.0));
   vec2 t = o - cell;
@@ -29,7 +30,7 @@ Answer answer_from_afar(Side side, Lights x, int which, vec2 slopes, vec3 color)
   vec2 d = vec2(textureLod(slopes_map, vec2(slopes.x, (float(system) * 2.0 + 0.5) / 8.0), 0.0).r,
                 textureLod(slopes_map, vec2(slopes.y, (float(system) * 2.0 + 1.5) / 8.0), 0.0).r);
   YarnLobes y = yarn_of(data.yarn, color);
-  vec4 broad = response_at(x.l.z > 0.0 ? 0 : 2, system, x.l, x.v);
+  vec4 broad = response_at(0, system, x.l, x.v);
   return system_answer(y, broad, d, data.share, seen_along(side.face, 1 + which, x.v), x.l, x.v);
 }
 

@@ -58,8 +58,11 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, v
   lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) + vec3(disc, 0.0, disc));
   Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;
-  // Light from behind crosses this thread itself; every other one stops it.
-  if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, hit.at, l, kLightCells, hit.system, thread)) a.key = vec3(0.0);
+  // Light from behind crosses this thread itself; every other one stops it. Where it falls on a side that hangs over, the
+  // thread may stand before itself, too: from a little above it.
+  bool side = l.z < 0.0 && dot(p.normal, l) > 0.0;
+  vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
+  if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread)) a.key = vec3(0.0);
   sums.key += a.key;
   a.soft *= texel.groove;
   a.glossy *= texel.groove;

@@ -68,6 +68,12 @@ FORMULA vec2 response_coord(vec3 w) {
   return vec2(turn - floor(turn), sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * float(RESPONSE_ELEVATIONS - 1));
 }
 
+// The same of light from behind, in the tables of such.
+FORMULA vec2 behind_coord(vec3 l) {
+  float turn = atan(l.y, l.x) * 0.15915494f;
+  return vec2(turn - floor(turn), sqrt(clamp(1.0f - abs(l.z), 0.0f, 1.0f)) * float(BEHIND_ELEVATIONS - 1));
+}
+
 // Coordinate 0..1 of a slope in the tables of slopes.
 FORMULA float slope_coord(float slope) { return atan(slope) * 0.31830989f + 0.5f; }
 
@@ -93,13 +99,13 @@ const float kUnseenFacets = 0.01f;
 FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, vec4 sky, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float length2 = max(dot(sum, sum), 1.0e-6f);
-  float d = facet_density(slopes, half_slopes(l, v));
+  float mirrors = l.z > 0.0f ? facet_density(slopes, half_slopes(l, v)) * share + kUnseenFacets : 1.0f;
   float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
   vec3 fresnel = y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k);
   vec3 hair = y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f);
   Answer a;
   vec3 body = l.z > 0.0f ? y.body : y.body + y.through;
-  a.key = body * broad.x + fresnel * ((d * share + kUnseenFacets) * broad.y) + hair * broad.z;
+  a.key = body * broad.x + fresnel * (mirrors * broad.y) + hair * broad.z;
   a.soft = y.body * sky.x + hair * sky.y;
   a.glossy = y.f0 * (sky.z - sky.w) + y.f90 * sky.w;
   return a;

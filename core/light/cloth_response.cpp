@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "base/loops.h"
+#include "light/behind_response.h"
 #include "light/cloth_sky.h"
 #include "light/formulas.h"
 #include "light/yarn_lobes.h"
@@ -24,6 +25,7 @@ constexpr float kStraight = 1e-4f;   // variance of a facet's moments that tells
 constexpr float kSteepest = 100.0f;  // rise with a moment, over the mean
 constexpr float kDark = 1e-4f;       // radiance whose lean is not seen
 constexpr float kEvenWeave = 0.02f;  // relative variance of the cover around that tells nothing
+constexpr int kBehindPlaces = 2;     // for each of the front: few of them are both seen and lit
 constexpr int kMeanTexels = 512;     // along a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
@@ -43,8 +45,7 @@ struct Point {
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
   PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
-  LitFrom front, behind;
-  bool lit_behind = false;
+  LitFrom front;
   float height_mm = 0;
   float around = 0;  // share of the crossings around that its system has on top
   FacetMoments facets{};
@@ -62,22 +63,6 @@ void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const g
   from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
   from.clear[i] = side.clear, from.shadow[i] = side.area;
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
-}
-
-/// From behind the cloth: through the thread, or onto a side of it. Times body and through.
-void take_behind(Point& p, const ThreadPlace& place, const formulas::LobeFrame& frame,
-                 const formulas::LobeShared& shared, const std::array<glm::vec3, kV>& w) {
-  const formulas::YarnLobes& lobes = place.lobes;
-  const float both = std::max(lobes.body.g + lobes.through.g, 1e-6f);
-  for (size_t i = 0; i < kL; ++i) {
-    if (place.open_behind[i] <= 0) continue;
-    const glm::vec3& up = w[view_of_light(i)];
-    const glm::vec3 local = formulas::lobe_local(frame, {up.x, up.y, -up.z});
-    const formulas::LobeSide side = formulas::lobe_side(lobes, shared, {local.x, local.y, std::abs(local.z)});
-    take_light(p.behind, i, side, local, std::max(local.z, 0.0f));
-    p.behind.lit[i] = std::abs(local.z) * side.enters.g * (local.z > 0 ? lobes.body.g : lobes.through.g) / both;
-    p.lit_behind = true;
-  }
 }
 
 /// With a normal of the place: that between its plies for the views before which it faces, else the section's.
@@ -118,7 +103,6 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
     const float behind = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
     p.front.lit[i] = -local.z * behind * lobes.through.g / lobes.body.g;
   }
-  take_behind(p, place, frame, shared, w);
   return p;
 }
 
@@ -129,7 +113,7 @@ struct SentSums {
 };
 
 struct Sums {
-  SentSums front, behind;
+  SentSums front;
   std::vector<float> all;                                 // front, [view][light]
   std::array<std::vector<float>, kFacetMoments> leaning;  // all, times each of the point's moments
   PerView seen{}, height{}, seen_around{};
@@ -144,7 +128,7 @@ struct Sums {
         std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
     };
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
-    for (SentSums* of : {&front, &behind}) rows(of->body, kL), rows(of->mirror, kL), rows(of->hair, kL);
+    rows(front.body, kL), rows(front.mirror, kL), rows(front.hair, kL);
     rows(all, kL);
     for (auto& of : leaning) rows(of, kL);
     for (auto* of : {&seen, &height, &seen_around}) one(*of);
@@ -152,12 +136,12 @@ struct Sums {
   }
 };
 
-/// Schlick's (1 - cosine)^5 at the half vector of each pair. way: 1; -1 of lights from behind.
-std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w, float way) {
+/// Schlick's (1 - cosine)^5 at the half vector of each pair.
+std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
   std::vector<float> out(kV * kL);
   for (size_t v = 0; v < kV; ++v) {
     for (size_t i = 0; i < kL; ++i) {
-      const glm::vec3 half = w[v] + w[view_of_light(i)] * glm::vec3(1, 1, way);
+      const glm::vec3 half = w[v] + w[view_of_light(i)];
       out[v * kL + i] = std::pow(std::max(1 - 0.5f * glm::length(half), 0.0f), 5.0f);
     }
   }
@@ -213,10 +197,9 @@ void accumulate(SentSums& to, size_t view, const Sent& sent) {
   accumulate(to.hair, view, sent.combed);
 }
 
-using Grazing = std::array<std::vector<float>, 2>;
+using Grazing = std::vector<float>;
 
-/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by. grazing: of
-/// lights before the cloth and behind.
+/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by.
 void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   if (p.seen[view] <= 0) return;
   const float seen = p.area * p.seen[view];
@@ -224,7 +207,7 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   for (size_t k = 0; k < kFacetMoments; ++k) sums.seen_leaning[k][view] += seen * p.facets[k];
   Sent sent;
   PerLight rising, all;
-  rise(rising, p.pile, &grazing[0][view * kL]);
+  rise(rising, p.pile, &grazing[view * kL]);
   send(sent, p, p.front, rising, view);
   accumulate(sums.front, view, sent);
   const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_hair;
@@ -232,10 +215,6 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
     all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.combed[i] * hair;
   accumulate(sums.all, view, all);
   for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.leaning[k], view, all, p.facets[k]);
-  if (!p.lit_behind) return;
-  rise(rising, p.pile, &grazing[1][view * kL]);
-  send(sent, p, p.behind, rising, view);
-  accumulate(sums.behind, view, sent);
 }
 
 /// Adds all points to the rows of the views of one elevation.
@@ -416,9 +395,9 @@ std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlace
 }
 
 /// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
-/// facets that are seen.
-void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
-                   const Moments& above) {
+/// facets that are seen. Returns what areas of places are multiplied by.
+float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
+                    const Moments& above) {
   const Regression cover(points, system, [](const Point& p) { return p.above; });
   const float scale = out.share / std::max(cover.weight, 1e-9f);
   for (size_t v = 0; v < kV; ++v) {
@@ -436,9 +415,9 @@ void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& po
         out.lean[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kSteepest, kSteepest);
       const float correction = scale * cover.correction(all, cover.rise(all, products), above);
       for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair}) (*of)[at] *= correction;
-      for (std::vector<float>* of : {&sums.behind.body, &sums.behind.mirror, &sums.behind.hair}) (*of)[at] *= scale;
     }
   }
+  return scale;
 }
 
 /// Points of the places, with the slopes of those that are seen from above.
@@ -480,16 +459,15 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
     const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
     for (size_t s = 0; s < 2; ++s) {
       SystemResponse& system = out.systems[s];
-      const auto write = [&](std::vector<float>& to, const SentSums& sent, size_t i, float way) {
+      const SentSums& sent = sums[s].front;
+      for (size_t i = 0; i < kL; ++i) {
         const size_t at = v * kL + i;
-        const float density = closed_form(few[s], system.share, w[view_of_light(i)] * glm::vec3(1, 1, way), w[v]);
-        to[4 * at] = sent.body[at] / seen;
-        to[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kUnseenFacets));
-        to[4 * at + 2] = sent.hair[at] / seen;
-        to[4 * at + 3] = sums[s].seen[v] / seen;
-      };
-      for (size_t i = 0; i < kL; ++i)
-        write(system.broad, sums[s].front, i, 1), write(system.behind, sums[s].behind, i, -1);
+        const float density = closed_form(few[s], system.share, w[view_of_light(i)], w[v]);
+        system.broad[4 * at] = sent.body[at] / seen;
+        system.broad[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kUnseenFacets));
+        system.broad[4 * at + 2] = sent.hair[at] / seen;
+        system.broad[4 * at + 3] = sums[s].seen[v] / seen;
+      }
     }
   }
 }
@@ -511,26 +489,30 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   out.sky = 0;
   for (SystemResponse& s : out.systems) {
     s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
-    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kL, 0.0f), s.sky.assign(4 * kV, 0.0f);
+    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f), s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
   out.seen_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();
-  const ThreadPlaces threads = thread_places(cloth, samples);
+  const ThreadPlaces threads = thread_places(cloth, samples, kBehindPlaces * samples);
   const std::vector<Point> points = points_of(threads.places, w);
   take_means(out, maps);
   const std::array<Moments, 2> moments = take_top(out, threads.top);
-  const Grazing grazing{grazing_of(w, 1), grazing_of(w, -1)};
+  const Grazing grazing = grazing_of(w);
   std::array<Sums, 2> sums;
   for_each_job(kResponseElevations, [&](int e) { add_views_fast(sums, points, grazing, e); });
   for (Sums& s : sums) s.repeat_top();
   out.seen_rise = seen_rises(sums, threads);
+  std::array<float, 2> scale{};
   for (size_t s = 0; s < 2; ++s) {
-    finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
+    scale[s] = finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
     finish(out.systems[s].slopes);
   }
   write_tables(out, sums, slopes_of(threads.places), w);
+  PerView seen;
+  for (size_t v = 0; v < kV; ++v) seen[v] = sums[0].seen[v] + sums[1].seen[v];
+  take_behind(out, threads.behind, scale, seen);
   take_sky(out, cloth);
   return out;
 }

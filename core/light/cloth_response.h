@@ -23,8 +23,8 @@ struct SystemResponse {
   // of shaders/rungs.glsl times the share, and kUnseenFacets), fuzz and light scattered more than once, share of what
   // is seen. Directions: light/thread_places.h. Over all the cloth that is seen.
   std::vector<float> broad;
-  // The same of lights from behind, at the node of the same light turned over: through the threads or onto their sides,
-  // body times body and through. Other threads stop most of it.
+  // The same of [view][light from behind] (thread_places.h): through the threads or onto their sides, body times body
+  // and through, what mirrors as it is, no share. Other threads stop most of it.
   std::vector<float> behind;
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.

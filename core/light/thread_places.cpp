@@ -8,6 +8,7 @@
 
 #include "base/loops.h"
 #include "cloth/thread_scene.h"
+#include "light/thread_shadows.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
@@ -19,6 +20,9 @@ constexpr int kMostCells = 48;             // of crossings, along a ray
 constexpr int kAbove = 1 << 13;            // places seen from above
 // Of the turns around a thread, denser near its ridge: the underside is hardly seen.
 constexpr float kEvenTurns = 0.55f;
+
+constexpr size_t kHighest = (kResponseElevations - 1) * kViewAzimuths;  // the view from straight above
+constexpr size_t kAlong = (kBehindElevations - 1) * kBehindAzimuths;  // from there on lights from behind reach nothing
 
 /// Coordinate 0..1 of point k of an even spread.
 float part(int k, double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); }
@@ -42,13 +46,18 @@ class Placer {
   explicit Placer(const Cloth& cloth)
       : cloth_(cloth),
         scene_(cloth),
+        shadows_(scene_),
         grid_(scene_.grid()),
         textures_(thread_textures(cloth)),
         views_(response_views()) {
+    for (size_t v = kLowViews; v <= kHighest; ++v) high_views_.add(views_[v], v);
+    const auto lights = behind_lights();
+    for (size_t i = 0; i < kAlong; ++i) lights_.add(lights[i], i);
     for (int i = 0; i < grid_.layers; ++i) layers_.push_back(scene_.thread_layer(i, 1));
   }
-  /// Place k of `count` of a system; area 0 where there is none.
-  ThreadPlace place(int system, int k, int count);
+  /// Place k of `count` of a system; area 0 where there is none. lit: by light from behind; those that none reaches are
+  /// left out.
+  ThreadPlace place(int system, int k, int count, bool lit);
   void look_down(int first, int count, ThreadPlaces& out);
 
  private:
@@ -57,15 +66,17 @@ class Placer {
   glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
   void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
   glm::vec3 bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
-  void look_around(ThreadPlace& p, glm::vec3 at, int thread);
+  void look_around(ThreadPlace& p, glm::vec3 at, int thread, bool along);
   void look_behind(ThreadPlace& p, glm::vec3 at, int thread);
 
   const Cloth& cloth_;
   ThreadScene scene_;
+  ThreadShadows shadows_;
   thread_formulas::ThreadScene::ThreadGrid grid_;
   std::vector<thread_formulas::ThreadScene::ThreadGrid> layers_;
   std::array<std::vector<ThreadTexture>, 2> textures_;
   std::array<glm::vec3, kResponseViews> views_;
+  Directions high_views_, lights_;  // behind
 };
 
 /// The warp's share of the crossings around one, by a tent: what mips of four yarns see, read between texels.
@@ -85,7 +96,7 @@ float Placer::warp_around(int layer, int end, int pick) const {
   return static_cast<float>(sum) / (kTop * kTop * kTop * kTop);
 }
 
-ThreadPlace Placer::place(int system, int k, int count) {
+ThreadPlace Placer::place(int system, int k, int count, bool lit) {
   const glm::vec2 at = glm::vec2(part(k, 0.8191725133961645), part(k, 0.6710436067037893)) * grid_.period;
   const float u = 2 * part(k, 0.5497004779019703) - 1;
   const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u),
@@ -118,8 +129,9 @@ ThreadPlace Placer::place(int system, int k, int count) {
   const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
   p.around = system == 0 ? warp : 1 - warp;
   dress(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
-  look_around(p, where, s.thread);
-  look_behind(p, where, s.thread);
+  if (lit) look_behind(p, where, s.thread);
+  if (lit && p.behind.empty()) p.area = 0;
+  else look_around(p, where, s.thread, !lit);
   return p;
 }
 
@@ -180,46 +192,48 @@ void Placer::look_down(int first, int count, ThreadPlaces& out) {
   }
 }
 
-void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread) {
-  const auto sees = [&](size_t view) {
-    const bool behind = glm::dot(p.side, views_[view]) <= 0;
-    if (behind && p.lobes.through.g <= 0) return false;
-    return !scene_.threads_block(grid_, at, views_[view], kMostCells, p.system, thread);
-  };
-  constexpr size_t kTop = (kResponseElevations - 1) * kViewAzimuths;
-  const bool above = sees(kTop);
-  std::fill_n(p.open.begin() + kTop, kViewAzimuths, above ? 1.0f : 0.0f);
-  // Every second azimuth first; between two that agree, their answer stands.
-  for (size_t a = 0; a < 2 * kViewAzimuths; a += 2) {
-    const bool between = a >= kViewAzimuths;
-    const size_t azimuth = between ? a - kViewAzimuths + 1 : a;
-    int blocked = above ? 0 : 1;
-    for (size_t e = kResponseElevations - 1; e-- > 0;) {
-      float* row = &p.open[e * kViewAzimuths];
-      const float before = row[azimuth - (between ? 1 : 0)], after = row[(azimuth + 1) % kViewAzimuths];
-      // What stands before two elevations stands before the lower ones.
-      const bool open = between && before == after ? before > 0 : sees(e * kViewAzimuths + azimuth);
-      row[azimuth] = open ? 1.0f : 0.0f;
-      blocked = open ? 0 : blocked + 1;
-    }
+/// along: of views along the cloth, too.
+void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread, bool along) {
+  const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
+  Directions open;
+  open.reserve(high_views_.size());
+  for (size_t k = 0; k < high_views_.size(); ++k)
+    if (can_see(high_views_.number[k])) open.take(high_views_, k);
+  shadows_.cast(open, at, p.system, thread);
+  Directions facing;
+  facing.reserve(open.size());
+  for (size_t k = 0; k < open.size(); ++k) {
+    const uint16_t v = open.number[k];
+    if (glm::dot(p.side, views_[v]) > 0) facing.take(open, k);
+    else p.open[v] = 1;
+  }
+  shadows_.cast(facing, at + p.side * (0.02f * grid_.top), p.system, thread, true);
+  for (const uint16_t v : facing.number) p.open[v] = 1;
+  std::fill_n(p.open.begin() + kHighest, kViewAzimuths, p.open[kHighest]);
+  if (!along) return;
+  // What might stand before these is far off: one by one. What stands before two elevations stands before the lower
+  // ones.
+  for (size_t v = kLowViews; v-- > 0;) {
+    if (!can_see(v) || (p.open[v + kViewAzimuths] <= 0 && p.open[v + 2 * kViewAzimuths] <= 0)) continue;
+    p.open[v] = scene_.threads_block(grid_, at, views_[v], kMostCells, p.system, thread) ? 0.0f : 1.0f;
   }
 }
 
-/// Of places that some view sees.
+/// Through the thread, or onto a side of it.
 void Placer::look_behind(ThreadPlace& p, glm::vec3 at, int thread) {
-  const auto shown = [&](size_t v) { return p.open[v] > 0 && glm::dot(p.side, views_[v]) > 0; };
-  bool seen = false;
-  for (size_t v = 0; v < kResponseViews && !seen; ++v) seen = shown(v);
-  if (!seen) return;
-  for (size_t i = 0; i < kResponseLights; ++i) {
-    const glm::vec3 up = views_[view_of_light(i)], l(up.x, up.y, -up.z);
-    const bool side = glm::dot(p.side, l) > 0;
-    if (!side && p.lobes.through.g <= 0) continue;
-    // On a side that light from behind reaches its own thread may stand before the place, too: from a little above it.
-    const bool blocked = side ? scene_.threads_block(grid_, at + p.side * (0.02f * grid_.top), l, kMostCells, -1, 0)
-                              : scene_.threads_block(grid_, at, l, kMostCells, p.system, thread);
-    p.open_behind[i] = blocked ? 0.0f : 1.0f;
+  Directions through, side;
+  through.reserve(lights_.size()), side.reserve(lights_.size());
+  for (size_t k = 0; k < lights_.size(); ++k) {
+    const bool faces = p.side.x * lights_.x[k] + p.side.y * lights_.y[k] + p.side.z * lights_.z[k] > 0;
+    if (faces) side.take(lights_, k);
+    else if (p.lobes.through.g > 0) through.take(lights_, k);
   }
+  shadows_.cast(through, at, p.system, thread);
+  shadows_.cast(side, at, p.system, thread);
+  // The thread itself may stand before a side, too: from a little above it.
+  shadows_.cast(side, at + p.side * (0.02f * grid_.top), p.system, thread, true);
+  p.behind = through.number;
+  p.behind.insert(p.behind.end(), side.number.begin(), side.number.end());
 }
 
 }  // namespace
@@ -232,6 +246,19 @@ std::array<glm::vec3, kResponseViews> response_views() {
     for (int a = 0; a < kViewAzimuths; ++a) {
       const float t = 2 * kPi * static_cast<float>(a) / kViewAzimuths;
       out[static_cast<size_t>(e * kViewAzimuths + a)] = {r * std::cos(t), r * std::sin(t), z};
+    }
+  }
+  return out;
+}
+
+std::array<glm::vec3, kBehindLights> behind_lights() {
+  std::array<glm::vec3, kBehindLights> out;
+  for (int e = 0; e < kBehindElevations; ++e) {
+    const float u = static_cast<float>(e) / (kBehindElevations - 1);
+    const float z = std::max(1 - u * u, 0.004f), r = std::sqrt(1 - z * z);
+    for (int a = 0; a < kBehindAzimuths; ++a) {
+      const float t = 2 * kPi * static_cast<float>(a) / kBehindAzimuths;
+      out[static_cast<size_t>(e * kBehindAzimuths + a)] = {r * std::cos(t), r * std::sin(t), -z};
     }
   }
   return out;
@@ -257,28 +284,34 @@ Cloth cut(const Cloth& cloth, const CellRect& w) {
   return out;
 }
 
-ThreadPlaces thread_places(const Cloth& cloth, int count) {
+ThreadPlaces thread_places(const Cloth& cloth, int count, int behind) {
   ThreadPlaces out;
   if (cloth.ends.empty() || cloth.picks.empty()) return out;
   const bool large = cloth.layers.empty() && cloth.ends.size() * cloth.picks.size() > kWholeCrossings;
   const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
-  const int windows = static_cast<int>(parts.size());
-  const int each = std::max(1, count / 2 / windows), above = kAbove / windows;
-  out.places.resize(static_cast<size_t>(windows * 2 * each));
+  const int windows = static_cast<int>(parts.size()), above = kAbove / windows;
   // One spread over all windows: each takes the points that the one before left.
+  const auto spread = [&](std::vector<ThreadPlace>& to, Placer& placer, int w, int wanted, bool lit) {
+    const int each = std::max(1, wanted / 2 / windows);
+    to.resize(static_cast<size_t>((w + 1) * 2 * each));
+    for_each_job(2 * each, [&](int i) {
+      to[static_cast<size_t>(w * 2 * each + i)] = placer.place(i % 2, w * each + i / 2, windows * each, lit);
+    });
+  };
   for (int w = 0; w < windows; ++w) {
     Placer placer(parts[static_cast<size_t>(w)]);
-    for_each_job(2 * each, [&](int i) {
-      out.places[static_cast<size_t>(w * 2 * each + i)] = placer.place(i % 2, w * each + i / 2, windows * each);
-    });
+    spread(out.places, placer, w, count, false);
+    if (behind > 0) spread(out.behind, placer, w, behind, true);
     placer.look_down(w * above, above, out);
   }
   const float scale = 1 / static_cast<float>(windows * above);
   out.around_mean *= scale;
   out.around_variance = std::max(out.around_variance * scale - out.around_mean * out.around_mean, 0.0f);
-  std::erase_if(out.places, [](const ThreadPlace& p) {
-    return p.area <= 0 || std::all_of(p.open.begin(), p.open.end(), [](float o) { return o <= 0; });
-  });
+  for (std::vector<ThreadPlace>* places : {&out.places, &out.behind}) {
+    std::erase_if(*places, [](const ThreadPlace& p) {
+      return p.area <= 0 || std::all_of(p.open.begin(), p.open.end(), [](float o) { return o <= 0; });
+    });
+  }
   return out;
 }
 

@@ -2,6 +2,7 @@
 // Places spread over the threads of a cloth, as bodies, and which directions each of them sees.
 
 #include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -19,6 +20,13 @@ inline constexpr int kViewAzimuths = RESPONSE_VIEWS_AROUND, kLightAzimuths = RES
 inline constexpr int kResponseViews = kResponseElevations * kViewAzimuths;
 inline constexpr int kResponseLights = kResponseElevations * kLightAzimuths;
 
+// Lights from behind the cloth, closer, since what they come through is narrow: node k: cosine 1 - (k / 11)^2, steps of
+// some 8 degrees; those along the cloth reach nothing.
+inline constexpr int kBehindElevations = BEHIND_ELEVATIONS, kBehindAzimuths = BEHIND_AROUND;
+inline constexpr int kBehindLights = kBehindElevations * kBehindAzimuths;
+
+inline constexpr int kLowViews = 2 * kViewAzimuths;  // along the cloth, as good as
+
 /// The view from which light i comes.
 constexpr size_t view_of_light(size_t i) {
   return i / kLightAzimuths * kViewAzimuths + i % kLightAzimuths * (kViewAzimuths / kLightAzimuths);
@@ -26,6 +34,7 @@ constexpr size_t view_of_light(size_t i) {
 
 /// Unit vectors; x along the weft, y along the warp, z out of the face.
 std::array<glm::vec3, kResponseViews> response_views();
+std::array<glm::vec3, kBehindLights> behind_lights();
 
 struct ThreadPlace {
   int system = 0;  // 0 warp, 1 weft
@@ -40,9 +49,7 @@ struct ThreadPlace {
   formulas::YarnLobes drawn;  // as pictures from afar take them, of colours with grooves in them
   // Per view, 0 or 1: nothing stands before it; for those behind the place, nothing but its own thread.
   std::array<float, kResponseViews> open{};
-  // Per light from behind the cloth, at the node of the same light turned over: nothing but its own thread stands
-  // before it.
-  std::array<float, kResponseLights> open_behind{};
+  std::vector<uint16_t> behind;  // lights from behind before which nothing but its own thread stands
 };
 
 // Means of the unit normal's x, y and of their squares.
@@ -59,6 +66,8 @@ struct TopPlace {
 
 struct ThreadPlaces {
   std::vector<ThreadPlace> places;
+  // Of more, those that light from behind reaches, without views along the cloth; area: as if there were no others.
+  std::vector<ThreadPlace> behind;
   std::vector<TopPlace> top;  // many more: they cost little
   // Of the warp's share of the crossings around a place (a tent nine wide), over the whole cloth.
   float around_mean = 0, around_variance = 0;
@@ -68,8 +77,8 @@ inline constexpr size_t kWholeCrossings = 1 << 18;  // up to which a cloth is ta
 /// The threads of a window as a cloth of their own, of one layer.
 Cloth cut(const Cloth& cloth, const CellRect& window);
 
-/// `count` places, the same every time. Of a cloth of very many crossings: in windows spread over it. Those that
-/// no direction reaches are left out.
-ThreadPlaces thread_places(const Cloth& cloth, int count);
+/// `count` places, the same every time, and `behind` that are tried for light from behind. Of a cloth of very many
+/// crossings: in windows spread over it. Those that no direction reaches are left out.
+ThreadPlaces thread_places(const Cloth& cloth, int count, int behind = 0);
 
 }  // namespace weftlight::light

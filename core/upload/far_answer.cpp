@@ -53,17 +53,20 @@ ViewNodes around(const glm::vec3& view) {
 
 /// As response_at() of shaders/rung_repeat.glsl reads it: between the nodes of light and view.
 glm::vec4 broad_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view) {
-  const formulas::vec2 i = formulas::response_coord(light);
-  const Nodes turn = on_circle(i.x, kLightAzimuths), tilt = on_line(i.y, kResponseElevations);
+  const bool before = light.z > 0;
+  const formulas::vec2 i = before ? formulas::response_coord(light) : formulas::behind_coord(light);
+  const int azimuths = before ? kLightAzimuths : kBehindAzimuths, lights = before ? kResponseLights : kBehindLights;
+  const Nodes turn = on_circle(i.x, azimuths), tilt = on_line(i.y, before ? kResponseElevations : kBehindElevations);
   const ViewNodes views = around(view);
   glm::vec4 sum(0);
   for (size_t corner = 0; corner < 16; ++corner) {
     const bool turned = corner >> 2 & 1, tilted = corner >> 3 & 1;
     const float weight =
         views.weight[corner & 3] * (turned ? turn.share : 1 - turn.share) * (tilted ? tilt.share : 1 - tilt.share);
-    const size_t node = views.at[corner & 3] * kResponseLights + (tilted ? tilt.high : tilt.low) * kLightAzimuths +
+    const size_t node = views.at[corner & 3] * static_cast<size_t>(lights) +
+                        (tilted ? tilt.high : tilt.low) * static_cast<size_t>(azimuths) +
                         (turned ? turn.high : turn.low);
-    sum += weight * glm::make_vec4(&(light.z > 0 ? system.broad : system.behind)[4 * node]);
+    sum += weight * glm::make_vec4(&(before ? system.broad : system.behind)[4 * node]);
   }
   return sum;
 }

@@ -60,8 +60,9 @@ struct PackedFace {
 
 /// The answer to light from afar, as textures (response_block.h); empty until it was measured.
 struct ResponseTables {
-  std::vector<glm::vec4>
-      broad;  // [view][answer, lean, answer from behind][face * 2 + system][elevation][azimuth of the light]
+  // [view]: [face * 2 + system][elevation][answer, lean][azimuth of the light], then to light from behind
+  // [face * 2 + system][elevation][azimuth]
+  std::vector<glm::vec4> broad;
   std::vector<float> slopes;  // [face * 2 + system][axis][slope]: density of the facets' slope angles
   // [face][table][elevation][azimuth]: share of the warp, its rise, mean heights of both; what each system sends of an
   // even sky; where from (response_block.cpp)

@@ -12,18 +12,36 @@ namespace {
 
 using Faces = std::array<ClothResponse, 2>;
 
-/// Rows of all faces and systems, of values of [view][light], for one view.
-void append_rows(std::vector<glm::vec4>& out, const Faces& faces, size_t view,
-                 std::vector<float> SystemResponse::*values) {
+/// Of one view, of lights on one side of the cloth.
+struct LightRow {
+  const std::vector<float>& values;  // [view][light]
+  size_t view, elevation;
+  int azimuths;
+  size_t lights;
+
+  /// `width` texels, azimuths going round and round.
+  void append(std::vector<glm::vec4>& out, int width) const {
+    for (int a = 0; a < width; ++a) {
+      const size_t light = elevation * static_cast<size_t>(azimuths) + static_cast<size_t>(a % azimuths);
+      out.push_back(glm::make_vec4(&values[4 * (view * lights + light)]));
+    }
+  }
+};
+
+/// All of one view.
+void append_view(std::vector<glm::vec4>& out, const Faces& faces, size_t view) {
   for (const ClothResponse& face : faces) {
     for (const SystemResponse& system : face.systems) {
       for (size_t e = 0; e < kResponseElevations; ++e) {
-        for (size_t a = 0; a < kResponseWidth; ++a) {
-          const size_t light = e * kLightAzimuths + a % kLightAzimuths;
-          const float* at = &(system.*values)[4 * (view * kResponseLights + light)];
-          out.push_back(glm::make_vec4(at));
-        }
+        LightRow{system.broad, view, e, kLightAzimuths, kResponseLights}.append(out, kAnswerWidth);
+        LightRow{system.lean, view, e, kLightAzimuths, kResponseLights}.append(out, kResponseWidth - kAnswerWidth);
       }
+    }
+  }
+  for (const ClothResponse& face : faces) {
+    for (const SystemResponse& system : face.systems) {
+      for (size_t e = 0; e < kBehindElevations; ++e)
+        LightRow{system.behind, view, e, kBehindAzimuths, kBehindLights}.append(out, kResponseWidth);
     }
   }
 }
@@ -31,11 +49,7 @@ void append_rows(std::vector<glm::vec4>& out, const Faces& faces, size_t view,
 std::vector<glm::vec4> broad_of(const Faces& faces) {
   std::vector<glm::vec4> out;
   out.reserve(size_t{kResponseWidth} * kResponseHeight * kResponseViews);
-  for (size_t view = 0; view < kResponseViews; ++view) {
-    append_rows(out, faces, view, &SystemResponse::broad);
-    append_rows(out, faces, view, &SystemResponse::lean);
-    append_rows(out, faces, view, &SystemResponse::behind);
-  }
+  for (size_t view = 0; view < kResponseViews; ++view) append_view(out, faces, view);
   return out;
 }
 

@@ -11,9 +11,10 @@
 
 namespace weftlight::upload {
 
-// Azimuths with the first again at the end.
-inline constexpr int kResponseWidth = kLightAzimuths + 1, kSeenWidth = kViewAzimuths + 1;
-inline constexpr int kResponseHeight = RESPONSE_TABLES * kResponseElevations;
+// Azimuths with the first again at the end. Answer and lean stand side by side, below them the answer from behind.
+inline constexpr int kAnswerWidth = kLightAzimuths + 1, kSeenWidth = kViewAzimuths + 1;
+inline constexpr int kResponseWidth = RESPONSE_WIDTH, kResponseHeight = RESPONSE_HEIGHT;
+static_assert(2 * kAnswerWidth <= kResponseWidth && kBehindAzimuths + 1 <= kResponseWidth);
 inline constexpr int kSlopeRows = 8;  // (face * 2 + system) * 2 + axis
 inline constexpr int kSeenHeight = SEEN_TABLES * kResponseElevations;
 

@@ -79,9 +79,26 @@ TEST_F(FarAnswers, LightFromBehindComesThroughThePlacesThatNoThreadHides) {
     for (const float tilt : {0.0f, 60.0f}) {
       const glm::vec3 view = tilted(kViewAzimuth, tilt), before = tilted(35, 40), behind = tilted(35, 140);
       const double truth = traced(cloth, view, behind), bright = traced(cloth, view, before);
-      EXPECT_NEAR(grey(radiance_from_afar(cloth.answer, behind, view)), truth, 0.15 * truth + 0.012 * bright)
+      EXPECT_NEAR(grey(radiance_from_afar(cloth.answer, behind, view)), truth, 0.1 * truth + 0.0015 * bright)
           << cloth.name << " at " << tilt << " degrees";
     }
+  }
+}
+
+// Pinholes are narrow: lights between the nodes, each by what it sends. Satin lets all but nothing through; what it
+// sends is mirrored by few sides.
+TEST_F(FarAnswers, LightFromBehindHoldsBetweenTheNodesToo) {
+  const std::array lights{tilted(100, 140), tilted(-73, 140), tilted(0, 180), tilted(35, 155), tilted(160, 130)};
+  for (const Shipped& cloth : cloths) {
+    double missed = 0, all = 0;
+    for (const float tilt : {0.0f, 60.0f}) {
+      const glm::vec3 view = tilted(kViewAzimuth, tilt);
+      for (const glm::vec3& light : lights) {
+        const double truth = traced(cloth, view, light);
+        all += truth, missed += std::abs(grey(radiance_from_afar(cloth.answer, light, view)) - truth);
+      }
+    }
+    EXPECT_LT(missed / all, cloth.name == "satin_8" ? 0.4 : 0.15) << cloth.name;
   }
 }
 

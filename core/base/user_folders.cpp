@@ -1,7 +1,11 @@
 #include "base/user_folders.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace weftlight::base {
 namespace {
@@ -21,5 +25,15 @@ std::string user_folder(const char* variable, const char* fallback) {
 std::string config_folder() { return user_folder("XDG_CONFIG_HOME", ".config"); }
 std::string cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 std::string state_folder() { return user_folder("XDG_STATE_HOME", ".local/state"); }
+
+void keep_newest(const std::string& folder, const std::string& extension, size_t most) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> all;
+  std::error_code ec;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ec))
+    if (entry.path().extension() == extension) all.emplace_back(entry.last_write_time(ec), entry.path());
+  if (all.size() <= most) return;
+  std::sort(all.begin(), all.end());
+  for (size_t i = 0; i < all.size() - most; ++i) fs::remove(all[i].second, ec);
+}
 
 }  // namespace weftlight::base

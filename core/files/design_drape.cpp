@@ -55,16 +55,6 @@ OwnHang own_hang_of(const Design& design) {
 
 }  // namespace
 
-void make_room(const std::string& folder) {
-  std::vector<std::pair<fs::file_time_type, fs::path>> all;
-  std::error_code ec;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ec))
-    if (entry.path().extension() == ".glb") all.emplace_back(entry.last_write_time(ec), entry.path());
-  if (all.size() <= kMostKept) return;
-  std::sort(all.begin(), all.end());
-  for (size_t i = 0; i < all.size() - kMostKept; ++i) fs::remove(all[i].second, ec);
-}
-
 bool can_drape(const Design& design) {
   const auto& shipped = drape_names();
   return design.scene.mesh != "plane" && std::find(shipped.begin(), shipped.end(), design.scene.mesh) != shipped.end();
@@ -92,7 +82,7 @@ std::string drape_cloth(const Design& design, const std::function<bool(double sh
   const Mesh mesh = simulate_design_drape(design, go_on);
   if (mesh.position_mm.empty()) return {};
   std::string problem = write_mesh(path, mesh, nullptr);
-  if (problem.empty()) make_room(folder.string());
+  if (problem.empty()) keep_newest(folder.string(), ".glb", kMostKept);
   return problem;
 }
 

@@ -26,7 +26,5 @@ bool is_draped(const Design& design);
 Mesh simulate_design_drape(const Design& design, const std::function<bool(double share)>& go_on = {});
 /// The same, kept; the oldest kept ones make room. Empty: done, or left; else what went wrong.
 std::string drape_cloth(const Design& design, const std::function<bool(double share)>& go_on = {});
-/// Removes the oldest of more drapes than are kept.
-void make_room(const std::string& folder);
 
 }  // namespace weftlight::files

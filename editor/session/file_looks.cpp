@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/user_folders.h"
 #include "files/files.h"
 #include "files/picture_draft.h"
 #include "session/file_identity.h"
@@ -43,17 +44,6 @@ Thumbnail kept_picture(const std::string& file) {
   return out;
 }
 
-/// The oldest pictures make room.
-void sweep(const std::string& folder) {
-  std::vector<std::pair<fs::file_time_type, fs::path>> all;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".png") all.emplace_back(entry.last_write_time(error), entry.path());
-  if (all.size() <= kMostThumbnails) return;
-  std::sort(all.begin(), all.end());
-  for (size_t i = 0; i < all.size() - kMostThumbnails; ++i) fs::remove(all[i].second, error);
-}
-
 void keep_picture(const std::string& folder, const std::string& file, const Thumbnail& picture) {
   std::error_code ignored;  // without a cache the picture is made again the next time
   fs::create_directories(folder, ignored);
@@ -61,7 +51,7 @@ void keep_picture(const std::string& folder, const std::string& file, const Thum
   for (const uint32_t pixel : picture.pixels)
     for (const int shift : {0, 8, 16}) image.texels.push_back(static_cast<float>((pixel >> shift) & 255) / 255);
   files::write_image(file, image, files::PixelType::kU8);
-  sweep(folder);
+  keep_newest(folder, ".png", kMostThumbnails);  // the oldest make room
 }
 
 }  // namespace

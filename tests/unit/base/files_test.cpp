@@ -6,11 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <new>
 
 #include "../scratch_fixture.h"
+#include "base/user_folders.h"
 
 namespace weftlight::base {
 namespace {
@@ -34,6 +36,21 @@ TEST_F(FileTest, new_and_replaced) {
   EXPECT_EQ(write_file_atomically(path("a.wif"), std::string("t\0o", 3)), "");
   EXPECT_EQ(read_file(path("a.wif")).bytes, std::string("t\0o", 3));
   EXPECT_EQ(count(), 1);
+}
+
+TEST_F(FileTest, the_newest_are_kept) {
+  const auto hours_ago = [&](const std::string& name, int hours) {
+    EXPECT_EQ(write_file_atomically(path(name), "x"), "");
+    fs::last_write_time(path(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  for (int i = 0; i < 6; ++i) hours_ago("picture" + std::to_string(i) + ".png", i);
+  hours_ago("words.txt", 9);
+  keep_newest(dir_.string(), ".png", 4);
+  EXPECT_EQ(count(), 5);
+  for (const char* name : {"picture4.png", "picture5.png"}) EXPECT_FALSE(fs::exists(path(name))) << name;
+  keep_newest(dir_.string(), ".png", 4);
+  keep_newest(path("no such folder"), ".png", 0);
+  EXPECT_EQ(count(), 5);
 }
 
 TEST_F(FileTest, permissions_stay) {

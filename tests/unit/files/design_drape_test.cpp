@@ -91,16 +91,5 @@ TEST_F(DesignDrape, AFolderThatCannotBeMadeIsSaid) {
   EXPECT_NE(drape_cloth(sheeting()).find("weftlight"), std::string::npos);
 }
 
-TEST_F(DesignDrape, TheOldestMakeRoom) {
-  const Design d = sheeting();
-  keep(d);
-  const fs::path first = kept_drape_path(d);
-  for (int i = 0; i < 60; ++i) fs::copy_file(first, first.parent_path() / ("other" + std::to_string(i) + ".glb"));
-  fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(1));
-  make_room(first.parent_path().string());
-  EXPECT_FALSE(fs::exists(first));
-  EXPECT_EQ(std::distance(fs::directory_iterator(first.parent_path()), {}), 48);
-}
-
 }  // namespace
 }  // namespace weftlight::files

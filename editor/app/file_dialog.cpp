@@ -1,12 +1,16 @@
 #include "app/file_dialog.h"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -15,14 +19,17 @@ extern char** environ;
 namespace weftlight::app {
 namespace {
 
-/// What the program prints, without the line end; empty when it fails.
-std::string output_of(std::vector<std::string> words) {
+struct Asking {
+  pid_t program = 0;  // 0: it did not start
+  int answer = -1;    // where what it prints is read
+};
+
+Asking start_asking(std::vector<std::string> words) {
   int ends[2];
-  if (pipe(ends) != 0) return {};
+  if (pipe2(ends, O_CLOEXEC) != 0) return {};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addclose(&actions, ends[0]);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -30,15 +37,18 @@ std::string output_of(std::vector<std::string> words) {
   const bool started = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ) == 0;
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
-  std::string text;
-  char buffer[4096];
-  for (ssize_t n = 0; started && (n = read(ends[0], buffer, sizeof buffer)) > 0;)
-    text.append(buffer, static_cast<size_t>(n));
+  if (started && fcntl(ends[0], F_SETFL, O_NONBLOCK) == 0) return {child, ends[0]};
   close(ends[0]);
-  int status = 1;
-  if (!started || waitpid(child, &status, 0) < 0 || status != 0) return {};
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-  return text;
+  return {};
+}
+
+/// Whether all that there will be has been read.
+bool read_all(int from, std::string& text) {
+  char buffer[4096];
+  ssize_t n = 0;
+  while ((n = read(from, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR))
+    if (n > 0) text.append(buffer, static_cast<size_t>(n));
+  return n == 0 || errno != EAGAIN;
 }
 
 bool is_program(const std::string& path, const std::string& name) {
@@ -119,14 +129,34 @@ void FileDialog::ask(FileAsk what, const std::string& title, const std::string& 
   const Asker asker = find_asker(variable("PATH"), variable("XDG_CURRENT_DESKTOP"));
   std::vector<std::string> words = asker_words(asker, what, title, start, ending);
   chosen_ = std::move(chosen);
-  answer_ = std::async(std::launch::async, [words = std::move(words)] { return output_of(words); });
+  const Asking asking = start_asking(std::move(words));
+  asking_ = asking.program, answer_ = asking.answer;
+  answer_so_far_.clear();
 }
 
 void FileDialog::poll() {
-  if (!waiting() || answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  const std::string path = answer_.get();
+  if (!waiting()) return;
+  if (answer_ >= 0 && read_all(answer_, answer_so_far_)) close(std::exchange(answer_, -1));
+  int status = 0;
+  if (answer_ >= 0 || waitpid(asking_, &status, WNOHANG) == 0) return;
+  asking_ = 0;
   const auto chosen = std::exchange(chosen_, nullptr);
-  if (!path.empty()) chosen(path);
+  std::string path = std::exchange(answer_so_far_, {});
+  while (!path.empty() && (path.back() == '\n' || path.back() == '\r')) path.pop_back();
+  if (status == 0 && !path.empty()) chosen(path);
+}
+
+FileDialog::~FileDialog() {
+  if (answer_ >= 0) close(answer_);
+  if (!waiting()) return;
+  kill(asking_, SIGTERM);
+  // Dialogs end at that; one that hangs is not waited for.
+  for (int i = 0; i < 20; ++i) {
+    if (waitpid(asking_, nullptr, WNOHANG) != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  kill(asking_, SIGKILL);
+  waitpid(asking_, nullptr, 0);
 }
 
 }  // namespace weftlight::app

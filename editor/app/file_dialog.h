@@ -1,8 +1,9 @@
 #pragma once
 // The system's file dialog, through zenity or kdialog, which runs beside the window.
 
+#include <sys/types.h>
+
 #include <functional>
-#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,17 +24,24 @@ std::vector<std::string> asker_words(Asker asker, FileAsk what, const std::strin
 
 class FileDialog {
  public:
+  FileDialog() = default;
+  /// Ends the program that is still asking: who quits does not wait for an answer.
+  ~FileDialog();
+  FileDialog(const FileDialog&) = delete;
+  FileDialog& operator=(const FileDialog&) = delete;
   /// False without a program that asks: ask inside the window instead.
   static bool is_there();
   /// `ending`: of what is saved, ".wif".
   void ask(FileAsk what, const std::string& title, const std::string& start, const std::string& ending,
            std::function<void(const std::string&)> chosen);
-  bool waiting() const { return answer_.valid(); }
-  /// Calls `chosen` once an answer has come.
+  bool waiting() const { return asking_ != 0; }
+  /// Calls `chosen` once an answer has come. Never waits.
   void poll();
 
  private:
-  std::future<std::string> answer_;  // empty: left without a choice
+  pid_t asking_ = 0;  // the program, 0: none
+  int answer_ = -1;   // what it prints, read without waiting; -1: all is read
+  std::string answer_so_far_;
   std::function<void(const std::string&)> chosen_;
 };
 

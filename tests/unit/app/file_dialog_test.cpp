@@ -6,6 +6,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
 
 #include "../scratch_fixture.h"
 
@@ -14,7 +19,24 @@ namespace {
 
 class FileDialogTest : public ScratchTest {
  protected:
-  void install(const char* program) { ::chmod(written(program, "#!/bin/sh\n").c_str(), 0755); }
+  void install(const char* program, const std::string& does = "") {
+    ::chmod(written(program, "#!/bin/sh\n" + does).c_str(), 0755);
+  }
+  /// The one asker that is found.
+  void asks(const std::string& does) {
+    install("zenity", does);
+    ::setenv("PATH", (dir_.string() + ":/usr/bin:/bin").c_str(), 1);
+    ::unsetenv("XDG_CURRENT_DESKTOP");
+  }
+  void TearDown() override { ::setenv("PATH", path_.c_str(), 1); }
+  static bool answered(FileDialog& dialog) {
+    for (int i = 0; i < 2000 && dialog.waiting(); ++i) {
+      dialog.poll();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return !dialog.waiting();
+  }
+  std::string path_ = std::getenv("PATH");
 };
 
 TEST_F(FileDialogTest, TheDesktopsOwnProgramAsksAndElseTheOneThatIsThere) {
@@ -40,6 +62,41 @@ TEST_F(FileDialogTest, BothAreAskedForTheSame) {
   const Words save = asker_words(Asker::kZenity, FileAsk::kSave, "Save as", "/drafts/a.wif", ".wif");
   for (const char* word : {"--save", "--confirm-overwrite", "--filename=/drafts/a.wif"})
     EXPECT_NE(std::ranges::find(save, word), save.end()) << word;
+}
+
+TEST_F(FileDialogTest, WhatIsChosenComesAndWhatIsLeftDoesNot) {
+  std::vector<std::string> chosen;
+  FileDialog dialog;
+  const auto ask = [&] {
+    dialog.ask(FileAsk::kOpen, "Open", "", ".wif", [&](const std::string& path) { chosen.push_back(path); });
+  };
+  asks("echo '/drafts/two words.wif'\n");
+  ask();
+  EXPECT_TRUE(dialog.waiting());
+  ASSERT_TRUE(answered(dialog));
+  EXPECT_EQ(chosen, std::vector<std::string>{"/drafts/two words.wif"});
+  asks("echo /drafts/no.wif\nexit 1\n");
+  ask();
+  ASSERT_TRUE(answered(dialog));
+  EXPECT_EQ(chosen.size(), 1u);
+}
+
+TEST_F(FileDialogTest, WhoQuitsWhileItAsksDoesNotWait) {
+  const std::string number = (dir_ / "number").string();
+  asks("echo $$ >'" + number + "'\nexec sleep 30\n");
+  const auto start = std::chrono::steady_clock::now();
+  pid_t program = 0;
+  {
+    FileDialog dialog;
+    dialog.ask(FileAsk::kOpen, "Open", "", ".wif", [](const std::string&) { ADD_FAILURE() << "nobody chose"; });
+    for (int i = 0; i < 2000 && !(std::ifstream(number) >> program); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    dialog.poll();
+    EXPECT_TRUE(dialog.waiting());
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << "it sleeps for thirty";
+  ASSERT_GT(program, 0);
+  EXPECT_NE(::kill(program, 0), 0) << "the dialog is left alone on the screen";
 }
 
 }  // namespace

@@ -41,6 +41,10 @@ class DraperTest : public ScratchTest {
       if (holds()) return true;
     return false;
   }
+  static void follow_till_it_falls(Draper& draper, const std::shared_ptr<const Design>& design) {
+    draper.follow(design);
+    EXPECT_TRUE(comes_true([&] { return draper.state().share > 0; }));
+  }
 };
 
 TEST_F(DraperTest, TheShippedOneIsTheDefault) {
@@ -66,8 +70,7 @@ TEST_F(DraperTest, WhatIsKeptComesBackAtOnce) {
 TEST_F(DraperTest, ItFallsUntilItIsStoppedAndAgainWhenAsked) {
   const auto design = cloth(true);
   Draper draper([] {});
-  draper.follow(design);
-  ASSERT_TRUE(comes_true([&] { return draper.state().share > 0; }));
+  follow_till_it_falls(draper, design);
   draper.stop();
   EXPECT_EQ(draper.state().stage, DrapeStage::kStopped);
   draper.follow(design);
@@ -81,8 +84,7 @@ TEST_F(DraperTest, WhatIsKeptAndBrokenIsSimulatedAgain) {
   const auto design = cloth(true);
   keep(*design, "skirt.glb");
   Draper draper([] {});
-  draper.follow(design);
-  ASSERT_TRUE(comes_true([&] { return draper.state().share > 0; }));
+  follow_till_it_falls(draper, design);
   EXPECT_EQ(draper.state().stage, DrapeStage::kFalling);
 }
 

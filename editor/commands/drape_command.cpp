@@ -58,6 +58,19 @@ int usage(const std::string& what) {
   return kUsage;
 }
 
+/// The one that a picture kept, else simulated.
+Mesh own_mesh(Design& design) {
+  design.scene.own_drape = true;
+  if (is_draped(design)) return load_design_drape(design).mesh.value_or(Mesh{});
+  StatusLine status;
+  Mesh mesh = simulate_design_drape(design, [&status](double share) {
+    status.say("draping, " + std::to_string(static_cast<int>(100 * share)) + " %");
+    return true;
+  });
+  status.clear();
+  return mesh;
+}
+
 /// As the draft's own yarns and sett make it hang.
 int write_own(const DrapeOptions& options) {
   if (!options.hang.empty()) return usage("--hang is of a shipped drape; a draft hangs as its cloth does");
@@ -69,13 +82,7 @@ int write_own(const DrapeOptions& options) {
   if (!can_drape(design))
     return usage(options.name + ": its scene's mesh, " + design.scene.mesh + ", is not one that falls; give --mesh");
   if (const std::string why = why_not_writable(options.out); !why.empty()) return not_written(why);
-  StatusLine status;
-  const Mesh mesh = simulate_design_drape(design, [&status](double share) {
-    status.say("draping, " + std::to_string(static_cast<int>(100 * share)) + " %");
-    return true;
-  });
-  status.clear();
-  return write_drape(design.scene.mesh, mesh, options.out);
+  return write_drape(design.scene.mesh, own_mesh(design), options.out);
 }
 
 int write_named(const DrapeOptions& options) {

@@ -67,6 +67,16 @@ Section trunk_section(float height) {
 
 Arm arm() { return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26}; }
 
+Arm arm_let_down(float share) {
+  const Vec3 raised{0.87f, -0.5f, 0.02f}, upper{0.30f, -0.95f, -0.04f}, lower{0.17f, -0.90f, 0.40f};
+  const auto turned = [&](Vec3 to) { return unit(raised * (1 - share) + to * share); };
+  const Arm out = arm();
+  Arm a = out;
+  a.elbow = a.shoulder + turned(upper) * length(out.elbow - out.shoulder);
+  a.wrist = a.elbow + turned(lower) * length(out.wrist - out.elbow);
+  return a;
+}
+
 float ground(Vec3 p) { return p[1]; }
 
 float ball(Vec3 p) { return length(p - Vec3{0, kBallRadius, 0}) - kBallRadius; }
@@ -99,8 +109,9 @@ float board(Vec3 p) {
   return nearest;
 }
 
-float dress_form(Vec3 p) {
-  const Arm a = arm();
+float dress_form(Vec3 p) { return form_with(arm(), p); }
+
+float form_with(const Arm& a, Vec3 p) {
   const Vec3 right{std::fabs(p[0]), p[1], p[2]};
   const float upper = limb(right, a.shoulder, a.elbow, a.shoulder_radius, a.elbow_radius);
   const float lower = limb(right, a.elbow, a.wrist, a.elbow_radius, a.wrist_radius);

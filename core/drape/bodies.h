@@ -20,7 +20,10 @@ constexpr float kSkirtLowered = 390, kTunicLowered = 600;
 float ground(Vec3 p);
 float ball(Vec3 p);
 float table(Vec3 p);
-/// A dress form from the hips to the neck, arms hanging outwards.
+struct Arm;
+/// A dress form from the hips to the neck, with such arms.
+float form_with(const Arm& arm, Vec3 p);
+/// The same, arms hanging outwards.
 float dress_form(Vec3 p);
 /// Its lower half, cut a little above the waist, without arms.
 float skirt_form(Vec3 p);
@@ -48,6 +51,8 @@ struct Arm {
   float shoulder_radius, elbow_radius, wrist_radius;
 };
 Arm arm();
+/// The same, raised to put a garment on (0), let down beside the body and a little bent (1), or between.
+Arm arm_let_down(float share);
 
 /// Where ring i of the curtain hangs once gathered.
 float ring_x(int ring);

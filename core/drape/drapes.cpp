@@ -96,7 +96,7 @@ Drape curtain() {
 std::optional<Drape> made(const std::string& name) {
   const std::pair<const char*, Drape (*)()> kDrapes[]{
       {"sphere", sphere}, {"tablecloth", tablecloth}, {"curtain", curtain}, {"skirt", skirt},
-      {"tunic", tunic},   {"scarf", scarf},           {"cushion", cushion}};
+      {"tunic", tunic},   {"shirt", shirt},           {"scarf", scarf},     {"cushion", cushion}};
   for (const auto& [known, make] : kDrapes)
     if (name == known) return make();
   return std::nullopt;
@@ -116,8 +116,8 @@ Mesh finish(Drape drape, const std::string& name, float steps_scale) {
 }  // namespace
 
 const std::vector<std::string>& drape_names() {
-  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain",
-                                              "skirt", "tunic",  "scarf",      "cushion"};
+  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain", "skirt",
+                                              "tunic", "shirt",  "scarf",      "cushion"};
   return names;
 }
 

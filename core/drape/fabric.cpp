@@ -13,9 +13,12 @@ namespace weftlight::drape {
 
 namespace {
 
+constexpr double kInterlining_n_m = 1e-5;  // of one of firmness 2, whatever the cloth
+
 /// One triangle's side as seen from that triangle.
 struct Side {
   uint32_t start, end, far;  // vertices
+  float firmness;
 };
 
 using EdgeSides = std::map<std::pair<uint32_t, uint32_t>, std::vector<Side>>;
@@ -25,7 +28,8 @@ EdgeSides collect_sides(const Pattern& pattern) {
   EdgeSides sides;
   for (size_t t = 0; t < pattern.index.size(); t += 3) {
     for (size_t k = 0; k < 3; ++k) {
-      Side side{pattern.index[t + k], pattern.index[t + (k + 1) % 3], pattern.index[t + (k + 2) % 3]};
+      Side side{pattern.index[t + k], pattern.index[t + (k + 1) % 3], pattern.index[t + (k + 2) % 3],
+                pattern.firmness[t / 3]};
       if (pattern.particle[side.start] > pattern.particle[side.end]) std::swap(side.start, side.end);
       sides[{pattern.particle[side.start], pattern.particle[side.end]}].push_back(side);
     }
@@ -66,7 +70,10 @@ Bend make_bend(const Pattern& pattern, const Side& one, const Side& two, const F
                    pattern.particle[two.far]};
   bend.weight = {end1 + end2, start1 + start2, -(start1 + end1), -(start2 + end2)};
   const double mm2_per_m2 = 1e6;
-  bend.compliance = (area1 + area2) / (3 * fabric.bending_n_m * mm2_per_m2);
+  const double firmness = static_cast<double>(std::min(one.firmness, two.firmness));
+  const double stiffness =
+      fabric.bending_n_m * std::min(firmness, 1.0) + kInterlining_n_m * std::max(firmness - 1, 0.0);
+  bend.compliance = (area1 + area2) / (3 * stiffness * mm2_per_m2);
   return bend;
 }
 
@@ -116,6 +123,8 @@ Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm) {
   cloth.inverse_mass = inverse_masses(pattern, fabric);
   for (const auto& [particles, sides] : collect_sides(pattern)) {
     cloth.stretches.push_back(make_stretch(pattern, sides[0], fabric));
+    const bool is_seam = sides.size() == 2 && sides[0].start != sides[1].start && sides[0].end != sides[1].end;
+    if (is_seam) cloth.stretches.back().rest_mm *= 1 - fabric.pucker;
     if (sides.size() == 2) cloth.bends.push_back(make_bend(pattern, sides[0], sides[1], fabric));
   }
   find_near(cloth, near_mm);

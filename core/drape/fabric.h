@@ -14,6 +14,7 @@ struct Fabric {
   double thread_n_per_m = 2500;  // stretch along warp and weft
   double bias_n_per_m = 70;      // stretch at 45 degrees to them
   double bending_n_m = 2.8e-5;
+  double pucker = 0;  // share by which the seams' thread draws them in
 };
 
 /// Keeps two particles apart by rest_mm.

@@ -143,6 +143,13 @@ void sew_tube(Pattern& pattern, const Piece& sleeve) {
 
 }  // namespace
 
+void wear(Drape& drape) {
+  drape.body = dress_form;
+  drape.lower_mm = kTunicLowered;
+  drape.fabric.bending_n_m = 1.4e-5;
+  drape.fabric.bias_n_per_m = 45;
+}
+
 Drape skirt() {
   Drape drape;
   const SkirtCut cut = skirt_cut();
@@ -189,10 +196,7 @@ Drape tunic() {
     sew(pattern, first_half ? back.vertex(last, row) : front.vertex(0, row), left.vertex(k, kSleeveRows - 1));
   }
   drop_unused_particles(pattern);
-  drape.body = dress_form;
-  drape.lower_mm = kTunicLowered;
-  drape.fabric.bending_n_m = 1.4e-5;
-  drape.fabric.bias_n_per_m = 45;
+  wear(drape);
   drape.fall.apart_mm = 7.5;
   drape.fall.body_friction = 0.3;
   return drape;

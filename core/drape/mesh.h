@@ -35,7 +35,7 @@ struct Mesh {
 /// (the two sides of a seam) share their normal; each keeps its own tangent, at right angles to it.
 void compute_frames(Mesh& mesh);
 
-/// Names of the shipped drapes, in menu order: plane, sphere, tablecloth, curtain, skirt, tunic.
+/// Names of the shipped drapes, in menu order: plane, sphere, tablecloth, curtain, skirt, tunic, shirt, scarf, cushion.
 const std::vector<std::string>& drape_names();
 
 /// Simulates a shipped drape; the ground is y = 0. Deterministic. `steps_scale` < 1 shortens the

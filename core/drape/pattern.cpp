@@ -6,6 +6,23 @@
 
 namespace weftlight::drape {
 
+namespace {
+
+/// Two triangles for each cell; diagonals alternate like a chequerboard, so that folds prefer neither bias.
+void append_cells(std::vector<uint32_t>& index, const Piece& piece) {
+  for (int row = 0; row + 1 < piece.rows; ++row) {
+    for (int column = 0; column + 1 < piece.columns; ++column) {
+      const uint32_t a = piece.vertex(column, row), b = piece.vertex(column + 1, row);
+      const uint32_t c = piece.vertex(column + 1, row + 1), d = piece.vertex(column, row + 1);
+      const bool rising = (row + column) % 2 == 0;
+      const auto corners = rising ? std::array{a, b, c, a, c, d} : std::array{a, b, d, b, c, d};
+      index.insert(index.end(), corners.begin(), corners.end());
+    }
+  }
+}
+
+}  // namespace
+
 Piece add_piece(Pattern& pattern, int columns, int rows, const PatternShape& shape, const Placement& place) {
   const Piece piece{static_cast<uint32_t>(pattern.uv_mm.size()), columns, rows};
   for (int row = 0; row < rows; ++row) {
@@ -17,17 +34,58 @@ Piece add_piece(Pattern& pattern, int columns, int rows, const PatternShape& sha
       pattern.position_mm.push_back(place(uv));
     }
   }
-  // Diagonals alternate like a chequerboard, so that folds prefer neither bias.
-  for (int row = 0; row + 1 < rows; ++row) {
-    for (int column = 0; column + 1 < columns; ++column) {
-      const uint32_t a = piece.vertex(column, row), b = piece.vertex(column + 1, row);
-      const uint32_t c = piece.vertex(column + 1, row + 1), d = piece.vertex(column, row + 1);
-      const bool rising = (row + column) % 2 == 0;
-      const auto corners = rising ? std::array{a, b, c, a, c, d} : std::array{a, b, d, b, c, d};
-      pattern.index.insert(pattern.index.end(), corners.begin(), corners.end());
+  append_cells(pattern.index, piece);
+  pattern.firmness.resize(pattern.index.size() / 3, 1);
+  return piece;
+}
+
+void interline(Pattern& pattern, const Piece& piece, std::array<int, 2> columns, std::array<int, 2> rows,
+               float firmness) {
+  const auto is_in = [&](uint32_t vertex) {
+    if (vertex < piece.first || vertex >= piece.vertex(0, piece.rows)) return false;
+    const int at = static_cast<int>(vertex - piece.first), column = at % piece.columns, row = at / piece.columns;
+    return column >= columns[0] && column <= columns[1] && row >= rows[0] && row <= rows[1];
+  };
+  for (size_t t = 0; t < pattern.firmness.size(); ++t) {
+    const uint32_t* v = &pattern.index[3 * t];
+    if (is_in(v[0]) && is_in(v[1]) && is_in(v[2])) pattern.firmness[t] = firmness;
+  }
+}
+
+Vec2 grid_at(const Pattern& pattern, const Piece& piece, Vec2 uv) {
+  Vec2 at{0.5f * static_cast<float>(piece.columns), 0.5f * static_cast<float>(piece.rows)};
+  for (int pass = 0; pass < 12; ++pass) {
+    const int column = std::clamp(static_cast<int>(at[0]), 0, piece.columns - 2);
+    const int row = std::clamp(static_cast<int>(at[1]), 0, piece.rows - 2);
+    const Vec2 corner = pattern.uv_mm[piece.vertex(column, row)];
+    const Vec2 along = pattern.uv_mm[piece.vertex(column + 1, row)] - corner;
+    const Vec2 up = pattern.uv_mm[piece.vertex(column, row + 1)] - corner, to = uv - corner;
+    const float area = along[0] * up[1] - along[1] * up[0];
+    at = {static_cast<float>(column) + (to[0] * up[1] - to[1] * up[0]) / area,
+          static_cast<float>(row) + (along[0] * to[1] - along[1] * to[0]) / area};
+  }
+  return at;
+}
+
+void lay_on(Pattern& pattern, const Piece& piece, int columns, int rows, const LayerShape& shape, bool turned) {
+  const Piece layer{static_cast<uint32_t>(pattern.laid.size()), columns, rows};
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const LaidAt at = shape(i, j);
+      const int column = std::clamp(static_cast<int>(at.column), 0, piece.columns - 2);
+      const int row = std::clamp(static_cast<int>(at.row), 0, piece.rows - 2);
+      const float s = at.column - static_cast<float>(column), t = at.row - static_cast<float>(row);
+      LaidVertex v{{piece.vertex(column, row), piece.vertex(column + 1, row), piece.vertex(column, row + 1),
+                    piece.vertex(column + 1, row + 1)},
+                   {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t},
+                   at.lift_mm,
+                   at.more_mm};
+      for (size_t k = 0; k < 4; ++k) v.uv_mm += v.share[k] * pattern.uv_mm[v.under[k]];
+      if (turned) v.uv_mm = {-v.uv_mm[1], v.uv_mm[0]};
+      pattern.laid.push_back(v);
     }
   }
-  return piece;
+  append_cells(pattern.laid_index, layer);
 }
 
 void sew(Pattern& pattern, uint32_t a, uint32_t b) {
@@ -53,10 +111,23 @@ Mesh to_mesh(const Pattern& pattern, const std::string& name) {
   Mesh mesh;
   mesh.name = name;
   mesh.uv_mm = pattern.uv_mm;
+  for (const LaidVertex& v : pattern.laid) mesh.uv_mm.push_back(v.uv_mm);
   for (Vec2& uv : mesh.uv_mm) uv = {-uv[0], -uv[1]};  // end 1 at the right and pick 1 at the top of a hanging piece
   mesh.index = pattern.index;
-  mesh.position_mm.reserve(pattern.particle.size());
+  mesh.position_mm.reserve(mesh.uv_mm.size());
   for (const uint32_t particle : pattern.particle) mesh.position_mm.push_back(pattern.position_mm[particle]);
+  compute_frames(mesh);
+  if (pattern.laid.empty()) return mesh;
+  const auto first = static_cast<uint32_t>(mesh.position_mm.size());
+  for (const LaidVertex& v : pattern.laid) {
+    Vec3 place{}, up{};
+    for (size_t k = 0; k < 4; ++k) {
+      place += v.share[k] * mesh.position_mm[v.under[k]];
+      up += v.share[k] * mesh.normal[v.under[k]];
+    }
+    mesh.position_mm.push_back(place + v.lift_mm * unit(up));
+  }
+  for (const uint32_t v : pattern.laid_index) mesh.index.push_back(first + v);
   compute_frames(mesh);
   return mesh;
 }

@@ -69,10 +69,7 @@ Drape scarf() {
     return p + Vec3{6 * std::sin(0.011f * uv[1] + 1), kScarfLow + uv[0] * 0.97f + 5 * std::sin(0.019f * uv[1]), 4};
   };
   add_piece(drape.pattern, kScarfColumns, kScarfRows, shape, place);
-  drape.body = dress_form;
-  drape.lower_mm = kTunicLowered;
-  drape.fabric.bending_n_m = 1.4e-5;
-  drape.fabric.bias_n_per_m = 45;
+  wear(drape);
   drape.fall.seconds = 4.5;
   drape.fall.substeps = 20;
   drape.fall.apart_mm = 6.5;

@@ -150,7 +150,6 @@ void substep(Cloth& cloth, const Contacts& contacts, const Fall& how, double dt,
 }  // namespace
 
 void fall(Cloth& cloth, const Distance& body, const Fall& how) {
-  const double dt = 1.0 / (how.looks_per_second * how.substeps);
   const int looks = std::max(1, static_cast<int>(how.seconds * how.looks_per_second));
   Contacts contacts;
   for (int look = 0; look < looks; ++look) {
@@ -161,8 +160,10 @@ void fall(Cloth& cloth, const Distance& body, const Fall& how) {
     find_planes(cloth, body, how, contacts.planes);
     find_pairs(cloth, how.reach_mm(), contacts.pairs);
     const bool resting = look > how.rest_from * looks;
+    const int substeps = resting && how.rest_substeps > 0 ? how.rest_substeps : how.substeps;
+    const double dt = 1.0 / (how.looks_per_second * substeps);
     const double keep = std::exp(-(resting ? 6 : 1) * how.air_per_second * dt);
-    for (int k = 0; k < how.substeps; ++k) substep(cloth, contacts, how, dt, keep);
+    for (int k = 0; k < substeps; ++k) substep(cloth, contacts, how, dt, keep);
   }
 }
 

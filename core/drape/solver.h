@@ -16,6 +16,7 @@ struct Fall {
   double seconds = 4;
   int looks_per_second = 160;  // contacts are found this often
   int substeps = 12;           // between two looks
+  int rest_substeps = 0;       // the same once it comes to rest, where threads' last stretch goes; 0: no others
   double skin_mm = 3.5;        // the middle of the cloth stays this far from the body
   double apart_mm = 8;         // and sheets of cloth this far from each other (over half a cell's diagonal)
   double body_friction = 0.4, cloth_friction = 0.3;

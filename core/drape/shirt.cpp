@@ -408,7 +408,7 @@ void lay_on_collar(Pattern& pattern, const Piece& stand, const Piece& fall) {
 
 void lay_on_cuff(Pattern& pattern, const Piece& cuff) {
   const auto grid = [&](float x, float y) { return grid_at(pattern, cuff, {x, y}); };
-  lay_strip(pattern, cuff, knots(0, kCuffRound, 5, 5, 5), knots(0, kCuffHigh, 5, 5, 6), grid);
+  lay_strip(pattern, cuff, knots(0.4f, kCuffRound - 0.4f, 5, 5, 5), knots(0, kCuffHigh, 5, 5, 6), grid);
   lay_button(pattern, cuff, {11, kCuffHigh / 2});
 }
 

@@ -173,7 +173,7 @@ Design chambray() {
   yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.unevenness = 15, yarn.fibre_um = 22;
   yarn.hairiness = 0.35f, yarn.melange = 0.15f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
-  return titled(worn(std::move(d), "tunic", 20, 8, 0.55f), "Chambray",
+  return titled(worn(std::move(d), "shirt", 20, 8, 0.78f), "Chambray",
                 {"Plain weave, blue warp and white weft, Ne 40, 44 by 36 a centimetre."});
 }
 
@@ -186,7 +186,7 @@ Design oxford() {
   warp.irregularity = 0.04f, warp.unevenness = 13, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
   weft.irregularity = 0.05f, weft.unevenness = 15, weft.fibre_um = 30, weft.flattening = 0.7f;
   d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
-  return titled(worn(std::move(d), "tunic", -20, 8, 0.55f), "Oxford",
+  return titled(worn(std::move(d), "shirt", -20, 8, 0.78f), "Oxford",
                 {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
                  "Ne 40 by Ne 14, 42 by 25 a centimetre."});
 }

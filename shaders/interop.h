@@ -31,8 +31,8 @@ using glm::vec4;
 #define CROSSING_BLOCK 4096
 
 // Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
-// lights from behind the cloth; bins of slope angles. Tables of views: of each face what is seen, the sky by warp and by
-// weft, and where from.
+// lights from behind the cloth; bins of slope angles. Tables of views: of each face what is seen, the sky by warp and
+// by weft, and where from.
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16

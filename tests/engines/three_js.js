@@ -144,7 +144,7 @@ async function main(args) {
       if (table) for (const r of result.rows) console.log([result.name, r.angle.toFixed(1), r.view.map((x) => x.toFixed(2)).join(' '), r.cloth.toFixed(5), r.engine.toFixed(5), r.three.toFixed(5)].join(','));
       far += judge(result);
     } finally {
-      fs.rmSync(folder, { recursive: true, force: true });
+      fs.rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
     }
   }
   return far ? 1 : 0;

@@ -153,9 +153,9 @@ int open_loops(const Mesh& mesh) {
 }
 
 TEST(Drapes, GarmentsAreClosedAtTheirSeams) {
-  EXPECT_EQ(open_loops(shipped("skirt")), 2);       // waist and hem
-  EXPECT_EQ(open_loops(shipped("tunic")), 4);       // neck, hem and two cuffs
-  constexpr int kButtons = 7 + 1 + 2, kLayers = 6;  // placket, pocket, yoke, collar, two cuffs
+  EXPECT_EQ(open_loops(shipped("skirt")), 2);                       // waist and hem
+  EXPECT_EQ(open_loops(shipped("tunic")), 4);                       // neck, hem and two cuffs
+  constexpr int kButtons = 7 + 1 + 2, kLayers = 6;                  // placket, pocket, yoke, collar, two cuffs
   EXPECT_EQ(open_loops(shipped("shirt")), 4 + kButtons + kLayers);  // hem, two cuffs, collar
   EXPECT_EQ(open_loops(shipped("scarf")), 1);
   EXPECT_EQ(open_loops(shipped("cushion")), 0);

@@ -97,7 +97,7 @@ TEST_F(Environments, RefusesWithReasons) {
   ASSERT_EQ(write_image(path("whole.exr"), grey(512, 256, 1), PixelType::kFloat), "");
   const std::string bytes = base::read_file(path("whole.exr")).bytes;
   written("half.exr", bytes.substr(0, bytes.size() / 2));
-  refused("half.exr", "broken");
+  refused("half.exr", "broken", false);
 }
 
 TEST_F(Environments, BytesChangedAtRandomNeverEndTheProgram) {

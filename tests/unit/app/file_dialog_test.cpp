@@ -52,11 +52,12 @@ TEST_F(FileDialogTest, TheDesktopsOwnProgramAsksAndElseTheOneThatIsThere) {
 
 TEST_F(FileDialogTest, BothAreAskedForTheSame) {
   using Words = std::vector<std::string>;
+  const char* kinds =
+      "Weaving drafts (*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO)|"
+      "WIF drafts (*.wif *.WIF *.wifw *.WIFW)|"
+      "Pictures, a pixel a crossing (*.png *.PNG *.tif *.tiff *.TIF *.bmp)|All files (*)";
   EXPECT_EQ(asker_words(Asker::kKdialog, FileAsk::kOpen, "Open", "/drafts/", ".wif"),
-            (Words{"kdialog", "--title", "Open", "--getopenfilename", "/drafts/",
-                   "Weaving drafts (*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO)|"
-                   "WIF drafts (*.wif *.WIF *.wifw *.WIFW)|"
-                   "Pictures, a pixel a crossing (*.png *.PNG *.tif *.tiff *.TIF *.bmp)|All files (*)"}));
+            (Words{"kdialog", "--title", "Open", "--getopenfilename", "/drafts/", kinds}));
   EXPECT_EQ(asker_words(Asker::kKdialog, FileAsk::kFolder, "Folder", "", ""),
             (Words{"kdialog", "--title", "Folder", "--getexistingdirectory", "."}));
   const Words save = asker_words(Asker::kZenity, FileAsk::kSave, "Save as", "/drafts/a.wif", ".wif");

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -70,9 +72,14 @@ namespace weftlight::gl {
 namespace {
 
 using cloth::thread_formulas::PackedThreads;
-using formulas::Answer;
 using glm::vec3;
 using glm::vec4;
+
+/// To the bit, also where a number is none.
+template <class T>
+std::array<std::byte, sizeof(T)> bytes_of(const T& value) {
+  return std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
+}
 
 /// A 2/2 twill of two yarns, plied and twisted, with two thick ends: rooms differ, so that bins are asked.
 Cloth uneven_twill() {
@@ -128,7 +135,7 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
       ThreadRecord in{}, out{};
       in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);
       out.pattern = back.pattern(s, i);
-      EXPECT_EQ(std::memcmp(&in, &out, sizeof in), 0) << "thread " << i << " of system " << s;
+      EXPECT_EQ(bytes_of(in), bytes_of(out)) << "thread " << i << " of system " << s;
     }
   }
   // A yarn's numbers, each another, so that none lies in another's place.
@@ -139,9 +146,9 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
   std::array<glm::uvec4, YARN_TEXELS> texels;
   std::memcpy(texels.data(), &in, sizeof in);
   const interop::YarnData out = cloth::thread_formulas::record_yarn(texels[0], texels[1], texels[2], texels[3]);
-  EXPECT_EQ(std::memcmp(&in, &out, sizeof in), 0);
+  EXPECT_EQ(bytes_of(in), bytes_of(out));
   const interop::YarnData second = yarn_data(cloth.yarns[1].lobes), fetched = back.yarn(1);
-  EXPECT_EQ(std::memcmp(&second, &fetched, sizeof second), 0);
+  EXPECT_EQ(bytes_of(second), bytes_of(fetched));
 }
 
 using RayCase = std::array<vec4, 3>;  // place, side; towards the eye; towards the light, sample's cycles

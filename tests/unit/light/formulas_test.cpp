@@ -46,7 +46,8 @@ TEST(Horizon, TapsAreValidForAnyAzimuthAndCount) {
 
 TEST(Horizon, VisibilityRisesWithElevationAndSoftensWithTheLight) {
   float last = -1;
-  for (float s = 0; s <= 1; s += 0.01f) {
+  for (int i = 0; i <= 100; ++i) {
+    const float s = 0.01f * static_cast<float>(i);
     const float v = formulas::horizon_visibility(s, 0.5f, 0.1f, 0.02f);
     EXPECT_GE(v, last);
     last = v;
@@ -61,7 +62,8 @@ TEST(Coverage, GapsCloseWithTheViewAngle) {
   const glm::vec2 gap(0.1f, 0.2f);
   EXPECT_NEAR(formulas::coverage_by_view(0.9f, gap, 0.2f, {0, 0, 1}), 0.9f, 1e-5f);
   float last = 0;
-  for (float d = 0; d < 90; d += 5) {
+  for (int i = 0; i < 18; ++i) {
+    const float d = 5 * static_cast<float>(i);
     const float c = formulas::coverage_by_view(0.9f, gap, 0.2f, at_degrees(d, 20));
     EXPECT_GE(c, last);
     last = c;
@@ -91,7 +93,8 @@ TEST(Masking, HigherThreadsHideLowerOnesAtGrazing) {
 
 TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
   const glm::vec3 edges(0.25f, 2, 8);
-  for (float yarns = 1.0f / 64; yarns < 64; yarns *= 1.07f) {
+  for (int i = 0; i < 123; ++i) {
+    const float yarns = std::pow(1.07f, static_cast<float>(i)) / 64;  // to 64
     const glm::vec4 w = formulas::rung_weights(yarns, edges);
     EXPECT_NEAR(w.x + w.y + w.z + w.w, 1, 1e-5f);
     EXPECT_GE(std::min(std::min(w.x, w.y), std::min(w.z, w.w)), 0);
@@ -155,7 +158,8 @@ TEST(Ladder, SamplesFollowToleranceAndFootprint) {
   EXPECT_EQ(samples_at(loose, 0.06f), 1);
   EXPECT_EQ(samples_at(loose, 1), 5);  // 4 hold it
   EXPECT_EQ(samples_at(tight, 1), formulas::kMostYarnSamples);
-  for (float yarns = 0.05f; yarns < 4; yarns *= 1.1f) {
+  for (int i = 0; i < 46; ++i) {
+    const float yarns = 0.05f * std::pow(1.1f, static_cast<float>(i));  // to 4
     EXPECT_GE(samples_at(tight, yarns), samples_at(loose, yarns)) << yarns;
     EXPECT_GE(samples_at(loose, yarns * 1.1f), samples_at(loose, yarns)) << yarns;
   }

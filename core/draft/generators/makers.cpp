@@ -169,7 +169,12 @@ Made make_sett(const WeaveValues& v, ClothSize size) {
 
 Made make_double(const WeaveValues& v, ClothSize size) {
   Made made;
-  const OverUnder order = ratio(v, made.why);
+  OverUnder order = ratio(v, made.why);
+  // Each layer has its shafts.
+  if (2 * std::accumulate(order.begin(), order.end(), 0) > kMaxShafts) {
+    made.why = "two layers of so many shafts are more than " + std::to_string(kMaxShafts) + "; 2/2 was taken";
+    order = {2, 2};
+  }
   const bool wide = is(v, "kind", "double width");
   made.design = double_cloth(wide ? DoubleCloth::kDoubleWidth : DoubleCloth::kLayers, order, size);
   return made;

@@ -167,7 +167,7 @@ OverUnder read_ratio(std::string_view text) {
       ++at;
     }
   }
-  if (order.size() == 1) order.push_back(order[0]);
+  if (order.size() == 1 && 2 * sum <= kMaxShafts) order.push_back(order[0]);
   if (order.size() % 2 == 1) order.pop_back();
   return order;
 }

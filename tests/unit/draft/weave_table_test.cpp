@@ -335,5 +335,19 @@ TEST(Place, OnASinkingShedAndByLiftplan) {
   EXPECT_EQ(plan.draft.drive, Drive::kLiftplan);
 }
 
+// Found by the fuzzer: two layers of 3,290 shafts each are no loom's.
+TEST(WeaveTable, RatiosOfManyShaftsMakeSoundDraftsAndSayWhatWasTaken) {
+  for (const WeaveKind& kind : weave_kinds()) {
+    if (std::ranges::none_of(kind.numbers, [](const WeaveNumber& n) { return std::string_view(n.id) == "ratio"; }))
+      continue;
+    for (const char* ratio : {"4096", "2049", "2048/2048", "3288/2", "99999/1"}) {
+      const Made made = new_draft(kind, {{"ratio", ratio}}, {24, 24});
+      EXPECT_TRUE(is_consistent(made.design)) << kind.id << ' ' << ratio;
+    }
+  }
+  EXPECT_NE(new_draft(*find_weave("double"), {{"ratio", "3288/2"}}, {24, 24}).why, "");
+  EXPECT_NE(new_draft(*find_weave("twill"), {{"ratio", "4096"}}, {24, 24}).why, "");
+}
+
 }  // namespace
 }  // namespace weftlight::draft

@@ -10,6 +10,7 @@
 #include "draft/count.h"
 #include "draft/fibre.h"
 #include "ui/widgets.h"
+#include "views/inspector/words_row.h"
 
 namespace weftlight::views {
 namespace {
@@ -23,17 +24,6 @@ std::string three_figures(double value) {
   const int after = value >= 100 ? 0 : value >= 10 ? 1 : 2;
   std::snprintf(text, sizeof text, "%.*f", after, value);
   return text;
-}
-
-/// Below the row, as much of it as fits in each line.
-void words_below(const PanelContext& c, const std::string& text, ImU32 color, const char* tip) {
-  row_label(c, "", tip);
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  tooltip(c, tip);
 }
 
 }  // namespace
@@ -65,10 +55,10 @@ bool draw_count(const PanelContext& c, Yarn& yarn) {
   const std::optional<Yarn> spun = entered ? with_count(yarn, typed) : yarn;
   if (!spun) kept.SetBool(unread, true);
   if (kept.GetBool(unread))
-    words_below(c, "Not understood: write Ne 8/2, Nm 30/2, 16 lea, 150 den or 30 tex", c.style.color.error,
-                "A number with its unit, after a stroke the plies; 0.1 to 100,000 tex");
+    draw_words(c, "Not understood: write Ne 8/2, Nm 30/2, 16 lea, 150 den or 30 tex", c.style.color.error,
+               "A number with its unit, after a stroke the plies; 0.1 to 100,000 tex");
   else
-    words_below(
+    draw_words(
         c, count_in_words(yarn), c.style.color.muted,
         "The same in other units of the trade. Weight, stiffness and yarn to buy go by the count, the picture by "
         "the thickness");

@@ -7,20 +7,10 @@
 #include "drape/hang.h"
 #include "files/design_drape.h"
 #include "ui/widgets.h"
+#include "views/inspector/words_row.h"
 
 namespace weftlight::views {
 namespace {
-
-/// Beside the labels' column, as much of it as fits.
-void words(const PanelContext& c, const std::string& text, ImU32 color, const char* tip) {
-  row_label(c, "", tip);
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  tooltip(c, tip);
-}
 
 void draw_falling(PanelContext& c) {
   constexpr const char* kTip = "The cloth falls, thread by thread; meanwhile the picture shows how its kind hangs";
@@ -44,7 +34,7 @@ void draw_stage(PanelContext& c) {
   if (c.drape.stage == DrapeStage::kFalling) return draw_falling(c);
   const bool failed = c.drape.stage == DrapeStage::kFailed;
   if (!failed && c.drape.stage != DrapeStage::kStopped) return;
-  if (failed) words(c, c.drape.problem, c.style.color.error, "What went wrong");
+  if (failed) draw_words(c, c.drape.problem, c.style.color.error, "What went wrong");
   row_label(c, "", "It hangs as its kind does");
   if (text_button(c, "drape.again", "Drape it again", "Lets it fall once more; takes seconds"))
     c.wanted.add_action("drape.again");
@@ -74,9 +64,10 @@ MaybeEdit draw_hang(PanelContext& c) {
   MaybeEdit edit;
   if (segmented(c, "scene.own_drape", kWays, way)) edit = own_drape_edit(way == 1);
   if (const std::string hang = hang_in_words(c.design); !hang.empty())
-    words(c, hang, c.style.color.muted,
-          "Peirce's bending length, by which a strip that juts out sinks under its own weight: 12 mm is charmeuse, "
-          "19 shirting, 30 denim. From yarns and sett, as the weight is");
+    draw_words(
+        c, hang, c.style.color.muted,
+        "Peirce's bending length, by which a strip that juts out sinks under its own weight: 12 mm is charmeuse, "
+        "19 shirting, 30 denim. From yarns and sett, as the weight is");
   draw_stage(c);
   ImGui::Dummy({0, c.style.px(2)});
   return edit;

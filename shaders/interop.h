@@ -90,8 +90,8 @@ struct YarnData {
 struct SystemData {
   YarnData yarn;    // mean over its threads
   float fibre_tan;  // of the mean angle between fibre and thread
-  float coverage;   // mean over the cloth
-  float share;      // of the cover
+  float coverage;   // mean over the maps
+  float share;      // of the cover, as rays see it
   float spare;
   vec4 color;   // rgb: mean
   vec4 facets;  // means of the unit normal's x, y and of their squares

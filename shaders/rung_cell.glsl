@@ -12,7 +12,7 @@ vec3 cell_light(Side side, Lights x, Footprint f) {
   System warp = fetch_system(side, f, 0);
   System weft = fetch_system(side, f, 1);
   vec2 open = thread_light(side, f, x.l);
-  vec2 share = vec2(warp.color.a, weft.color.a) / max(vec2(warp_data.share, weft_data.share), 1e-3) * seen_systems(side.face, x.v).share + 1e-5;
+  vec2 share = vec2(warp.color.a, weft.color.a) / max(vec2(warp_data.coverage, weft_data.coverage), 1e-3) * seen_systems(side.face, x.v).share + 1e-5;
   share /= share.x + share.y;
   Answer a = answer_of(x, warp, warp_data, vec3(warp_data.fibre_tan, 1.0, 0.0));
   Answer b = answer_of(x, weft, weft_data, vec3(1.0, weft_data.fibre_tan, 0.0));

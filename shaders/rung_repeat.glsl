@@ -100,8 +100,9 @@ vec3 repeat_light(Side side, Lights x, Footprint f) {
   Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
   Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
   vec2 share = vec2(cloth.systems[side.face * 2].share, cloth.systems[side.face * 2 + 1].share);
-  vec2 relative = vec2(warp.color.a, weft.color.a) / max(share, vec2(1e-3));
-  vec2 region = vec2(warp.around, weft.around) / max(share * (warp.around + weft.around), vec2(1e-3));
+  vec2 cover = vec2(cloth.systems[side.face * 2].coverage, cloth.systems[side.face * 2 + 1].coverage);
+  vec2 relative = vec2(warp.color.a, weft.color.a) / max(cover, vec2(1e-3));
+  vec2 region = vec2(warp.around, weft.around) * (cover.x + cover.y) / max(cover * (warp.around + weft.around), vec2(1e-3));
   vec2 rise = seen.rise * share / max(seen.share, vec2(1e-3)) - 1.0;
   relative *= vec2(region_factor(rise.x, region.x), region_factor(rise.y, region.y));
   vec2 slopes = half_slope_coords(x);

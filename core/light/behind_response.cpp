@@ -9,6 +9,7 @@
 
 #include "base/loops.h"
 #include "light/formulas.h"
+#include "light/yarn_lobes.h"
 
 namespace weftlight::light {
 namespace {
@@ -126,7 +127,20 @@ void send(Sums& sums, const Lit& p, const Out& out, float sides) {
   for (const In& in : p.in) sums.side[row + in.light] += sides * sent_by_side(p, in, out);
 }
 
-std::vector<Lit> lit_places(const std::vector<ThreadPlace>& places) {
+/// Of what body and through send, all colours.
+float tone_of(const formulas::YarnLobes& y) { return glm::dot(y.body + y.through, glm::vec3(1)); }
+
+/// As pictures take them.
+std::array<float, 2> tones_of(const ClothResponse& response, const Cloth& cloth) {
+  std::array<float, 2> out;
+  for (size_t s = 0; s < 2; ++s) {
+    const Linear& c = response.systems[s].colour;
+    out[s] = tone_of(formulas::yarn_of(mean_yarn(cloth, s == 0 ? cloth.ends : cloth.picks), {c.r, c.g, c.b}));
+  }
+  return out;
+}
+
+std::vector<Lit> lit_places(const std::vector<ThreadPlace>& places, const std::array<float, 2>& tones) {
   const auto views = response_views();
   const auto lights = behind_lights();
   std::vector<Lit> out(2 * places.size());
@@ -134,6 +148,11 @@ std::vector<Lit> lit_places(const std::vector<ThreadPlace>& places) {
     const size_t k = static_cast<size_t>(i);
     out[2 * k] = lit_place(places[k], places[k].normal, views, lights);
     if (places[k].normal != places[k].side) out[2 * k + 1] = lit_place(places[k], places[k].side, views, lights);
+    // Light comes through few places, which may be darker than all that is seen of the system.
+    const float tone =
+        places[k].groove * tone_of(places[k].lobes) / std::max(tones[static_cast<size_t>(places[k].system)], 1e-4f);
+    for (Lit* p : {&out[2 * k], &out[2 * k + 1]})
+      for (Out& o : p->out) o.body *= tone;
   });
   std::erase_if(out, [](const Lit& p) { return p.out.empty(); });
   return out;
@@ -144,9 +163,9 @@ size_t counted_view(size_t v) { return v < kLowViews ? v % kViewAzimuths + kLowV
 
 }  // namespace
 
-void take_behind(ClothResponse& response, const std::vector<ThreadPlace>& places, const std::array<float, 2>& scale,
-                 const std::array<float, kResponseViews>& seen) {
-  const std::vector<Lit> lit = lit_places(places);
+void take_behind(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadPlace>& places,
+                 const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen) {
+  const std::vector<Lit> lit = lit_places(places, tones_of(response, cloth));
   std::array<Sums, 2> sums;
   size_t side_pairs = 0;
   for (const Lit& p : lit) side_pairs += p.in.size() * p.out.size();

@@ -301,11 +301,12 @@ void finish(FacetSlopes& slopes) {
 using Moments = FacetMoments;
 using Matrix = std::array<Moments, kFacetMoments>;
 
-/// Slopes and moments of what is seen from above.
-std::array<Moments, 2> take_top(ClothResponse& out, const std::vector<TopPlace>& top) {
+/// Slopes and moments of what is seen from above, and how much of each system. A texel of a map is of one system: where
+/// the slits between threads are narrower than texels, the shares of a map are off by a quarter.
+std::array<Moments, 2> take_top(ClothResponse& out, const ThreadPlaces& threads) {
   std::array<Moments, 2> sums{};
   std::array<float, 2> seen{};
-  for (const TopPlace& p : top) {
+  for (const TopPlace& p : threads.top) {
     const size_t s = static_cast<size_t>(p.system);
     add_slopes(out.systems[s].slopes, p.normal, p.fibre, p.widths2, 1);
     const Moments m = facet_moments(p.normal);
@@ -314,6 +315,8 @@ std::array<Moments, 2> take_top(ClothResponse& out, const std::vector<TopPlace>&
   }
   for (size_t s = 0; s < 2; ++s)
     for (float& m : sums[s]) m /= std::max(seen[s], 1.0f);
+  if (const float all = seen[0] + seen[1]; threads.whole && all > 0)
+    for (size_t s = 0; s < 2; ++s) out.systems[s].share = seen[s] / all;
   return sums;
 }
 
@@ -498,7 +501,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   const ThreadPlaces threads = thread_places(cloth, samples, kBehindPlaces * samples);
   const std::vector<Point> points = points_of(threads.places, w);
   take_means(out, maps);
-  const std::array<Moments, 2> moments = take_top(out, threads.top);
+  const std::array<Moments, 2> moments = take_top(out, threads);
   const Grazing grazing = grazing_of(w);
   std::array<Sums, 2> sums;
   for_each_job(kResponseElevations, [&](int e) { add_views_fast(sums, points, grazing, e); });
@@ -512,7 +515,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   write_tables(out, sums, slopes_of(threads.places), w);
   PerView seen;
   for (size_t v = 0; v < kV; ++v) seen[v] = sums[0].seen[v] + sums[1].seen[v];
-  take_behind(out, threads.behind, scale, seen);
+  take_behind(out, cloth, threads.behind, scale, seen);
   take_sky(out, cloth);
   return out;
 }

@@ -35,11 +35,11 @@ struct SystemResponse {
   FacetMoments facets{};         // of the maps, seen from above
   std::vector<float> height_mm;  // [view]: mean height of what is seen
   FacetSlopes slopes{};
-  float share = 0;  // of the cover at normal view; both sum to 1
-  Linear colour;    // mean, with grooves
+  float share = 0;  // of the cover at normal view, as rays see it; both sum to 1
+  Linear colour;    // mean of the maps, with grooves
 };
 
-/// Index 0 warp, 1 weft. Means of what is seen from above come from the maps; `samples`: places on the threads at
+/// Index 0 warp, 1 weft. Means of colours and facets come from the maps; `samples`: places on the threads at
 /// which the rest is measured.
 struct ClothResponse {
   std::array<SystemResponse, 2> systems;

@@ -289,6 +289,7 @@ ThreadPlaces thread_places(const Cloth& cloth, int count, int behind) {
   if (cloth.ends.empty() || cloth.picks.empty()) return out;
   const bool large = cloth.layers.empty() && cloth.ends.size() * cloth.picks.size() > kWholeCrossings;
   const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
+  out.whole = !large;
   const int windows = static_cast<int>(parts.size()), above = kAbove / windows;
   // One spread over all windows: each takes the points that the one before left.
   const auto spread = [&](std::vector<ThreadPlace>& to, Placer& placer, int w, int wanted, bool lit) {

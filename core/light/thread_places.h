@@ -71,6 +71,7 @@ struct ThreadPlaces {
   std::vector<TopPlace> top;  // many more: they cost little
   // Of the warp's share of the crossings around a place (a tent nine wide), over the whole cloth.
   float around_mean = 0, around_variance = 0;
+  bool whole = true;  // not windows of a cloth of very many crossings
 };
 
 inline constexpr size_t kWholeCrossings = 1 << 18;  // up to which a cloth is taken whole, else in windows

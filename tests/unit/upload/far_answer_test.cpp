@@ -73,6 +73,23 @@ class FarAnswers : public ::testing::Test {
 };
 std::vector<Shipped> FarAnswers::cloths;
 
+// Texels that hold the edge of a thread are of one system all the same: of satin the maps gave the weft a quarter more.
+TEST_F(FarAnswers, SharesAreWhatRaysSeeOfEachSystem) {
+  constexpr int kRays = 40'000;
+  for (const Shipped& cloth : cloths) {
+    int warp = 0, all = 0;
+    for (int k = 1; k <= kRays; ++k) {
+      const glm::vec2 at(std::fmod(0.7548776662466927 * k, 1.0) * static_cast<double>(cloth.cloth.width_mm),
+                         std::fmod(0.5698402909980532 * k, 1.0) * static_cast<double>(cloth.cloth.depth_mm));
+      TubeHit hit;
+      if (!cloth.tubes->intersect({at.x, at.y, cloth.tubes->z_max()}, {0, 0, -1}, 0, hit)) continue;
+      ++all, warp += hit.system == System::kWarp;
+    }
+    EXPECT_NEAR(cloth.answer.response.systems[0].share, static_cast<float>(warp) / static_cast<float>(all), 0.006f)
+        << cloth.name;
+  }
+}
+
 // Other threads stop nearly all of it: what is left is a fiftieth of what the same light sends from before the cloth.
 TEST_F(FarAnswers, LightFromBehindComesThroughThePlacesThatNoThreadHides) {
   for (const Shipped& cloth : cloths) {
@@ -121,7 +138,7 @@ TEST_F(FarAnswers, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
     for (const float tilt : {0.0f, 60.0f, 80.0f}) {
       const glm::vec3 view = tilted(kViewAzimuth, tilt), light = tilted(35, 40);
       EXPECT_NEAR(grey(radiance_from_afar(cloth.answer, light, view)) / traced(cloth, view, light), 1,
-                  tilt < 70 ? 0.05 : 0.13)
+                  tilt < 70 ? 0.06 : 0.13)
           << cloth.name << " at " << tilt << " degrees";
     }
   }

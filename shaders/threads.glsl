@@ -32,6 +32,9 @@
 const float kStepsInTop = 5.0f;
 const int kLeastStepsInCell = 4;
 const int kMostStepsInCell = 10;
+// Where the nearest thread is further off than such a step, the ray goes so much of the distance, which strand_near()
+// gives short for a thread wider than high and roughly over a bend.
+const float kSafe = 0.8f;
 const int kMostHalvings = 24;   // among 2^24 threads
 const int kBinsAThread = 4;
 
@@ -265,10 +268,12 @@ FORMULA float cell_exit(Crossing c, vec2 at, vec2 lean, float way) {
   return min(x, y) * way;
 }
 
-FORMULA int steps_in_cell(ThreadGrid g, float rise) {
+// The least step of a ray in a cell: a cord's crossing is many times as high as a fine thread over it is thick.
+FORMULA float step_in_cell(ThreadGrid g, Crossing c, float rise) {
   float most = float(kMostStepsInCell);
   if (g.layers > 1) most *= max(0.5f * (g.top - g.bottom) / g.reach, 1.0f);
-  return int(clamp(ceil(rise * kStepsInTop / g.reach), float(kLeastStepsInCell), most));
+  float step = rise / clamp(ceil(rise * kStepsInTop / g.reach), float(kLeastStepsInCell), most);
+  return min(step, min(c.warp.half_height, c.weft.half_height));
 }
 
 FORMULA float distance_to(ThreadHit h, vec3 p) {
@@ -302,6 +307,7 @@ FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   float slant = length(lean);
   if (most == 0 || (g.top - g.bottom) * slant < 0.06f * g.spacing) return thread_below(g, at, lean);
   float nudge = 1.0e-4f * g.spacing / slant;
+  float safe = kSafe * inversesqrt(1.0f + slant * slant);   // heights that a distance holds
   float z = g.top;
   float next;
   float above = g.reach;
@@ -311,18 +317,17 @@ FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   do {
     c = crossing_near(g, at + lean * (z - nudge));
     float end = max(min(cell_exit(c, at, lean, -1.0f), z - nudge), g.bottom);
-    int steps = steps_in_cell(g, z - end);
-    float down = (z - end) / float(steps);
-    int k = 0;
+    float least = step_in_cell(g, c, z - end);
+    float down = least;
     do {
-      next = z - down;
+      next = max(z - down, end);
       d = near_distances(c, vec3(at + lean * next, next));
       if (min(d.x, d.y) >= 0.0f) {
         above = min(d.x, d.y);
         z = next;
       }
-      ++k;
-    } while (k < steps && min(d.x, d.y) >= 0.0f);
+      down = max(least, above * safe);
+    } while (next > end && min(d.x, d.y) >= 0.0f);
     ++i;
   } while (i < most && z > g.bottom && min(d.x, d.y) >= 0.0f);
   ThreadHit hit = hit_of(c, vec3(at + lean * next, next), d);
@@ -352,6 +357,7 @@ FORMULA bool layer_blocks(ThreadGrid g, vec3 from, vec3 l, int most, int system,
   vec2 lean = vec2(l.x, l.y) / (way * max(abs(l.z), 0.02f));
   vec2 at = vec2(from.x, from.y) - lean * from.z;
   float nudge = 1.0e-4f * g.spacing / max(length(lean), 1.0e-3f);
+  float safe = kSafe * inversesqrt(1.0f + dot(lean, lean));
   float last = way > 0.0f ? g.top : -g.bottom;
   float z = way * from.z;   // grows towards the light
   // A layer that the light reaches later.
@@ -361,17 +367,15 @@ FORMULA bool layer_blocks(ThreadGrid g, vec3 from, vec3 l, int most, int system,
   do {
     Crossing c = crossing_near(g, at + lean * (way * (z + nudge)));
     float end = min(max(way * cell_exit(c, at, lean, way), z + nudge), last);
-    int steps = steps_in_cell(g, end - z);
-    float up = (end - z) / float(steps);
-    int k = 0;
+    float least = step_in_cell(g, c, end - z);
+    float height = z + 0.5f * least;
     do {
-      float height = z + up * (float(k) + 0.5f);
       vec2 d = near_distances(c, vec3(at + lean * (way * height), way * height));
-      if (system == 0 && c.warp.thread == thread) d.x = 1.0f;
-      if (system == 1 && c.weft.thread == thread) d.y = 1.0f;
+      if (system == 0 && c.warp.thread == thread) d.x = 1.0e9f;
+      if (system == 1 && c.weft.thread == thread) d.y = 1.0e9f;
       blocked = blocked || min(d.x, d.y) < 0.0f;
-      ++k;
-    } while (k < steps && !blocked);
+      height += max(least, min(d.x, d.y) * safe);
+    } while (height < end && !blocked);
     z = end;
     ++i;
   } while (i < most && z < last && !blocked);

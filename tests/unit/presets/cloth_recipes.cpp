@@ -262,7 +262,7 @@ Design organza() {
   yarn.flattening = 1, yarn.lobes.transmission = 0.35f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 40);
   return titled(
-      worn(std::move(d), "curtain", 20, 8, 0.7f), "Organza",
+      worn(std::move(d), "skirt", 20, 10), "Organza",
       {"Plain weave of hard-twisted raw silk in the gum, 21 denier, 44 by 40 a centimetre: sheer and crisp."});
 }
 
@@ -276,59 +276,26 @@ Design linen() {
                 {"Plain weave of thick and thin yarn, lea 25, 21 by 20 a centimetre."});
 }
 
-/// Five-shaft satin on so many blocks: `order` says which block each unit of five threads and of five picks is, and
-/// `faces` whether a block of ends is warp-faced on a block of picks.
-Design block_damask(const std::vector<int>& order, const std::vector<std::vector<int>>& faces) {
-  constexpr int kShafts = 5, kStep = 2;
-  const int blocks = static_cast<int>(faces.size()), threads = kShafts * static_cast<int>(order.size());
-  Recipe r;
-  r.shafts = blocks * kShafts;
-  for (const int block : order)
-    for (int s = 0; s < kShafts; ++s) r.threading.push_back(block * kShafts + s);
-  for (const std::vector<int>& row : faces) {
-    for (int t = 0; t < kShafts; ++t) {
-      std::vector<int> lifts;
-      for (int block = 0; block < blocks; ++block) {
-        const bool warp_faced = row[static_cast<size_t>(block)] != 0;
-        for (int s = 0; s < kShafts; ++s) {
-          const bool bound = (s * kStep) % kShafts == t;
-          if (bound != warp_faced) lifts.push_back(block * kShafts + s);
-        }
-      }
-      r.tieup.push_back(lifts);
-    }
-  }
-  for (const int block : order)
-    for (int t = 0; t < kShafts; ++t) r.treadling.push_back(block * kShafts + t);
-  return make_design(r, {threads, threads});
-}
-
 Design damask() {
-  // Half of the figure, and its mirror.
-  const std::vector<int> half{0, 0, 1, 0, 1, 1, 2, 1, 2, 2, 2, 3, 2, 3, 3, 3, 3};
-  std::vector<int> order;
-  for (const int block : half) order.insert(order.end(), 4, block);
-  for (auto block = half.rbegin(); block != half.rend(); ++block) order.insert(order.end(), 4, *block);
-  Design d = with_colors(block_damask(order, {{1, 0, 0, 0}, {0, 1, 1, 0}, {0, 1, 0, 1}, {0, 0, 1, 1}}),
-                         palette({0xf3efe4, 0xf3efe4}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(figured_damask(), palette({0xf3efe4, 0xf3efe4}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Linen", "Bleached linen", "40 lea", 0.238f, 480);
   yarn.irregularity = 0.03f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
   // Beetled and calendered: flat threads that shine along themselves.
   yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
-  return titled(lit(worn(std::move(d), "tablecloth", 8, 24, 0.7f), -110, 38), "Damask",
-                {"Table damask on four blocks: satin on five shafts, warp-faced against weft-faced, white on white.",
-                 "Lea 40, 30 by 28 a centimetre, beetled."});
+  return titled(lit(worn(std::move(d), "tablecloth", 8, 24, 0.7f), -50, 30), "Damask",
+                {"Table damask of flowers in an ogee, for a drawloom: satin on five shafts, warp-faced against",
+                 "weft-faced, white on white. Lea 40, 30 by 28 a centimetre, beetled; the figure is 16 by 23 cm."});
 }
 
 Design ottoman() {
   Design d = with_colors(plain({48, 8}), palette({0x3d6e5a, 0x3a6a57}), {{0, 1}}, {{1, 1}});
   Yarn warp = boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 300)),
-       weft = spun("Cotton", "Corded cotton", "Ne 5/4", 1.149f, 160, 4);
+       weft = spun("Cotton", "Corded cotton", "Ne 5/6", 1.5f, 130, 6);
   warp.flattening = 0.5f, weft.flattening = 1;
-  d = set_at(with_yarns(std::move(d), warp, weft), 66, 7);
-  return titled(lit(worn(std::move(d), "skirt", 20, 12, 0.7f), -45, 40), "Ottoman",
-                {"Corded: a close silk warp covers thick cotton picks, 66 by 7 a centimetre."});
+  d = set_at(with_yarns(std::move(d), warp, weft), 66, 4.8f);
+  return titled(lit(worn(std::move(d), "cushion", 6, 30, 0.62f), -20, 28), "Ottoman",
+                {"Corded: a close silk warp covers thick cotton picks, 66 by 4.8 a centimetre."});
 }
 
 }  // namespace

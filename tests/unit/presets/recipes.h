@@ -18,6 +18,8 @@ struct PresetRecipe {
 std::vector<PresetRecipe> preset_recipes();
 /// Those of presets/cloths, which are among them.
 std::vector<PresetRecipe> cloth_recipes();
+/// Satin on five shafts, warp-faced where a figure of flowers in an ogee is: 480 ends by 640 picks, no colours.
+Design figured_damask();
 
 /// 0xRRGGBB, sRGB as in a palette.
 inline Rgb hex(unsigned rgb) {

@@ -34,11 +34,17 @@ vec3 sky_diffuse(vec3 n) { return sky_radiance(n, 0.666667, 0.25); }
 // 2/3 long and the second band 1/4, as here but for a tenth.
 vec3 sky_about(vec3 d) { return sky_radiance(d, 1.0, min(length(d), 1.0)); }
 
+// How far from a surface it is asked whether light arrives, so that a leaning one does not shade itself where the filter
+// reaches past the texel: that reach on the map times the sine to the light; `lift` on a surface along the light.
+vec3 lifted_off(vec3 position, vec3 n, vec3 l, float lift) {
+  float c = dot(n, l);
+  return position + n * (lift * max(sqrt(max(1.0 - c * c, 0.0)), 0.4));
+}
+
 // Share of a light beside the key light that reaches a point.
 float more_seen(vec3 position, vec3 n) {
   int i = light_at - 1;
-  float lift = 2.5 * frame.more_color[i].w;
-  vec3 lifted = position + n * (lift * (1.0 - 0.6 * abs(dot(n, frame.more_light[i].xyz))));
+  vec3 lifted = lifted_off(position, n, frame.more_light[i].xyz, 2.5 * frame.more_color[i].w);
   vec3 at = (frame.world_to_more[i] * vec4(lifted, 1.0)).xyz;
   float step_uv = 1.5 / float(textureSize(more_shadow_map, 0).x);
   vec2 a = vec2(0.35, 0.93) * step_uv;
@@ -52,7 +58,7 @@ float more_seen(vec3 position, vec3 n) {
 // texels. n: normal of the side that is seen.
 float sun_seen(vec3 position, vec3 n) {
   if (light_at > 0) return more_seen(position, n);
-  vec3 lifted = position + n * (frame.shadow.z * (1.0 - 0.6 * abs(dot(n, frame.light.xyz))));
+  vec3 lifted = lifted_off(position, n, frame.light.xyz, frame.shadow.z);
   vec3 at = (frame.world_to_shadow * vec4(lifted, 1.0)).xyz;
   float step_uv = frame.shadow.x * frame.shadow.y;
 #if SHADOW_TAPS == 4

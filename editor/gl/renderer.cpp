@@ -216,7 +216,7 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.lattices[0] = glm::make_vec4(plan.lattices.data());
   data.lattices[1] = glm::make_vec4(plan.lattices.data() + 4);
   const bool quick = drawn.frame.render_scale < 1;
-  data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 2.5f,
+  data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 3.4f,
                  opacity()};
   const std::array<double, 2> period{std::max(1e-6, static_cast<double>(cloth.width_mm())),
                                      std::max(1e-6, static_cast<double>(cloth.depth_mm()))};

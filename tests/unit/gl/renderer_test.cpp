@@ -194,6 +194,27 @@ TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
   EXPECT_LT(relative_rms(mean, coarse), 0.15);  // 0.24 so, else 0.10
 }
 
+// The shadow's filter reaches past its texels: a leaning plane shaded itself in stripes (a table's foot showed them).
+TEST_F(PictureTest, APlaneDoesNotShadeItself) {
+  upload(twill(4, 2, kWhite, kWhite), square(100));
+  look.method = Method::kFlat;
+  scene.sky_strength = 0;
+  for (const float azimuth : {-20.0f, -50.0f, -70.0f, -80.0f}) {
+    for (const float elevation : {5.0f, 38.0f, 60.0f}) {
+      scene.light_azimuth = azimuth, scene.light_elevation = elevation;
+      const Image image = draw();
+      float low = 1e9f, high = 0;
+      for (int y = kSide / 4; y < kSide * 3 / 4; ++y) {
+        for (int x = kSide / 4; x < kSide * 3 / 4; ++x) {
+          const float v = image.texels[(static_cast<size_t>(y) * kSide + static_cast<size_t>(x)) * 4 + 1];
+          low = std::min(low, v), high = std::max(high, v);
+        }
+      }
+      EXPECT_GT(low, 0.98f * high) << azimuth << ' ' << elevation;
+    }
+  }
+}
+
 TEST_F(PictureTest, GapsLetTheBackgroundThrough) {
   Design design = twill(2, 1, kRed, kRed);
   for (float& spacing : design.draft.warp.spacing_mm) spacing = 2.0f;

@@ -53,7 +53,7 @@ struct Hair {
 
 /// Roots on the triangles of prepared.fine. At most about kMostHairs: where there would be more, each stands
 /// for more, so that what they cover stays the same.
-inline constexpr float kMostHairs = 40000;
+inline constexpr float kMostHairs = 100000;
 std::vector<Hair> sow_hairs(const PreparedMesh& prepared, const std::vector<Hem>& hems,
                             std::array<double, 2> uv_origin_mm, const HairGrowth& growth, const HairView& view);
 

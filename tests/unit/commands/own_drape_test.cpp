@@ -51,5 +51,24 @@ TEST_F(OwnDrape, is_drawn_kept_and_written) {
   for (const glm::vec3& place : own.mesh->position_mm) ASSERT_GT(place.y, -0.5f);
 }
 
+TEST_F(OwnDrape, is_simulated_and_written_whole_where_none_is_kept) {
+  const Ran written = run({"drape", draft_, "-o", path("own.glb"), "--mesh", "cushion"});
+  ASSERT_EQ(written.code, kDone) << written.said;
+  const ReadMesh own = read_mesh(path("own.glb")), shipped = load_drape("cushion"),
+                 body = read_mesh(path("own_body.glb"));
+  ASSERT_TRUE(own.mesh) << own.error;
+  ASSERT_TRUE(body.mesh) << body.error;
+  EXPECT_EQ(own.mesh->index, shipped.mesh->index);
+  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "not as its kind hangs";
+  EXPECT_EQ(files(), (std::set<std::string>{"own.glb", "own_body.glb"})) << "nothing was left";
+}
+
+TEST_F(OwnDrape, is_not_simulated_for_a_place_that_cannot_be_written) {
+  const Ran ran = run({"drape", draft_, "-o", path("none/own.glb"), "--mesh", "cushion"});
+  EXPECT_EQ(ran.code, kNotWritten);
+  EXPECT_NE(ran.said.find("none"), std::string::npos) << ran.said;
+  EXPECT_FALSE(fs::exists(path("none")));
+}
+
 }  // namespace
 }  // namespace weftlight::commands

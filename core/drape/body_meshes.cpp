@@ -216,11 +216,11 @@ Mesh mesh_of_body(const std::string& name) {
   if (name == "cushion") {
     for (const Box& box : board_boxes()) append_box(mesh, box);
   }
-  if (name == "tunic" || name == "scarf") {
+  if (name == "scarf") {
     append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 11));
     stand(mesh, kTunicLowered);
   }
-  if (name == "shirt") {
+  if (name == "tunic" || name == "shirt") {
     const auto form = [arm = arm_let_down(1)](Vec3 p) { return form_with(arm, p); };
     append_zero_set(mesh, form, sample(form, {-340, 730, -180}, {340, 1545, 220}, 11));
     stand(mesh, kTunicLowered);

@@ -110,6 +110,7 @@ Mesh finish(Drape drape, const std::string& name, float steps_scale) {
   for (size_t i = 0; i < cloth.position.size(); ++i) {
     drape.pattern.position_mm[i] = Vec3(cloth.position[i]) - Vec3{0, drape.lower_mm, 0};
   }
+  iron(drape.pattern, drape.iron_passes);
   return to_mesh(drape.pattern, name);
 }
 

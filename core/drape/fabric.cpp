@@ -74,6 +74,7 @@ Bend make_bend(const Pattern& pattern, const Side& one, const Side& two, const F
   const double stiffness =
       fabric.bending_n_m * std::min(firmness, 1.0) + kInterlining_n_m * std::max(firmness - 1, 0.0);
   bend.compliance = (area1 + area2) / (3 * stiffness * mm2_per_m2);
+  if (fabric.crease_per_mm > 0 && firmness == 1) bend.yield_mm = fabric.crease_per_mm * 2 * (area1 + area2) / 3;
   return bend;
 }
 
@@ -122,13 +123,34 @@ Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm) {
   cloth.velocity.assign(cloth.position.size(), Vec3d{});
   cloth.inverse_mass = inverse_masses(pattern, fabric);
   for (const auto& [particles, sides] : collect_sides(pattern)) {
-    cloth.stretches.push_back(make_stretch(pattern, sides[0], fabric));
+    Stretch stretch = make_stretch(pattern, sides[0], fabric);
+    if (sides.size() == 2) {
+      // What is gathered goes into the shorter of the two.
+      const Stretch other = make_stretch(pattern, sides[1], fabric);
+      if (other.rest_mm < stretch.rest_mm) stretch = other;
+    }
+    cloth.stretches.push_back(stretch);
     const bool is_seam = sides.size() == 2 && sides[0].start != sides[1].start && sides[0].end != sides[1].end;
     if (is_seam) cloth.stretches.back().rest_mm *= 1 - fabric.pucker;
     if (sides.size() == 2) cloth.bends.push_back(make_bend(pattern, sides[0], sides[1], fabric));
   }
   find_near(cloth, near_mm);
   return cloth;
+}
+
+void set_creases(Cloth& cloth, double share) {
+  for (Bend& bend : cloth.bends) {
+    if (!(bend.yield_mm > 0)) continue;
+    const auto at = [&](size_t k) { return cloth.position[bend.particle[k]]; };
+    const Vec3d edge = at(1) - at(0), both = cross(edge, at(2) - at(0)) + cross(at(3) - at(0), edge);
+    const double l = length(both);
+    if (l < 1e-9) continue;
+    Vec3d sum{};
+    for (size_t k = 0; k < 4; ++k) sum += at(k) * bend.weight[k];
+    const double more = dot(sum, both) / l - bend.set_mm;
+    bend.set_mm += share * std::copysign(std::max(std::abs(more) - bend.yield_mm, 0.0), more);
+    bend.rest = both * (bend.set_mm / l);
+  }
 }
 
 }  // namespace weftlight::drape

@@ -14,7 +14,8 @@ struct Fabric {
   double thread_n_per_m = 2500;  // stretch along warp and weft
   double bias_n_per_m = 70;      // stretch at 45 degrees to them
   double bending_n_m = 2.8e-5;
-  double pucker = 0;  // share by which the seams' thread draws them in
+  double crease_per_mm = 0;  // curvature from which on a fold stays in the cloth; 0: none does
+  double pucker = 0;         // share by which the seams' thread draws them in
 };
 
 /// Keeps two particles apart by rest_mm.
@@ -23,11 +24,14 @@ struct Stretch {
   double rest_mm, compliance;  // s2/kg
 };
 
-/// Keeps two triangles in a plane: sum of weight * position is zero when they are.
+/// Keeps two triangles in a plane, or as they are creased: sum of weight * position is then `rest`, which is zero or
+/// along their normal.
 struct Bend {
   std::array<uint32_t, 4> particle;  // the shared edge, then the two far corners
   std::array<double, 4> weight;
   double compliance;
+  double yield_mm = 0, set_mm = 0;  // of the sum's length: how far it springs back (0: all the way); what is creased
+  Vec3d rest{};
 };
 
 struct Cloth {
@@ -41,5 +45,8 @@ struct Cloth {
 
 /// `near_mm`: how far along the cloth two particles count as near (they never collide).
 Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm);
+
+/// Lets what is bent beyond its spring stay so, by that share of what is beyond; turns the creases with the cloth.
+void set_creases(Cloth& cloth, double share);
 
 }  // namespace weftlight::drape

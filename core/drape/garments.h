@@ -13,7 +13,8 @@ struct Drape {
   Fabric fabric;
   Fall fall;
   std::vector<uint32_t> held;  // particles held in place (or led)
-  float lower_mm = 0;          // how far the finished drape is let down, to stand near the ground
+  int iron_passes = 0;
+  float lower_mm = 0;  // how far the finished drape is let down, to stand near the ground
 };
 
 /// Makes it fall on the dress form, as cloth that is worn: softer than a table's. Lets it down with the form.

@@ -21,7 +21,7 @@ constexpr double kGravity = 9.81;
 constexpr double kBiasPower = 1.75, kMediumLength_mm = 19;
 constexpr double kUsualThickness_mm = 0.5;  // that the drapes' distances are made for
 constexpr double kShortest_mm = 6, kLongest_mm = 60, kThickest_mm = 4;
-constexpr int kOwnVersion = 1;  // of what comes out: another makes kept ones anew
+constexpr int kOwnVersion = 2;  // of what comes out: another makes kept ones anew
 
 double twice_area(Vec3 a, Vec3 b, Vec3 c) {
   return static_cast<double>((b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x));

@@ -31,7 +31,7 @@ struct OwnHang {
   bool operator==(const OwnHang&) const = default;
 };
 OwnHang own_hang(double bending_length_mm, double thickness_mm);
-/// Of the mesh that is kept, without its ending: "tablecloth_19.0mm_0.50mm_v1".
+/// Of the mesh that is kept, without its ending: "tablecloth_19.0mm_0.50mm_v2".
 std::string drape_file(const std::string& name, const OwnHang& hang);
 /// Makes a drape's fabric and its fall those of the cloth.
 void hang_itself(Fabric& fabric, Fall& fall, const OwnHang& hang);

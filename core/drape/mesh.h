@@ -31,7 +31,7 @@ struct Mesh {
   std::vector<uint32_t> index;  // three a triangle
 };
 
-/// Fills normals (area-weighted) and tangents from positions and uv. Vertices at the very same place
+/// Fills normals (weighted by the corners' angles) and tangents from positions and uv. Vertices at the very same place
 /// (the two sides of a seam) share their normal; each keeps its own tangent, at right angles to it.
 void compute_frames(Mesh& mesh);
 

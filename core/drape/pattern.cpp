@@ -88,6 +88,8 @@ void lay_on(Pattern& pattern, const Piece& piece, int columns, int rows, const L
   append_cells(pattern.laid_index, layer);
 }
 
+float apart(const Pattern& pattern, uint32_t a, uint32_t b) { return length(pattern.uv_mm[a] - pattern.uv_mm[b]); }
+
 void sew(Pattern& pattern, uint32_t a, uint32_t b) {
   const uint32_t kept = pattern.particle[a], gone = pattern.particle[b];
   std::replace(pattern.particle.begin(), pattern.particle.end(), gone, kept);

@@ -58,11 +58,17 @@ using LayerShape = std::function<LaidAt(int i, int j)>;
 /// with its warp across that of the piece.
 void lay_on(Pattern& pattern, const Piece& piece, int columns, int rows, const LayerShape& shape, bool turned = false);
 
+/// Between two vertices of a piece, in its pattern, mm.
+float apart(const Pattern& pattern, uint32_t a, uint32_t b);
+
 /// Sews vertex b to vertex a: they share a's particle from now on.
 void sew(Pattern& pattern, uint32_t a, uint32_t b);
 
 /// Drops the particles that sewing left without a vertex.
 void drop_unused_particles(Pattern& pattern);
+
+/// Takes out of the particles' places the waves that are as short as a cell, which are the grid's and not the cloth's.
+void iron(Pattern& pattern, int passes);
 
 /// The mesh of a pattern, with frames.
 Mesh to_mesh(const Pattern& pattern, const std::string& name);

@@ -76,7 +76,7 @@ void solve(const Stretch& s, Cloth& cloth, double per_dt2) {
 }
 
 void solve(const Bend& b, Cloth& cloth, double per_dt2) {
-  Vec3d sum{};
+  Vec3d sum = -b.rest;
   double softness = b.compliance * per_dt2;
   for (size_t k = 0; k < 4; ++k) {
     sum += cloth.position[b.particle[k]] * b.weight[k];
@@ -157,12 +157,14 @@ void fall(Cloth& cloth, const Distance& body, const Fall& how) {
     const double time = look / static_cast<double>(how.looks_per_second);
     if (how.lead) how.lead(cloth, time, time + 1.0 / how.looks_per_second);
     if (how.push) how.push(cloth, time, contacts.push);
+    set_creases(cloth, how.crease_share);
     find_planes(cloth, body, how, contacts.planes);
     find_pairs(cloth, how.reach_mm(), contacts.pairs);
     const bool resting = look > how.rest_from * looks;
     const int substeps = resting && how.rest_substeps > 0 ? how.rest_substeps : how.substeps;
     const double dt = 1.0 / (how.looks_per_second * substeps);
-    const double keep = std::exp(-(resting ? 6 : 1) * how.air_per_second * dt);
+    const double thicker = resting ? 6 : time < how.let_down_s ? 10 : 1;
+    const double keep = std::exp(-thicker * how.air_per_second * dt);
     for (int k = 0; k < substeps; ++k) substep(cloth, contacts, how, dt, keep);
   }
 }

@@ -20,7 +20,9 @@ struct Fall {
   double skin_mm = 3.5;        // the middle of the cloth stays this far from the body
   double apart_mm = 8;         // and sheets of cloth this far from each other (over half a cell's diagonal)
   double body_friction = 0.4, cloth_friction = 0.3;
+  double crease_share = 0.1;    // of what is bent too far stays so from one look to the next
   double air_per_second = 1.5;  // share of the speed that the air takes
+  double let_down_s = 0;        // for so long it is let down by hand: in air ten times as thick
   double rest_from = 0.7;       // share of the time after which the air thickens, to bring rest
   /// How far off sheets are looked for: they may come 6 mm nearer between two looks.
   double reach_mm() const { return apart_mm + 6; }

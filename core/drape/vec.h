@@ -19,6 +19,9 @@ inline Vec3 unit(Vec3 a, Vec3 fallback = {0, 0, 1}) {
   return l > 1e-12f ? a * (1.0f / l) : fallback;
 }
 
+/// Of the way from the first of `count` to the last.
+inline float share_of(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
+
 inline float mix(float a, float b, float t) { return a + (b - a) * t; }
 /// 0 before `from`, 1 after `to`, smooth between.
 inline float ramp(float from, float to, float x) {

@@ -81,8 +81,10 @@ TEST_P(EachDrape, PatternMillimetresAreMillimetresOfCloth) {
   const std::vector<float> stretch = thread_stretch(shipped(GetParam()));
   ASSERT_FALSE(stretch.empty());
   EXPECT_NEAR(stretch[stretch.size() / 2], 0, 0.01f);
-  EXPECT_GT(stretch[stretch.size() / 50], -0.05f);
-  EXPECT_LT(stretch[stretch.size() * 49 / 50], 0.05f);
+  // The tops': where they are creased and gathered, and in bands that carry them, two threads in a hundred.
+  const bool is_top = GetParam() == "tunic" || GetParam() == "shirt";
+  EXPECT_GT(stretch[stretch.size() / 50], is_top ? -0.13f : -0.05f);
+  EXPECT_LT(stretch[stretch.size() * 49 / 50], is_top ? 0.075f : 0.05f);
 }
 
 /// Vertices further inside than the tolerance; `lowered` as the mesh was let down.
@@ -93,14 +95,14 @@ int inside(const Mesh& mesh, Body body, float lowered) {
   }));
 }
 
+constexpr std::array<const char*, 6> kTops{"tunic", "tunic_limp", "tunic_stiff", "shirt", "shirt_limp", "shirt_stiff"};
+
 TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
   EXPECT_EQ(inside(shipped("sphere"), ball, 0), 0);
   EXPECT_EQ(inside(shipped("tablecloth"), table, 0), 0);
   EXPECT_EQ(inside(shipped("skirt"), skirt_form, kSkirtLowered), 0);
-  EXPECT_EQ(inside(shipped("tunic"), dress_form, kTunicLowered), 0);
   const auto arms_down = [arm = arm_let_down(1)](Vec3 p) { return form_with(arm, p); };
-  for (const char* name : {"shirt", "shirt_limp", "shirt_stiff"})
-    EXPECT_EQ(inside(shipped(name), arms_down, kTunicLowered), 0) << name;
+  for (const char* name : kTops) EXPECT_EQ(inside(shipped(name), arms_down, kTunicLowered), 0) << name;
   EXPECT_EQ(inside(shipped("scarf"), dress_form, kTunicLowered), 0);
   EXPECT_EQ(inside(shipped("cushion"), board, 0), 0);
   for (const std::string& name : drape_names()) EXPECT_EQ(inside(shipped(name), ground, 0), 0) << name;
@@ -153,8 +155,9 @@ int open_loops(const Mesh& mesh) {
 }
 
 TEST(Drapes, GarmentsAreClosedAtTheirSeams) {
-  EXPECT_EQ(open_loops(shipped("skirt")), 2);                       // waist and hem
-  EXPECT_EQ(open_loops(shipped("tunic")), 4);                       // neck, hem and two cuffs
+  EXPECT_EQ(open_loops(shipped("skirt")), 2);                                 // waist and hem
+  constexpr int kTunicButtons = 3 + 2, kTunicLayers = 6;                      // placket, band, two cuffs, two hems
+  EXPECT_EQ(open_loops(shipped("tunic")), 4 + kTunicButtons + kTunicLayers);  // neck, hem and two cuffs
   constexpr int kButtons = 7 + 1 + 2, kLayers = 6;                  // placket, pocket, yoke, collar, two cuffs
   EXPECT_EQ(open_loops(shipped("shirt")), 4 + kButtons + kLayers);  // hem, two cuffs, collar
   EXPECT_EQ(open_loops(shipped("scarf")), 1);
@@ -202,14 +205,25 @@ double pierced(const Mesh& mesh, size_t triangles) {
   return static_cast<double>(found) / static_cast<double>(triangles);
 }
 
-TEST(Drapes, TheShirtsClothPassesThroughItselfNoMoreThanOthers) {
-  const Mesh tunic = shipped("tunic"), shirt = shipped("shirt");
-  const size_t cloth = weftlight::drape::shirt().pattern.index.size() / 3;  // what is laid on it comes after
-  EXPECT_LT(cloth, shirt.index.size() / 3);
-  const double others = pierced(tunic, tunic.index.size() / 3), ours = pierced(shirt, cloth);
-  RecordProperty("tunic", std::to_string(others));
-  RecordProperty("shirt", std::to_string(ours));
-  EXPECT_LE(ours, std::max(others, 0.002));
+TEST(Drapes, TheTopsClothsHardlyPassThroughThemselves) {
+  for (const char* name : kTops) {
+    const Drape top = std::string(name).starts_with("tunic") ? tunic() : weftlight::drape::shirt();
+    const Mesh mesh = shipped(name);
+    const size_t cloth = top.pattern.index.size() / 3;  // what is laid on it comes after
+    EXPECT_LT(cloth, mesh.index.size() / 3);
+    const double share = pierced(mesh, cloth);
+    RecordProperty(name, std::to_string(share));
+    EXPECT_LE(share, 0.002) << name;
+  }
+}
+
+TEST(Drapes, TheTopsThreadsAreAsLongAsTheyWereWoven) {
+  for (const char* name : kTops) {
+    const std::vector<float> stretch = thread_stretch(shipped(name));
+    EXPECT_NEAR(stretch[stretch.size() / 2], 0, 0.01f) << name;
+    EXPECT_LT(stretch[stretch.size() * 49 / 50], std::string(name).starts_with("tunic") ? 0.075f : 0.06f)
+        << name << ": the tunic's neckband carries it";
+  }
 }
 
 TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
@@ -278,7 +292,7 @@ TEST(Drapes, ACushionIsFilled) {
 TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
   const OwnHang shirting = own_hang(19.2, 0.33);
   EXPECT_EQ(shirting.half_mm, 38);
-  EXPECT_EQ(drape_file("skirt", shirting), "skirt_19.0mm_0.35mm_v1");
+  EXPECT_EQ(drape_file("skirt", shirting), "skirt_19.0mm_0.35mm_v2");
   EXPECT_EQ(own_hang(19.1, 0.34), shirting) << "nobody sees that";
   EXPECT_EQ(own_hang(0, 0), own_hang(19, 0.5)) << "not known";
   EXPECT_EQ(own_hang(1e9, 1e9).half_mm, 120);

@@ -94,6 +94,74 @@ TEST(Solver, AHeldRowCarriesTheSheet) {
   EXPECT_NEAR(cloth.position[2][1], 500 - 200, 6);  // hangs straight down, hardly stretched
 }
 
+/// A strip that hangs from its upper row, bent to a right angle down its middle; all of it is held for the first third
+/// of a second. How far from straight it is below once let go: 1 flat, 0 folded.
+double unbent(double crease_per_mm) {
+  Pattern pattern;
+  constexpr int kColumns = 9, kRows = 13;
+  add_piece(
+      pattern, kColumns, kRows,
+      [](float s, float t) {
+        return Vec2{80 * s, 120 * t};
+      },
+      [](Vec2 uv) {
+        const float out = (uv[0] - 40) * 0.7071f;
+        return Vec3{out, 500 + uv[1], std::fabs(out)};
+      });
+  Fabric fabric;
+  fabric.crease_per_mm = crease_per_mm;
+  Cloth cloth = weave(pattern, fabric, 14);
+  const std::vector<double> free = cloth.inverse_mass;
+  std::fill(cloth.inverse_mass.begin(), cloth.inverse_mass.end(), 0.0);
+  Fall how = seconds(2);
+  how.lead = [&](Cloth& led, double time, double) {
+    if (time > 0.33) std::copy_n(free.begin(), kColumns * (kRows - 1), led.inverse_mass.begin());
+  };
+  fall(cloth, nothing_near, how);
+  return length(cloth.position[kColumns - 1] - cloth.position[0]) / 80;
+}
+
+TEST(Solver, AFoldThatWasHeldStaysInClothThatCreases) {
+  EXPECT_GT(unbent(0), 0.85);
+  EXPECT_LT(unbent(0.03), 0.8);
+}
+
+TEST(Solver, WhatIsGatheredGoesIntoTheShorter) {
+  Pattern pattern;
+  const auto place = [](Vec2 uv) { return Vec3{uv[0], 500 + uv[1], 0}; };
+  const Piece wide = add_piece(
+      pattern, 11, 3,
+      [](float s, float t) {
+        return Vec2{100 * s, 20 * t - 20};
+      },
+      place);
+  const Piece band = add_piece(
+      pattern, 11, 3,
+      [](float s, float t) {
+        return Vec2{60 * s, 20 * t};
+      },
+      place);
+  for (int k = 0; k < 11; ++k) sew(pattern, wide.vertex(k, 2), band.vertex(k, 0));
+  const Cloth cloth = weave(pattern, {}, 14);
+  const uint32_t a = pattern.particle[band.vertex(3, 0)], b = pattern.particle[band.vertex(4, 0)];
+  const auto seam = std::find_if(cloth.stretches.begin(), cloth.stretches.end(),
+                                 [&](const Stretch& s) { return std::minmax(s.a, s.b) == std::minmax(a, b); });
+  ASSERT_NE(seam, cloth.stretches.end());
+  EXPECT_NEAR(seam->rest_mm, 6, 1e-4);
+}
+
+TEST(Iron, TakesTheWavesOfACellAndLeavesThoseOfEight) {
+  const auto height = [](float wave_cells) {
+    Pattern pattern = sheet(33, 9, 10, 0);
+    for (uint32_t i = 0; i < pattern.position_mm.size(); ++i)
+      pattern.position_mm[i][1] = std::cos(2 * 3.14159265f * static_cast<float>(i % 33) / wave_cells);
+    iron(pattern, 4);
+    return pattern.position_mm[4 * 33 + 16][1];
+  };
+  EXPECT_LT(std::fabs(height(2)), 0.3f);
+  EXPECT_GT(height(8), 0.93f);
+}
+
 TEST(Solver, SheetsStayApart) {
   Pattern pattern = sheet(9, 9, 10, 5);
   add_piece(

@@ -31,7 +31,7 @@ constexpr BodiceCut kCut{.length = 775,
                          .put_on_wave = 14,
                          .put_on_gathers = 8};
 constexpr int kMiddle = kCut.last() / 2;  // a column
-constexpr BandCut kBand{.rows = 6, .high = 28, .share = 0.83f, .firmness = 12};
+constexpr BandCut kBand{.rows = 6, .high = 28, .share = 0.88f, .firmness = 12};
 
 constexpr SleeveCut kSleeve{.length = 444,
                             .cap = 45,

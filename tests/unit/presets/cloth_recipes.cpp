@@ -118,12 +118,13 @@ Design polyester_charmeuse() {
   warp.lobes.layers = 13.9f, warp.lobes.inner = 0.097f, warp.lobes.body = 0.331f, warp.lobes.fuzz = 0.001f;
   Yarn weft = fitted("Polyester filament", "Polyester", "100 den", 0.118f, 0.711f, 10);
   weft.groove_depth = 0.049f;
-  weft.lobes.specular = 1, weft.lobes.along_width = 0.103f, weft.lobes.across_width = 0.0585f,
-  weft.lobes.layers = 16, weft.lobes.inner = 0.0148f, weft.lobes.body = 1;
+  weft.lobes.specular = 1, weft.lobes.along_width = 0.103f, weft.lobes.across_width = 0.0585f, weft.lobes.layers = 16,
+  weft.lobes.inner = 0.0148f, weft.lobes.body = 1;
   // Set so close that it is opaque, as charmeuse is.
-  return titled(worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.161f, 0.388f), "skirt", 15, 12),
-                "Polyester satin charmeuse, measured",
-                {"Warp satin on four shafts, 62 by 26 a centimetre (Sadeghi and others 2013)."});
+  return titled(
+      worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.161f, 0.388f), "skirt", 15, 12),
+      "Polyester satin charmeuse, measured",
+      {"Warp satin on four shafts, 62 by 26 a centimetre (Sadeghi and others 2013)."});
 }
 
 Design cotton_denim() {
@@ -165,7 +166,7 @@ Design denim() {
   // Ring-spun with slubs on purpose, as denim is.
   warp.unevenness = 26, weft.unevenness = 20;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
-  return titled(worn(std::move(d), "skirt", 20, 12, 0.6f), "Denim",
+  return titled(worn(std::move(d), "shirt", 20, 10, 0.8f), "Denim",
                 {"3/1 right-hand twill, 14 oz: indigo Ne 6 over ecru Ne 5, 26 by 17 a centimetre."});
 }
 
@@ -201,7 +202,7 @@ Design gabardine() {
   // Clear finish: singed, cropped and pressed.
   yarn.lobes.fuzz = 0.08f, yarn.lobes.along_width = 0.24f, yarn.lobes.layers = 2;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 24);
-  return titled(worn(std::move(d), "skirt", -25, 10, 0.65f), "Gabardine",
+  return titled(worn(std::move(d), "skirt", -25, 10, 1), "Gabardine",
                 {"2/2 twill that stands at 63 degrees, for the ends lie twice as close as the picks.",
                  "Worsted Nm 60/2, 44 by 24 a centimetre, clear finish."});
 }
@@ -215,7 +216,7 @@ Design tweed() {
   yarn.lobes.along_width = 0.7f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
   return titled(
-      worn(std::move(d), "tunic", 20, 8, 0.5f), "Herringbone tweed",
+      worn(std::move(d), "tunic", -20, 8, 0.72f), "Herringbone tweed",
       {"2/2 twill that turns every sixteen ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
 }
 
@@ -225,7 +226,7 @@ Design flannel() {
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.unevenness = 20, yarn.melange = 0.8f;
   d.finish.raised = 1;  // a nap over the weave
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
-  return titled(worn(std::move(d), "skirt", 20, 12, 0.65f), "Flannel",
+  return titled(worn(std::move(d), "tunic", 25, 10, 0.8f), "Flannel",
                 {"2/2 twill of grey melange, woollen Nm 15, 19 by 17 a centimetre, milled and raised."});
 }
 
@@ -274,7 +275,7 @@ Design linen() {
   yarn.irregularity = 0.14f, yarn.unevenness = 36, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
   yarn.flattening = 0.55f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
-  return titled(worn(std::move(d), "tablecloth", 25, 24, 0.6f), "Linen",
+  return titled(worn(std::move(d), "tunic", 20, 10, 0.8f), "Linen",
                 {"Plain weave of thick and thin yarn, lea 25, 21 by 20 a centimetre."});
 }
 

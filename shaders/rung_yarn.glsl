@@ -55,7 +55,8 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, v
   vec4 look = thread_look(hit.system, thread);
   YarnLobes lobes = thread_lobes(int(look.w), fibre_colour(texel, look.rgb));
   float disc = light_here().w * light_here().w / 16.0;   // of the half vector's slopes
-  lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) + vec3(disc, 0.0, disc));
+  float covered = x.l.z > 0.0 ? 1.0 : 0.0;
+  lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) * covered + vec3(disc, 0.0, disc));
   Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;
   // Light from behind crosses this thread itself; every other one stops it. Where it falls on a side that hangs over, the

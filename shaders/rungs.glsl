@@ -3,7 +3,7 @@
 // Frame: x along the weft, y along the warp, z the cloth's normal on the side that is seen.
 //
 //   yarn    facet_answer() of the thread on top
-//   cell    facet_answer() of each system's mean facet, widened by the spread of its normals
+//   cell    facet_answer() of each system's mean facet, widened by the spread of its normals; key_from_afar() from behind
 //   repeat  system_answer() of each system, leaned with the facets at the place, by colour and share: mixed_answer()
 //   cloth   system_answer() of each system with the means of the period
 //   engine  engine_answer() of the averaged normal (engine.glsl)
@@ -93,20 +93,27 @@ FORMULA float facet_density(vec2 slopes, vec2 h) {
 // of light that few facets mirror.
 const float kUnseenFacets = 0.01f;
 
+// By what fuzz and light scattered more than once are coloured.
+FORMULA vec3 hair_of(YarnLobes y) { return y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f); }
+
+// What system_answer() makes of the key light; mirrors: density of the facets that mirror it, 1 of light from behind.
+FORMULA vec3 key_from_afar(YarnLobes y, vec4 broad, float mirrors, vec3 l, vec3 v) {
+  vec3 sum = l + v;
+  float length2 = max(dot(sum, sum), 1.0e-6f);
+  float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
+  vec3 fresnel = y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k);
+  vec3 body = l.z > 0.0f ? y.body : y.body + y.through;
+  return body * broad.x + fresnel * (mirrors * broad.y) + hair_of(y) * broad.z;
+}
+
 // One system of threads from afar. broad: its response (core/light/cloth_response.h); of light from behind
 // `behind` there; slopes: densities of the slope angles at half_slopes(); share: of the cover at normal
 // view; sky: its response to an even sky.
 FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, vec4 sky, vec3 l, vec3 v) {
-  vec3 sum = l + v;
-  float length2 = max(dot(sum, sum), 1.0e-6f);
   float mirrors = l.z > 0.0f ? facet_density(slopes, half_slopes(l, v)) * share + kUnseenFacets : 1.0f;
-  float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
-  vec3 fresnel = y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k);
-  vec3 hair = y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f);
   Answer a;
-  vec3 body = l.z > 0.0f ? y.body : y.body + y.through;
-  a.key = body * broad.x + fresnel * (mirrors * broad.y) + hair * broad.z;
-  a.soft = y.body * sky.x + hair * sky.y;
+  a.key = key_from_afar(y, broad, mirrors, l, v);
+  a.soft = y.body * sky.x + hair_of(y) * sky.y;
   a.glossy = y.f0 * (sky.z - sky.w) + y.f90 * sky.w;
   return a;
 }

@@ -89,7 +89,7 @@ TEST_F(Truth, LightFromBehindIsThatOfTheTracedThreads) {
   for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f)}) {
     const glm::vec3 before = towards(0.6f, 0.87f), behind(before.x, before.y, -before.z);
     const double truth = mean(traced(2, 4, 4000, {behind, view})), bright = mean(traced(2, 4, 4000, {before, view}));
-    for (const Method method : {Method::kYarn, Method::kRepeat, Method::kCloth}) {
+    for (const Method method : {Method::kYarn, Method::kRepeat, Method::kCloth, Method::kCell}) {
       EXPECT_NEAR(mean(drawn(method, 2, 4, {behind, view})), truth, 0.12 * truth + 0.002 * bright)
           << method_name(method) << " view " << view.z;
     }

@@ -38,9 +38,9 @@ using glm::vec4;
 #define RESPONSE_LIGHTS_AROUND 16
 #define BEHIND_ELEVATIONS 12
 #define BEHIND_AROUND 32
-// Texels of the answer along one view: answer and lean, and below them the answer to light from behind.
+// Texels of the answer along one view: answer and lean, and below them the answer to light from behind, and its lean.
 #define RESPONSE_WIDTH 34
-#define RESPONSE_HEIGHT 80
+#define RESPONSE_HEIGHT 128
 #define RESPONSE_SLOPES 64
 #define SEEN_TABLES 8
 

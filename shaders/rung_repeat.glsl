@@ -2,15 +2,14 @@
 // the colour and cover of the footprint and leans it with the footprint's facets; `cloth` takes the means of the
 // period and so needs no map at all.
 
-// Of the system's answer (table 0) or of how it leans (table 1), between the nodes; of lights from behind of its answer
-// alone.
+// Of the system's answer (table 0) or of how it leans (table 1), between the nodes.
 vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 o = response_coord(v);
   const float views = float(RESPONSE_VIEWS_AROUND);
   const float up = float(RESPONSE_ELEVATIONS);
   const vec2 size = vec2(float(RESPONSE_WIDTH), float(RESPONSE_HEIGHT));
   vec2 before = response_coord(l) * vec2(float(RESPONSE_LIGHTS_AROUND), 1.0) + vec2(float(table * (RESPONSE_LIGHTS_AROUND + 1)), float(system) * up);
-  vec2 behind = behind_coord(l) * vec2(float(BEHIND_AROUND), 1.0) + vec2(0.0, 4.0 * up + float(system * BEHIND_ELEVATIONS));
+  vec2 behind = behind_coord(l) * vec2(float(BEHIND_AROUND), 1.0) + vec2(0.0, 4.0 * up + float((table * 4 + system) * BEHIND_ELEVATIONS));
   vec2 at = ((l.z > 0.0 ? before : behind) + 0.5) / size;
   o.x *= views;
   vec2 cell = min(floor(o), vec2(views - 1.0, up - 2.0));
@@ -89,7 +88,7 @@ Answer leaned_answer(Side side, Lights x, Local y, int which, vec2 slopes) {
   int system = side.face * 2 + which;
   SystemData data = cloth.systems[system];
   Answer a = answer_from_afar(side, x, which, slopes, system_color(y.color, data));
-  if (x.l.z > 0.0) a.key *= lean_factor(response_at(1, system, x.l, x.v), y.facets, data.facets);
+  a.key *= lean_factor(response_at(1, system, x.l, x.v), y.facets, data.facets);
   return a;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/loops.h"
+#include "light/facet_regression.h"
 #include "light/formulas.h"
 #include "light/yarn_lobes.h"
 
@@ -39,6 +40,7 @@ struct In {
 struct Lit {
   const ThreadPlace* place;
   formulas::LobeShared shared;
+  FacetMoments facets;
   std::vector<Out> out;
   // Of a run of lights: what enters the body, and that times what is clear of its fuzz.
   size_t first = 0;
@@ -49,7 +51,8 @@ struct Lit {
 /// [view][light].
 struct Sums {
   std::vector<float> body;
-  std::vector<glm::vec2> side;  // mirrored; fuzz and the like
+  std::vector<glm::vec2> side;                              // mirrored; fuzz and the like
+  std::array<std::vector<float>, kFacetMoments> leaning{};  // body, times each of the place's moments
 };
 
 using Views = std::array<glm::vec3, kResponseViews>;
@@ -70,9 +73,10 @@ void look_out(Lit& p, const formulas::LobeFrame& frame, bool own, const Views& v
 
 Lit lit_place(const ThreadPlace& place, const glm::vec3& normal, const Views& views, const Lights& lights) {
   const formulas::YarnLobes& lobes = place.lobes;
-  Lit p{&place, formulas::lobe_shared(lobes), {}, 0, {}, {}, {}};
+  Lit p{&place, formulas::lobe_shared(lobes), facet_moments(normal), {}, 0, {}, {}, {}};
   const formulas::LobeFrame frame = formulas::lobe_frame(normal, place.fibre);
   look_out(p, frame, normal == place.normal, views);
+  if (place.behind.empty()) p.out.clear();
   if (p.out.empty()) return p;
   const float both = std::max(lobes.body.g + lobes.through.g, 1e-6f);
   const auto [low, high] = std::minmax_element(place.behind.begin(), place.behind.end());
@@ -121,8 +125,13 @@ glm::vec2 sent_by_side(const Lit& p, const In& in, const Out& out) {
 void send(Sums& sums, const Lit& p, const Out& out, float sides) {
   const size_t row = out.view * kBehindLights;
   const float fuzz = p.place->lobes.fuzz, bare = out.body * (1 - fuzz), cleared = out.body * fuzz * out.side.clear;
-  float* body = &sums.body[row + p.first];
-  for (size_t i = 0; i < p.bare.size(); ++i) body[i] += bare * p.bare[i] + cleared * p.cleared[i];
+  const auto add = [&](std::vector<float>& to, float moment) {
+    float* at = &to[row + p.first];
+    const float b = bare * moment, c = cleared * moment;
+    for (size_t i = 0; i < p.bare.size(); ++i) at[i] += b * p.bare[i] + c * p.cleared[i];
+  };
+  add(sums.body, 1);
+  for (size_t k = 0; k < kFacetMoments; ++k) add(sums.leaning[k], p.facets[k]);
   if (sides <= 0) return;
   for (const In& in : p.in) sums.side[row + in.light] += sides * sent_by_side(p, in, out);
 }
@@ -161,17 +170,72 @@ std::vector<Lit> lit_places(const std::vector<ThreadPlace>& places, const std::a
 /// Views from straight above are one; along the cloth they see as much as a little higher.
 size_t counted_view(size_t v) { return v < kLowViews ? v % kViewAzimuths + kLowViews : std::min(v, kTop); }
 
+/// What is seen of each system: from above down to the low views, which are not measured.
+std::array<std::vector<FacetRegression>, 2> seen_facets(const std::vector<ThreadPlace>& places) {
+  std::array<std::vector<FacetRegression>, 2> out;
+  for (auto& of : out) of.resize(kResponseViews);
+  const auto views = response_views();
+  for_each_job(kResponseElevations, [&](int e) {
+    const size_t first = static_cast<size_t>(e) * kViewAzimuths;
+    for (size_t v = first; v < first + kViewAzimuths; ++v) {
+      for (const ThreadPlace& p : places) {
+        const float seen = p.area * std::max(glm::dot(p.side, views[v]), 0.0f) * p.open[v];
+        const glm::vec3& n = glm::dot(p.normal, views[v]) > 0 ? p.normal : p.side;
+        if (seen > 0) out[static_cast<size_t>(p.system)][v].add(seen, facet_moments(n));
+      }
+      for (auto& of : out) of[v].finish();
+    }
+  });
+  return out;
+}
+
+/// What areas of places are multiplied by: a system's share over what is seen of its places from above. Those that no
+/// light reaches count, too: so few of its places are seen of a weft below long floats that their number goes by
+/// chance.
+std::array<float, 2> scales(const ClothResponse& response, const std::vector<ThreadPlace>& places) {
+  std::array<float, 2> cover{}, out;
+  for (const ThreadPlace& p : places)
+    cover[static_cast<size_t>(p.system)] += p.area * std::max(p.side.z, 0.0f) * p.open[kTop];
+  for (size_t s = 0; s < 2; ++s) out[s] = response.systems[s].share / std::max(cover[s], 1e-9f);
+  return out;
+}
+
+/// How what the body sends leans, over what it sends.
+FacetMoments lean_of(const Sums& sums, const FacetRegression& seen, size_t at) {
+  FacetMoments products;
+  for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.leaning[k][at];
+  FacetMoments lean = seen.rise(sums.body[at], products);
+  for (float& l : lean) l = std::clamp(l / std::max(sums.body[at], 1e-9f), -kSteepestLean, kSteepestLean);
+  return lean;
+}
+
+void write_system(SystemResponse& out, const Sums& sums, const std::vector<FacetRegression>& facets, float scale,
+                  const std::array<float, kResponseViews>& seen) {
+  for (size_t v = 0; v < kResponseViews; ++v) {
+    for (size_t i = 0; i < kBehindLights; ++i) {
+      const size_t from = counted_view(v), at = from * kBehindLights + i, to = 4 * (v * kBehindLights + i);
+      const float part = scale / std::max(seen[from], 1e-9f);
+      out.behind[to] = sums.body[at] * part;
+      out.behind[to + 1] = sums.side[at].x * part, out.behind[to + 2] = sums.side[at].y * part;
+      std::ranges::copy(lean_of(sums, facets[from], at), out.behind_lean.begin() + static_cast<ptrdiff_t>(to));
+    }
+  }
+}
+
 }  // namespace
 
-void take_behind(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadPlace>& places,
-                 const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen) {
-  const std::vector<Lit> lit = lit_places(places, tones_of(response, cloth));
+void take_behind(ClothResponse& response, const Cloth& cloth, const ThreadPlaces& threads,
+                 const std::array<float, kResponseViews>& seen) {
+  const std::vector<Lit> lit = lit_places(threads.behind, tones_of(response, cloth));
   std::array<Sums, 2> sums;
   size_t side_pairs = 0;
   for (const Lit& p : lit) side_pairs += p.in.size() * p.out.size();
   const size_t every = 1 + side_pairs / kMostSidePairs;
   constexpr size_t kPairs = size_t{kResponseViews} * kBehindLights;
-  for (Sums& of : sums) of = {std::vector<float>(kPairs), std::vector<glm::vec2>(kPairs)};
+  for (Sums& of : sums) {
+    of.body.resize(kPairs), of.side.resize(kPairs);
+    of.leaning.fill(of.body);
+  }
   for_each_job(kResponseElevations, [&](int e) {
     for (size_t k = 0; k < lit.size(); ++k) {
       for (const Out& out : lit[k].out) {
@@ -181,17 +245,9 @@ void take_behind(ClothResponse& response, const Cloth& cloth, const std::vector<
       }
     }
   });
-  for (size_t s = 0; s < 2; ++s) {
-    std::vector<float>& to = response.systems[s].behind;
-    for (size_t v = 0; v < kResponseViews; ++v) {
-      for (size_t i = 0; i < kBehindLights; ++i) {
-        const size_t from = counted_view(v), at = from * kBehindLights + i;
-        const float part = scale[s] / std::max(seen[from], 1e-9f);
-        float* texel = &to[4 * (v * kBehindLights + i)];
-        texel[0] = sums[s].body[at] * part, texel[1] = sums[s].side[at].x * part, texel[2] = sums[s].side[at].y * part;
-      }
-    }
-  }
+  const auto facets = seen_facets(threads.places);
+  const auto scale = scales(response, threads.behind);
+  for (size_t s = 0; s < 2; ++s) write_system(response.systems[s], sums[s], facets[s], scale[s], seen);
 }
 
 }  // namespace weftlight::light

@@ -8,9 +8,8 @@
 
 namespace weftlight::light {
 
-/// Fills `behind` of both systems. places: ThreadPlaces.behind; scale: of a system's places, to its share of the cover;
-/// seen: projected area of what each view sees.
-void take_behind(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadPlace>& places,
-                 const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen);
+/// Fills `behind` and `behind_lean` of both systems. seen: projected area of what each view sees, over the cloth's.
+void take_behind(ClothResponse& response, const Cloth& cloth, const ThreadPlaces& threads,
+                 const std::array<float, kResponseViews>& seen);
 
 }  // namespace weftlight::light

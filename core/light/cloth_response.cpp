@@ -13,6 +13,7 @@
 #include "base/loops.h"
 #include "light/behind_response.h"
 #include "light/cloth_sky.h"
+#include "light/facet_regression.h"
 #include "light/formulas.h"
 #include "light/yarn_lobes.h"
 
@@ -21,11 +22,9 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr size_t kV = kResponseViews, kL = kResponseLights;
-constexpr float kStraight = 1e-4f;   // variance of a facet's moments that tells nothing
-constexpr float kSteepest = 100.0f;  // rise with a moment, over the mean
 constexpr float kDark = 1e-4f;       // radiance whose lean is not seen
 constexpr float kEvenWeave = 0.02f;  // relative variance of the cover around that tells nothing
-constexpr int kBehindPlaces = 2;     // for each of the front: few of them are both seen and lit
+constexpr int kBehindPlaces = 4;     // for each of the front: few of them are both seen and lit
 constexpr int kMeanTexels = 512;     // along a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
@@ -299,7 +298,6 @@ void finish(FacetSlopes& slopes) {
 }
 
 using Moments = FacetMoments;
-using Matrix = std::array<Moments, kFacetMoments>;
 
 /// Slopes and moments of what is seen from above, and how much of each system. A texel of a map is of one system: where
 /// the slits between threads are narrower than texels, the shares of a map are off by a quarter.
@@ -319,63 +317,6 @@ std::array<Moments, 2> take_top(ClothResponse& out, const ThreadPlaces& threads)
     for (size_t s = 0; s < 2; ++s) out.systems[s].share = seen[s] / all;
   return sums;
 }
-
-/// Inverse by Gauss and Jordan; the matrix is symmetric and positive.
-Matrix inverse_of(Matrix m) {
-  Matrix out{};
-  for (size_t k = 0; k < kFacetMoments; ++k) out[k][k] = 1;
-  for (size_t k = 0; k < kFacetMoments; ++k) {
-    const float scale = 1 / m[k][k];
-    for (size_t c = 0; c < kFacetMoments; ++c) m[k][c] *= scale, out[k][c] *= scale;
-    for (size_t r = 0; r < kFacetMoments; ++r) {
-      if (r == k) continue;
-      const float f = m[r][k];
-      for (size_t c = 0; c < kFacetMoments; ++c) m[r][c] -= f * m[k][c], out[r][c] -= f * out[k][c];
-    }
-  }
-  return out;
-}
-
-/// Least squares of what a point shows on the moments of its facet, over the points of one system.
-struct Regression {
-  float weight = 0;
-  Moments mean{};    // of the points
-  Matrix inverse{};  // of their covariance
-
-  template <class Weight>
-  Regression(const std::vector<Point>& points, int system, Weight weight_of) {
-    Matrix square{};
-    for (const Point& p : points) {
-      if (p.system != system) continue;
-      const float w = weight_of(p);
-      weight += w;
-      for (size_t r = 0; r < kFacetMoments; ++r) {
-        mean[r] += w * p.facets[r];
-        for (size_t c = 0; c < kFacetMoments; ++c) square[r][c] += w * p.facets[r] * p.facets[c];
-      }
-    }
-    const float scale = 1 / std::max(weight, 1e-9f);
-    for (float& m : mean) m *= scale;
-    for (size_t r = 0; r < kFacetMoments; ++r) {
-      for (size_t c = 0; c < kFacetMoments; ++c) square[r][c] = square[r][c] * scale - mean[r] * mean[c];
-      square[r][r] += kStraight;
-    }
-    inverse = inverse_of(square);
-  }
-  /// Rise of a quantity with each moment, from its sum over the points and the sums of its products.
-  Moments rise(float sum, const Moments& products) const {
-    Moments out{};
-    for (size_t r = 0; r < kFacetMoments; ++r)
-      for (size_t c = 0; c < kFacetMoments; ++c) out[r] += inverse[r][c] * (products[c] - mean[c] * sum);
-    return out;
-  }
-  /// Share by which the quantity is larger over the whole cloth, whose moments are known, than over the points.
-  float correction(float sum, const Moments& rise, const Moments& whole) const {
-    float more = 0;
-    for (size_t k = 0; k < kFacetMoments; ++k) more += rise[k] * (whole[k] - mean[k]);
-    return sum > 0 ? std::clamp(1 + more / sum, 0.5f, 2.0f) : 1.0f;
-  }
-};
 
 /// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
 /// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
@@ -397,14 +338,24 @@ std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlace
   return out;
 }
 
+/// Of the points of one system.
+template <class Weight>
+FacetRegression regression(const std::vector<Point>& points, int system, Weight weight_of) {
+  FacetRegression out;
+  for (const Point& p : points)
+    if (p.system == system) out.add(weight_of(p), p.facets);
+  out.finish();
+  return out;
+}
+
 /// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
-/// facets that are seen. Returns what areas of places are multiplied by.
-float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
-                    const Moments& above) {
-  const Regression cover(points, system, [](const Point& p) { return p.above; });
+/// facets that are seen.
+void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
+                   const Moments& above) {
+  const FacetRegression cover = regression(points, system, [](const Point& p) { return p.above; });
   const float scale = out.share / std::max(cover.weight, 1e-9f);
   for (size_t v = 0; v < kV; ++v) {
-    const Regression visible(points, system, [v](const Point& p) { return p.area * p.seen[v]; });
+    const FacetRegression visible = regression(points, system, [v](const Point& p) { return p.area * p.seen[v]; });
     Moments products;
     for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.seen_leaning[k][v];
     out.height_mm[v] = sums.height[v] / std::max(sums.seen[v], 1e-9f);
@@ -415,12 +366,11 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
       for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.leaning[k][at];
       const Moments rise = visible.rise(all, products);
       for (size_t k = 0; k < kFacetMoments; ++k)
-        out.lean[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kSteepest, kSteepest);
+        out.lean[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kSteepestLean, kSteepestLean);
       const float correction = scale * cover.correction(all, cover.rise(all, products), above);
       for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair}) (*of)[at] *= correction;
     }
   }
-  return scale;
 }
 
 /// Points of the places, with the slopes of those that are seen from above.
@@ -492,7 +442,8 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   out.sky = 0;
   for (SystemResponse& s : out.systems) {
     s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
-    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f), s.sky.assign(4 * kV, 0.0f);
+    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f);
+    s.behind_lean = s.behind, s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
   out.seen_rise.assign(kV, 1.0f);
@@ -507,15 +458,14 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   for_each_job(kResponseElevations, [&](int e) { add_views_fast(sums, points, grazing, e); });
   for (Sums& s : sums) s.repeat_top();
   out.seen_rise = seen_rises(sums, threads);
-  std::array<float, 2> scale{};
   for (size_t s = 0; s < 2; ++s) {
-    scale[s] = finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
+    finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
     finish(out.systems[s].slopes);
   }
   write_tables(out, sums, slopes_of(threads.places), w);
   PerView seen;
   for (size_t v = 0; v < kV; ++v) seen[v] = sums[0].seen[v] + sums[1].seen[v];
-  take_behind(out, cloth, threads.behind, scale, seen);
+  take_behind(out, cloth, threads, seen);
   take_sky(out, cloth);
   return out;
 }

@@ -26,6 +26,7 @@ struct SystemResponse {
   // The same of [view][light from behind] (thread_places.h): through the threads or onto their sides, body times body
   // and through, what mirrors as it is, no share. Other threads stop most of it.
   std::vector<float> behind;
+  std::vector<float> behind_lean;  // as `lean`, of what comes by the body and through
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
   std::vector<float> lean;

@@ -66,7 +66,12 @@ class Placer {
   glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
   void dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
   glm::vec3 bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
-  void look_around(ThreadPlace& p, glm::vec3 at, int thread, bool along);
+  enum class Seen {
+    kTopAlone,
+    kHigh,
+    kLow
+  };  // views: that from straight above, the high ones, those along the cloth, too
+  void look_around(ThreadPlace& p, glm::vec3 at, int thread, Seen from);
   void look_behind(ThreadPlace& p, glm::vec3 at, int thread);
 
   const Cloth& cloth_;
@@ -130,8 +135,7 @@ ThreadPlace Placer::place(int system, int k, int count, bool lit) {
   p.around = system == 0 ? warp : 1 - warp;
   dress(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
   if (lit) look_behind(p, where, s.thread);
-  if (lit && p.behind.empty()) p.area = 0;
-  else look_around(p, where, s.thread, !lit);
+  look_around(p, where, s.thread, !lit ? Seen::kLow : p.behind.empty() ? Seen::kTopAlone : Seen::kHigh);
   return p;
 }
 
@@ -192,12 +196,11 @@ void Placer::look_down(int first, int count, ThreadPlaces& out) {
   }
 }
 
-/// along: of views along the cloth, too.
-void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread, bool along) {
+void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread, Seen from) {
   const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
   Directions open;
   open.reserve(high_views_.size());
-  for (size_t k = 0; k < high_views_.size(); ++k)
+  for (size_t k = from == Seen::kTopAlone ? high_views_.size() - 1 : 0; k < high_views_.size(); ++k)
     if (can_see(high_views_.number[k])) open.take(high_views_, k);
   shadows_.cast(open, at, p.system, thread);
   Directions facing;
@@ -210,7 +213,7 @@ void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread, bool along) {
   shadows_.cast(facing, at + p.side * (0.02f * grid_.top), p.system, thread, true);
   for (const uint16_t v : facing.number) p.open[v] = 1;
   std::fill_n(p.open.begin() + kHighest, kViewAzimuths, p.open[kHighest]);
-  if (!along) return;
+  if (from != Seen::kLow) return;
   // What might stand before these is far off: one by one. What stands before two elevations stands before the lower
   // ones.
   for (size_t v = kLowViews; v-- > 0;) {

@@ -66,7 +66,8 @@ struct TopPlace {
 
 struct ThreadPlaces {
   std::vector<ThreadPlace> places;
-  // Of more, those that light from behind reaches, without views along the cloth; area: as if there were no others.
+  // Of more, those that light from behind reaches, without views along the cloth, and of the others those that are seen
+  // from straight above, with that view alone; area: as if there were no others.
   std::vector<ThreadPlace> behind;
   std::vector<TopPlace> top;  // many more: they cost little
   // Of the warp's share of the crossings around a place (a tent nine wide), over the whole cloth.

@@ -38,10 +38,12 @@ void append_view(std::vector<glm::vec4>& out, const Faces& faces, size_t view) {
       }
     }
   }
-  for (const ClothResponse& face : faces) {
-    for (const SystemResponse& system : face.systems) {
-      for (size_t e = 0; e < kBehindElevations; ++e)
-        LightRow{system.behind, view, e, kBehindAzimuths, kBehindLights}.append(out, kResponseWidth);
+  for (const auto table : {&SystemResponse::behind, &SystemResponse::behind_lean}) {
+    for (const ClothResponse& face : faces) {
+      for (const SystemResponse& system : face.systems) {
+        for (size_t e = 0; e < kBehindElevations; ++e)
+          LightRow{system.*table, view, e, kBehindAzimuths, kBehindLights}.append(out, kResponseWidth);
+      }
     }
   }
 }

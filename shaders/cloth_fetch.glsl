@@ -195,7 +195,8 @@ struct Seen {
   float rise;    // of the warp's share, with its share of the cover around
 };
 
-// Of a face along v: table 0 what is seen, 1 and 2 the answers of warp and weft to an even sky, 3 where from.
+// Of a face along v: table 0 what is seen, 1 and 2 the answers of warp and weft to an even sky, 3 where from,
+// 4 how much more of it than rung `yarn` would make, and from how much further along.
 vec4 seen_along(int face, int table, vec3 v) {
   vec2 c = response_coord(v);
   const float around = float(RESPONSE_VIEWS_AROUND);

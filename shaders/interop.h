@@ -32,7 +32,7 @@ using glm::vec4;
 
 // Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
 // lights from behind the cloth; bins of slope angles. Tables of views: of each face what is seen, the sky by warp and
-// by weft, and where from.
+// by weft, where from, and what rung `yarn` lacks of it.
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16
@@ -42,7 +42,7 @@ using glm::vec4;
 #define RESPONSE_WIDTH 34
 #define RESPONSE_HEIGHT 128
 #define RESPONSE_SLOPES 64
-#define SEEN_TABLES 8
+#define SEEN_TABLES 10
 
 struct FrameData {
   mat4 world_to_clip;

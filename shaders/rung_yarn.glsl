@@ -35,7 +35,7 @@ vec3 light_sample(vec3 l, int i, float own) {
 
 // One sample at `at`, dx by dy large, all on the middle plane in mm; l: to a point of the light. It hides and shades by
 // that point alone; what the thread answers is of all the light's disc and of all the surface that the sample covers.
-void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, vec2 dy, vec3 l) {
+void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
   sums.cover += 1.0;
@@ -65,12 +65,14 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 at, vec2 dx, v
   vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
   if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread)) a.key = vec3(0.0);
   sums.key += a.key;
-  a.soft *= texel.groove;
-  a.glossy *= texel.groove;
+  float sky = texel.groove * (hit.system == 0 ? measured.x : measured.y);
+  vec3 mirrored = reflect(-x.v, n);
+  a.soft *= sky * facet_seen(n);
+  a.glossy *= sky * mirrored_seen(mirrored);
   sums.soft += a.soft;
   sums.glossy += a.glossy;
-  sums.soft_from += n * (a.soft.r + a.soft.g + a.soft.b);
-  sums.glossy_from += reflect(-x.v, n) * (a.glossy.r + a.glossy.g + a.glossy.b);
+  sums.soft_from += facet_seen_from(n) * (a.soft.r + a.soft.g + a.soft.b);
+  sums.glossy_from += mirrored_seen_from(mirrored) * (a.glossy.r + a.glossy.g + a.glossy.b);
 }
 
 // Radiance of what is covered, and cover.
@@ -84,6 +86,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec2 dx = f.dx * g.period;
   vec2 dy = f.dy * g.period;
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
+  vec4 measured = seen_along(side.face, 4, x.v);
   float own = pixel_turn();
   // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them. So many
   // steps of R2 as spread them over the whole pixel, not along one line of it.
@@ -91,15 +94,15 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   int i = 0;
   do {
     vec2 r = lattice_point(lattice, i, pass, turn);
-    add_sample(sums, g, x, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
+    add_sample(sums, g, x, measured.xy, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
     ++i;
   } while (i < count);   // threads.glsl says why
   if (sums.cover < 0.5) return vec4(0.0);
   float scale = 1.0 / sums.cover;
-  // A body sends the light of the half of the sky that it faces; highlights are wide.
-  vec3 soft_from = sums.soft_from * (0.667 / max(sums.soft.r + sums.soft.g + sums.soft.b, 1.0e-6));
-  vec3 glossy_from = sums.glossy_from * (0.8 / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6));
+  vec3 soft_from = sums.soft_from / max(sums.soft.r + sums.soft.g + sums.soft.b, 1.0e-6);
+  vec3 glossy_from = sums.glossy_from / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6);
+  glossy_from += vec3(x.v.xy * (measured.z * inversesqrt(max(dot(x.v.xy, x.v.xy), 1.0e-8))), measured.w);
   vec3 sky = sums.soft * sky_about(from_side(side, soft_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
-  vec3 radiance = (x.key * sums.key + sky * (side.sky * sky_left(side, f))) * scale;
+  vec3 radiance = (x.key * sums.key + sky * side.sky) * scale;
   return vec4(radiance, sums.cover / float(count));
 }

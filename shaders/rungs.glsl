@@ -42,6 +42,27 @@ FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   return y;
 }
 
+// Of an even sky all around.
+FORMULA Answer facet_sky(YarnLobes y, LobeShared s, LobeSide o) {
+  Answer a;
+  a.key = vec3(0.0f);
+  a.glossy = max(vec3(1.0f) - o.enters, vec3(0.0f));
+  a.soft = max(lobe_albedo(y, s, o) - a.glossy, vec3(0.0f));
+  return a;
+}
+
+// Share of the sky, as a body sees it, that the threads around leave to a facet of normal n of a thread, and the mean
+// direction of it. Measured on threads of all kinds: what n leans away from above is hidden, wherever it lies.
+FORMULA float facet_seen(vec3 n) { return clamp(0.12f + 0.88f * n.z, 0.0f, 1.0f); }
+FORMULA vec3 facet_seen_from(vec3 n) { return vec3(0.5f * n.x, 0.5f * n.y, 0.67f); }
+
+// The same of what is mirrored from around the direction r.
+FORMULA float mirrored_seen(vec3 r) {
+  float x = 0.5f + 0.5f * r.z;
+  return x * x * (3.0f - 2.0f * x);
+}
+FORMULA vec3 mirrored_seen_from(vec3 r) { return vec3(0.55f * r.x, 0.55f * r.y, 0.6f + 0.1f * r.z); }
+
 // Facets of mean normal n whose fibres run along `fibre`; cov: covariance of the unresolved slopes about n;
 // gather: length of the mean of their unit normals, by which they catch less light than one facet.
 FORMULA Answer facet_answer(YarnLobes yarn, vec3 n, float gather, vec3 fibre, vec3 cov, vec3 l, vec3 v) {
@@ -53,12 +74,9 @@ FORMULA Answer facet_answer(YarnLobes yarn, vec3 n, float gather, vec3 fibre, ve
   vec3 wi = lobe_local(f, l);
   LobeSide o = lobe_side(y, s, wo);
   LobeSide i = lobe_side(y, s, vec3(wi.x, wi.y, max(abs(wi.z), 1.0e-3f)));
-  Answer a;
+  Answer a = facet_sky(y, s, o);
   a.key = wi.z > 0.0f ? lobe_reflect(y, s, i, o, wi, wo) : lobe_transmit(y, s, i, o);
   a.key *= abs(wi.z) * gather;
-  vec3 mirrored = max(vec3(1.0f) - o.enters, vec3(0.0f));
-  a.soft = max(lobe_albedo(y, s, o) - mirrored, vec3(0.0f));
-  a.glossy = mirrored;
   return a;
 }
 

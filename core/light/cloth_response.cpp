@@ -349,9 +349,9 @@ FacetRegression regression(const std::vector<Point>& points, int system, Weight 
 }
 
 /// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
-/// facets that are seen.
-void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
-                   const Moments& above) {
+/// facets that are seen. Returns what areas of places are multiplied by.
+float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
+                    const Moments& above) {
   const FacetRegression cover = regression(points, system, [](const Point& p) { return p.above; });
   const float scale = out.share / std::max(cover.weight, 1e-9f);
   for (size_t v = 0; v < kV; ++v) {
@@ -371,6 +371,7 @@ void finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& po
       for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair}) (*of)[at] *= correction;
     }
   }
+  return scale;
 }
 
 /// Points of the places, with the slopes of those that are seen from above.
@@ -446,6 +447,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
     s.behind_lean = s.behind, s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
+  out.near_sky.assign(kV, glm::vec4(1, 1, 0, 0));
   out.seen_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();
@@ -458,15 +460,16 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   for_each_job(kResponseElevations, [&](int e) { add_views_fast(sums, points, grazing, e); });
   for (Sums& s : sums) s.repeat_top();
   out.seen_rise = seen_rises(sums, threads);
+  std::array<float, 2> scale{};
   for (size_t s = 0; s < 2; ++s) {
-    finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
+    scale[s] = finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
     finish(out.systems[s].slopes);
   }
   write_tables(out, sums, slopes_of(threads.places), w);
   PerView seen;
   for (size_t v = 0; v < kV; ++v) seen[v] = sums[0].seen[v] + sums[1].seen[v];
   take_behind(out, cloth, threads, seen);
-  take_sky(out, cloth);
+  take_sky(out, cloth, threads.places, scale, seen);
   return out;
 }
 

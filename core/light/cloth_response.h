@@ -47,6 +47,10 @@ struct ClothResponse {
   float sky = 1;  // mean share of the sky that is seen
   // [view]: mean directions of the sky that is sent, by body and fuzz and as it is mirrored.
   std::vector<std::array<glm::vec3, 2>> sky_from;
+  // [view]: what warp and weft send of an even sky, over what rung `yarn` makes of it place by place
+  // (shaders/rungs.glsl, facet_seen() and on); what the mean direction of the mirrored sky is beyond the rung's, along
+  // the view and up.
+  std::vector<glm::vec4> near_sky;
   // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
   // slant, where the fewer threads lie hidden between the others.
   std::vector<float> seen_rise;

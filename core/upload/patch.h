@@ -18,7 +18,8 @@ struct FlatPatch {
   glm::vec3 light_towards{0, 0, 1};         // unit
   float light_sine = 0;                     // half angle of the light's disc, as a sine
   glm::vec3 light_irradiance{3.14159265f};  // on a surface that faces it
-  float sky = 0;                            // radiance straight above, falling to 0 straight below
+  float sky = 0;                            // radiance towards sky_towards, falling to 0 from behind it
+  glm::vec3 sky_towards{0, 0, 1};           // as `view`
   int samples = 0;                          // a pixel of rung yarn: its largest lattice of no more; 0: by the tolerance
   int pass = 0;                             // shifts the samples
   Face face = Face::kFront;                 // which face of the cloth lies up, x along the weft on both

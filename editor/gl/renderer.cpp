@@ -424,8 +424,10 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);
   data.light_color = vec(p.light_irradiance, 1);
-  // 0.5 + 0.5 z in spherical harmonics.
-  data.sky[0] = vec(glm::vec3(0.5f * p.sky / 0.282095f), 0), data.sky[2] = vec(glm::vec3(0.5f * p.sky / 0.488603f), 0);
+  // 0.5 + 0.5 of the cosine about sky_towards, in spherical harmonics.
+  const glm::vec3 rise = 0.5f * p.sky / 0.488603f * p.sky_towards;
+  data.sky[0] = vec(glm::vec3(0.5f * p.sky / 0.282095f), 0), data.sky[1] = vec(glm::vec3(rise.y), 0);
+  data.sky[2] = vec(glm::vec3(rise.z), 0), data.sky[3] = vec(glm::vec3(rise.x), 0);
   // Every point falls beyond the border of the shadow map, where it is lit.
   data.world_to_shadow = glm::mat4(0.0f);
   data.world_to_shadow[3] = {2, 2, 0, 1};

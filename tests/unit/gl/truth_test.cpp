@@ -85,6 +85,24 @@ TEST_F(Truth, TheSkyIsThatOfTheTracedThreads) {
   }
 }
 
+// Lamps stand low over the folds of a drape, and threads hide what is low.
+TEST_F(Truth, NearTheThreadsASkyThatIsBrightAtOneSideIsThatOfTheTracedThreads) {
+  for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f), towards(1.9f, 0.52f)}) {
+    const glm::vec3 bright = towards(-1.3f, 0.1f);
+    FlatPatch p;
+    p.width = p.height = 4, p.samples = kSamples;
+    p.step_x_mm = {2 * kSpacing, 0}, p.step_y_mm = {0, 2 * kSpacing};
+    p.view = view, p.light_irradiance = glm::vec3(0), p.sky = 1, p.sky_towards = bright;
+    look.method = Method::kYarn;
+    renderer->draw_patch(p, look);
+    Surroundings around;
+    around.light_irradiance = glm::vec3(0);
+    around.sky = [bright](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * glm::dot(d, bright)); };
+    EXPECT_NEAR(mean(renderer->read_patch()) / mean(traced(2, 4, 4000, view, around)), 1, 0.06)
+        << view.x << ' ' << view.z;
+  }
+}
+
 TEST_F(Truth, LightFromBehindIsThatOfTheTracedThreads) {
   for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f)}) {
     const glm::vec3 before = towards(0.6f, 0.87f), behind(before.x, before.y, -before.z);

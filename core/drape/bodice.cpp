@@ -168,7 +168,7 @@ void put_on(Pattern& pattern, const SleeveCut& cut, const Sleeve& out, const std
 float BodiceCut::hem_at(float across) const { return tail * ramp(0.4f, 1, std::fabs(across)); }
 
 Bodice add_bodice(Pattern& pattern, const BodiceCut& cut, int open) {
-  const Bodice out{add_panel(pattern, cut, false), add_panel(pattern, cut, true)};
+  Bodice out{add_panel(pattern, cut, false), add_panel(pattern, cut, true)};
   const Piece &front = out.front.piece, &back = out.back.piece;
   for (int row = open; row <= cut.underarm(); ++row) {
     sew(pattern, front.vertex(cut.last(), row), back.vertex(0, row));

@@ -79,6 +79,16 @@ TEST(Frames, BothSidesOfASeamShareTheNormalAndKeepTheirOwnTangent) {
   EXPECT_NEAR(mesh.tangent[4][0], -1, 1e-6f);
 }
 
+TEST(Frames, ASliverThatStandsUpHardlyTurnsTheNormal) {
+  // A square and, upright on the middle of one of its edges, a triangle a thousandth high by its blunt corner.
+  Mesh mesh;
+  mesh.position_mm = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}, {0, 0, 0.001f}, {2, 0, 0.001f}};
+  mesh.uv_mm = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {0, 0}, {2, 0}};
+  mesh.index = {0, 4, 3, 4, 2, 3, 4, 1, 2, 4, 5, 6};
+  compute_frames(mesh);
+  EXPECT_GT(mesh.normal[4][2], 0.999f);
+}
+
 TEST(Frames, DegenerateTrianglesGiveUnitVectors) {
   Mesh mesh;
   mesh.position_mm = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};

@@ -1,5 +1,6 @@
 // Normals and tangents of a draped mesh.
 
+#include <algorithm>
 #include <map>
 
 #include "drape/mesh.h"
@@ -26,11 +27,19 @@ Vec3 perpendicular(Vec3 n) {
 }
 
 /// Of the corner at v[k], radians: normals weighted by it do not see which way a cell's diagonal runs (Thuermer and
-/// Wuethrich 1998). By the area too: a sliver's normal tells little, and its blunt corner is wide.
+/// Wuethrich 1998).
 float corner_angle(const Mesh& mesh, const uint32_t* v, int k) {
   const Vec3 at = mesh.position_mm[v[k]];
   const Vec3 e = mesh.position_mm[v[(k + 1) % 3]] - at, f = mesh.position_mm[v[(k + 2) % 3]] - at;
   return std::atan2(length(cross(e, f)), dot(e, f));
+}
+
+/// Its normal, shorter the thinner it is: twice its area over the square of its longest side. A sliver's normal tells
+/// little, and its blunt corner is wide.
+Vec3 facing(const Mesh& mesh, const uint32_t* v) {
+  const Vec3 e = mesh.position_mm[v[1]] - mesh.position_mm[v[0]], f = mesh.position_mm[v[2]] - mesh.position_mm[v[0]];
+  const float longest = std::max({dot(e, e), dot(f, f), dot(f - e, f - e)});
+  return longest > 0 ? cross(e, f) / longest : Vec3{};
 }
 
 /// d position / du of a triangle times twice its uv area, with the sign that keeps it along +u.
@@ -52,11 +61,10 @@ void compute_frames(Mesh& mesh) {
   std::vector<Vec3> normals(count, Vec3{}), tangents(count, Vec3{});
   for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
     const uint32_t* v = &mesh.index[t];
-    const Vec3 doubled_area =
-        cross(mesh.position_mm[v[1]] - mesh.position_mm[v[0]], mesh.position_mm[v[2]] - mesh.position_mm[v[0]]);
+    const Vec3 face = facing(mesh, v);
     const Vec3 along = weft_direction(mesh, v);
     for (int corner = 0; corner < 3; ++corner) {
-      normals[weld[v[corner]]] += corner_angle(mesh, v, corner) * doubled_area;
+      normals[weld[v[corner]]] += corner_angle(mesh, v, corner) * face;
       tangents[v[corner]] += along;
     }
   }

@@ -280,15 +280,16 @@ Design linen() {
 }
 
 Design damask() {
-  Design d = with_colors(figured_damask(), palette({0xf3efe4, 0xf3efe4}), {{0, 1}}, {{1, 1}});
+  Design d = with_colors(figured_damask(), palette({0xf3efe4, 0xe7e0cf}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Linen", "Bleached linen", "40 lea", 0.238f, 480);
   yarn.irregularity = 0.03f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
   // Beetled and calendered: flat threads that shine along themselves.
   yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
-  return titled(lit(worn(std::move(d), "tablecloth", 8, 24, 0.7f), -50, 30), "Damask",
-                {"Table damask of flowers in an ogee, for a drawloom: satin on five shafts, warp-faced against",
-                 "weft-faced, white on white. Lea 40, 30 by 28 a centimetre, beetled; the figure is 16 by 23 cm."});
+  return titled(
+      lit(worn(std::move(d), "tablecloth", 8, 24, 0.7f), -50, 30), "Damask",
+      {"Table damask of flowers in an ogee, for a drawloom: satin on five shafts, warp-faced against",
+       "weft-faced, white on half-bleached. Lea 40, 30 by 28 a centimetre, beetled; the figure is 16 by 23 cm."});
 }
 
 Design ottoman() {

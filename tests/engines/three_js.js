@@ -48,7 +48,8 @@ async function shown(chromium, folders, profile) {
   const args = ['--headless', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader',
     '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', `--user-data-dir=${profile}`,
     `http://127.0.0.1:${server.address().port}/page.html`];
-  const child = spawn(chromium, args, { stdio: 'ignore' });
+  // A group of its own: its helpers would outlive it and write into the profile while that is removed.
+  const child = spawn(chromium, args, { stdio: 'ignore', detached: true });
   const ended = new Promise((done) => child.on('exit', () => done({ error: 'Chromium ended' })));
   const late = new Promise((done) => setTimeout(() => done({ error: 'the page told nothing' }), kPatienceMs).unref());
   try {
@@ -56,7 +57,7 @@ async function shown(chromium, folders, profile) {
     if (value.error) throw new Error(value.error);
     return value;
   } finally {
-    child.kill('SIGKILL');
+    try { process.kill(-child.pid, 'SIGKILL'); } catch { /* it has ended */ }
     await ended;
     server.closeAllConnections();
     server.close();

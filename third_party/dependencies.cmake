@@ -47,6 +47,7 @@ find_package(Threads REQUIRED)
 
 weftlight_package(TBB libtbb-dev CONFIG)
 weftlight_pkg(FONTCONFIG fontconfig libfontconfig-dev Fontconfig Fontconfig::Fontconfig)
+weftlight_package(fmt libfmt-dev CONFIG)
 weftlight_package(glm libglm-dev CONFIG)
 weftlight_package(glfw3 libglfw3-dev 3.3 CONFIG)
 weftlight_package(TinyGLTF libtinygltf-dev CONFIG)

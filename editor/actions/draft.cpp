@@ -28,7 +28,7 @@ void add_rules(Actions& all) {
               [locked](Design d) { return with_lock(std::move(d), locked); }});
   });
   lock.checked = [](const ActionHost& e) { return e.document().now().loom.locked; };
-  Action& nearest = add(all, "Draft", "nearest", "ClosestWeave that the loom weaves\xE2\x80\xA6", "",
+  Action& nearest = add(all, "Draft", "nearest", "Closest weave for this loom\xE2\x80\xA6", "",
                         [](ActionHost& e) { e.ask_closest_weave(); });
   nearest.enabled = [](const ActionHost& e) {
     const auto& rejected_edit = e.view().rejected_edit;
@@ -61,8 +61,8 @@ void add_draft_actions(Actions& all) {
   shed("sinking", "Sinking shed", false);
   const auto drive = [&all](const char* id, const char* label, ShedControl to) {
     Action& a = add(all, "Draft", id, label, "", [to](ActionHost& e) {
-      if (to == ShedControl::kLiftplan) return e.commit({"ShedControl by liftplan", to_liftplan});
-      Edit edit{"ShedControl by treadles", [](Design d) {
+      if (to == ShedControl::kLiftplan) return e.commit({"Use the liftplan", to_liftplan});
+      Edit edit{"Use tie-up and treadling", [](Design d) {
                   const int most = loom_size(d).treadles;
                   return to_treadling(std::move(d), most);
                 }};
@@ -76,8 +76,8 @@ void add_draft_actions(Actions& all) {
     a.enabled = [to](const ActionHost& e) { return e.document().now().draft.drive != to; };
     return &a;
   };
-  drive("treadling", "ShedControl by tie-up and treadles", ShedControl::kTreadling)->item.group = true;
-  drive("liftplan", "ShedControl by liftplan", ShedControl::kLiftplan);
+  drive("treadling", "Tie-up and treadling", ShedControl::kTreadling)->item.group = true;
+  drive("liftplan", "Use the liftplan", ShedControl::kLiftplan);
   add(all, "Draft", "skeleton", "Fewer treadles, two feet", "", [](ActionHost& e) {
     Edit edit{"Fewer treadles, two feet", [](Design d) { return to_skeleton(std::move(d), 2); }};
     edit.why = [](const Design&) { return std::string("No fewer treadles do, even with two feet"); };

@@ -84,7 +84,7 @@ void Editor::ask_closest_weave() {
   constexpr uint64_t kNearestStrokes = uint64_t{5} << 60;  // apart from those of the mouse, of weaves and sections
   if (!view().rejected_edit || !view().rejected_edit->nearest) return;
   ClosestWeavePrompt p{view().rejected_edit->nearest, document().snapshot(), kNearestStrokes | ++weaves_asked_};
-  Edit edit{"ClosestWeave that the loom weaves", [nearest = p.nearest](const Design&) { return *nearest->design; }};
+  Edit edit{"Closest weave for this loom", [nearest = p.nearest](const Design&) { return *nearest->design; }};
   edit.stroke = p.stroke;
   commit(edit);
   view().nearest = p.nearest;

@@ -440,8 +440,8 @@ CommandLine run_command_line(int argc, char** argv) {
   convert_verb->add_option("in", convert.in, "Draft (.wif)")->required();
   convert_verb->add_option("out", convert.out, "New file")->required()->check(some_name());
   convert_verb->add_flag("--plain", convert.plain, "Save for other programs and looms");
-  auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "ShedControl by a liftplan");
-  convert_verb->add_flag("--treadling", to_treadles, "ShedControl by tie-up and treadling")->excludes(lifts_flag);
+  auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "Write a liftplan");
+  convert_verb->add_flag("--treadling", to_treadles, "Write a tie-up and a treadling")->excludes(lifts_flag);
 
   auto* shafts_option = convert_verb->add_option("--shafts", convert.loom.shafts, "Shafts that the loom has")
                             ->check(whole_number(1, kMaxShafts));

@@ -13,7 +13,7 @@ constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of 
 }  // namespace
 
 Edit simulated_drape_edit(bool own) {
-  return {own ? "Drape this cloth" : "DrapeStiffness it like its kind", [own](Design d) {
+  return {own ? "Simulate this fabric" : "Use the generic drape", [own](Design d) {
             d.scene.simulated_drape = own;
             return d;
           }};

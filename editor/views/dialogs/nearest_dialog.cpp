@@ -51,7 +51,7 @@ DialogAnswer draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
 }
 
 MaybeEdit given_back(const ClosestWeavePrompt& p) {
-  return Edit{"ClosestWeave", [base = p.base](const Design&) { return *base; }, p.stroke};
+  return Edit{"Closest weave", [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

@@ -60,7 +60,7 @@ void draw_closest_weave_notice(PanelContext& c, ImVec2 min, ImVec2 max) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
   ImGui::PushStyleColor(ImGuiCol_Border, c.style.color.warn);
   ImGui::SetNextWindowPos({(min.x + max.x) / 2, max.y - c.style.px(18)}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::Begin("ClosestWeave", nullptr,
+  ImGui::Begin("Closest weave", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   draw_card(c, *c.view.rejected_edit->nearest);

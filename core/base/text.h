@@ -1,0 +1,38 @@
+#pragma once
+// What the user reads: texts are English in the sources, looked up in the catalogue, and filled with named values.
+//
+//   fill(tr("{file} has {count} ends"), arg("file", name), arg("count", n))
+//   fill(tr_n("{count} pick", "{count} picks", n), arg("count", n))
+//   constexpr const char* kLabels[] = {mark("Threads"), mark("Colour")};      a table; tr(kLabels[i]) where it is shown
+//
+// A sentence is one text, never glued from pieces: other languages order their words differently.
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "platform/language.h"
+
+namespace weftlight::base {
+
+using fmt::arg;
+
+/// The text in the user's language; lives as long as the program.
+inline const char* tr(const char* text) { return platform::translated(text); }
+/// With a context for translators where one English text has two meanings, as "Draft" the noun and the verb.
+inline const char* tr_in(const char* context, const char* text) { return platform::translated(context, text); }
+/// By the plural rule of the language; `many` is the English plural. Counts below 0 read as their size.
+const char* tr_n(const char* one, const char* many, long long count);
+/// Only tells the catalogue of a text that is looked up later.
+constexpr const char* mark(const char* text) { return text; }
+
+std::string filled(const char* pattern, fmt::format_args values);
+/// The pattern with its {names} replaced by the values (fmt's syntax). A pattern that does not fit its values, as a
+/// wrong translation, comes back as it is.
+template <class... Values>
+std::string fill(const char* pattern, Values&&... values) {
+  return filled(pattern, fmt::make_format_args(values...));
+}
+
+}  // namespace weftlight::base

@@ -1,0 +1,46 @@
+#include "platform/language.h"
+
+#include <libintl.h>
+
+#include <clocale>
+#include <cstdlib>
+#include <cstring>
+
+namespace weftlight::platform {
+namespace {
+
+constexpr const char* kDomain = "weftlight";
+
+/// gettext asks the catalogue only where the locale is another than "C"; C.UTF-8 is one on every system.
+void leave_c_locale() {
+  const char* now = std::setlocale(LC_MESSAGES, "");
+  if (now == nullptr || std::strcmp(now, "C") == 0 || std::strcmp(now, "POSIX") == 0)
+    std::setlocale(LC_MESSAGES, "C.UTF-8");
+}
+
+}  // namespace
+
+void use_language(const std::string& language, const std::string& folder) {
+  if (!language.empty()) {
+    ::setenv("LANGUAGE", language.c_str(), 1);
+    leave_c_locale();
+  } else {
+    std::setlocale(LC_MESSAGES, "");
+  }
+  ::bindtextdomain(kDomain, folder.c_str());
+  ::bind_textdomain_codeset(kDomain, "UTF-8");
+  ::textdomain(kDomain);
+}
+
+const char* translated(const char* text) { return *text == '\0' ? text : ::gettext(text); }
+
+const char* translated(const char* context, const char* text) {
+  // The key of a text with a context, as msgfmt writes it. gettext returns the key itself where it is not found.
+  const std::string key = std::string(context) + '\004' + text;
+  const char* found = ::gettext(key.c_str());
+  return found == key.c_str() ? text : found;
+}
+
+const char* translated(const char* one, const char* many, unsigned long count) { return ::ngettext(one, many, count); }
+
+}  // namespace weftlight::platform

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Collects the texts that the user reads from the sources: extract.sh [OUT.pot], without OUT into weftlight.pot here.
+# Keys are tr, tr_n, tr_in and mark (core/base/text.h).
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+out=${1:-$here/weftlight.pot}
+cd "$here/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+find core editor -name '*.cpp' -o -name '*.h' | LC_ALL=C sort |
+  xgettext --files-from=- --language=C++ --from-code=UTF-8 --keyword --keyword=tr --keyword=tr_n:1,2 \
+           --keyword=tr_in:1c,2 --keyword=mark --add-location=file --package-name=Weftlight --output="$work/all.pot"
+# Without the date, so that the same sources give the same file.
+sed '/^"POT-Creation-Date/d; s/charset=CHARSET/charset=UTF-8/' "$work/all.pot" >"$out"

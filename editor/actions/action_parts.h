@@ -7,10 +7,20 @@
 
 #include "actions/actions.h"
 #include "actions/names.h"
+#include "base/text.h"
 
 namespace weftlight::actions {
 
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 using Actions = std::vector<Action>;
+
+// Menus are known by their English names; the menu bar looks them up in the catalogue.
+inline constexpr const char* kMenus[] = {mark("File"),  mark("Edit"),    mark("Draft"), mark("View"),
+                                  mark("Cloth"), mark("Library"), mark("Help")};
 
 inline Action& add(Actions& all, const char* menu, const char* id, const char* label, const char* shortcut,
                    std::function<void(ActionHost&)> run) {

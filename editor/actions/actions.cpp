@@ -21,13 +21,13 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent, const s
   return all;
 }
 
-std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& desk) {
+std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& host) {
   std::vector<ActionItem> items;
   for (const Action& a : actions) {
     items.push_back(a.item);
-    items.back().enabled = !a.enabled || a.enabled(desk);
-    items.back().checked = a.checked && a.checked(desk);
-    if (a.label) items.back().label = a.label(desk);
+    items.back().enabled = !a.enabled || a.enabled(host);
+    items.back().checked = a.checked && a.checked(host);
+    if (a.label) items.back().label = a.label(host);
   }
   return items;
 }

@@ -26,6 +26,6 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent,
                                  const std::map<std::string, std::string>& keys = {},
                                  const std::vector<std::string>& views = {});
 /// The table as the panels show it, with what holds now.
-std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& desk);
+std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& host);
 
 }  // namespace weftlight::actions

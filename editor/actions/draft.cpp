@@ -19,22 +19,22 @@ void add_rules(Actions& all) {
     a.checked = [leading](const ActionHost& e) { return e.document().now().loom.leading == leading; };
     return &a;
   };
-  rule("rules.threading", "Threading rules, drawdown follows", Leading::kThreading)->item.group = true;
-  rule("rules.liftplan", "Liftplan rules, drawdown follows", Leading::kLiftplan);
-  rule("rules.drawdown", "Drawdown rules, threading follows", Leading::kDrawdown);
-  Action& lock = add(all, "Draft", "rules.lock", "Lock what follows", "", [](ActionHost& e) {
+  rule("rules.threading", tr("Threading leads, drawdown follows"), Leading::kThreading)->item.group = true;
+  rule("rules.liftplan", tr("Liftplan leads, drawdown follows"), Leading::kLiftplan);
+  rule("rules.drawdown", tr("Drawdown leads, threading follows"), Leading::kDrawdown);
+  Action& lock = add(all, "Draft", "rules.lock", tr("Lock the grids that follow"), "", [](ActionHost& e) {
     const bool locked = !e.document().now().loom.locked;
-    e.commit({locked ? "Lock what follows" : "Unlock what follows",
+    e.commit({locked ? tr("Lock the grids that follow") : tr("Unlock the grids that follow"),
               [locked](Design d) { return with_lock(std::move(d), locked); }});
   });
   lock.checked = [](const ActionHost& e) { return e.document().now().loom.locked; };
-  Action& nearest = add(all, "Draft", "nearest", "Closest weave for this loom\xE2\x80\xA6", "",
+  Action& nearest = add(all, "Draft", "nearest", tr("Closest weave for this loom\xE2\x80\xA6"), "",
                         [](ActionHost& e) { e.ask_closest_weave(); });
   nearest.enabled = [](const ActionHost& e) {
     const auto& rejected_edit = e.view().rejected_edit;
     return rejected_edit && rejected_edit->nearest && !rejected_edit->nearest->is_there;
   };
-  add(all, "Draft", "larger_loom", "What was painted, on a larger loom", "", [](ActionHost& e) {
+  add(all, "Draft", "larger_loom", tr("Enlarge the loom for what was painted"), "", [](ActionHost& e) {
     const Edit edit = larger_loom_edit(*e.view().rejected_edit);
     e.commit(edit);
   }).enabled = [](const ActionHost& e) { return e.view().rejected_edit.has_value(); };
@@ -43,32 +43,32 @@ void add_rules(Actions& all) {
 }  // namespace
 
 void add_draft_actions(Actions& all) {
-  add(all, "Draft", "notes", "Title and notes\xE2\x80\xA6", "", [](ActionHost& e) { e.ask_notes(); });
-  add(all, "Draft", "weave_over", "Weave over the draft or selection\xE2\x80\xA6", "W",
+  add(all, "Draft", "notes", tr("Title and notes\xE2\x80\xA6"), "", [](ActionHost& e) { e.ask_notes(); });
+  add(all, "Draft", "weave_over", tr("Weave over the draft or selection\xE2\x80\xA6"), "W",
       [](ActionHost& e) { e.ask_weave(); });
-  add(all, "Draft", "sections", "Threads from sections\xE2\x80\xA6", "Shift+W",
+  add(all, "Draft", "sections", tr("Build from sections\xE2\x80\xA6"), "Shift+W",
       [](ActionHost& e) { e.ask_sections(); });
-  add(all, "Draft", "size", "Ends, picks, shafts, loom\xE2\x80\xA6", "", [](ActionHost& e) { e.ask_size(); });
+  add(all, "Draft", "size", tr("Size and loom limits\xE2\x80\xA6"), "", [](ActionHost& e) { e.ask_size(); });
   const auto shed = [&all](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [rising](ActionHost& e) {
-      e.commit(
-          {rising ? "Rising shed" : "Sinking shed", [rising](Design d) { return with_rising(std::move(d), rising); }});
+      e.commit({rising ? tr("Rising shed") : tr("Sinking shed"),
+                [rising](Design d) { return with_rising(std::move(d), rising); }});
     });
     a.checked = [rising](const ActionHost& e) { return e.document().now().draft.rising == rising; };
     return &a;
   };
-  shed("rising", "Rising shed", true)->item.group = true;
-  shed("sinking", "Sinking shed", false);
+  shed("rising", tr("Rising shed"), true)->item.group = true;
+  shed("sinking", tr("Sinking shed"), false);
   const auto drive = [&all](const char* id, const char* label, ShedControl to) {
     Action& a = add(all, "Draft", id, label, "", [to](ActionHost& e) {
-      if (to == ShedControl::kLiftplan) return e.commit({"Use the liftplan", to_liftplan});
-      Edit edit{"Use tie-up and treadling", [](Design d) {
+      if (to == ShedControl::kLiftplan) return e.commit({tr("Use the liftplan"), to_liftplan});
+      Edit edit{tr("Use tie-up and treadling"), [](Design d) {
                   const int most = loom_size(d).treadles;
                   return to_treadling(std::move(d), most);
                 }};
       edit.why = [](const Design& d) {
-        return "This takes " + std::to_string(treadles_needed(d.draft)) + " treadles, and the loom has " +
-               std::to_string(loom_size(d).treadles);
+        return fill(tr("This needs {needed} treadles; the loom has {has}."), arg("needed", treadles_needed(d.draft)),
+                    arg("has", loom_size(d).treadles));
       };
       e.commit(edit);
     });
@@ -76,11 +76,11 @@ void add_draft_actions(Actions& all) {
     a.enabled = [to](const ActionHost& e) { return e.document().now().draft.drive != to; };
     return &a;
   };
-  drive("treadling", "Tie-up and treadling", ShedControl::kTreadling)->item.group = true;
-  drive("liftplan", "Use the liftplan", ShedControl::kLiftplan);
-  add(all, "Draft", "skeleton", "Fewer treadles, two feet", "", [](ActionHost& e) {
-    Edit edit{"Fewer treadles, two feet", [](Design d) { return to_skeleton(std::move(d), 2); }};
-    edit.why = [](const Design&) { return std::string("No fewer treadles do, even with two feet"); };
+  drive("treadling", tr("Tie-up and treadling"), ShedControl::kTreadling)->item.group = true;
+  drive("liftplan", tr("Use the liftplan"), ShedControl::kLiftplan);
+  add(all, "Draft", "skeleton", tr("Skeleton tie-up, two treadles a pick"), "", [](ActionHost& e) {
+    Edit edit{tr("Skeleton tie-up, two treadles a pick"), [](Design d) { return to_skeleton(std::move(d), 2); }};
+    edit.why = [](const Design&) { return std::string(tr("No skeleton tie-up needs fewer treadles.")); };
     e.commit(edit);
   });
   add_rules(all);

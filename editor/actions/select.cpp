@@ -12,10 +12,10 @@ namespace {
 
 using SelectionEdit = Design (*)(Design, const Selection&, bool with_properties);
 using ThreadEdit = Design (*)(Design, const ThreadRange&, bool with_properties);
-constexpr const char* kTurn = "Mirror and turn";
-constexpr const char* kShift = "Shift by one";
-constexpr const char* kRepeat = "Repeat";
-constexpr const char* kThreads = "Threads";
+constexpr const char* kTurn = mark("Mirror and rotate");
+constexpr const char* kShift = mark("Shift by one");
+constexpr const char* kRepeat = mark("Repeat");
+constexpr const char* kThreads = mark("Threads");
 
 const Selection& selected(const ActionHost& e) { return e.view().select.selected; }
 bool has_selection(const ActionHost& e) { return !selected(e).empty(); }
@@ -23,7 +23,7 @@ bool has_threads(const ActionHost& e) { return threads_of(selected(e)).has_value
 bool has_block(const ActionHost& e) { return e.view().select.held.has_value(); }
 
 Action& on_selection(Action& a, const char* submenu = "") {
-  a.item.submenu = submenu;
+  a.item.submenu = tr(submenu);
   a.item.on_selection = true;
   a.enabled = has_selection;
   return a;
@@ -59,17 +59,17 @@ bool copy_selection(ActionHost& e) {
   const Selection s = selected(e);
   const std::string size = size_text(s.grid, s.columns(), s.rows());
   if (int64_t{s.columns()} * s.rows() > kMaxBlockCells) {
-    e.say(size + " are too many to copy; move or repeat them instead");
+    e.say(fill(tr("{size} are too many to copy. Move or repeat them instead."), arg("size", size)));
     return false;
   }
   e.set_clipboard(block_text({s.grid, cells_of(e.document().now().draft, s)}));
-  e.say("Copied " + size);
+  e.say(fill(tr("Copied {text}"), arg("text", size)));
   return true;
 }
 
 void cut_selection(ActionHost& e) {
   if (!copy_selection(e)) return;
-  e.commit({"Cut", [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
+  e.commit({tr("Cut"), [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
 }
 
 void paste(ActionHost& e, bool as_marks) {
@@ -98,7 +98,7 @@ void select_whole_threads(ActionHost& e) {
 
 void insert_threads(ActionHost& e) {
   const ThreadRange t = *threads_of(selected(e));
-  e.commit({"Insert threads", [t, looks = e.view().select.with_properties](Design d) {
+  e.commit({tr("Insert threads"), [t, looks = e.view().select.with_properties](Design d) {
               return with_bare_threads(std::move(d), t.system, t.first, t.count(), looks);
             }});
 }
@@ -107,8 +107,9 @@ void delete_threads(ActionHost& e) {
   const ThreadRange t = *threads_of(selected(e));
   const bool all = t.count() >= e.document().now().draft.threads(t.system).size();
   if (all)
-    return e.say(t.system == System::kWarp ? "A draft keeps at least one end" : "A draft keeps at least one pick");
-  e.commit({"Delete threads", [t, looks = e.view().select.with_properties](Design d) {
+    return e.say(t.system == System::kWarp ? tr("A draft keeps at least one end.")
+                                           : tr("A draft keeps at least one pick."));
+  e.commit({tr("Delete threads"), [t, looks = e.view().select.with_properties](Design d) {
               return without_threads(std::move(d), t, looks);
             }});
   select_cells(e.view().select, {});
@@ -128,18 +129,19 @@ void let_go(ActionHost& e) {
 }
 
 void add_clipboard(Actions& all) {
-  new_group(on_selection(add(all, "Edit", "cut", "Cut", "Ctrl+X", cut_selection)));
-  on_selection(add(all, "Edit", "copy", "Copy", "Ctrl+C", [](ActionHost& e) { copy_selection(e); }));
-  on_selection(add(all, "Edit", "paste", "Paste", "Ctrl+V", [](ActionHost& e) { paste(e, false); })).enabled = nullptr;
-  on_selection(add(all, "Edit", "paste_add", "Paste marks on top", "Ctrl+Shift+V", [](ActionHost& e) {
+  new_group(on_selection(add(all, "Edit", "cut", tr("Cut"), "Ctrl+X", cut_selection)));
+  on_selection(add(all, "Edit", "copy", tr("Copy"), "Ctrl+C", [](ActionHost& e) { copy_selection(e); }));
+  on_selection(add(all, "Edit", "paste", tr("Paste"), "Ctrl+V", [](ActionHost& e) { paste(e, false); })).enabled =
+      nullptr;
+  on_selection(add(all, "Edit", "paste_add", tr("Paste marks on top"), "Ctrl+Shift+V", [](ActionHost& e) {
     paste(e, true);
   })).enabled = nullptr;
-  add_edit(all, "", "clear", "Delete", "Delete",
+  add_edit(all, "", "clear", tr("Delete"), "Delete",
            [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
-  new_group(add(all, "Edit", "select_all", "Select all of a grid", "Ctrl+A", select_all));
-  on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads))
+  new_group(add(all, "Edit", "select_all", tr("Select the whole grid"), "Ctrl+A", select_all));
+  on_selection(add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A", select_whole_threads))
       .enabled = has_threads;
-  add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const ActionHost& e) {
+  add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", let_go).enabled = [](const ActionHost& e) {
     return has_selection(e) || has_block(e) || e.view().shape || e.view().rejected_edit;
   };
 }
@@ -190,11 +192,11 @@ void quarter_turn(ActionHost& e) {
     for (int x = 0; x < s.columns(); ++x) cells.set(s.b0 - both.b0 + y, s.a0 - both.a0 + x, false);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) cells.set(b - both.b0 + y, a - both.a0 + x, block.get(y, x));
-  e.commit({"Turn by a quarter", [both, cells](Design d) {
+  e.commit({tr("Rotate by a quarter turn"), [both, cells](Design d) {
               return with_block(std::move(d), both.grid, both.a0, both.b0, cells, Write::kInside);
             }});
   const std::string missed = missed_text(e.document().now().draft, grid, both.a0, both.b0, cells);
-  if (!missed.empty()) e.say("Turned by a quarter" + missed);
+  if (!missed.empty()) e.say(tr("Rotate by a quarter turn") + missed);
   select_cells(e.view().select, {grid, a, a + columns, b, b + rows});
 }
 
@@ -206,48 +208,49 @@ void add_turns(Actions& all) {
     a.enabled = [](const ActionHost& e) { return has_selection(e) || has_block(e); };
     return &a;
   };
-  new_group(*add_turn("mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across, mirrored_across));
-  add_turn("mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down, mirrored_down);
-  on_selection(add(all, "Edit", "quarter_turn", "Turn by a quarter", "R", quarter_turn), kTurn).enabled =
+  new_group(*add_turn("mirror_across", tr("Mirror left to right"), "Shift+H", with_mirrored_across, mirrored_across));
+  add_turn("mirror_down", tr("Mirror top to bottom"), "Shift+V", with_mirrored_down, mirrored_down);
+  on_selection(add(all, "Edit", "quarter_turn", tr("Rotate by a quarter turn"), "R", quarter_turn), kTurn).enabled =
       [](const ActionHost& e) { return has_selection(e) || has_block(e); };
-  add_turn("half_turn", "Turn by half", "Shift+R", with_half_turn, half_turned);
+  add_turn("half_turn", tr("Rotate by a half turn"), "Shift+R", with_half_turn, half_turned);
   add_turn(
-      "invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); },
-      inverted);
+      "invert", tr("Invert"), "Ctrl+I",
+      [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); }, inverted);
 }
 
 void add_repeats(Actions& all) {
-  add_edit(all, kRepeat, "repeat_end", "Repeat to the end", "Ctrl+R", [](Design d, const Selection& s, bool looks) {
+  add_edit(all, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R", [](Design d, const Selection& s, bool looks) {
     return with_repeated(std::move(d), s, Reach::kToEnd, looks);
   });
-  add_edit(all, kRepeat, "repeat_all", "Repeat over everything", "Ctrl+Shift+R",
+  add_edit(all, kRepeat, "repeat_all", tr("Repeat over everything"), "Ctrl+Shift+R",
            [](Design d, const Selection& s, bool looks) { return with_repeated(std::move(d), s, Reach::kAll, looks); });
-  add_thread_edit(all, kRepeat, "point_end", "Point repeat to the end", "Ctrl+M",
+  add_thread_edit(all, kRepeat, "point_end", tr("Point repeat to the end"), "Ctrl+M",
                   [](Design d, const ThreadRange& t, bool looks) {
                     return with_point_repeat(std::move(d), t, Reach::kToEnd, looks);
                   });
   add_thread_edit(
-      all, kRepeat, "advance_up", "Advancing repeat to the end, one up each time", "Ctrl+.",
+      all, kRepeat, "advance_up", tr("Advancing repeat to the end, one up each time"), "Ctrl+.",
       [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, 1, looks); });
   add_thread_edit(
-      all, kRepeat, "advance_down", "Advancing repeat to the end, one down each time", "Ctrl+,",
+      all, kRepeat, "advance_down", tr("Advancing repeat to the end, one down each time"), "Ctrl+,",
       [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, -1, looks); });
 }
 
 void add_threads(Actions& all) {
-  on_selection(add(all, "Edit", "insert_threads", "Insert empty threads before", "Insert", insert_threads), kThreads)
+  on_selection(add(all, "Edit", "insert_threads", tr("Insert empty threads before"), "Insert", insert_threads),
+               kThreads)
       .enabled = has_threads;
-  on_selection(add(all, "Edit", "delete_threads", "Delete threads", "Ctrl+Delete", delete_threads), kThreads).enabled =
-      has_threads;
-  add_thread_edit(all, kThreads, "reverse_threads", "Reverse their order", "Ctrl+Shift+M", with_reversed_threads);
+  on_selection(add(all, "Edit", "delete_threads", tr("Delete threads"), "Ctrl+Delete", delete_threads), kThreads)
+      .enabled = has_threads;
+  add_thread_edit(all, kThreads, "reverse_threads", tr("Reverse the order"), "Ctrl+Shift+M", with_reversed_threads);
   add_thread_edit(
-      all, kThreads, "double_threads", "Insert a copy after", "Ctrl+D",
+      all, kThreads, "double_threads", tr("Insert a copy after"), "Ctrl+D",
       [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, false, looks); });
   add_thread_edit(
-      all, kThreads, "double_mirrored", "Insert a mirrored copy after (shared point)", "Ctrl+Shift+D",
+      all, kThreads, "double_mirrored", tr("Insert a mirrored copy after (shared point)"), "Ctrl+Shift+D",
       [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
   Action& looks =
-      on_selection(add(all, "Edit", "with_properties", "Whole threads take their colours along", "",
+      on_selection(add(all, "Edit", "with_looks", tr("Threads keep their colours and yarns"), "",
                        [](ActionHost& e) { e.view().select.with_properties = !e.view().select.with_properties; }),
                    kThreads);
   looks.enabled = nullptr;
@@ -278,37 +281,39 @@ void shift_by_one(ActionHost& e, const char* label, int dx, int dy) {
 
 struct Arrow {
   const char *key, *name;
+  const char *shift, *move, *extend;  // labels
   int dx, dy;
 };
 constexpr Arrow kArrows[] = {
-    {"Left", "left", -1, 0}, {"Right", "right", 1, 0}, {"Up", "up", 0, -1}, {"Down", "down", 0, 1}};
+    {"Left", "left", mark("Shift left, wrapping"), mark("Move the selection left"), mark("Extend the selection left"),
+     -1, 0},
+    {"Right", "right", mark("Shift right, wrapping"), mark("Move the selection right"),
+     mark("Extend the selection right"), 1, 0},
+    {"Up", "up", mark("Shift up, wrapping"), mark("Move the selection up"), mark("Extend the selection up"), 0, -1},
+    {"Down", "down", mark("Shift down, wrapping"), mark("Move the selection down"), mark("Extend the selection down"),
+     0, 1}};
 
 void add_shifts(Actions& all) {
-  constexpr const char* kLabels[] = {"Shift left, round", "Shift right, round", "Shift up, round", "Shift down, round"};
-  for (int i = 0; i < 4; ++i) {
-    const Arrow& way = kArrows[i];
-    on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), kLabels[i],
+  for (const Arrow& way : kArrows)
+    on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), tr(way.shift),
                      (std::string("Alt+") + way.key).c_str(),
-                     [label = kLabels[i], way](ActionHost& e) { shift_by_one(e, label, way.dx, way.dy); }),
+                     [way](ActionHost& e) { shift_by_one(e, tr(way.shift), way.dx, way.dy); }),
                  kShift);
-  }
 }
 
 /// Keys that need no place in a menu; the command palette lists them.
 void add_keys(Actions& all) {
   for (const Arrow& way : kArrows) {
     const std::string name = way.name, key = way.key;
-    add(all, "", ("move_" + name).c_str(), ("Move the selection " + name).c_str(), key.c_str(), [way](ActionHost& e) {
+    add(all, "", ("move_" + name).c_str(), tr(way.move), key.c_str(), [way](ActionHost& e) {
       step(e, way.dx, way.dy);
     }).enabled = [](const ActionHost& e) { return has_selection(e) || has_block(e); };
-    add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(),
-        [way](ActionHost& e) {
-          const Cell by = screen_step(selected(e).grid, e.settings(), way.dx, way.dy);
-          extend_selection(e.view().select, e.document().now().draft, by.a, by.b);
-        })
-        .enabled = has_selection;
+    add(all, "", ("extend_" + name).c_str(), tr(way.extend), ("Shift+" + key).c_str(), [way](ActionHost& e) {
+      const Cell by = screen_step(selected(e).grid, e.settings(), way.dx, way.dy);
+      extend_selection(e.view().select, e.document().now().draft, by.a, by.b);
+    }).enabled = has_selection;
   }
-  add(all, "", "drop", "Put down what is being pasted", "Enter", [](ActionHost& e) {
+  add(all, "", "drop", tr("Place what is being pasted"), "Enter", [](ActionHost& e) {
     if (const MaybeEdit edit = drop_block(e.view().select, e.document().now(), false)) e.commit(*edit);
   }).enabled = has_block;
 }
@@ -321,25 +326,25 @@ void add_tools(Actions& all) {
       e.view().cursor.typed = 0;
     });
     a.checked = [to](const ActionHost& e) { return e.view().select.tool == to; };
-    a.item.submenu = "Tools";
+    a.item.submenu = tr("Tools");
     return &a;
   };
-  tool("tool_paint", "Paint tool", "P", Tool::kPaint)->item.group = true;
-  tool("tool_select", "Select tool", "S", Tool::kSelect);
-  tool("tool_line", "Line tool", "I", Tool::kLine);  // L holds the light of the cloth
-  tool("tool_rectangle", "Rectangle tool", "U", Tool::kRectangle);
-  tool("tool_filled", "Filled rectangle tool", "Shift+U", Tool::kFilledRectangle);
-  tool("tool_fill", "Fill tool", "G", Tool::kFill);
-  tool("tool_type", "Type shaft and treadle numbers", "N", Tool::kType)->run = [](ActionHost& e) {
+  tool("tool_paint", tr("Paint tool"), "P", Tool::kPaint)->item.group = true;
+  tool("tool_select", tr("Select tool"), "S", Tool::kSelect);
+  tool("tool_line", tr("Line tool"), "I", Tool::kLine);  // L holds the light of the cloth
+  tool("tool_rectangle", tr("Rectangle tool"), "U", Tool::kRectangle);
+  tool("tool_filled", tr("Filled rectangle tool"), "Shift+U", Tool::kFilledRectangle);
+  tool("tool_fill", tr("Fill tool"), "G", Tool::kFill);
+  tool("tool_type", tr("Type shaft and treadle numbers"), "N", Tool::kType)->run = [](ActionHost& e) {
     begin_typing(e.view(), e.document().now().draft, e.hover());
   };
   const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
     Action& a = add(all, "Edit", id, label, key, [on](ActionHost& e) { e.view().*on = !(e.view().*on); });
     a.checked = [on](const ActionHost& e) { return e.view().*on; };
-    a.item.submenu = "Symmetric pen";
+    a.item.submenu = tr("Mirrored drawing");
   };
-  mirror("mirror_ends", "Draw mirrored across the ends", "M", &DocumentView::mirror_ends);
-  mirror("mirror_picks", "Draw mirrored across the picks", "Shift+M", &DocumentView::mirror_picks);
+  mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DocumentView::mirror_ends);
+  mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DocumentView::mirror_picks);
 }
 
 }  // namespace

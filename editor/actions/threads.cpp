@@ -13,7 +13,7 @@ namespace {
 Action& add_one(Actions& all, const char* id, const char* label, const char* key,
                 std::function<void(ActionHost&)> run) {
   Action& a = add(all, "Draft", id, label, key, std::move(run));
-  a.item.submenu = "Threads";
+  a.item.submenu = tr("Threads");
   return a;
 }
 
@@ -98,29 +98,30 @@ void paste_properties(ActionHost& e) {
 
 void add_thread_actions(Actions& all) {
   const auto some = [](const ActionHost& e) { return !e.view().chosen.threads.empty(); };
-  new_group(add_focus(all, "threads.choose", "Choose threads\xE2\x80\xA6", "Ctrl+T", "threads.which"));
-  add_one(all, "threads.swap", "Warp or weft", "", choose_other_system);
-  add_one(all, "threads.alike", "Choose all alike", "", choose_alike).enabled = some;
-  add_one(all, "threads.every_other", "Choose every other", "", choose_every_other);
-  add_one(all, "threads.clear", "Choose none", "", [](ActionHost& e) { e.view().chosen.threads.clear(); }).enabled =
+  new_group(add_focus(all, "threads.choose", tr("Choose threads\xE2\x80\xA6"), "Ctrl+T", "threads.which"));
+  add_one(all, "threads.swap", tr("Switch between warp and weft"), "", choose_other_system);
+  add_one(all, "threads.alike", tr("Choose similar threads"), "", choose_alike).enabled = some;
+  add_one(all, "threads.every_other", tr("Choose every other"), "", choose_every_other);
+  add_one(all, "threads.clear", tr("Choose none"), "", [](ActionHost& e) { e.view().chosen.threads.clear(); }).enabled =
       some;
-  new_group(add_focus(all, "threads.set_thickness", "Thickness\xE2\x80\xA6", "T", "threads.thickness"));
-  add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
-  add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");
-  new_group(add_one(all, "threads.weft_as_warp", "Weft colours as the warp", "",
-                    [](ActionHost& e) { copy_bar(e, "Weft colours as the warp", with_colors_of, System::kWarp); }));
-  add_one(all, "threads.warp_as_weft", "Warp colours as the weft", "",
-          [](ActionHost& e) { copy_bar(e, "Warp colours as the weft", with_colors_of, System::kWeft); });
-  add_one(all, "threads.weft_thick_as_warp", "Weft thickness as the warp", "",
-          [](ActionHost& e) { copy_bar(e, "Weft thickness as the warp", with_thickness_of, System::kWarp); });
-  add_one(all, "threads.warp_thick_as_weft", "Warp thickness as the weft", "",
-          [](ActionHost& e) { copy_bar(e, "Warp thickness as the weft", with_thickness_of, System::kWeft); });
-  new_group(add_one(all, "threads.copy_colors", "Copy their colours", "Ctrl+Alt+C",
+  new_group(add_focus(all, "threads.set_thickness", tr("Thickness\xE2\x80\xA6"), "T", "threads.thickness"));
+  add_focus(all, "threads.set_spacing", tr("Spacing\xE2\x80\xA6"), "", "threads.spacing");
+  add_focus(all, "threads.set_sett", tr("Sett\xE2\x80\xA6"), "", "threads.sett");
+  new_group(add_one(all, "threads.weft_as_warp", tr("Copy warp colours to weft"), "", [](ActionHost& e) {
+    copy_bar(e, tr("Copy warp colours to weft"), with_colors_of, System::kWarp);
+  }));
+  add_one(all, "threads.warp_as_weft", tr("Copy weft colours to warp"), "",
+          [](ActionHost& e) { copy_bar(e, tr("Copy weft colours to warp"), with_colors_of, System::kWeft); });
+  add_one(all, "threads.weft_thick_as_warp", tr("Copy warp thickness to weft"), "",
+          [](ActionHost& e) { copy_bar(e, tr("Copy warp thickness to weft"), with_thickness_of, System::kWarp); });
+  add_one(all, "threads.warp_thick_as_weft", tr("Copy weft thickness to warp"), "",
+          [](ActionHost& e) { copy_bar(e, tr("Copy weft thickness to warp"), with_thickness_of, System::kWeft); });
+  new_group(add_one(all, "threads.copy_colors", tr("Copy thread colours"), "Ctrl+Alt+C",
                     [](ActionHost& e) { copy_properties(e, "colours", color_text); }));
-  add_one(all, "threads.copy_thickness", "Copy their thickness", "",
+  add_one(all, "threads.copy_thickness", tr("Copy thread thickness"), "",
           [](ActionHost& e) { copy_properties(e, "thickness", thickness_text); });
-  add_one(all, "threads.paste_properties", "Paste colours or thickness", "Ctrl+Alt+V", paste_properties);
-  add_one(all, "threads.from_yarn", "Leave thickness and spacing to the yarn", "", leave_to_yarn);
+  add_one(all, "threads.paste_looks", tr("Paste colours or thickness"), "Ctrl+Alt+V", paste_properties);
+  add_one(all, "threads.from_yarn", tr("Use the yarn's thickness and spacing"), "", leave_to_yarn);
 }
 
 }  // namespace weftlight::actions

@@ -16,7 +16,7 @@ namespace {
 std::string write_stats(const std::string& path, const FrameStats& stats, float tolerance, const PictureOptions& o) {
   const nlohmann::json json{{"method", method_name(stats.method)},
                             {"gpu_ms", stats.gpu_ms},
-                            {"flyaway_ms", stats.flyaway_ms},
+                            {"hair_ms", stats.flyaway_ms},
                             {"hairs", stats.flyaways},
                             {"shaded_pixels", stats.shaded_pixels},
                             {"tolerance", tolerance},

@@ -208,7 +208,7 @@ TEST(ThreadActions, ColoursAndThicknessesAreCopiedAlone) {
   desk.view().chosen = {System::kWarp, {0, 2}, 0, {}, false, false};
   run("threads.copy_colors");
   desk.view().chosen = {System::kWeft, {1, 2, 3}, 1, {}, false, false};
-  run("threads.paste_properties");
+  run("threads.paste_looks");
   EXPECT_EQ(desk.document().now().draft.weft.color, (std::vector<int>{1, 2, 1, 2, 1}));
   EXPECT_EQ(desk.document().now().draft.weft.thickness_mm, d.draft.weft.thickness_mm);
   desk.undo();

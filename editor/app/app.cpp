@@ -6,27 +6,31 @@
 
 #include "app/editor.h"
 #include "app/window.h"
+#include "base/text.h"
 #include "base/user_folders.h"
 #include "session/file_identity.h"
 #include "session/own_output.h"
 #include "session/stale_files.h"
 
 namespace weftlight::app {
+
+using base::tr;
+
 namespace {
 
 /// The flag that would replace what is not its own, and why; empty: all may be written.
 std::string refused_flag(const EditorOptions& o) {
-  const auto rejected_edit = [](const char* flag, const std::string& path, const std::string& why) {
+  const auto refusal = [](const char* flag, const std::string& path, const std::string& why) {
     return why.empty() ? why : std::string(flag) + " " + path + ": " + why;
   };
   std::string refused;
   if (!o.live_export.empty())
-    refused = rejected_edit("--live-export", o.live_export,
-                            session::LiveExport(o.live_export, base::state_folder()).rejected_edit(o.file));
+    refused = refusal("--live-export", o.live_export,
+                      session::LiveExport(o.live_export, base::state_folder()).rejected_edit(o.file));
   if (refused.empty() && !o.ui_map.empty())
-    refused = rejected_edit("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
+    refused = refusal("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
   if (refused.empty() && session::same_file(o.ui_map, o.live_export))
-    refused = rejected_edit("--ui-map", o.ui_map, "--live-export writes there; give two files");
+    refused = refusal("--ui-map", o.ui_map, tr("--live-export writes there; give two files"));
   return refused;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "base/user_folders.h"
 #include "draft/edits.h"
 #include "files/files.h"
@@ -12,6 +13,13 @@
 #include "session/stale_files.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 /// Where a save is asked to begin.
@@ -67,7 +75,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
 }
 
 void Editor::open() {
-  ask_path(FileAsk::kOpen, "Open a draft", document().path(), [this](const std::string& path) { open_path(path); });
+  ask_path(FileAsk::kOpen, tr("Open a draft"), document().path(), [this](const std::string& path) { open_path(path); });
 }
 
 void Editor::open_path(const std::string& path) {
@@ -93,14 +101,14 @@ void Editor::save() { save_shown(nullptr); }
 
 void Editor::save_shown(std::function<void()> then) {
   if (!document().path().empty()) return save_own(std::move(then));
-  ask_path(FileAsk::kSave, "Save the draft as", first_path(document()), [this, then](const std::string& path) {
+  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()), [this, then](const std::string& path) {
     if (same_file(path, document().path())) save_own(then);
     else save_to(path, then);
   });
 }
 
 void Editor::save_as() {
-  ask_path(FileAsk::kSave, "Save the draft as", first_path(document()), [this](const std::string& path) {
+  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()), [this](const std::string& path) {
     if (same_file(path, document().path())) save_own(nullptr);
     else save_to(path, nullptr);
   });
@@ -121,28 +129,31 @@ void Editor::save_each(std::vector<uint64_t> ids, const std::function<void()>& t
 void Editor::save_for_others() {
   std::filesystem::path start = document().path().empty() ? "untitled.wif" : document().path();
   start.replace_filename(start.stem().string() + "-plain.wif");
-  ask_path(FileAsk::kSave, "Save for other programs and looms", start.string(), [this](const std::string& path) {
+  ask_path(FileAsk::kSave, tr("Save for other programs and looms"), start.string(), [this](const std::string& path) {
     const std::string problem = write_file_atomically(path, write_plain_wif(document().now()));
-    say(problem.empty() ? "Wrote " + std::filesystem::path(path).filename().string() : problem);
+    say(problem.empty() ? fill(tr("Wrote {file}"), arg("file", std::filesystem::path(path).filename().string()))
+                        : problem);
   });
 }
 
 void Editor::save_to(const std::string& path, const std::function<void()>& then) {
   const OpenDocument* there = session_.on_file(path);
   const bool taken = there != nullptr && there->id != session_.active().id;
-  const std::string problem = taken ? path + " is open in another tab." : session_.save(session_.active().id, path);
+  const std::string problem =
+      taken ? fill(tr("{path} is open in another tab."), arg("path", path)) : session_.save(session_.active().id, path);
   if (!problem.empty()) {
-    return ask(Question{"The draft was not saved",
-                        problem + "\n\nYour work is still here; choose another place.",
-                        {"Save as\xE2\x80\xA6", "Cancel"}},
-               [this](int button) {
-                 if (button == 0) save_as();
-               });
+    return ask(
+        Question{tr("The draft was not saved"),
+                 fill(tr("{problem}\n\nYour work is still here. Choose another place."), arg("problem", problem)),
+                 {tr("Save as\xE2\x80\xA6"), tr("Cancel")}},
+        [this](int button) {
+          if (button == 0) save_as();
+        });
   }
   keep_live_export();
   remember(settings_, path);
   remake_actions();
-  say("Saved " + document().name());
+  say(fill(tr("Saved {file}"), arg("file", document().name())));
   if (then) then();
 }
 
@@ -156,10 +167,14 @@ void Editor::quit() {
   std::string names;
   for (const uint64_t id : unsaved) names += (names.empty() ? "" : ", ") + session_.find(id)->document.shown_name();
   const bool one = unsaved.size() == 1;
-  const std::string what = one ? names : std::to_string(unsaved.size()) + " drafts";
-  ask(Question{"Save the changes to " + what + "?",
-               (one ? "" : names + "\n\n") + "What you did since the last save would be lost.",
-               {one ? "Save" : "Save all", "Do not save", "Cancel"}},
+  const std::string question =
+      one ? fill(tr("Save the changes to {draft}?"), arg("draft", names))
+          : fill(tr_n("Save the changes to {count} draft?", "Save the changes to {count} drafts?",
+                      static_cast<long long>(unsaved.size())),
+                 arg("count", unsaved.size()));
+  ask(Question{question,
+               (one ? "" : names + "\n\n") + tr("Your changes since the last save would be lost."),
+               {one ? tr("Save") : tr("Save all"), tr("Do not save"), tr("Cancel")}},
       [this, unsaved](int button) {
         if (button == 1) leaving_ = true;
         if (button == 0) save_each(unsaved, [this] { leaving_ = true; });
@@ -192,10 +207,11 @@ void Editor::commit(const Edit& edit) {
 void Editor::ask_size() {
   const Draft& d = document().now().draft;
   const Loom& loom = document().now().loom;
-  ask(SizePrompt{"Size of the draft", "Change", d.ends(), d.picks(), d.shafts, d.treadles, loom.shafts, loom.treadles},
+  ask(SizePrompt{tr("Size of the draft"), tr("Change"), d.ends(), d.picks(), d.shafts, d.treadles, loom.shafts,
+                 loom.treadles},
       [this](int) {
         const SizePrompt p = std::get<SizePrompt>(dialog_);
-        commit({"Change size", [p](Design d2) {
+        commit({tr("Change size"), [p](Design d2) {
                   d2.loom.shafts = p.loom_shafts;
                   d2.loom.treadles = p.loom_treadles;
                   return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles);
@@ -208,7 +224,7 @@ void Editor::ask_notes() {
   const Design& d = document().now();
   ask(NotesPrompt{d.title, d.author, joined(d.notes)}, [this](int) {
     const NotesPrompt p = std::get<NotesPrompt>(dialog_);
-    commit({"Title and notes", [p](Design d2) {
+    commit({tr("Title and notes"), [p](Design d2) {
               d2.title = p.title;
               d2.author = p.author;
               d2.notes = split_lines(p.notes);
@@ -283,7 +299,7 @@ void Editor::set_clipboard(const std::string& text) { ImGui::SetClipboardText(te
 void Editor::report(std::vector<Diagnostic> remarks, const std::string& path) {
   remarks_ = std::move(remarks);
   remarks_open_ = true;
-  say(std::filesystem::path(path).filename().string() + " could not be opened");
+  say(fill(tr("{file} could not be opened"), arg("file", std::filesystem::path(path).filename().string())));
 }
 
 void Editor::ask(Dialog dialog, std::function<void(int)> then) {
@@ -296,7 +312,7 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
   // The system's dialog leaves the window free: what was asked is about the draft that was shown then.
   if (what != FileAsk::kOpen)
     chosen = [this, about = session_.active().id, then = std::move(chosen)](const std::string& path) {
-      if (session_.find(about) == nullptr) return say("Not written: the draft was closed meanwhile");
+      if (session_.find(about) == nullptr) return say(tr("Not written: the draft has been closed"));
       session_.show(about);
       then(path);
     };
@@ -305,8 +321,8 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
       chosen = [this, ending, then = std::move(chosen)](const std::string& path) { with_ending(path, ending, then); };
     return file_dialog_.ask(what, title, start, ending, std::move(chosen));
   }
-  constexpr const char* kButtons[] = {"Open", "Save", "Export"};
-  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]},
+  constexpr const char* kButtons[] = {mark("Open"), mark("Save"), mark("Export")};
+  ask(PathPrompt{title, start, tr(kButtons[static_cast<int>(what)])},
       [this, what, ending, chosen = std::move(chosen)](int) {
         const std::string typed = std::get<PathPrompt>(dialog_).path;
         const std::string path = what == FileAsk::kSave ? with_file_ending(typed, ending) : typed;
@@ -314,9 +330,9 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
         if (path.empty()) return;
         std::error_code ignored;
         if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
-        ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",
-                     path + " is there already. What is in it would be lost.",
-                     {"Replace", "Cancel"}},
+        ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
+                     fill(tr("{path} already exists. Its contents would be lost."), arg("path", path)),
+                     {tr("Replace"), tr("Cancel")}},
             [chosen, path](int button) {
               if (button == 0) chosen(path);
             });
@@ -330,9 +346,9 @@ void Editor::with_ending(const std::string& typed, const std::string& ending,
   const std::string path = with_file_ending(typed, ending);
   std::error_code error;
   if (path == typed || !std::filesystem::exists(path, error)) return then(path);
-  ask(Question{"Replace " + std::filesystem::path(path).filename().string() + "?",
-               "A file of that name is there already; saving would replace it.",
-               {"Replace", "Cancel"}},
+  ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
+               tr("A file of that name already exists. Saving would replace it."),
+               {tr("Replace"), tr("Cancel")}},
       [then, path](int button) {
         if (button == 0) then(path);
       });

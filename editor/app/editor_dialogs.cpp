@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/editor.h"
+#include "base/text.h"
 #include "draft/generators/sections.h"
 #include "draft/lights.h"
 #include "draft/selection_edits.h"
@@ -12,6 +13,11 @@
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int kAnalysisTab = 3;
@@ -84,7 +90,7 @@ void Editor::ask_closest_weave() {
   constexpr uint64_t kNearestStrokes = uint64_t{5} << 60;  // apart from those of the mouse, of weaves and sections
   if (!view().rejected_edit || !view().rejected_edit->nearest) return;
   ClosestWeavePrompt p{view().rejected_edit->nearest, document().snapshot(), kNearestStrokes | ++weaves_asked_};
-  Edit edit{"Closest weave for this loom", [nearest = p.nearest](const Design&) { return *nearest->design; }};
+  Edit edit{tr("Closest weave for this loom"), [nearest = p.nearest](const Design&) { return *nearest->design; }};
   edit.stroke = p.stroke;
   commit(edit);
   view().nearest = p.nearest;
@@ -107,10 +113,11 @@ void Editor::export_textures() {
   exported_ = session_.active().id;
   ask(std::move(prompt), [this](int) {
     dialog_ = {};
-    ask_path(FileAsk::kFolder, "Folder for the textures", export_plan_->folder, [this](const std::string& folder) {
-      export_plan_->folder = folder;
-      export_textures();
-    });
+    ask_path(FileAsk::kFolder, tr("Folder for the texture set"), export_plan_->folder,
+             [this](const std::string& folder) {
+               export_plan_->folder = folder;
+               export_textures();
+             });
   });
 }
 
@@ -121,7 +128,7 @@ void Editor::export_again() {
 }
 
 void Editor::ask_other() {
-  ask_path(FileAsk::kOpen, "Compare with a draft", document().path(), [this](const std::string& path) {
+  ask_path(FileAsk::kOpen, tr("Compare with a draft"), document().path(), [this](const std::string& path) {
     OpenResult result = open_document(path);
     if (!result.document) return report(std::move(result.remarks), path);
     view().other = std::make_shared<const OtherDraft>(
@@ -135,11 +142,11 @@ void Editor::ask_other() {
 void Editor::ask_environment() {
   const std::string now = document().now().scene.lights;
   ask_path(
-      FileAsk::kOpen, "Light from a picture", is_environment(now) ? now : "",
+      FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
-        if (!is_environment(path)) return say("Light comes from pictures that end in .hdr or .exr");
+        if (!is_environment(path)) return say(tr("An environment picture ends in .hdr or .exr."));
         if (const std::string problem = environment_problem(path); !problem.empty()) return say(problem);
-        commit({"Light from a picture", [path](Design d) {
+        commit({tr("Environment picture"), [path](Design d) {
                   d.scene = lit_by_environment(d.scene, path);
                   return d;
                 }});
@@ -162,30 +169,30 @@ void Editor::ask_print() {
     const std::filesystem::path draft(document().path().empty() ? "untitled.wif" : document().path());
     const std::string ending = ending_of(p.format);
     ask_path(
-        FileAsk::kSave, "Print into", (draft.parent_path() / (draft.stem().string() + ending)).string(),
+        FileAsk::kSave, tr("Print to a file"), (draft.parent_path() / (draft.stem().string() + ending)).string(),
         [this, p](const std::string& path) { start_print(path, p); }, ending);
   });
 }
 
 void Editor::start_print(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
-    exporter_.run(path, "Printed into " + path, [path, p, design = document().snapshot()] {
+    exporter_.run(path, fill(tr("Printed to {path}"), arg("path", path)), [path, p, design = document().snapshot()] {
       const print::Printed printed = print::printed(*design, p.format, chosen_options(p));
       std::string problem = printed.why;
       for (size_t i = 0; i < printed.files.size() && problem.empty(); ++i)
         problem = write_file_atomically(print::sheet_file(path, i, printed.files.size()), printed.files[i]);
-      return problem.empty() ? problem : "Not printed: " + problem;
+      return problem.empty() ? problem : fill(tr("Not printed: {problem}"), arg("problem", problem));
     });
-    say("Printing\xE2\x80\xA6");
+    say(tr("Printing\xE2\x80\xA6"));
   };
   // The name itself was asked about; those of further sheets were not.
   const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);
   std::error_code ignored;
   for (size_t i = 0; sheets > 1 && i < sheets; ++i)
     if (const std::string file = print::sheet_file(path, i, sheets); std::filesystem::exists(file, ignored))
-      return ask(Question{"Replace " + std::filesystem::path(file).filename().string() + "?",
-                          "Sheets of that name are there already; printing would replace them.",
-                          {"Replace", "Cancel"}},
+      return ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(file).filename().string())),
+                          tr("Sheets of that name already exist. Printing would replace them."),
+                          {tr("Replace"), tr("Cancel")}},
                  [write](int button) {
                    if (button == 0) write();
                  });

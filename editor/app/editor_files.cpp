@@ -7,11 +7,17 @@
 #include <utility>
 
 #include "app/editor.h"
+#include "base/text.h"
 #include "base/user_folders.h"
 #include "session/bring_back.h"
 #include "session/gallery.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,12 +45,14 @@ void Editor::keep_live_export() {
   if (path.empty()) return;
   live_problem_.clear();
   if (same_file(path, document().path())) {
-    live_problem_ = "No live export: " + path + " is the open draft";
+    live_problem_ = fill(tr("No live export: {path} is the open draft"), arg("path", path));
     return writer_.drop(path);
   }
   writer_.keep(path, [out = live_export_, make = document().writer()] {
     const std::string problem = out->write(make());
-    return problem.empty() ? problem : "No live export to " + out->path() + ": " + problem;
+    return problem.empty()
+               ? problem
+               : fill(tr("No live export to {path}: {problem}"), arg("path", out->path()), arg("problem", problem));
   });
 }
 
@@ -71,20 +79,24 @@ void Editor::look_at_file() {
       open.document.accept_file();
       open.document.mark_unsaved();
       session_.keep_unsaved(open);
-      say(document().name() + " is no longer where it was; saving puts it back");
+      say(fill(tr("{file} has been moved or deleted. Saving writes it again."), arg("file", document().name())));
       return edited();
   }
 }
 
 void Editor::ask_about_change(bool saving, std::function<void()> then) {
-  const std::string lost = document().is_saved() ? "" : "\n\nReloading it gives up what you did since the last save.";
-  ask(Question{document().name() + " was changed by another program",
-               document().path() + " is not what was opened or saved here." + lost,
-               {"Save beside\xE2\x80\xA6", "Keep mine", "Reload", "Cancel"}},
+  const std::string text =
+      document().is_saved() ? fill(tr("{path} is not what was opened or saved here."), arg("path", document().path()))
+                            : fill(tr("{path} is not what was opened or saved here.\n\nReloading it loses your changes "
+                                      "since the last save."),
+                                   arg("path", document().path()));
+  ask(Question{fill(tr("{file} was changed by another program"), arg("file", document().name())),
+               text,
+               {tr("Save a copy\xE2\x80\xA6"), tr("Keep mine"), tr("Reload"), tr("Cancel")}},
       [this, saving, then = std::move(then)](int button) {
         const std::string path = document().path();
         if (button == 0)
-          ask_path(FileAsk::kSave, "Save your draft beside it", free_name_beside(path),
+          ask_path(FileAsk::kSave, tr("Save your draft as a copy"), free_name_beside(path),
                    [this, then](const std::string& beside) { save_to(beside, then); });
         if (button == 1 && saving) save_to(path, then);
         if (button == 1 && !saving) {
@@ -103,7 +115,7 @@ void Editor::read_again() {
   OpenResult result = open_document(path);
   if (!result.document) return report(std::move(result.remarks), path);
   session_.replace(session_.active().id, std::move(*result.document), settings_.per_inch);
-  say("Reloaded " + document().name());
+  say(fill(tr("Reloaded {file}"), arg("file", document().name())));
 }
 
 void Editor::show_gallery(bool library) {
@@ -128,8 +140,8 @@ void Editor::offer_recovery() {
   RecoveryPrompt prompt;
   for (const LeftWork& left : session_.left()) {
     const std::string when = time_in_words(left.written_ns, now_ns());
-    if (!left.problem.empty()) prompt.rows.push_back({"Cannot be read", when, left.journal + ": " + left.problem});
-    else prompt.rows.push_back({left.note.name, when, left.note.path.empty() ? "never saved" : left.note.path});
+    if (!left.problem.empty()) prompt.rows.push_back({tr("Cannot be read"), when, left.journal + ": " + left.problem});
+    else prompt.rows.push_back({left.note.name, when, left.note.path.empty() ? tr("never saved") : left.note.path});
   }
   ask(std::move(prompt), [this](int button) {
     const RecoveryPrompt& asked = std::get<RecoveryPrompt>(dialog_);
@@ -153,8 +165,8 @@ void Editor::bring_back(size_t chosen) {
   std::vector<Diagnostic> why;
   if (session_.bring_back(chosen, settings_.per_inch, why) == nullptr) return report(std::move(why), note.name);
   if (document().path().empty() && !note.path.empty())
-    say(note.path + " was changed or taken away since: saving asks where to");
-  else if (!session_.left().empty()) say("There is more: File, Bring back unsaved work");
+    say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", note.path)));
+  else if (!session_.left().empty()) say(tr("There is more to recover: File, Recover unsaved work"));
 }
 
 void Editor::bring_back_all() {

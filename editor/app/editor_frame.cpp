@@ -7,6 +7,7 @@
 
 #include "actions/keys.h"
 #include "app/editor.h"
+#include "base/text.h"
 #include "session/scene_views.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -27,6 +28,10 @@
 #include "views/shell/tour.h"
 
 namespace weftlight::app {
+
+using base::mark;
+using base::tr;
+
 namespace {
 
 constexpr int kFramesAfterEvent = 4;  // a click goes down and up, and what it opened lays itself out
@@ -253,7 +258,7 @@ std::vector<Tab> Editor::tabs_of() const {
   std::vector<Tab> tabs;
   for (const auto& open : session_.all()) {
     const Document& d = open->document;
-    tabs.push_back({open->id, d.shown_name(), d.path().empty() ? "Not saved yet" : d.path(), !d.is_saved()});
+    tabs.push_back({open->id, d.shown_name(), d.path().empty() ? tr("Not saved yet") : d.path(), !d.is_saved()});
   }
   const std::vector<Tab> plain = tabs;
   for (size_t i = 0; i < tabs.size(); ++i) {
@@ -319,7 +324,7 @@ void Editor::draw_status(PanelContext& c, const WindowLayout& l) {
 }
 
 void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
-  constexpr const char* kTabs[] = {"Threads", "Yarns", "Cloth", "Analysis"};
+  constexpr const char* kTabs[] = {mark("Threads"), mark("Yarns"), mark("Cloth"), mark("Analysis")};
   begin_fixed("Inspector", l.inspector, {style_.px(16), style_.px(10)}, kFixed);
   int tab = focus_.starts_with("threads.") ? 0 : c.settings.inspector_tab;
   segmented(c, "inspector", kTabs, tab);
@@ -383,7 +388,7 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
     c.wanted.change_settings([](Settings& s) { s.split = 0; });
     c.wanted.change_view([](DocumentView& v) { v.pitch = 0; });
   }
-  tooltip(c, "Drag to give the draft more or less room; double-click for what it fills");
+  tooltip(c, tr("Drag to resize the draft. Double-click to fit it."));
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
   const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));
   ImGui::GetWindowDrawList()->AddRectFilled({middle, at.y}, {middle + 1, at.y + size.y}, color);

@@ -6,8 +6,13 @@
 
 #include "app/editor.h"
 #include "app/open_folder.h"
+#include "base/text.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 void Editor::close(uint64_t id) { close(id, nullptr); }
 
@@ -20,9 +25,9 @@ void Editor::close(uint64_t id, const std::function<void()>& then) {
   if (open == nullptr) return;
   if (open->document.is_saved()) return closed();
   session_.show(id);
-  ask(Question{"Save the changes to " + open->document.shown_name() + "?",
-               "What you did since the last save would be lost.",
-               {"Save", "Do not save", "Cancel"}},
+  ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),
+               tr("Your changes since the last save would be lost."),
+               {tr("Save"), tr("Do not save"), tr("Cancel")}},
       [this, closed](int button) {
         if (button == 1) closed();
         if (button == 0) save_shown(closed);
@@ -59,9 +64,9 @@ void Editor::duplicate() {
 void Editor::reload() {
   if (document().path().empty()) return;
   if (document().is_saved()) return read_again();
-  ask(Question{"Read " + document().name() + " again?",
-               "What you did since the last save would be lost.",
-               {"Read it again", "Cancel"}},
+  ask(Question{fill(tr("Reload {file}?"), arg("file", document().name())),
+               tr("Your changes since the last save would be lost."),
+               {tr("Reload"), tr("Cancel")}},
       [this](int button) {
         if (button == 0) read_again();
       });

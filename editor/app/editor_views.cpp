@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "app/editor.h"
+#include "base/text.h"
 #include "session/scene_views.h"
 
 namespace weftlight::app {
+
+using base::tr;
 
 void Editor::reset_view() {
   const Design& d = document().now();
@@ -37,8 +40,8 @@ std::shared_ptr<const Design> Editor::hung() const {
 }
 
 void Editor::keep_view() {
-  if (view().flat) return say("The flat swatch is always seen alike; F goes back to the drape, whose view can be kept");
-  commit({"Keep view", [camera = view().camera](Design d) {
+  if (view().flat) return say(tr("The flat swatch has one view. Press F for the drape, whose view can be saved."));
+  commit({tr("Save view"), [camera = view().camera](Design d) {
             d.scene = with_orbit(d.scene, camera);
             return d;
           }});
@@ -46,7 +49,7 @@ void Editor::keep_view() {
 
 void Editor::go_to_view(const std::string& name) {
   const std::optional<NamedView> to = view_named(document().now(), name, pane_.x, pane_.y);
-  if (!to) return say("There is no view of that name");
+  if (!to) return say(tr("There is no view of that name."));
   const MaybeEdit edit = session::go_to_view(view(), document().now(), *to);
   if (edit) commit(*edit);
   preview_.submit(hung());
@@ -54,16 +57,16 @@ void Editor::go_to_view(const std::string& name) {
 }
 
 void Editor::keep_view_as() {
-  ask(NamePrompt{"Keep this view", "What hangs, its light and the camera, in the file of the draft.",
-                 free_view_name(document().now()), "Keep"},
+  ask(NamePrompt{tr("Save this view"), tr("Drape, light and camera are saved with the draft."),
+                 free_view_name(document().now()), tr("Save")},
       [this](int) {
         commit(keep_view_edit(view(), std::get<NamePrompt>(dialog_).name));
-        say("Kept with the draft: View, Views of the cloth");
+        say(tr("Saved with the draft. Find it in View, Views of the cloth."));
       });
 }
 
 void Editor::change_views() {
-  NamesPrompt prompt{"Views of the cloth", {}, {}};
+  NamesPrompt prompt{tr("Views of the cloth"), {}, {}};
   for (const NamedView& v : document().now().views) prompt.names.push_back(v.name);
   prompt.before = prompt.names;
   ask(std::move(prompt), [this](int) { commit(rename_views_edit(std::get<NamesPrompt>(dialog_).names)); });

@@ -14,9 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
+
 extern char** environ;
 
 namespace weftlight::app {
+
+using base::tr;
+
 namespace {
 
 struct Asking {
@@ -68,14 +73,14 @@ struct Filter {
 };
 std::vector<Filter> filters_of(FileAsk what, const std::string& ending) {
   std::vector<Filter> filters;
-  if (ending == ".hdr") return {{"Pictures from all around", "*.hdr *.HDR *.exr *.EXR"}, {"All files", "*"}};
+  if (ending == ".hdr") return {{tr("Environment pictures"), "*.hdr *.HDR *.exr *.EXR"}, {tr("All files"), "*"}};
   if (what == FileAsk::kOpen)
-    filters.push_back({"Weaving drafts", "*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO"});
-  filters.push_back(ending == ".wif" ? Filter{"WIF drafts", "*.wif *.WIF *.wifw *.WIFW"}
+    filters.push_back({tr("Weaving drafts"), "*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO"});
+  filters.push_back(ending == ".wif" ? Filter{tr("WIF drafts"), "*.wif *.WIF *.wifw *.WIFW"}
                                      : Filter{"*" + ending, "*" + ending});
   if (what == FileAsk::kOpen)
-    filters.push_back({"Pictures, a pixel a crossing", "*.png *.PNG *.tif *.tiff *.TIF *.bmp"});
-  filters.push_back({"All files", "*"});
+    filters.push_back({tr("Pictures, one pixel for each crossing"), "*.png *.PNG *.tif *.tiff *.TIF *.bmp"});
+  filters.push_back({tr("All files"), "*"});
   return filters;
 }
 

@@ -5,16 +5,23 @@
 
 #include <thread>
 
+#include "base/text.h"
+
 extern char** environ;
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 std::string open_folder(const std::string& folder) {
   std::string words[] = {"xdg-open", folder};
   char* argv[] = {words[0].data(), words[1].data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv, environ) != 0)
-    return "No program to show folders (xdg-open); it is " + folder;
+    return fill(tr("No program shows folders here (xdg-open is missing). The folder is {folder}"),
+                arg("folder", folder));
   // Its end is waited for, by nobody who has anything else to do.
   std::thread([child] { waitpid(child, nullptr, 0); }).detach();
   return {};

@@ -4,9 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "light/formulas.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr double kRestS = 0.15;         // still for so long: draw every pixel
@@ -23,7 +29,7 @@ constexpr float kMinScale = 0.3f, kMaxMovingScale = 0.9f;
 }  // namespace
 
 PictureMaker::PictureMaker(Pipeline& pipeline) : renderer_(Renderer::create(problem_)), pipeline_(pipeline) {
-  if (!renderer_) problem_ = "The cloth cannot be shown: " + problem_;
+  if (!renderer_) problem_ = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", problem_));
 }
 
 void PictureMaker::submit(std::shared_ptr<const Design> design) {

@@ -3,9 +3,15 @@
 #include <chrono>
 #include <utility>
 
+#include "base/text.h"
 #include "gl/context.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -65,7 +71,7 @@ PreviewPicture PreviewPane::picture() const {
   p.texture = texture_.name();
   if (p.reference.texture != 0) p.reference.texture = reference_texture_.name();
   p.busy = p.problem.empty() && (p.busy || shown_ != submitted_);
-  if (p.texture == 0 && p.problem.empty()) p.problem = "Weaving the cloth\xE2\x80\xA6";
+  if (p.texture == 0 && p.problem.empty()) p.problem = tr("Weaving the cloth\xE2\x80\xA6");
   return p;
 }
 
@@ -88,7 +94,7 @@ void PreviewPane::work() {
   if (!context) {
     const std::lock_guard lock(mutex_);
     news_ = News{};
-    news_->picture.problem = "The cloth cannot be shown: " + error;
+    news_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", error));
     return wake_window_();
   }
   PictureMaker maker(pipeline);

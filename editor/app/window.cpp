@@ -13,11 +13,17 @@
 #include <optional>
 #include <utility>
 
+#include "base/text.h"
 #include "session/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
 
 namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 using Kind = InputEvent::Kind;
@@ -116,7 +122,7 @@ void fit_to_screen(GLFWwindow* window) {
 std::string glfw_problem() {
   const char* text = nullptr;
   glfwGetError(&text);
-  return text != nullptr ? text : "no reason given";
+  return text != nullptr ? text : tr("no reason given");
 }
 
 }  // namespace
@@ -263,14 +269,16 @@ bool Window::has_input() const { return !inbox_->input.empty(); }
 
 std::unique_ptr<Window> Window::open(int width, int height, std::string& error) {
   if (!glfwInit()) {
-    error = "the window system cannot be reached (" + glfw_problem() +
-            "); without a display, use the verbs: weftlight --help";
+    error = fill(
+        tr("the window system cannot be reached ({problem}); without a display, use the commands: weftlight --help"),
+        arg("problem", glfw_problem()));
     return nullptr;
   }
   std::unique_ptr<Window> w(new Window);
   w->window_ = make_window(width, height);
   if (w->window_ == nullptr) {
-    error = "no window with OpenGL 3.3 can be made (" + glfw_problem() + "); install or update the graphics driver";
+    error = fill(tr("no window with OpenGL 3.3 can be made ({problem}); install or update the graphics driver"),
+                 arg("problem", glfw_problem()));
     return nullptr;
   }
   fit_to_screen(w->window_);

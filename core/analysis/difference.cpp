@@ -101,12 +101,12 @@ Comparison compare(const Design& a, const Design& b) {
   c.count("treadles", x.treadles, y.treadles);
   const auto shed = [](const Draft& d) { return std::string(d.rising ? "rising" : "sinking"); };
   c.text("shed", shed(x), shed(y));
-  const auto drive = [](const Draft& d) {
-    return std::string(d.drive == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
+  const auto shed_control = [](const Draft& d) {
+    return std::string(d.shed_control == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
   };
-  c.text("driven by", drive(x), drive(y));
+  c.text("driven by", shed_control(x), shed_control(y));
   c.rows("threading", x.threading, y.threading);
-  if (x.drive == ShedControl::kTreadling && y.drive == ShedControl::kTreadling) {
+  if (x.shed_control == ShedControl::kTreadling && y.shed_control == ShedControl::kTreadling) {
     c.rows("tie-up", x.tieup, y.tieup);
     c.rows("treadling", x.treadling, y.treadling);
   }

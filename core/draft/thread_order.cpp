@@ -79,7 +79,7 @@ void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
 /// What moves on when a draft advances: shafts of the threading, treadles, or shafts of the liftplan.
 BitMatrix& advancing_grid(Draft& d, System system) {
   if (system == System::kWarp) return d.threading;
-  return d.drive == ShedControl::kLiftplan ? d.liftplan : d.treadling;
+  return d.shed_control == ShedControl::kLiftplan ? d.liftplan : d.treadling;
 }
 
 }  // namespace

@@ -134,11 +134,11 @@ std::string write_wif(const WifFile& opened, const Design& now) {
 
 std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_habits(design.draft))); }
 
-std::string write_plain_wif(const Design& design, PlainShedControl drive) {
-  Design plain = drive == PlainShedControl::kLiftplan    ? to_liftplan(design)
-                 : drive == PlainShedControl::kTreadling ? to_treadling(design)
-                                                         : design;
-  if (plain.draft.drive == ShedControl::kLiftplan) plain = with_straight_tieup(std::move(plain));
+std::string write_plain_wif(const Design& design, PlainShedControl shed_control) {
+  Design plain = shed_control == PlainShedControl::kLiftplan    ? to_liftplan(design)
+                 : shed_control == PlainShedControl::kTreadling ? to_treadling(design)
+                                                                : design;
+  if (plain.draft.shed_control == ShedControl::kLiftplan) plain = with_straight_tieup(std::move(plain));
   plain.title = to_ascii(plain.title);
   plain.author = to_ascii(plain.author);
   plain.notes = plain_notes(plain.notes);

@@ -38,7 +38,7 @@ enum class ConvertShedControl { kAsIs, kLiftplan, kTreadling };
 struct ConvertOptions {
   std::string in, out;
   bool plain = false;
-  ConvertShedControl drive = ConvertShedControl::kAsIs;
+  ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // that it is to fit
   bool nearest = false;    // what does not fit is woven as nearly as it can be
   files::PictureDraft picture{};

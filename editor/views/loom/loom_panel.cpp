@@ -16,8 +16,8 @@ namespace weftlight::views {
 
 std::string press_text(const Draft& draft, int pick) {
   const std::vector<int> marks = to_press(draft, pick);
-  const char* one = draft.drive == ShedControl::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
-  if (marks.empty()) return draft.drive == ShedControl::kLiftplan ? "Lift nothing" : "No treadle";
+  const char* one = draft.shed_control == ShedControl::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
+  if (marks.empty()) return draft.shed_control == ShedControl::kLiftplan ? "Lift nothing" : "No treadle";
   std::string text = one;
   for (size_t i = 0; i < marks.size(); ++i) text.append(i == 0 ? "" : " + ").append(std::to_string(marks[i] + 1));
   return text;

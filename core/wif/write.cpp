@@ -18,8 +18,8 @@ struct Attempt {
 };
 
 std::optional<Attempt> attempt(const WifText& text, const std::vector<WifEntries>& before,
-                               const std::vector<WifEntries>& now, Reach reach) {
-  std::optional<std::string> bytes = patched(text, before, now, reach);
+                               const std::vector<WifEntries>& now, EditScope scope) {
+  std::optional<std::string> bytes = patched(text, before, now, scope);
   if (!bytes) return std::nullopt;
   Attempt result{std::move(*bytes), {}, false};
   Diagnostics diagnostics;
@@ -116,8 +116,8 @@ std::string write_wif(const WifFile& opened, const Design& now) {
   // The fewest lines first; more only where what was left out of the file would make them read otherwise.
   std::string fallback;
   const auto try_text = [&](const WifText& text) -> std::optional<std::string> {
-    for (const Reach reach : {Reach::kChanged, Reach::kCounts, Reach::kAll}) {
-      std::optional<Attempt> tried = attempt(text, before, after, reach);
+    for (const EditScope scope : {EditScope::kChanged, EditScope::kCounts, EditScope::kAll}) {
+      std::optional<Attempt> tried = attempt(text, before, after, scope);
       if (!tried) return std::nullopt;
       if (tried->read && tried->design == now) return std::move(tried->bytes);
       if (fallback.empty() && tried->read && tried->design.draft == now.draft) fallback = std::move(tried->bytes);

@@ -24,7 +24,7 @@ struct DraftAnalysis {
   Repeat structure, design;
   LongestFloats longest;
   LongFloats floats;
-  std::vector<Layer> layers;
+  std::vector<WeaveLayer> layers;
   LoomUse loom;
   LoomSize fewest;
   Interlacing interlacings;
@@ -78,7 +78,7 @@ DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   return {structure_repeat(cells), design_repeat(design, cells),
           longest_floats(cells),   long_floats(cells, options.float_limit),
-          layers(cells),           loom_use(design.draft),
+          weave_layers(cells),     loom_use(design.draft),
           fewest_for(cells),       interlacing(cells),
           warp_up_share(cells),    yarn_report(design, options.plan)};
 }
@@ -115,7 +115,7 @@ Json floats_json(const DraftAnalysis& f, int limit) {
 
 Json layers_json(const DraftAnalysis& f) {
   Json list = Json::array();
-  for (const Layer& layer : f.layers)
+  for (const WeaveLayer& layer : f.layers)
     list.push_back({{"loose", layer.loose()}, {"ends", from_one(layer.ends)}, {"picks", from_one(layer.picks)}});
   return list;
 }
@@ -172,7 +172,7 @@ std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseO
 void print_layers(const DraftAnalysis& f) {
   if (f.layers.size() <= 1) return void(std::printf("hangs together  yes\n"));
   std::printf("hangs together  no: %zu layers, front to back\n", f.layers.size());
-  for (const Layer& layer : f.layers) {
+  for (const WeaveLayer& layer : f.layers) {
     const char* kind = !layer.loose() ? "layer" : layer.ends.empty() ? "loose pick" : "loose end";
     std::printf("  %s:", kind);
     if (!layer.ends.empty()) std::printf(" ends %s;", listed(layer.ends).c_str());

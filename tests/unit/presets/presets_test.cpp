@@ -149,7 +149,7 @@ TEST(Presets, AreSoundCloth) {
     const auto [least, most] = std::minmax({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
     EXPECT_GE(least, 1) << recipe.path << ": a thread is never bound";
     EXPECT_LE(most, 8) << recipe.path << ": a float would catch";
-    EXPECT_LE(layers(cells).size(), 1u) << recipe.path;
+    EXPECT_LE(weave_layers(cells).size(), 1u) << recipe.path;
     // The sheet of the draft holds whole repeats, so that it can be laid side by side.
     const Repeat r = design_repeat(d, cells);
     EXPECT_EQ(d.draft.ends() % r.ends, 0);

@@ -45,7 +45,7 @@ std::string direction_command(Protocol protocol, bool weave) {
   return framed(protocol, weave ? "U0" : "U1");
 }
 
-std::vector<LoomReport> LoomReader::take(std::string_view bytes) {
+std::vector<LoomReport> LoomReader::parse(std::string_view bytes) {
   std::vector<LoomReport> reports;
   for (const char c : bytes) {
     if (c == '\r') continue;

@@ -35,7 +35,7 @@ struct LoomReport {
 class LoomReader {
  public:
   static constexpr size_t kLongestLine = 64;
-  std::vector<LoomReport> take(std::string_view bytes);
+  std::vector<LoomReport> parse(std::string_view bytes);
 
  private:
   std::string line_;

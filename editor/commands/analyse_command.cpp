@@ -80,7 +80,7 @@ DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
           longest_floats(cells),   long_floats(cells, options.float_limit),
           weave_layers(cells),     loom_use(design.draft),
           fewest_for(cells),       interlacing(cells),
-          warp_up_share(cells),    yarn_report(design, options.plan)};
+          warp_up_fraction(cells), yarn_report(design, options.plan)};
 }
 
 const char* name_of(System system) { return system == System::kWarp ? "warp" : "weft"; }

@@ -90,8 +90,8 @@ TEST(Presets, YarnsOfClothsAreOfTheirOwnFibre) {
                                                                           : "Polyester filament";
       EXPECT_EQ(fibre, expected) << recipe.path << ": " << yarn.name;
       EXPECT_GT(yarn.tex, 0) << recipe.path << ": " << yarn.name;
-      EXPECT_GT(fibre_share(yarn), 0.15) << recipe.path << ": " << yarn.name;
-      EXPECT_LT(fibre_share(yarn), 0.8) << recipe.path << ": " << yarn.name;
+      EXPECT_GT(packing_fraction(yarn), 0.15) << recipe.path << ": " << yarn.name;
+      EXPECT_LT(packing_fraction(yarn), 0.8) << recipe.path << ": " << yarn.name;
     }
   }
 }

@@ -145,7 +145,7 @@ void read_scene(const Source& s, const WifSection& section, Scene& scene) {
   if (const WifKey* own = section.find("Own Drape")) scene.simulated_drape = word_as_bool(own->value).value_or(false);
   if (const WifKey* lights = section.find("Lights")) {
     const std::string name = words(s, *lights);
-    scene.lights = is_environment(name) ? name : light_setup(name).id;
+    scene.lights = is_environment(name) ? name : lighting_preset(name).id;
     if (name != scene.lights) s.unusable(*lights);
   }
   if (const WifKey* shown = section.find("Surroundings"))

@@ -206,7 +206,7 @@ void add_response_options(CLI::App* verb, ResponseOptions& o, std::string& views
 
 std::vector<std::string> light_names() {
   std::vector<std::string> names;
-  for (const LightingPreset& setup : kLightSetups) names.push_back(setup.id);
+  for (const LightingPreset& setup : kLightingPresets) names.push_back(setup.id);
   return names;
 }
 

@@ -175,8 +175,8 @@ void print_layers(const DraftAnalysis& f) {
   for (const WeaveLayer& layer : f.layers) {
     const char* kind = !layer.loose() ? "layer" : layer.ends.empty() ? "loose pick" : "loose end";
     std::printf("  %s:", kind);
-    if (!layer.ends.empty()) std::printf(" ends %s;", listed(layer.ends).c_str());
-    if (!layer.picks.empty()) std::printf(" picks %s", listed(layer.picks).c_str());
+    if (!layer.ends.empty()) std::printf(" ends %s;", thread_list(layer.ends).c_str());
+    if (!layer.picks.empty()) std::printf(" picks %s", thread_list(layer.picks).c_str());
     std::printf("\n");
   }
 }
@@ -255,7 +255,7 @@ int diff_command(const DiffOptions& options) {
   if (!a.ok || !b.ok) return kBadInput;
   const Comparison c = compare(a.design, b.design);
   for (const Difference& d : c.differences) {
-    if (!d.threads.empty()) std::printf("%-15s %s\n", d.what.c_str(), listed(d.threads).c_str());
+    if (!d.threads.empty()) std::printf("%-15s %s\n", d.what.c_str(), thread_list(d.threads).c_str());
     else if (d.a.empty() && d.b.empty()) std::printf("%-15s differ\n", d.what.c_str());
     else std::printf("%-15s '%s' and '%s'\n", d.what.c_str(), d.a.c_str(), d.b.c_str());
   }

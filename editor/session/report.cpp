@@ -32,7 +32,7 @@ Report report_on(const Design& design, const BitMatrix& cells, int limit,
     r.other = other;
     r.comparison = analysis::compare(other->design, design);
     r.differing = analysis::differing_crossings(cells, other->cells);
-    r.places = analysis::differing_places(r.differing, kListedPlaces);
+    r.places = analysis::differing_regions(r.differing, kListedPlaces);
   }
   return r;
 }

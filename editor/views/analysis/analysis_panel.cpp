@@ -40,8 +40,8 @@ void draw_layers(const PanelContext& c, const AnalysisState& s) {
   for (const WeaveLayer& layer : s.layers) {
     if (++shown > kMax) return fact(c, "", "and more");
     std::string text;
-    if (!layer.ends.empty()) text += "ends " + listed(layer.ends);
-    if (!layer.picks.empty()) text.append(text.empty() ? "" : "; ").append("picks ").append(listed(layer.picks));
+    if (!layer.ends.empty()) text += "ends " + thread_list(layer.ends);
+    if (!layer.picks.empty()) text.append(text.empty() ? "" : "; ").append("picks ").append(thread_list(layer.picks));
     fact(c, layer.loose() ? "Loose" : "Layer", fitted(text, ImGui::GetContentRegionAvail().x * 2));
   }
 }

@@ -19,7 +19,7 @@ const WeaveKind& kind_of(const WeaveOverPrompt& p) { return weave_kinds()[static
 /// All steps of the dialog are one step of undo, each made anew from the draft that it found.
 MaybeEdit follow(WeaveOverPrompt& p) {
   p.use.weave = kind_of(p).id;
-  Made made = with_weave(*p.base, p.use);
+  GeneratedWeave made = with_weave(*p.base, p.use);
   p.why = std::move(made.why);
   return Edit{std::string("Weave ").append(kind_of(p).name),
               [next = std::make_shared<const Design>(std::move(made.design))](const Design&) { return *next; },

@@ -89,8 +89,9 @@ LoomUse loom_use(const Draft& draft) {
   }
   for (int p = 0; p < draft.picks(); ++p) use.empty_picks += named.first(p) < 0;
   if (draft.shed_control != ShedControl::kTreadling) return use;
-  use.treads = marks_of_columns(draft.treadling);
-  for (int p = 0; p < draft.picks(); ++p) use.most_feet = std::max(use.most_feet, draft.treadling.count(p));
+  use.treadle_uses = marks_of_columns(draft.treadling);
+  for (int p = 0; p < draft.picks(); ++p)
+    use.most_treadles_per_pick = std::max(use.most_treadles_per_pick, draft.treadling.count(p));
   return use;
 }
 

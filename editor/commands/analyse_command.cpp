@@ -156,7 +156,7 @@ std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseO
                      {"hangs_together", f.layers.size() <= 1},
                      {"heddles", f.loom.heddles},
                      {"lifts", f.loom.lifts},
-                     {"treads", f.loom.treads},
+                     {"treads", f.loom.treadle_uses},
                      {"unthreaded_ends", f.loom.unthreaded_ends},
                      {"empty_picks", f.loom.empty_picks},
                      {"fewest", {{"shafts", f.fewest.shafts}, {"treadles", f.fewest.treadles}}},

@@ -21,7 +21,7 @@ Draft bare_loom(const BitMatrix& cells, bool rising = true) {
 
 Design two_two_twill(int ends, int picks) { return twill({2, 2}, Lean::kRight, {ends, picks}); }
 
-int most_feet(const BitMatrix& treadling) {
+int most_treadles_per_pick(const BitMatrix& treadling) {
   int most = 0;
   for (int p = 0; p < treadling.rows(); ++p) {
     int feet = 0;
@@ -288,7 +288,7 @@ TEST(Skeleton, WeavesTheSameWithAsManyFeetAsAllowed) {
     d.draft = random_draft(random, 12, 20, 6, 5);
     const int feet = 1 + static_cast<int>(random() % 3);
     const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 500000);
-    ASSERT_LE(most_feet(s.treadling), feet);
+    ASSERT_LE(most_treadles_per_pick(s.treadling), feet);
     ASSERT_LE(s.at_least, s.tieup.rows());
     ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));
     const Design next = to_skeleton(d, feet);

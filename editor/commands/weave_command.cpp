@@ -10,12 +10,12 @@ namespace weftlight::commands {
 namespace {
 
 void print_kind(const WeaveKind& kind) {
-  std::printf("%-18s %s: %s\n", kind.id, kind.name, kind.words);
+  std::printf("%-18s %s: %s\n", kind.id, kind.name, kind.description);
   for (const WeaveParameter& n : kind.parameters) {
-    std::printf("  --set %s=%s", n.id, n.first);
+    std::printf("  --set %s=%s", n.id, n.default_value);
     if (n.kind == ParameterKind::kCount) std::printf("  (%d to %d)", n.low, n.high);
     for (size_t i = 0; i < n.choices.size(); ++i) std::printf(i == 0 ? "  (%s" : ", %s", n.choices[i]);
-    std::printf("%s  %s\n", n.choices.empty() ? "" : ")", n.words);
+    std::printf("%s  %s\n", n.choices.empty() ? "" : ")", n.tip);
   }
 }
 

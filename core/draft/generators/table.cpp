@@ -287,14 +287,14 @@ const std::vector<WeaveKind>& all_kinds() {
 }
 
 std::string completed(const WeaveParameter& number, const std::string* given) {
-  if (!given) return number.first;
+  if (!given) return number.default_value;
   if (number.kind == ParameterKind::kText) return *given;
   if (number.kind == ParameterKind::kChoice) {
     const bool known = std::ranges::any_of(number.choices, [&](const char* c) { return *given == c; });
-    return known ? *given : number.first;
+    return known ? *given : number.default_value;
   }
   int n = 0;
-  if (std::from_chars(given->data(), given->data() + given->size(), n).ec != std::errc{}) return number.first;
+  if (std::from_chars(given->data(), given->data() + given->size(), n).ec != std::errc{}) return number.default_value;
   return std::to_string(std::clamp(n, number.low, number.high));
 }
 

@@ -16,18 +16,18 @@ namespace weftlight::draft {
 enum class ParameterKind {
   kCount,   // a whole number of low..high
   kChoice,  // one of `choices`
-  kText,    // words that `words` explains: a ratio, a profile, a sequence
+  kText,    // text whose syntax `tip` explains: a ratio, a profile, a sequence
 };
 
-/// Values by id; what is missing has its first value.
+/// Values by id; what is missing has its default value.
 using WeaveValues = std::vector<std::pair<std::string, std::string>>;
 
 struct WeaveParameter {
   const char* id;
   const char* label;
-  const char* words;
+  const char* tip;
   ParameterKind kind = ParameterKind::kCount;
-  const char* first = "";  // what it begins with
+  const char* default_value = "";
   int low = 0, high = 0;
   std::vector<const char*> choices = {};
   /// The counts that make the weave, of those from low to high, given the numbers before it; null: all.
@@ -50,8 +50,8 @@ enum class WeaveColors {
 struct WeaveKind {
   const char* id;
   const char* name;
-  const char* family;  // under which a menu shows it
-  const char* words;   // what it is, in one sentence
+  const char* family;       // under which a menu shows it
+  const char* description;  // what it is, in one sentence
   std::vector<WeaveParameter> parameters;
   GeneratedWeave (*make)(const WeaveValues& values, ClothSize size);
   WeaveColors colors = WeaveColors::kTwoTone;

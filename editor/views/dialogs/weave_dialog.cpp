@@ -82,7 +82,7 @@ DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   draw_cells(c, made.design);
   ImGui::Dummy({0, c.style.px(2)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, made.why.empty() ? kind.words : made.why);
+  muted_text(c, made.why.empty() ? kind.description : made.why);
   ImGui::PopTextWrapPos();
   if (draw_weave_numbers(c, kind, p.values)) follow_repeat(p);
   const int ends = p.ends, picks = p.picks;

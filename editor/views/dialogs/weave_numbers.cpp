@@ -52,7 +52,7 @@ std::vector<std::string> choices_of(const WeaveParameter& n, const WeaveValues& 
 
 bool draw_value(PanelContext& c, const WeaveParameter& n, const WeaveValues& all, std::string& value) {
   if (n.kind == ParameterKind::kCount && !n.allowed) return draw_count(c, n, value);
-  row_label(c, n.label, n.words);
+  row_label(c, n.label, n.tip);
   ImGui::SetNextItemWidth(c.style.px(n.allowed ? 140 : 190));
   if (n.kind == ParameterKind::kText) return draw_text(c, n, value);
   return pick_from(c, std::string("weave.").append(n.id), choices_of(n, all), value);

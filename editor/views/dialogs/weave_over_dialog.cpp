@@ -39,7 +39,7 @@ DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   ImGui::SameLine(0, c.style.px(16));
   ImGui::BeginChild("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, kind_of(p).words);
+  muted_text(c, kind_of(p).description);
   ImGui::PopTextWrapPos();
   other |= draw_weave_numbers(c, kind_of(p), p.use.values);
   if (other) answer.edit = follow(p);

@@ -1,4 +1,4 @@
-// Based on: the example protocol of base_loom_server (Russell Owen, MIT licence), and what is told there of others.
+// Based on: the example protocol of base_loom_server (Russell Owen, MIT licence) and its notes on other looms.
 
 #include "loom/protocol.h"
 
@@ -50,7 +50,7 @@ std::vector<LoomReport> LoomReader::parse(std::string_view bytes) {
   for (const char c : bytes) {
     if (c == '\r') continue;
     if (c != '\n') {
-      too_long_ = too_long_ || line_.size() >= kLongestLine;
+      too_long_ = too_long_ || line_.size() >= kMaxLineBytes;
       if (!too_long_) line_ += c;
       continue;
     }

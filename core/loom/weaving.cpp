@@ -2,10 +2,17 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace weftlight::loom {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
-PickRange bounded(const PickRange& s, int picks) {
+PickRange clipped(const PickRange& s, int picks) {
   const PickRange in{std::clamp(s.first, 0, picks), std::clamp(s.end, 0, picks)};
   return in.first < in.end ? in : PickRange{0, picks};
 }
@@ -16,16 +23,16 @@ LoomReply raised(const WeavingSetup& w, WeavingState state) {
   if (!shafts)
     return {state,
             {},
-            "the line can name " + std::to_string(kMaxLoomShafts) + " shafts, and the draft has " +
-                std::to_string(w.draft.shafts)};
+            fill(tr("the loom's protocol has room for {most} shafts, and the draft has {count}"),
+                 arg("most", kMaxLoomShafts), arg("count", w.draft.shafts))};
   state.waiting = true;
   return {state, raise_command(w.protocol, *shafts), {}};
 }
 
 }  // namespace
 
-WeavingState advanced(WeavingState state, const PickRange& section, int picks) {
-  const PickRange s = bounded(section, picks);
+WeavingState advanced(WeavingState state, const PickRange& range, int picks) {
+  const PickRange s = clipped(range, picks);
   if (s.first >= s.end) return state;
   state = moved_to_pick(state, s, picks, state.next_pick);
   const int step = state.weaving ? 1 : -1, count = s.end - s.first;
@@ -34,8 +41,8 @@ WeavingState advanced(WeavingState state, const PickRange& section, int picks) {
   return state;
 }
 
-WeavingState moved_to_pick(WeavingState state, const PickRange& section, int picks, int pick) {
-  const PickRange s = bounded(section, picks);
+WeavingState moved_to_pick(WeavingState state, const PickRange& range, int picks, int pick) {
+  const PickRange s = clipped(range, picks);
   state.next_pick = s.first < s.end ? std::clamp(pick, s.first, s.end - 1) : 0;
   state.waiting = false;
   return state;
@@ -44,24 +51,24 @@ WeavingState moved_to_pick(WeavingState state, const PickRange& section, int pic
 LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomReport& report) {
   switch (report.kind) {
     case LoomReport::kPickWanted:
-      // The pick whose shafts were up has been woven; the first one of all has not.
-      return raised(w, state.waiting ? advanced(state, w.section, w.lifts.rows()) : state);
+      // The request confirms that the pick on its way was woven; at the first request there is none.
+      return raised(w, state.waiting ? advanced(state, w.range, w.lifts.rows()) : state);
     case LoomReport::kDirection: {
-      WeavingState turned = state;
-      turned.weaving = report.on;
-      return {turned, {}, {}};
+      WeavingState next_state = state;
+      next_state.weaving = report.on;
+      return {next_state, {}, {}};
     }
     case LoomReport::kShaftsRaised: {
       const std::optional<uint32_t> wanted = raised_shafts(w.draft, w.lifts, state.next_pick);
       const bool other = state.waiting && wanted && *wanted != report.shafts;
-      return {state, {}, other ? "the loom has raised other shafts than were sent" : ""};
+      return {state, {}, other ? tr("the loom has raised other shafts than were sent") : ""};
     }
     case LoomReport::kMotion:
       return {state, {}, {}};
     case LoomReport::kUnknown:
       break;
   }
-  return {state, {}, "the loom said something that is not known: " + report.text};
+  return {state, {}, fill(tr("the loom sent an unknown message: {message}"), arg("message", report.text))};
 }
 
 LoomReply on_connected(const WeavingSetup& w, const WeavingState& state) {
@@ -71,10 +78,10 @@ LoomReply on_connected(const WeavingSetup& w, const WeavingState& state) {
 }
 
 LoomReply step_by_hand(const WeavingSetup& w, const WeavingState& state, bool forwards) {
-  WeavingState turned = state;
-  turned.weaving = forwards;
-  LoomReply next = raised(w, state.waiting || !forwards ? advanced(turned, w.section, w.lifts.rows()) : turned);
-  if (turned.weaving != state.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
+  WeavingState next_state = state;
+  next_state.weaving = forwards;
+  LoomReply next = raised(w, state.waiting || !forwards ? advanced(next_state, w.range, w.lifts.rows()) : next_state);
+  if (next_state.weaving != state.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
   return next;
 }
 

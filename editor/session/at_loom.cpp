@@ -48,7 +48,7 @@ LoomStep step_by_hand(AtLoom& at, const Design& design, bool forwards, bool conn
   return with_weaving(at, design, [=](const loom::WeavingSetup& w, loom::WeavingState place) {
     if (connected) return loom::step_by_hand(w, place, forwards);
     place.weaving = forwards;
-    place = loom::advanced(place, w.section, w.lifts.rows());
+    place = loom::advanced(place, w.range, w.lifts.rows());
     place.weaving = true;
     place.waiting = false;  // no loom was told: the first that comes is
     return loom::LoomReply{place, {}, {}};

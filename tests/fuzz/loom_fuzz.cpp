@@ -1,4 +1,4 @@
-// Any bytes from a loom, in any pieces: reading never crashes, and pieces say what the whole says.
+// Any bytes from a loom, in any pieces: parsing never crashes and gives the same reports as in one piece.
 
 #include <cstdint>
 #include <string_view>
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(whole[i].kind == pieces[i].kind && whole[i].shafts == pieces[i].shafts && whole[i].on == pieces[i].on &&
                 whole[i].text == pieces[i].text,
             "the same reports");
-    require(whole[i].text.size() <= LoomReader::kLongestLine, "no line is longer than what is kept");
+    require(whole[i].text.size() <= LoomReader::kMaxLineBytes, "no message is longer than the limit");
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-// Weaving at a mock loom: over a line of text alone, and over TCP with a line that breaks off.
+// Weaving at a mock loom: messages alone, then TCP and serial connections that break.
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -21,7 +21,7 @@ Draft four_picks() {
   return treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
 }
 
-TEST(Protocol, CommandsAsTheLoomsWantThem) {
+TEST(Protocol, CommandsOfEachProtocol) {
   EXPECT_EQ(raise_command(Protocol::kPlain, 0x1f), "C0000001f\n");
   EXPECT_EQ(raise_command(Protocol::kSeguin, 0x80000000u), "=C80000000\n");
   EXPECT_EQ(raise_command(Protocol::kToikaEs, 0x01020304), std::string("\x01\x02\x03\x04"));
@@ -29,7 +29,7 @@ TEST(Protocol, CommandsAsTheLoomsWantThem) {
   EXPECT_EQ(direction_command(Protocol::kSeguin, false), "=U1\n");
 }
 
-TEST(Protocol, ReportsComeInPiecesAndAmongRubbish) {
+TEST(Protocol, ReportsInPiecesAndUnknownMessages) {
   LoomReader reader;
   EXPECT_TRUE(reader.parse("c0000").empty());
   auto reports = reader.parse("000f\r\np\nu1\nm1\nhello\n\n");
@@ -43,7 +43,7 @@ TEST(Protocol, ReportsComeInPiecesAndAmongRubbish) {
   EXPECT_EQ(reports[4].kind, LoomReport::kUnknown);
   EXPECT_EQ(reports[4].text, "hello");
   EXPECT_TRUE(reader.parse(std::string(5000, 'x')).empty());
-  EXPECT_TRUE(reader.parse("\n").empty()) << "a line that is too long is no report";
+  EXPECT_TRUE(reader.parse("\n").empty()) << "a line that is too long is dropped";
   EXPECT_EQ(reader.parse("p\n").size(), 1u);
 }
 
@@ -53,10 +53,10 @@ TEST(Protocol, ASinkingShedRaisesTheOthers) {
   d.rising = false;
   EXPECT_EQ(raised_shafts(d, lifts(d), 0), 0b1100u);
   EXPECT_FALSE(raised_shafts(d, lifts(d), 4));
-  EXPECT_FALSE(raised_shafts(blank_draft(2, 2, 33, 2), BitMatrix(2, 33), 0)) << "a line names 32 shafts";
+  EXPECT_FALSE(raised_shafts(blank_draft(2, 2, 33, 2), BitMatrix(2, 33), 0)) << "the protocol has room for 32 shafts";
 }
 
-/// The few lines of a loom: asks, raises, answers.
+/// A loom that obeys and confirms.
 struct MockLoom {
   std::vector<uint32_t> raised;
   bool weaving = true;
@@ -74,7 +74,7 @@ struct MockLoom {
   }
 };
 
-/// What the program does with what came.
+/// The program's side: handles the received bytes and collects what it sends.
 void hear(const WeavingSetup& w, LoomReader& reader, WeavingState& state, std::string_view words, std::string& send) {
   for (const LoomReport& report : reader.parse(words)) {
     const LoomReply a = reply_to(w, state, report);
@@ -84,7 +84,7 @@ void hear(const WeavingSetup& w, LoomReader& reader, WeavingState& state, std::s
   }
 }
 
-TEST(Weaving, PicksAreRaisedInTheirOrderAndUnwovenBackwards) {
+TEST(Weaving, PicksAreRaisedInOrderAndUnwovenBackwards) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
   const WeavingSetup w{d, lift, {}};
@@ -100,18 +100,18 @@ TEST(Weaving, PicksAreRaisedInTheirOrderAndUnwovenBackwards) {
   EXPECT_EQ(loom.raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6}));
   EXPECT_EQ(state.next_pick, 1);
   EXPECT_EQ(state.woven, 5);
-  // The loom is turned: the next pick wanted is the one before.
+  // The loom now unweaves: the next pick is the one before.
   std::string send;
   hear(w, reader, state, "u1\np\n", send);
   EXPECT_EQ(send, "C00000003\n");
   EXPECT_EQ(state.woven, 4);
 }
 
-TEST(Weaving, ASectionIsWovenOverAndOver) {
+TEST(Weaving, ARangeIsRepeated) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
   const WeavingSetup w{d, lift, {1, 3}};
-  WeavingState state = moved_to_pick({}, w.section, 4, 0);
+  WeavingState state = moved_to_pick({}, w.range, 4, 0);
   EXPECT_EQ(state.next_pick, 1);
   std::vector<int> picks;
   for (int i = 0; i < 5; ++i) {
@@ -144,7 +144,7 @@ void write_all(int socket, std::string_view words) {
   ASSERT_EQ(::write(socket, words.data(), words.size()), static_cast<ssize_t>(words.size()));
 }
 
-TEST(LoomLine, ALineThatBreaksOffLosesNoPick) {
+TEST(LoomLine, ABrokenConnectionLosesNoPick) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
   const WeavingSetup w{d, lift, {}};
@@ -161,7 +161,7 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPick) {
     ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
     mock.hear(read_some(loom));
     if (connection > 0) {
-      // The pick that was on its way is raised again, and no other.
+      // Only the pick that was not confirmed is raised again.
       ASSERT_EQ(mock.raised, (std::vector<uint32_t>{raised.back()}));
     }
     for (int pick = 0; pick < 3; ++pick) {
@@ -178,10 +178,10 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPick) {
     opened.line->receive(1000);
     EXPECT_TRUE(opened.line->broken());
   }
-  EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "none twice, none left out";
+  EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "each pick once";
 }
 
-TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPick) {
+TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
   const WeavingSetup w{d, lift, {}};
@@ -197,9 +197,9 @@ TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPick) {
     ASSERT_TRUE(opened.line) << opened.why;
     LoomReader reader;
     ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
-    EXPECT_EQ(loom.heard(), "U0") << "neither echo nor anything else that terminals add";
+    EXPECT_EQ(loom.heard(), "U0") << "no echo, nothing that a terminal adds";
     if (connection > 0) {
-      EXPECT_EQ(loom.heard(), last) << "the pick that was on its way, once more";
+      EXPECT_EQ(loom.heard(), last) << "the pick that was not confirmed, again";
     }
     for (int pick = 0; pick < 3; ++pick) {
       loom.say("p\n");
@@ -218,10 +218,10 @@ TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPick) {
   }
   EXPECT_EQ(raised, (std::vector<std::string>{"C00000003", "C00000006", "C0000000c", "C00000009", "C00000003",
                                               "C00000006", "C0000000c", "C00000009", "C00000003"}))
-      << "none twice, none left out";
+      << "each pick once";
 }
 
-TEST(LoomLine, AFileIsNoSerialPort) {
+TEST(LoomLine, AFileIsNotASerialPort) {
   const Scratch scratch("serial");
   std::ofstream(scratch / "file") << "p\n";
   EXPECT_NE(open_line("serial:" + (scratch / "file")).why.find("no such serial port"), std::string::npos);
@@ -230,7 +230,7 @@ TEST(LoomLine, AFileIsNoSerialPort) {
   EXPECT_NE(open_line(loom.address() + ":1234").why.find("1234 baud"), std::string::npos);
 }
 
-TEST(LoomLine, SaysWhyThereIsNone) {
+TEST(LoomLine, SaysWhyItCannotBeOpened) {
   EXPECT_FALSE(open_line("loom").why.empty());
   EXPECT_FALSE(open_line("serial:/dev/there-is-no-such-loom").why.empty());
   LoomPort closed;

@@ -1,5 +1,5 @@
 #pragma once
-// Does the cloth hang together, or does it come apart into layers (double cloth) and loose threads?
+// Whether the cloth is connected, or falls apart into separate layers (double cloth) and loose threads.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace weftlight::analysis {
 
-/// Threads that cannot be parted without cutting. One end alone or one pick alone is a loose thread.
+/// Threads that cannot be separated without cutting. A layer of ends only or of picks only is a loose thread.
 struct WeaveLayer {
   std::vector<int> ends, picks;
   bool loose() const { return ends.empty() || picks.empty(); }

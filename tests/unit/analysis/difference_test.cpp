@@ -17,7 +17,7 @@ TEST(Compare, TheSameIsTheSame) {
 TEST(Compare, ALiftplanOfTheSameClothDiffersInItsDriveAlone) {
   const Comparison c = compare(straight_twill(4, 4), to_liftplan(straight_twill(4, 4)));
   ASSERT_EQ(c.differences.size(), 1u);
-  EXPECT_EQ(c.differences[0].what, "driven by");
+  EXPECT_EQ(c.differences[0].what, "shed control");
   EXPECT_TRUE(c.same_cloth);
 }
 

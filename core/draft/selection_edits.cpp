@@ -135,7 +135,7 @@ Design with_shifted(Design design, const Selection& selection, int da, int db, b
   if (s.empty()) return design;
   int& along_threads = s.grid == BitGrid::kThreading ? da : db;
   if (holds_whole_threads(design.draft, s))
-    design = with_turned_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_properties);
+    design = with_rotated_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_properties);
   if (da == 0 && db == 0) return design;
   return turned(std::move(design), s, [da, db](const BitMatrix& cells) { return shifted(cells, da, db); });
 }

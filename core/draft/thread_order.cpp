@@ -43,7 +43,7 @@ void put_in_order(Threads& t, std::span<const ThreadSource> order) {
   put_in_order(t.yarn, order);
 }
 
-/// As they stand; beyond the last one, more of its kind.
+/// Each thread keeps its own properties; threads beyond the last have those of the last.
 Order properties_in_place(int old_count, size_t count) {
   Order order(count);
   for (size_t i = 0; i < count; ++i) order[i].thread = std::min(static_cast<int>(i), old_count - 1);
@@ -57,7 +57,7 @@ bool is_possible(const Draft& d, System system, std::span<const ThreadSource> or
          static_cast<int64_t>(order.size()) * others <= kMaxCells && std::ranges::all_of(order, is_there);
 }
 
-/// Thread i of the new order is thread first + source(i - first) for every i in reach.
+/// Thread i of the new order is thread first + source(i - first), for every i within the extent.
 template <class Source>
 Order over_extent(const ThreadRange& r, int count, RepeatExtent extent, Source source) {
   Order order = same_order(count);
@@ -66,7 +66,8 @@ Order over_extent(const ThreadRange& r, int count, RepeatExtent extent, Source s
   return order;
 }
 
-void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
+/// Writes row r of `from`, rotated by `step` columns, into `row`.
+void rotate_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
   std::ranges::fill(row, 0);
   const int n = from.cols();
   for (int c = 0; c < n; ++c)
@@ -76,7 +77,7 @@ void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
     }
 }
 
-/// What moves on when a draft advances: shafts of the threading, treadles, or shafts of the liftplan.
+/// The grid of an advancing repeat: threading, treadling or liftplan.
 BitMatrix& advancing_grid(Draft& d, System system) {
   if (system == System::kWarp) return d.threading;
   return d.shed_control == ShedControl::kLiftplan ? d.liftplan : d.treadling;
@@ -136,7 +137,7 @@ Design with_reversed_threads(Design design, const ThreadRange& range, bool with_
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_turned_threads(Design design, const ThreadRange& range, int steps, bool with_properties) {
+Design with_rotated_threads(Design design, const ThreadRange& range, int steps, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
@@ -173,7 +174,8 @@ Design with_advancing_repeat(Design design, const ThreadRange& range, int step, 
   const int columns = grid.cols();
   for (int i = r.end; i < grid.rows(); ++i) {
     const int64_t repeat = (i - r.first) / r.count();
-    turn_row(grid.row(i), grid, r.first + (i - r.first) % r.count(), wrapped(repeat * wrapped(step, columns), columns));
+    rotate_row(grid.row(i), grid, r.first + (i - r.first) % r.count(),
+               wrapped(repeat * wrapped(step, columns), columns));
   }
   return design;
 }

@@ -124,7 +124,7 @@ TEST(ThreadOrder, WhatCannotBeChangesNothing) {
     EXPECT_EQ(with_repeated_threads(d, r, RepeatExtent::kAll), d);
     EXPECT_EQ(with_point_repeat(d, r, RepeatExtent::kAll), d);
     EXPECT_EQ(with_advancing_repeat(d, r, 1), d);
-    EXPECT_EQ(with_turned_threads(d, r, 1), d);
+    EXPECT_EQ(with_rotated_threads(d, r, 1), d);
   }
   Design wide;
   wide.draft = blank_draft(30000, 70000, 1, 1);

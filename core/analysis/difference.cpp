@@ -4,7 +4,15 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/text.h"
+
 namespace weftlight::analysis {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
 std::string number(double value) {
@@ -29,7 +37,7 @@ struct Comparer {
       if (!same(i)) differ.push_back(i);
     if (!differ.empty()) out.push_back({what, {}, {}, std::move(differ)});
   }
-  // Rows that both have; columns beyond one of the two count when they are marked.
+  // The rows that both have. A column that only one has counts where it is marked.
   void rows(const char* what, const BitMatrix& x, const BitMatrix& y) const {
     threads(what, std::min(x.rows(), y.rows()), [&](int r) {
       const auto s = x.row(r), t = y.row(r);
@@ -45,16 +53,16 @@ void compare_threads(const Comparer& c, System system) {
   const Threads &x = c.a.draft.threads(system), &y = c.b.draft.threads(system);
   const int n = std::min(x.size(), y.size());
   const auto at = [](const auto& table, int i) { return table[static_cast<size_t>(i)]; };
-  c.threads(warp ? "warp colours" : "weft colours", n, [&](int i) {
+  c.threads(warp ? mark("warp colours") : mark("weft colours"), n, [&](int i) {
     return c.a.draft.palette[static_cast<size_t>(at(x.color, i))] ==
            c.b.draft.palette[static_cast<size_t>(at(y.color, i))];
   });
-  c.threads(warp ? "warp yarns" : "weft yarns", n, [&](int i) {
+  c.threads(warp ? mark("warp yarns") : mark("weft yarns"), n, [&](int i) {
     return c.a.yarns[static_cast<size_t>(at(x.yarn, i))] == c.b.yarns[static_cast<size_t>(at(y.yarn, i))];
   });
-  c.threads(warp ? "warp spacing" : "weft spacing", n,
+  c.threads(warp ? mark("warp spacing") : mark("weft spacing"), n,
             [&](int i) { return at(x.spacing_mm, i) == at(y.spacing_mm, i); });
-  c.threads(warp ? "warp thickness" : "weft thickness", n,
+  c.threads(warp ? mark("warp thickness") : mark("weft thickness"), n,
             [&](int i) { return at(x.thickness_mm, i) == at(y.thickness_mm, i); });
 }
 
@@ -64,18 +72,18 @@ void include(CellRect& rect, int end, int pick) {
           std::max(rect.pick1, pick + 1)};
 }
 
-/// Neighbours that are not empty become one.
-void add_runs(std::vector<CellRect>& places, const std::vector<CellRect>& threads) {
+/// Adds the rectangles of the threads, neighbours joined into one.
+void add_runs(std::vector<CellRect>& regions, const std::vector<CellRect>& threads) {
   CellRect now;
   for (const CellRect& thread : threads) {
     if (thread.empty()) {
-      if (!now.empty()) places.push_back(std::exchange(now, {}));
+      if (!now.empty()) regions.push_back(std::exchange(now, {}));
       continue;
     }
     include(now, thread.end0, thread.pick0);
     include(now, thread.end1 - 1, thread.pick1 - 1);
   }
-  if (!now.empty()) places.push_back(now);
+  if (!now.empty()) regions.push_back(now);
 }
 
 void compare_cloth(Comparison& out, const BitMatrix& x, const BitMatrix& y) {
@@ -92,29 +100,30 @@ Comparison compare(const Design& a, const Design& b) {
   Comparison out;
   const Comparer c{a, b, out.differences};
   const Draft &x = a.draft, &y = b.draft;
-  c.text("title", a.title, b.title);
-  c.text("author", a.author, b.author);
-  if (a.notes != b.notes) out.differences.push_back({"notes", {}, {}, {}});
-  c.count("ends", x.ends(), y.ends());
-  c.count("picks", x.picks(), y.picks());
-  c.count("shafts", x.shafts, y.shafts);
-  c.count("treadles", x.treadles, y.treadles);
-  const auto shed = [](const Draft& d) { return std::string(d.rising ? "rising" : "sinking"); };
-  c.text("shed", shed(x), shed(y));
-  const auto drive = [](const Draft& d) {
-    return std::string(d.drive == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
+  c.text(mark("title"), a.title, b.title);
+  c.text(mark("author"), a.author, b.author);
+  if (a.notes != b.notes) out.differences.push_back({mark("notes"), {}, {}, {}});
+  c.count(mark("ends"), x.ends(), y.ends());
+  c.count(mark("picks"), x.picks(), y.picks());
+  c.count(mark("shafts"), x.shafts, y.shafts);
+  c.count(mark("treadles"), x.treadles, y.treadles);
+  const auto shed = [](const Draft& d) { return std::string(d.rising ? tr("rising") : tr("sinking")); };
+  c.text(mark("shed"), shed(x), shed(y));
+  const auto shed_control = [](const Draft& d) {
+    return std::string(d.shed_control == ShedControl::kLiftplan ? tr("liftplan") : tr("tie-up and treadling"));
   };
-  c.text("driven by", drive(x), drive(y));
-  c.rows("threading", x.threading, y.threading);
-  if (x.drive == ShedControl::kTreadling && y.drive == ShedControl::kTreadling) {
-    c.rows("tie-up", x.tieup, y.tieup);
-    c.rows("treadling", x.treadling, y.treadling);
+  c.text(mark("shed control"), shed_control(x), shed_control(y));
+  c.rows(mark("threading"), x.threading, y.threading);
+  if (x.shed_control == ShedControl::kTreadling && y.shed_control == ShedControl::kTreadling) {
+    c.rows(mark("tie-up"), x.tieup, y.tieup);
+    c.rows(mark("treadling"), x.treadling, y.treadling);
   }
-  c.rows("lifts", lifts(x), lifts(y));
+  c.rows(mark("lifts"), lifts(x), lifts(y));
   compare_threads(c, System::kWarp);
   compare_threads(c, System::kWeft);
-  c.text("tolerance", number(static_cast<double>(a.look.tolerance)), number(static_cast<double>(b.look.tolerance)));
-  c.text("mesh", a.scene.mesh, b.scene.mesh);
+  c.text(mark("tolerance"), number(static_cast<double>(a.look.tolerance)),
+         number(static_cast<double>(b.look.tolerance)));
+  c.text(mark("mesh"), a.scene.mesh, b.scene.mesh);
   compare_cloth(out, drawdown(x), drawdown(y));
   return out;
 }
@@ -131,7 +140,7 @@ BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y) {
   return out;
 }
 
-std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most) {
+std::vector<CellRect> differing_regions(const BitMatrix& differing, size_t most) {
   std::vector<int> of_end(static_cast<size_t>(differing.cols())), of_pick;
   for (int p = 0; p < differing.rows(); ++p) {
     of_pick.push_back(differing.count(p));
@@ -143,24 +152,23 @@ std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most) 
       const bool by_end = of_end[static_cast<size_t>(end)] > of_pick[static_cast<size_t>(p)];
       include(by_end ? ends[static_cast<size_t>(end)] : picks[static_cast<size_t>(p)], end, p);
     });
-  std::vector<CellRect> places;
-  add_runs(places, ends);
-  add_runs(places, picks);
-  if (places.size() > most) places.resize(most);
-  return places;
+  std::vector<CellRect> regions;
+  add_runs(regions, ends);
+  add_runs(regions, picks);
+  if (regions.size() > most) regions.resize(most);
+  return regions;
 }
 
-std::string place_text(const CellRect& at) {
-  const auto span = [](const char* one, int first, int end) {
-    return end - first == 1
-               ? std::string(one) + " " + std::to_string(first + 1)
-               : std::string(one) + "s " + std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(end);
+std::string region_text(const CellRect& region) {
+  const auto span = [](const char* one, const char* many, int first, int end) {
+    return fill(end - first == 1 ? one : many, arg("first", first + 1), arg("last", end));
   };
-  const std::string ends = span("end", at.end0, at.end1), picks = span("pick", at.pick0, at.pick1);
-  return at.end1 - at.end0 <= at.pick1 - at.pick0 ? ends + ", " + picks : picks + ", " + ends;
+  const std::string ends = span(tr("end {first}"), tr("ends {first}\xE2\x80\x93{last}"), region.end0, region.end1);
+  const std::string picks = span(tr("pick {first}"), tr("picks {first}\xE2\x80\x93{last}"), region.pick0, region.pick1);
+  return region.end1 - region.end0 <= region.pick1 - region.pick0 ? ends + ", " + picks : picks + ", " + ends;
 }
 
-std::string listed(const std::vector<int>& threads) {
+std::string thread_list(const std::vector<int>& threads) {
   std::string text;
   for (size_t i = 0; i < threads.size();) {
     size_t last = i;

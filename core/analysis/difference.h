@@ -1,5 +1,5 @@
 #pragma once
-// What differs between two drafts, for people and for scripts.
+// The differences of two drafts, for users and for scripts.
 
 #include <string>
 #include <vector>
@@ -11,28 +11,28 @@
 namespace weftlight::analysis {
 
 struct Difference {
-  std::string what;          // "threading", "tie-up", "warp colours", "title", ...
-  std::string a, b;          // as each says it, where that is short
-  std::vector<int> threads;  // 0-based ends, treadles or picks that differ, where they are counted
+  std::string what;          // English: "threading", "tie-up", "warp colours", "title" ...; show tr(what)
+  std::string a, b;          // the two values, where they are short; in the user's language
+  std::vector<int> threads;  // 0-based ends, treadles or picks that differ
 };
 
 struct Comparison {
   std::vector<Difference> differences;  // empty: the designs are the same
-  bool same_cloth = false;              // drawdowns of the same size and the same in every crossing
-  int64_t crossings = 0;                // that differ, in the part both have
-  CellRect where;                       // holds them all
+  bool same_cloth = false;              // the drawdowns are equal
+  int64_t crossings = 0;                // that differ, among those that both have
+  CellRect where;                       // bounding box of those crossings
 };
 Comparison compare(const Design& a, const Design& b);
 
-/// picks x ends of `x`: crossings that are others in `y`; what only one of them has is none.
+/// picks x ends of `x`: the crossings that differ in `y`. A crossing that only one of them has does not count.
 BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y);
-/// Where those are: runs of neighbouring ends, then of picks, each crossing with the thread of which more differ; at
-/// most `most` of them.
-std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most);
+/// Rectangles around them, at most `most`: runs of neighbouring ends, then of picks. Each crossing belongs to that of
+/// its two threads on which more crossings differ.
+std::vector<CellRect> differing_regions(const BitMatrix& differing, size_t most);
 
-/// "end 3, picks 5-8": the shorter side first.
-std::string place_text(const CellRect& place);
-/// "1-4, 7, 9-12" of 0-based threads, counted from 1.
-std::string listed(const std::vector<int>& threads);
+/// "end 3, picks 5-8": the system with fewer threads first.
+std::string region_text(const CellRect& region);
+/// "1-4, 7, 9-12", counted from 1; `threads` are 0-based.
+std::string thread_list(const std::vector<int>& threads);
 
 }  // namespace weftlight::analysis

@@ -1,7 +1,7 @@
 // Longest run of ones down the columns: P_k has a one where k ones follow one another, so
-// P_(k+j)[r] = P_k[r] & P_k[r + j] for j <= k. Doubling k until nothing is left, then halving the step,
-// finds the longest in log2(run) passes over whole words, however the floats lie. The same doubling with OR
-// spreads the beginnings of long runs over their whole length.
+// P_(k+j)[r] = P_k[r] & P_k[r + j] for j <= k. Doubling k until no bit is left, then halving the step, finds the
+// longest run in log2(run) passes over whole words. The same doubling with OR extends the first cells of long runs
+// over their whole length.
 
 #include "analysis/floats.h"
 
@@ -22,7 +22,7 @@ bool any(const BitMatrix& m) {
 }
 
 // m[r] & m[r + step], rows cyclic.
-BitMatrix joined(const BitMatrix& m, int step) {
+BitMatrix and_shifted(const BitMatrix& m, int step) {
   BitMatrix out = BitMatrix::unset(m.rows(), m.cols());
   for (int r = 0; r < m.rows(); ++r) {
     const auto a = m.row(r), b = m.row((r + step) % m.rows());
@@ -33,7 +33,7 @@ BitMatrix joined(const BitMatrix& m, int step) {
 }
 
 // m[r] | m[r - step], rows cyclic.
-BitMatrix spread(const BitMatrix& m, int step) {
+BitMatrix or_shifted(const BitMatrix& m, int step) {
   BitMatrix out = BitMatrix::unset(m.rows(), m.cols());
   for (int r = 0; r < m.rows(); ++r) {
     const auto a = m.row(r), b = m.row((r + m.rows() - step) % m.rows());
@@ -48,14 +48,14 @@ int longest_run_down(BitMatrix m) {
   int run = 1;
   while (run < m.rows()) {
     const int step = std::min(run, m.rows() - run);
-    BitMatrix next = joined(m, step);
+    BitMatrix next = and_shifted(m, step);
     if (!any(next)) break;
     m = std::move(next);
     run += step;
   }
   for (int step = run; step > 0; step /= 2) {
     if (run + step > m.rows()) continue;
-    BitMatrix next = joined(m, step);
+    BitMatrix next = and_shifted(m, step);
     if (!any(next)) continue;
     m = std::move(next);
     run += step;
@@ -64,24 +64,24 @@ int longest_run_down(BitMatrix m) {
 }
 
 // Where `run` ones follow one another downwards, 1 <= run <= rows.
-BitMatrix beginnings_of_runs(BitMatrix m, int run) {
-  for (int have = 1; have < run;) {
-    const int step = std::min(have, run - have);
-    m = joined(m, step);
-    have += step;
+BitMatrix starts_of_runs(BitMatrix m, int run) {
+  for (int length = 1; length < run;) {
+    const int step = std::min(length, run - length);
+    m = and_shifted(m, step);
+    length += step;
   }
   return m;
 }
 
-// Every cell of the runs that are longer than `limit`; empty when there are none.
+// Every cell of the runs that are longer than `limit`.
 BitMatrix cells_of_long_runs(const BitMatrix& m, int limit) {
   const int run = std::max(limit, 0) + 1;
   if (run > m.rows()) return BitMatrix(m.rows(), m.cols());
-  BitMatrix cells = beginnings_of_runs(m, run);
-  for (int have = 1; have < run;) {
-    const int step = std::min(have, run - have);
-    cells = spread(cells, step);
-    have += step;
+  BitMatrix cells = starts_of_runs(m, run);
+  for (int length = 1; length < run;) {
+    const int step = std::min(length, run - length);
+    cells = or_shifted(cells, step);
+    length += step;
   }
   return cells;
 }
@@ -91,7 +91,7 @@ void or_into(BitMatrix& to, const BitMatrix& from) {
     for (size_t w = 0; w < to.row(r).size(); ++w) to.row(r)[w] |= from.row(r)[w];
 }
 
-// Bits a (of `threads`, a row a thread) where a run begins: it is set and the one before it is not.
+// Calls visit(thread, first, length) for each run of set bits; a row is a thread, and runs continue over the edge.
 template <class Visit>
 void for_each_run(const BitMatrix& threads, Visit visit) {
   const int n = threads.cols();
@@ -115,11 +115,11 @@ void for_each_run(const BitMatrix& threads, Visit visit) {
   }
 }
 
-// The longest of all that are met, and how many there were.
-struct Longest {
+// Counts the floats and keeps the `most` longest.
+struct LongestList {
   size_t most;
   LongFloats out = {};
-  int least = 0;  // what is no longer than this has no place any more
+  int least = 0;  // floats of this length or less are not kept any more
 
   void add(const Float& f) {
     ++out.count;
@@ -136,7 +136,7 @@ struct Longest {
 };
 
 // Runs of `down` (columns are threads of `system`) longer than the limit.
-void list_runs(const BitMatrix& down, System system, Face face, int limit, Longest& longest) {
+void list_runs(const BitMatrix& down, System system, Face face, int limit, LongestList& longest) {
   const BitMatrix long_cells = cells_of_long_runs(down, limit);
   if (!any(long_cells)) return;
   for_each_run(transposed(long_cells), [&](int thread, int first, int length) {
@@ -154,7 +154,7 @@ BitMatrix part_of(const BitMatrix& m, int row0, int rows, int word0, int words) 
 }  // namespace
 
 LongestFloats longest_floats(const BitMatrix& cells) {
-  constexpr int kStripWords = 64;  // strips one after another: a large drawdown is not copied whole
+  constexpr int kStripWords = 64;  // in strips, so that a large drawdown is not copied whole
   LongestFloats longest;
   for (int word0 = 0; word0 < cells.words(); word0 += kStripWords) {
     const BitMatrix strip = part_of(cells, 0, cells.rows(), word0, std::min(kStripWords, cells.words() - word0));
@@ -171,7 +171,7 @@ LongestFloats longest_floats(const BitMatrix& cells) {
 }
 
 LongFloats long_floats(const BitMatrix& cells, int limit, int most) {
-  Longest longest{static_cast<size_t>(std::max(most, 0))};
+  LongestList longest{static_cast<size_t>(std::max(most, 0))};
   const BitMatrix turned = transposed(cells);
   list_runs(cells, System::kWarp, Face::kFront, limit, longest);
   list_runs(complement(cells), System::kWarp, Face::kBack, limit, longest);

@@ -1,5 +1,5 @@
 #pragma once
-// Floats of a drawdown that repeats in both directions, so that a float may run over the edge.
+// Floats of a drawdown. The drawdown repeats in both directions, so that a float may continue over the edge.
 
 #include <vector>
 
@@ -14,7 +14,7 @@ struct LongestFloats {
 };
 LongestFloats longest_floats(const BitMatrix& cells);
 
-/// A thread that lies free over `length` crossing threads from `first` on, round the edge if need be.
+/// `thread` passes over `length` crossing threads from `first` on, cyclically.
 struct Float {
   System system = System::kWarp;
   Face face = Face::kFront;
@@ -25,12 +25,12 @@ struct Float {
 /// Floats of more than `limit` threads.
 struct LongFloats {
   int64_t count = 0;
-  std::vector<Float> listed;  // the longest first; of equals warp before weft, front before back, by thread
+  std::vector<Float> listed;  // longest first; floats of one length: warp before weft, front before back, by thread
 };
 /// Lists at most `most` of them.
 LongFloats long_floats(const BitMatrix& cells, int limit, int most = 10000);
 
-/// picks x ends: the crossings that lie in a float of more than `limit` threads of either system, on one face.
+/// picks x ends: the crossings in a float of more than `limit` threads, of either system, on one face.
 BitMatrix crossings_in_floats(const BitMatrix& cells, int limit, Face face);
 
 }  // namespace weftlight::analysis

@@ -16,12 +16,12 @@ std::vector<int> marks_of_columns(const BitMatrix& m) {
   return marks;
 }
 
-// Changes of face between each row and the next, rows cyclic, as a share of the crossings.
-double turns_down(const BitMatrix& m) {
-  int64_t turns = 0;
-  for (int r = 0; r < m.rows(); ++r) turns += differences(m.row(r), m.row((r + 1) % m.rows()));
+// Changes of face between each row and the next (cyclic), per crossing.
+double interlacings_down(const BitMatrix& m) {
+  int64_t changes = 0;
+  for (int r = 0; r < m.rows(); ++r) changes += differences(m.row(r), m.row((r + 1) % m.rows()));
   const double crossings = static_cast<double>(m.rows()) * m.cols();
-  return crossings > 0 ? static_cast<double>(turns) / crossings : 0;
+  return crossings > 0 ? static_cast<double>(changes) / crossings : 0;
 }
 
 double width_mm(const Design& design, const Threads& threads, int thread) {
@@ -38,36 +38,36 @@ double total_mm(const Design& design, const Threads& threads) {
   return sum;
 }
 
-double uneven_section(double mm, double shrinkage) { return mm / (1 - std::clamp(shrinkage, 0.0, 0.9)); }
+double before_shrinkage_mm(double mm, double shrinkage) { return mm / (1 - std::clamp(shrinkage, 0.0, 0.9)); }
 
 struct Sums {
   int64_t threads = 0;
-  double weight_share = 0;  // sum of (thickness / yarn's)^2, for threads that the draft makes thicker
+  double relative_weight = 0;  // sum of (thickness of the thread / of its yarn)^2
 };
 
-// Adds the needs of one system: each of `times` repeats of the threads is `length_mm` long.
+// Adds the yarn of one system: `times` repeats of its threads, each thread `length_mm` long.
 void add_needs(const Design& design, const ClothPlan& plan, System system, double times, double length_mm,
                YarnReport& out) {
   const Threads& threads = design.draft.threads(system);
-  std::map<std::pair<int, int>, Sums> kinds;
+  std::map<std::pair<int, int>, Sums> by_yarn_and_color;
   for (int i = 0; i < threads.size(); ++i) {
     const auto t = static_cast<size_t>(i);
-    Sums& kind = kinds[{threads.yarn[t], threads.color[t]}];
+    Sums& sums = by_yarn_and_color[{threads.yarn[t], threads.color[t]}];
     const double own = static_cast<double>(threads.thickness_mm[t]);
-    const double usual = static_cast<double>(design.yarns[static_cast<size_t>(threads.yarn[t])].diameter_mm);
-    const double ratio = own >= 0 && usual > 0 ? own / usual : 1;
-    ++kind.threads;
-    kind.weight_share += ratio * ratio;
+    const double yarn_mm = static_cast<double>(design.yarns[static_cast<size_t>(threads.yarn[t])].diameter_mm);
+    const double ratio = own >= 0 && yarn_mm > 0 ? own / yarn_mm : 1;
+    ++sums.threads;
+    sums.relative_weight += ratio * ratio;
   }
   const size_t begin = out.needs.size();
-  for (const auto& [key, kind] : kinds) {
+  for (const auto& [key, sums] : by_yarn_and_color) {
     const auto yarn = static_cast<size_t>(key.first);
     const double per_kg = yarn < plan.price_per_kg.size() ? plan.price_per_kg[yarn] : -1;
     const double tex = static_cast<double>(tex_of(design.yarns[yarn]));
     const double each_m = length_mm / 1000 * times * (1 + std::max(plan.spare, 0.0));
-    YarnNeed need{system, key.first, key.second, std::llround(static_cast<double>(kind.threads) * times), 0, 0, -1};
-    need.length_m = each_m * static_cast<double>(kind.threads);
-    need.weight_g = each_m * kind.weight_share * tex / 1000;
+    YarnNeed need{system, key.first, key.second, std::llround(static_cast<double>(sums.threads) * times), 0, 0, -1};
+    need.length_m = each_m * static_cast<double>(sums.threads);
+    need.weight_g = each_m * sums.relative_weight * tex / 1000;
     if (per_kg >= 0) need.cost = need.weight_g / 1000 * per_kg;
     out.needs.push_back(need);
   }
@@ -88,13 +88,16 @@ LoomUse loom_use(const Draft& draft) {
     use.ends_in_several += heddles > 1;
   }
   for (int p = 0; p < draft.picks(); ++p) use.empty_picks += named.first(p) < 0;
-  if (draft.drive != ShedControl::kTreadling) return use;
-  use.treads = marks_of_columns(draft.treadling);
-  for (int p = 0; p < draft.picks(); ++p) use.most_feet = std::max(use.most_feet, draft.treadling.count(p));
+  if (draft.shed_control != ShedControl::kTreadling) return use;
+  use.treadle_uses = marks_of_columns(draft.treadling);
+  for (int p = 0; p < draft.picks(); ++p)
+    use.most_treadles_per_pick = std::max(use.most_treadles_per_pick, draft.treadling.count(p));
   return use;
 }
 
-Interlacing interlacing(const BitMatrix& cells) { return {turns_down(cells), turns_down(transposed(cells))}; }
+Interlacing interlacing(const BitMatrix& cells) {
+  return {interlacings_down(cells), interlacings_down(transposed(cells))};
+}
 
 double wraps_per_cm(float diameter_mm) { return diameter_mm > 0 ? 10.0 / static_cast<double>(diameter_mm) : 0; }
 
@@ -112,8 +115,8 @@ YarnReport yarn_report(const Design& design, const ClothPlan& plan) {
   out.picks = std::llround(d.picks() * along);
   out.ends_per_cm = d.ends() / draft_width * 10;
   out.picks_per_cm = d.picks() / draft_length * 10;
-  out.loom_width_mm = uneven_section(width, plan.weft_shrinkage);
-  const double woven_warp = uneven_section(length, plan.warp_shrinkage) * (1 + std::max(plan.warp_take_up, 0.0));
+  out.loom_width_mm = before_shrinkage_mm(width, plan.weft_shrinkage);
+  const double woven_warp = before_shrinkage_mm(length, plan.warp_shrinkage) * (1 + std::max(plan.warp_take_up, 0.0));
   out.warp_length_mm = woven_warp + std::max(plan.loom_waste_mm, 0.0);
   const double pick_mm = out.loom_width_mm * (1 + std::max(plan.weft_take_up, 0.0));
   add_needs(design, plan, System::kWarp, across, out.warp_length_mm, out);
@@ -123,8 +126,8 @@ YarnReport yarn_report(const Design& design, const ClothPlan& plan) {
   for (const YarnNeed& need : out.needs) {
     (need.system == System::kWarp ? out.warp_m : out.weft_m) += need.length_m;
     out.weight_g += need.weight_g;
-    const double share = need.system == System::kWarp ? woven_warp / out.warp_length_mm : 1;
-    woven_g += need.weight_g * share / (1 + std::max(plan.spare, 0.0));
+    const double fraction = need.system == System::kWarp ? woven_warp / out.warp_length_mm : 1;
+    woven_g += need.weight_g * fraction / (1 + std::max(plan.spare, 0.0));
     out.cost = need.cost < 0 || out.cost < 0 ? -1 : out.cost + need.cost;
   }
   out.g_per_m2 = woven_g / (width * length / 1e6);

@@ -1,5 +1,5 @@
 #pragma once
-// What a loom and a warping board need: heddles, use of shafts and treadles, sett, and yarn by the metre.
+// What the weaver prepares: heddles, use of shafts and treadles, sett, yarn lengths.
 
 #include <array>
 #include <string>
@@ -12,46 +12,46 @@ namespace weftlight::analysis {
 
 /// Heddles on each shaft, ends on none, and how often each shaft and treadle is used.
 struct LoomUse {
-  std::vector<int> heddles;  // a shaft
-  std::vector<int> lifts;    // picks that name it, a shaft
-  std::vector<int> treads;   // picks that use it, a treadle; empty for a liftplan
+  std::vector<int> heddles;       // per shaft
+  std::vector<int> lifts;         // picks that name it, per shaft
+  std::vector<int> treadle_uses;  // picks that use it, per treadle; empty for a liftplan
   int unthreaded_ends = 0, ends_in_several = 0;
-  int empty_picks = 0;  // picks that name no shaft
-  int most_feet = 0;    // treadles of a pick at the most
+  int empty_picks = 0;             // picks that lift no shaft
+  int most_treadles_per_pick = 0;  // largest number of treadles in one pick
 };
 LoomUse loom_use(const Draft& draft);
 
-/// Interlacings a crossing: the share (0..1) of neighbouring crossings along a thread where it changes faces.
+/// Interlacings per crossing: fraction (0..1) of neighbouring crossings along a thread between which it changes face.
 /// 1 for plain weave, 1/2 for 2/2 twill.
 struct Interlacing {
   double warp = 0, weft = 0;
 };
 Interlacing interlacing(const BitMatrix& cells);
 
-/// Threads per cm side by side without pressure: 10 / diameter.
+/// Threads per cm side by side without pressure (wraps): 10 / diameter.
 double wraps_per_cm(float diameter_mm);
 /// Threads per cm of the loom for a firm cloth. Based on: T. R. Ashenhurst, A Treatise on Textile Calculations and
 /// the Structure of Fabrics, 1884: a repeat of T threads with i interlacings has room for wraps T / (T + i).
 double sett_per_cm(double wraps_per_cm, double interlacing);
 
-/// How a cloth is planned. Lengths in mm; shares 0..1 (0.1: a tenth).
+/// How a cloth is planned. Lengths in mm; take-up, shrinkage and spare are fractions (0.1: 10 %).
 struct ClothPlan {
-  double length_mm = 0, width_mm = 0;  // finished; 0: as the draft is long and wide
-  double loom_waste_mm = 600;          // warp that stays on the loom
+  double length_mm = 0, width_mm = 0;  // of the finished cloth; 0: the size of the draft
+  double loom_waste_mm = 600;          // loom waste (thrums)
   double warp_take_up = 0.08, weft_take_up = 0.06;
-  double warp_shrinkage = 0.08, weft_shrinkage = 0.08;  // in the wash
-  double spare = 0.05;                                  // yarn that is lost in winding and shuttles
-  std::vector<double> price_per_kg;                     // by yarn; may be shorter; negative: not known
+  double warp_shrinkage = 0.08, weft_shrinkage = 0.08;  // in finishing
+  double spare = 0.05;                                  // yarn lost in winding and in shuttles
+  std::vector<double> price_per_kg;                     // by yarn; missing or negative: unknown
   bool operator==(const ClothPlan&) const = default;
 };
 
-/// Yarn of one kind and colour in one system.
+/// One yarn in one colour in one system.
 struct YarnNeed {
   System system = System::kWarp;
   int yarn = 0, color = 0;
   int64_t threads = 0;
   double length_m = 0, weight_g = 0;
-  double cost = -1;  // negative: not known
+  double cost = -1;  // negative: unknown
 };
 
 struct YarnReport {
@@ -59,9 +59,9 @@ struct YarnReport {
   int64_t ends = 0, picks = 0;  // of the whole cloth
   double loom_width_mm = 0, warp_length_mm = 0;
   double warp_m = 0, weft_m = 0, weight_g = 0;
-  double cost = -1;  // negative: the price of some yarn is not known
+  double cost = -1;  // negative: a price is unknown
   double ends_per_cm = 0, picks_per_cm = 0;
-  double g_per_m2 = 0;  // of the finished cloth, waste not counted
+  double g_per_m2 = 0;  // of the finished cloth, without waste
 };
 YarnReport yarn_report(const Design& design, const ClothPlan& plan);
 

@@ -1,12 +1,12 @@
-// Which threads can be lifted off the rest.
+// Finds the threads that can be lifted off the rest.
 //
-// A set of p ends and q picks lies on top of the rest when each of its ends is over each pick outside it, and
-// each of its picks over each end outside. Whoever is over at the p q crossings within, the set then counts
-// p (P - q) + q (E - p) + p q crossings at which it is over: the most it can. So only the p ends and q picks
-// that are over most often need be tried, and for each p the q that leaves the least wanting.
+// A set of p ends and q picks lies on top of the rest if each of its ends is over each pick outside the set, and each
+// of its picks over each end outside. Whichever thread is over at the p q crossings within, the set is then over at
+// p (P - q) + q (E - p) + p q crossings, the maximum. So only the p ends and the q picks that are over most often need
+// be tried, and for each p the q with the smallest deficit.
 // Based on: C. R. J. Clapham, When a fabric hangs together, 1980; T. C. Enns, An efficient algorithm
 // determining when a fabric hangs together, 1984.
-// Differs: all cuts are listed, not the first found, so that every layer is named.
+// Differs: all cuts are listed, not only the first, so that every layer is found.
 
 #include "analysis/weave_layers.h"
 
@@ -38,24 +38,24 @@ Ranked rank(const BitMatrix& threads, bool ones) {
 }
 
 struct Cut {
-  int ends = 0, picks = 0;  // how many lie above it
+  int ends = 0, picks = 0;  // numbers of threads above it
 };
 
 std::vector<Cut> cuts(const Ranked& ends, const Ranked& picks) {
   std::vector<Cut> found;
-  int64_t wanting_ends = 0;  // crossings with picks at which the ends above are under
-  int64_t wanting_picks = 0;
+  int64_t deficit_ends = 0;  // crossings at which an end above the cut is under
+  int64_t deficit_picks = 0;
   int q = 0;
   for (int p = 0; p <= ends.size(); ++p) {
-    if (p > 0) wanting_ends += picks.size() - ends.over[p - 1];
-    // The q picks above are under E - over of the ends each; the p q crossings within are under for one of
-    // the two, so the set is on top when what is wanting is exactly p q.
+    if (p > 0) deficit_ends += picks.size() - ends.over[p - 1];
+    // Each pick above the cut is under E - over ends. At each of the p q crossings within, one of the two threads
+    // is under, so the set is on top if the deficit is exactly p q.
     while (q < picks.size() && ends.size() - picks.over[q] < p) {
-      wanting_picks += ends.size() - picks.over[q++];
+      deficit_picks += ends.size() - picks.over[q++];
     }
-    if (wanting_ends + wanting_picks != int64_t{p} * q) continue;
+    if (deficit_ends + deficit_picks != int64_t{p} * q) continue;
     found.push_back({p, q});
-    // A pick under exactly the ends above may lie on either side of the cut.
+    // A pick that is under exactly the ends above may lie on either side of the cut.
     for (int tied = q; tied < picks.size() && ends.size() - picks.over[tied] == p; ++tied) {
       found.push_back({p, tied + 1});
     }
@@ -65,14 +65,14 @@ std::vector<Cut> cuts(const Ranked& ends, const Ranked& picks) {
 
 }  // namespace
 
-std::vector<Layer> layers(const BitMatrix& cells) {
+std::vector<WeaveLayer> weave_layers(const BitMatrix& cells) {
   const Ranked ends = rank(transposed(cells), true), picks = rank(cells, false);
-  std::vector<Layer> out;
+  std::vector<WeaveLayer> out;
   Cut above;
   for (const Cut cut : cuts(ends, picks)) {
     if (cut.ends == above.ends && cut.picks == above.picks) continue;
-    Layer layer{{ends.order.begin() + above.ends, ends.order.begin() + cut.ends},
-                {picks.order.begin() + above.picks, picks.order.begin() + cut.picks}};
+    WeaveLayer layer{{ends.order.begin() + above.ends, ends.order.begin() + cut.ends},
+                     {picks.order.begin() + above.picks, picks.order.begin() + cut.picks}};
     std::ranges::sort(layer.ends);
     std::ranges::sort(layer.picks);
     out.push_back(std::move(layer));

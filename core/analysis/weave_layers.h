@@ -1,5 +1,5 @@
 #pragma once
-// Does the cloth hang together, or does it come apart into layers (double cloth) and loose threads?
+// Whether the cloth is connected, or falls apart into separate layers (double cloth) and loose threads.
 
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace weftlight::analysis {
 
-/// Threads that cannot be parted without cutting. One end alone or one pick alone is a loose thread.
-struct Layer {
+/// Threads that cannot be separated without cutting. A layer of ends only or of picks only is a loose thread.
+struct WeaveLayer {
   std::vector<int> ends, picks;
   bool loose() const { return ends.empty() || picks.empty(); }
-  bool operator==(const Layer&) const = default;
+  bool operator==(const WeaveLayer&) const = default;
 };
 
 /// The layers of a drawdown that repeats in both directions, front to back.
-std::vector<Layer> layers(const BitMatrix& cells);
+std::vector<WeaveLayer> weave_layers(const BitMatrix& cells);
 
 }  // namespace weftlight::analysis

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "base/mark.h"
 #include "platform/language.h"
 
 namespace weftlight::base {
@@ -24,8 +25,6 @@ inline const char* tr(const char* text) { return platform::translated(text); }
 inline const char* tr_in(const char* context, const char* text) { return platform::translated(context, text); }
 /// By the plural rule of the language; `many` is the English plural. Counts below 0 read as their size.
 const char* tr_n(const char* one, const char* many, long long count);
-/// Only tells the catalogue of a text that is looked up later.
-constexpr const char* mark(const char* text) { return text; }
 
 std::string filled(const char* pattern, fmt::format_args values);
 /// The pattern with its {names} replaced by the values (fmt's syntax). A pattern that does not fit its values, as a

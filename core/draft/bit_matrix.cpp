@@ -46,7 +46,7 @@ int64_t BitMatrix::count() const {
 
 namespace {
 
-// Each word is folded in by the finaliser of MurmurHash3 (Austin Appleby, 2011).
+// Combines the words with the finaliser of MurmurHash3 (Austin Appleby, 2011).
 uint64_t hash(std::span<const uint64_t> words) {
   uint64_t h = 0;
   for (const uint64_t word : words) {
@@ -73,7 +73,7 @@ void transpose_block(std::array<uint64_t, 64>& a) {
 }  // namespace
 
 std::vector<int> first_equal_rows(const BitMatrix& m) {
-  // Open addressing, at most half full; a slot holds the first row of its kind.
+  // Hash table with open addressing, at most half full; a slot holds the first of the equal rows.
   const size_t slots = std::bit_ceil(static_cast<size_t>(m.rows()) * 2 + 1);
   std::vector<int> table(slots, -1), first(static_cast<size_t>(m.rows()));
   for (int r = 0; r < m.rows(); ++r) {

@@ -11,7 +11,7 @@
 
 namespace weftlight::draft {
 
-/// Leaves new words unset, so that a matrix of which every word is written next costs one pass, not two.
+/// Leaves new words uninitialised: a matrix that is written whole next then costs one pass over memory, not two.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
   template <class U>
@@ -34,7 +34,7 @@ class BitMatrix {
   BitMatrix(int rows, int cols)
       : rows_(rows), cols_(cols), words_((cols + 63) / 64), bits_(static_cast<size_t>(rows) * words_, 0) {}
 
-  /// Words of no certain value: for one who writes every row whole, padding too.
+  /// Uninitialised: the caller writes every word of every row, padding included.
   static BitMatrix unset(int rows, int cols) {
     BitMatrix m;
     m.rows_ = rows;
@@ -60,7 +60,7 @@ class BitMatrix {
   std::span<const uint64_t> row(int r) const {
     return {bits_.data() + static_cast<size_t>(r) * words_, static_cast<size_t>(words_)};
   }
-  /// Mask of the bits of the last word of a row that are columns.
+  /// Mask of the bits of a row's last word that are columns, not padding.
   uint64_t last_word_mask() const { return (cols_ & 63) ? (uint64_t{1} << (cols_ & 63)) - 1 : ~uint64_t{0}; }
   /// Keeps the cells that both sizes share; new cells are 0.
   void resize(int rows, int cols);
@@ -87,9 +87,8 @@ void for_each_bit(std::span<const uint64_t> row, Visit visit) {
 
 /// How many columns two rows of one width differ in.
 int differences(std::span<const uint64_t> a, std::span<const uint64_t> b);
-/// For each row the first row that equals it.
+/// For each row, the first row equal to it.
 std::vector<int> first_equal_rows(const BitMatrix& matrix);
-/// Rows become columns.
 BitMatrix transposed(const BitMatrix& matrix);
 
 }  // namespace weftlight::draft

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPound_g = 453.59237, kYard_m = 0.9144;
 constexpr double kMin_tex = 0.1, kMax_tex = 100'000;
 
-/// Grams of a kilometre at a count of one, of the units that count lengths.
+/// Grams per kilometre at count 1, for units that count lengths per weight.
 double grams_at_one(CountUnit unit) {
   switch (unit) {
     case CountUnit::kNe:
@@ -40,12 +40,12 @@ constexpr std::array<UnitName, 8> kNames{{{"tex", CountUnit::kTex},
 
 bool is_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
-/// Letters of the text, small; the rest without blanks.
-struct Parts {
+/// The letters of the text in lower case, and the other characters without blanks.
+struct CountText {
   std::string word, number;
 };
-Parts parts_of(std::string_view text) {
-  Parts p;
+CountText split(std::string_view text) {
+  CountText p;
   for (const char c : text) {
     if (std::isalpha(static_cast<unsigned char>(c))) p.word += static_cast<char>(std::tolower(c));
     else if (c != ' ' && c != '\t') p.number += c;
@@ -77,7 +77,7 @@ double count_of(double tex, CountUnit unit) {
 
 std::optional<double> tex_from_text(std::string_view text) {
   if (text.size() > 64) return std::nullopt;
-  const Parts p = parts_of(text);
+  const CountText p = split(text);
   const size_t stroke = p.number.find('/');
   const std::optional<double> count = number_in(std::string_view(p.number).substr(0, stroke));
   const std::optional<double> plies =

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/drawdown.h"
 #include "draft/edits.h"
 
 namespace weftlight::draft {
+
+using base::tr;
+
 namespace {
 
 bool meets(std::span<const uint64_t> x, std::span<const uint64_t> y) {
@@ -100,7 +104,7 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
     for (int pick = s.b0; pick < s.b1; ++pick)
       for (const int end : ends) paint(end, pick, cells.get(pick - b, end - a));
   }
-  if (!changed) return {std::move(design), bare ? "an end on no shaft cannot be lifted" : ""};
+  if (!changed) return {std::move(design), bare ? tr("an end on no shaft cannot be lifted") : ""};
   Factored factored = with_lifts(d, lift, loom_size(design).treadles);
   return taken(std::move(design), std::move(factored));
 }
@@ -135,7 +139,7 @@ Painted painted_cell(Design design, int end, int pick, bool up) {
 }
 
 LoomSize loom_size(const Design& design) {
-  const auto most = [](int loom, int has) { return std::max(loom > 0 ? loom : kUnasked, has); };
+  const auto most = [](int loom, int has) { return std::max(loom > 0 ? loom : kDefaultLimit, has); };
   return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
 }
 
@@ -145,9 +149,9 @@ std::string why_locked(const Design& design, BitGrid grid) {
   if (drawdown_rules == (grid == BitGrid::kDrawdown)) {
     const bool treadles = grid == BitGrid::kTieup || grid == BitGrid::kTreadling;
     if (design.loom.leading != Leading::kLiftplan || !treadles) return {};
-    return "tie-up and treadling follow the liftplan and are locked";
+    return tr("tie-up and treadling follow the liftplan and are locked");
   }
-  return drawdown_rules ? "this follows the drawdown and is locked" : "the drawdown follows and is locked";
+  return drawdown_rules ? tr("this follows the drawdown and is locked") : tr("the drawdown follows and is locked");
 }
 
 Design with_leading(Design design, Leading leading) {

@@ -1,5 +1,5 @@
 #pragma once
-// Painting the drawdown, and what of a draft may be painted at all: what rules (Loom::leading) and what follows.
+// Painting the drawdown, and which grids may be painted: those that lead (Loom::leading) and those that follow.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace weftlight::draft {
 
-/// A design after a stroke in the drawdown; where the loom cannot weave it, as it was, and why.
+/// A design after a stroke in the drawdown; if the loom cannot weave it, unchanged, with the reason.
 struct Painted {
   Design design;
   std::string why;
@@ -22,16 +22,16 @@ Painted painted_cell(Design design, int end, int pick, bool up);
 /// The part `s` of a block of crossings whose first cell is (a, b). `s` is in the grid.
 Painted painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write);
 
-/// Shafts and treadles that painting may take: those of the loom; where it is not said, kUnasked or as many as
-/// the draft has.
-inline constexpr int kUnasked = 32;
+/// Shafts and treadles that painting may take: those of the loom; where that is unknown, kDefaultLimit or as
+/// many as the draft has.
+inline constexpr int kDefaultLimit = 32;
 LoomSize loom_size(const Design& design);
 
-/// Why a grid cannot be painted: it is locked and follows from others. Empty: it can.
+/// Why a grid cannot be painted: it is locked and follows from others. Empty if it can.
 std::string why_locked(const Design& design, BitGrid grid);
 inline bool may_paint(const Design& design, BitGrid grid) { return why_locked(design, grid).empty(); }
 
-/// What rules from now on. The liftplan: the draft is driven by its liftplan.
+/// Sets what leads. With the liftplan, the liftplan is the shed control.
 Design with_leading(Design design, Leading leading);
 Design with_lock(Design design, bool locked);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The Design: the one value that is edited and saved. Draft, yarns, notes, look and
-// scene; drawdown, maps, meshes and pictures are derived from it, never stored in it.
+// The Design: the one value that is edited and saved. Draft, yarns, finish, notes,
+// look, scene and loom. Drawdown, maps, meshes and pictures are derived from it, never stored in it.
 
 #include <string>
 #include <utility>
@@ -12,14 +12,14 @@
 
 namespace weftlight::draft {
 
-/// Shading method of methods (MODEL, section 5); kAuto chooses by footprint.
+/// Shading method (methods.h); kAuto chooses by the pixel footprint.
 enum class Method { kAuto, kFlat, kVrst03, kIrawan, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
 
 struct Look {
   Method method = Method::kAuto;
-  float tolerance = 0.15f;         // relative RMSE that kAuto may spend
-  float exposure_ev = 0.0f;        // stops
-  bool automatic_exposure = true;  // beside these, stops by what the cloth reflects; never in scene-linear pictures
+  float tolerance = 0.15f;         // relative RMSE that kAuto may reach
+  float exposure_ev = 0.0f;        // EV (stops)
+  bool automatic_exposure = true;  // adds an exposure by the cloth's reflectance; not in scene-linear pictures
   bool operator==(const Look&) const = default;
 };
 
@@ -27,7 +27,7 @@ struct Look {
 /// its right; elevation 90 is straight above.
 struct Scene {
   std::string mesh = "tablecloth";  // name in presets/meshes, or a path to .glb/.gltf
-  bool simulated_drape = false;     // simulated with this cloth's own stiffness, not with that of its kind
+  bool simulated_drape = false;     // simulate this fabric's weight and stiffness; false: a generic drape
   float view_azimuth = 25, view_elevation = 22;
   float view_distance = 1.0f;  // 1 frames the mesh
   float pan_x = 0, pan_y = 0;  // in frame widths
@@ -35,49 +35,49 @@ struct Scene {
   float light_strength = 1.0f;  // irradiance scale of the key light
   float sky_strength = 1.0f;    // scale of the soft environment
   Rgb background{0.93f, 0.925f, 0.91f};
-  // A set-up's name (lights.h): the soft light around and the key light's colour. Or a path to an .hdr or .exr, whose
-  // light all of it then is; the light's azimuth turns it, and it may show behind the cloth.
+  // Id of a lighting preset (lights.h): environment light and the key light's colour. Or the path of an .hdr or .exr
+  // environment map, then the only light; the light's azimuth turns it, and `surroundings` shows it behind the cloth.
   std::string lights = "studio";
   bool surroundings = false;
   bool operator==(const Scene&) const = default;
 };
 
-/// Which grids rule and which follow: the threading with what lifts its shafts, the threading with the liftplan
-/// alone, or the drawdown, from which threading and lifts are found.
+/// Which grids lead; the others follow. The threading with tie-up and treadling, the threading with the liftplan, or
+/// the drawdown, from which threading and lifts are factored.
 enum class Leading { kThreading, kLiftplan, kDrawdown };
 
-/// How a draft is worked, and on what loom.
+/// How the draft is edited, and the limits of the loom.
 struct Loom {
   Leading leading = Leading::kThreading;
-  bool locked = false;           // what follows cannot be painted
-  int shafts = 0, treadles = 0;  // 0..kMaxShafts that the loom has; 0: not said
-  int next_pick = 0;             // the pick that is woven next, 0..kMaxThreads
+  bool locked = false;           // grids that follow cannot be painted
+  int shafts = 0, treadles = 0;  // of the loom, 0..kMaxShafts; 0: unknown
+  int next_pick = 0;             // woven next, 0..kMaxThreads
   bool operator==(const Loom&) const = default;
 };
 
-/// A weave that was generated, and its numbers, so that they can be changed afterwards.
+/// A generated weave with its parameters, kept so that they can be changed later.
 struct WeaveUse {
-  std::string weave;                                        // its id (generators.h)
-  std::vector<std::pair<std::string, std::string>> values;  // id of a number -> value as text; by id
-  int first_end = 0, ends = 0, first_pick = 0, picks = 0;   // the threads that it made
+  std::string weave;                                        // its id (generators/table.h)
+  std::vector<std::pair<std::string, std::string>> values;  // parameter id -> value as text; sorted by id
+  int first_end = 0, ends = 0, first_pick = 0, picks = 0;   // the threads it covers
   bool operator==(const WeaveUse&) const = default;
 };
 
-/// A view of the cloth under a name: what hangs, how it is lit, where the camera stands.
+/// A named view of the cloth: mesh, lighting and camera.
 struct NamedView {
   std::string name;
   Scene scene;
-  bool flat = false;  // a flat swatch in the place of the scene's mesh
+  bool flat = false;  // a flat swatch instead of the scene's mesh
   bool operator==(const NamedView&) const = default;
 };
 
-/// Ends or picks that are kept under a name, to be woven together with others. Colours and yarns that the design no
-/// longer has are those of its first.
+/// A named section of ends or picks, for use in an Assembly. A colour or yarn that the design no longer has is read as
+/// its first.
 struct ThreadSection {
   std::string name;
   BitMatrix rows;  // threads x shafts (of ends), x treadles, or x shafts of a liftplan
   Threads threads;
-  ShedControl drive = ShedControl::kTreadling;  // what the rows of picks name
+  ShedControl shed_control = ShedControl::kTreadling;  // what the rows of picks name: treadles or shafts
   bool operator==(const ThreadSection&) const = default;
 };
 
@@ -92,13 +92,13 @@ struct Design {
   std::string title, author;
   std::vector<std::string> notes;
   Draft draft;
-  std::vector<Yarn> yarns{Yarn{}};  // never empty; as they are spun
-  Finish finish;                    // of the cloth: finished(yarns, finish) are those of it
+  std::vector<Yarn> yarns{Yarn{}};  // never empty; before finishing
+  Finish finish;                    // finished(yarns, finish) are the yarns of the cloth
   Look look;
   Scene scene;
   Loom loom;
-  std::vector<WeaveUse> weaves;  // the last is the latest
-  std::vector<NamedView> views;  // no two of one name
+  std::vector<WeaveUse> weaves;  // latest last
+  std::vector<NamedView> views;  // names are unique
   Assembly warp_assembly, weft_assembly;
   bool operator==(const Design&) const = default;
 };

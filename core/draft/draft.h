@@ -1,12 +1,11 @@
 #pragma once
-// A draft: what a weaver writes down. Threading, tie-up, treadling or liftplan, and
-// the tables of threads.
+// A draft: threading, tie-up, treadling or liftplan, and the tables of threads.
 //
 // Orientation and index base, stated here once: indices in memory are 0-based
 // everywhere; WIF's are 1-based and are converted in core/wif alone. End 0 is WIF's
 // end 1, pick 0 is WIF's pick 1. In cloth space u grows with the end (along the weft),
 // v grows with the pick (along the warp), both in millimetres. A face is shown with end 1 at
-// the right, pick 1 at the top: in grids (there by choice mirrored), pictures, cloth, textures.
+// the right and pick 1 at the top: in pictures, cloth and textures, and in grids unless the user mirrors them.
 
 #include <string>
 #include <vector>
@@ -23,16 +22,16 @@ struct Rgb {
 
 enum class System { kWarp, kWeft };
 
-/// Largest counts a draft may have; readers refuse more before memory is taken.
+/// Largest counts of a draft; readers reject larger ones before they allocate.
 inline constexpr int kMaxThreads = 100000;              // ends or picks
 inline constexpr int kMaxShafts = 4096;                 // shafts or treadles
 inline constexpr int kMaxColors = 65536;                // palette entries
 inline constexpr int64_t kMaxCells = int64_t{1} << 31;  // of any one grid
 
-/// A spacing or thickness that the draft leaves to the yarn.
+/// Stands for a spacing or thickness that follows from the yarn.
 inline constexpr float kFromYarn = -1.0f;
 
-/// The threads of one system; the four tables have one row a thread.
+/// The threads of one system; each of the four tables has one entry per thread.
 struct Threads {
   std::vector<int> color;           // index into Draft::palette
   std::vector<float> spacing_mm;    // centre to centre (1 / sett), or kFromYarn
@@ -44,7 +43,7 @@ struct Threads {
   bool operator==(const Threads&) const = default;
 };
 
-/// What lifts the shafts: treadles through the tie-up, or the liftplan.
+/// Shed control: what lifts the shafts, treadles through the tie-up or the liftplan.
 enum class ShedControl { kTreadling, kLiftplan };
 
 /// Invariants: threading is ends x shafts, tieup treadles x shafts, treadling
@@ -52,7 +51,7 @@ enum class ShedControl { kTreadling, kLiftplan };
 struct Draft {
   int shafts = 0, treadles = 0;
   bool rising = true;  // true: the tie-up and liftplan name the shafts that rise
-  ShedControl drive = ShedControl::kTreadling;
+  ShedControl shed_control = ShedControl::kTreadling;
   BitMatrix threading, tieup, treadling, liftplan;
   Threads warp, weft;
   std::vector<Rgb> palette;

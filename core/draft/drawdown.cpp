@@ -1,8 +1,8 @@
-// From lifts to the drawdown, one bit a crossing.
+// The drawdown from lifts.
 //
-// A row is the OR of the rows of ends that hang on each named shaft. Picks with the same lift share one
-// computed row. Where many lifts differ, eight shafts at a time are looked up in a table of the OR of
-// every subset, over strips of ends narrow enough that the tables stay in the cache.
+// A row of the drawdown is the OR, over the named shafts, of the bitsets of their ends. Picks with equal lifts share
+// one computed row. If many lifts differ, eight shafts at a time are looked up in a table with the OR of every subset,
+// in strips of ends narrow enough for the tables to stay in the cache.
 // Based on: V. L. Arlazarov, E. A. Dinic, M. A. Kronrod, I. A. Faradzev, "On economical construction of
 // the transitive closure of a directed graph", 1970 (the method of four Russians).
 
@@ -15,10 +15,10 @@
 namespace weftlight::draft {
 namespace {
 
-constexpr int kGroup = 8;  // shafts a table is indexed by
+constexpr int kGroup = 8;  // shafts per table
 constexpr int kSubsets = 1 << kGroup;
-constexpr int kTableWords = 2 * 1024 * 1024 / 8;  // all tables of a strip: within a level-3 cache
-constexpr int kLine = 8;                          // words of a cache line
+constexpr int kTableWords = 2 * 1024 * 1024 / 8;  // of all tables of a strip: fits the level-3 cache
+constexpr int kLine = 8;                          // words per cache line
 
 void or_into(uint64_t* to, const uint64_t* from, int words) {
   for (int w = 0; w < words; ++w) to[w] |= from[w];
@@ -28,7 +28,7 @@ bool same_words(std::span<const uint64_t> a, std::span<const uint64_t> b) {
   return std::equal(a.begin(), a.end(), b.begin());
 }
 
-// What the rows are made from: the ends of each shaft, and the ends that hang on any.
+// The ends of each shaft, and all ends that are on a shaft.
 struct Harness {
   BitMatrix ends_of;  // shafts x ends
   std::vector<uint64_t> threaded;
@@ -55,7 +55,7 @@ void direct_row(const Harness& h, std::span<const uint64_t> lift, std::span<uint
   if (!h.rising) sink(row.data(), h.threaded.data(), words);
 }
 
-// Tables of one strip [word0, word0 + words): entry (group, subset) is the OR of the subset's shafts.
+// Fills the tables of the strip [word0, word0 + words): entry (group, subset) is the OR of the subset's shafts.
 void fill_tables(std::vector<uint64_t>& tables, const Harness& h, int word0, int words) {
   const int groups = (h.ends_of.rows() + kGroup - 1) / kGroup;
   for (int g = 0; g < groups; ++g) {
@@ -74,7 +74,7 @@ unsigned subset_of(std::span<const uint64_t> lift, int group) {
   return static_cast<unsigned>(lift[static_cast<size_t>(group) / 8] >> (group % 8 * kGroup)) & (kSubsets - 1);
 }
 
-// The OR of one entry of each table. A cache line at a time stays in registers until all have been added.
+// Writes the OR of one entry of each table, one cache line at a time so that the sum stays in registers.
 void look_up_row(uint64_t* row, const std::vector<const uint64_t*>& entries, int words) {
   int w = 0;
   for (; w + kLine <= words; w += kLine) {
@@ -110,7 +110,7 @@ void table_rows(BitMatrix& cells, const Harness& h, const BitMatrix& lift, const
   }
 }
 
-bool tables_pay(const BitMatrix& lift, const std::vector<int>& picks) {
+bool tables_are_faster(const BitMatrix& lift, const std::vector<int>& picks) {
   int64_t direct = 0;
   for (const int p : picks) direct += lift.count(p);
   const int64_t groups = (lift.cols() + kGroup - 1) / kGroup;
@@ -124,7 +124,7 @@ BitMatrix drawdown_of(const Harness& h, const BitMatrix& lift, int ends) {
   for (int p = 0; p < lift.rows(); ++p) {
     if (first[p] == p) distinct.push_back(p);
   }
-  if (tables_pay(lift, distinct)) {
+  if (tables_are_faster(lift, distinct)) {
     table_rows(cells, h, lift, distinct);
   } else {
     for (const int p : distinct) direct_row(h, lift.row(p), cells.row(p));
@@ -135,7 +135,7 @@ BitMatrix drawdown_of(const Harness& h, const BitMatrix& lift, int ends) {
   return cells;
 }
 
-// Grows `rect` by a cell.
+// Grows `rect` to include a cell.
 void include(CellRect& rect, int end, int pick) {
   if (rect.empty()) {
     rect = {end, end + 1, pick, pick + 1};
@@ -186,8 +186,8 @@ std::vector<int> changed_rows(const BitMatrix& was, const BitMatrix& is) {
   return rows;
 }
 
-void redo_picks(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, const std::vector<int>& picks,
-                CellRect& rect) {
+void update_picks(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, const std::vector<int>& picks,
+                  CellRect& rect) {
   if (picks.empty()) return;
   const Harness harness = make_harness(draft);
   std::vector<uint64_t> row(static_cast<size_t>(cells.words()));
@@ -198,8 +198,8 @@ void redo_picks(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, con
   }
 }
 
-void redo_ends(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, const std::vector<int>& ends,
-               CellRect& rect) {
+void update_ends(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, const std::vector<int>& ends,
+                 CellRect& rect) {
   for (const int e : ends) {
     for (int p = 0; p < cells.rows(); ++p) {
       const bool up = is_up(draft.threading.row(e), lift.row(p), draft.rising);
@@ -213,7 +213,7 @@ void redo_ends(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, cons
 }  // namespace
 
 BitMatrix lifts(const Draft& draft) {
-  if (draft.drive == ShedControl::kLiftplan) return draft.liftplan;
+  if (draft.shed_control == ShedControl::kLiftplan) return draft.liftplan;
   BitMatrix out(draft.picks(), draft.shafts);
   for (int p = 0; p < draft.picks(); ++p) {
     for_each_bit(draft.treadling.row(p),
@@ -233,12 +233,12 @@ CellRect update_drawdown(BitMatrix& cells, const Draft& before, const Draft& aft
   const BitMatrix lift = lifts(after);
   const std::vector<int> picks = changed_rows(lifts(before), lift);
   const std::vector<int> ends = changed_rows(before.threading, after.threading);
-  // A changed end costs a visit to every row; past a share of the cloth the whole is cheaper.
+  // Each changed end costs a visit to every row; above 1/64 of the ends the whole drawdown is cheaper.
   const bool few = static_cast<int>(ends.size()) <= 1 + after.ends() / 64;
   if (!few) return replace_all(cells, drawdown(after));
   CellRect rect;
-  redo_ends(cells, after, lift, ends, rect);
-  redo_picks(cells, after, lift, picks, rect);
+  update_ends(cells, after, lift, ends, rect);
+  update_picks(cells, after, lift, picks, rect);
   return rect;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-// From threading and lifts to the drawdown: a bit a crossing, 1 where the warp is on
-// top of the front face. Row by row from bitsets of the ends on each shaft.
+// The drawdown from threading and lifts: one bit per crossing, 1 where the warp is on top on the front face.
 
 #include "draft/draft.h"
 
@@ -15,18 +14,18 @@ struct CellRect {
   bool operator==(const CellRect&) const = default;
 };
 
-/// Shafts that a pick names (through tie-up and treadling, or the liftplan): picks x shafts.
+/// The shafts each pick names, through tie-up and treadling or in the liftplan: picks x shafts.
 BitMatrix lifts(const Draft& draft);
 
-/// picks x ends. Rising: up where any shaft of the end is named. Sinking: up where the end is on a
-/// shaft and none of its shafts is named. An end on no shaft is never up.
+/// picks x ends. Rising shed: an end is up if any of its shafts is named. Sinking shed: it is up if it has a shaft and
+/// none of its shafts is named. An end on no shaft is never up.
 BitMatrix drawdown(const Draft& draft);
 
-/// Brings `cells` (the drawdown of `before`) to that of `after`, doing only the rows and columns that
-/// changed. Returns a rectangle that holds every changed cell; the whole cloth when sizes differ.
+/// Updates `cells` from the drawdown of `before` to that of `after`, recomputing only the rows and columns that
+/// changed. Returns a rectangle with every changed cell; the whole cloth if the sizes differ.
 CellRect update_drawdown(BitMatrix& cells, const Draft& before, const Draft& after);
 
-/// The other face, in the same end order: the complement.
+/// The drawdown of the other face, in the same order of ends.
 BitMatrix complement(const BitMatrix& cells);
 
 }  // namespace weftlight::draft

@@ -18,7 +18,7 @@ bool within(int index, int count) { return index >= 0 && index < count; }
 bool is_length(float mm) { return mm == kFromYarn || (std::isfinite(mm) && mm >= 0); }
 
 template <class T>
-void put(std::vector<T>& table, std::span<const int> threads, T value) {
+void set_all(std::vector<T>& table, std::span<const int> threads, T value) {
   for (const int thread : threads)
     if (within(thread, static_cast<int>(table.size()))) table[static_cast<size_t>(thread)] = value;
 }
@@ -27,7 +27,7 @@ bool is_color(Rgb c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::i
 
 Rgb in_gamut(Rgb c) { return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)}; }
 
-void mark(BitMatrix& grid, int row, int col, bool on, bool only) {
+void set_mark(BitMatrix& grid, int row, int col, bool on, bool only) {
   if (on && only) std::fill(grid.row(row).begin(), grid.row(row).end(), 0);
   grid.set(row, col, on);
 }
@@ -37,8 +37,7 @@ bool same_thread(const Threads& t, int a, int b) {
          t.yarn[a] == t.yarn[b];
 }
 
-// Smallest p with thread i alike to thread i - p throughout (Knuth, Morris, Pratt 1977: n less the longest
-// border), so that a lengthened warp goes on with its stripes.
+// Smallest p such that each thread i equals thread i - p: n less the longest border (Knuth, Morris, Pratt 1977).
 int stripe_period(const Threads& t) {
   const int n = t.size();
   std::vector<int> border(static_cast<size_t>(n) + 1, 0);
@@ -50,7 +49,8 @@ int stripe_period(const Threads& t) {
   return n - border[n];
 }
 
-void lengthen(Threads& t, int n, int new_color) {
+// Resizes the table; new threads continue the stripes.
+void resize_with_stripes(Threads& t, int n, int new_color) {
   const int old = t.size();
   const int period = old > 0 ? stripe_period(t) : 0;
   t.resize(n, new_color);
@@ -73,7 +73,7 @@ bool single_treadled(const BitMatrix& treadling) {
 Design with_threading(Design design, int end, int shaft, bool on, bool only) {
   Draft& d = design.draft;
   if (!may_paint(design, BitGrid::kThreading)) return design;
-  if (within(end, d.ends()) && within(shaft, d.shafts)) mark(d.threading, end, shaft, on, only);
+  if (within(end, d.ends()) && within(shaft, d.shafts)) set_mark(d.threading, end, shaft, on, only);
   return design;
 }
 
@@ -87,7 +87,7 @@ Design with_tieup(Design design, int treadle, int shaft, bool on) {
 Design with_treadling(Design design, int pick, int treadle, bool on, bool only) {
   Draft& d = design.draft;
   if (!may_paint(design, BitGrid::kTreadling)) return design;
-  if (within(pick, d.picks()) && within(treadle, d.treadles)) mark(d.treadling, pick, treadle, on, only);
+  if (within(pick, d.picks()) && within(treadle, d.treadles)) set_mark(d.treadling, pick, treadle, on, only);
   return design;
 }
 
@@ -121,22 +121,22 @@ Design with_thread_spacing(Design design, System system, int thread, float mm) {
 
 Design with_thread_color(Design design, System system, std::span<const int> threads, int color) {
   if (within(color, static_cast<int>(design.draft.palette.size())))
-    put(design.draft.threads(system).color, threads, color);
+    set_all(design.draft.threads(system).color, threads, color);
   return design;
 }
 
 Design with_thread_yarn(Design design, System system, std::span<const int> threads, int yarn) {
-  if (within(yarn, static_cast<int>(design.yarns.size()))) put(design.draft.threads(system).yarn, threads, yarn);
+  if (within(yarn, static_cast<int>(design.yarns.size()))) set_all(design.draft.threads(system).yarn, threads, yarn);
   return design;
 }
 
 Design with_thread_thickness(Design design, System system, std::span<const int> threads, float mm) {
-  if (is_length(mm)) put(design.draft.threads(system).thickness_mm, threads, mm);
+  if (is_length(mm)) set_all(design.draft.threads(system).thickness_mm, threads, mm);
   return design;
 }
 
 Design with_thread_spacing(Design design, System system, std::span<const int> threads, float mm) {
-  if (is_length(mm)) put(design.draft.threads(system).spacing_mm, threads, mm);
+  if (is_length(mm)) set_all(design.draft.threads(system).spacing_mm, threads, mm);
   return design;
 }
 
@@ -176,8 +176,8 @@ Design with_size(Design design, int ends, int picks, int shafts, int treadles) {
   d.tieup.resize(treadles, shafts);
   d.treadling.resize(picks, treadles);
   d.liftplan.resize(picks, shafts);
-  lengthen(d.warp, ends, 0);
-  lengthen(d.weft, picks, static_cast<int>(d.palette.size()) > 1 ? 1 : 0);
+  resize_with_stripes(d.warp, ends, 0);
+  resize_with_stripes(d.weft, picks, static_cast<int>(d.palette.size()) > 1 ? 1 : 0);
   return design;
 }
 
@@ -188,24 +188,24 @@ Design with_rising(Design design, bool rising) {
 
 Design to_liftplan(Design design) {
   design.draft.liftplan = lifts(design.draft);
-  design.draft.drive = ShedControl::kLiftplan;
+  design.draft.shed_control = ShedControl::kLiftplan;
   return design;
 }
 
 Design to_treadling(Design design, int most_treadles) {
   Draft& d = design.draft;
-  if (d.drive == ShedControl::kTreadling && single_treadled(d.treadling)) return design;
+  if (d.shed_control == ShedControl::kTreadling && single_treadled(d.treadling)) return design;
   const BitMatrix lift = lifts(d);
-  Draft like = d;
-  like.drive = ShedControl::kTreadling;
+  Draft base = d;
+  base.shed_control = ShedControl::kTreadling;
   for (int p = 0; p < d.picks(); ++p)
-    if (like.treadling.count(p) > 1) std::ranges::fill(like.treadling.row(p), 0);
-  if (like.treadling.count() == 0) {
-    like.treadles = 0;
-    like.tieup = BitMatrix(0, d.shafts);
-    like.treadling = BitMatrix(d.picks(), 0);
+    if (base.treadling.count(p) > 1) std::ranges::fill(base.treadling.row(p), 0);
+  if (base.treadling.count() == 0) {
+    base.treadles = 0;
+    base.tieup = BitMatrix(0, d.shafts);
+    base.treadling = BitMatrix(d.picks(), 0);
   }
-  Factored factored = with_lifts(like, lift, std::max(most_treadles, like.treadles));
+  Factored factored = with_lifts(base, lift, std::max(most_treadles, base.treadles));
   if (!factored.done()) return design;
   d = std::move(factored.draft);
   if (d.treadles == 0) {
@@ -217,14 +217,14 @@ Design to_treadling(Design design, int most_treadles) {
   return design;
 }
 
-Design to_skeleton(Design design, int feet) {
+Design to_skeleton(Design design, int treadles_per_pick) {
   Draft& d = design.draft;
-  Skeleton skeleton = skeleton_tieup(lifts(d), feet);
+  Skeleton skeleton = skeleton_tieup(lifts(d), treadles_per_pick);
   if (skeleton.tieup.rows() < 1 || skeleton.tieup.rows() > kMaxShafts) return design;
   d.treadles = skeleton.tieup.rows();
   d.tieup = std::move(skeleton.tieup);
   d.treadling = std::move(skeleton.treadling);
-  d.drive = ShedControl::kTreadling;
+  d.shed_control = ShedControl::kTreadling;
   if (design.loom.leading == Leading::kLiftplan) design.loom.leading = Leading::kThreading;
   return design;
 }

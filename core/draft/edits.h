@@ -9,20 +9,20 @@
 
 namespace weftlight::draft {
 
-/// `only`: the thread is taken off its other shafts/treadles first (what a weaver expects of a click).
+/// `only`: the thread is first removed from its other shafts or treadles, as a weaver expects of a click.
 Design with_threading(Design design, int end, int shaft, bool on, bool only = true);
 Design with_tieup(Design design, int treadle, int shaft, bool on);
 Design with_treadling(Design design, int pick, int treadle, bool on, bool only = true);
-/// Painting a liftplan of a treadled draft first turns it into a liftplan draft.
+/// Turns a draft with treadling into one with a liftplan first.
 Design with_liftplan(Design design, int pick, int shaft, bool on);
-/// A crossing as painted_cell (crossings.h) makes it; unchanged where the loom cannot.
+/// Paints a crossing as painted_cell (crossings.h) does; unchanged if the loom cannot weave it.
 Design with_drawdown_cell(Design design, int end, int pick, bool up);
 
 Design with_thread_color(Design design, System system, int thread, int color);
 Design with_thread_yarn(Design design, System system, int thread, int yarn);
 Design with_thread_thickness(Design design, System system, int thread, float mm);
 Design with_thread_spacing(Design design, System system, int thread, float mm);
-/// The same for many threads at once; threads that are not there are left out.
+/// The same for many threads; indices out of range are ignored.
 Design with_thread_color(Design design, System system, std::span<const int> threads, int color);
 Design with_thread_yarn(Design design, System system, std::span<const int> threads, int yarn);
 Design with_thread_thickness(Design design, System system, std::span<const int> threads, float mm);
@@ -31,19 +31,19 @@ Design with_palette_color(Design design, int color, Rgb rgb);
 Design with_new_palette_color(Design design, Rgb rgb);
 Design with_yarn(Design design, int yarn, const Yarn& value);
 Design with_new_yarn(Design design, const Yarn& value);
-/// New threads go on with the stripes of the old ones (colour, yarn, spacing, thickness); cells beyond are
-/// empty. Counts are clamped to 1..kMax; more crossings than kMaxCells: unchanged.
+/// New threads continue the stripes of the old ones (colour, yarn, spacing, thickness); new cells are empty. Counts are
+/// clamped to their limits; with more than kMaxCells crossings the design is unchanged.
 Design with_size(Design design, int ends, int picks, int shafts, int treadles);
-/// Turns the meaning of tie-up and liftplan; the faces change places.
+/// Rising or sinking shed. The marks stay, so that front and back are exchanged.
 Design with_rising(Design design, bool rising);
 
-/// Same drawdown, driven by the liftplan; tie-up and treadling stay as they are.
+/// Same drawdown, shed control by the liftplan; tie-up and treadling are kept.
 Design to_liftplan(Design design);
-/// Same drawdown, driven by treadles, one a pick. Treadles that it was driven by before keep their numbers where
-/// their picks still lift alike; else the fewest, by first use. Unchanged when it is treadled so already, or when
-/// more than `most_treadles` would be needed (treadles_needed in factor.h tells beforehand).
+/// Same drawdown, shed control by tie-up and treadling, one treadle per pick. A treadle of the old treadling keeps its
+/// number if its picks still have one lift; the others are the fewest possible, numbered by first use. Unchanged if the
+/// draft is treadled so already, or needs more than `most_treadles` (treadles_needed in factor.h counts beforehand).
 Design to_treadling(Design design, int most_treadles = kMaxShafts);
-/// Same drawdown with a skeleton tie-up (skeleton.h): up to `feet` treadles a pick, fewer treadles in all.
-Design to_skeleton(Design design, int feet);
+/// Same drawdown with a skeleton tie-up (skeleton.h): up to `treadles_per_pick` at once, fewer treadles in all.
+Design to_skeleton(Design design, int treadles_per_pick);
 
 }  // namespace weftlight::draft

@@ -1,6 +1,6 @@
-// Ends that weave alike can hang on one shaft, picks that lift alike can be woven with one treadle: so the fewest
-// are the distinct columns and rows of the drawdown. What is more than that is the weaver's numbering, which is
-// kept: a shaft stays with the ends that weave as it did, and only what differs looks for another.
+// Ends that weave alike can share a shaft, and picks with equal lifts a treadle: the fewest shafts and treadles are the
+// distinct columns and rows of the drawdown. Beyond that the weaver's numbering is kept: a shaft stays with the ends
+// that weave as it did, and only the others get another shaft.
 
 #include "draft/factor.h"
 
@@ -9,10 +9,16 @@
 #include <limits>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/drawdown.h"
 #include "draft/row_labels.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::tr_n;
+
 namespace {
 
 bool same_row(const BitMatrix& a, const BitMatrix& b, int row) {
@@ -25,13 +31,21 @@ std::vector<char> used_columns(const BitMatrix& m) {
   return used;
 }
 
-std::string wanting(int needed, const char* what, int most) {
-  return "this takes " + std::to_string(needed) + " " + what + ", and the loom has " + std::to_string(most);
+std::string too_few_shafts(int needed, int most) {
+  return fill(tr_n("this takes {needed} shaft, and the loom has {most}",
+                   "this takes {needed} shafts, and the loom has {most}", needed),
+              arg("needed", needed), arg("most", most));
 }
 
-// Two treadles that together lift a pick; -1 when there are none.
-using Pair = std::pair<int, int>;
-Pair pair_for(const BitMatrix& tieup, std::span<const uint64_t> lift) {
+std::string too_few_treadles(int needed, int most) {
+  return fill(tr_n("this takes {needed} treadle, and the loom has {most}",
+                   "this takes {needed} treadles, and the loom has {most}", needed),
+              arg("needed", needed), arg("most", most));
+}
+
+// Two treadles whose union is the lift; -1, -1 if there are none.
+using TreadlePair = std::pair<int, int>;
+TreadlePair treadle_pair_for(const BitMatrix& tieup, std::span<const uint64_t> lift) {
   std::vector<int> inside;
   for (int t = 0; t < tieup.rows(); ++t) {
     bool fits = tieup.first(t) >= 0;
@@ -48,59 +62,59 @@ Pair pair_for(const BitMatrix& tieup, std::span<const uint64_t> lift) {
   return {-1, -1};
 }
 
-// The picks of a treadled draft before its treadles are given out anew.
-struct TreadleAssignment {
-  std::vector<char> kept;   // the pick's lift and its row of the treadling stay
-  std::vector<Pair> both;   // the two treadles that lift a changed pick
-  std::vector<char> fixed;  // of each treadle: its ties may not change
+// What stays when treadles are assigned anew.
+struct TreadlingConstraints {
+  std::vector<char> kept;         // of each pick: its row of the treadling stays
+  std::vector<TreadlePair> pair;  // of each changed pick: two treadles that lift it, or -1
+  std::vector<char> fixed;        // of each treadle: its ties may not change
 };
 
-TreadleAssignment treading_of(const Draft& d, const BitMatrix& now) {
+TreadlingConstraints constraints_of(const Draft& d, const BitMatrix& now) {
   const auto picks = static_cast<size_t>(d.picks());
-  TreadleAssignment t{std::vector<char>(picks, 0), std::vector<Pair>(picks, {-1, -1}),
-                      std::vector<char>(static_cast<size_t>(d.treadles), 0)};
+  TreadlingConstraints t{std::vector<char>(picks, 0), std::vector<TreadlePair>(picks, {-1, -1}),
+                         std::vector<char>(static_cast<size_t>(d.treadles), 0)};
   const BitMatrix was = lifts(d);
-  bool two_feet = false;
+  bool several_treadles = false;
   for (int p = 0; p < d.picks(); ++p) {
-    const int feet = d.treadling.count(p);
-    two_feet |= feet > 1;
-    t.kept[p] = (feet != 1 || now.first(p) < 0) && same_row(was, now, p);
+    const int treadles = d.treadling.count(p);
+    several_treadles |= treadles > 1;
+    t.kept[p] = (treadles != 1 || now.first(p) < 0) && same_row(was, now, p);
     if (t.kept[p]) for_each_bit(d.treadling.row(p), [&](int treadle) { t.fixed[treadle] = 1; });
   }
-  if (!two_feet || now.cols() != d.shafts) return t;
+  if (!several_treadles || now.cols() != d.shafts) return t;
   const std::vector<int> first = first_equal_rows(now);
   for (int p = 0; p < d.picks(); ++p) {
     if (t.kept[p] || same_row(was, now, p) || now.first(p) < 0) continue;
-    t.both[p] = t.both[first[p]].first >= 0 ? t.both[first[p]] : pair_for(d.tieup, now.row(p));
-    if (t.both[p].first >= 0) t.fixed[t.both[p].first] = t.fixed[t.both[p].second] = 1;
+    t.pair[p] = t.pair[first[p]].first >= 0 ? t.pair[first[p]] : treadle_pair_for(d.tieup, now.row(p));
+    if (t.pair[p].first >= 0) t.fixed[t.pair[p].first] = t.fixed[t.pair[p].second] = 1;
   }
   return t;
 }
 
-Labelling treadles_of(const Draft& d, const TreadleAssignment& treadle_assignment, const BitMatrix& now) {
+Labelling treadle_labels(const Draft& d, const TreadlingConstraints& constraints, const BitMatrix& now) {
   std::vector<char> takes_part;
   for (int p = 0; p < d.picks(); ++p)
-    takes_part.push_back(!treadle_assignment.kept[p] && treadle_assignment.both[p].first < 0 && now.first(p) >= 0);
+    takes_part.push_back(!constraints.kept[p] && constraints.pair[p].first < 0 && now.first(p) >= 0);
   BitMatrix ties = d.tieup;
   ties.resize(d.treadles, now.cols());
   Labelling l = labelling_of(now, takes_part, ties);
-  l.fixed = treadle_assignment.fixed;
+  l.fixed = constraints.fixed;
   for (int p = 0; p < d.picks(); ++p)
     if (d.treadling.count(p) == 1) l.old_label[p] = d.treadling.first(p);
   for (int t = 0; t < d.treadles; ++t) l.empty[t] = ties.first(t) < 0;
   return l;
 }
 
-void tread(Draft& d, const Labelling& l, const TreadleAssignment& treadle_assignment, const BitMatrix& now) {
+void assign_treadles(Draft& d, const Labelling& l, const TreadlingConstraints& constraints, const BitMatrix& now) {
   const std::vector<char> used_before = used_columns(d.treadling);
   BitMatrix treadling(d.picks(), l.labels());
   for (int p = 0; p < d.picks(); ++p) {
     const auto on = [&](int treadle) { treadling.set(p, treadle, true); };
-    if (treadle_assignment.kept[p]) {
+    if (constraints.kept[p]) {
       for_each_bit(d.treadling.row(p), on);
-    } else if (treadle_assignment.both[p].first >= 0) {
-      on(treadle_assignment.both[p].first);
-      on(treadle_assignment.both[p].second);
+    } else if (constraints.pair[p].first >= 0) {
+      on(constraints.pair[p].first);
+      on(constraints.pair[p].second);
     } else if (l.label(p) >= 0) {
       on(l.label(p));
     }
@@ -116,217 +130,218 @@ void tread(Draft& d, const Labelling& l, const TreadleAssignment& treadle_assign
   }
 }
 
-// Rows of the result: what each shaft weaves, one bit a pick, 1 where its ends are up.
+// shafts x picks: 1 where the ends of the shaft are up.
 BitMatrix shaft_columns(const Draft& d) {
   const BitMatrix named = transposed(lifts(d));
   return d.rising ? named : complement(named);
 }
 
-// What each shaft is to weave, as lifts. Shafts that nobody needs any more are lifted no more.
-BitMatrix lifts_of(const Draft& like, const Labelling& l, const BitMatrix& columns, const BitMatrix& threading) {
-  const std::vector<char> used_before = used_columns(like.threading), used = used_columns(threading);
-  BitMatrix named = transposed(lifts(like));
-  named.resize(l.labels(), like.picks());
+// Lifts of the labelled shafts (columns: ends x picks). Shafts that no end uses any more are not lifted.
+BitMatrix lifts_of(const Draft& base, const Labelling& l, const BitMatrix& columns, const BitMatrix& threading) {
+  const std::vector<char> used_before = used_columns(base.threading), used = used_columns(threading);
+  BitMatrix named = transposed(lifts(base));
+  named.resize(l.labels(), base.picks());
   for (int s = 0; s < l.labels(); ++s) {
     if (l.owner[s] >= 0) {
       std::ranges::copy(columns.row(l.first[l.owner[s]]), named.row(s).begin());
-      if (like.rising || named.words() == 0) continue;
+      if (base.rising || named.words() == 0) continue;
       for (uint64_t& word : named.row(s)) word = ~word;
       named.row(s).back() &= named.last_word_mask();
-    } else if (s < like.shafts && used_before[s] && !used[s]) {
+    } else if (s < base.shafts && used_before[s] && !used[s]) {
       std::ranges::fill(named.row(s), 0);
     }
   }
   return transposed(named);
 }
 
-// Distinct rows and how many threads have each.
+// The distinct rows of a matrix. Vectors are indexed by distinct row, but for `index`.
 struct DistinctRows {
-  std::vector<int> row;  // a row of each kind
-  std::vector<int64_t> threads;
-  std::vector<int> kind;  // of each row
+  std::vector<int> first;      // first row of that content
+  std::vector<int64_t> count;  // equal rows
+  std::vector<int> index;      // of each row of the matrix: its distinct row
 };
 
 DistinctRows distinct_rows_of(const BitMatrix& m) {
-  DistinctRows k;
+  DistinctRows d;
   const std::vector<int> first = first_equal_rows(m);
   std::vector<int> at(first.size(), -1);
   for (int r = 0; r < m.rows(); ++r) {
     if (first[r] == r) {
-      at[r] = static_cast<int>(k.row.size());
-      k.row.push_back(r);
-      k.threads.push_back(0);
+      at[r] = static_cast<int>(d.first.size());
+      d.first.push_back(r);
+      d.count.push_back(0);
     }
-    k.kind.push_back(at[first[r]]);
-    ++k.threads[at[first[r]]];
+    d.index.push_back(at[first[r]]);
+    ++d.count[at[first[r]]];
   }
-  return k;
+  return d;
 }
 
-// The rows with all but `most` kinds woven as the most like of the others: the kind that costs the fewest
-// crossings goes first, again and again. Of very many kinds the commonest stay. The empty row is free of charge
-// where `empty_is_free`.
-BitMatrix with_fewer_kinds(BitMatrix m, int most, bool empty_is_free) {
+// The matrix with at most `most` distinct rows. Repeatedly the distinct row that costs the fewest cells is replaced by
+// the most similar other one; of more than kMany distinct rows the most frequent are kept instead. The empty row does
+// not count if `empty_is_free`.
+BitMatrix with_fewer_rows(BitMatrix m, int most, bool empty_is_free) {
   constexpr size_t kMany = 1024;
-  DistinctRows k = distinct_rows_of(m);
-  const auto is_free = [&](size_t kind) { return empty_is_free && m.first(k.row[kind]) < 0; };
-  std::vector<size_t> alive;
+  DistinctRows d = distinct_rows_of(m);
+  const auto is_free = [&](size_t i) { return empty_is_free && m.first(d.first[i]) < 0; };
+  std::vector<size_t> kept;
   int counted = 0;
-  for (size_t i = 0; i < k.row.size(); ++i) {
-    alive.push_back(i);
+  for (size_t i = 0; i < d.first.size(); ++i) {
+    kept.push_back(i);
     counted += !is_free(i);
   }
-  std::vector<int> becomes(k.row.size());
+  std::vector<int> becomes(d.first.size());
   for (size_t i = 0; i < becomes.size(); ++i) becomes[i] = static_cast<int>(i);
-  const auto nearest = [&](size_t kind) {
-    std::pair<int, size_t> best{std::numeric_limits<int>::max(), kind};
-    for (const size_t other : alive)
-      if (other != kind) best = std::min(best, {differences(m.row(k.row[kind]), m.row(k.row[other])), other});
+  const auto closest = [&](size_t i) {
+    std::pair<int, size_t> best{std::numeric_limits<int>::max(), i};
+    for (const size_t other : kept)
+      if (other != i) best = std::min(best, {differences(m.row(d.first[i]), m.row(d.first[other])), other});
     return best;
   };
-  if (alive.size() > kMany && counted > most) {
-    std::ranges::stable_sort(alive, [&](size_t a, size_t b) { return k.threads[a] > k.threads[b]; });
-    const std::vector<size_t> rest(alive.begin() + most, alive.end());
-    alive.resize(static_cast<size_t>(most));
-    for (const size_t kind : rest) becomes[kind] = static_cast<int>(nearest(kind).second);
+  if (kept.size() > kMany && counted > most) {
+    std::ranges::stable_sort(kept, [&](size_t a, size_t b) { return d.count[a] > d.count[b]; });
+    const std::vector<size_t> rest(kept.begin() + most, kept.end());
+    kept.resize(static_cast<size_t>(most));
+    for (const size_t i : rest) becomes[i] = static_cast<int>(closest(i).second);
     counted = most;
   }
-  std::vector<std::pair<int, size_t>> to(k.row.size());
+  std::vector<std::pair<int, size_t>> to(d.first.size());
   if (counted > most)
-    for (const size_t kind : alive) to[kind] = nearest(kind);
-  while (counted > most && alive.size() > 1) {
-    size_t least = alive.front();
+    for (const size_t i : kept) to[i] = closest(i);
+  while (counted > most && kept.size() > 1) {
+    size_t least = kept.front();
     int64_t least_cost = std::numeric_limits<int64_t>::max();
-    for (const size_t kind : alive) {
-      const int64_t cost = k.threads[kind] * to[kind].first;
-      if (is_free(kind) || cost >= least_cost) continue;
-      least = kind;
+    for (const size_t i : kept) {
+      const int64_t cost = d.count[i] * to[i].first;
+      if (is_free(i) || cost >= least_cost) continue;
+      least = i;
       least_cost = cost;
     }
-    std::erase(alive, least);
+    std::erase(kept, least);
     becomes[least] = static_cast<int>(to[least].second);
-    k.threads[to[least].second] += k.threads[least];
-    for (const size_t kind : alive)
-      if (to[kind].second == least) to[kind] = nearest(kind);
+    d.count[to[least].second] += d.count[least];
+    for (const size_t i : kept)
+      if (to[i].second == least) to[i] = closest(i);
     --counted;
   }
   BitMatrix out = m;
   for (int r = 0; r < m.rows(); ++r) {
-    int kind = k.kind[r];
-    while (becomes[kind] != kind) kind = becomes[kind];
-    std::ranges::copy(m.row(k.row[kind]), out.row(r).begin());
+    int i = d.index[r];
+    while (becomes[i] != i) i = becomes[i];
+    std::ranges::copy(m.row(d.first[i]), out.row(r).begin());
   }
   return out;
 }
 
 int distinct_rows(const BitMatrix& m, bool with_empty) {
   const std::vector<int> first = first_equal_rows(m);
-  int kinds = 0;
-  for (int r = 0; r < m.rows(); ++r) kinds += first[r] == r && (with_empty || m.first(r) >= 0);
-  return kinds;
+  int distinct = 0;
+  for (int r = 0; r < m.rows(); ++r) distinct += first[r] == r && (with_empty || m.first(r) >= 0);
+  return distinct;
 }
 
 }  // namespace
 
-Factored with_lifts(const Draft& like, const BitMatrix& now, int most_treadles) {
-  Factored out{like, {}, 0, 0, 0};
+Factored with_lifts(const Draft& base, const BitMatrix& now, int most_treadles) {
+  Factored out{base, {}, 0, 0, 0};
   out.draft.shafts = now.cols();
-  if (like.shafts != now.cols()) {
-    out.draft.threading.resize(like.ends(), now.cols());
-    out.draft.liftplan.resize(like.picks(), now.cols());
+  if (base.shafts != now.cols()) {
+    out.draft.threading.resize(base.ends(), now.cols());
+    out.draft.liftplan.resize(base.picks(), now.cols());
   }
-  if (like.drive == ShedControl::kLiftplan) {
-    out.draft.tieup.resize(like.treadles, now.cols());
+  if (base.shed_control == ShedControl::kLiftplan) {
+    out.draft.tieup.resize(base.treadles, now.cols());
     out.draft.liftplan = now;
     return out;
   }
-  const TreadleAssignment treadle_assignment = treading_of(like, now);
-  Labelling l = treadles_of(like, treadle_assignment, now);
+  const TreadlingConstraints constraints = constraints_of(base, now);
+  Labelling l = treadle_labels(base, constraints, now);
   out.treadles = l.groups();
-  if (give_labels(l, most_treadles)) {
-    tread(out.draft, l, treadle_assignment, now);
+  if (assign_labels(l, most_treadles)) {
+    assign_treadles(out.draft, l, constraints, now);
   } else {
-    out.draft = like;
-    out.why = wanting(l.groups(), "treadles", most_treadles);
+    out.draft = base;
+    out.why = too_few_treadles(l.groups(), most_treadles);
   }
   return out;
 }
 
-Factored with_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most) {
-  const BitMatrix columns = transposed(cells), was = transposed(drawdown(like));
-  std::vector<char> takes_part, fixed(static_cast<size_t>(like.shafts), 0);
-  for (int e = 0; e < like.ends(); ++e) {
-    const bool keeps = like.threading.count(e) != 1 && same_row(columns, was, e);
+Factored with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
+  const BitMatrix columns = transposed(cells), was = transposed(drawdown(base));
+  std::vector<char> takes_part, fixed(static_cast<size_t>(base.shafts), 0);
+  for (int e = 0; e < base.ends(); ++e) {
+    const bool keeps = base.threading.count(e) != 1 && same_row(columns, was, e);
     takes_part.push_back(!keeps);
-    if (keeps) for_each_bit(like.threading.row(e), [&](int shaft) { fixed[shaft] = 1; });
+    if (keeps) for_each_bit(base.threading.row(e), [&](int shaft) { fixed[shaft] = 1; });
   }
-  Labelling l = labelling_of(columns, takes_part, shaft_columns(like));
+  Labelling l = labelling_of(columns, takes_part, shaft_columns(base));
   l.fixed = std::move(fixed);
-  const std::vector<char> used = used_columns(like.threading);
-  for (int s = 0; s < like.shafts; ++s) l.empty[s] = !used[s];
-  for (int e = 0; e < like.ends(); ++e)
-    if (like.threading.count(e) == 1) l.old_label[e] = like.threading.first(e);
-  if (!give_labels(l, most.shafts)) return {like, wanting(l.groups(), "shafts", most.shafts), l.groups(), 0, 0};
+  const std::vector<char> used = used_columns(base.threading);
+  for (int s = 0; s < base.shafts; ++s) l.empty[s] = !used[s];
+  for (int e = 0; e < base.ends(); ++e)
+    if (base.threading.count(e) == 1) l.old_label[e] = base.threading.first(e);
+  if (!assign_labels(l, most.shafts)) return {base, too_few_shafts(l.groups(), most.shafts), l.groups(), 0, 0};
 
-  Draft next = like;
+  Draft next = base;
   next.shafts = l.labels();
-  next.threading.resize(like.ends(), next.shafts);
-  for (int e = 0; e < like.ends(); ++e) {
+  next.threading.resize(base.ends(), next.shafts);
+  for (int e = 0; e < base.ends(); ++e) {
     if (!takes_part[e]) continue;
     std::ranges::fill(next.threading.row(e), 0);
     next.threading.set(e, l.label(e), true);
   }
-  const BitMatrix named = lifts_of(like, l, columns, next.threading);
-  next.tieup.resize(like.treadles, next.shafts);
-  next.liftplan.resize(like.picks(), next.shafts);
+  const BitMatrix named = lifts_of(base, l, columns, next.threading);
+  next.tieup.resize(base.treadles, next.shafts);
+  next.liftplan.resize(base.picks(), next.shafts);
   Factored out = with_lifts(next, named, most.treadles);
   out.shafts = l.groups();
-  if (!out.done()) out.draft = like;
+  if (!out.done()) out.draft = base;
   return out;
 }
 
 namespace {
 
-// The same size with every end on the first shaft and nothing tied: an end that never rises needs a heddle, too.
-Draft without_numbers(const Draft& like) {
-  Draft bare = like;
+// A draft of the same size with every end on shaft 1 and no ties, so that no numbering is kept. An end that never rises
+// needs a heddle, too.
+Draft without_numbering(const Draft& base) {
+  Draft bare = base;
   bare.shafts = bare.treadles = 1;
-  bare.threading = BitMatrix(like.ends(), 1);
-  for (int e = 0; e < like.ends(); ++e) bare.threading.set(e, 0, true);
+  bare.threading = BitMatrix(base.ends(), 1);
+  for (int e = 0; e < base.ends(); ++e) bare.threading.set(e, 0, true);
   bare.tieup = BitMatrix(1, 1);
-  bare.treadling = BitMatrix(like.picks(), 1);
-  bare.liftplan = BitMatrix(like.picks(), 1);
+  bare.treadling = BitMatrix(base.picks(), 1);
+  bare.liftplan = BitMatrix(base.picks(), 1);
   return bare;
 }
 
 bool fits(const Draft& d, LoomSize most) {
-  return d.shafts <= most.shafts && (d.drive == ShedControl::kLiftplan || d.treadles <= most.treadles);
+  return d.shafts <= most.shafts && (d.shed_control == ShedControl::kLiftplan || d.treadles <= most.treadles);
 }
 
 }  // namespace
 
-Factored within_loom(const Draft& like, LoomSize most) {
-  if (fits(like, most)) return {like, {}, 0, 0, 0};
-  const BitMatrix cells = drawdown(like);
-  Factored out = with_drawdown(like, cells, most);
+Factored within_loom(const Draft& base, LoomSize most) {
+  if (fits(base, most)) return {base, {}, 0, 0, 0};
+  const BitMatrix cells = drawdown(base);
+  Factored out = with_drawdown(base, cells, most);
   if (out.done() && fits(out.draft, most)) return out;
-  out = with_drawdown(without_numbers(like), cells, most);
-  if (!out.done()) out.draft = like;
+  out = with_drawdown(without_numbering(base), cells, most);
+  if (!out.done()) out.draft = base;
   return out;
 }
 
-Factored closest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most) {
-  const Factored exact = with_drawdown(like, cells, most);
+Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
+  const Factored exact = with_drawdown(base, cells, most);
   if (exact.done() && fits(exact.draft, most)) return exact;
-  // Where the weaver's own numbers stand in the way: without them.
-  const Draft bare = without_numbers(like);
+  // The weaver's numbering may not fit: try without it.
+  const Draft bare = without_numbering(base);
   Factored out = with_drawdown(bare, cells, most);
   const std::string why = exact.done() ? out.why : exact.why;
   if (!out.done()) {
-    BitMatrix near = transposed(with_fewer_kinds(transposed(cells), std::max(most.shafts, 1), false));
-    if (like.drive == ShedControl::kTreadling)
-      near = with_fewer_kinds(std::move(near), std::max(most.treadles, 1), like.rising);
-    out = with_drawdown(like, near, most);
+    BitMatrix near = transposed(with_fewer_rows(transposed(cells), std::max(most.shafts, 1), false));
+    if (base.shed_control == ShedControl::kTreadling)
+      near = with_fewer_rows(std::move(near), std::max(most.treadles, 1), base.rising);
+    out = with_drawdown(base, near, most);
     if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);
   }
   const BitMatrix shown = drawdown(out.draft);

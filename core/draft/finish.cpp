@@ -1,7 +1,7 @@
-// Mercerising: what parts the two ready yarns of cotton, as factors (yarn_presets.cpp has their sources). Raising: the
-// same between a woollen yarn and flannel's. Calendering: W. D. Schindler, P. J. Hauser, Chemical Finishing of
-// Textiles, 2004, and the trade's descriptions (threads flattened, gaps closed, surface smoothed and polished); its
-// figures are by eye.
+// Mercerising: the ratios between the two cotton presets (sources in yarn_presets.cpp). Raising: the ratios between a
+// woollen yarn and that of flannel. Calendering: W. D. Schindler, P. J. Hauser, Chemical Finishing of
+// Textiles, 2004, and descriptions of the trade (threads flattened, gaps closed, surface smoothed and polished); its
+// factors are estimates.
 
 #include "draft/finish.h"
 
@@ -11,45 +11,45 @@
 namespace weftlight::draft {
 namespace {
 
-float towards(float from, float to, float share) { return from + (to - from) * share; }
-float scaled(float value, float factor, float share) { return value * towards(1, factor, share); }
+float towards(float from, float to, float degree) { return from + (to - from) * degree; }
+float scaled(float value, float factor, float degree) { return value * towards(1, factor, degree); }
 
-void raise(Yarn& y, float share) {
+void raise(Yarn& y, float degree) {
   Lobes& l = y.lobes;
-  l.fuzz = 1 - scaled(1 - l.fuzz, 0.06f, share);
-  l.fuzz_width = towards(l.fuzz_width, std::max(l.fuzz_width, 0.95f), share);
-  l.along_width = scaled(l.along_width, 1.43f, share);
-  l.across_width = scaled(l.across_width, 1.33f, share);
-  // In the nap fibres of all threads and colours lie in a tangle: no streaks along a thread.
-  y.hairiness = scaled(y.hairiness, 0.35f, share);
-  y.melange = scaled(y.melange, 0.2f, share);
-  y.groove_depth = scaled(y.groove_depth, 0.1f, share);
-  y.fibre_um = scaled(y.fibre_um, 0.43f, share);
-  y.flattening = scaled(y.flattening, 0.47f, share);
+  l.fuzz = 1 - scaled(1 - l.fuzz, 0.06f, degree);
+  l.fuzz_width = towards(l.fuzz_width, std::max(l.fuzz_width, 0.95f), degree);
+  l.along_width = scaled(l.along_width, 1.43f, degree);
+  l.across_width = scaled(l.across_width, 1.33f, degree);
+  // In the nap, fibres of all threads and colours are entangled: no streaks along a thread.
+  y.hairiness = scaled(y.hairiness, 0.35f, degree);
+  y.melange = scaled(y.melange, 0.2f, degree);
+  y.groove_depth = scaled(y.groove_depth, 0.1f, degree);
+  y.fibre_um = scaled(y.fibre_um, 0.43f, degree);
+  y.flattening = scaled(y.flattening, 0.47f, degree);
 }
 
-void mercerise(Yarn& y, float share) {
+void mercerise(Yarn& y, float degree) {
   Lobes& l = y.lobes;
-  l.along_width = scaled(l.along_width, 0.53f, share);
-  l.layers = scaled(l.layers, 1.33f, share);
-  l.inner = scaled(l.inner, 1.2f, share);
-  l.fuzz = scaled(l.fuzz, 0.5f, share);
-  l.fuzz_width = scaled(l.fuzz_width, 0.82f, share);
-  y.hairiness = scaled(y.hairiness, 0.29f, share);
-  y.groove_depth = scaled(y.groove_depth, 0.78f, share);
-  y.fibre_um = scaled(y.fibre_um, 0.67f, share);
-  y.flattening = scaled(y.flattening, 1.07f, share);
+  l.along_width = scaled(l.along_width, 0.53f, degree);
+  l.layers = scaled(l.layers, 1.33f, degree);
+  l.inner = scaled(l.inner, 1.2f, degree);
+  l.fuzz = scaled(l.fuzz, 0.5f, degree);
+  l.fuzz_width = scaled(l.fuzz_width, 0.82f, degree);
+  y.hairiness = scaled(y.hairiness, 0.29f, degree);
+  y.groove_depth = scaled(y.groove_depth, 0.78f, degree);
+  y.fibre_um = scaled(y.fibre_um, 0.67f, degree);
+  y.flattening = scaled(y.flattening, 1.07f, degree);
 }
 
-void calender(Yarn& y, float share) {
+void calender(Yarn& y, float degree) {
   Lobes& l = y.lobes;
-  l.along_width = scaled(l.along_width, 0.5f, share);
-  l.across_width = scaled(l.across_width, 0.6f, share);
-  l.layers = scaled(l.layers, 1.5f, share);
-  l.fuzz = scaled(l.fuzz, 0.15f, share);
-  y.hairiness = scaled(y.hairiness, 0.3f, share);
-  y.groove_depth = scaled(y.groove_depth, 0.4f, share);
-  y.flattening = scaled(y.flattening, 0.5f, share);
+  l.along_width = scaled(l.along_width, 0.5f, degree);
+  l.across_width = scaled(l.across_width, 0.6f, degree);
+  l.layers = scaled(l.layers, 1.5f, degree);
+  l.fuzz = scaled(l.fuzz, 0.15f, degree);
+  y.hairiness = scaled(y.hairiness, 0.3f, degree);
+  y.groove_depth = scaled(y.groove_depth, 0.4f, degree);
+  y.flattening = scaled(y.flattening, 0.5f, degree);
 }
 
 }  // namespace

@@ -1,41 +1,42 @@
 #pragma once
-// What is done to a cloth after the loom, and what that makes of its yarns.
+// Finishing of the cloth, and its effect on the yarns.
 
 #include <array>
 #include <vector>
 
+#include "base/mark.h"
 #include "draft/yarn.h"
 #include "draft/yarn_fields.h"
 
 namespace weftlight::draft {
 
-/// How far each is taken, 0..1; all may be done to one cloth.
+/// Degree of each finish, 0..1; they may be combined.
 struct Finish {
-  float raised = 0;      // wire teeth draw fibres out of the yarns to a nap
-  float mercerised = 0;  // swollen in lye under tension: rounder, smoother, brighter
-  float calendered = 0;  // pressed between heavy rollers: flat threads that shine
+  float raised = 0;      // raised to a nap by wire teeth
+  float mercerised = 0;  // swollen in lye under tension: rounder, smoother, more lustrous
+  float calendered = 0;  // pressed between heavy rollers: flat, shiny threads
   bool operator==(const Finish&) const = default;
 };
 
 inline constexpr std::array<YarnField<Finish>, 3> kFinishFields{{
-    {{"Raised", "raised", "Raised", "", 2, 0, 1, 0, 1, false,
-      "Brushed to a nap that hides the weave: flannel, blankets",
+    {{"Raised", "raised", base::mark("Raised"), "", 2, 0, 1, 0, 1, false,
+      base::mark("Brushed to a nap that hides the weave: flannel, blankets"),
       "1: the flannel of presets/cloths, by eye beside milled cloth"},
      &Finish::raised},
-    {{"Mercerised", "mercerised", "Mercerised", "", 2, 0, 1, 0, 1, false,
-      "Cotton swollen in lye under tension: round, smooth, brighter",
-      "1: the step from the ready yarn Cotton to Mercerised cotton"},
+    {{"Mercerised", "mercerised", base::mark("Mercerised"), "", 2, 0, 1, 0, 1, false,
+      base::mark("Cotton swollen in lye under tension: rounder, smoother, more lustrous"),
+      "1: the step from the yarn preset Cotton to Mercerised cotton"},
      &Finish::mercerised},
-    {{"Calendered", "calendered", "Calendered", "", 2, 0, 1, 0, 1, false,
-      "Pressed by heavy rollers: threads lie flat and shine, as in chintz",
+    {{"Calendered", "calendered", base::mark("Calendered"), "", 2, 0, 1, 0, 1, false,
+      base::mark("Pressed between heavy rollers: threads lie flat and shine, as in chintz"),
       "1: friction-calendered; threads to half their height, Peirce 1937's range of flattening and below; by eye"},
      &Finish::calendered},
 }};
 
-/// Every number inside its range; what is not a number is 0.
+/// Each value clamped to its range; NaN becomes 0.
 Finish clamped(Finish finish);
 
-/// The yarn as it is in the finished cloth; the same, bit for bit, where nothing is done to it.
+/// The yarn as it is in the finished cloth; unchanged, bit for bit, without any finish.
 Yarn finished(Yarn yarn, const Finish& finish);
 std::vector<Yarn> finished(std::vector<Yarn> yarns, const Finish& finish);
 

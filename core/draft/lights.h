@@ -1,30 +1,31 @@
 #pragma once
-// Light that a cloth is looked at in, by name: the soft light around it (presets/lights/ID.json holds its lamps and the
-// key light's colour) and where the key light stands at first.
+// Lighting presets: environment light (presets/lights/ID.json holds its lamps and the key light's colour) and the
+// initial direction of the key light.
 
 #include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/mark.h"
 #include "draft/design.h"
 
 namespace weftlight::draft {
 
 struct LightingPreset {
-  const char* id;  // Scene::lights, and the file in presets/lights
-  const char* label;
+  const char* id;     // Scene::lights, and the file in presets/lights
+  const char* label;  // show tr(label), tr(tip)
   const char* tip;
   float azimuth, elevation;  // of the key light, degrees as in Scene
-  float key, sky;            // strengths
+  float key, sky;            // strengths of key light and environment
   Rgb background;
-  Rgb lit, shaded;  // of a white ball in it, as the picker shows it
+  Rgb lit, shaded;  // sides of the white ball that the picker shows
 };
 
-inline constexpr std::array<LightingPreset, 6> kLightSetups{{
+inline constexpr std::array<LightingPreset, 6> kLightingPresets{{
     {"studio",
-     "Studio",
-     "A soft box above, fills from the side and behind: for colour",
+     base::mark("Studio"),
+     base::mark("Softbox above, fill lights at the side and behind: for colour"),
      -50,
      48,
      1,
@@ -33,8 +34,8 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
      {0.97f, 0.96f, 0.94f},
      {0.60f, 0.585f, 0.57f}},
     {"window",
-     "Window",
-     "Daylight from one side, a dim room behind: for folds",
+     base::mark("Window"),
+     base::mark("Daylight from one side, a dim room behind: for folds"),
      -68,
      30,
      1,
@@ -43,8 +44,8 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
      {0.94f, 0.96f, 0.97f},
      {0.30f, 0.275f, 0.25f}},
     {"overcast",
-     "Overcast",
-     "Grey sky all over, hardly a shadow: for weave and colour",
+     base::mark("Overcast"),
+     base::mark("Grey sky all around, hardly any shadow: for weave and colour"),
      -20,
      75,
      0.3f,
@@ -53,8 +54,8 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
      {0.94f, 0.95f, 0.96f},
      {0.70f, 0.71f, 0.725f}},
     {"evening_sun",
-     "Evening sun",
-     "Low warm sun against a blue sky: for sheen",
+     base::mark("Evening sun"),
+     base::mark("Low warm sun against a blue sky: for sheen"),
      48,
      20,
      1.2f,
@@ -63,8 +64,8 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
      {1.0f, 0.87f, 0.70f},
      {0.44f, 0.46f, 0.56f}},
     {"gallery",
-     "Gallery",
-     "Warm spots from high above in a dark room",
+     base::mark("Gallery"),
+     base::mark("Warm spots from high above in a dark room"),
      -25,
      62,
      1.3f,
@@ -73,8 +74,8 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
      {0.99f, 0.94f, 0.86f},
      {0.33f, 0.30f, 0.265f}},
     {"grazing",
-     "Grazing",
-     "Light that skims the cloth: every thread throws a shadow",
+     base::mark("Grazing"),
+     base::mark("Light that skims the cloth: every thread throws a shadow"),
      -82,
      12,
      1.9f,
@@ -84,14 +85,14 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
      {0.16f, 0.165f, 0.175f}},
 }};
 
-/// The set-up of that name, or the first when there is none.
-constexpr const LightingPreset& light_setup(std::string_view id) {
-  for (const LightingPreset& setup : kLightSetups)
-    if (id == setup.id) return setup;
-  return kLightSetups.front();
+/// The preset of that id, or the first if there is none.
+constexpr const LightingPreset& lighting_preset(std::string_view id) {
+  for (const LightingPreset& preset : kLightingPresets)
+    if (id == preset.id) return preset;
+  return kLightingPresets.front();
 }
 
-/// A picture from all around, by its ending, in place of a set-up's name.
+/// Whether `lights` is the path of an environment map (by its extension) and not the id of a preset.
 constexpr bool is_environment(std::string_view lights) {
   if (lights.size() < 5) return false;
   constexpr auto kSame = [](std::string_view a, std::string_view b) {
@@ -103,7 +104,7 @@ constexpr bool is_environment(std::string_view lights) {
   return kSame(ending, ".hdr") || kSame(ending, ".exr");
 }
 
-/// The scene in the light of a picture, as it lies.
+/// The scene lit by an environment map, not rotated.
 inline Scene lit_by_environment(Scene scene, std::string path) {
   scene.lights = std::move(path);
   scene.light_azimuth = 0;
@@ -111,12 +112,12 @@ inline Scene lit_by_environment(Scene scene, std::string path) {
   return scene;
 }
 
-/// The scene in that light.
-inline Scene lit_by(Scene scene, const LightingPreset& setup) {
-  scene.lights = setup.id;
-  scene.light_azimuth = setup.azimuth, scene.light_elevation = setup.elevation;
-  scene.light_strength = setup.key, scene.sky_strength = setup.sky;
-  scene.background = setup.background;
+/// The scene lit by a preset.
+inline Scene lit_by(Scene scene, const LightingPreset& preset) {
+  scene.lights = preset.id;
+  scene.light_azimuth = preset.azimuth, scene.light_elevation = preset.elevation;
+  scene.light_strength = preset.key, scene.sky_strength = preset.sky;
+  scene.background = preset.background;
   return scene;
 }
 

@@ -1,38 +1,39 @@
 #pragma once
-// The one table of the methods that shade the cloth: what files, verbs and panels call each, and which of them are
-// rungs that `auto` chooses among. What a new one takes: shaders/README.md.
+// The table of shading methods: their names in files, commands and panels, and which of them are levels of detail that
+// `auto` chooses among. How to add one: shaders/README.md.
 
 #include <array>
 #include <optional>
 #include <string_view>
 
+#include "base/mark.h"
 #include "draft/design.h"
 
 namespace weftlight::draft {
 
 struct MethodFacts {
   Method method;
-  std::string_view name;  // in files, verbs and tables, and of its shader: method_NAME.glsl
-  const char* label;      // in the panels
-  bool drawn;             // by the renderer, for the window and `render`
-  bool threads;           // one by one, so that it needs them and shows what is between them
+  std::string_view name;  // in files, commands and tables; its shader is method_NAME.glsl
+  const char* label;      // in panels; show tr(label)
+  bool drawn;             // by the OpenGL renderer, for the window and `render`
+  bool threads;           // draws single threads, with the gaps between them
 };
 
 /// By value of the enum.
 inline constexpr std::array<MethodFacts, 10> kMethods{{
-    {Method::kAuto, "auto", "automatic", true, false},
-    {Method::kFlat, "flat", "flat", true, false},
-    {Method::kVrst03, "vrst03", "vrst03", true, false},
-    {Method::kIrawan, "irawan", "irawan", true, true},
-    {Method::kCloth, "cloth", "cloth", true, false},
-    {Method::kRepeat, "repeat", "repeat", true, false},
-    {Method::kCell, "cell", "cell", true, false},
-    {Method::kYarn, "yarn", "yarn", true, true},
-    {Method::kEngine, "engine", "engine", true, false},
-    {Method::kReference, "reference", "reference", false, false},
+    {Method::kAuto, "auto", base::mark("automatic"), true, false},
+    {Method::kFlat, "flat", base::mark("flat"), true, false},
+    {Method::kVrst03, "vrst03", base::mark("vrst03"), true, false},
+    {Method::kIrawan, "irawan", base::mark("irawan"), true, true},
+    {Method::kCloth, "cloth", base::mark("cloth"), true, false},
+    {Method::kRepeat, "repeat", base::mark("repeat"), true, false},
+    {Method::kCell, "cell", base::mark("cell"), true, false},
+    {Method::kYarn, "yarn", base::mark("yarn"), true, true},
+    {Method::kEngine, "engine", base::mark("engine"), true, false},
+    {Method::kReference, "reference", base::mark("reference"), false, false},
 }};
 
-/// Those that `auto` chooses among, fine to coarse.
+/// The levels of detail of `auto`, fine to coarse.
 inline constexpr std::array kShadedMethods{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
 
 constexpr const MethodFacts& method_facts(Method method) { return kMethods[static_cast<size_t>(method)]; }

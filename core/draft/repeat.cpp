@@ -6,12 +6,12 @@
 namespace weftlight::draft {
 namespace {
 
-// Smallest divisor d of n for which each thread is alike to the one d before.
-int smallest_period(int n, const std::function<bool(int, int)>& alike) {
+// Smallest divisor d of n such that each thread equals the one d before it.
+int smallest_period(int n, const std::function<bool(int, int)>& equal) {
   for (int d = 1; d <= n / 2; ++d) {
     if (n % d != 0) continue;
     bool repeats = true;
-    for (int i = d; repeats && i < n; ++i) repeats = alike(i, i - d);
+    for (int i = d; repeats && i < n; ++i) repeats = equal(i, i - d);
     if (repeats) return d;
   }
   return n;
@@ -27,7 +27,7 @@ bool same_thread(const Design& design, const Threads& t, int a, int b) {
          t.thickness_mm[a] == t.thickness_mm[b] && design.yarns[t.yarn[a]] == design.yarns[t.yarn[b]];
 }
 
-/// Whether each row is the same moved on by d columns.
+/// Whether each row equals itself shifted by d columns.
 bool repeats_across(const BitMatrix& m, int d) {
   const int left = m.cols() - d, words = (left + 63) / 64, shift = d % 64;
   const uint64_t tail = left % 64 == 0 ? ~uint64_t{0} : (uint64_t{1} << (left % 64)) - 1;
@@ -46,13 +46,14 @@ bool repeats_across(const BitMatrix& m, int d) {
 
 bool always(int, int) { return true; }
 
-/// Smallest divisor of the columns by which they repeat and each is alike to the one before it.
-int smallest_column_period(const BitMatrix& cells, const std::function<bool(int, int)>& alike) {
+/// Smallest divisor d of the number of columns such that the cells repeat after d columns and each thread equals the
+/// one d before it.
+int smallest_column_period(const BitMatrix& cells, const std::function<bool(int, int)>& equal) {
   const int n = cells.cols();
   for (int d = 1; d <= n / 2; ++d) {
     if (n % d != 0) continue;
     bool repeats = true;
-    for (int i = d; repeats && i < n; ++i) repeats = alike(i, i - d);
+    for (int i = d; repeats && i < n; ++i) repeats = equal(i, i - d);
     if (repeats && repeats_across(cells, d)) return d;
   }
   return n;
@@ -72,7 +73,7 @@ Repeat design_repeat(const Design& design, const BitMatrix& cells) {
                           [&](int a, int b) { return same_thread(design, d.weft, a, b) && same_row(cells, a, b); })};
 }
 
-double warp_up_share(const BitMatrix& cells) {
+double warp_up_fraction(const BitMatrix& cells) {
   const double crossings = static_cast<double>(cells.rows()) * cells.cols();
   return crossings > 0 ? static_cast<double>(cells.count()) / crossings : 0.0;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The repeat of a drawdown, and of all that makes a cloth look as it does.
+// The repeat of a drawdown, and of a whole design.
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
@@ -10,12 +10,12 @@ namespace weftlight::draft {
 struct Repeat {
   int ends = 0, picks = 0;
 };
-/// Of the structure alone.
+/// Repeat of the weave alone.
 Repeat structure_repeat(const BitMatrix& cells);
-/// Of structure, colours, yarns, spacing and thickness together: the tile of a texture.
+/// Repeat of weave, colours, yarns, spacing and thickness together: the tile of a texture.
 Repeat design_repeat(const Design& design, const BitMatrix& cells);
 
-/// Share of crossings with the warp on top, 0..1.
-double warp_up_share(const BitMatrix& cells);
+/// Fraction of crossings with the warp on top, 0..1.
+double warp_up_fraction(const BitMatrix& cells);
 
 }  // namespace weftlight::draft

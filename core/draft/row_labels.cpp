@@ -28,26 +28,26 @@ int votes_for(const Votes& votes, int label, int group) {
   return found == votes.end() ? 0 : found->second;
 }
 
-// Labels that already mean a group: those with threads of it on them, or, for want of such, any.
-void keep_meanings(Labelling& l, const Votes& votes, std::vector<char>& has) {
+// Labels that mean a group already: those that have threads of it, otherwise any.
+void keep_meanings(Labelling& l, const Votes& votes, std::vector<char>& labelled) {
   for (int i = 0; i < l.labels(); ++i) {
     const int group = l.meaning[i];
     if (group < 0 || votes_for(votes, i, group) == 0) continue;
     l.owner[i] = group;
-    has[group] = 1;
+    labelled[group] = 1;
   }
   for (int i = 0; i < l.labels(); ++i) {
     const int group = l.meaning[i];
-    if (l.owner[i] >= 0 || group < 0 || has[group]) continue;
+    if (l.owner[i] >= 0 || group < 0 || labelled[group]) continue;
     l.owner[i] = group;
-    has[group] = 1;
+    labelled[group] = 1;
   }
 }
 
-// Any other label goes where most of its threads go, if those have none.
-void follow_threads(Labelling& l, const Votes& votes, std::vector<char>& has) {
+// Any other label follows most of its threads, if their group has no label yet.
+void follow_threads(Labelling& l, const Votes& votes, std::vector<char>& labelled) {
   std::vector<int> most(l.owner.size(), 0);
-  const std::vector<char> settled = has;
+  const std::vector<char> settled = labelled;
   for (const auto& [key, count] : votes) {
     const auto [label, group] = key;
     const bool means_another = l.owner[label] >= 0 && l.owner[label] == l.meaning[label];
@@ -56,10 +56,10 @@ void follow_threads(Labelling& l, const Votes& votes, std::vector<char>& has) {
     most[label] = count;
   }
   for (const int group : l.owner)
-    if (group >= 0) has[group] = 1;
+    if (group >= 0) labelled[group] = 1;
 }
 
-// An empty label, a new one, or one that no thread needs, in this order.
+// An empty label, a new one, or one that no thread needs, in that order; -1: none.
 int free_label(Labelling& l, int most) {
   for (int i = 0; i < l.labels(); ++i)
     if (l.owner[i] < 0 && l.empty[i] && !l.fixed[i]) return i;
@@ -75,7 +75,7 @@ int free_label(Labelling& l, int most) {
   return -1;
 }
 
-// A label of a group that has several: the one with the fewest threads.
+// Of the groups with several labels, the label with the fewest threads; -1: none.
 int spare_label(const Labelling& l, const Votes& votes) {
   std::vector<int> count(l.first.size(), 0);
   for (const int group : l.owner)
@@ -132,13 +132,13 @@ Labelling labelling_of(const BitMatrix& threads, const std::vector<char>& takes_
   return l;
 }
 
-bool give_labels(Labelling& l, int most) {
+bool assign_labels(Labelling& l, int most) {
   const Votes votes = votes_of(l);
-  std::vector<char> has(l.first.size(), 0);
-  keep_meanings(l, votes, has);
-  follow_threads(l, votes, has);
+  std::vector<char> labelled(l.first.size(), 0);
+  keep_meanings(l, votes, labelled);
+  follow_threads(l, votes, labelled);
   for (int g = 0; g < l.groups(); ++g) {
-    if (has[g]) continue;
+    if (labelled[g]) continue;
     int label = free_label(l, most);
     if (label < 0) label = spare_label(l, votes);
     if (label < 0) return false;

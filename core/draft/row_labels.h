@@ -1,6 +1,6 @@
 #pragma once
-// Inside of factoring: which threads share a label (ends a shaft, picks a treadle), where a label that threads
-// have already stays with them as far as it can.
+// Internal to factoring: assigns a label to each thread (a shaft to each end, a treadle to each pick), keeping the
+// labels that threads have already where possible.
 
 #include <vector>
 
@@ -8,26 +8,26 @@
 
 namespace weftlight::draft {
 
-/// Threads of one group weave alike. Vectors are by thread, by label or by group.
+/// Threads of one group weave alike. Vectors are indexed by thread, by label or by group.
 struct Labelling {
-  std::vector<int> group;      // of each thread; -1: it takes no part
-  std::vector<int> first;      // of each group: its first thread
+  std::vector<int> group;      // of each thread; -1: not labelled
+  std::vector<int> first;      // of each group: first thread
   std::vector<int> old_label;  // of each thread; -1: none
-  std::vector<int> meaning;    // of each label: the group that weaves as it did; -1: none does
-  std::vector<char> fixed;     // of each label: its meaning may not change
-  std::vector<char> empty;     // of each label: it has no meaning that would be lost
-  std::vector<int> owner;      // of each label: the group that has it; -1: none
-  std::vector<int> label_of;   // of each group: its label with the most threads
+  std::vector<int> meaning;    // of each label: the group that weaves as the label did before; -1: none
+  std::vector<char> fixed;     // of each label: may not get another meaning
+  std::vector<char> empty;     // of each label: unused, free to take
+  std::vector<int> owner;      // of each label: group it is assigned to; -1: none
+  std::vector<int> label_of;   // of each group: its label with most threads
   int groups() const { return static_cast<int>(first.size()); }
   int labels() const { return static_cast<int>(owner.size()); }
-  /// The label a thread gets: its old one where that is still its group's.
+  /// The label of a thread: its old one if that still belongs to its group.
   int label(int thread) const;
 };
 
-/// Groups of the rows of `threads` that take part; `meanings`: a row of the same width a label.
+/// Groups equal rows of `threads` where `takes_part`. `meanings`: per label, a row of the same width.
 Labelling labelling_of(const BitMatrix& threads, const std::vector<char>& takes_part, const BitMatrix& meanings);
 
-/// Gives every group a label, of `most` at the most; false when there are too few.
-bool give_labels(Labelling& l, int most);
+/// Assigns a label to every group, at most `most` labels in all; false if that is too few.
+bool assign_labels(Labelling& l, int most);
 
 }  // namespace weftlight::draft

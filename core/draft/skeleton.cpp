@@ -1,9 +1,9 @@
-// The fewest sets of shafts of which every lift is the union of at most `feet`.
+// The smallest set of treadles (sets of shafts) of which every lift is the union of at most n, the treadles per pick.
 //
-// A treadle may be tied to all shafts that the picks which use it have in common without harm, so only
-// intersections of lifts need be tried. Branch and bound: the lift with the fewest ways to be made is made in
-// each of its ways, those with the fewest new treadles first; t treadles make at most sum over k <= feet of
-// C(t, k) lifts, which bounds a branch from below. With one foot it is each distinct lift by itself.
+// A treadle may be tied to every shaft that all its picks lift, so only intersections of lifts need be tried. Branch
+// and bound: of the lifts that are left, the one with the fewest combinations is decided next, combinations with the
+// fewest new treadles first. Lower bound: t treadles make at most sum over k <= n of C(t, k) lifts. For n = 1 each
+// distinct lift is a treadle.
 // Based on: the set basis problem (L. J. Stockmeyer, The set basis problem is NP-complete, 1975).
 
 #include "draft/skeleton.h"
@@ -18,8 +18,8 @@ namespace {
 using Set = std::vector<uint64_t>;  // of shafts
 
 constexpr size_t kMaxCandidates = 1024;
-constexpr size_t kMaxLifts = 256;  // that are tried in pairs; of more each has a treadle of its own
-constexpr size_t kMaxWays = 256;   // of making one lift
+constexpr size_t kMaxLifts = 256;         // distinct; with more, each has its own treadle
+constexpr size_t kMaxCombinations = 256;  // combinations of treadles for one lift
 
 bool within(const Set& a, const Set& b) {
   for (size_t w = 0; w < a.size(); ++w)
@@ -45,7 +45,7 @@ int size_of(const Set& a) {
   return std::accumulate(a.begin(), a.end(), 0, [](int sum, uint64_t word) { return sum + std::popcount(word); });
 }
 
-// The lifts, then what they have in common, by twos and further.
+// The lifts, then their intersections, of two and more.
 std::vector<Set> candidates_of(const std::vector<Set>& lifts) {
   std::vector<Set> found = lifts;
   for (size_t i = 0; i < found.size() && found.size() < kMaxCandidates; ++i)
@@ -56,39 +56,40 @@ std::vector<Set> candidates_of(const std::vector<Set>& lifts) {
   return found;
 }
 
-using Way = std::vector<int>;  // candidates that together are a lift
+using Combination = std::vector<int>;  // candidates whose union is a lift
 
-void add_ways(std::vector<Way>& ways, const std::vector<Set>& all, const std::vector<int>& inside, const Set& lift,
-              size_t from, const Way& way, const Set& sum, int feet) {
-  for (size_t i = from; i < inside.size() && ways.size() < kMaxWays; ++i) {
+void add_combinations(std::vector<Combination>& combinations, const std::vector<Set>& all,
+                      const std::vector<int>& inside, const Set& lift, size_t from, const Combination& combination,
+                      const Set& sum, int most) {
+  for (size_t i = from; i < inside.size() && combinations.size() < kMaxCombinations; ++i) {
     const Set& next = all[static_cast<size_t>(inside[i])];
     if (within(next, sum)) continue;
-    Way more = way;
+    Combination more = combination;
     more.push_back(inside[i]);
     const Set now = united(sum, next);
-    if (now == lift) ways.push_back(std::move(more));
-    else if (feet > 1) add_ways(ways, all, inside, lift, i + 1, more, now, feet - 1);
+    if (now == lift) combinations.push_back(std::move(more));
+    else if (most > 1) add_combinations(combinations, all, inside, lift, i + 1, more, now, most - 1);
   }
 }
 
-std::vector<Way> ways_of(const std::vector<Set>& all, const Set& lift, int feet) {
+std::vector<Combination> combinations_of(const std::vector<Set>& all, const Set& lift, int most) {
   std::vector<int> inside;
   for (size_t i = 0; i < all.size(); ++i)
     if (within(all[i], lift)) inside.push_back(static_cast<int>(i));
-  // The largest first: where not all ways are kept, those of many tiny treadles are left out.
+  // Largest first: if the number of combinations is capped, those of many small treadles are left out.
   std::ranges::stable_sort(inside, [&](int a, int b) {
     return size_of(all[static_cast<size_t>(a)]) > size_of(all[static_cast<size_t>(b)]);
   });
-  std::vector<Way> ways;
-  add_ways(ways, all, inside, lift, 0, {}, Set(lift.size(), 0), feet);
-  return ways;
+  std::vector<Combination> combinations;
+  add_combinations(combinations, all, inside, lift, 0, {}, Set(lift.size(), 0), most);
+  return combinations;
 }
 
-// Fewest treadles that make `lifts` different lifts.
-int least_treadles(int64_t lifts, int feet) {
+// Lower bound: the fewest treadles with at least `lifts` unions.
+int least_treadles(int64_t lifts, int most) {
   for (int t = 0;; ++t) {
     int64_t made = 0, choose = 1;
-    for (int k = 1; k <= feet && k <= t; ++k) {
+    for (int k = 1; k <= most && k <= t; ++k) {
       choose = choose * (t - k + 1) / k;
       made += choose;
     }
@@ -97,38 +98,40 @@ int least_treadles(int64_t lifts, int feet) {
 }
 
 struct Search {
-  std::vector<std::vector<Way>> ways;  // of each lift
+  std::vector<std::vector<Combination>> combinations;  // of each lift
   int at_least = 0, steps = 0;
-  std::vector<int> uses;    // of each candidate: lifts made with it
-  std::vector<int> chosen;  // way of each lift, -1: not yet made
+  std::vector<int> uses;    // of each candidate: number of lifts that use it
+  std::vector<int> chosen;  // combination of each lift; -1: undecided
   int treadles = 0;
   std::vector<int> best_chosen;
   int best = 0;
 
-  int new_treadles(const Way& way) const {
-    return static_cast<int>(std::ranges::count_if(way, [this](int c) { return uses[static_cast<size_t>(c)] == 0; }));
+  int new_treadles(const Combination& combination) const {
+    return static_cast<int>(
+        std::ranges::count_if(combination, [this](int c) { return uses[static_cast<size_t>(c)] == 0; }));
   }
-  void use(const Way& way, int by) {
-    for (const int c : way) {
+  void use(const Combination& combination, int by) {
+    for (const int c : combination) {
       int& times = uses[static_cast<size_t>(c)];
       treadles += by > 0 && times == 0;
       times += by;
       treadles -= by < 0 && times == 0;
     }
   }
-  // The lift that most needs a decision: one that costs nothing, or else the one with the fewest ways.
+  // The lift to decide next: one that needs no new treadle, otherwise the one with the fewest combinations.
   int next_lift() {
     int next = -1;
-    for (size_t i = 0; i < ways.size(); ++i) {
+    for (size_t i = 0; i < combinations.size(); ++i) {
       if (chosen[i] >= 0) continue;
-      steps -= static_cast<int>(ways[i].size());
-      for (const Way& way : ways[i])
-        if (new_treadles(way) == 0) return static_cast<int>(i);
-      if (next < 0 || ways[i].size() < ways[static_cast<size_t>(next)].size()) next = static_cast<int>(i);
+      steps -= static_cast<int>(combinations[i].size());
+      for (const Combination& combination : combinations[i])
+        if (new_treadles(combination) == 0) return static_cast<int>(i);
+      if (next < 0 || combinations[i].size() < combinations[static_cast<size_t>(next)].size())
+        next = static_cast<int>(i);
     }
     return next;
   }
-  void go() {
+  void run() {
     if (steps-- <= 0 || best <= at_least || treadles >= best) return;
     const int lift = next_lift();
     if (lift < 0) {
@@ -136,10 +139,11 @@ struct Search {
       best_chosen = chosen;
       return;
     }
-    if (treadles + 1 >= best && std::ranges::none_of(ways[static_cast<size_t>(lift)],
-                                                     [this](const Way& way) { return new_treadles(way) == 0; }))
+    if (treadles + 1 >= best &&
+        std::ranges::none_of(combinations[static_cast<size_t>(lift)],
+                             [this](const Combination& combination) { return new_treadles(combination) == 0; }))
       return;
-    const std::vector<Way>& here = ways[static_cast<size_t>(lift)];
+    const std::vector<Combination>& here = combinations[static_cast<size_t>(lift)];
     std::vector<int> order(here.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](int w) { return new_treadles(here[static_cast<size_t>(w)]); });
@@ -147,18 +151,18 @@ struct Search {
     for (const int w : order) {
       chosen[static_cast<size_t>(lift)] = w;
       use(here[static_cast<size_t>(w)], 1);
-      go();
+      run();
       use(here[static_cast<size_t>(w)], -1);
       chosen[static_cast<size_t>(lift)] = -1;
-      if (free || steps <= 0) return;  // what costs nothing is never worse
+      if (free || steps <= 0) return;  // a combination without new treadles is never worse
     }
   }
 };
 
 }  // namespace
 
-Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps) {
-  feet = std::clamp(feet, 1, 4);
+Skeleton skeleton_tieup(const BitMatrix& lifts, int treadles_per_pick, int steps) {
+  int most = std::clamp(treadles_per_pick, 1, 4);
   const std::vector<int> first = first_equal_rows(lifts);
   std::vector<Set> distinct;
   std::vector<int> lift_of(first.size(), -1);
@@ -170,32 +174,33 @@ Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps) {
     }
     lift_of[p] = lift_of[first[p]];
   }
-  if (distinct.size() > kMaxLifts) feet = 1;
-  const std::vector<Set> all = feet > 1 ? candidates_of(distinct) : distinct;
+  if (distinct.size() > kMaxLifts) most = 1;
+  const std::vector<Set> all = most > 1 ? candidates_of(distinct) : distinct;
   Search search;
-  bool all_ways = all.size() < kMaxCandidates;
+  bool all_combinations = all.size() < kMaxCandidates;
   for (size_t i = 0; i < distinct.size(); ++i) {
-    search.ways.push_back(feet > 1 ? ways_of(all, distinct[i], feet) : std::vector<Way>{{static_cast<int>(i)}});
+    search.combinations.push_back(most > 1 ? combinations_of(all, distinct[i], most)
+                                           : std::vector<Combination>{{static_cast<int>(i)}});
     search.best_chosen.push_back(0);
-    all_ways = all_ways && search.ways.back().size() < kMaxWays;
+    all_combinations = all_combinations && search.combinations.back().size() < kMaxCombinations;
   }
-  // Each lift by a treadle of its own is always a way: the largest set inside it is itself, and comes first.
+  // A treadle per lift is the fallback: the largest candidate inside a lift is the lift itself, its first combination.
   search.best = static_cast<int>(distinct.size());
-  search.at_least = least_treadles(static_cast<int64_t>(distinct.size()), feet);
+  search.at_least = least_treadles(static_cast<int64_t>(distinct.size()), most);
   search.steps = steps;
   search.uses.assign(all.size(), 0);
   search.chosen.assign(distinct.size(), -1);
-  search.go();
+  search.run();
 
   Skeleton out;
   out.at_least = search.at_least;
-  out.fewest = search.best == search.at_least || (search.steps > 0 && all_ways);
+  out.fewest = search.best == search.at_least || (search.steps > 0 && all_combinations);
   std::vector<int> treadle_of(all.size(), -1), order;
   out.treadling = BitMatrix(lifts.rows(), search.best);
   for (int p = 0; p < lifts.rows(); ++p) {
     if (lift_of[p] < 0) continue;
     const auto lift = static_cast<size_t>(lift_of[p]);
-    for (const int c : search.ways[lift][static_cast<size_t>(search.best_chosen[lift])]) {
+    for (const int c : search.combinations[lift][static_cast<size_t>(search.best_chosen[lift])]) {
       int& treadle = treadle_of[static_cast<size_t>(c)];
       if (treadle < 0) {
         treadle = static_cast<int>(order.size());

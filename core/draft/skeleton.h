@@ -1,5 +1,5 @@
 #pragma once
-// A skeleton tie-up: picks are lifted by several treadles at once, so that fewer treadles do for all of them.
+// A skeleton tie-up: several treadles are pressed at once in a pick, so that fewer treadles are needed in all.
 
 #include "draft/draft.h"
 
@@ -7,12 +7,12 @@ namespace weftlight::draft {
 
 struct Skeleton {
   BitMatrix tieup, treadling;  // treadles x shafts, picks x treadles
-  int at_least = 0;            // no skeleton has fewer treadles than this
-  bool fewest = false;         // the search was finished: there is none with fewer
+  int at_least = 0;            // lower bound of the number of treadles
+  bool fewest = false;         // proved: no skeleton tie-up has fewer treadles
 };
 
-/// Treadles for `lifts` (picks x shafts), at most `feet` (1..4) a pick. Looks at `steps` ways of making a lift
-/// at the most; never more treadles than distinct lifts.
-Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps = 10000000);
+/// Treadles for `lifts` (picks x shafts), at most `treadles_per_pick` (1..4) in a pick and never more than distinct
+/// lifts. The search ends after `steps` combinations.
+Skeleton skeleton_tieup(const BitMatrix& lifts, int treadles_per_pick, int steps = 10000000);
 
 }  // namespace weftlight::draft

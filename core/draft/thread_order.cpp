@@ -43,7 +43,7 @@ void put_in_order(Threads& t, std::span<const ThreadSource> order) {
   put_in_order(t.yarn, order);
 }
 
-/// As they stand; beyond the last one, more of its kind.
+/// Each thread keeps its own properties; threads beyond the last have those of the last.
 Order properties_in_place(int old_count, size_t count) {
   Order order(count);
   for (size_t i = 0; i < count; ++i) order[i].thread = std::min(static_cast<int>(i), old_count - 1);
@@ -57,16 +57,17 @@ bool is_possible(const Draft& d, System system, std::span<const ThreadSource> or
          static_cast<int64_t>(order.size()) * others <= kMaxCells && std::ranges::all_of(order, is_there);
 }
 
-/// Thread i of the new order is thread first + source(i - first) for every i in reach.
+/// Thread i of the new order is thread first + source(i - first), for every i within the extent.
 template <class Source>
-Order over_reach(const ThreadRange& r, int count, Reach reach, Source source) {
+Order over_extent(const ThreadRange& r, int count, RepeatExtent extent, Source source) {
   Order order = same_order(count);
-  for (int i = reach == Reach::kAll ? 0 : r.first; i < count; ++i)
+  for (int i = extent == RepeatExtent::kAll ? 0 : r.first; i < count; ++i)
     order[static_cast<size_t>(i)].thread = r.first + source(i - r.first);
   return order;
 }
 
-void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
+/// Writes row r of `from`, rotated by `step` columns, into `row`.
+void rotate_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
   std::ranges::fill(row, 0);
   const int n = from.cols();
   for (int c = 0; c < n; ++c)
@@ -76,10 +77,10 @@ void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
     }
 }
 
-/// What moves on when a draft advances: shafts of the threading, treadles, or shafts of the liftplan.
+/// The grid of an advancing repeat: threading, treadling or liftplan.
 BitMatrix& advancing_grid(Draft& d, System system) {
   if (system == System::kWarp) return d.threading;
-  return d.drive == ShedControl::kLiftplan ? d.liftplan : d.treadling;
+  return d.shed_control == ShedControl::kLiftplan ? d.liftplan : d.treadling;
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ Design with_reversed_threads(Design design, const ThreadRange& range, bool with_
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_turned_threads(Design design, const ThreadRange& range, int steps, bool with_properties) {
+Design with_rotated_threads(Design design, const ThreadRange& range, int steps, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
@@ -145,19 +146,19 @@ Design with_turned_threads(Design design, const ThreadRange& range, int steps, b
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_repeated_threads(Design design, const ThreadRange& range, Reach reach, bool with_properties) {
+Design with_repeated_threads(Design design, const ThreadRange& range, RepeatExtent extent, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   const Order order =
-      over_reach(r, design.draft.threads(r.system).size(), reach, [n = r.count()](int i) { return wrapped(i, n); });
+      over_extent(r, design.draft.threads(r.system).size(), extent, [n = r.count()](int i) { return wrapped(i, n); });
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, bool with_properties) {
+Design with_point_repeat(Design design, const ThreadRange& range, RepeatExtent extent, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   const int n = r.count(), period = std::max(1, 2 * n - 2);
-  const Order order = over_reach(r, design.draft.threads(r.system).size(), reach, [n, period](int i) {
+  const Order order = over_extent(r, design.draft.threads(r.system).size(), extent, [n, period](int i) {
     const int k = wrapped(i, period);
     return k < n ? k : period - k;
   });
@@ -167,13 +168,14 @@ Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, b
 Design with_advancing_repeat(Design design, const ThreadRange& range, int step, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
-  design = with_repeated_threads(std::move(design), r, Reach::kToEnd, with_properties);
+  design = with_repeated_threads(std::move(design), r, RepeatExtent::kToEnd, with_properties);
   BitMatrix& grid = advancing_grid(design.draft, r.system);
   if (grid.cols() == 0) return design;
   const int columns = grid.cols();
   for (int i = r.end; i < grid.rows(); ++i) {
     const int64_t repeat = (i - r.first) / r.count();
-    turn_row(grid.row(i), grid, r.first + (i - r.first) % r.count(), wrapped(repeat * wrapped(step, columns), columns));
+    rotate_row(grid.row(i), grid, r.first + (i - r.first) % r.count(),
+               wrapped(repeat * wrapped(step, columns), columns));
   }
   return design;
 }

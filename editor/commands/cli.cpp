@@ -206,7 +206,7 @@ void add_response_options(CLI::App* verb, ResponseOptions& o, std::string& views
 
 std::vector<std::string> light_names() {
   std::vector<std::string> names;
-  for (const LightingPreset& setup : kLightSetups) names.push_back(setup.id);
+  for (const LightingPreset& setup : kLightingPresets) names.push_back(setup.id);
   return names;
 }
 
@@ -559,9 +559,9 @@ CommandLine run_command_line(int argc, char** argv) {
   drawdown.face = drawdown_face == "back" ? Face::kBack : Face::kFront;
   response.face = response_face == "back" ? Face::kBack : Face::kFront;
   if (response.lights_deg.empty()) parse_angles("-80:80:5", response.lights_deg);
-  convert.drive = to_lifts      ? ConvertShedControl::kLiftplan
-                  : to_treadles ? ConvertShedControl::kTreadling
-                                : ConvertShedControl::kAsIs;
+  convert.shed_control = to_lifts      ? ConvertShedControl::kLiftplan
+                         : to_treadles ? ConvertShedControl::kTreadling
+                                       : ConvertShedControl::kAsIs;
   if ((render_verb->parsed() || reference_verb->parsed()) && !take_picture_text(picture, picture_text)) {
     result.exit_code = kUsage;
     return result;

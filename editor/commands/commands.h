@@ -38,7 +38,7 @@ enum class ConvertShedControl { kAsIs, kLiftplan, kTreadling };
 struct ConvertOptions {
   std::string in, out;
   bool plain = false;
-  ConvertShedControl drive = ConvertShedControl::kAsIs;
+  ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // that it is to fit
   bool nearest = false;    // what does not fit is woven as nearly as it can be
   files::PictureDraft picture{};
@@ -52,7 +52,7 @@ struct PictureOptions {
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
-  std::string lights;  // of kLightSetups, or a picture from all around; empty: the scene's
+  std::string lights;  // of kLightingPresets, or a picture from all around; empty: the scene's
   bool surroundings = false;
   float exposure_ev;  // stops; given, it says with automatic_exposure all of the exposure
   bool automatic_exposure = false;

@@ -13,8 +13,8 @@ namespace {
 bool asks_for_loom(const ConvertOptions& o) { return o.loom != LoomSize{}; }
 
 std::string converted(const WifFile& file, const Design& design, const ConvertOptions& options) {
-  const bool liftplan = options.drive == ConvertShedControl::kLiftplan,
-             treadling = options.drive == ConvertShedControl::kTreadling;
+  const bool liftplan = options.shed_control == ConvertShedControl::kLiftplan,
+             treadling = options.shed_control == ConvertShedControl::kTreadling;
   if (options.plain) {
     return write_plain_wif(design, liftplan    ? PlainShedControl::kLiftplan
                                    : treadling ? PlainShedControl::kTreadling
@@ -25,8 +25,8 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
 
 /// Driven as asked; an exit code, with the problem printed.
 int drive(Design& design, const ConvertOptions& options) {
-  if (options.drive == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
-  if (options.drive != ConvertShedControl::kTreadling) return kDone;
+  if (options.shed_control == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
+  if (options.shed_control != ConvertShedControl::kTreadling) return kDone;
   design = to_treadling(std::move(design));
   if (design.draft.drive == ShedControl::kTreadling) return kDone;
   std::fprintf(stderr, "%s: the draft needs more than %d treadles; keep its liftplan\n", options.in.c_str(),

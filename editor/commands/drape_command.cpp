@@ -73,7 +73,8 @@ Mesh own_mesh(Design& design) {
 
 /// As the draft's own yarns and sett make it hang.
 int write_own(const DrapeOptions& options) {
-  if (!options.hang.empty()) return usage("--hang is of a shipped drape; a draft hangs as its cloth does");
+  if (!options.stiffness.empty())
+    return usage("--stiffness is for a generic fabric; a draft is simulated with its own yarns and sett");
   if (!options.mesh.empty() && (!is_known(options.mesh) || options.mesh == "plane")) return refuse(options.mesh, "");
   OpenedDesign opened = open_design(options.name);
   if (!opened.ok) return kBadInput;
@@ -94,7 +95,7 @@ int write_named(const DrapeOptions& options) {
   if (extension != ".glb" && extension != ".gltf") return usage(options.out + ": a drape is written as .glb or .gltf");
   if (!known) return write_own(options);
   if (!options.mesh.empty()) return usage("--mesh is of a draft; " + options.name + " is a drape itself");
-  return write_drape(options.name, simulate_drape(options.name, hang_called(options.hang)), options.out);
+  return write_drape(options.name, simulate_drape(options.name, hang_called(options.stiffness)), options.out);
 }
 
 }  // namespace

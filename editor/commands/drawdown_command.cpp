@@ -60,8 +60,8 @@ int drawdown_command(const DrawdownOptions& options) {
   const std::string& out = options.out;
   const std::string error = form == Form::kText    ? write_file_atomically(out, as_text(cells))
                             : options.points       ? write_drawdown_points(out, cells)
-                            : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.way)
-                                                   : write_drawdown_drawing(out, cells, draft, options.way);
+                            : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.origin)
+                                                   : write_drawdown_drawing(out, cells, draft, options.origin);
   return error.empty() ? kDone : not_written(error);
 }
 

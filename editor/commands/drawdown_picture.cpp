@@ -17,8 +17,8 @@ constexpr int64_t kMaxDrawn = 4'000'000;          // crossings of a drawing
 constexpr double kCellMm = 2, kLongestMm = 1000;  // of a drawing
 constexpr double kPointsPerMm = 72 / 25.4;
 
-const Rgb& color_at(const BitMatrix& cells, const Draft& draft, WayUp way, int x, int y) {
-  const int end = way.end1_left ? x : cells.cols() - 1 - x, pick = way.pick1_bottom ? cells.rows() - 1 - y : y;
+const Rgb& color_at(const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, int x, int y) {
+  const int end = origin.end1_left ? x : cells.cols() - 1 - x, pick = origin.pick1_bottom ? cells.rows() - 1 - y : y;
   const int color =
       cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)] : draft.weft.color[static_cast<size_t>(pick)];
   return draft.palette[static_cast<size_t>(color)];
@@ -36,13 +36,13 @@ std::string too_many(const std::string& path, const BitMatrix& cells, const char
 }
 
 /// Neighbours of one colour are one rectangle.
-void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, WayUp way, double cell) {
+void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, double cell) {
   cairo_set_antialias(pen, CAIRO_ANTIALIAS_NONE);  // no gaps between neighbours
   for (int y = 0; y < cells.rows(); ++y) {
     for (int x = 0; x < cells.cols();) {
-      const Rgb& color = color_at(cells, draft, way, x, y);
+      const Rgb& color = color_at(cells, draft, origin, x, y);
       int end = x + 1;
-      while (end < cells.cols() && color_at(cells, draft, way, end, y) == color) ++end;
+      while (end < cells.cols() && color_at(cells, draft, origin, end, y) == color) ++end;
       cairo_set_source_rgb(pen, static_cast<double>(color.r), static_cast<double>(color.g),
                            static_cast<double>(color.b));
       cairo_rectangle(pen, x * cell, y * cell, (end - x) * cell, cell);
@@ -54,14 +54,15 @@ void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, WayUp way, d
 
 }  // namespace
 
-std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way) {
+std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                 DrawdownOrigin origin) {
   if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
   const int size = cell_size(cells);
   Image image{cells.cols() * size, cells.rows() * size, 3, {}};
   image.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const Rgb& c = color_at(cells, draft, way, x / size, y / size);
+      const Rgb& c = color_at(cells, draft, origin, x / size, y / size);
       image.texels.insert(image.texels.end(), {c.r, c.g, c.b});
     }
   }
@@ -78,7 +79,8 @@ std::string write_drawdown_points(const std::string& path, const BitMatrix& cell
   return write_image(path, image, PixelType::kU8);
 }
 
-std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way) {
+std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                   DrawdownOrigin origin) {
   if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many(path, cells, "a .png");
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
@@ -88,7 +90,7 @@ std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cel
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> sheet(
         create(beside.c_str(), cells.cols() * cell, cells.rows() * cell), cairo_surface_destroy);
     const std::unique_ptr<cairo_t, void (*)(cairo_t*)> pen(cairo_create(sheet.get()), cairo_destroy);
-    draw(pen.get(), cells, draft, way, cell);
+    draw(pen.get(), cells, draft, origin, cell);
     cairo_surface_finish(sheet.get());
     const cairo_status_t drawn = cairo_status(pen.get()), whole = cairo_surface_status(sheet.get());
     const cairo_status_t status = drawn != CAIRO_STATUS_SUCCESS ? drawn : whole;

@@ -55,11 +55,6 @@ std::string no_view_text(const Design& design, const std::string& name) {
 
 }  // namespace
 
-int fail(int code, const std::string& what) {
-  std::fprintf(stderr, "weftlight: %s\n", what.c_str());
-  return code;
-}
-
 int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
     return fail(kUsage, o.out + ": the picture must be a .png or an .exr");

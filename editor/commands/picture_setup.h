@@ -13,9 +13,6 @@
 
 namespace weftlight::commands {
 
-/// Prints "weftlight: what" and gives the code back.
-int fail(int code, const std::string& what);
-
 struct PictureSetup {
   Design design;
   std::unique_ptr<HeadlessContext> context;  // outlives the renderer

@@ -101,12 +101,12 @@ Comparison compare(const Design& a, const Design& b) {
   c.count("treadles", x.treadles, y.treadles);
   const auto shed = [](const Draft& d) { return std::string(d.rising ? "rising" : "sinking"); };
   c.text("shed", shed(x), shed(y));
-  const auto drive = [](const Draft& d) {
-    return std::string(d.drive == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
+  const auto shed_control = [](const Draft& d) {
+    return std::string(d.shed_control == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
   };
-  c.text("driven by", drive(x), drive(y));
+  c.text("driven by", shed_control(x), shed_control(y));
   c.rows("threading", x.threading, y.threading);
-  if (x.drive == ShedControl::kTreadling && y.drive == ShedControl::kTreadling) {
+  if (x.shed_control == ShedControl::kTreadling && y.shed_control == ShedControl::kTreadling) {
     c.rows("tie-up", x.tieup, y.tieup);
     c.rows("treadling", x.treadling, y.treadling);
   }
@@ -131,7 +131,7 @@ BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y) {
   return out;
 }
 
-std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most) {
+std::vector<CellRect> differing_regions(const BitMatrix& differing, size_t most) {
   std::vector<int> of_end(static_cast<size_t>(differing.cols())), of_pick;
   for (int p = 0; p < differing.rows(); ++p) {
     of_pick.push_back(differing.count(p));
@@ -150,7 +150,7 @@ std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most) 
   return places;
 }
 
-std::string place_text(const CellRect& at) {
+std::string region_text(const CellRect& at) {
   const auto span = [](const char* one, int first, int end) {
     return end - first == 1
                ? std::string(one) + " " + std::to_string(first + 1)
@@ -160,7 +160,7 @@ std::string place_text(const CellRect& at) {
   return at.end1 - at.end0 <= at.pick1 - at.pick0 ? ends + ", " + picks : picks + ", " + ends;
 }
 
-std::string listed(const std::vector<int>& threads) {
+std::string thread_list(const std::vector<int>& threads) {
   std::string text;
   for (size_t i = 0; i < threads.size();) {
     size_t last = i;

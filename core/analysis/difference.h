@@ -28,11 +28,11 @@ Comparison compare(const Design& a, const Design& b);
 BitMatrix differing_crossings(const BitMatrix& x, const BitMatrix& y);
 /// Where those are: runs of neighbouring ends, then of picks, each crossing with the thread of which more differ; at
 /// most `most` of them.
-std::vector<CellRect> differing_places(const BitMatrix& differing, size_t most);
+std::vector<CellRect> differing_regions(const BitMatrix& differing, size_t most);
 
 /// "end 3, picks 5-8": the shorter side first.
-std::string place_text(const CellRect& place);
+std::string region_text(const CellRect& place);
 /// "1-4, 7, 9-12" of 0-based threads, counted from 1.
-std::string listed(const std::vector<int>& threads);
+std::string thread_list(const std::vector<int>& threads);
 
 }  // namespace weftlight::analysis

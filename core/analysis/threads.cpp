@@ -88,9 +88,10 @@ LoomUse loom_use(const Draft& draft) {
     use.ends_in_several += heddles > 1;
   }
   for (int p = 0; p < draft.picks(); ++p) use.empty_picks += named.first(p) < 0;
-  if (draft.drive != ShedControl::kTreadling) return use;
-  use.treads = marks_of_columns(draft.treadling);
-  for (int p = 0; p < draft.picks(); ++p) use.most_feet = std::max(use.most_feet, draft.treadling.count(p));
+  if (draft.shed_control != ShedControl::kTreadling) return use;
+  use.treadle_uses = marks_of_columns(draft.treadling);
+  for (int p = 0; p < draft.picks(); ++p)
+    use.most_treadles_per_pick = std::max(use.most_treadles_per_pick, draft.treadling.count(p));
   return use;
 }
 

@@ -12,12 +12,12 @@ namespace weftlight::analysis {
 
 /// Heddles on each shaft, ends on none, and how often each shaft and treadle is used.
 struct LoomUse {
-  std::vector<int> heddles;  // a shaft
-  std::vector<int> lifts;    // picks that name it, a shaft
-  std::vector<int> treads;   // picks that use it, a treadle; empty for a liftplan
+  std::vector<int> heddles;       // a shaft
+  std::vector<int> lifts;         // picks that name it, a shaft
+  std::vector<int> treadle_uses;  // picks that use it, a treadle; empty for a liftplan
   int unthreaded_ends = 0, ends_in_several = 0;
-  int empty_picks = 0;  // picks that name no shaft
-  int most_feet = 0;    // treadles of a pick at the most
+  int empty_picks = 0;             // picks that name no shaft
+  int most_treadles_per_pick = 0;  // treadles of a pick at the most
 };
 LoomUse loom_use(const Draft& draft);
 

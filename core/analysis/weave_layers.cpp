@@ -65,14 +65,14 @@ std::vector<Cut> cuts(const Ranked& ends, const Ranked& picks) {
 
 }  // namespace
 
-std::vector<Layer> layers(const BitMatrix& cells) {
+std::vector<WeaveLayer> weave_layers(const BitMatrix& cells) {
   const Ranked ends = rank(transposed(cells), true), picks = rank(cells, false);
-  std::vector<Layer> out;
+  std::vector<WeaveLayer> out;
   Cut above;
   for (const Cut cut : cuts(ends, picks)) {
     if (cut.ends == above.ends && cut.picks == above.picks) continue;
-    Layer layer{{ends.order.begin() + above.ends, ends.order.begin() + cut.ends},
-                {picks.order.begin() + above.picks, picks.order.begin() + cut.picks}};
+    WeaveLayer layer{{ends.order.begin() + above.ends, ends.order.begin() + cut.ends},
+                     {picks.order.begin() + above.picks, picks.order.begin() + cut.picks}};
     std::ranges::sort(layer.ends);
     std::ranges::sort(layer.picks);
     out.push_back(std::move(layer));

@@ -9,13 +9,13 @@
 namespace weftlight::analysis {
 
 /// Threads that cannot be parted without cutting. One end alone or one pick alone is a loose thread.
-struct Layer {
+struct WeaveLayer {
   std::vector<int> ends, picks;
   bool loose() const { return ends.empty() || picks.empty(); }
-  bool operator==(const Layer&) const = default;
+  bool operator==(const WeaveLayer&) const = default;
 };
 
 /// The layers of a drawdown that repeats in both directions, front to back.
-std::vector<Layer> layers(const BitMatrix& cells);
+std::vector<WeaveLayer> weave_layers(const BitMatrix& cells);
 
 }  // namespace weftlight::analysis

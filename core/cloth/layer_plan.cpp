@@ -270,7 +270,7 @@ LayerPlan apart(const BitMatrix& cells) {
   LayerPlan plan;
   plan.end_layer.resize(static_cast<size_t>(cells.cols())), plan.pick_layer.resize(static_cast<size_t>(cells.rows()));
   int layer = -1;
-  for (const analysis::Layer& l : analysis::layers(cells)) {
+  for (const analysis::WeaveLayer& l : analysis::weave_layers(cells)) {
     if (!l.loose()) ++layer;
     const uint8_t at = static_cast<uint8_t>(std::clamp(layer, 0, 255));
     for (const int e : l.ends) plan.end_layer[static_cast<size_t>(e)] = at;

@@ -77,7 +77,7 @@ struct ThreadSection {
   std::string name;
   BitMatrix rows;  // threads x shafts (of ends), x treadles, or x shafts of a liftplan
   Threads threads;
-  ShedControl drive = ShedControl::kTreadling;  // what the rows of picks name
+  ShedControl shed_control = ShedControl::kTreadling;  // what the rows of picks name
   bool operator==(const ThreadSection&) const = default;
 };
 

@@ -52,7 +52,7 @@ enum class ShedControl { kTreadling, kLiftplan };
 struct Draft {
   int shafts = 0, treadles = 0;
   bool rising = true;  // true: the tie-up and liftplan name the shafts that rise
-  ShedControl drive = ShedControl::kTreadling;
+  ShedControl shed_control = ShedControl::kTreadling;
   BitMatrix threading, tieup, treadling, liftplan;
   Threads warp, weft;
   std::vector<Rgb> palette;

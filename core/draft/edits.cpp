@@ -188,16 +188,16 @@ Design with_rising(Design design, bool rising) {
 
 Design to_liftplan(Design design) {
   design.draft.liftplan = lifts(design.draft);
-  design.draft.drive = ShedControl::kLiftplan;
+  design.draft.shed_control = ShedControl::kLiftplan;
   return design;
 }
 
 Design to_treadling(Design design, int most_treadles) {
   Draft& d = design.draft;
-  if (d.drive == ShedControl::kTreadling && single_treadled(d.treadling)) return design;
+  if (d.shed_control == ShedControl::kTreadling && single_treadled(d.treadling)) return design;
   const BitMatrix lift = lifts(d);
   Draft like = d;
-  like.drive = ShedControl::kTreadling;
+  like.shed_control = ShedControl::kTreadling;
   for (int p = 0; p < d.picks(); ++p)
     if (like.treadling.count(p) > 1) std::ranges::fill(like.treadling.row(p), 0);
   if (like.treadling.count() == 0) {
@@ -224,7 +224,7 @@ Design to_skeleton(Design design, int feet) {
   d.treadles = skeleton.tieup.rows();
   d.tieup = std::move(skeleton.tieup);
   d.treadling = std::move(skeleton.treadling);
-  d.drive = ShedControl::kTreadling;
+  d.shed_control = ShedControl::kTreadling;
   if (design.loom.leading == Leading::kLiftplan) design.loom.leading = Leading::kThreading;
   return design;
 }

@@ -235,7 +235,7 @@ Factored with_lifts(const Draft& like, const BitMatrix& now, int most_treadles) 
     out.draft.threading.resize(like.ends(), now.cols());
     out.draft.liftplan.resize(like.picks(), now.cols());
   }
-  if (like.drive == ShedControl::kLiftplan) {
+  if (like.shed_control == ShedControl::kLiftplan) {
     out.draft.tieup.resize(like.treadles, now.cols());
     out.draft.liftplan = now;
     return out;
@@ -300,7 +300,7 @@ Draft without_numbers(const Draft& like) {
 }
 
 bool fits(const Draft& d, LoomSize most) {
-  return d.shafts <= most.shafts && (d.drive == ShedControl::kLiftplan || d.treadles <= most.treadles);
+  return d.shafts <= most.shafts && (d.shed_control == ShedControl::kLiftplan || d.treadles <= most.treadles);
 }
 
 }  // namespace
@@ -324,7 +324,7 @@ Factored closest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize mo
   const std::string why = exact.done() ? out.why : exact.why;
   if (!out.done()) {
     BitMatrix near = transposed(with_fewer_kinds(transposed(cells), std::max(most.shafts, 1), false));
-    if (like.drive == ShedControl::kTreadling)
+    if (like.shed_control == ShedControl::kTreadling)
       near = with_fewer_kinds(std::move(near), std::max(most.treadles, 1), like.rising);
     out = with_drawdown(like, near, most);
     if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);

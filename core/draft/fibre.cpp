@@ -162,7 +162,7 @@ float tex_of(const Yarn& yarn, float thickness_mm) {
   return tex_of(yarn) * ratio * ratio;
 }
 
-double fibre_share(const Yarn& yarn) {
+double packing_fraction(const Yarn& yarn) {
   return yarn.diameter_mm > 0 ? static_cast<double>(tex_of(yarn)) / solid_tex(yarn, yarn.diameter_mm) : 0;
 }
 
@@ -180,7 +180,7 @@ std::optional<Yarn> with_count(Yarn yarn, std::string_view count) {
   const std::optional<double> tex = tex_from_text(count);
   if (!tex) return std::nullopt;
   const Substance& fibre = substance_of(yarn);
-  const double share = yarn.diameter_mm > 0 ? fibre_share(yarn) : fibre.packing;
+  const double share = yarn.diameter_mm > 0 ? packing_fraction(yarn) : fibre.packing;
   yarn.diameter_mm = static_cast<float>(std::round(diameter_from_tex_mm(*tex, fibre.density, share) * 1000) / 1000);
   yarn.tex = static_cast<float>(std::round(*tex * 1000) / 1000);
   return clamped(std::move(yarn));

@@ -39,7 +39,7 @@ float tex_of(const Yarn& yarn);
 /// Of a thread that the draft makes so thick, mm: as its section.
 float tex_of(const Yarn& yarn, float thickness_mm);
 /// Share of its thickness that is fibre: 0.6 of cotton, 0.2 of a lofty woollen; 0 of none. More than 0.91 cannot be.
-double fibre_share(const Yarn& yarn);
+double packing_fraction(const Yarn& yarn);
 /// Another thickness of the same yarn: a count that is set becomes that of its section.
 Yarn with_thickness(Yarn yarn, float diameter_mm);
 /// Of that count, "Ne 8/2" or "30 tex" (count.h), and as much thicker or thinner. "": not set any more; the thickness

@@ -21,7 +21,7 @@ struct LightingPreset {
   Rgb lit, shaded;  // of a white ball in it, as the picker shows it
 };
 
-inline constexpr std::array<LightingPreset, 6> kLightSetups{{
+inline constexpr std::array<LightingPreset, 6> kLightingPresets{{
     {"studio",
      "Studio",
      "A soft box above, fills from the side and behind: for colour",
@@ -85,10 +85,10 @@ inline constexpr std::array<LightingPreset, 6> kLightSetups{{
 }};
 
 /// The set-up of that name, or the first when there is none.
-constexpr const LightingPreset& light_setup(std::string_view id) {
-  for (const LightingPreset& setup : kLightSetups)
+constexpr const LightingPreset& lighting_preset(std::string_view id) {
+  for (const LightingPreset& setup : kLightingPresets)
     if (id == setup.id) return setup;
-  return kLightSetups.front();
+  return kLightingPresets.front();
 }
 
 /// A picture from all around, by its ending, in place of a set-up's name.

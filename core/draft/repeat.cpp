@@ -72,7 +72,7 @@ Repeat design_repeat(const Design& design, const BitMatrix& cells) {
                           [&](int a, int b) { return same_thread(design, d.weft, a, b) && same_row(cells, a, b); })};
 }
 
-double warp_up_share(const BitMatrix& cells) {
+double warp_up_fraction(const BitMatrix& cells) {
   const double crossings = static_cast<double>(cells.rows()) * cells.cols();
   return crossings > 0 ? static_cast<double>(cells.count()) / crossings : 0.0;
 }

@@ -16,6 +16,6 @@ Repeat structure_repeat(const BitMatrix& cells);
 Repeat design_repeat(const Design& design, const BitMatrix& cells);
 
 /// Share of crossings with the warp on top, 0..1.
-double warp_up_share(const BitMatrix& cells);
+double warp_up_fraction(const BitMatrix& cells);
 
 }  // namespace weftlight::draft

@@ -40,7 +40,7 @@ BitMatrix crossings(const Draft& d, const Selection& s) {
   part.shafts = d.shafts;
   part.treadles = d.treadles;
   part.rising = d.rising;
-  part.drive = d.drive;
+  part.shed_control = d.shed_control;
   part.threading = rows_between(d.threading, s.a0, s.a1);
   part.tieup = d.tieup;
   part.treadling = rows_between(d.treadling, s.b0, s.b1);

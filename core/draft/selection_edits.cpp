@@ -33,10 +33,10 @@ bool whole_along_b(const Draft& d, const Selection& s) {
   return s.grid != BitGrid::kThreading && holds_whole_threads(d, s);
 }
 
-Selection repeat_target(const Draft& d, const Selection& s, Reach reach) {
+Selection repeat_target(const Draft& d, const Selection& s, RepeatExtent extent) {
   Selection to = whole_grid(d, s.grid);
   if (s.grid == BitGrid::kLiftplan) to.a0 = s.a0, to.a1 = s.a1;
-  if (reach == Reach::kToEnd) to.a0 = s.a0, to.b0 = s.b0;
+  if (extent == RepeatExtent::kToEnd) to.a0 = s.a0, to.b0 = s.b0;
   return to;
 }
 
@@ -140,14 +140,14 @@ Design with_shifted(Design design, const Selection& selection, int da, int db, b
   return turned(std::move(design), s, [da, db](const BitMatrix& cells) { return shifted(cells, da, db); });
 }
 
-Design with_repeated(Design design, const Selection& selection, Reach reach, bool with_properties) {
+Design with_repeated(Design design, const Selection& selection, RepeatExtent extent, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   const auto threads = threads_of(s);
   if (threads && (s.grid != BitGrid::kLiftplan || holds_whole_threads(design.draft, s)))
-    return with_repeated_threads(std::move(design), *threads, reach, with_properties);
+    return with_repeated_threads(std::move(design), *threads, extent, with_properties);
   const BitMatrix one = cells_of(design.draft, s);
-  const Selection to = repeat_target(design.draft, s, reach);
+  const Selection to = repeat_target(design.draft, s, extent);
   const BitMatrix many = block_of(to.rows(), to.columns(), [&](int r, int c) {
     return one.get(wrapped(int64_t{r} + to.b0 - s.b0, one.rows()), wrapped(int64_t{c} + to.a0 - s.a0, one.cols()));
   });

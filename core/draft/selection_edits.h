@@ -34,6 +34,6 @@ Design with_half_turn(Design design, const Selection& s, bool with_properties = 
 Design with_shifted(Design design, const Selection& s, int da, int db, bool with_properties = true);
 /// Threading and treadling: the threads, whole. Else the block, over and over, in both directions (liftplan
 /// of not all shafts: along the picks).
-Design with_repeated(Design design, const Selection& s, Reach reach, bool with_properties = true);
+Design with_repeated(Design design, const Selection& s, RepeatExtent extent, bool with_properties = true);
 
 }  // namespace weftlight::draft

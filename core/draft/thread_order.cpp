@@ -59,9 +59,9 @@ bool is_possible(const Draft& d, System system, std::span<const ThreadSource> or
 
 /// Thread i of the new order is thread first + source(i - first) for every i in reach.
 template <class Source>
-Order over_reach(const ThreadRange& r, int count, Reach reach, Source source) {
+Order over_extent(const ThreadRange& r, int count, RepeatExtent extent, Source source) {
   Order order = same_order(count);
-  for (int i = reach == Reach::kAll ? 0 : r.first; i < count; ++i)
+  for (int i = extent == RepeatExtent::kAll ? 0 : r.first; i < count; ++i)
     order[static_cast<size_t>(i)].thread = r.first + source(i - r.first);
   return order;
 }
@@ -79,7 +79,7 @@ void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
 /// What moves on when a draft advances: shafts of the threading, treadles, or shafts of the liftplan.
 BitMatrix& advancing_grid(Draft& d, System system) {
   if (system == System::kWarp) return d.threading;
-  return d.drive == ShedControl::kLiftplan ? d.liftplan : d.treadling;
+  return d.shed_control == ShedControl::kLiftplan ? d.liftplan : d.treadling;
 }
 
 }  // namespace
@@ -145,19 +145,19 @@ Design with_turned_threads(Design design, const ThreadRange& range, int steps, b
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_repeated_threads(Design design, const ThreadRange& range, Reach reach, bool with_properties) {
+Design with_repeated_threads(Design design, const ThreadRange& range, RepeatExtent extent, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   const Order order =
-      over_reach(r, design.draft.threads(r.system).size(), reach, [n = r.count()](int i) { return wrapped(i, n); });
+      over_extent(r, design.draft.threads(r.system).size(), extent, [n = r.count()](int i) { return wrapped(i, n); });
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, bool with_properties) {
+Design with_point_repeat(Design design, const ThreadRange& range, RepeatExtent extent, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   const int n = r.count(), period = std::max(1, 2 * n - 2);
-  const Order order = over_reach(r, design.draft.threads(r.system).size(), reach, [n, period](int i) {
+  const Order order = over_extent(r, design.draft.threads(r.system).size(), extent, [n, period](int i) {
     const int k = wrapped(i, period);
     return k < n ? k : period - k;
   });
@@ -167,7 +167,7 @@ Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, b
 Design with_advancing_repeat(Design design, const ThreadRange& range, int step, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
-  design = with_repeated_threads(std::move(design), r, Reach::kToEnd, with_properties);
+  design = with_repeated_threads(std::move(design), r, RepeatExtent::kToEnd, with_properties);
   BitMatrix& grid = advancing_grid(design.draft, r.system);
   if (grid.cols() == 0) return design;
   const int columns = grid.cols();

@@ -41,10 +41,10 @@ Design with_reversed_threads(Design design, const ThreadRange& range, bool with_
 Design with_turned_threads(Design design, const ThreadRange& range, int steps, bool with_properties = true);
 
 /// How far a repeat goes: from the range to the last thread, or over all threads with the range in its place.
-enum class Reach { kToEnd, kAll };
-Design with_repeated_threads(Design design, const ThreadRange& range, Reach reach, bool with_properties = true);
+enum class RepeatExtent { kToEnd, kAll };
+Design with_repeated_threads(Design design, const ThreadRange& range, RepeatExtent extent, bool with_properties = true);
 /// There and back again; the threads at both turns stand once (a point draw).
-Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, bool with_properties = true);
+Design with_point_repeat(Design design, const ThreadRange& range, RepeatExtent extent, bool with_properties = true);
 /// As with_repeated_threads to the end, each repeat `step` shafts (treadles) further, round and round.
 Design with_advancing_repeat(Design design, const ThreadRange& range, int step, bool with_properties = true);
 

@@ -108,25 +108,25 @@ std::string thickness_text(const Draft& draft, System system, std::span<const in
   return text + "\n";
 }
 
-ThreadPropertiesRead read_look_text(std::string_view text) {
+ThreadPropertiesRead read_thread_properties(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
-  ThreadProperties looks;
+  ThreadProperties properties;
   bool whole = false;
-  if (text.starts_with(kColors)) whole = read_values(text.substr(kColors.size()), looks.colors, color_of);
+  if (text.starts_with(kColors)) whole = read_values(text.substr(kColors.size()), properties.colors, color_of);
   else if (text.starts_with(kThickness))
-    whole = read_values(text.substr(kThickness.size()), looks.thickness_mm, thickness_of);
+    whole = read_values(text.substr(kThickness.size()), properties.thickness_mm, thickness_of);
   if (!whole) return {{}, kNoLooks};
-  return {std::move(looks), {}};
+  return {std::move(properties), {}};
 }
 
-Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& looks) {
+Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& properties) {
   std::vector<int> colors;
-  for (const Rgb& color : looks.colors) colors.push_back(index_of(design, color));
+  for (const Rgb& color : properties.colors) colors.push_back(index_of(design, color));
   for (size_t i = 0; i < threads.size(); ++i) {
     if (!colors.empty()) design = with_thread_color(std::move(design), system, threads[i], colors[i % colors.size()]);
-    if (!looks.thickness_mm.empty())
+    if (!properties.thickness_mm.empty())
       design = with_thread_thickness(std::move(design), system, threads[i],
-                                     looks.thickness_mm[i % looks.thickness_mm.size()]);
+                                     properties.thickness_mm[i % properties.thickness_mm.size()]);
   }
   return design;
 }

@@ -25,13 +25,13 @@ std::string color_text(const Draft& draft, System system, std::span<const int> t
 std::string thickness_text(const Draft& draft, System system, std::span<const int> threads);
 
 struct ThreadPropertiesRead {
-  std::optional<ThreadProperties> looks;
+  std::optional<ThreadProperties> properties;
   std::string problem;  // why there are none, and what to do
 };
 /// Any bytes; at most kMaxThreads values are taken.
-ThreadPropertiesRead read_look_text(std::string_view text);
+ThreadPropertiesRead read_thread_properties(std::string_view text);
 
 /// Over and over along the threads. Colours are those of the palette, or new ones of it.
-Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& looks);
+Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& properties);
 
 }  // namespace weftlight::draft

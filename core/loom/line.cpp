@@ -15,16 +15,23 @@
 #include <iterator>
 #include <utility>
 
+#include "base/text.h"
+
 namespace weftlight::loom {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
-constexpr size_t kAtOnce = 256;
+constexpr size_t kReadBytes = 256;
 
-/// A socket, or a terminal.
+/// A line over a file descriptor: a socket or a terminal.
 class OpenFileLine : public Line {
  public:
-  enum class Kind { kSocket, kTerminal };
-  OpenFileLine(int fd, Kind kind) : fd_(fd), kind_(kind) {}
+  enum class Device { kSocket, kTerminal };
+  OpenFileLine(int fd, Device device) : fd_(fd), device_(device) {}
   OpenFileLine(const OpenFileLine&) = delete;
   OpenFileLine& operator=(const OpenFileLine&) = delete;
   ~OpenFileLine() override { ::close(fd_); }
@@ -32,7 +39,7 @@ class OpenFileLine : public Line {
   std::string receive(int wait_ms) override {
     pollfd waits{fd_, POLLIN, 0};
     if (broken_ || ::poll(&waits, 1, wait_ms) <= 0) return {};
-    char buffer[kAtOnce];
+    char buffer[kReadBytes];
     const ssize_t got = ::read(fd_, buffer, sizeof buffer);
     if (got > 0) return {buffer, static_cast<size_t>(got)};
     broken_ = got == 0 || (errno != EAGAIN && errno != EINTR);
@@ -40,23 +47,23 @@ class OpenFileLine : public Line {
   }
 
   bool send(std::string_view bytes) override {
-    constexpr int kPatienceMs = 1000;
+    constexpr int kSendTimeoutMs = 1000;
     while (!bytes.empty() && !broken_) {
-      const ssize_t sent = kind_ == Kind::kSocket ? ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL)
-                                                  : ::write(fd_, bytes.data(), bytes.size());
+      const ssize_t sent = device_ == Device::kSocket ? ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL)
+                                                      : ::write(fd_, bytes.data(), bytes.size());
       if (sent > 0) {
         bytes.remove_prefix(static_cast<size_t>(sent));
         continue;
       }
       pollfd waits{fd_, POLLOUT, 0};
-      broken_ = (errno != EAGAIN && errno != EINTR) || ::poll(&waits, 1, kPatienceMs) <= 0;
+      broken_ = (errno != EAGAIN && errno != EINTR) || ::poll(&waits, 1, kSendTimeoutMs) <= 0;
     }
     return !broken_;
   }
 
  private:
   int fd_;
-  Kind kind_;
+  Device device_;
 };
 
 class SerialLine : public Line {
@@ -70,8 +77,8 @@ class SerialLine : public Line {
   }
 
   std::string receive(int wait_ms) override {
-    char buffer[kAtOnce];
-    // A wait of 0 would be for ever.
+    char buffer[kReadBytes];
+    // libserialport takes a timeout of 0 as no timeout at all.
     const int got = static_cast<int>(
         wait_ms > 0 ? sp_blocking_read_next(port_, buffer, sizeof buffer, static_cast<unsigned>(wait_ms))
                     : sp_nonblocking_read(port_, buffer, sizeof buffer));
@@ -80,8 +87,8 @@ class SerialLine : public Line {
   }
 
   bool send(std::string_view bytes) override {
-    constexpr unsigned kPatienceMs = 1000;
-    const int sent = static_cast<int>(sp_blocking_write(port_, bytes.data(), bytes.size(), kPatienceMs));
+    constexpr unsigned kSendTimeoutMs = 1000;
+    const int sent = static_cast<int>(sp_blocking_write(port_, bytes.data(), bytes.size(), kSendTimeoutMs));
     broken_ = broken_ || sent != static_cast<int>(bytes.size());
     return !broken_;
   }
@@ -90,7 +97,7 @@ class SerialLine : public Line {
   sp_port* port_;
 };
 
-/// A socket that is connected, or -1 with errno.
+/// A connected socket, or -1 with errno set.
 int connected(const addrinfo& to, int wait_ms) {
   const int fd = ::socket(to.ai_family, to.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, to.ai_protocol);
   if (fd < 0) return -1;
@@ -117,11 +124,11 @@ LineOpened open_tcp(const std::string& host, const std::string& port, int wait_m
   const std::string why = fd < 0 ? host + ":" + port + ": " + std::strerror(errno) : std::string();
   ::freeaddrinfo(found);
   if (fd < 0) return {nullptr, why};
-  return {std::make_unique<OpenFileLine>(fd, OpenFileLine::Kind::kSocket), {}};
+  return {std::make_unique<OpenFileLine>(fd, OpenFileLine::Device::kSocket), {}};
 }
 
-/// Bytes as they are, at that speed; false where it takes none of it.
-bool made_raw(int terminal, int baud) {
+/// Raw mode (bytes pass unchanged) at that speed; false if the terminal does not support it.
+bool set_raw_mode(int terminal, int baud) {
   constexpr std::pair<int, speed_t> kSpeeds[] = {{1200, B1200},   {2400, B2400},   {4800, B4800},   {9600, B9600},
                                                  {19200, B19200}, {38400, B38400}, {57600, B57600}, {115200, B115200}};
   const auto* speed = std::ranges::find(kSpeeds, baud, &std::pair<int, speed_t>::first);
@@ -132,16 +139,20 @@ bool made_raw(int terminal, int baud) {
   return ::tcsetattr(terminal, TCSANOW, &how) == 0;
 }
 
-/// A serial port that a program makes (socat, a bridge to a loom far away): a terminal, but none of the system's
-/// devices, which are all that libserialport knows.
+std::string unsupported_speed(const std::string& port, int baud) {
+  return fill(tr("{port}: {baud} baud is not supported"), arg("port", port), arg("baud", baud));
+}
+
+/// A pseudo-terminal made by a program (socat, a bridge to a remote loom). libserialport knows only the system's
+/// devices.
 LineOpened open_terminal(const std::string& name, int baud) {
   const int fd = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (fd < 0 || ::isatty(fd) == 0) {
     if (fd >= 0) ::close(fd);
-    return {nullptr, name + ": there is no such serial port"};
+    return {nullptr, fill(tr("{port}: there is no such serial port"), arg("port", name))};
   }
-  auto line = std::make_unique<OpenFileLine>(fd, OpenFileLine::Kind::kTerminal);
-  if (!made_raw(fd, baud)) return {nullptr, name + ": it does not take " + std::to_string(baud) + " baud"};
+  auto line = std::make_unique<OpenFileLine>(fd, OpenFileLine::Device::kTerminal);
+  if (!set_raw_mode(fd, baud)) return {nullptr, unsupported_speed(name, baud)};
   return {std::move(line), {}};
 }
 
@@ -150,20 +161,22 @@ LineOpened open_serial(const std::string& name, int baud) {
   if (sp_get_port_by_name(name.c_str(), &port) != SP_OK) return open_terminal(name, baud);
   if (sp_open(port, SP_MODE_READ_WRITE) != SP_OK) {
     sp_free_port(port);
-    return {nullptr, name + ": it cannot be opened; another program may hold it, or you may not be in its group"};
+    return {nullptr,
+            fill(tr("{port}: it cannot be opened; another program may be using it, or you may not be in its group"),
+                 arg("port", name))};
   }
   auto line = std::make_unique<SerialLine>(port);
   const bool set = sp_set_baudrate(port, baud) == SP_OK && sp_set_bits(port, 8) == SP_OK &&
                    sp_set_parity(port, SP_PARITY_NONE) == SP_OK && sp_set_stopbits(port, 1) == SP_OK &&
                    sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE) == SP_OK;
-  if (!set) return {nullptr, name + ": it does not take " + std::to_string(baud) + " baud"};
+  if (!set) return {nullptr, unsupported_speed(name, baud)};
   return {std::move(line), {}};
 }
 
 }  // namespace
 
 LineOpened open_line(const std::string& address, int wait_ms) {
-  constexpr int kUsualBaud = 9600;
+  constexpr int kDefaultBaud = 9600;
   const size_t last = address.rfind(':');
   if (address.starts_with("tcp:") && last > 4) {
     std::string host = address.substr(4, last - 4);
@@ -171,12 +184,12 @@ LineOpened open_line(const std::string& address, int wait_ms) {
     return open_tcp(host, address.substr(last + 1), wait_ms);
   }
   if (address.starts_with("serial:")) {
-    int baud = kUsualBaud;
+    int baud = kDefaultBaud;
     const char* end = address.data() + address.size();
-    const bool says = last > 6 && std::from_chars(address.data() + last + 1, end, baud).ptr == end && baud > 0;
-    return open_serial(address.substr(7, says ? last - 7 : std::string::npos), says ? baud : kUsualBaud);
+    const bool has_baud = last > 6 && std::from_chars(address.data() + last + 1, end, baud).ptr == end && baud > 0;
+    return open_serial(address.substr(7, has_baud ? last - 7 : std::string::npos), has_baud ? baud : kDefaultBaud);
   }
-  return {nullptr, "a loom is reached by tcp:HOST:PORT or serial:PORT[:BAUD]"};
+  return {nullptr, tr("the address of a loom is tcp:HOST:PORT or serial:PORT[:BAUD]")};
 }
 
 }  // namespace weftlight::loom

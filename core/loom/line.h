@@ -1,5 +1,5 @@
 #pragma once
-// A line to a loom: TCP, or a serial port where the system has libserialport. Never waits longer than it is told.
+// A connection to a loom: TCP or a serial port (libserialport). No call waits longer than its timeout.
 
 #include <memory>
 #include <string>
@@ -12,9 +12,9 @@ namespace weftlight::loom {
 class Line {
  public:
   virtual ~Line() = default;
-  /// What has come, waiting `wait_ms` at the most; empty when nothing has. `broken` once the line is gone.
+  /// Bytes received within `wait_ms`; empty if there were none. broken() is true once the connection is lost.
   virtual std::string receive(int wait_ms) = 0;
-  /// False when not all could be sent: then the line is broken.
+  /// False if not all bytes could be sent; the line is then broken.
   virtual bool send(std::string_view bytes) = 0;
   bool broken() const { return broken_; }
 
@@ -24,9 +24,9 @@ class Line {
 
 struct LineOpened {
   std::unique_ptr<Line> line;
-  std::string why;  // why there is none
+  std::string why;  // why there is no line
 };
-/// "tcp:HOST:PORT" or "serial:/dev/ttyUSB0[:BAUD]" (9600 unless said). Waits at most `wait_ms` for a connection.
+/// "tcp:HOST:PORT" or "serial:/dev/ttyUSB0[:BAUD]" (default 9600). `wait_ms`: timeout of the connection.
 LineOpened open_line(const std::string& address, int wait_ms = 3000);
 
 }  // namespace weftlight::loom

@@ -1,4 +1,4 @@
-// Based on: the example protocol of base_loom_server (Russell Owen, MIT licence), and what is told there of others.
+// Based on: the example protocol of base_loom_server (Russell Owen, MIT licence) and its notes on other looms.
 
 #include "loom/protocol.h"
 
@@ -45,12 +45,12 @@ std::string direction_command(Protocol protocol, bool weave) {
   return framed(protocol, weave ? "U0" : "U1");
 }
 
-std::vector<LoomReport> LoomReader::take(std::string_view bytes) {
+std::vector<LoomReport> LoomReader::parse(std::string_view bytes) {
   std::vector<LoomReport> reports;
   for (const char c : bytes) {
     if (c == '\r') continue;
     if (c != '\n') {
-      too_long_ = too_long_ || line_.size() >= kLongestLine;
+      too_long_ = too_long_ || line_.size() >= kMaxLineBytes;
       if (!too_long_) line_ += c;
       continue;
     }

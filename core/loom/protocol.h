@@ -1,6 +1,6 @@
 #pragma once
-// What a loom and a program say to one another on a line: text in, text out, without any line. The looms' makers
-// each have their own words for: raise these shafts, which pick next, weave or unweave.
+// Messages between a loom and a program, as text and without any connection: raise these shafts, next pick wanted,
+// weave or unweave. Each maker of looms has its own form of them.
 
 #include <cstdint>
 #include <optional>
@@ -13,37 +13,37 @@
 
 namespace weftlight::loom {
 
-/// kPlain: "C0000000f". kSeguin: the same after "=". kToikaEs: four bytes, big-endian, and nothing comes back.
+/// kPlain: "C0000000f". kSeguin: the same after "=". kToikaEs: four bytes, big-endian, without any reply.
 enum class Protocol { kPlain, kSeguin, kToikaEs };
 
-inline constexpr int kMaxLoomShafts = 32;  // that a line of eight digits can name
+inline constexpr int kMaxLoomShafts = 32;  // eight hexadecimal digits
 
 /// Shafts to raise, bit 0 is shaft 1.
 std::string raise_command(Protocol protocol, uint32_t shafts);
-/// Which way the loom goes.
+/// Tells the loom to weave or to unweave; empty if the protocol has no such command.
 std::string direction_command(Protocol protocol, bool weave);
 
-/// Something that a loom said.
+/// One message from the loom.
 struct LoomReport {
   enum Kind { kPickWanted, kShaftsRaised, kDirection, kMotion, kUnknown } kind = kUnknown;
   uint32_t shafts = 0;    // kShaftsRaised
   bool on = false;        // kDirection: weaving; kMotion: moving
-  std::string text = {};  // kUnknown: the line
+  std::string text = {};  // kUnknown: the message
 };
 
-/// Bytes as they come, cut into reports at line ends; a line longer than kLongestLine is dropped whole.
+/// Splits the received bytes into reports at line ends. A line longer than kMaxLineBytes is dropped.
 class LoomReader {
  public:
-  static constexpr size_t kLongestLine = 64;
-  std::vector<LoomReport> take(std::string_view bytes);
+  static constexpr size_t kMaxLineBytes = 64;
+  std::vector<LoomReport> parse(std::string_view bytes);
 
  private:
   std::string line_;
   bool too_long_ = false;
 };
 
-/// Shafts that rise in a pick, as the loom raises them (of a sinking shed: those that are not named). Nothing where
-/// the draft has more shafts than the line can name.
+/// Shafts that rise in a pick (for a sinking shed: those that the draft does not name). Empty if the draft has more
+/// shafts than the protocol can address.
 std::optional<uint32_t> raised_shafts(const Draft& draft, const BitMatrix& lifts, int pick);
 
 }  // namespace weftlight::loom

@@ -2,79 +2,86 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace weftlight::loom {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
-Section bounded(const Section& s, int picks) {
-  const Section in{std::clamp(s.first, 0, picks), std::clamp(s.end, 0, picks)};
-  return in.first < in.end ? in : Section{0, picks};
+PickRange clipped(const PickRange& s, int picks) {
+  const PickRange in{std::clamp(s.first, 0, picks), std::clamp(s.end, 0, picks)};
+  return in.first < in.end ? in : PickRange{0, picks};
 }
 
 /// Raises the shafts of the next pick.
-Answer raised(const Weaving& w, Place place) {
-  const std::optional<uint32_t> shafts = raised_shafts(w.draft, w.lifts, place.next_pick);
+LoomReply raised(const WeavingSetup& w, WeavingState state) {
+  const std::optional<uint32_t> shafts = raised_shafts(w.draft, w.lifts, state.next_pick);
   if (!shafts)
-    return {place,
+    return {state,
             {},
-            "the line can name " + std::to_string(kMaxLoomShafts) + " shafts, and the draft has " +
-                std::to_string(w.draft.shafts)};
-  place.waiting = true;
-  return {place, raise_command(w.protocol, *shafts), {}};
+            fill(tr("the loom's protocol has room for {most} shafts, and the draft has {count}"),
+                 arg("most", kMaxLoomShafts), arg("count", w.draft.shafts))};
+  state.waiting = true;
+  return {state, raise_command(w.protocol, *shafts), {}};
 }
 
 }  // namespace
 
-Place stepped(Place place, const Section& section, int picks) {
-  const Section s = bounded(section, picks);
-  if (s.first >= s.end) return place;
-  place = jumped(place, s, picks, place.next_pick);
-  const int step = place.weaving ? 1 : -1, count = s.end - s.first;
-  place.next_pick = s.first + (place.next_pick - s.first + step + count) % count;
-  place.woven += step;
-  return place;
+WeavingState advanced(WeavingState state, const PickRange& range, int picks) {
+  const PickRange s = clipped(range, picks);
+  if (s.first >= s.end) return state;
+  state = moved_to_pick(state, s, picks, state.next_pick);
+  const int step = state.weaving ? 1 : -1, count = s.end - s.first;
+  state.next_pick = s.first + (state.next_pick - s.first + step + count) % count;
+  state.woven += step;
+  return state;
 }
 
-Place jumped(Place place, const Section& section, int picks, int pick) {
-  const Section s = bounded(section, picks);
-  place.next_pick = s.first < s.end ? std::clamp(pick, s.first, s.end - 1) : 0;
-  place.waiting = false;
-  return place;
+WeavingState moved_to_pick(WeavingState state, const PickRange& range, int picks, int pick) {
+  const PickRange s = clipped(range, picks);
+  state.next_pick = s.first < s.end ? std::clamp(pick, s.first, s.end - 1) : 0;
+  state.waiting = false;
+  return state;
 }
 
-Answer answer(const Weaving& w, const Place& place, const LoomReport& report) {
+LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomReport& report) {
   switch (report.kind) {
     case LoomReport::kPickWanted:
-      // The pick whose shafts were up has been woven; the first one of all has not.
-      return raised(w, place.waiting ? stepped(place, w.section, w.lifts.rows()) : place);
+      // The request confirms that the pick on its way was woven; at the first request there is none.
+      return raised(w, state.waiting ? advanced(state, w.range, w.lifts.rows()) : state);
     case LoomReport::kDirection: {
-      Place turned = place;
-      turned.weaving = report.on;
-      return {turned, {}, {}};
+      WeavingState next_state = state;
+      next_state.weaving = report.on;
+      return {next_state, {}, {}};
     }
     case LoomReport::kShaftsRaised: {
-      const std::optional<uint32_t> wanted = raised_shafts(w.draft, w.lifts, place.next_pick);
-      const bool other = place.waiting && wanted && *wanted != report.shafts;
-      return {place, {}, other ? "the loom has raised other shafts than were sent" : ""};
+      const std::optional<uint32_t> wanted = raised_shafts(w.draft, w.lifts, state.next_pick);
+      const bool other = state.waiting && wanted && *wanted != report.shafts;
+      return {state, {}, other ? tr("the loom has raised other shafts than were sent") : ""};
     }
     case LoomReport::kMotion:
-      return {place, {}, {}};
+      return {state, {}, {}};
     case LoomReport::kUnknown:
       break;
   }
-  return {place, {}, "the loom said something that is not known: " + report.text};
+  return {state, {}, fill(tr("the loom sent an unknown message: {message}"), arg("message", report.text))};
 }
 
-Answer on_connected(const Weaving& w, const Place& place) {
-  Answer first = place.waiting ? raised(w, place) : Answer{place, {}, {}};
-  first.send.insert(0, direction_command(w.protocol, place.weaving));
+LoomReply on_connected(const WeavingSetup& w, const WeavingState& state) {
+  LoomReply first = state.waiting ? raised(w, state) : LoomReply{state, {}, {}};
+  first.send.insert(0, direction_command(w.protocol, state.weaving));
   return first;
 }
 
-Answer step_by_hand(const Weaving& w, const Place& place, bool forwards) {
-  Place turned = place;
-  turned.weaving = forwards;
-  Answer next = raised(w, place.waiting || !forwards ? stepped(turned, w.section, w.lifts.rows()) : turned);
-  if (turned.weaving != place.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
+LoomReply step_by_hand(const WeavingSetup& w, const WeavingState& state, bool forwards) {
+  WeavingState next_state = state;
+  next_state.weaving = forwards;
+  LoomReply next = raised(w, state.waiting || !forwards ? advanced(next_state, w.range, w.lifts.rows()) : next_state);
+  if (next_state.weaving != state.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
   return next;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Weaving a draft at a loom: which pick is next, what is sent, and how the place is kept when the line breaks off.
+// Weaving a draft at a loom: which pick is next, what is sent, and how no pick is lost when the connection breaks.
 
 #include <string>
 #include <vector>
@@ -8,42 +8,42 @@
 
 namespace weftlight::loom {
 
-/// The picks that are woven, over and over: all of them, or a section.
-struct Section {
+/// The picks that are woven, repeated without end: all of them, or a section.
+struct PickRange {
   int first = 0, end = 0;  // half-open; empty: the whole draft
 };
 
-/// The place at the loom. A pick counts as woven when the loom asks for the next one; what was sent but not
-/// confirmed is sent again, so that a line that broke off loses no place.
-struct Place {
-  int next_pick = 0;     // that the loom is to weave next
-  int64_t woven = 0;     // picks since the beginning, less those taken back
+/// A pick counts as woven when the loom asks for the next one. A pick that was sent but not confirmed is sent again
+/// when the connection is made anew.
+struct WeavingState {
+  int next_pick = 0;     // woven next
+  int64_t woven = 0;     // picks so far, less those that were unwoven
   bool weaving = true;   // false: unweaving
-  bool waiting = false;  // its shafts are up, or on their way
-  bool operator==(const Place&) const = default;
+  bool waiting = false;  // its shafts were sent
+  bool operator==(const WeavingState&) const = default;
 };
 
-/// One step on (or back): the place after a pick of `section` was woven.
-Place stepped(Place place, const Section& section, int picks);
-/// Brought into the section, with nothing on its way.
-Place jumped(Place place, const Section& section, int picks, int pick);
+/// The state after a pick of `range` was woven or unwoven.
+WeavingState advanced(WeavingState state, const PickRange& range, int picks);
+/// The state with `pick` (clamped to `range`) next and nothing sent.
+WeavingState moved_to_pick(WeavingState state, const PickRange& range, int picks, int pick);
 
-/// What to send and the place after something that the loom said.
-struct Answer {
-  Place place;
+/// The state after a message from the loom, and what to send back.
+struct LoomReply {
+  WeavingState state;
   std::string send;
-  std::string remark;  // what a person should know
+  std::string remark;  // for the weaver; may be empty
 };
-struct Weaving {
+struct WeavingSetup {
   const Draft& draft;
   const BitMatrix& lifts;  // of the draft
-  Section section;
+  PickRange range;
   Protocol protocol = Protocol::kPlain;
 };
-Answer answer(const Weaving& weaving, const Place& place, const LoomReport& report);
-/// What to send when a line is made (again): the direction, and the shafts of a pick that was on its way.
-Answer on_connected(const Weaving& weaving, const Place& place);
-/// A step by key or click, as if the loom had asked: for a Toika, or a loom that is trodden by foot.
-Answer step_by_hand(const Weaving& weaving, const Place& place, bool forwards);
+LoomReply reply_to(const WeavingSetup& weaving, const WeavingState& state, const LoomReport& report);
+/// What to send after each new connection: the direction, and the shafts of a pick that was sent but not confirmed.
+LoomReply on_connected(const WeavingSetup& weaving, const WeavingState& state);
+/// A step by key or click, as if the loom had asked: for a Toika or a treadle loom, which report nothing.
+LoomReply step_by_hand(const WeavingSetup& weaving, const WeavingState& state, bool forwards);
 
 }  // namespace weftlight::loom

@@ -106,7 +106,7 @@ std::vector<Line> lines_of(const Design& design, const PrintOptions& options) {
   if (!parts.lists) return out;
   list_rows(out, "Threading, shaft of each end", d.threading, kGroup);
   list_colors(out, "Warp colours", d.warp);
-  if (d.drive == ShedControl::kTreadling) {
+  if (d.shed_control == ShedControl::kTreadling) {
     list_rows(out, "Tie-up, shafts of each treadle", d.tieup, 2);
     list_rows(out, "Treadling, treadle of each pick", d.treadling, kGroup);
   } else {

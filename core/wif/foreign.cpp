@@ -29,7 +29,7 @@ WifRead foreign_file(std::optional<WifFile> file, const char* format, Diagnostic
   if (file && !diagnostics.has_error()) {
     file->bytes = write_new_wif(file->design);
     file->format = format;
-    file->has_liftplan = file->design.draft.drive == ShedControl::kLiftplan;
+    file->has_liftplan = file->design.draft.shed_control == ShedControl::kLiftplan;
     file->has_tieup = file->has_treadling = !file->has_liftplan;
     file->rising_stated = true;
     out.file = std::move(file);

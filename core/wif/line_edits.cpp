@@ -278,10 +278,10 @@ bool has_key(const WifEntries& section, const WifEntry& entry) {
 }
 
 void change_section(Patch& patch, const WifSection& section, const WifEntries* before, const WifEntries& now,
-                    Reach reach) {
+                    EditScope scope) {
   const KeyLines lines(section);
   Changes changes(before);
-  const bool all = reach == Reach::kAll || (reach == Reach::kCounts && is_count_section(now.name));
+  const bool all = scope == EditScope::kAll || (scope == EditScope::kCounts && is_count_section(now.name));
   for (const WifEntry& entry : now.entries) {
     bool set = changes.is_new(entry);
     if (all && !set) {
@@ -361,15 +361,15 @@ void trim_tables(Patch& patch, const char* system, const std::vector<WifEntries>
 }  // namespace
 
 std::optional<std::string> patched(const WifText& text, const std::vector<WifEntries>& before,
-                                   const std::vector<WifEntries>& now, Reach reach) {
+                                   const std::vector<WifEntries>& now, EditScope scope) {
   Patch patch(text);
   for (const WifEntries& section : now) {
     const WifEntries* old = find(before, section.name);
     const WifSection* lines = text.find(section.name);
     if (lines) {
-      change_section(patch, *lines, old, section, reach);
+      change_section(patch, *lines, old, section, scope);
       if (!old) list_in_contents(patch, section.name);
-    } else if (reach != Reach::kChanged || !old || old->entries != section.entries) {
+    } else if (scope != EditScope::kChanged || !old || old->entries != section.entries) {
       append_section(patch, section);
       list_in_contents(patch, section.name);
     }

@@ -244,11 +244,11 @@ void read_drive(Reader& r, WifFile* info) {
   read_lists(r, "TREADLING", draft.treadling, "treadles", r.dialect.treadle_base);
   BitMatrix liftplan(draft.picks(), draft.shafts);
   read_lists(r, "LIFTPLAN", liftplan, "shafts");
-  draft.drive = ShedControl::kTreadling;
+  draft.shed_control = ShedControl::kTreadling;
   const bool treadles_lift = has_tieup && has_treadling && lifts(draft).count() > 0;
   if (!treadles_lift && (liftplan.count() > 0 || (has_liftplan && !has_treadling)))
-    draft.drive = ShedControl::kLiftplan;
-  if (draft.drive == ShedControl::kLiftplan) {
+    draft.shed_control = ShedControl::kLiftplan;
+  if (draft.shed_control == ShedControl::kLiftplan) {
     draft.treadling = BitMatrix(draft.picks(), draft.treadles);
     draft.liftplan = std::move(liftplan);
   } else {
@@ -370,7 +370,7 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
   read_lists(r, "THREADING", draft.threading, "shafts");
   read_drive(r, info);
   note_empty_tail(r, draft.threading, "WARP", "ends");
-  note_empty_tail(r, draft.drive == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, "WEFT", "picks");
+  note_empty_tail(r, draft.shed_control == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, "WEFT", "picks");
   read_threads(r.text, diagnostics, r.dialect, draft, info);
   read_notes(r);
   read_private_sections(r.text, r.dialect, diagnostics, r.design);

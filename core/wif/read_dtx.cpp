@@ -211,7 +211,7 @@ bool read_liftplan(const Dtx& dtx, const DtxSection& section, Draft& d) {
   d.shafts = static_cast<int>(shafts);
   d.threading.resize(d.ends(), d.shafts);
   d.treadles = std::max(count_in(dtx, "treadles", kMaxShafts), 1);
-  d.drive = ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kLiftplan;
   d.liftplan = BitMatrix(d.picks(), d.shafts);
   for (int p = 0; p < static_cast<int>(section.data.size()); ++p) {
     const std::string_view text = section.data[static_cast<size_t>(p)].text;

@@ -145,7 +145,7 @@ void read_scene(const Source& s, const WifSection& section, Scene& scene) {
   if (const WifKey* own = section.find("Own Drape")) scene.simulated_drape = word_as_bool(own->value).value_or(false);
   if (const WifKey* lights = section.find("Lights")) {
     const std::string name = words(s, *lights);
-    scene.lights = is_environment(name) ? name : light_setup(name).id;
+    scene.lights = is_environment(name) ? name : lighting_preset(name).id;
     if (name != scene.lights) s.unusable(*lights);
   }
   if (const WifKey* shown = section.find("Surroundings"))
@@ -255,7 +255,7 @@ ThreadSection read_section(const Source& s, const WifSection& section, const std
   ThreadSection out;
   if (const WifKey* key = section.find(prefix + "Name")) out.name = words(s, *key);
   if (const WifKey* key = section.find(prefix + "Lifts"); key && word_as_bool(key->value) == true)
-    out.drive = ShedControl::kLiftplan;
+    out.shed_control = ShedControl::kLiftplan;
   const WifKey* rows = section.find(prefix + "Rows");
   out.rows =
       rows_from(rows ? rows->value : std::string_view(), count_of(section, (prefix + "Columns").c_str(), kMaxShafts));
@@ -361,7 +361,7 @@ void read_private_sections(const WifText& text, const WifDialect& dialect, Diagn
   read_exact_measures(s, "WEFT SPACING", design.draft.weft.spacing_mm);
   read_exact_measures(s, "WARP THICKNESS", design.draft.warp.thickness_mm);
   read_exact_measures(s, "WEFT THICKNESS", design.draft.weft.thickness_mm);
-  if (design.draft.drive == ShedControl::kLiftplan) {
+  if (design.draft.shed_control == ShedControl::kLiftplan) {
     read_sleeping(s, "TREADLING", design.draft.treadling);
   } else {
     read_sleeping(s, "LIFTPLAN", design.draft.liftplan);

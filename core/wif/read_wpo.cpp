@@ -117,7 +117,7 @@ struct Wpo {
 
   bool read_liftplan() {
     if (!set_picks(in.number())) return false;
-    d.drive = ShedControl::kLiftplan;
+    d.shed_control = ShedControl::kLiftplan;
     d.liftplan = in.masks(d.picks(), d.shafts);
     return !in.short_ || cut("liftplan");
   }

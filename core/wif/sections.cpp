@@ -109,7 +109,7 @@ WifEntries color_table(const Draft& draft, const WifDialect& dialect) {
 
 /// Tie-up with treadling, or the liftplan; a treadled draft's liftplan follows its treadles.
 void add_drive(std::vector<WifEntries>& out, const Draft& draft, const WifDialect& dialect) {
-  const bool treadled = draft.drive == ShedControl::kTreadling;
+  const bool treadled = draft.shed_control == ShedControl::kTreadling;
   if (treadled || draft.tieup.count() > 0) add_rows(out, "TIEUP", draft.tieup, dialect);
   if (treadled) add_rows(out, "TREADLING", draft.treadling, dialect, dialect.treadle_base);
   if (!treadled) add_rows(out, "LIFTPLAN", draft.liftplan, dialect);

@@ -59,6 +59,6 @@ std::string write_new_wif(const Design& design);
 enum class PlainShedControl { kAsIs, kLiftplan, kTreadling };
 /// "Save for other programs": ASCII, CRLF, one-pass section order, no private sections, both a tie-up
 /// and a liftplan.
-std::string write_plain_wif(const Design& design, PlainShedControl drive = PlainShedControl::kAsIs);
+std::string write_plain_wif(const Design& design, PlainShedControl shed_control = PlainShedControl::kAsIs);
 
 }  // namespace weftlight::wif

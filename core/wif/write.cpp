@@ -18,8 +18,8 @@ struct Attempt {
 };
 
 std::optional<Attempt> attempt(const WifText& text, const std::vector<WifEntries>& before,
-                               const std::vector<WifEntries>& now, Reach reach) {
-  std::optional<std::string> bytes = patched(text, before, now, reach);
+                               const std::vector<WifEntries>& now, EditScope scope) {
+  std::optional<std::string> bytes = patched(text, before, now, scope);
   if (!bytes) return std::nullopt;
   Attempt result{std::move(*bytes), {}, false};
   Diagnostics diagnostics;
@@ -116,8 +116,8 @@ std::string write_wif(const WifFile& opened, const Design& now) {
   // The fewest lines first; more only where what was left out of the file would make them read otherwise.
   std::string fallback;
   const auto try_text = [&](const WifText& text) -> std::optional<std::string> {
-    for (const Reach reach : {Reach::kChanged, Reach::kCounts, Reach::kAll}) {
-      std::optional<Attempt> tried = attempt(text, before, after, reach);
+    for (const EditScope scope : {EditScope::kChanged, EditScope::kCounts, EditScope::kAll}) {
+      std::optional<Attempt> tried = attempt(text, before, after, scope);
       if (!tried) return std::nullopt;
       if (tried->read && tried->design == now) return std::move(tried->bytes);
       if (fallback.empty() && tried->read && tried->design.draft == now.draft) fallback = std::move(tried->bytes);
@@ -134,11 +134,11 @@ std::string write_wif(const WifFile& opened, const Design& now) {
 
 std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_habits(design.draft))); }
 
-std::string write_plain_wif(const Design& design, PlainShedControl drive) {
-  Design plain = drive == PlainShedControl::kLiftplan    ? to_liftplan(design)
-                 : drive == PlainShedControl::kTreadling ? to_treadling(design)
-                                                         : design;
-  if (plain.draft.drive == ShedControl::kLiftplan) plain = with_straight_tieup(std::move(plain));
+std::string write_plain_wif(const Design& design, PlainShedControl shed_control) {
+  Design plain = shed_control == PlainShedControl::kLiftplan    ? to_liftplan(design)
+                 : shed_control == PlainShedControl::kTreadling ? to_treadling(design)
+                                                                : design;
+  if (plain.draft.shed_control == ShedControl::kLiftplan) plain = with_straight_tieup(std::move(plain));
   plain.title = to_ascii(plain.title);
   plain.author = to_ascii(plain.author);
   plain.notes = plain_notes(plain.notes);

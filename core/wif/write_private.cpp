@@ -158,7 +158,7 @@ WifEntries assembly_entries(const char* name, const Assembly& assembly) {
     const std::string prefix = std::to_string(i + 1) + " ";
     add(section, prefix + "Name", escaped(s.name), true);
     add(section, prefix + "Columns", std::to_string(s.rows.cols()));
-    if (s.drive == ShedControl::kLiftplan) add(section, prefix + "Lifts", "true");
+    if (s.shed_control == ShedControl::kLiftplan) add(section, prefix + "Lifts", "true");
     add(section, prefix + "Rows", rows_text(s.rows));
     add_column(section, prefix + "Colors", s.threads.color, 0, from_1);
     add_column(section, prefix + "Yarns", s.threads.yarn, 0, from_1);
@@ -233,7 +233,7 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   push_if_any(out, exact_measures_of("WEFT SPACING", draft.weft.spacing_mm));
   push_if_any(out, exact_measures_of("WARP THICKNESS", draft.warp.thickness_mm));
   push_if_any(out, exact_measures_of("WEFT THICKNESS", draft.weft.thickness_mm));
-  const bool treadled = draft.drive == ShedControl::kTreadling;
+  const bool treadled = draft.shed_control == ShedControl::kTreadling;
   push_if_any(out, treadled ? sleeping("LIFTPLAN", draft.liftplan) : sleeping("TREADLING", draft.treadling));
 }
 

@@ -38,7 +38,7 @@ void add_cloth_actions(Actions& all) {
     a.checked = [name](const ActionHost& e) { return e.document().now().scene.mesh == name; };
   }
   add_simulated_drape(all);
-  for (const LightingPreset& setup : kLightSetups) {
+  for (const LightingPreset& setup : kLightingPresets) {
     Action& a = add(all, "Cloth", (std::string("lights.") + setup.id).c_str(),
                     (std::string("Light: ") + setup.label).c_str(), "", [&setup](ActionHost& e) {
                       e.commit({"Choose lights", [&setup](Design d) {
@@ -46,7 +46,7 @@ void add_cloth_actions(Actions& all) {
                                   return d;
                                 }});
                     });
-    a.item.group = &setup == &kLightSetups.front();
+    a.item.group = &setup == &kLightingPresets.front();
     a.checked = [&setup](const ActionHost& e) { return e.document().now().scene.lights == setup.id; };
   }
   Action& picture = add(all, "Cloth", "environment", "Light: a picture from all around\xE2\x80\xA6", "",

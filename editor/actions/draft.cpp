@@ -72,8 +72,8 @@ void add_draft_actions(Actions& all) {
       };
       e.commit(edit);
     });
-    a.checked = [to](const ActionHost& e) { return e.document().now().draft.drive == to; };
-    a.enabled = [to](const ActionHost& e) { return e.document().now().draft.drive != to; };
+    a.checked = [to](const ActionHost& e) { return e.document().now().draft.shed_control == to; };
+    a.enabled = [to](const ActionHost& e) { return e.document().now().draft.shed_control != to; };
     return &a;
   };
   drive("treadling", "Tie-up and treadling", ShedControl::kTreadling)->item.group = true;

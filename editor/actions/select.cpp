@@ -218,13 +218,15 @@ void add_turns(Actions& all) {
 
 void add_repeats(Actions& all) {
   add_edit(all, kRepeat, "repeat_end", "Repeat to the end", "Ctrl+R", [](Design d, const Selection& s, bool looks) {
-    return with_repeated(std::move(d), s, Reach::kToEnd, looks);
+    return with_repeated(std::move(d), s, RepeatExtent::kToEnd, looks);
   });
   add_edit(all, kRepeat, "repeat_all", "Repeat over everything", "Ctrl+Shift+R",
-           [](Design d, const Selection& s, bool looks) { return with_repeated(std::move(d), s, Reach::kAll, looks); });
+           [](Design d, const Selection& s, bool looks) {
+             return with_repeated(std::move(d), s, RepeatExtent::kAll, looks);
+           });
   add_thread_edit(all, kRepeat, "point_end", "Point repeat to the end", "Ctrl+M",
                   [](Design d, const ThreadRange& t, bool looks) {
-                    return with_point_repeat(std::move(d), t, Reach::kToEnd, looks);
+                    return with_point_repeat(std::move(d), t, RepeatExtent::kToEnd, looks);
                   });
   add_thread_edit(
       all, kRepeat, "advance_up", "Advancing repeat to the end, one up each time", "Ctrl+.",

@@ -61,10 +61,10 @@ Design with_colors_of(Design d, System from) {
 /// The same of their thicknesses.
 Design with_thickness_of(Design d, System from) {
   const System to = from == System::kWarp ? System::kWeft : System::kWarp;
-  const ThreadProperties looks{{}, d.draft.threads(from).thickness_mm};
+  const ThreadProperties properties{{}, d.draft.threads(from).thickness_mm};
   std::vector<int> threads(static_cast<size_t>(d.draft.threads(to).size()));
   std::iota(threads.begin(), threads.end(), 0);
-  return with_properties(std::move(d), to, threads, looks);
+  return with_properties(std::move(d), to, threads, properties);
 }
 
 void copy_bar(ActionHost& e, const char* label, Design (*with)(Design, System), System from) {
@@ -83,14 +83,14 @@ void copy_properties(ActionHost& e, const char* what, ThreadText text) {
 }
 
 void paste_properties(ActionHost& e) {
-  const ThreadPropertiesRead read = read_look_text(e.clipboard());
-  if (!read.looks) return e.say(read.problem);
+  const ThreadPropertiesRead read = read_thread_properties(e.clipboard());
+  if (!read.properties) return e.say(read.problem);
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  const char* what = read.looks->colors.empty() ? "Paste thickness" : "Paste colours";
+  const char* what = read.properties->colors.empty() ? "Paste thickness" : "Paste colours";
   e.commit({thread_label(what, choice.system, threads.size()),
-            [threads, system = choice.system, looks = *read.looks](Design d) {
-              return with_properties(std::move(d), system, threads, looks);
+            [threads, system = choice.system, properties = *read.properties](Design d) {
+              return with_properties(std::move(d), system, threads, properties);
             }});
 }
 

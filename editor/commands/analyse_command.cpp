@@ -24,7 +24,7 @@ struct DraftAnalysis {
   Repeat structure, design;
   LongestFloats longest;
   LongFloats floats;
-  std::vector<Layer> layers;
+  std::vector<WeaveLayer> layers;
   LoomUse loom;
   LoomSize fewest;
   Interlacing interlacings;
@@ -78,9 +78,9 @@ DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   return {structure_repeat(cells), design_repeat(design, cells),
           longest_floats(cells),   long_floats(cells, options.float_limit),
-          layers(cells),           loom_use(design.draft),
+          weave_layers(cells),     loom_use(design.draft),
           fewest_for(cells),       interlacing(cells),
-          warp_up_share(cells),    yarn_report(design, options.plan)};
+          warp_up_fraction(cells), yarn_report(design, options.plan)};
 }
 
 const char* name_of(System system) { return system == System::kWarp ? "warp" : "weft"; }
@@ -115,7 +115,7 @@ Json floats_json(const DraftAnalysis& f, int limit) {
 
 Json layers_json(const DraftAnalysis& f) {
   Json list = Json::array();
-  for (const Layer& layer : f.layers)
+  for (const WeaveLayer& layer : f.layers)
     list.push_back({{"loose", layer.loose()}, {"ends", from_one(layer.ends)}, {"picks", from_one(layer.picks)}});
   return list;
 }
@@ -156,7 +156,7 @@ std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseO
                      {"hangs_together", f.layers.size() <= 1},
                      {"heddles", f.loom.heddles},
                      {"lifts", f.loom.lifts},
-                     {"treads", f.loom.treads},
+                     {"treads", f.loom.treadle_uses},
                      {"unthreaded_ends", f.loom.unthreaded_ends},
                      {"empty_picks", f.loom.empty_picks},
                      {"fewest", {{"shafts", f.fewest.shafts}, {"treadles", f.fewest.treadles}}},
@@ -172,11 +172,11 @@ std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseO
 void print_layers(const DraftAnalysis& f) {
   if (f.layers.size() <= 1) return void(std::printf("hangs together  yes\n"));
   std::printf("hangs together  no: %zu layers, front to back\n", f.layers.size());
-  for (const Layer& layer : f.layers) {
+  for (const WeaveLayer& layer : f.layers) {
     const char* kind = !layer.loose() ? "layer" : layer.ends.empty() ? "loose pick" : "loose end";
     std::printf("  %s:", kind);
-    if (!layer.ends.empty()) std::printf(" ends %s;", listed(layer.ends).c_str());
-    if (!layer.picks.empty()) std::printf(" picks %s", listed(layer.picks).c_str());
+    if (!layer.ends.empty()) std::printf(" ends %s;", thread_list(layer.ends).c_str());
+    if (!layer.picks.empty()) std::printf(" picks %s", thread_list(layer.picks).c_str());
     std::printf("\n");
   }
 }
@@ -255,7 +255,7 @@ int diff_command(const DiffOptions& options) {
   if (!a.ok || !b.ok) return kBadInput;
   const Comparison c = compare(a.design, b.design);
   for (const Difference& d : c.differences) {
-    if (!d.threads.empty()) std::printf("%-15s %s\n", d.what.c_str(), listed(d.threads).c_str());
+    if (!d.threads.empty()) std::printf("%-15s %s\n", d.what.c_str(), thread_list(d.threads).c_str());
     else if (d.a.empty() && d.b.empty()) std::printf("%-15s differ\n", d.what.c_str());
     else std::printf("%-15s '%s' and '%s'\n", d.what.c_str(), d.a.c_str(), d.b.c_str());
   }

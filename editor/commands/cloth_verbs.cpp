@@ -35,7 +35,7 @@ std::vector<std::string> method_names(bool drawn) {
 
 std::vector<std::string> light_names() {
   std::vector<std::string> names;
-  for (const LightingPreset& preset : kLightSetups) names.push_back(preset.id);
+  for (const LightingPreset& preset : kLightingPresets) names.push_back(preset.id);
   return names;
 }
 

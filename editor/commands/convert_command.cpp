@@ -1,4 +1,5 @@
-// `convert`: a copy of the draft, the same bytes unless another drive, another loom or the plain form is asked for.
+// `convert`: a copy of the draft, the same bytes unless another shed control, another loom or the plain form is asked
+// for.
 
 #include <cstdio>
 #include <utility>
@@ -24,11 +25,11 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
 }
 
 /// Driven as asked; an exit code, with the problem printed.
-int drive(Design& design, const ConvertOptions& options) {
+int set_shed_control(Design& design, const ConvertOptions& options) {
   if (options.shed_control == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
   if (options.shed_control != ConvertShedControl::kTreadling) return kDone;
   design = to_treadling(std::move(design));
-  if (design.draft.drive == ShedControl::kTreadling) return kDone;
+  if (design.draft.shed_control == ShedControl::kTreadling) return kDone;
   std::fprintf(stderr, "%s: the draft needs more than %d treadles; keep its liftplan\n", options.in.c_str(),
                kMaxShafts);
   return kBadInput;
@@ -63,7 +64,7 @@ int convert_command(const ConvertOptions& options) {
   const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;
   Design design = opened.design;
-  if (const int code = drive(design, options); code != kDone) return code;
+  if (const int code = set_shed_control(design, options); code != kDone) return code;
   if (const int code = fit(design, options); code != kDone) return code;
   const std::string error = write_file_atomically(options.out, converted(opened.file, design, options));
   return error.empty() ? kDone : not_written(error);

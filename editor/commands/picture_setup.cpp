@@ -21,7 +21,7 @@ void take_options(Design& design, const PictureOptions& o) {
   if (!o.mesh.empty()) scene.mesh = o.mesh;
   if (o.simulated_drape) scene.simulated_drape = true;
   if (is_environment(o.lights)) scene = lit_by_environment(scene, o.lights);
-  else if (!o.lights.empty()) scene = lit_by(scene, light_setup(o.lights));
+  else if (!o.lights.empty()) scene = lit_by(scene, lighting_preset(o.lights));
   if (o.surroundings) scene.surroundings = true;
   if (!std::isnan(o.view_azimuth)) scene.view_azimuth = o.view_azimuth, scene.view_elevation = o.view_elevation;
   if (!std::isnan(o.light_azimuth)) scene.light_azimuth = o.light_azimuth, scene.light_elevation = o.light_elevation;

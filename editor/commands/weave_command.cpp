@@ -10,12 +10,12 @@ namespace weftlight::commands {
 namespace {
 
 void print_kind(const WeaveKind& kind) {
-  std::printf("%-18s %s: %s\n", kind.id, kind.name, kind.words);
-  for (const WeaveNumber& n : kind.numbers) {
-    std::printf("  --set %s=%s", n.id, n.first);
-    if (n.kind == NumberKind::kCount) std::printf("  (%d to %d)", n.low, n.high);
+  std::printf("%-18s %s: %s\n", kind.id, kind.name, kind.description);
+  for (const WeaveParameter& n : kind.parameters) {
+    std::printf("  --set %s=%s", n.id, n.default_value);
+    if (n.kind == ParameterKind::kCount) std::printf("  (%d to %d)", n.low, n.high);
     for (size_t i = 0; i < n.choices.size(); ++i) std::printf(i == 0 ? "  (%s" : ", %s", n.choices[i]);
-    std::printf("%s  %s\n", n.choices.empty() ? "" : ")", n.words);
+    std::printf("%s  %s\n", n.choices.empty() ? "" : ")", n.tip);
   }
 }
 
@@ -27,7 +27,7 @@ bool take_values(const WeaveKind& kind, const std::vector<std::string>& set, Wea
     bool known = equals != std::string::npos;
     if (known) {
       known = false;
-      for (const WeaveNumber& n : kind.numbers) known = known || id == n.id;
+      for (const WeaveParameter& n : kind.parameters) known = known || id == n.id;
     }
     if (!known) {
       std::fprintf(stderr, "weftlight: --set %s: the weave %s has no such number; see weftlight weave --list\n",
@@ -54,7 +54,7 @@ int weave_command(const WeaveOptions& options) {
   }
   WeaveValues values;
   if (!take_values(*kind, options.set, values)) return kUsage;
-  Made made = new_draft(*kind, values, {options.ends, options.picks});
+  GeneratedWeave made = new_draft(*kind, values, {options.ends, options.picks});
   made.design.title = kind->name;
   if (!made.why.empty()) std::fprintf(stderr, "%s: warning: %s\n", options.out.c_str(), made.why.c_str());
   const std::string error = write_file_atomically(options.out, write_new_wif(made.design));

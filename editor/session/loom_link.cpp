@@ -98,7 +98,7 @@ void LoomLink::talk(loom::Line& line, const std::string& address) {
       out = std::exchange(to_send_, {});
     }
     if (!out.empty() && !line.send(out)) return;
-    std::vector<loom::LoomReport> said = reader.take(line.receive(kListenMs));
+    std::vector<loom::LoomReport> said = reader.parse(line.receive(kListenMs));
     if (said.empty()) continue;
     const std::lock_guard lock(mutex_);
     if (address != address_) return;

@@ -33,7 +33,7 @@ std::string shafts_of_end(const Draft& d, int end) {
 }
 
 std::string lift_of_pick(const Draft& d, int pick) {
-  const bool plan = d.drive == ShedControl::kLiftplan;
+  const bool plan = d.shed_control == ShedControl::kLiftplan;
   const std::string list = listed(plan ? d.liftplan : d.treadling, pick);
   const char* verb = !plan ? "" : d.rising ? "lifts " : "lowers ";
   const char* nothing = plan ? (d.rising ? "lifts no shaft" : "lowers no shaft") : "no treadle";

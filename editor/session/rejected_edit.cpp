@@ -40,7 +40,7 @@ std::shared_ptr<const ClosestWeave> nearest_to(const Design& now, const Design& 
   if (!out.is_there) design.draft = std::move(factored.draft);
   out.wrong = std::min(stays_wrong, factored.wrong);
   out.differing = analysis::differing_crossings(drawdown(design.draft), wanted);
-  out.places = analysis::differing_places(out.differing, kMaxPlaces);
+  out.places = analysis::differing_regions(out.differing, kMaxPlaces);
   out.design = std::make_shared<const Design>(std::move(design));
   return std::make_shared<const ClosestWeave>(std::move(out));
 }

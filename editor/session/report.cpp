@@ -22,7 +22,7 @@ Report report_on(const Design& design, const BitMatrix& cells, int limit,
   r.repeat = design_repeat(design, cells);
   r.loom = analysis::loom_use(design.draft);
   r.layers = 0;
-  for (const analysis::Layer& layer : analysis::layers(cells)) {
+  for (const analysis::WeaveLayer& layer : analysis::weave_layers(cells)) {
     if (!layer.loose()) ++r.layers;
     else
       (layer.picks.empty() ? r.loose_ends : r.loose_picks)
@@ -32,7 +32,7 @@ Report report_on(const Design& design, const BitMatrix& cells, int limit,
     r.other = other;
     r.comparison = analysis::compare(other->design, design);
     r.differing = analysis::differing_crossings(cells, other->cells);
-    r.places = analysis::differing_places(r.differing, kListedPlaces);
+    r.places = analysis::differing_regions(r.differing, kListedPlaces);
   }
   return r;
 }

@@ -78,8 +78,8 @@ GridId grid_id_of(BitGrid grid) {
 }
 
 bool is_shown(const Draft& d, BitGrid grid) {
-  if (grid == BitGrid::kTieup || grid == BitGrid::kTreadling) return d.drive == ShedControl::kTreadling;
-  return grid != BitGrid::kLiftplan || d.drive == ShedControl::kLiftplan;
+  if (grid == BitGrid::kTieup || grid == BitGrid::kTreadling) return d.shed_control == ShedControl::kTreadling;
+  return grid != BitGrid::kLiftplan || d.shed_control == ShedControl::kLiftplan;
 }
 
 Selection selection_between(BitGrid grid, Cell one, Cell other) {

@@ -69,7 +69,7 @@ BitMatrix rows_of(const BitMatrix& all, const std::vector<int>& which) {
 BitMatrix crossings_of(const Draft& draft, const std::vector<int>& ends, const std::vector<int>& picks) {
   Draft some;
   some.shafts = draft.shafts, some.treadles = draft.treadles;
-  some.rising = draft.rising, some.drive = draft.drive;
+  some.rising = draft.rising, some.shed_control = draft.shed_control;
   some.warp.resize(static_cast<int>(ends.size()));
   some.weft.resize(static_cast<int>(picks.size()));
   some.threading = rows_of(draft.threading, ends);

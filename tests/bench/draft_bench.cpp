@@ -21,13 +21,13 @@ using namespace weftlight::analysis;
 constexpr int kLarge = 10000;
 constexpr int kShafts = 32;
 
-Draft large_draft(ShedControl drive) {
+Draft large_draft(ShedControl shed_control) {
   std::mt19937 random(1);
   Draft d = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {kLarge, kLarge}).draft;
   for (int p = 0; p < d.picks(); ++p) {
     for (int s = 0; s < d.shafts; ++s) d.liftplan.set(p, s, random() % 2 == 0);
   }
-  d.drive = drive;
+  d.shed_control = shed_control;
   return d;
 }
 

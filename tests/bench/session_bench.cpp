@@ -27,14 +27,14 @@ Edit to_shaft(int shaft) {
 }
 
 /// A cell painted in the threading, and the drawdown after it; each a step of its own.
-void stroke(benchmark::State& state, Size size, ShedControl drive) {
-  Document document(design_of(size, drive));
+void stroke(benchmark::State& state, Size size, ShedControl shed_control) {
+  Document document(design_of(size, shed_control));
   int shaft = 0;
   for (auto _ : state) benchmark::DoNotOptimize(document.commit(to_shaft(shaft = (shaft + 1) % 32), 0));
 }
 
-void undo(benchmark::State& state, Size size, ShedControl drive) {
-  Document document(design_of(size, drive));
+void undo(benchmark::State& state, Size size, ShedControl shed_control) {
+  Document document(design_of(size, shed_control));
   document.commit(to_shaft(5), 0);
   for (auto _ : state) {
     benchmark::DoNotOptimize(document.undo());
@@ -42,8 +42,8 @@ void undo(benchmark::State& state, Size size, ShedControl drive) {
   }
 }
 
-void invert(benchmark::State& state, BitGrid grid, ShedControl drive) {
-  Document document(design_of(kLarge, drive));
+void invert(benchmark::State& state, BitGrid grid, ShedControl shed_control) {
+  Document document(design_of(kLarge, shed_control));
   const Edit edit{"Invert", [grid](Design d) {
                     const Selection all = whole_grid(d.draft, grid);
                     return with_inverted(std::move(d), all);
@@ -51,8 +51,8 @@ void invert(benchmark::State& state, BitGrid grid, ShedControl drive) {
   for (auto _ : state) benchmark::DoNotOptimize(document.commit(edit, 0));
 }
 
-void open(benchmark::State& state, Size size, ShedControl drive) {
-  const std::string bytes = write_new_wif(design_of(size, drive));
+void open(benchmark::State& state, Size size, ShedControl shed_control) {
+  const std::string bytes = write_new_wif(design_of(size, shed_control));
   for (auto _ : state) {
     WifRead read = read_draft(bytes);
     benchmark::DoNotOptimize(Document(std::move(*read.file), {}, {}).cells().row(0).data());
@@ -60,8 +60,8 @@ void open(benchmark::State& state, Size size, ShedControl drive) {
   state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(bytes.size()));
 }
 
-void save(benchmark::State& state, Size size, ShedControl drive) {
-  WifRead read = read_draft(write_new_wif(design_of(size, drive)));
+void save(benchmark::State& state, Size size, ShedControl shed_control) {
+  WifRead read = read_draft(write_new_wif(design_of(size, shed_control)));
   Document document(std::move(*read.file), {}, {});
   document.commit(to_shaft(5), 0);
   for (auto _ : state) benchmark::DoNotOptimize(document.writer()().size());

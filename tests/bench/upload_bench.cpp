@@ -26,11 +26,11 @@ std::shared_ptr<const Design> kept(Design design) {
 }
 
 /// 32 shafts, picks in no order: what repeats nowhere.
-Design large_design(int ends, int picks, ShedControl drive) {
+Design large_design(int ends, int picks, ShedControl shed_control) {
   std::mt19937 random(1);
   Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {ends, picks});
   Draft& d = design.draft;
-  if (drive == ShedControl::kLiftplan) {
+  if (shed_control == ShedControl::kLiftplan) {
     d = to_liftplan(design).draft;
     for (int p = 0; p < d.picks(); ++p)
       for (int s = 0; s < d.shafts; ++s) d.liftplan.set(p, s, random() % 2 == 0);

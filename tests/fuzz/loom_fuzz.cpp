@@ -1,4 +1,4 @@
-// Any bytes from a loom, in any pieces: reading never crashes, and pieces say what the whole says.
+// Any bytes from a loom, in any pieces: parsing never crashes and gives the same reports as in one piece.
 
 #include <cstdint>
 #include <string_view>
@@ -13,17 +13,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 1) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   LoomReader at_once, in_pieces;
-  const std::vector<LoomReport> whole = at_once.take(bytes);
+  const std::vector<LoomReport> whole = at_once.parse(bytes);
   std::vector<LoomReport> pieces;
   const size_t piece = 1 + data[0] % 16;
   for (size_t at = 0; at < bytes.size(); at += piece)
-    for (LoomReport& report : in_pieces.take(bytes.substr(at, piece))) pieces.push_back(std::move(report));
+    for (LoomReport& report : in_pieces.parse(bytes.substr(at, piece))) pieces.push_back(std::move(report));
   require(whole.size() == pieces.size(), "as many reports");
   for (size_t i = 0; i < whole.size(); ++i) {
     require(whole[i].kind == pieces[i].kind && whole[i].shafts == pieces[i].shafts && whole[i].on == pieces[i].on &&
                 whole[i].text == pieces[i].text,
             "the same reports");
-    require(whole[i].text.size() <= LoomReader::kLongestLine, "no line is longer than what is kept");
+    require(whole[i].text.size() <= LoomReader::kMaxLineBytes, "no message is longer than the limit");
   }
   return 0;
 }

@@ -15,12 +15,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const ClothSize asked{1 + data[1] % 40, 1 + data[2] % 40};
   std::string_view rest(reinterpret_cast<const char*>(data + 3), size - 3);
   WeaveValues values;
-  for (const WeaveNumber& number : kind.numbers) {  // a line a number
+  for (const WeaveParameter& number : kind.parameters) {  // a line a number
     const size_t end = rest.find('\n');
     values.emplace_back(number.id, rest.substr(0, end));
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
   }
-  const Made made = new_draft(kind, values, asked);
+  const GeneratedWeave made = new_draft(kind, values, asked);
   require(is_consistent(made.design), "a design is consistent");
   require(made.design.draft.ends() == asked.ends && made.design.draft.picks() == asked.picks, "it has the asked size");
   const WeaveValues allowed = allowed_values(kind, values);

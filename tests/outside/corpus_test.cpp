@@ -108,9 +108,9 @@ void expect_other_forms(const std::string& name, const Design& design) {
   ASSERT_TRUE(made.file) << name;
   EXPECT_TRUE(made.file->design == design) << name;
   const BitMatrix cells = drawdown(design.draft);
-  for (const PlainShedControl drive :
+  for (const PlainShedControl shed_control :
        {PlainShedControl::kAsIs, PlainShedControl::kLiftplan, PlainShedControl::kTreadling}) {
-    const WifRead plain = read_wif(write_plain_wif(design, drive));
+    const WifRead plain = read_wif(write_plain_wif(design, shed_control));
     ASSERT_TRUE(plain.file) << name;
     EXPECT_TRUE(drawdown(plain.file->design.draft) == cells) << name;
   }

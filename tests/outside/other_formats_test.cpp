@@ -40,10 +40,10 @@ Draft without_tail(Draft d, int ends, int picks, const std::string& name) {
 
 void expect_same_draft(const Draft& got, const Draft& wanted, const std::string& name) {
   EXPECT_EQ(got.rising, wanted.rising) << name;
-  EXPECT_EQ(got.drive, wanted.drive) << name;
+  EXPECT_EQ(got.shed_control, wanted.shed_control) << name;
   EXPECT_EQ(got.shafts, wanted.shafts) << name;
   EXPECT_TRUE(got.threading == wanted.threading) << name;
-  if (wanted.drive == ShedControl::kTreadling) {
+  if (wanted.shed_control == ShedControl::kTreadling) {
     EXPECT_TRUE(got.tieup == wanted.tieup) << name;
     EXPECT_TRUE(got.treadling == wanted.treadling) << name;
   } else {

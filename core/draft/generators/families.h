@@ -53,8 +53,8 @@ struct BlockTemplate {
 std::span<const BlockTemplate> block_templates();
 /// A profile draft woven by a template: `marks` (picks of the profile x its blocks) says which blocks each pick
 /// weaves as pattern; empty: as drawn in.
-Made substituted(const BlockTemplate& unit, const std::vector<int>& warp_profile, const std::vector<int>& weft_profile,
-                 ClothSize size);
+GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& warp_profile,
+                           const std::vector<int>& weft_profile, ClothSize size);
 
 // ---- double_cloth.cpp
 /// Two layers (woven with one shuttle, a tube), or one layer folded at a selvedge, twice as wide as the loom.

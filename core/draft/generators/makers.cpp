@@ -40,8 +40,8 @@ std::vector<int> pattern_line(std::string_view form, int ends, int height) {
 
 }  // namespace
 
-Made make_broken(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_broken(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   const OverUnder order = ratio(v, made.why);
   const int shafts = std::accumulate(order.begin(), order.end(), 0);
   SequenceRead read = read_sequence(text(v, "order"), shafts);
@@ -51,14 +51,14 @@ Made make_broken(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-Made make_satin(const WeaveValues& v, ClothSize size) {
+GeneratedWeave make_satin(const WeaveValues& v, ClothSize size) {
   const int shafts = count(v, "shafts"), wanted = count(v, "step");
   const std::vector<int> steps = satin_steps(shafts);
   if (steps.empty())
     return {twill({shafts - 1, 1}, Lean::kRight, size),
             "there is no satin of " + std::to_string(shafts) + " shafts; the twill stands in its place"};
   const int step = *std::ranges::min_element(steps, {}, [wanted](int s) { return std::abs(s - wanted); });
-  Made made{satin(shafts, step, is(v, "face", "weft") ? Face::kBack : Face::kFront, size), {}};
+  GeneratedWeave made{satin(shafts, step, is(v, "face", "weft") ? Face::kBack : Face::kFront, size), {}};
   if (step == wanted) return made;
   made.why = "a satin of " + std::to_string(shafts) + " has the steps";
   for (const int s : steps) made.why.append(" ").append(std::to_string(s));
@@ -66,8 +66,8 @@ Made make_satin(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-Made make_network(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_network(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   const OverUnder order = ratio(v, made.why);
   const int shafts = std::accumulate(order.begin(), order.end(), 0);
   SequenceRead initial = read_sequence(text(v, "initial"), 16);
@@ -94,8 +94,8 @@ Made make_network(const WeaveValues& v, ClothSize size) {
 
 /// Blocks A 1232, B 2343, C 3414, D 4121; between two blocks the first thread of the old one again, so that no two
 /// ends of one parity stand together. Based on: Mary Snyder, The Crackle Weave, 1961.
-Made make_crackle(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_crackle(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   const std::vector<int> blocks = profile(v, 4, made.why);
   Recipe recipe{4, {}, {{2, 3}, {0, 3}, {0, 1}, {1, 2}, {0, 2}, {1, 3}}, {}};
   for (size_t i = 0; i < blocks.size(); ++i) {
@@ -114,8 +114,8 @@ Made make_crackle(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-Made make_substitution(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_substitution(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   const auto templates = block_templates();
   const std::string id = text(v, "template");
   const auto found = std::ranges::find_if(templates, [&](const BlockTemplate& t) { return id == t.id; });
@@ -129,8 +129,8 @@ Made make_substitution(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-Made make_sections(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   const int shafts = count(v, "shafts");
   Recipe recipe{shafts, {}, {}, {}};
   const auto read = [&](const char* id, int most) {
@@ -157,8 +157,8 @@ Made make_sections(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-Made make_sett(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_sett(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   made.design = twill(ratio(v, made.why), lean(v), size);
   SettRead sett = read_sett(text(v, "sett"));
   if (!sett.why.empty()) made.why = sett.why;
@@ -167,8 +167,8 @@ Made make_sett(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-Made make_double(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave make_double(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   OverUnder order = ratio(v, made.why);
   // Each layer has its shafts.
   if (2 * std::accumulate(order.begin(), order.end(), 0) > kMaxShafts) {

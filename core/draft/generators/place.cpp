@@ -32,16 +32,16 @@ void take_structure(Draft& d, Draft made) {
   if (!d.rising)
     for (int t = 0; t < d.treadles; ++t)
       for (int s = 0; s < d.shafts; ++s) d.tieup.set(t, s, !d.tieup.get(t, s));
-  const bool plan = d.drive == ShedControl::kLiftplan;
-  d.drive = ShedControl::kTreadling;
+  const bool plan = d.shed_control == ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kTreadling;
   if (!plan) return;
   d.liftplan = lifts(d);
-  d.drive = ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kLiftplan;
 }
 
 }  // namespace
 
-Made with_weave(Design design, const WeaveUse& asked) {
+GeneratedWeave with_weave(Design design, const WeaveUse& asked) {
   const WeaveKind* kind = find_weave(asked.weave);
   const Draft& d = design.draft;
   WeaveUse use = asked;
@@ -52,7 +52,7 @@ Made with_weave(Design design, const WeaveUse& asked) {
   if (!kind) return {std::move(design), "there is no weave named '" + asked.weave + "'"};
   if (use.ends == 0 || use.picks == 0) return {std::move(design), "no threads are chosen"};
   use.values = complete_values(*kind, asked.values);
-  Made made = kind->make(use.values, {use.ends, use.picks});
+  GeneratedWeave made = kind->make(use.values, {use.ends, use.picks});
   if (use.ends == d.ends() && use.picks == d.picks()) {
     if (kind->colors == WeaveColors::kOwn) {
       design.draft.palette = made.design.draft.palette;
@@ -105,10 +105,10 @@ ClothSize whole_repeats(ClothSize repeat, ClothSize about) {
   return {whole(repeat.ends, about.ends), whole(repeat.picks, about.picks)};
 }
 
-Made new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size) {
+GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size) {
   const std::vector<Rgb> two_tones = {{0.93f, 0.90f, 0.84f}, {0.16f, 0.25f, 0.42f}};
   WeaveUse use{kind.id, complete_values(kind, values), 0, size.ends, 0, size.picks};
-  Made made = kind.make(use.values, size);
+  GeneratedWeave made = kind.make(use.values, size);
   if (kind.colors == WeaveColors::kTwoTone)
     made.design = with_colors(std::move(made.design), two_tones, {{0, 1}}, {{1, 1}});
   if (kind.colors == WeaveColors::kPattern)

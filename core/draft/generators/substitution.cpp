@@ -75,8 +75,8 @@ int blocks_of(const std::vector<int>& a, const std::vector<int>& b) {
 
 std::span<const BlockTemplate> block_templates() { return kTemplates; }
 
-Made substituted(const BlockTemplate& unit, const std::vector<int>& warp_profile, const std::vector<int>& weft_profile,
-                 ClothSize size) {
+GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& warp_profile,
+                           const std::vector<int>& weft_profile, ClothSize size) {
   const std::vector<int> warp = warp_profile.empty() ? std::vector<int>{0} : warp_profile;
   const std::vector<int> weft = weft_profile.empty() ? warp : weft_profile;
   const int own = own_shafts(unit), blocks = blocks_of(warp, weft), ties = std::clamp(unit.ties, 0, 9);

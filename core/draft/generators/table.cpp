@@ -14,30 +14,30 @@ namespace {
 
 // ---- numbers that several weaves have
 
-WeaveNumber ratio_number(const char* first) {
+WeaveParameter ratio_number(const char* first) {
   return {"ratio",
           "Ratio",
           "Threads the warp passes over, then under, and so on: 2/2, or 3/1/1/3",
-          NumberKind::kText,
+          ParameterKind::kText,
           first,
           0,
           0,
           {}};
 }
-WeaveNumber counted(const char* id, const char* label, const char* words, int low, int high, const char* first) {
-  return {id, label, words, NumberKind::kCount, first, low, high, {}};
+WeaveParameter counted(const char* id, const char* label, const char* words, int low, int high, const char* first) {
+  return {id, label, words, ParameterKind::kCount, first, low, high, {}};
 }
-WeaveNumber chosen(const char* id, const char* label, const char* words, std::vector<const char*> choices) {
+WeaveParameter chosen(const char* id, const char* label, const char* words, std::vector<const char*> choices) {
   const char* first = choices.front();
-  return {id, label, words, NumberKind::kChoice, first, 0, 0, std::move(choices)};
+  return {id, label, words, ParameterKind::kChoice, first, 0, 0, std::move(choices)};
 }
-WeaveNumber written(const char* id, const char* label, const char* words, const char* first) {
-  return {id, label, words, NumberKind::kText, first, 0, 0, {}};
+WeaveParameter written(const char* id, const char* label, const char* words, const char* first) {
+  return {id, label, words, ParameterKind::kText, first, 0, 0, {}};
 }
 /// What has a step at all: all but 6.
-WeaveNumber satin_shafts_number() {
-  WeaveNumber n = counted("shafts", "Shafts", "All but 6, which no step makes a satin", 5, 64, "8");
-  n.allowed = [](const WeaveNumber& number, const WeaveValues&) {
+WeaveParameter satin_shafts_number() {
+  WeaveParameter n = counted("shafts", "Shafts", "All but 6, which no step makes a satin", 5, 64, "8");
+  n.allowed = [](const WeaveParameter& number, const WeaveValues&) {
     std::vector<int> shafts;
     for (int s = number.low; s <= number.high; ++s)
       if (!satin_steps(s).empty()) shafts.push_back(s);
@@ -45,27 +45,27 @@ WeaveNumber satin_shafts_number() {
   };
   return n;
 }
-WeaveNumber satin_step_number() {
-  WeaveNumber n =
+WeaveParameter satin_step_number() {
+  WeaveParameter n =
       counted("step", "Step", "Those that bind evenly: steps that share no factor with the shafts", 2, 62, "3");
-  n.allowed = [](const WeaveNumber&, const WeaveValues& values) { return satin_steps(count(values, "shafts")); };
+  n.allowed = [](const WeaveParameter&, const WeaveValues& values) { return satin_steps(count(values, "shafts")); };
   return n;
 }
-WeaveNumber lean_number() { return chosen("lean", "Leans", "Which way the line climbs", {"right", "left"}); }
-WeaveNumber profile_number(const char* first) {
+WeaveParameter lean_number() { return chosen("lean", "Leans", "Which way the line climbs", {"right", "left"}); }
+WeaveParameter profile_number(const char* first) {
   return written("profile", "Profile", "Blocks in their order, with how often each: A4 B2 C1", first);
 }
 
 template <auto kMake>
-Made from_ratio(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave from_ratio(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   made.design = kMake(ratio(v, made.why), v, size);
   return made;
 }
 
 template <auto kMake, int kBlocks>
-Made from_profile(const WeaveValues& v, ClothSize size) {
-  Made made;
+GeneratedWeave from_profile(const WeaveValues& v, ClothSize size) {
+  GeneratedWeave made;
   made.design = kMake(profile(v, kBlocks, made.why), v, size);
   return made;
 }
@@ -86,7 +86,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Over one, under one",
        {},
        [](Values, ClothSize size) {
-         return Made{plain(size), {}};
+         return GeneratedWeave{plain(size), {}};
        }},
       {"straight",
        "Straight draw",
@@ -94,7 +94,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "One thread a shaft in turn, with a balanced tie-up: the bare loom to paint on",
        {counted("shafts", "Shafts", "", 1, 64, "4"), counted("treadles", "Treadles", "", 1, 64, "4")},
        [](Values v, ClothSize size) {
-         return Made{straight_draw(count(v, "shafts"), count(v, "treadles"), size), {}};
+         return GeneratedWeave{straight_draw(count(v, "shafts"), count(v, "treadles"), size), {}};
        }},
       {"basket",
        "Basket",
@@ -102,7 +102,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Plain weave with groups of threads in place of one",
        {counted("group", "Group", "Threads that weave as one", 2, 16, "2")},
        [](Values v, ClothSize size) {
-         return Made{basket(count(v, "group"), size), {}};
+         return GeneratedWeave{basket(count(v, "group"), size), {}};
        }},
       {"twill",
        "Twill",
@@ -174,7 +174,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Floats draw the cloth into cells",
        {counted("shafts", "Shafts", "", 4, 64, "5")},
        [](Values v, ClothSize size) {
-         return Made{waffle(count(v, "shafts"), size), {}};
+         return GeneratedWeave{waffle(count(v, "shafts"), size), {}};
        }},
       {"huck",
        "Huck lace",
@@ -182,7 +182,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Lace spots over a plain ground",
        {},
        [](Values, ClothSize size) {
-         return Made{huck_lace(size), {}};
+         return GeneratedWeave{huck_lace(size), {}};
        }},
       {"overshot",
        "Overshot",
@@ -252,7 +252,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Plain weave of two colours whose order is turned over",
        {counted("block", "Block", "Threads of a block", 2, 400, "8")},
        [](Values v, ClothSize size) {
-         return Made{log_cabin(count(v, "block"), size), {}};
+         return GeneratedWeave{log_cabin(count(v, "block"), size), {}};
        },
        WeaveColors::kOwn},
       {"houndstooth",
@@ -261,7 +261,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Four dark, four light, in 2/2 twill",
        {},
        [](Values, ClothSize size) {
-         return Made{houndstooth(size), {}};
+         return GeneratedWeave{houndstooth(size), {}};
        },
        WeaveColors::kOwn},
       {"glen_check",
@@ -270,7 +270,7 @@ const std::vector<WeaveKind>& all_kinds() {
        "Checks of four against checks of two, in 2/2 twill",
        {},
        [](Values, ClothSize size) {
-         return Made{glen_check(size), {}};
+         return GeneratedWeave{glen_check(size), {}};
        },
        WeaveColors::kOwn},
       {"sett",
@@ -286,15 +286,15 @@ const std::vector<WeaveKind>& all_kinds() {
   return kKinds;
 }
 
-std::string completed(const WeaveNumber& number, const std::string* given) {
-  if (!given) return number.first;
-  if (number.kind == NumberKind::kText) return *given;
-  if (number.kind == NumberKind::kChoice) {
+std::string completed(const WeaveParameter& number, const std::string* given) {
+  if (!given) return number.default_value;
+  if (number.kind == ParameterKind::kText) return *given;
+  if (number.kind == ParameterKind::kChoice) {
     const bool known = std::ranges::any_of(number.choices, [&](const char* c) { return *given == c; });
-    return known ? *given : number.first;
+    return known ? *given : number.default_value;
   }
   int n = 0;
-  if (std::from_chars(given->data(), given->data() + given->size(), n).ec != std::errc{}) return number.first;
+  if (std::from_chars(given->data(), given->data() + given->size(), n).ec != std::errc{}) return number.default_value;
   return std::to_string(std::clamp(n, number.low, number.high));
 }
 
@@ -309,7 +309,7 @@ const WeaveKind* find_weave(std::string_view id) {
 
 WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given) {
   WeaveValues values;
-  for (const WeaveNumber& number : kind.numbers) {
+  for (const WeaveParameter& number : kind.parameters) {
     const auto found = std::ranges::find_if(given, [&](const auto& v) { return v.first == number.id; });
     values.emplace_back(number.id, completed(number, found != given.end() ? &found->second : nullptr));
   }
@@ -319,7 +319,7 @@ WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given) {
 
 WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given) {
   WeaveValues values = complete_values(kind, given);
-  for (const WeaveNumber& number : kind.numbers) {
+  for (const WeaveParameter& number : kind.parameters) {
     if (number.allowed == nullptr) continue;
     const int wanted = count(values, number.id);
     const auto away = [wanted](int n) { return std::abs(n - wanted); };

@@ -13,29 +13,29 @@
 
 namespace weftlight::draft {
 
-enum class NumberKind {
+enum class ParameterKind {
   kCount,   // a whole number of low..high
   kChoice,  // one of `choices`
-  kText,    // words that `words` explains: a ratio, a profile, a sequence
+  kText,    // text whose syntax `tip` explains: a ratio, a profile, a sequence
 };
 
-/// Values by id; what is missing has its first value.
+/// Values by id; what is missing has its default value.
 using WeaveValues = std::vector<std::pair<std::string, std::string>>;
 
-struct WeaveNumber {
+struct WeaveParameter {
   const char* id;
   const char* label;
-  const char* words;
-  NumberKind kind = NumberKind::kCount;
-  const char* first = "";  // what it begins with
+  const char* tip;
+  ParameterKind kind = ParameterKind::kCount;
+  const char* default_value = "";
   int low = 0, high = 0;
   std::vector<const char*> choices = {};
   /// The counts that make the weave, of those from low to high, given the numbers before it; null: all.
-  std::vector<int> (*allowed)(const WeaveNumber& number, const WeaveValues& values) = nullptr;
+  std::vector<int> (*allowed)(const WeaveParameter& number, const WeaveValues& values) = nullptr;
 };
 
 /// A whole draft of the asked size. `why`: what could not be taken as it was written, and what was done.
-struct Made {
+struct GeneratedWeave {
   Design design;
   std::string why;
 };
@@ -50,10 +50,10 @@ enum class WeaveColors {
 struct WeaveKind {
   const char* id;
   const char* name;
-  const char* family;  // under which a menu shows it
-  const char* words;   // what it is, in one sentence
-  std::vector<WeaveNumber> numbers;
-  Made (*make)(const WeaveValues& values, ClothSize size);
+  const char* family;       // under which a menu shows it
+  const char* description;  // what it is, in one sentence
+  std::vector<WeaveParameter> parameters;
+  GeneratedWeave (*make)(const WeaveValues& values, ClothSize size);
   WeaveColors colors = WeaveColors::kTwoTone;
 };
 
@@ -70,11 +70,11 @@ ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values);
 ClothSize whole_repeats(ClothSize repeat, ClothSize about);
 
 /// A draft of the asked size that is the weave alone, coloured as its kind says; the numbers are kept with it.
-Made new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size);
+GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size);
 
 /// A weave over threads of a draft: over all of them it becomes the draft, which keeps its size, colours (unless
 /// the weave has its own) and yarns; over some, their crossings are woven so and the rest stays (factor.h), within the
 /// loom. `use` is remembered in place of what was there before. Unchanged, with the reason, where it cannot be.
-Made with_weave(Design design, const WeaveUse& use);
+GeneratedWeave with_weave(Design design, const WeaveUse& use);
 
 }  // namespace weftlight::draft

@@ -20,13 +20,13 @@ OverUnder ratio(const WeaveValues& values, std::string& why);
 std::vector<int> profile(const WeaveValues& values, int blocks, std::string& why, const char* id = "profile");
 
 // ---- the weaves that are made of more than one call of generators.h (makers.cpp)
-Made make_broken(const WeaveValues& values, ClothSize size);
-Made make_satin(const WeaveValues& values, ClothSize size);
-Made make_network(const WeaveValues& values, ClothSize size);
-Made make_crackle(const WeaveValues& values, ClothSize size);
-Made make_substitution(const WeaveValues& values, ClothSize size);
-Made make_sections(const WeaveValues& values, ClothSize size);
-Made make_sett(const WeaveValues& values, ClothSize size);
-Made make_double(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_broken(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_satin(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_network(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_crackle(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_substitution(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_sections(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_sett(const WeaveValues& values, ClothSize size);
+GeneratedWeave make_double(const WeaveValues& values, ClothSize size);
 
 }  // namespace weftlight::draft

@@ -15,7 +15,7 @@ using namespace analysis;
 
 void find(const PanelContext& c, AnalysisState& s) {
   s.revision = c.revision;
-  s.layers = layers(c.cells);
+  s.layers = weave_layers(c.cells);
   s.loom = loom_use(c.design.draft);
   s.fewest = fewest_for(c.cells);
   s.interlacings = interlacing(c.cells);
@@ -32,16 +32,16 @@ void fact(const PanelContext& c, const char* label, const std::string& value, co
 void draw_layers(const PanelContext& c, const AnalysisState& s) {
   if (s.layers.size() <= 1) return fact(c, "Hangs together", "yes", "No thread can be lifted off the others");
   int loose = 0;
-  for (const Layer& layer : s.layers) loose += layer.loose();
+  for (const WeaveLayer& layer : s.layers) loose += layer.loose();
   fact(c, "Comes apart", "into " + std::to_string(s.layers.size()) + " layers",
        "Layers and loose threads that nothing binds to the rest, front to back");
   constexpr int kMax = 6;
   int shown = 0;
-  for (const Layer& layer : s.layers) {
+  for (const WeaveLayer& layer : s.layers) {
     if (++shown > kMax) return fact(c, "", "and more");
     std::string text;
-    if (!layer.ends.empty()) text += "ends " + listed(layer.ends);
-    if (!layer.picks.empty()) text.append(text.empty() ? "" : "; ").append("picks ").append(listed(layer.picks));
+    if (!layer.ends.empty()) text += "ends " + thread_list(layer.ends);
+    if (!layer.picks.empty()) text.append(text.empty() ? "" : "; ").append("picks ").append(thread_list(layer.picks));
     fact(c, layer.loose() ? "Loose" : "Layer", fitted(text, ImGui::GetContentRegionAvail().x * 2));
   }
 }

@@ -11,7 +11,7 @@ namespace weftlight::views {
 /// Derived from one revision of the design; found anew when that changes and the section is open.
 struct AnalysisState {
   uint64_t revision = 0;  // 0: nothing was found yet
-  std::vector<analysis::Layer> layers;
+  std::vector<analysis::WeaveLayer> layers;
   analysis::LoomUse loom;
   LoomSize fewest;
   analysis::Interlacing interlacings;

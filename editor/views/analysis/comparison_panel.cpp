@@ -13,7 +13,7 @@ namespace weftlight::views {
 using namespace analysis;
 
 std::string difference_text(const Difference& d) {
-  if (!d.threads.empty()) return listed(d.threads);
+  if (!d.threads.empty()) return thread_list(d.threads);
   const auto said = [](const std::string& text) { return text.empty() ? std::string("none") : text; };
   return d.a.empty() && d.b.empty() ? "" : said(d.a) + " \xE2\x86\x92 " + said(d.b);
 }
@@ -69,7 +69,7 @@ bool draw_places(PanelContext& c, const Report& r) {
   ImGui::BeginChild("places", {0, static_cast<float>(std::min(places, kShownPlaces)) * line + c.style.px(4)});
   for (int i = 0; i < places; ++i) {
     ImGui::PushID(i);
-    if (ImGui::Selectable(place_text(r.places[static_cast<size_t>(i)]).c_str(), i == c.view.place))
+    if (ImGui::Selectable(region_text(r.places[static_cast<size_t>(i)]).c_str(), i == c.view.place))
       c.wanted.change_view([i, at = r.places[static_cast<size_t>(i)]](DocumentView& v) { show_place(v, i, at); });
     ImGui::PopID();
     c.map.add_item("place:" + std::to_string(i + 1));

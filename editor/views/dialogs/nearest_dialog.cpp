@@ -24,7 +24,7 @@ void draw_places(PanelContext& c, const ClosestWeave& n) {
   for (int i = 0; i < places; ++i) {
     const CellRect& at = n.places[static_cast<size_t>(i)];
     ImGui::PushID(i);
-    if (ImGui::Selectable(analysis::place_text(at).c_str(), i == c.view.place))
+    if (ImGui::Selectable(analysis::region_text(at).c_str(), i == c.view.place))
       c.wanted.change_view([i, at](DocumentView& v) { show_place(v, i, at); });
     ImGui::PopID();
     c.map.add_item("nearest.place:" + std::to_string(i + 1));

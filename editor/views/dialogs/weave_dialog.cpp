@@ -78,11 +78,11 @@ DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   ImGui::SameLine(0, c.style.px(16));
   ImGui::BeginChild("weave", {c.style.px(kColumn), c.style.px(kHeight)});
   const WeaveKind& kind = kind_of(p);
-  const Made made = new_draft(kind, p.values, {std::min(p.ends, kShownEnds), std::min(p.picks, kShownPicks)});
+  const GeneratedWeave made = new_draft(kind, p.values, {std::min(p.ends, kShownEnds), std::min(p.picks, kShownPicks)});
   draw_cells(c, made.design);
   ImGui::Dummy({0, c.style.px(2)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, made.why.empty() ? kind.words : made.why);
+  muted_text(c, made.why.empty() ? kind.description : made.why);
   ImGui::PopTextWrapPos();
   if (draw_weave_numbers(c, kind, p.values)) follow_repeat(p);
   const int ends = p.ends, picks = p.picks;

@@ -25,7 +25,7 @@ bool pick_from(PanelContext& c, const std::string& id, const std::vector<std::st
   return value != before;
 }
 
-bool draw_count(PanelContext& c, const WeaveNumber& n, std::string& value) {
+bool draw_count(PanelContext& c, const WeaveParameter& n, std::string& value) {
   const std::string before = value;
   int count = n.low;
   std::from_chars(value.data(), value.data() + value.size(), count);
@@ -34,7 +34,7 @@ bool draw_count(PanelContext& c, const WeaveNumber& n, std::string& value) {
   return value != before;
 }
 
-bool draw_text(PanelContext& c, const WeaveNumber& n, std::string& value) {
+bool draw_text(PanelContext& c, const WeaveParameter& n, std::string& value) {
   const std::string before = value;
   ImGui::PushID(n.id);
   ImGui::InputText("##text", &value);
@@ -43,18 +43,18 @@ bool draw_text(PanelContext& c, const WeaveNumber& n, std::string& value) {
   return value != before;
 }
 
-std::vector<std::string> choices_of(const WeaveNumber& n, const WeaveValues& values) {
+std::vector<std::string> choices_of(const WeaveParameter& n, const WeaveValues& values) {
   std::vector<std::string> choices(n.choices.begin(), n.choices.end());
   if (n.allowed)
     for (const int one : n.allowed(n, values)) choices.push_back(std::to_string(one));
   return choices;
 }
 
-bool draw_value(PanelContext& c, const WeaveNumber& n, const WeaveValues& all, std::string& value) {
-  if (n.kind == NumberKind::kCount && !n.allowed) return draw_count(c, n, value);
-  row_label(c, n.label, n.words);
+bool draw_value(PanelContext& c, const WeaveParameter& n, const WeaveValues& all, std::string& value) {
+  if (n.kind == ParameterKind::kCount && !n.allowed) return draw_count(c, n, value);
+  row_label(c, n.label, n.tip);
   ImGui::SetNextItemWidth(c.style.px(n.allowed ? 140 : 190));
-  if (n.kind == NumberKind::kText) return draw_text(c, n, value);
+  if (n.kind == ParameterKind::kText) return draw_text(c, n, value);
   return pick_from(c, std::string("weave.").append(n.id), choices_of(n, all), value);
 }
 
@@ -83,7 +83,7 @@ bool draw_weave_list(PanelContext& c, int& chosen, float width, float height) {
 
 bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values) {
   bool other = false;
-  for (const WeaveNumber& n : kind.numbers)
+  for (const WeaveParameter& n : kind.parameters)
     for (auto& [key, value] : values)
       if (key == n.id) other |= draw_value(c, n, values, value);
   if (other) values = allowed_values(kind, values);

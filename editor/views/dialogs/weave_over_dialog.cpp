@@ -19,7 +19,7 @@ const WeaveKind& kind_of(const WeaveOverPrompt& p) { return weave_kinds()[static
 /// All steps of the dialog are one step of undo, each made anew from the draft that it found.
 MaybeEdit follow(WeaveOverPrompt& p) {
   p.use.weave = kind_of(p).id;
-  Made made = with_weave(*p.base, p.use);
+  GeneratedWeave made = with_weave(*p.base, p.use);
   p.why = std::move(made.why);
   return Edit{std::string("Weave ").append(kind_of(p).name),
               [next = std::make_shared<const Design>(std::move(made.design))](const Design&) { return *next; },
@@ -39,7 +39,7 @@ DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   ImGui::SameLine(0, c.style.px(16));
   ImGui::BeginChild("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, kind_of(p).words);
+  muted_text(c, kind_of(p).description);
   ImGui::PopTextWrapPos();
   other |= draw_weave_numbers(c, kind_of(p), p.use.values);
   if (other) answer.edit = follow(p);

@@ -35,7 +35,7 @@ std::string count_in_words(const Yarn& yarn) {
                      three_figures(count_of(tex, CountUnit::kNm)) + ", " +
                      three_figures(count_of(tex, CountUnit::kDenier)) + " den\n";
   if (!(yarn.tex > 0)) return text + "follows the thickness";
-  const double share = fibre_share(yarn);
+  const double share = packing_fraction(yarn);
   if (share > kClosest) return text + "more than fits in its thickness";
   return share > 0 ? text + std::to_string(std::lround(100 * share)) + " % of it is fibre" : text + "set";
 }

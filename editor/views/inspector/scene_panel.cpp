@@ -78,8 +78,8 @@ MaybeEdit draw_setups(PanelContext& c) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   MaybeEdit edit;
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  for (size_t i = 0; i < kLightSetups.size(); ++i) {
-    const LightingPreset& setup = kLightSetups[i];
+  for (size_t i = 0; i < kLightingPresets.size(); ++i) {
+    const LightingPreset& setup = kLightingPresets[i];
     const ImVec2 a{at.x + static_cast<float>(i % kColumns) * (width + gap),
                    at.y + static_cast<float>(i / kColumns) * (height + line + row_gap)},
         b{a.x + width, a.y + height};
@@ -97,7 +97,7 @@ MaybeEdit draw_setups(PanelContext& c) {
     dl->AddText({a.x + std::max(0.0f, room), b.y + c.style.px(2)}, chosen ? c.style.color.text : c.style.color.muted,
                 setup.label);
   }
-  constexpr size_t kRows = (kLightSetups.size() + kColumns - 1) / kColumns;
+  constexpr size_t kRows = (kLightingPresets.size() + kColumns - 1) / kColumns;
   ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(kRows) * (height + line + row_gap)});
   return edit;
 }

@@ -16,8 +16,8 @@ namespace weftlight::views {
 
 std::string press_text(const Draft& draft, int pick) {
   const std::vector<int> marks = to_press(draft, pick);
-  const char* one = draft.drive == ShedControl::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
-  if (marks.empty()) return draft.drive == ShedControl::kLiftplan ? "Lift nothing" : "No treadle";
+  const char* one = draft.shed_control == ShedControl::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
+  if (marks.empty()) return draft.shed_control == ShedControl::kLiftplan ? "Lift nothing" : "No treadle";
   std::string text = one;
   for (size_t i = 0; i < marks.size(); ++i) text.append(i == 0 ? "" : " + ").append(std::to_string(marks[i] + 1));
   return text;
@@ -121,7 +121,7 @@ void draw_colors(const PanelContext& c, int pick, int next, ImVec2 at, float roo
               to_u32(d.palette[static_cast<size_t>(color(next))]));
 }
 
-void draw_pick(PanelContext& c, const BitMatrix& up, const loom::Place& place, Box room) {
+void draw_pick(PanelContext& c, const BitMatrix& up, const loom::WeavingState& place, Box room) {
   const Draft& d = c.design.draft;
   const int pick = place.next_pick;
   ImFont *big = c.style.font.big, *title = c.style.font.title;
@@ -140,7 +140,7 @@ void draw_pick(PanelContext& c, const BitMatrix& up, const loom::Place& place, B
   y += line + c.style.px(14);
   draw_shafts(c, up, pick, {{room.min.x, y}, room.max});
   y += c.style.px(kLargestShaft) + c.style.px(18);
-  const loom::Place after = loom::stepped(place, c.view.at_loom.section, d.picks());
+  const loom::WeavingState after = loom::advanced(place, c.view.at_loom.section, d.picks());
   if (y + c.style.px(40) < room.max.y) draw_colors(c, pick, after.next_pick, {room.min.x, y}, room.width());
 }
 
@@ -189,7 +189,7 @@ void draw_line(PanelContext& c, const LoomLine& line, std::string& address) {
 /// From and to, both counted from 1; true when another number was given.
 void draw_section(PanelContext& c) {
   const int picks = c.design.draft.picks();
-  const loom::Section now = c.view.at_loom.section;
+  const loom::PickRange now = c.view.at_loom.section;
   int first = now.first < now.end ? now.first + 1 : 1, last = now.first < now.end ? now.end : picks;
   row_label(c, "Section", "These picks are woven over and over");
   push_font(c.style.font.mono);
@@ -206,7 +206,8 @@ void draw_section(PanelContext& c) {
   if (other)
     c.wanted.gesture([first, last, picks](DocumentView& v, const Design& d) {
       const int from = std::clamp(first, 1, picks) - 1, to = std::clamp(last, from + 1, picks);
-      return keep_to_section(v.at_loom, d, from == 0 && to == picks ? loom::Section{} : loom::Section{from, to}).edit;
+      return keep_to_section(v.at_loom, d, from == 0 && to == picks ? loom::PickRange{} : loom::PickRange{from, to})
+          .edit;
     });
   ImGui::SameLine();
   if (text_button(c, "loom.whole", "Whole draft", nullptr))
@@ -240,7 +241,7 @@ void draw_loom(PanelContext& c, const LoomLine& line, std::string& address) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   const float margin = c.style.px(kMargin), foot = c.style.px(kFoot);
   Box room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
-  const loom::Place place = place_of(c.view.at_loom, c.design);
+  const loom::WeavingState place = place_of(c.view.at_loom, c.design);
   const bool strip = size.x >= c.style.px(kMinForStrip);
   if (place.next_pick < c.design.draft.picks() && room.height() > 40) {
     const float right = room.max.x;

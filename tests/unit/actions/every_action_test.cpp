@@ -42,7 +42,7 @@ Design two_footed() {
   Design d = rich_design();
   d.draft = blank_draft(16, 12, 4, 6);
   for (int i = 0; i < 16; ++i) d.draft.threading.set(i, i % 4, true);
-  d.draft.drive = ShedControl::kLiftplan;
+  d.draft.shed_control = ShedControl::kLiftplan;
   d.draft.liftplan = BitMatrix(12, 4);
   constexpr unsigned kLifts[] = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 1, 2};
   for (int pick = 0; pick < 12; ++pick)

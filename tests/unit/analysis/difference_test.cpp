@@ -48,8 +48,8 @@ TEST(Compare, SizesThatDiffer) {
 }
 
 TEST(Compare, ListsThreadsAsPeopleDo) {
-  EXPECT_EQ(listed({0, 1, 2, 5, 7, 8}), "1-3, 6, 8, 9");
-  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(thread_list({0, 1, 2, 5, 7, 8}), "1-3, 6, 8, 9");
+  EXPECT_EQ(thread_list({}), "");
 }
 
 TEST(Compare, DifferingCrossingsAreFoundWhereTheyAre) {
@@ -63,11 +63,11 @@ TEST(Compare, DifferingCrossingsAreFoundWhereTheyAre) {
   EXPECT_EQ(differ.rows(), 10);
   EXPECT_EQ(differ.cols(), 70);
   EXPECT_EQ(differ.count(), 3);
-  const std::vector<CellRect> places = differing_places(differ, 10);
+  const std::vector<CellRect> places = differing_regions(differ, 10);
   ASSERT_EQ(places.size(), 2u);
   EXPECT_EQ(places[0], (CellRect{3, 69, 1, 3}));
   EXPECT_EQ(places[1], (CellRect{9, 10, 5, 6}));
-  EXPECT_EQ(differing_places(differ, 1).size(), 1u);
+  EXPECT_EQ(differing_regions(differ, 1).size(), 1u);
 }
 
 TEST(Compare, AnEndAndAPickThatCrossAreTwoPlaces) {
@@ -76,7 +76,7 @@ TEST(Compare, AnEndAndAPickThatCrossAreTwoPlaces) {
     differ.set(i, 4, true);
     differ.set(7, i, true);
   }
-  const std::vector<CellRect> places = differing_places(differ, 10);
+  const std::vector<CellRect> places = differing_regions(differ, 10);
   ASSERT_EQ(places.size(), 2u);
   EXPECT_EQ(places[0], (CellRect{4, 5, 0, 12}));
   EXPECT_EQ(places[1], (CellRect{0, 12, 7, 8}));

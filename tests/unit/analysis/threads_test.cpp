@@ -28,11 +28,11 @@ TEST(LoomUse, CountsHeddlesLiftsAndFeet) {
   const LoomUse use = loom_use(d);
   EXPECT_EQ(use.heddles, (std::vector<int>{2, 2, 1}));
   EXPECT_EQ(use.lifts, (std::vector<int>{2, 2, 1}));
-  EXPECT_EQ(use.treads, (std::vector<int>{2, 1, 1}));
+  EXPECT_EQ(use.treadle_uses, (std::vector<int>{2, 1, 1}));
   EXPECT_EQ(use.unthreaded_ends, 1);
   EXPECT_EQ(use.ends_in_several, 1);
   EXPECT_EQ(use.empty_picks, 1);
-  EXPECT_EQ(use.most_feet, 2);
+  EXPECT_EQ(use.most_treadles_per_pick, 2);
 }
 
 TEST(Interlacing, OfPlainWeaveAndTwill) {

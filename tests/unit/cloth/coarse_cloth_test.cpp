@@ -27,7 +27,7 @@ TEST(Thinned, FewerThreadsFillTheSameClothAndShowAsMuchOfTheWarp) {
     EXPECT_EQ(few.width_mm, all.width_mm);
     EXPECT_NEAR(few.ends.back().centre_mm + 0.5f * few.ends.back().spacing_mm, all.width_mm, 1e-3f * all.width_mm);
     EXPECT_NEAR(covered_mm(few.ends), covered_mm(all.ends), 0.01 * covered_mm(all.ends));
-    EXPECT_NEAR(warp_up_share(few.up), 0.75, 0.02) << group;
+    EXPECT_NEAR(warp_up_fraction(few.up), 0.75, 0.02) << group;
   }
 }
 

@@ -112,8 +112,8 @@ TEST_F(DraftVerbs, convert_changes_the_drive_and_keeps_the_cloth) {
     EXPECT_EQ(convert_command({path("lifts.wif"), path("treadles.wif"), plain, ConvertShedControl::kTreadling}), kDone);
     const Draft lifts = open_design(path("lifts.wif")).design.draft,
                 treadles = open_design(path("treadles.wif")).design.draft;
-    EXPECT_EQ(lifts.drive, ShedControl::kLiftplan);
-    EXPECT_EQ(treadles.drive, ShedControl::kTreadling);
+    EXPECT_EQ(lifts.shed_control, ShedControl::kLiftplan);
+    EXPECT_EQ(treadles.shed_control, ShedControl::kTreadling);
     EXPECT_TRUE(drawdown(lifts) == cells && drawdown(treadles) == cells);
   }
 }

@@ -75,7 +75,7 @@ TEST(Edits, OutOfRangeChangesNothing) {
 
 TEST(Edits, LiftplanPaintKeepsTheRestOfTheCloth) {
   const Design next = with_liftplan(straight_twill(4, 4), 2, 0, true);
-  EXPECT_EQ(next.draft.drive, ShedControl::kLiftplan);
+  EXPECT_EQ(next.draft.shed_control, ShedControl::kLiftplan);
   EXPECT_EQ(cloth(next), (Rows{"1100", "0110", "1011", "1001"}));
 }
 
@@ -154,14 +154,14 @@ TEST(ShedControl, EitherWayKeepsTheDrawdown) {
     ASSERT_EQ(drawdown(lifted.draft), cells);
     ASSERT_EQ(drawdown(trodden.draft), cells);
     ASSERT_EQ(drawdown(to_treadling(lifted).draft), cells);
-    ASSERT_EQ(trodden.draft.drive, ShedControl::kTreadling);
+    ASSERT_EQ(trodden.draft.shed_control, ShedControl::kTreadling);
   }
 }
 
 TEST(ShedControl, TreadlesAreTheFewestInOrderOfUse) {
   Design d;
   d.draft = treadled({"100", "010", "001"}, {"000"}, {"0", "0", "0", "0", "0"});
-  d.draft.drive = ShedControl::kLiftplan;
+  d.draft.shed_control = ShedControl::kLiftplan;
   d.draft.liftplan = matrix_of({"011", "100", "000", "011", "100"});
   const Design next = to_treadling(d);
   EXPECT_EQ(text_of(next.draft.tieup), (Rows{"011", "100"}));

@@ -21,7 +21,7 @@ Draft bare_loom(const BitMatrix& cells, bool rising = true) {
 
 Design two_two_twill(int ends, int picks) { return twill({2, 2}, Lean::kRight, {ends, picks}); }
 
-int most_feet(const BitMatrix& treadling) {
+int most_treadles_per_pick(const BitMatrix& treadling) {
   int most = 0;
   for (int p = 0; p < treadling.rows(); ++p) {
     int feet = 0;
@@ -139,7 +139,7 @@ TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
     fill_randomly(cells, random, 0.5);
     const Factored near = closest_drawdown(d, cells, {9, 9});
     ASSERT_LE(near.draft.shafts, 9);
-    ASSERT_TRUE(near.draft.drive == ShedControl::kLiftplan || near.draft.treadles <= 9);
+    ASSERT_TRUE(near.draft.shed_control == ShedControl::kLiftplan || near.draft.treadles <= 9);
     Design made;
     made.draft = near.draft;
     ASSERT_TRUE(is_consistent(made));
@@ -170,7 +170,7 @@ TEST(PaintedDrawdown, WholeRowsAreAsTheirCellsOneByOne) {
 TEST(PaintedDrawdown, KeepsTheTieUp) {
   const Design d = two_two_twill(16, 16);
   const Design next = with_drawdown_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
-  EXPECT_EQ(next.draft.drive, ShedControl::kTreadling);
+  EXPECT_EQ(next.draft.shed_control, ShedControl::kTreadling);
   EXPECT_EQ(next.draft.treadles, 5) << "one treadle more, for that pick";
   for (int t = 0; t < 4; ++t) EXPECT_EQ(text_of(next.draft.tieup)[t], text_of(d.draft.tieup)[t]);
   for (int p = 0; p < 16; ++p) EXPECT_EQ(next.draft.treadling.first(p), p == 5 ? 4 : p % 4);
@@ -203,7 +203,7 @@ TEST(PaintedDrawdown, WhereTheDrawdownRulesOneCrossingChangesAlone) {
   const Design next = with_drawdown_cell(d, 2, 5, cells.get(5, 2));
   EXPECT_EQ(drawdown(next.draft), cells);
   EXPECT_EQ(next.draft.shafts, 5);
-  EXPECT_EQ(next.draft.drive, ShedControl::kTreadling);
+  EXPECT_EQ(next.draft.shed_control, ShedControl::kTreadling);
   for (int e = 0; e < 16; ++e) EXPECT_EQ(next.draft.threading.first(e), e == 2 ? 4 : e % 4);
 }
 
@@ -231,7 +231,7 @@ TEST(PaintedDrawdown, OfAnyDraftShowsWhatWasPainted) {
     const bool up = random() % 2 == 0;
     const Painted painted = painted_cell(d, end, pick, up);
     ASSERT_TRUE(is_consistent(painted.design));
-    ASSERT_EQ(painted.design.draft.drive, d.draft.drive);
+    ASSERT_EQ(painted.design.draft.shed_control, d.draft.shed_control);
     if (d.loom.leading == Leading::kDrawdown) {
       BitMatrix cells = drawdown(d.draft);
       cells.set(pick, end, up);
@@ -265,7 +265,7 @@ TEST(ShedControl, MoreTreadlesThanAskedForChangesNothing) {
   Design d;
   std::mt19937 random(2);
   d.draft = random_draft(random, 10, 60, 8, 2);
-  d.draft.drive = ShedControl::kLiftplan;
+  d.draft.shed_control = ShedControl::kLiftplan;
   EXPECT_GT(treadles_needed(d.draft), 40);
   EXPECT_EQ(to_treadling(d, 40), d);
   EXPECT_EQ(to_treadling(d).draft.treadles, treadles_needed(d.draft));
@@ -288,7 +288,7 @@ TEST(Skeleton, WeavesTheSameWithAsManyFeetAsAllowed) {
     d.draft = random_draft(random, 12, 20, 6, 5);
     const int feet = 1 + static_cast<int>(random() % 3);
     const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 500000);
-    ASSERT_LE(most_feet(s.treadling), feet);
+    ASSERT_LE(most_treadles_per_pick(s.treadling), feet);
     ASSERT_LE(s.at_least, s.tieup.rows());
     ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));
     const Design next = to_skeleton(d, feet);

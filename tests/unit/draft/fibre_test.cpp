@@ -112,13 +112,13 @@ TEST(Fibre, ACountFollowsTheThicknessUntilItIsSet) {
   EXPECT_NEAR(fine, 145, 1);  // 250 pi x 1.52 x 0.6 x 0.45^2
   yarn.diameter_mm = 0.9f;
   EXPECT_NEAR(tex_of(yarn), 4 * fine, 0.01f);
-  EXPECT_NEAR(fibre_share(yarn), 0.6, 1e-6);
+  EXPECT_NEAR(packing_fraction(yarn), 0.6, 1e-6);
   Yarn set = *with_count(yarn, "Ne 8/2");
   EXPECT_NEAR(set.tex, 147.6f, 0.1f);
   EXPECT_NEAR(set.diameter_mm, 0.9f * std::sqrt(147.6f / (4 * fine)), 0.001f) << "as much thinner as it is lighter";
   set.diameter_mm = 0.7f;
   EXPECT_NEAR(tex_of(set), 147.6f, 0.1f) << "loftier, and as heavy as it was";
-  EXPECT_LT(fibre_share(set), 0.3);
+  EXPECT_LT(packing_fraction(set), 0.3);
   EXPECT_NEAR(tex_of(set, 1.4f), 4 * tex_of(set), 0.01f) << "the draft's own thickness: more of the same yarn";
   EXPECT_NEAR(tex_of(with_thickness(set, 1.4f)), 4 * tex_of(set), 0.01f);
   EXPECT_NEAR(with_count(set, "Ne 4/2")->diameter_mm, 0.7f * std::sqrt(2.0f), 0.001f) << "keeps its loft";
@@ -172,7 +172,7 @@ TEST(Fibre, CountsAreThoseTheReadyYarnsWereMadeFrom) {
     const double tex = tex_from_text(count).value_or(0);
     EXPECT_NEAR(static_cast<double>(tex_of(*spun)) / tex, 1, 1e-3) << name;
     EXPECT_NEAR(static_cast<double>(ready.tex) / tex, 1, 3e-3) << name;
-    EXPECT_NEAR(fibre_share(ready), 0.61, 0.12) << name;
+    EXPECT_NEAR(packing_fraction(ready), 0.61, 0.12) << name;
   }
   EXPECT_FALSE(with_count(yarn_preset("Cotton"), "thick"));
   EXPECT_EQ(with_count(yarn_preset("Cotton"), "Ne 8/2")->lobes, yarn_preset("Cotton").lobes);

@@ -39,8 +39,8 @@ TEST(Repeats, OfDesignHoldColoursYarnsAndSett) {
 }
 
 TEST(WarpShare, CountsCrossings) {
-  EXPECT_DOUBLE_EQ(warp_up_share(matrix_of({"1110", "0111"})), 0.75);
-  EXPECT_DOUBLE_EQ(warp_up_share(BitMatrix()), 0.0);
+  EXPECT_DOUBLE_EQ(warp_up_fraction(matrix_of({"1110", "0111"})), 0.75);
+  EXPECT_DOUBLE_EQ(warp_up_fraction(BitMatrix()), 0.0);
 }
 
 }  // namespace

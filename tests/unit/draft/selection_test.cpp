@@ -63,7 +63,7 @@ TEST(Selection, CrossingsFollowTheLoomAndSayWhatTheyCannot) {
   Design d = twill_design();
   // Ends 1 and 5 share shaft 1.
   const Design up = with_block(d, BitGrid::kDrawdown, 0, 2, matrix_of({"1"}), Write::kInside);
-  EXPECT_EQ(up.draft.drive, ShedControl::kTreadling);
+  EXPECT_EQ(up.draft.shed_control, ShedControl::kTreadling);
   Rows expected = cloth(d);
   EXPECT_EQ(expected[2][0], '0');
   expected[2][0] = expected[2][4] = '1';
@@ -154,21 +154,21 @@ TEST(SelectionEdits, ShiftsWrapInsideTheSelection) {
 
 TEST(SelectionEdits, RepeatsFillTheRestOrAll) {
   const Selection two{BitGrid::kThreading, 1, 3, 0, 4};
-  EXPECT_EQ(threading(with_repeated(twill_design(), two, Reach::kToEnd)),
+  EXPECT_EQ(threading(with_repeated(twill_design(), two, RepeatExtent::kToEnd)),
             (Rows{"1000", "0100", "0010", "0100", "0010", "0100"}));
-  const Design all = with_repeated(twill_design(), two, Reach::kAll);
+  const Design all = with_repeated(twill_design(), two, RepeatExtent::kAll);
   EXPECT_EQ(threading(all), (Rows{"0010", "0100", "0010", "0100", "0010", "0100"}));
   EXPECT_EQ(all.draft.warp.color, (std::vector<int>{2, 1, 2, 1, 2, 1}));
-  EXPECT_EQ(text_of(with_repeated(twill_design(), {BitGrid::kTieup, 0, 2, 0, 2}, Reach::kAll).draft.tieup),
+  EXPECT_EQ(text_of(with_repeated(twill_design(), {BitGrid::kTieup, 0, 2, 0, 2}, RepeatExtent::kAll).draft.tieup),
             (Rows{"1111", "0101", "1111", "0101"}));
-  const Design plain = with_repeated(twill_design(), {BitGrid::kDrawdown, 0, 2, 0, 2}, Reach::kToEnd);
-  EXPECT_EQ(plain.draft.drive, ShedControl::kTreadling);
+  const Design plain = with_repeated(twill_design(), {BitGrid::kDrawdown, 0, 2, 0, 2}, RepeatExtent::kToEnd);
+  EXPECT_EQ(plain.draft.shed_control, ShedControl::kTreadling);
 }
 
 TEST(SelectionEdits, APlainWeaveTiledOverTheDrawdown) {
   Design d = twill_design();
   d = with_block(std::move(d), BitGrid::kDrawdown, 0, 0, matrix_of({"10", "01"}), Write::kInside);
-  d = with_repeated(std::move(d), {BitGrid::kDrawdown, 0, 2, 0, 2}, Reach::kAll);
+  d = with_repeated(std::move(d), {BitGrid::kDrawdown, 0, 2, 0, 2}, RepeatExtent::kAll);
   EXPECT_EQ(cloth(d), (Rows{"101010", "010101", "101010", "010101", "101010"}));
 }
 
@@ -183,7 +183,7 @@ TEST(SelectionEdits, AnEmptyOrForeignSelectionChangesNothing) {
     EXPECT_EQ(with_mirrored_down(d, s), d);
     EXPECT_EQ(with_half_turn(d, s), d);
     EXPECT_EQ(with_shifted(d, s, 1, 1), d);
-    EXPECT_EQ(with_repeated(d, s, Reach::kAll), d);
+    EXPECT_EQ(with_repeated(d, s, RepeatExtent::kAll), d);
   }
 }
 
@@ -193,7 +193,7 @@ TEST(SelectionEdits, EveryEditKeepsADraftConsistentAndTwiceIsWhereItBegan) {
     Design d;
     d.draft = random_draft(random, 1 + static_cast<int>(random() % 90), 1 + static_cast<int>(random() % 20), 7, 5);
     const BitGrid grid = static_cast<BitGrid>(random() % 4);
-    if (grid == BitGrid::kLiftplan) d.draft.drive = ShedControl::kLiftplan;
+    if (grid == BitGrid::kLiftplan) d.draft.shed_control = ShedControl::kLiftplan;
     const int columns = columns_of(d.draft, grid), rows = rows_of(d.draft, grid);
     Selection s{grid, static_cast<int>(random() % static_cast<unsigned>(columns)), columns,
                 static_cast<int>(random() % static_cast<unsigned>(rows)), rows};
@@ -202,7 +202,7 @@ TEST(SelectionEdits, EveryEditKeepsADraftConsistentAndTwiceIsWhereItBegan) {
     EXPECT_EQ(with_half_turn(with_half_turn(d, s), s), d);
     EXPECT_EQ(with_inverted(with_inverted(d, s), s), d);
     EXPECT_EQ(with_shifted(with_shifted(d, s, 3, -2), s, -3, 2), d);
-    EXPECT_TRUE(is_consistent(with_repeated(d, s, Reach::kAll)));
+    EXPECT_TRUE(is_consistent(with_repeated(d, s, RepeatExtent::kAll)));
     EXPECT_TRUE(is_consistent(with_moved(d, s, -1, 2)));
   }
 }

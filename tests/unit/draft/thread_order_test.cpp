@@ -79,12 +79,12 @@ TEST(ThreadOrder, DoubledThreadsShareThePointWhenMirrored) {
 
 TEST(ThreadOrder, APointRepeatTurnsAtBothEndsOnce) {
   Design d = with_bare_threads(straight(), System::kWarp, 4, 6);
-  d = with_point_repeat(std::move(d), {System::kWarp, 0, 4}, Reach::kToEnd);
+  d = with_point_repeat(std::move(d), {System::kWarp, 0, 4}, RepeatExtent::kToEnd);
   expect_looks(d.draft.warp, {0, 1, 2, 3, 2, 1, 0, 1, 2, 3});
   EXPECT_EQ(d.draft.threading.first(4), 2);
   EXPECT_EQ(d.draft.threading.first(6), 0);
-  expect_looks(with_point_repeat(straight(), kMiddle, Reach::kAll).draft.warp, {2, 1, 2, 1});
-  expect_looks(with_point_repeat(straight(), {System::kWarp, 2, 3}, Reach::kToEnd).draft.warp, {0, 1, 2, 2});
+  expect_looks(with_point_repeat(straight(), kMiddle, RepeatExtent::kAll).draft.warp, {2, 1, 2, 1});
+  expect_looks(with_point_repeat(straight(), {System::kWarp, 2, 3}, RepeatExtent::kToEnd).draft.warp, {0, 1, 2, 2});
 }
 
 TEST(ThreadOrder, AnAdvancingRepeatClimbsRoundTheShafts) {
@@ -104,7 +104,7 @@ TEST(ThreadOrder, AdvancingPicksMovesWhatDrivesTheLoom) {
   const Design treadles = with_advancing_repeat(d, {System::kWeft, 0, 1}, 2);
   EXPECT_EQ(text_of(treadles.draft.treadling), (Rows{"1000", "0010", "1000", "0010"}));
   EXPECT_EQ(treadles.draft.liftplan, plan);
-  d.draft.drive = ShedControl::kLiftplan;
+  d.draft.shed_control = ShedControl::kLiftplan;
   d.draft.liftplan = matrix_of({"1100", "0000", "0000", "0000"});
   EXPECT_EQ(text_of(with_advancing_repeat(d, {System::kWeft, 0, 1}, 1).draft.liftplan),
             (Rows{"1100", "0110", "0011", "1001"}));
@@ -121,8 +121,8 @@ TEST(ThreadOrder, WhatCannotBeChangesNothing) {
        {ThreadRange{System::kWarp, 2, 2}, ThreadRange{System::kWeft, 7, 9}, ThreadRange{System::kWarp, 3, -1}}) {
     EXPECT_EQ(without_threads(d, r), d);
     EXPECT_EQ(with_doubled_threads(d, r, true), d);
-    EXPECT_EQ(with_repeated_threads(d, r, Reach::kAll), d);
-    EXPECT_EQ(with_point_repeat(d, r, Reach::kAll), d);
+    EXPECT_EQ(with_repeated_threads(d, r, RepeatExtent::kAll), d);
+    EXPECT_EQ(with_point_repeat(d, r, RepeatExtent::kAll), d);
     EXPECT_EQ(with_advancing_repeat(d, r, 1), d);
     EXPECT_EQ(with_turned_threads(d, r, 1), d);
   }

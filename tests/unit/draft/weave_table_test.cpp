@@ -42,10 +42,10 @@ TEST(WeaveTable, EveryWeaveMakesADraftWithItsFirstNumbersAndAtTheirEnds) {
     EXPECT_TRUE(ids.insert(kind.id).second) << kind.id;
     for (const int end : {0, 1, 2}) {
       WeaveValues values;
-      for (const WeaveNumber& n : kind.numbers)
-        if (n.kind == NumberKind::kCount && end > 0)
+      for (const WeaveParameter& n : kind.parameters)
+        if (n.kind == ParameterKind::kCount && end > 0)
           values.emplace_back(n.id, std::to_string(end == 1 ? n.low : n.high));
-      const Made made = kind.make(complete_values(kind, values), {24, 20});
+      const GeneratedWeave made = kind.make(complete_values(kind, values), {24, 20});
       EXPECT_TRUE(is_consistent(made.design)) << kind.id;
       EXPECT_EQ(made.design.draft.ends(), 24);
       EXPECT_EQ(made.design.draft.picks(), 20);
@@ -62,7 +62,7 @@ TEST(WeaveTable, WildTextMakesADraftAndSaysWhatWasWrong) {
   for (const WeaveKind& kind : weave_kinds())
     for (int round = 0; round < 8; ++round) {
       WeaveValues values;
-      for (const WeaveNumber& n : kind.numbers) {
+      for (const WeaveParameter& n : kind.parameters) {
         std::string text;
         for (int i = 0; i < 12; ++i) text += "0123456789/ABz-x(), |a#"[random() % 23];
         values.emplace_back(n.id, text);
@@ -104,7 +104,7 @@ TEST(WeaveTable, SizesAreWholeRepeatsNearWhatWasAsked) {
 }
 
 TEST(WeaveTable, ANewDraftKeepsItsNumbersAndIsWovenOverByOthers) {
-  const Made made = new_draft(*find_weave("herringbone"), {{"band", "12"}}, {48, 24});
+  const GeneratedWeave made = new_draft(*find_weave("herringbone"), {{"band", "12"}}, {48, 24});
   EXPECT_EQ(made.why, "");
   EXPECT_NE(made.design.draft.warp.color[0], made.design.draft.weft.color[0]);
   ASSERT_EQ(made.design.weaves.size(), 1u);
@@ -128,7 +128,7 @@ TEST(Satin, HasOnlyStepsThatMakeOne) {
   EXPECT_EQ(satin_steps(5), (std::vector<int>{2, 3}));
   EXPECT_EQ(satin_steps(8), (std::vector<int>{3, 5}));
   EXPECT_TRUE(satin_steps(6).empty());
-  const Made made = find_weave("satin")->make({{"shafts", "8"}, {"step", "4"}, {"face", "warp"}}, {8, 8});
+  const GeneratedWeave made = find_weave("satin")->make({{"shafts", "8"}, {"step", "4"}, {"face", "warp"}}, {8, 8});
   EXPECT_EQ(made.why, "a satin of 8 has the steps 3 5; 3 was taken");
 }
 
@@ -292,7 +292,7 @@ TEST(Picture, BecomesAJacquardDraft) {
 TEST(Place, OverAllThreadsAWeaveBecomesTheDraftAndItsNumbersCanBeChanged) {
   Design d = with_size(Design{}, 24, 24, 2, 2);
   d.title = "Mine";
-  const Made made = with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 0, 24, 0, 24));
+  const GeneratedWeave made = with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 0, 24, 0, 24));
   EXPECT_EQ(made.why, "");
   EXPECT_EQ(made.design.title, "Mine");
   EXPECT_EQ(made.design.draft.shafts, 4);
@@ -300,7 +300,7 @@ TEST(Place, OverAllThreadsAWeaveBecomesTheDraftAndItsNumbersCanBeChanged) {
   WeaveUse again = made.design.weaves[0];
   for (auto& [id, value] : again.values)
     if (id == "ratio") value = "3/1/1/3";
-  const Made changed = with_weave(made.design, again);
+  const GeneratedWeave changed = with_weave(made.design, again);
   EXPECT_EQ(changed.design.draft.shafts, 8);
   EXPECT_EQ(changed.design.weaves.size(), 1u);
   EXPECT_EQ(changed.design.draft.warp.color, d.draft.warp.color);
@@ -308,7 +308,7 @@ TEST(Place, OverAllThreadsAWeaveBecomesTheDraftAndItsNumbersCanBeChanged) {
 
 TEST(Place, OverSomeThreadsTheRestStaysAsItIs) {
   const Design d = with_weave(with_size(Design{}, 24, 24, 2, 2), use_of("plain", {}, 0, 24, 0, 24)).design;
-  const Made made = with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 8, 8, 4, 8));
+  const GeneratedWeave made = with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 8, 8, 4, 8));
   EXPECT_EQ(made.why, "");
   BitMatrix expected = drawdown(d.draft);
   const BitMatrix part = drawdown(twill({2, 2}, Lean::kRight, {8, 8}).draft);
@@ -332,16 +332,17 @@ TEST(Place, OnASinkingShedAndByLiftplan) {
   d = to_liftplan(d);
   const Design plan = with_weave(d, use_of("twill", {{"ratio", "3/1"}}, 0, 12, 0, 12)).design;
   EXPECT_EQ(drawdown(plan.draft), wanted);
-  EXPECT_EQ(plan.draft.drive, ShedControl::kLiftplan);
+  EXPECT_EQ(plan.draft.shed_control, ShedControl::kLiftplan);
 }
 
 // Found by the fuzzer: two layers of 3,290 shafts each are no loom's.
 TEST(WeaveTable, RatiosOfManyShaftsMakeSoundDraftsAndSayWhatWasTaken) {
   for (const WeaveKind& kind : weave_kinds()) {
-    if (std::ranges::none_of(kind.numbers, [](const WeaveNumber& n) { return std::string_view(n.id) == "ratio"; }))
+    if (std::ranges::none_of(kind.parameters,
+                             [](const WeaveParameter& n) { return std::string_view(n.id) == "ratio"; }))
       continue;
     for (const char* ratio : {"4096", "2049", "2048/2048", "3288/2", "99999/1"}) {
-      const Made made = new_draft(kind, {{"ratio", ratio}}, {24, 24});
+      const GeneratedWeave made = new_draft(kind, {{"ratio", ratio}}, {24, 24});
       EXPECT_TRUE(is_consistent(made.design)) << kind.id << ' ' << ratio;
     }
   }

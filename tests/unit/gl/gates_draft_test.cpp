@@ -106,7 +106,7 @@ class ManyThreads : public Gate {
     const bool warp = system == System::kWarp;
     design.draft = blank_draft(warp ? count : 4, warp ? 4 : count, 4, 4);
     Draft& d = design.draft;
-    d.drive = ShedControl::kLiftplan;
+    d.shed_control = ShedControl::kLiftplan;
     d.palette = {{0.8f, 0.8f, 0.75f}, {0.7f, 0.75f, 0.8f}, {0.9f, 0.05f, 0.05f}};
     for (int e = 0; e < d.ends(); ++e) d.threading.set(e, e % 4, true);
     for (int p = 0; p < d.picks(); ++p) {
@@ -195,7 +195,7 @@ TEST_F(Gate, OddDraftsAreClothInEveryMethod) {
                             Odd{"enormous threads", 4, 4, 1, 1e9f}};
   for (const Odd& odd : kOdd) {
     design.draft = blank_draft(odd.ends, odd.picks, 2, 2);
-    design.draft.drive = ShedControl::kLiftplan;
+    design.draft.shed_control = ShedControl::kLiftplan;
     design.draft.palette = {{0.85f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.8f}};
     for (int e = 0; e < odd.ends; ++e) design.draft.threading.set(e, e % 2, true);
     for (int p = 0; p < odd.picks; ++p) {

@@ -53,7 +53,7 @@ Cloth damask() {
   Design design;
   design.draft = blank_draft(2 * kBlock, 8, 8, 8);
   Draft& d = design.draft;
-  d.drive = ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kLiftplan;
   for (int e = 0; e < 2 * kBlock; ++e) d.threading.set(e, e % 4 + (e < kBlock ? 0 : 4), true);
   for (int p = 0; p < 8; ++p) {
     for (int s = 0; s < 4; ++s) d.liftplan.set(p, s, (p + s) % 4 != 0), d.liftplan.set(p, 4 + s, (p + s) % 4 == 0);

@@ -1,4 +1,4 @@
-// Weaving at a mock loom: over a line of text alone, and over TCP with a line that breaks off.
+// Weaving at a mock loom: messages alone, then TCP and serial connections that break.
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -21,7 +21,7 @@ Draft four_picks() {
   return treadled({"1000", "0100", "0010", "0001"}, {"1100", "0110", "0011", "1001"}, {"1000", "0100", "0010", "0001"});
 }
 
-TEST(Protocol, CommandsAsTheLoomsWantThem) {
+TEST(Protocol, CommandsOfEachProtocol) {
   EXPECT_EQ(raise_command(Protocol::kPlain, 0x1f), "C0000001f\n");
   EXPECT_EQ(raise_command(Protocol::kSeguin, 0x80000000u), "=C80000000\n");
   EXPECT_EQ(raise_command(Protocol::kToikaEs, 0x01020304), std::string("\x01\x02\x03\x04"));
@@ -29,10 +29,10 @@ TEST(Protocol, CommandsAsTheLoomsWantThem) {
   EXPECT_EQ(direction_command(Protocol::kSeguin, false), "=U1\n");
 }
 
-TEST(Protocol, ReportsComeInPiecesAndAmongRubbish) {
+TEST(Protocol, ReportsInPiecesAndUnknownMessages) {
   LoomReader reader;
-  EXPECT_TRUE(reader.take("c0000").empty());
-  auto reports = reader.take("000f\r\np\nu1\nm1\nhello\n\n");
+  EXPECT_TRUE(reader.parse("c0000").empty());
+  auto reports = reader.parse("000f\r\np\nu1\nm1\nhello\n\n");
   ASSERT_EQ(reports.size(), 5u);
   EXPECT_EQ(reports[0].kind, LoomReport::kShaftsRaised);
   EXPECT_EQ(reports[0].shafts, 15u);
@@ -42,9 +42,9 @@ TEST(Protocol, ReportsComeInPiecesAndAmongRubbish) {
   EXPECT_TRUE(reports[3].on);
   EXPECT_EQ(reports[4].kind, LoomReport::kUnknown);
   EXPECT_EQ(reports[4].text, "hello");
-  EXPECT_TRUE(reader.take(std::string(5000, 'x')).empty());
-  EXPECT_TRUE(reader.take("\n").empty()) << "a line that is too long is no report";
-  EXPECT_EQ(reader.take("p\n").size(), 1u);
+  EXPECT_TRUE(reader.parse(std::string(5000, 'x')).empty());
+  EXPECT_TRUE(reader.parse("\n").empty()) << "a line that is too long is dropped";
+  EXPECT_EQ(reader.parse("p\n").size(), 1u);
 }
 
 TEST(Protocol, ASinkingShedRaisesTheOthers) {
@@ -53,10 +53,10 @@ TEST(Protocol, ASinkingShedRaisesTheOthers) {
   d.rising = false;
   EXPECT_EQ(raised_shafts(d, lifts(d), 0), 0b1100u);
   EXPECT_FALSE(raised_shafts(d, lifts(d), 4));
-  EXPECT_FALSE(raised_shafts(blank_draft(2, 2, 33, 2), BitMatrix(2, 33), 0)) << "a line names 32 shafts";
+  EXPECT_FALSE(raised_shafts(blank_draft(2, 2, 33, 2), BitMatrix(2, 33), 0)) << "the protocol has room for 32 shafts";
 }
 
-/// The few lines of a loom: asks, raises, answers.
+/// A loom that obeys and confirms.
 struct MockLoom {
   std::vector<uint32_t> raised;
   bool weaving = true;
@@ -74,50 +74,50 @@ struct MockLoom {
   }
 };
 
-/// What the program does with what came.
-void hear(const Weaving& w, LoomReader& reader, Place& place, std::string_view words, std::string& send) {
-  for (const LoomReport& report : reader.take(words)) {
-    const Answer a = answer(w, place, report);
-    place = a.place;
+/// The program's side: handles the received bytes and collects what it sends.
+void hear(const WeavingSetup& w, LoomReader& reader, WeavingState& state, std::string_view words, std::string& send) {
+  for (const LoomReport& report : reader.parse(words)) {
+    const LoomReply a = reply_to(w, state, report);
+    state = a.state;
     send += a.send;
     EXPECT_EQ(a.remark, "");
   }
 }
 
-TEST(Weaving, PicksAreRaisedInTheirOrderAndUnwovenBackwards) {
+TEST(Weaving, PicksAreRaisedInOrderAndUnwovenBackwards) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
-  const Weaving w{d, lift, {}};
+  const WeavingSetup w{d, lift, {}};
   MockLoom loom;
   LoomReader reader;
-  Place place;
+  WeavingState state;
   std::string said = "p\n";
   for (int i = 0; i < 6; ++i) {
     std::string send;
-    hear(w, reader, place, said, send);
+    hear(w, reader, state, said, send);
     said = loom.hear(send) + "p\n";
   }
   EXPECT_EQ(loom.raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6}));
-  EXPECT_EQ(place.next_pick, 1);
-  EXPECT_EQ(place.woven, 5);
-  // The loom is turned: the next pick wanted is the one before.
+  EXPECT_EQ(state.next_pick, 1);
+  EXPECT_EQ(state.woven, 5);
+  // The loom now unweaves: the next pick is the one before.
   std::string send;
-  hear(w, reader, place, "u1\np\n", send);
+  hear(w, reader, state, "u1\np\n", send);
   EXPECT_EQ(send, "C00000003\n");
-  EXPECT_EQ(place.woven, 4);
+  EXPECT_EQ(state.woven, 4);
 }
 
-TEST(Weaving, ASectionIsWovenOverAndOver) {
+TEST(Weaving, ARangeIsRepeated) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
-  const Weaving w{d, lift, {1, 3}};
-  Place place = jumped({}, w.section, 4, 0);
-  EXPECT_EQ(place.next_pick, 1);
+  const WeavingSetup w{d, lift, {1, 3}};
+  WeavingState state = moved_to_pick({}, w.range, 4, 0);
+  EXPECT_EQ(state.next_pick, 1);
   std::vector<int> picks;
   for (int i = 0; i < 5; ++i) {
-    const Answer a = step_by_hand(w, place, true);
-    place = a.place;
-    picks.push_back(place.next_pick);
+    const LoomReply a = step_by_hand(w, state, true);
+    state = a.state;
+    picks.push_back(state.next_pick);
   }
   EXPECT_EQ(picks, (std::vector<int>{1, 2, 1, 2, 1}));
 }
@@ -125,11 +125,11 @@ TEST(Weaving, ASectionIsWovenOverAndOver) {
 TEST(Weaving, SaysWhenTheLoomRaisedOtherShafts) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
-  const Weaving w{d, lift, {}};
-  const Place up = answer(w, {}, {LoomReport::kPickWanted}).place;
-  EXPECT_FALSE(answer(w, up, {LoomReport::kShaftsRaised, 1}).remark.empty());
-  EXPECT_TRUE(answer(w, up, {LoomReport::kShaftsRaised, 3}).remark.empty());
-  EXPECT_FALSE(answer(w, up, {LoomReport::kUnknown, 0, false, "?"}).remark.empty());
+  const WeavingSetup w{d, lift, {}};
+  const WeavingState up = reply_to(w, {}, {LoomReport::kPickWanted}).state;
+  EXPECT_FALSE(reply_to(w, up, {LoomReport::kShaftsRaised, 1}).remark.empty());
+  EXPECT_TRUE(reply_to(w, up, {LoomReport::kShaftsRaised, 3}).remark.empty());
+  EXPECT_FALSE(reply_to(w, up, {LoomReport::kUnknown, 0, false, "?"}).remark.empty());
 }
 
 std::string read_some(int socket) {
@@ -144,13 +144,13 @@ void write_all(int socket, std::string_view words) {
   ASSERT_EQ(::write(socket, words.data(), words.size()), static_cast<ssize_t>(words.size()));
 }
 
-TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
+TEST(LoomLine, ABrokenConnectionLosesNoPick) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
-  const Weaving w{d, lift, {}};
+  const WeavingSetup w{d, lift, {}};
   LoomPort port;
   const std::string address = port.address();
-  Place place;
+  WeavingState state;
   std::vector<uint32_t> raised;
   for (int connection = 0; connection < 3; ++connection) {
     LineOpened opened = open_line(address);
@@ -158,16 +158,16 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
     const int loom = port.accepted();
     MockLoom mock;
     LoomReader reader;
-    ASSERT_TRUE(opened.line->send(on_connected(w, place).send));
+    ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
     mock.hear(read_some(loom));
     if (connection > 0) {
-      // The pick that was on its way is raised again, and no other.
+      // Only the pick that was not confirmed is raised again.
       ASSERT_EQ(mock.raised, (std::vector<uint32_t>{raised.back()}));
     }
     for (int pick = 0; pick < 3; ++pick) {
       write_all(loom, "p\n");
       std::string send;
-      hear(w, reader, place, opened.line->receive(5000), send);
+      hear(w, reader, state, opened.line->receive(5000), send);
       ASSERT_TRUE(opened.line->send(send));
       mock.raised.clear();
       mock.hear(read_some(loom));
@@ -178,17 +178,17 @@ TEST(LoomLine, ALineThatBreaksOffLosesNoPlace) {
     opened.line->receive(1000);
     EXPECT_TRUE(opened.line->broken());
   }
-  EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "none twice, none left out";
+  EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "each pick once";
 }
 
-TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPlace) {
+TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
   const Draft d = four_picks();
   const BitMatrix lift = lifts(d);
-  const Weaving w{d, lift, {}};
+  const WeavingSetup w{d, lift, {}};
   const Scratch scratch("serial");
   LoomTerminal loom(scratch / "loom");
   if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
-  Place place;
+  WeavingState state;
   std::string last;
   std::vector<std::string> raised;
   for (int connection = 0; connection < 3; ++connection) {
@@ -196,20 +196,20 @@ TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPlace) {
     LineOpened opened = open_line(loom.address() + ":19200");
     ASSERT_TRUE(opened.line) << opened.why;
     LoomReader reader;
-    ASSERT_TRUE(opened.line->send(on_connected(w, place).send));
-    EXPECT_EQ(loom.heard(), "U0") << "neither echo nor anything else that terminals add";
+    ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
+    EXPECT_EQ(loom.heard(), "U0") << "no echo, nothing that a terminal adds";
     if (connection > 0) {
-      EXPECT_EQ(loom.heard(), last) << "the pick that was on its way, once more";
+      EXPECT_EQ(loom.heard(), last) << "the pick that was not confirmed, again";
     }
     for (int pick = 0; pick < 3; ++pick) {
       loom.say("p\n");
       std::string send;
-      hear(w, reader, place, opened.line->receive(5000), send);
+      hear(w, reader, state, opened.line->receive(5000), send);
       ASSERT_TRUE(opened.line->send(send));
       last = loom.heard();
       raised.push_back(last);
       loom.say(std::string("c").append(last, 1).append("\n"));
-      hear(w, reader, place, opened.line->receive(5000), send);
+      hear(w, reader, state, opened.line->receive(5000), send);
     }
     loom.pull_out();
     opened.line->receive(1000);
@@ -218,10 +218,10 @@ TEST(LoomLine, ASerialLineThatIsPulledOutLosesNoPlace) {
   }
   EXPECT_EQ(raised, (std::vector<std::string>{"C00000003", "C00000006", "C0000000c", "C00000009", "C00000003",
                                               "C00000006", "C0000000c", "C00000009", "C00000003"}))
-      << "none twice, none left out";
+      << "each pick once";
 }
 
-TEST(LoomLine, AFileIsNoSerialPort) {
+TEST(LoomLine, AFileIsNotASerialPort) {
   const Scratch scratch("serial");
   std::ofstream(scratch / "file") << "p\n";
   EXPECT_NE(open_line("serial:" + (scratch / "file")).why.find("no such serial port"), std::string::npos);
@@ -230,7 +230,7 @@ TEST(LoomLine, AFileIsNoSerialPort) {
   EXPECT_NE(open_line(loom.address() + ":1234").why.find("1234 baud"), std::string::npos);
 }
 
-TEST(LoomLine, SaysWhyThereIsNone) {
+TEST(LoomLine, SaysWhyItCannotBeOpened) {
   EXPECT_FALSE(open_line("loom").why.empty());
   EXPECT_FALSE(open_line("serial:/dev/there-is-no-such-loom").why.empty());
   LoomPort closed;

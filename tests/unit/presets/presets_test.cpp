@@ -90,8 +90,8 @@ TEST(Presets, YarnsOfClothsAreOfTheirOwnFibre) {
                                                                           : "Polyester filament";
       EXPECT_EQ(fibre, expected) << recipe.path << ": " << yarn.name;
       EXPECT_GT(yarn.tex, 0) << recipe.path << ": " << yarn.name;
-      EXPECT_GT(fibre_share(yarn), 0.15) << recipe.path << ": " << yarn.name;
-      EXPECT_LT(fibre_share(yarn), 0.8) << recipe.path << ": " << yarn.name;
+      EXPECT_GT(packing_fraction(yarn), 0.15) << recipe.path << ": " << yarn.name;
+      EXPECT_LT(packing_fraction(yarn), 0.8) << recipe.path << ": " << yarn.name;
     }
   }
 }
@@ -149,7 +149,7 @@ TEST(Presets, AreSoundCloth) {
     const auto [least, most] = std::minmax({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
     EXPECT_GE(least, 1) << recipe.path << ": a thread is never bound";
     EXPECT_LE(most, 8) << recipe.path << ": a float would catch";
-    EXPECT_LE(layers(cells).size(), 1u) << recipe.path;
+    EXPECT_LE(weave_layers(cells).size(), 1u) << recipe.path;
     // The sheet of the draft holds whole repeats, so that it can be laid side by side.
     const Repeat r = design_repeat(d, cells);
     EXPECT_EQ(d.draft.ends() % r.ends, 0);

@@ -13,7 +13,7 @@ inline Design twill(int repeat, int up, Rgb warp, Rgb weft) {
   const int threads = repeat * 2;
   design.draft = blank_draft(threads, threads, repeat, repeat);
   Draft& d = design.draft;
-  d.drive = ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kLiftplan;
   d.palette = {warp, weft};
   for (int i = 0; i < threads; ++i) {
     d.threading.set(i, i % repeat, true);

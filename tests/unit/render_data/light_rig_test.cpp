@@ -12,15 +12,15 @@ namespace weftlight::render_data {
 namespace {
 
 TEST(LightRigs, EachSetupHasItsFile) {
-  for (const LightingPreset& setup : kLightSetups) {
+  for (const LightingPreset& setup : kLightingPresets) {
     std::string error;
     const LightRig rig = load_light_rig(setup.id, error);
     ASSERT_EQ(error, "");
     EXPECT_GT(std::min({rig.key.r, rig.key.g, rig.key.b}), 0.2f) << setup.id;
     EXPECT_GT(rig.sky[0].g, 0.1f) << setup.id;
-    EXPECT_EQ(light_setup(setup.id).label, setup.label);
+    EXPECT_EQ(lighting_preset(setup.id).label, setup.label);
   }
-  EXPECT_STREQ(light_setup("../../etc").id, "studio");
+  EXPECT_STREQ(lighting_preset("../../etc").id, "studio");
 }
 
 std::string problem_of(const std::string& text) {

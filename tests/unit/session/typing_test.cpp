@@ -175,7 +175,7 @@ TEST(Typing, TheCursorFollowsADraftThatShrinksOrChangesItsDrive) {
   Draft d = blank_draft(4, 4, 2, 2);
   follow_draft(c, d);
   EXPECT_EQ(c.at, (Cell{1, 3}));
-  d.drive = ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kLiftplan;
   follow_draft(c, d);
   EXPECT_EQ(c.grid, GridId::kLiftplan);
 }

@@ -204,7 +204,7 @@ TEST(edit, rising_in_the_files_own_words) {
                 {"Rising Shed=off\r\n"});
 }
 
-TEST(edit, drive) {
+TEST(edit, shed_control) {
   for (const char* name : {"twill.wif", "both_agree.wif", "heddles.wif", "untidy.wif", "zero_based.wif"}) {
     const WifFile file = opened(fixture(name));
     const Design lifted = to_liftplan(file.design);

@@ -12,7 +12,7 @@ namespace {
 TEST(Lights, AreKeptByName) {
   Design design;
   design.draft = blank_draft(4, 4, 2, 2);
-  for (const LightingPreset& setup : kLightSetups) {
+  for (const LightingPreset& setup : kLightingPresets) {
     design.scene = lit_by(design.scene, setup);
     const WifRead read = read_wif(write_new_wif(design));
     ASSERT_TRUE(read.file);

@@ -74,11 +74,11 @@ TEST(read, both_drives) {
   EXPECT_FALSE(says(read_wif(fixture("both_agree.wif")), 92, "liftplan differs"));
   const WifRead differ = read_wif(fixture("both_differ.wif"));
   ASSERT_TRUE(differ.file);
-  EXPECT_EQ(differ.file->design.draft.drive, ShedControl::kTreadling);
+  EXPECT_EQ(differ.file->design.draft.shed_control, ShedControl::kTreadling);
   bool named = false;
   for (const Diagnostic& d : differ.diagnostics) named = named || d.text.find("first at pick 2") != std::string::npos;
   EXPECT_TRUE(named);
-  EXPECT_EQ(opened(fixture("liftplan.wif")).design.draft.drive, ShedControl::kLiftplan);
+  EXPECT_EQ(opened(fixture("liftplan.wif")).design.draft.shed_control, ShedControl::kLiftplan);
 }
 
 TEST(read, luminescence) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/floats.h"
 #include "analysis/threads.h"
 #include "commands/chart/rows.h"
 #include "commands/names.h"
@@ -151,7 +152,12 @@ struct OpenedDesign {
 };
 /// "file:line: what; what to do" on stderr.
 void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
-/// Prints "weftlight: problem" on stderr and returns the exit code.
+std::string longest_float_text(const analysis::LongestFloats& floats);
+/// Prints a line of a report, its values in one column; labels and values are in the user's language.
+void print_row(const std::string& label, const std::string& value);
+/// Prints "weftlight: problem" on stderr.
+void print_problem(const std::string& problem);
+/// The same; returns the exit code.
 int fail(int code, const std::string& problem);
 /// Prints "file: cannot be written: cause; what to do" on stderr; returns kNotWritten.
 int not_written(const std::string& problem);

@@ -191,7 +191,7 @@ constexpr Verb kDraftVerbs[] = {
     {"info", mark("Print the counts, floats, repeat and warnings of a draft"), add_info},
     {"analyse", mark("Analyse the floats, layers, repeat, heddles, sett and yarn of a draft"), add_analyse},
     {"print", mark("Print a draft on paper: grids, lists for the loom, swatch"), add_print},
-    {"weave", mark("Make a draft from the table of weaves"), add_weave},
+    {"weave", mark("Generate a draft from the table of weaves"), add_weave},
     {"diff", mark("Compare two drafts"), add_diff},
     {"drawdown", mark("Write the drawdown as text or as a coloured picture"), add_drawdown},
     {"convert", mark("Copy a draft; without options the copy has the same bytes"), add_convert},

@@ -7,14 +7,19 @@
 #include <memory>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "files/files.h"
 
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
-constexpr int64_t kMaxDrawn = 4'000'000;          // crossings of a drawing
-constexpr double kCellMm = 2, kLongestMm = 1000;  // of a drawing
+constexpr int64_t kMaxDrawn = 4'000'000;          // crossings in a vector drawing
+constexpr double kCellMm = 2, kLongestMm = 1000;  // in a vector drawing
 constexpr double kPointsPerMm = 72 / 25.4;
 
 const Rgb& color_at(const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, int x, int y) {
@@ -24,18 +29,23 @@ const Rgb& color_at(const BitMatrix& cells, const Draft& draft, DrawdownOrigin o
   return draft.palette[static_cast<size_t>(color)];
 }
 
-/// Pixels a crossing: what makes the longer side about 1,024, from 1 to 16.
+/// Pixels per crossing, 1 to 16, so that the longer side is about 1,024.
 int cell_size(const BitMatrix& cells) {
   constexpr int kWanted = 1024, kLargest = 16;
   return std::clamp(kWanted / std::max({cells.rows(), cells.cols(), 1}), 1, kLargest);
 }
 
-std::string too_many(const std::string& path, const BitMatrix& cells, const char* instead) {
-  return path + ": " + std::to_string(cells.cols()) + " by " + std::to_string(cells.rows()) +
-         " crossings are too many for it; write " + instead + " instead";
+std::string too_many_for_image(const std::string& path, const BitMatrix& cells) {
+  return fill(tr("{file}: {ends} by {picks} crossings are too many for a picture; write text instead"),
+              arg("file", path), arg("ends", cells.cols()), arg("picks", cells.rows()));
 }
 
-/// Neighbours of one colour are one rectangle.
+std::string too_many_for_drawing(const std::string& path, const BitMatrix& cells) {
+  return fill(tr("{file}: {ends} by {picks} crossings are too many for a drawing; write a .png instead"),
+              arg("file", path), arg("ends", cells.cols()), arg("picks", cells.rows()));
+}
+
+/// Neighbours of the same colour in a row become one rectangle.
 void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, double cell) {
   cairo_set_antialias(pen, CAIRO_ANTIALIAS_NONE);  // no gaps between neighbours
   for (int y = 0; y < cells.rows(); ++y) {
@@ -56,7 +66,7 @@ void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrig
 
 std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
                                  DrawdownOrigin origin) {
-  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   const int size = cell_size(cells);
   Image image{cells.cols() * size, cells.rows() * size, 3, {}};
   image.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
@@ -70,7 +80,7 @@ std::string write_drawdown_image(const std::string& path, const BitMatrix& cells
 }
 
 std::string write_drawdown_points(const std::string& path, const BitMatrix& cells) {
-  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   Image image{cells.cols(), cells.rows(), 3, {}};
   image.texels.reserve(static_cast<size_t>(cells.cols()) * static_cast<size_t>(cells.rows()) * 3);
   for (int pick = 0; pick < cells.rows(); ++pick)
@@ -81,7 +91,7 @@ std::string write_drawdown_points(const std::string& path, const BitMatrix& cell
 
 std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
                                    DrawdownOrigin origin) {
-  if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many(path, cells, "a .png");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many_for_drawing(path, cells);
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
   return write_through(path, [&](const std::string& beside) -> std::string {

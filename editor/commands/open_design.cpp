@@ -19,8 +19,18 @@ void print_diagnostic(const std::string& path, const Diagnostic& d) {
   std::fprintf(stderr, "%s\n", line.c_str());
 }
 
+void print_row(const std::string& label, const std::string& value) {
+  constexpr size_t kColumn = 16;  // characters
+  size_t width = 0;
+  for (const char c : label) width += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;  // the heads of UTF-8
+  const std::string gap(width < kColumn ? kColumn - width : 1, ' ');
+  std::printf("%s%s%s\n", label.c_str(), gap.c_str(), value.c_str());
+}
+
+void print_problem(const std::string& problem) { std::fprintf(stderr, "weftlight: %s\n", problem.c_str()); }
+
 int fail(int code, const std::string& problem) {
-  std::fprintf(stderr, "weftlight: %s\n", problem.c_str());
+  print_problem(problem);
   return code;
 }
 

@@ -1,7 +1,11 @@
 #include "app/app.h"
+#include "base/resources.h"
 #include "commands/commands.h"
+#include "platform/language.h"
 
 int main(int argc, char** argv) {
-  const weftlight::commands::CommandLine line = weftlight::commands::run_command_line(argc, argv);
-  return line.open_editor ? weftlight::app::run_editor(line.editor) : line.exit_code;
+  using namespace weftlight;
+  platform::use_language(commands::requested_language(argc, argv), base::languages_dir());
+  const commands::CommandLine line = commands::run_command_line(argc, argv);
+  return line.open_editor ? app::run_editor(line.editor) : line.exit_code;
 }

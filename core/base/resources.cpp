@@ -14,10 +14,11 @@ namespace {
 
 struct Resource {
   const char *name, *variable;
-  const char* known_by;  // a file or folder in it, so that another program's folder is not taken
+  const char* known_by;  // a file or folder in it, which tells it from another program's folder; empty: not checked
 };
 constexpr Resource kPresets{"presets", "WEFTLIGHT_PRESETS", "drafts"};
 constexpr Resource kShaders{"shaders", "WEFTLIGHT_SHADERS", "cloth.frag"};
+constexpr Resource kLanguages{"languages", "WEFTLIGHT_LANGUAGES", ""};  // which languages there are differs
 constexpr int kFoldersUp = 4;  // from build/release to the top of a source tree, and one to spare
 
 fs::path program_folder() {
@@ -48,5 +49,6 @@ std::string folder_of(const Resource& resource) {
 
 std::string presets_dir() { return folder_of(kPresets); }
 std::string shaders_dir() { return folder_of(kShaders); }
+std::string languages_dir() { return folder_of(kLanguages); }
 
 }  // namespace weftlight::base

@@ -1,14 +1,15 @@
 #pragma once
-// Where the files that belong to the program lie: presets and shaders.
+// Where the files that belong to the program are: presets, shaders and languages.
 
 #include <string>
 
 namespace weftlight::base {
 
-/// Folders of presets and of shaders, the first of these that is one: $WEFTLIGHT_PRESETS or $WEFTLIGHT_SHADERS
-/// (taken as it is), share/weftlight of an installed program, beside the program or up to three folders above it,
-/// the source tree that it was built from.
+/// The folder of presets, of shaders, or of message catalogues (LANGUAGE/LC_MESSAGES/weftlight.mo). Searched in this
+/// order: $WEFTLIGHT_PRESETS, $WEFTLIGHT_SHADERS or $WEFTLIGHT_LANGUAGES (used without a check); share/weftlight of an
+/// installed program; the program's own folder and up to three above it; the source tree of the build.
 std::string presets_dir();
 std::string shaders_dir();
+std::string languages_dir();
 
 }  // namespace weftlight::base

@@ -1,5 +1,6 @@
-// `analyse` and `diff`: what a draft is as a weave and on a loom, and what two drafts differ in.
+// `analyse`: a draft as a weave and on a loom. `diff`: the differences between two drafts.
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "analysis/floats.h"
 #include "analysis/threads.h"
 #include "analysis/weave_layers.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "draft/factor.h"
 #include "draft/fibre.h"
@@ -19,6 +21,10 @@ namespace weftlight::commands {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
 
 struct DraftAnalysis {
   Repeat structure, design;
@@ -28,11 +34,11 @@ struct DraftAnalysis {
   LoomUse loom;
   LoomSize fewest;
   Interlacing interlacings;
-  double warp_share = 0;
+  double warp_up = 0;  // fraction of the crossings
   YarnReport yarn;
 };
 
-/// None: no price.
+/// Empty if the text is not a price.
 std::optional<double> price_in(std::string_view text) {
   constexpr double kMax = 1e6;
   double price = 0;
@@ -47,28 +53,28 @@ std::string names_of(const std::vector<Yarn>& yarns) {
   return names;
 }
 
-/// What is wrong with a price, or empty. Of yarns of one name all have it.
-std::string take_price(const Design& design, std::string_view text, ClothPlan& plan) {
+/// Returns what is wrong with the price, or an empty string. Yarns of the same name all get it.
+std::string apply_price(const Design& design, std::string_view text, ClothPlan& plan) {
   const size_t equals = text.rfind('=');
   const bool for_all = equals == std::string_view::npos;
   const std::optional<double> price = price_in(for_all ? text : text.substr(equals + 1));
-  if (!price) return "give YARN=PRICE, or PRICE for all yarns: 0 to 1000000 a kilogram";
+  if (!price) return tr("give YARN=PRICE, or PRICE for all yarns: 0 to 1000000 per kilogram");
   bool known = false;
   for (size_t i = 0; i < design.yarns.size(); ++i) {
     if (!for_all && design.yarns[i].name != text.substr(0, equals)) continue;
     plan.price_per_kg[i] = *price;
     known = true;
   }
-  return known ? "" : "the draft's yarns are " + names_of(design.yarns);
+  return known ? "" : fill(tr("the draft's yarns are {names}"), arg("names", names_of(design.yarns)));
 }
 
-/// False, with a line on stderr, when one is no price, or of a yarn that is not there. Later ones win.
-bool take_prices(const Design& design, const std::vector<std::string>& prices, ClothPlan& plan) {
+/// False, with a line on stderr, if one is not a price or names no yarn of the draft. Later ones win.
+bool apply_prices(const Design& design, const std::vector<std::string>& prices, ClothPlan& plan) {
   plan.price_per_kg.resize(design.yarns.size(), -1);
   for (const std::string& one : prices) {
-    const std::string wrong = take_price(design, one, plan);
+    const std::string wrong = apply_price(design, one, plan);
     if (wrong.empty()) continue;
-    std::fprintf(stderr, "weftlight: --price %s: %s\n", one.c_str(), wrong.c_str());
+    fail(kUsage, fill(tr("--price {value}: {problem}"), arg("value", one), arg("problem", wrong)));
     return false;
   }
   return true;
@@ -83,6 +89,7 @@ DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
           warp_up_fraction(cells), yarn_report(design, options.plan)};
 }
 
+/// For JSON.
 const char* name_of(System system) { return system == System::kWarp ? "warp" : "weft"; }
 const char* name_of(Face face) { return face == Face::kFront ? "front" : "back"; }
 
@@ -161,7 +168,7 @@ std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseO
                      {"empty_picks", f.loom.empty_picks},
                      {"fewest", {{"shafts", f.fewest.shafts}, {"treadles", f.fewest.treadles}}},
                      {"balance",
-                      {{"warp_on_top", f.warp_share},
+                      {{"warp_on_top", f.warp_up},
                        {"warp_interlacing", f.interlacings.warp},
                        {"weft_interlacing", f.interlacings.weft}}},
                      {"yarn", yarn_json(design, f.yarn)}};
@@ -169,64 +176,106 @@ std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseO
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string layer_text(const WeaveLayer& layer) {
+  const std::string ends = thread_list(layer.ends), picks = thread_list(layer.picks);
+  if (!layer.loose()) return fill(tr("layer: ends {ends}; picks {picks}"), arg("ends", ends), arg("picks", picks));
+  return layer.ends.empty() ? fill(tr("loose pick: {picks}"), arg("picks", picks))
+                            : fill(tr("loose end: {ends}"), arg("ends", ends));
+}
+
 void print_layers(const DraftAnalysis& f) {
-  if (f.layers.size() <= 1) return void(std::printf("hangs together  yes\n"));
-  std::printf("hangs together  no: %zu layers, front to back\n", f.layers.size());
-  for (const WeaveLayer& layer : f.layers) {
-    const char* kind = !layer.loose() ? "layer" : layer.ends.empty() ? "loose pick" : "loose end";
-    std::printf("  %s:", kind);
-    if (!layer.ends.empty()) std::printf(" ends %s;", thread_list(layer.ends).c_str());
-    if (!layer.picks.empty()) std::printf(" picks %s", thread_list(layer.picks).c_str());
-    std::printf("\n");
-  }
+  if (f.layers.size() <= 1) return print_row(tr("layers"), tr("one connected cloth"));
+  const bool loose = std::any_of(f.layers.begin(), f.layers.end(), [](const WeaveLayer& l) { return l.loose(); });
+  print_row(tr("layers"), fill(loose ? tr("{count} separate layers or loose threads, front to back")
+                                     : tr("{count} separate layers, front to back"),
+                               arg("count", f.layers.size())));
+  for (const WeaveLayer& layer : f.layers) std::printf("  %s\n", layer_text(layer).c_str());
+}
+
+std::string float_text(const Float& x) {
+  const bool warp = x.system == System::kWarp, front = x.face == Face::kFront;
+  const char* form = warp    ? front ? tr("end {thread}, front, from pick {first}: {length}")
+                                     : tr("end {thread}, back, from pick {first}: {length}")
+                        : front ? tr("pick {thread}, front, from end {first}: {length}")
+                             : tr("pick {thread}, back, from end {first}: {length}");
+  return fill(form, arg("thread", x.thread + 1), arg("first", x.first + 1), arg("length", x.length));
 }
 
 void print_floats(const DraftAnalysis& f, int limit) {
-  std::printf("longest float   warp %d front, %d back; weft %d front, %d back\n", f.longest.warp_front,
-              f.longest.warp_back, f.longest.weft_front, f.longest.weft_back);
-  std::printf("floats over %-3d %lld\n", limit, static_cast<long long>(f.floats.count));
-  constexpr size_t kShown = 20;
-  for (size_t i = 0; i < f.floats.listed.size() && i < kShown; ++i) {
-    const Float& x = f.floats.listed[i];
-    std::printf("  %s %d, %s, from %s %d: %d\n", x.system == System::kWarp ? "end" : "pick", x.thread + 1,
-                name_of(x.face), x.system == System::kWarp ? "pick" : "end", x.first + 1, x.length);
-  }
-  if (f.floats.listed.size() > kShown) std::printf("  ... all with --json\n");
+  constexpr size_t kMaxListed = 20;
+  print_row(tr("longest float"), longest_float_text(f.longest));
+  print_row(fill(tr("floats over {limit}"), arg("limit", limit)), std::to_string(f.floats.count));
+  for (size_t i = 0; i < f.floats.listed.size() && i < kMaxListed; ++i)
+    std::printf("  %s\n", float_text(f.floats.listed[i]).c_str());
+  if (f.floats.listed.size() > kMaxListed) std::printf("  %s\n", tr("... all with --json"));
 }
 
 void print_loom(const DraftAnalysis& f) {
-  std::printf("heddles         ");
+  std::string heddles;
   for (size_t s = 0; s < f.loom.heddles.size(); ++s)
-    std::printf("%s%zu: %d", s > 0 ? ", " : "", s + 1, f.loom.heddles[s]);
-  std::printf("\nfewest          %d shafts, %d treadles\n", f.fewest.shafts, f.fewest.treadles);
-  if (f.loom.unthreaded_ends > 0) std::printf("on no shaft     %d ends\n", f.loom.unthreaded_ends);
-  if (f.loom.empty_picks > 0) std::printf("nothing lifted  %d picks\n", f.loom.empty_picks);
-  std::printf("balance         warp on top %.0f %%; interlacing warp %.2f, weft %.2f\n", f.warp_share * 100,
-              f.interlacings.warp, f.interlacings.weft);
+    heddles += (s > 0 ? ", " : "") + std::to_string(s + 1) + ": " + std::to_string(f.loom.heddles[s]);
+  print_row(tr("heddles"), heddles);
+  print_row(tr("fewest"), fill(tr("{shafts} shafts, {treadles} treadles"), arg("shafts", f.fewest.shafts),
+                               arg("treadles", f.fewest.treadles)));
+  const auto ends = [](int n) { return fill(tr_n("{count} end", "{count} ends", n), arg("count", n)); };
+  const auto picks = [](int n) { return fill(tr_n("{count} pick", "{count} picks", n), arg("count", n)); };
+  if (f.loom.unthreaded_ends > 0) print_row(tr("on no shaft"), ends(f.loom.unthreaded_ends));
+  if (f.loom.empty_picks > 0) print_row(tr("nothing lifted"), picks(f.loom.empty_picks));
+  print_row(tr("balance"),
+            fill(tr("warp on top {percent:.0f} %; interlacing warp {warp:.2f}, weft {weft:.2f}"),
+                 arg("percent", f.warp_up * 100), arg("warp", f.interlacings.warp), arg("weft", f.interlacings.weft)));
+}
+
+/// The sett that each yarn alone would have, from the wraps of its diameter.
+void print_setts(const Design& design, const DraftAnalysis& f) {
+  print_row(tr("sett"), fill(tr("{ends:.1f} ends/cm, {picks:.1f} picks/cm"), arg("ends", f.yarn.ends_per_cm),
+                             arg("picks", f.yarn.picks_per_cm)));
+  for (const Yarn& yarn : design.yarns) {
+    const double wraps = wraps_per_cm(yarn.diameter_mm);
+    print_row(tr("  from wraps"), fill(tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps/cm, sett {sett:.1f}/cm"),
+                                       arg("yarn", yarn.name), arg("tex", tex_of(yarn)), arg("wraps", wraps),
+                                       arg("sett", sett_per_cm(wraps, f.interlacings.weft))));
+  }
+}
+
+void print_need(const Design& design, const YarnNeed& need) {
+  const Rgb& c = color_of(design, need);
+  const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
+  const std::string line = fill(
+      tr("{system} {yarn:<16} #{red:02x}{green:02x}{blue:02x} {threads:6} threads {length:9.1f} m {weight:8.1f} g"),
+      arg("system", need.system == System::kWarp ? tr("warp") : tr("weft")),
+      arg("yarn", design.yarns[static_cast<size_t>(need.yarn)].name), arg("red", byte(c.r)), arg("green", byte(c.g)),
+      arg("blue", byte(c.b)), arg("threads", need.threads), arg("length", need.length_m), arg("weight", need.weight_g));
+  std::printf("  %s", line.c_str());
+  if (need.cost >= 0) std::printf(" %9.2f", need.cost);
+  std::printf("\n");
 }
 
 void print_yarn(const Design& design, const DraftAnalysis& f) {
   const YarnReport& y = f.yarn;
-  std::printf("sett            %.1f ends/cm, %.1f picks/cm\n", y.ends_per_cm, y.picks_per_cm);
-  for (size_t i = 0; i < design.yarns.size(); ++i) {
-    const double wraps = wraps_per_cm(design.yarns[i].diameter_mm);
-    std::printf("  from wraps    %s: %.1f tex, %.1f wraps/cm, sett %.1f/cm\n", design.yarns[i].name.c_str(),
-                static_cast<double>(tex_of(design.yarns[i])), wraps, sett_per_cm(wraps, f.interlacings.weft));
-  }
-  std::printf("on the loom     %lld ends, %.0f mm wide, warp %.2f m long; %lld picks\n", static_cast<long long>(y.ends),
-              y.loom_width_mm, y.warp_length_mm / 1000, static_cast<long long>(y.picks));
-  std::printf("yarn            warp %.1f m, weft %.1f m, %.1f g; %.0f g/m2 finished\n", y.warp_m, y.weft_m, y.weight_g,
-              y.g_per_m2);
-  for (const YarnNeed& need : y.needs) {
-    const Rgb& c = color_of(design, need);
-    const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
-    std::printf("  %s %-16s #%02x%02x%02x %6lld threads %9.1f m %8.1f g", name_of(need.system),
-                design.yarns[static_cast<size_t>(need.yarn)].name.c_str(), byte(c.r), byte(c.g), byte(c.b),
-                static_cast<long long>(need.threads), need.length_m, need.weight_g);
-    if (need.cost >= 0) std::printf(" %9.2f", need.cost);
-    std::printf("\n");
-  }
-  if (y.cost >= 0) std::printf("cost            %.2f\n", y.cost);
+  print_setts(design, f);
+  print_row(tr("on the loom"),
+            fill(tr("{ends} ends, {width:.0f} mm wide, warp {length:.2f} m long; {picks} picks"), arg("ends", y.ends),
+                 arg("width", y.loom_width_mm), arg("length", y.warp_length_mm / 1000), arg("picks", y.picks)));
+  print_row(tr("yarn"),
+            fill(tr("warp {warp:.1f} m, weft {weft:.1f} m, {weight:.1f} g; {area:.0f} g/m2 finished"),
+                 arg("warp", y.warp_m), arg("weft", y.weft_m), arg("weight", y.weight_g), arg("area", y.g_per_m2)));
+  for (const YarnNeed& need : y.needs) print_need(design, need);
+  if (y.cost >= 0) print_row(tr("cost"), fill("{cost:.2f}", arg("cost", y.cost)));
+}
+
+std::string difference_text(const Difference& d) {
+  if (!d.threads.empty()) return thread_list(d.threads);
+  if (d.a.empty() && d.b.empty()) return tr("differ");
+  return fill(tr("'{first}' and '{second}'"), arg("first", d.a), arg("second", d.b));
+}
+
+std::string crossings_text(const Comparison& c) {
+  if (c.crossings == 0) return tr("the same where both have threads");
+  return fill(tr_n("{count} crossing, in ends {ends} and picks {picks}",
+                   "{count} crossings, in ends {ends} and picks {picks}", c.crossings),
+              arg("count", c.crossings), arg("ends", fmt::format("{}-{}", c.where.end0 + 1, c.where.end1)),
+              arg("picks", fmt::format("{}-{}", c.where.pick0 + 1, c.where.pick1)));
 }
 
 }  // namespace
@@ -235,14 +284,15 @@ int analyse_command(const AnalyseOptions& options) {
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
   AnalyseOptions priced = options;
-  if (!take_prices(opened.design, options.prices, priced.plan)) return kUsage;
+  if (!apply_prices(opened.design, options.prices, priced.plan)) return kUsage;
   const DraftAnalysis f = analysis_of(opened.design, priced);
   if (options.json) {
     std::printf("%s\n", as_json(opened.design, f, options).c_str());
     return kDone;
   }
-  std::printf("repeat          %d ends, %d picks; with colours %d ends, %d picks\n", f.structure.ends,
-              f.structure.picks, f.design.ends, f.design.picks);
+  print_row(tr("repeat"), fill(tr("{ends} ends, {picks} picks; with colours {color_ends} ends, {color_picks} picks"),
+                               arg("ends", f.structure.ends), arg("picks", f.structure.picks),
+                               arg("color_ends", f.design.ends), arg("color_picks", f.design.picks)));
   print_floats(f, options.float_limit);
   print_layers(f);
   print_loom(f);
@@ -254,19 +304,9 @@ int diff_command(const DiffOptions& options) {
   const OpenedDesign a = open_design(options.a), b = open_design(options.b);
   if (!a.ok || !b.ok) return kBadInput;
   const Comparison c = compare(a.design, b.design);
-  for (const Difference& d : c.differences) {
-    if (!d.threads.empty()) std::printf("%-15s %s\n", d.what.c_str(), thread_list(d.threads).c_str());
-    else if (d.a.empty() && d.b.empty()) std::printf("%-15s differ\n", d.what.c_str());
-    else std::printf("%-15s '%s' and '%s'\n", d.what.c_str(), d.a.c_str(), d.b.c_str());
-  }
-  if (c.same_cloth) {
-    std::printf(c.differences.empty() ? "the drafts are the same\n" : "the cloth is the same\n");
-  } else if (c.crossings > 0) {
-    std::printf("%-15s %lld crossings, in ends %d-%d and picks %d-%d\n", "drawdown",
-                static_cast<long long>(c.crossings), c.where.end0 + 1, c.where.end1, c.where.pick0 + 1, c.where.pick1);
-  } else {
-    std::printf("%-15s the same where both have threads\n", "drawdown");
-  }
+  for (const Difference& d : c.differences) print_row(tr(d.what.c_str()), difference_text(d));
+  if (!c.same_cloth) print_row(tr("drawdown"), crossings_text(c));
+  else std::printf("%s\n", c.differences.empty() ? tr("the drafts are the same") : tr("the cloth is the same"));
   return kDone;
 }
 

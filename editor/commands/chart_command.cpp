@@ -1,6 +1,6 @@
-// `weftlight chart`: speed against accuracy, measured. Rows that an earlier run of the same program left in
-// DIR/chart.csv are kept, so that a run can be stopped and taken up again, and made part by part. `auto` comes last: it
-// chooses by the ladder that this run has measured.
+// `weftlight chart`: measures speed against accuracy. Rows of an earlier run of the same program in DIR/chart.csv are
+// kept, so that a run can be stopped and resumed, or done part by part. `auto` comes last: it uses the LOD table that
+// this run has measured.
 
 #include <unistd.h>
 
@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "commands/chart/bench.h"
 #include "commands/chart/drapes.h"
 #include "commands/chart/figures.h"
@@ -21,6 +22,10 @@
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 constexpr std::array<double, 7> kAlbedoViews{0, 20, 40, 55, 70, 80, 85};
 
 std::string read_text(const std::string& path) {
@@ -28,9 +33,9 @@ std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-class Run {
+class ChartRun {
  public:
-  Run(ChartBench& bench, std::string dir, ChartPart part)
+  ChartRun(ChartBench& bench, std::string dir, ChartPart part)
       : bench_(bench), dir_(std::move(dir)), part_(std::move(part)), cells_(chart_cells(bench.methods())) {}
 
   int all() {
@@ -59,17 +64,17 @@ class Run {
     }
   }
 
-  /// Those that have rows, of this run or an earlier one.
+  /// The scenes that have rows, from this run or an earlier one.
   std::vector<size_t> scenes() const {
-    std::vector<size_t> there;
+    std::vector<size_t> measured;
     for (size_t scene = 0; scene < kChartScenes.size(); ++scene) {
       const auto of_it = [scene](const ChartRow& r) { return r.scene == kChartScenes[scene].name; };
-      if (std::any_of(rows_.begin(), rows_.end(), of_it)) there.push_back(scene);
+      if (std::any_of(rows_.begin(), rows_.end(), of_it)) measured.push_back(scene);
     }
-    return there;
+    return measured;
   }
 
-  void tell(const ChartRow& cell) const {
+  void report(const ChartRow& cell) const {
     char line[128];
     std::snprintf(line, sizeof line, "%3zu/%zu  %s, %d degrees, %g yarns a pixel, %s", rows_.size() + 1, cells_.size(),
                   cell.scene.c_str(), cell.view_deg, cell.yarns_per_pixel,
@@ -79,7 +84,7 @@ class Run {
   }
 
   int add(const ChartRow& cell) {
-    tell(cell);
+    report(cell);
     std::string error;
     const std::optional<ChartRow> row = bench_.measure(cell, error);
     if (!row) return fail(kBadInput, error);
@@ -113,14 +118,14 @@ class Run {
     if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);
     const std::string light = error.empty() ? other_lights(error) : "";
     if (error.empty()) error = write_file_atomically(dir_ + "/light.csv", light);
-    const std::vector<DrapeRow> hung = error.empty() ? drapes(error) : std::vector<DrapeRow>{};
-    if (error.empty()) error = write_file_atomically(dir_ + "/drapes.csv", drapes_csv(hung));
-    const std::string whole = error.empty() ? frames(error) : "";
-    if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", whole);
+    const std::vector<DrapeRow> draped = error.empty() ? drapes(error) : std::vector<DrapeRow>{};
+    if (error.empty()) error = write_file_atomically(dir_ + "/drapes.csv", drapes_csv(draped));
+    const std::string frame_times = error.empty() ? frames(error) : "";
+    if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", frame_times);
     return error.empty() ? kDone : fail(kNotWritten, error);
   }
 
-  /// Near the threads and from afar, straight on and at a slant.
+  /// Under other lights: close up and from afar, at normal and oblique views.
   std::string other_lights(std::string& error) {
     std::ostringstream out;
     out << "light,scene,view_deg,yarns_per_pixel,method,rel_rmse_model,energy_ratio\n";
@@ -146,19 +151,19 @@ class Run {
   }
 
   std::vector<DrapeRow> drapes(std::string& error) {
-    std::vector<DrapeRow> hung;
+    std::vector<DrapeRow> rows;
     for (const DrapeRow& cell : drape_cells(bench_.methods(), bench_.effort())) {
       const auto of_it = [&cell](size_t scene) { return cell.scene == kChartScenes[scene].name; };
-      const std::vector<size_t> there = scenes();
-      if (std::none_of(there.begin(), there.end(), of_it)) continue;
+      const std::vector<size_t> measured = scenes();
+      if (std::none_of(measured.begin(), measured.end(), of_it)) continue;
       const std::optional<DrapeRow> row = bench_.draped(cell, error);
       if (!row) return {};
-      hung.push_back(*row);
+      rows.push_back(*row);
     }
-    return hung;
+    return rows;
   }
 
-  /// What a whole picture of cloth costs, by method and by what `auto` is asked for.
+  /// The cost of a whole picture of cloth, by method and by the tolerance of `auto`.
   std::string frames(std::string& error) {
     std::vector<Look> looks;
     for (const Method method : bench_.methods()) {
@@ -209,10 +214,10 @@ class Run {
   ChartBench& bench_;
   std::string dir_;
   ChartPart part_;
-  std::vector<ChartRow> cells_, rows_;  // all there are; those that are known
+  std::vector<ChartRow> cells_, rows_;  // all cells of the chart; those measured so far
 };
 
-/// The other process has a bench of its own.
+/// Starts the process that counts instructions; it has a bench of its own.
 std::unique_ptr<DrawCounter> start_counter(const ChartEffort& effort) {
   return DrawCounter::start([effort, bench = std::shared_ptr<ChartBench>()](
                                 const CountedDraw& what, const LodTable& lod_table, int pixels) mutable {
@@ -228,13 +233,13 @@ int chart_command(const ChartOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (!std::filesystem::is_directory(options.out))
-    return fail(kNotWritten, options.out + ": the folder cannot be made");
+    return fail(kNotWritten, fill(tr("{folder}: the folder cannot be made"), arg("folder", options.out)));
   ChartEffort effort = chart_effort(options.quick);
   effort.count_instructions = options.count;
   std::string error;
   const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, error);
   if (!bench) return fail(kNoGraphics, error);
-  return Run(*bench, options.out, options.part).all();
+  return ChartRun(*bench, options.out, options.part).all();
 }
 
 }  // namespace weftlight::commands

@@ -1,10 +1,11 @@
 #pragma once
-// The headless verbs. cli.cpp reads the arguments into these options; one file a verb does the work.
-// Verbs print to stdout, problems to stderr as "file:line: what, and what to do".
+// The headless verbs: their options, and the functions that run them. One file a verb; verbs.h is their table.
+// Results go to stdout, problems to stderr as "file:line: what; what to do".
 
 #include <string>
 #include <vector>
 
+#include "analysis/floats.h"
 #include "analysis/threads.h"
 #include "commands/chart/rows.h"
 #include "commands/names.h"
@@ -24,42 +25,42 @@ struct InfoOptions {
   std::string file;
   bool json = false;
 };
-/// Which corner of a drawdown begins: end 1 at the right and pick 1 at the top unless said.
-struct WayUp {
+/// The corner of a drawn drawdown at which end 1 and pick 1 meet; by default the top right.
+struct DrawdownOrigin {
   bool end1_left = false, pick1_bottom = false;
 };
 struct DrawdownOptions {
   std::string file, out;
   Face face = Face::kFront;
-  bool points = false;  // a picture with a pixel a crossing, as Jacquard machines read
-  WayUp way{};          // of a coloured picture
+  bool points = false;      // a picture with one pixel per crossing, the input of Jacquard machines
+  DrawdownOrigin origin{};  // of a coloured picture
 };
 enum class ConvertShedControl { kAsIs, kLiftplan, kTreadling };
 struct ConvertOptions {
   std::string in, out;
   bool plain = false;
   ConvertShedControl shed_control = ConvertShedControl::kAsIs;
-  draft::LoomSize loom{};  // that it is to fit
-  bool nearest = false;    // what does not fit is woven as nearly as it can be
+  draft::LoomSize loom{};  // the size that the result has to fit
+  bool nearest = false;    // a draft that does not fit is replaced by the closest weave
   files::PictureDraft picture{};
 };
-/// NaN or empty: as the design says.
+/// NaN or empty: the design's own value.
 struct PictureOptions {
   std::string file, out, mesh, method, stats;
-  bool simulated_drape = false;  // simulated with the cloth's own stiffness, and kept
-  std::string view_name;         // kept with the draft, or one that every draft has; the options below rule over it
+  bool simulated_drape = false;  // simulated with the cloth's own stiffness, and cached
+  std::string view_name;         // saved with the draft, or built in; the options below override it
   int width = 1280, height = 800;
-  float yarns_per_pixel = 0;  // 0: as the scene frames it
+  float yarns_per_pixel = 0;  // 0: from the camera of the scene
   float view_azimuth, view_elevation, light_azimuth, light_elevation;
   Face face = Face::kFront;
-  std::string lights;  // of kLightingPresets, or a picture from all around; empty: the scene's
-  bool surroundings = false;
-  float exposure_ev;  // stops; given, it says with automatic_exposure all of the exposure
+  std::string lights;         // a lighting preset or the path of an environment map; empty: the scene's
+  bool surroundings = false;  // the environment map as the backdrop
+  float exposure_ev;          // stops; if given, automatic_exposure is applied too
   bool automatic_exposure = false;
-  int turntable = 0;     // render only: pictures of one turn
-  int samples = 0;       // render only; 0: as many as the tolerance asks for
+  int turntable = 0;     // render only: number of pictures of one turn
+  int samples = 0;       // render only; 0: from the tolerance
   float tolerance = 0;   // render only; 0: the design's
-  double budget_ms = 0;  // render only; > 0: as near the truth as the cloth is drawn in so many
+  double budget_ms = 0;  // render only: time for drawing the cloth; 0: no limit
   int spp = 64;          // reference only
   int bounces = 0;       // reference only
 };
@@ -67,30 +68,30 @@ struct ExportOptions {
   std::vector<std::string> files;  // or folders of drafts
   std::vector<std::string> targets{"gltf"};
   std::string out, mesh = "plane";
-  std::string name;  // of the folders: {name}, {target}, {size}; empty: as fits
+  std::string name;  // template of the folders: {name}, {target}, {size}; empty: chosen by the number of targets
   std::string alpha = "auto";
   int size = 1024, jobs = 1;
-  float texels_per_mm = 0;  // 0: as `size` says
+  float texels_per_mm = 0;  // 0: `size` decides
   float tile_cm = 0;        // 0: one repeat
   float distance_m = 1;
-  std::string mips;  // "dds" or "ktx2": those beside the images; empty: none
+  std::string mips;  // container of mipmaps beside the images, "dds" or "ktx2"; empty: none
   bool force = false, zip = false, watch = false, resume = false;
 };
 struct ChartOptions {
   std::string out;
   bool quick = false;
-  bool count = false;  // instructions too
+  bool count = false;  // counts instructions too
   chart::ChartPart part;
 };
 struct ResponseOptions {
   std::string file, out, method = "cloth", plane = "both";  // plane: warp, weft or both
   std::vector<double> views_deg{0, 30, 60}, lights_deg;     // from the normal, within 90
   Face face = Face::kFront;
-  int spp = 16;  // reference only: rays in each of a thousand places of the repeat
+  int spp = 16;  // reference only: rays in each of 1,024 samples of the repeat
 };
 struct DrapeOptions {
-  std::string name, out;  // name "all": every shipped drape, however it hangs, into the folder `out`; or a draft
-  std::string hang;       // of one drape: limp, medium or stiff; empty: medium, or a draft's own
+  std::string name, out;  // name: a drape, a draft, or "all": every drape and stiffness, into the folder `out`
+  std::string stiffness;  // of a generic fabric: limp, medium or stiff; empty: medium
   std::string mesh;       // of a draft: which drape; empty: its scene's
 };
 
@@ -99,7 +100,7 @@ struct AnalyseOptions {
   bool json = false;
   int float_limit = 7;
   ClothPlan plan;
-  std::vector<std::string> prices;  // YARN=PRICE of a kilogram, or PRICE, of all yarns
+  std::vector<std::string> prices;  // per kilogram: YARN=PRICE, or PRICE for all yarns
 };
 struct PrintCommand {
   std::string file, out;
@@ -129,19 +130,20 @@ int diff_command(const DiffOptions&);
 int print_command(const PrintCommand&);
 int weave_command(const WeaveOptions&);
 
-/// What the command line asks for.
 struct EditorOptions {
   std::string file, live_export, ui_map;
 };
 struct CommandLine {
-  bool open_editor = false;  // true: start the window with `editor`; else leave with `exit_code`
+  bool open_editor = false;  // true: start the window with `editor`; false: exit with `exit_code`
   int exit_code = kDone;
   EditorOptions editor;
 };
-/// Parses and, for a verb, runs it.
+/// The value of --language, wherever it stands; empty if there is none or it is not a name. The caller passes it to
+/// platform::use_language before run_command_line, which already prints translated texts.
+std::string requested_language(int argc, char** argv);
+/// Parses the arguments and runs the verb that they name.
 CommandLine run_command_line(int argc, char** argv);
 
-/// Shared by the verbs: the file read, its problems printed. Empty when it cannot be used.
 struct OpenedDesign {
   bool ok = false;
   Design design;
@@ -150,9 +152,17 @@ struct OpenedDesign {
 };
 /// "file:line: what; what to do" on stderr.
 void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
-/// "file: cannot be written: cause; what to do" on stderr; kNotWritten.
-int not_written(const std::string& why);
-/// `picture`: how one becomes a draft.
+std::string longest_float_text(const analysis::LongestFloats& floats);
+/// Prints a line of a report, its values in one column; labels and values are in the user's language.
+void print_row(const std::string& label, const std::string& value);
+/// Prints "weftlight: problem" on stderr.
+void print_problem(const std::string& problem);
+/// The same; returns the exit code.
+int fail(int code, const std::string& problem);
+/// Prints "file: cannot be written: cause; what to do" on stderr; returns kNotWritten.
+int not_written(const std::string& problem);
+/// Reads a draft and prints its problems on stderr; not `ok` if it cannot be used. `picture`: how a picture becomes a
+/// draft.
 OpenedDesign open_design(const std::string& path, bool print_warnings = false, const files::PictureDraft& picture = {});
 
 }  // namespace weftlight::commands

@@ -4,12 +4,18 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "draft/edits.h"
 #include "draft/factor.h"
 
 namespace weftlight::commands {
 namespace {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
 
 bool asks_for_loom(const ConvertOptions& o) { return o.loom != LoomSize{}; }
 
@@ -24,30 +30,35 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
   return liftplan || treadling || asks_for_loom(options) ? write_wif(file, design) : file.bytes;
 }
 
-/// Driven as asked; an exit code, with the problem printed.
+/// Applies the requested shed control. Returns an exit code; the problem is printed.
 int set_shed_control(Design& design, const ConvertOptions& options) {
   if (options.shed_control == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
   if (options.shed_control != ConvertShedControl::kTreadling) return kDone;
   design = to_treadling(std::move(design));
   if (design.draft.shed_control == ShedControl::kTreadling) return kDone;
-  std::fprintf(stderr, "%s: the draft needs more than %d treadles; keep its liftplan\n", options.in.c_str(),
-               kMaxShafts);
+  const std::string line = fill(tr("{file}: the draft needs more than {count} treadles; keep its liftplan"),
+                                arg("file", options.in), arg("count", int{kMaxShafts}));
+  std::fprintf(stderr, "%s\n", line.c_str());
   return kBadInput;
 }
 
-/// The same for the loom.
+/// Makes the draft fit the loom. Returns an exit code; the problem is printed.
 int fit(Design& design, const ConvertOptions& options) {
   if (!asks_for_loom(options)) return kDone;
   Factored fitted = within_loom(design.draft, options.loom);
   if (!fitted.done() && !options.nearest) {
-    std::fprintf(stderr, "%s: %s; --nearest weaves it as nearly as that loom can\n", options.in.c_str(),
-                 fitted.why.c_str());
+    const std::string line = fill(tr("{file}: {problem}; --nearest gives the closest weave for that loom"),
+                                  arg("file", options.in), arg("problem", fitted.why));
+    std::fprintf(stderr, "%s\n", line.c_str());
     return kBadInput;
   }
   if (!fitted.done()) {
     fitted = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
     const long long all = static_cast<long long>(design.draft.ends()) * design.draft.picks();
-    std::printf("%lld of %lld crossings differ\n", static_cast<long long>(fitted.wrong), all);
+    const std::string line =
+        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", fitted.wrong),
+             arg("count", fitted.wrong), arg("all", all));
+    std::printf("%s\n", line.c_str());
   }
   design.draft = std::move(fitted.draft);
   return kDone;
@@ -57,9 +68,8 @@ int fit(Design& design, const ConvertOptions& options) {
 
 int convert_command(const ConvertOptions& options) {
   if (options.picture != files::PictureDraft{} && !is_picture(options.in)) {
-    std::fprintf(stderr, "weftlight: --ends, --colors and --floats are for pictures, and %s is none\n",
-                 options.in.c_str());
-    return kUsage;
+    return fail(kUsage, fill(tr("--ends, --colors and --floats apply to pictures only, and {file} is not a picture"),
+                             arg("file", options.in)));
   }
   const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;

@@ -1,8 +1,11 @@
+// `drape`: simulated drapes as meshes.
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <utility>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "commands/status_line.h"
 #include "drape/stiffness.h"
@@ -10,25 +13,30 @@
 #include "files/files.h"
 
 namespace weftlight::commands {
-
 namespace {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 int write_one(const Mesh& mesh, const std::string& path) {
   const std::string problem = write_mesh(path, mesh, nullptr);
   if (problem.empty()) {
-    std::printf("%s: %zu vertices, %zu triangles\n", path.c_str(), mesh.position_mm.size(), mesh.index.size() / 3);
+    const std::string line = fill(tr("{file}: {vertices} vertices, {triangles} triangles"), arg("file", path),
+                                  arg("vertices", mesh.position_mm.size()), arg("triangles", mesh.index.size() / 3));
+    std::printf("%s\n", line.c_str());
     return kDone;
   }
   return not_written(problem);
 }
 
-DrapeStiffness hang_called(const std::string& name) {
-  for (const DrapeStiffness hang : kHangs)
-    if (name == kHangNames[static_cast<size_t>(hang)]) return hang;
+DrapeStiffness stiffness_from_name(const std::string& name) {
+  for (const DrapeStiffness stiffness : kHangs)
+    if (name == kHangNames[static_cast<size_t>(stiffness)]) return stiffness;
   return DrapeStiffness::kMedium;
 }
 
-/// NAME.glb and, where the drape lies on something, NAME_body.glb beside it.
+/// Writes NAME.glb and, if the drape has a body, NAME_body.glb beside it.
 int write_drape(const std::string& name, const Mesh& mesh, const std::filesystem::path& path) {
   if (const int exit = write_one(mesh, path.string()); exit != kDone) return exit;
   const Mesh body = body_mesh(name);
@@ -37,64 +45,61 @@ int write_drape(const std::string& name, const Mesh& mesh, const std::filesystem
   return write_one(body, (path.parent_path() / beside).string());
 }
 
-bool is_known(const std::string& name) {
-  for (const std::string& known : drape_names()) {
-    if (known == name) return true;
-  }
-  return false;
+bool is_drape_name(const std::string& name) {
+  const std::vector<std::string>& names = drape_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-int refuse(const std::string& name, const char* first) {
-  std::fprintf(stderr, "weftlight: no drape is called '%s'; there are: %s", name.c_str(), first);
-  const char* between = "";
-  for (const std::string& known : drape_names())
-    std::fprintf(stderr, "%s%s", std::exchange(between, ", "), known.c_str());
-  std::fprintf(stderr, "\n");
-  return kUsage;
+/// Refuses a name; `first` is listed before the names of the drapes.
+int refuse_name(const std::string& name, const char* first) {
+  std::string names = first;
+  for (const std::string& known : drape_names()) names.append(names.empty() ? "" : ", ").append(known);
+  return fail(kUsage,
+              fill(tr("no drape is called '{name}'; choose from {names}"), arg("name", name), arg("names", names)));
 }
 
-int usage(const std::string& what) {
-  std::fprintf(stderr, "weftlight: %s\n", what.c_str());
-  return kUsage;
-}
-
-/// The one that a picture kept, else simulated.
-Mesh own_mesh(Design& design) {
+/// The drape of this fabric from the cache, or simulated.
+Mesh simulated_mesh(Design& design) {
   design.scene.simulated_drape = true;
   if (is_draped(design)) return load_design_drape(design).mesh.value_or(Mesh{});
   StatusLine status;
-  Mesh mesh = simulate_design_drape(design, [&status](double share) {
-    status.say("draping, " + std::to_string(static_cast<int>(100 * share)) + " %");
+  Mesh mesh = simulate_design_drape(design, [&status](double done) {
+    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * done))));
     return true;
   });
   status.clear();
   return mesh;
 }
 
-/// As the draft's own yarns and sett make it hang.
-int write_own(const DrapeOptions& options) {
-  if (!options.hang.empty()) return usage("--hang is of a shipped drape; a draft hangs as its cloth does");
-  if (!options.mesh.empty() && (!is_known(options.mesh) || options.mesh == "plane")) return refuse(options.mesh, "");
+/// Writes the drape of a draft, simulated with its own yarns and sett.
+int write_design_drape(const DrapeOptions& options) {
+  if (!options.stiffness.empty())
+    return fail(kUsage, tr("--stiffness is for a generic fabric; a draft is simulated with its own yarns and sett"));
+  if (!options.mesh.empty() && (!is_drape_name(options.mesh) || options.mesh == "plane"))
+    return refuse_name(options.mesh, "");
   OpenedDesign opened = open_design(options.name);
   if (!opened.ok) return kBadInput;
   Design& design = opened.design;
   if (!options.mesh.empty()) design.scene.mesh = options.mesh;
   if (!can_drape(design))
-    return usage(options.name + ": its scene's mesh, " + design.scene.mesh + ", is not one that falls; give --mesh");
+    return fail(kUsage, fill(tr("{file}: the mesh of its scene, {mesh}, cannot be simulated; give --mesh"),
+                             arg("file", options.name), arg("mesh", design.scene.mesh)));
   if (const std::string why = why_not_writable(options.out); !why.empty()) return not_written(why);
-  return write_drape(design.scene.mesh, own_mesh(design), options.out);
+  return write_drape(design.scene.mesh, simulated_mesh(design), options.out);
 }
 
 int write_named(const DrapeOptions& options) {
   const std::filesystem::path name(options.name);
   std::error_code ec;
-  const bool known = is_known(options.name);
-  if (!known && !name.has_extension() && !std::filesystem::exists(name, ec)) return refuse(options.name, "all, ");
+  const bool known = is_drape_name(options.name);
+  if (!known && !name.has_extension() && !std::filesystem::exists(name, ec)) return refuse_name(options.name, "all");
   const std::string extension = std::filesystem::path(options.out).extension().string();
-  if (extension != ".glb" && extension != ".gltf") return usage(options.out + ": a drape is written as .glb or .gltf");
-  if (!known) return write_own(options);
-  if (!options.mesh.empty()) return usage("--mesh is of a draft; " + options.name + " is a drape itself");
-  return write_drape(options.name, simulate_drape(options.name, hang_called(options.hang)), options.out);
+  if (extension != ".glb" && extension != ".gltf")
+    return fail(kUsage, fill(tr("{file}: a drape is written as .glb or .gltf"), arg("file", options.out)));
+  if (!known) return write_design_drape(options);
+  if (!options.mesh.empty())
+    return fail(kUsage, fill(tr("--mesh is for a draft; {name} is a drape itself"), arg("name", options.name)));
+  return write_drape(options.name, simulate_drape(options.name, stiffness_from_name(options.stiffness)), options.out);
 }
 
 }  // namespace
@@ -104,16 +109,19 @@ int drape_command(const DrapeOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) {
-    std::fprintf(stderr, "%s: the folder cannot be made: %s\n", options.out.c_str(), cause_of(problem.value()).c_str());
+    const std::string line = fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", options.out),
+                                  arg("cause", cause_of(problem.value())));
+    std::fprintf(stderr, "%s\n", line.c_str());
     return kNotWritten;
   }
   for (const std::string& name : drape_names()) {
     const std::filesystem::path folder(options.out);
     if (const int exit = write_drape(name, simulate_drape(name), folder / (name + ".glb")); exit != kDone) return exit;
-    for (const DrapeStiffness hang : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
-      // The plane has one alone; what the others lie on is written.
-      if (drape_file(name, hang) == name) continue;
-      const int exit = write_one(simulate_drape(name, hang), (folder / (drape_file(name, hang) + ".glb")).string());
+    for (const DrapeStiffness stiffness : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
+      // The plane has no stiffness. The bodies are written already.
+      if (drape_file(name, stiffness) == name) continue;
+      const int exit =
+          write_one(simulate_drape(name, stiffness), (folder / (drape_file(name, stiffness) + ".glb")).string());
       if (exit != kDone) return exit;
     }
   }

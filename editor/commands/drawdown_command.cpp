@@ -1,17 +1,21 @@
-// `drawdown`: one line a pick (pick 1 first), one character an end (end 1 first), 1 where the warp is on
-// top; or the coloured drawdown as a picture, as the editor shows it unless
-// asked otherwise: end 1 at the right, pick 1 at the top.
+// `drawdown`: text with one line per pick (pick 1 first) and one character per end (end 1 first), 1 where the warp is
+// on top; or the coloured drawdown as a picture, by default as in the editor: end 1 at the right, pick 1 at the top.
 
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "commands/drawdown_picture.h"
 
 namespace weftlight::commands {
 namespace {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 std::string as_text(const BitMatrix& cells) {
   std::string text;
@@ -23,7 +27,7 @@ std::string as_text(const BitMatrix& cells) {
   return text;
 }
 
-/// What an extension asks for: text where there is none.
+/// The form of the output, by its extension; text if there is none.
 enum class Form { kText, kImage, kDrawing, kNone };
 Form form_of(const std::string& out) {
   std::string extension = std::filesystem::path(out).extension().string();
@@ -39,13 +43,11 @@ Form form_of(const std::string& out) {
 int drawdown_command(const DrawdownOptions& options) {
   const Form form = form_of(options.out);
   if (options.points && form != Form::kImage) {
-    std::fprintf(stderr, "weftlight: --points: write a picture, -o OUT.png or .tif\n");
-    return kUsage;
+    return fail(kUsage, tr("--points: write a picture, -o OUT.png or .tif"));
   }
   if (form == Form::kNone) {
-    std::fprintf(stderr, "weftlight: %s: a drawdown is written as .txt, .png, .jpg, .tif, .svg or .pdf\n",
-                 options.out.c_str());
-    return kUsage;
+    return fail(kUsage, fill(tr("{file}: a drawdown is written as .txt, .png, .jpg, .tif, .svg or .pdf"),
+                             arg("file", options.out)));
   }
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
@@ -54,14 +56,14 @@ int drawdown_command(const DrawdownOptions& options) {
   if (options.out.empty()) {
     const std::string text = as_text(cells);
     std::fwrite(text.data(), 1, text.size(), stdout);
-    return kDone;  // a stream that takes nothing is told of by the one who flushes it
+    return kDone;  // the caller flushes the stream and reports a full device
   }
   const Draft& draft = opened.design.draft;
   const std::string& out = options.out;
   const std::string error = form == Form::kText    ? write_file_atomically(out, as_text(cells))
                             : options.points       ? write_drawdown_points(out, cells)
-                            : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.way)
-                                                   : write_drawdown_drawing(out, cells, draft, options.way);
+                            : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.origin)
+                                                   : write_drawdown_drawing(out, cells, draft, options.origin);
   return error.empty() ? kDone : not_written(error);
 }
 

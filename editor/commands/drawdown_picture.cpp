@@ -7,42 +7,52 @@
 #include <memory>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "files/files.h"
 
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
-constexpr int64_t kMaxDrawn = 4'000'000;          // crossings of a drawing
-constexpr double kCellMm = 2, kLongestMm = 1000;  // of a drawing
+constexpr int64_t kMaxDrawn = 4'000'000;          // crossings in a vector drawing
+constexpr double kCellMm = 2, kLongestMm = 1000;  // in a vector drawing
 constexpr double kPointsPerMm = 72 / 25.4;
 
-const Rgb& color_at(const BitMatrix& cells, const Draft& draft, WayUp way, int x, int y) {
-  const int end = way.end1_left ? x : cells.cols() - 1 - x, pick = way.pick1_bottom ? cells.rows() - 1 - y : y;
+const Rgb& color_at(const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, int x, int y) {
+  const int end = origin.end1_left ? x : cells.cols() - 1 - x, pick = origin.pick1_bottom ? cells.rows() - 1 - y : y;
   const int color =
       cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)] : draft.weft.color[static_cast<size_t>(pick)];
   return draft.palette[static_cast<size_t>(color)];
 }
 
-/// Pixels a crossing: what makes the longer side about 1,024, from 1 to 16.
+/// Pixels per crossing, 1 to 16, so that the longer side is about 1,024.
 int cell_size(const BitMatrix& cells) {
   constexpr int kWanted = 1024, kLargest = 16;
   return std::clamp(kWanted / std::max({cells.rows(), cells.cols(), 1}), 1, kLargest);
 }
 
-std::string too_many(const std::string& path, const BitMatrix& cells, const char* instead) {
-  return path + ": " + std::to_string(cells.cols()) + " by " + std::to_string(cells.rows()) +
-         " crossings are too many for it; write " + instead + " instead";
+std::string too_many_for_image(const std::string& path, const BitMatrix& cells) {
+  return fill(tr("{file}: {ends} by {picks} crossings are too many for a picture; write text instead"),
+              arg("file", path), arg("ends", cells.cols()), arg("picks", cells.rows()));
 }
 
-/// Neighbours of one colour are one rectangle.
-void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, WayUp way, double cell) {
+std::string too_many_for_drawing(const std::string& path, const BitMatrix& cells) {
+  return fill(tr("{file}: {ends} by {picks} crossings are too many for a drawing; write a .png instead"),
+              arg("file", path), arg("ends", cells.cols()), arg("picks", cells.rows()));
+}
+
+/// Neighbours of the same colour in a row become one rectangle.
+void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, double cell) {
   cairo_set_antialias(pen, CAIRO_ANTIALIAS_NONE);  // no gaps between neighbours
   for (int y = 0; y < cells.rows(); ++y) {
     for (int x = 0; x < cells.cols();) {
-      const Rgb& color = color_at(cells, draft, way, x, y);
+      const Rgb& color = color_at(cells, draft, origin, x, y);
       int end = x + 1;
-      while (end < cells.cols() && color_at(cells, draft, way, end, y) == color) ++end;
+      while (end < cells.cols() && color_at(cells, draft, origin, end, y) == color) ++end;
       cairo_set_source_rgb(pen, static_cast<double>(color.r), static_cast<double>(color.g),
                            static_cast<double>(color.b));
       cairo_rectangle(pen, x * cell, y * cell, (end - x) * cell, cell);
@@ -54,14 +64,15 @@ void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, WayUp way, d
 
 }  // namespace
 
-std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way) {
-  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
+std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                 DrawdownOrigin origin) {
+  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   const int size = cell_size(cells);
   Image image{cells.cols() * size, cells.rows() * size, 3, {}};
   image.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const Rgb& c = color_at(cells, draft, way, x / size, y / size);
+      const Rgb& c = color_at(cells, draft, origin, x / size, y / size);
       image.texels.insert(image.texels.end(), {c.r, c.g, c.b});
     }
   }
@@ -69,7 +80,7 @@ std::string write_drawdown_image(const std::string& path, const BitMatrix& cells
 }
 
 std::string write_drawdown_points(const std::string& path, const BitMatrix& cells) {
-  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   Image image{cells.cols(), cells.rows(), 3, {}};
   image.texels.reserve(static_cast<size_t>(cells.cols()) * static_cast<size_t>(cells.rows()) * 3);
   for (int pick = 0; pick < cells.rows(); ++pick)
@@ -78,8 +89,9 @@ std::string write_drawdown_points(const std::string& path, const BitMatrix& cell
   return write_image(path, image, PixelType::kU8);
 }
 
-std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way) {
-  if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many(path, cells, "a .png");
+std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                   DrawdownOrigin origin) {
+  if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many_for_drawing(path, cells);
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
   return write_through(path, [&](const std::string& beside) -> std::string {
@@ -88,7 +100,7 @@ std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cel
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> sheet(
         create(beside.c_str(), cells.cols() * cell, cells.rows() * cell), cairo_surface_destroy);
     const std::unique_ptr<cairo_t, void (*)(cairo_t*)> pen(cairo_create(sheet.get()), cairo_destroy);
-    draw(pen.get(), cells, draft, way, cell);
+    draw(pen.get(), cells, draft, origin, cell);
     cairo_surface_finish(sheet.get());
     const cairo_status_t drawn = cairo_status(pen.get()), whole = cairo_surface_status(sheet.get());
     const cairo_status_t status = drawn != CAIRO_STATUS_SUCCESS ? drawn : whole;

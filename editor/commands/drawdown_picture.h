@@ -1,5 +1,5 @@
 #pragma once
-// The coloured drawdown as an image or as a drawing: each crossing in the colour of the thread on top.
+// The coloured drawdown as an image or as a vector drawing: each crossing has the colour of the thread on top.
 
 #include <string>
 
@@ -9,12 +9,14 @@
 
 namespace weftlight::commands {
 
-/// Into a .png, .jpg or .tif, the longer side about 1,024 pixels. Empty: done; else what went wrong.
-std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way);
-/// The same as a loom reads it: a pixel a crossing, black where the warp is on top. End 1 is at the right, pick 1 at
-/// the top, as pictures are read.
+/// Writes a .png, .jpg or .tif, its longer side about 1,024 pixels. Returns an error, or an empty string.
+std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                 DrawdownOrigin origin);
+/// The point paper of a Jacquard loom: one pixel per crossing, black where the warp is on top, end 1 at the right and
+/// pick 1 at the top.
 std::string write_drawdown_points(const std::string& path, const BitMatrix& cells);
-/// Into a .svg or .pdf, 2 mm a crossing, smaller where a side would pass a metre.
-std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way);
+/// Writes a .svg or .pdf with 2 mm per crossing; less if a side would be longer than a metre.
+std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                   DrawdownOrigin origin);
 
 }  // namespace weftlight::commands

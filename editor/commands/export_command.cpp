@@ -1,5 +1,5 @@
-// `export`: texture sets of many drafts for several targets in one call. A draft's failure never stops the others; what
-// failed is told together at the end.
+// `export`: texture sets of many drafts for several targets in one call. A draft that fails does not stop the others;
+// the failures are listed at the end.
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/loops.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "files/design_drape.h"
 #include "files/files.h"
@@ -24,18 +25,21 @@ namespace weftlight::commands {
 namespace {
 
 namespace fs = std::filesystem;
+using base::arg;
+using base::fill;
+using base::tr;
 
 constexpr auto kWatchStep = std::chrono::milliseconds(500);
 
 struct Job {
   std::string file, folder;
   TextureSetOptions options;
-  std::string form;         // of the folder
-  fs::file_time_type seen;  // of the file, before it was read
+  std::string form;         // template of the folder's name
+  fs::file_time_type time;  // of the file, before it was read
 };
 
-/// What the jobs share and add to.
-struct Run {
+/// State that all jobs share.
+struct ExportRun {
   const ExportOptions& options;
   const Mesh& mesh;
   std::mutex console;
@@ -45,7 +49,7 @@ struct Run {
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
-/// Files as they are; of folders every .wif within, in the order of their names.
+/// The files themselves, and every .wif below the folders, sorted by name.
 std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
   std::vector<std::string> out;
   std::error_code ec;
@@ -67,7 +71,7 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
   return out;
 }
 
-/// Time of the last change, ISO 8601; the same for the same file.
+/// Time of the last change of the file, ISO 8601.
 std::string changed(const std::string& path) {
   std::error_code ec;
   const auto time = fs::last_write_time(path, ec);
@@ -83,7 +87,7 @@ std::string changed(const std::string& path) {
   return text;
 }
 
-/// The folder's way from the output, by the template; no part of it leaves the output.
+/// The path of a set below the output folder, from the template. Parts that would leave the output are dropped.
 std::string folder_name(const std::string& form, const std::string& name, Target target, int size) {
   fs::path out;
   for (const fs::path& part :
@@ -96,7 +100,7 @@ std::string folder_of(const std::string& out, const std::string& form, const Tex
   return (fs::path(out) / folder_name(form, o.name, o.target, o.size)).string();
 }
 
-/// One folder a draft and target; drafts of the same name are numbered.
+/// One folder for each draft and target; drafts of the same name are numbered.
 std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
@@ -125,7 +129,7 @@ std::string write_archive(const Job& job, bool force) {
   std::error_code ec;
   const std::string path = job.folder + ".zip";
   if (!force && fs::exists(path, ec) && !lists_archive(job.folder)) {
-    return path + ": is not an archive of this set; move it away, or --force to replace it";
+    return fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"), arg("file", path));
   }
   std::vector<ZipEntry> entries;
   const std::string top = fs::path(job.folder).filename().string();
@@ -134,7 +138,7 @@ std::string write_archive(const Job& job, bool force) {
   return write_zip(path, entries, ZipKind::kPlain);
 }
 
-void tell(Run& run, int code, const std::string& problem) {
+void report(ExportRun& run, int code, const std::string& problem) {
   const std::lock_guard lock(run.console);
   for (int seen = run.worst; code > seen && !run.worst.compare_exchange_weak(seen, code);) {
   }
@@ -142,16 +146,17 @@ void tell(Run& run, int code, const std::string& problem) {
   run.failed.push_back(problem);
 }
 
-/// Of a shipped drape the limper or stiffer one; empty where the one that all drafts share is right.
-std::optional<Mesh> hung_by_its_cloth(const Run& run, Design design) {
+/// The limp or stiff version of a shipped drape, if the fabric asks for it; empty if the common one is right.
+std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
   design.scene.mesh = run.options.mesh;
   if (run.mesh.index.empty() || drape_key(design) == run.options.mesh) return {};
   return load_design_drape(design).mesh;
 }
 
-void run_job(Job job, Run& run) {
+void run_job(Job job, ExportRun& run) {
   const OpenedDesign opened = open_design(job.file);
-  if (!opened.ok) return tell(run, kBadInput, job.file + ": not exported: it cannot be read");
+  if (!opened.ok)
+    return report(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", job.file)));
   if (run.options.texels_per_mm > 0) {
     job.options.size = size_for(opened.design, run.options.texels_per_mm, job.options.tile_mm);
     job.folder = folder_of(run.options.out, job.form, job.options);
@@ -167,12 +172,15 @@ void run_job(Job job, Run& run) {
     std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
   }
   const bool had_archive = lists_archive(job.folder);
-  const std::optional<Mesh> hung = hung_by_its_cloth(run, opened.design);
+  const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
   std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(job.folder + ".zip")
-                            ? job.folder + ".zip: is not an archive of this set; move it away, or --force to replace it"
-                            : write_texture_set(job.folder, opened.design, hung ? *hung : run.mesh, job.options);
+                            ? fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"),
+                                   arg("file", job.folder + ".zip"))
+                            : write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options);
   if (problem.empty() && run.options.zip) problem = write_archive(job, true);
-  if (!problem.empty()) return tell(run, kNotWritten, job.file + ": not exported: " + problem);
+  if (!problem.empty())
+    return report(run, kNotWritten,
+                  fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem)));
   ++run.written;
   const std::lock_guard lock(run.console);
   std::printf("%s\n", job.folder.c_str());
@@ -180,34 +188,30 @@ void run_job(Job job, Run& run) {
 }
 
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
-  Run run{options, mesh, {}, kDone, 0, 0, {}};
+  ExportRun run{options, mesh, {}, kDone, 0, 0, {}};
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) { run_job(jobs[static_cast<size_t>(j)], run); });
   if (jobs.size() > 1) {
-    std::fprintf(stderr, "weftlight: %d sets written, %d were complete, %zu failed\n", run.written.load(),
-                 run.kept.load(), run.failed.size());
+    print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),
+                       arg("written", run.written.load()), arg("complete", run.kept.load()),
+                       arg("failed", run.failed.size())));
     for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());
   }
   return run.worst;
 }
 
-/// Exports again whatever changes since its job was made, until the program is ended.
+/// Exports a draft again whenever its file changes, until the program is ended.
 void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh) {
-  std::fprintf(stderr, "weftlight: watching %zu sets; Ctrl+C ends\n", jobs.size());
+  print_problem(fill(tr("watching {count} sets; Ctrl+C ends"), arg("count", jobs.size())));
   while (true) {
     std::this_thread::sleep_for(kWatchStep);
     std::vector<Job> changed_jobs;
     for (Job& job : jobs) {
       std::error_code ec;
       const auto now = fs::last_write_time(job.file, ec);
-      if (!ec && now != job.seen) job.seen = now, changed_jobs.push_back(job);
+      if (!ec && now != job.time) job.time = now, changed_jobs.push_back(job);
     }
     if (!changed_jobs.empty()) run_all(changed_jobs, options, mesh);
   }
-}
-
-int usage(const std::string& what) {
-  std::fprintf(stderr, "weftlight: %s\n", what.c_str());
-  return kUsage;
 }
 
 }  // namespace
@@ -216,22 +220,23 @@ int export_command(const ExportOptions& options) {
   std::vector<Target> targets;
   for (const std::string& name : options.targets) {
     const std::optional<Target> target = target_named(name);
-    if (!target) return usage("there is no target '" + name + "'");
+    if (!target) return fail(kUsage, fill(tr("there is no target '{name}'"), arg("name", name)));
     if (std::find(targets.begin(), targets.end(), *target) == targets.end()) targets.push_back(*target);
   }
   if (!is_power_of_two(options.size) || options.size < 16 || options.size > 8192)
-    return usage("--size " + std::to_string(options.size) + ": give a power of two from 16 to 8192");
+    return fail(kUsage, fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
-    return usage("--name " + options.name + ": several targets need {target} in it");
+    return fail(kUsage, fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
   const bool mesh_wanted = std::any_of(targets.begin(), targets.end(), needs_mesh);
   const ReadMesh mesh = mesh_wanted ? load_drape(options.mesh) : ReadMesh{Mesh{}, {}};
   if (!mesh.mesh) {
-    std::fprintf(stderr, "weftlight: --mesh: %s\n", mesh.error.c_str());
-    return kBadInput;
+    return fail(kBadInput, fill(tr("--mesh: {problem}"), arg("problem", mesh.error)));
   }
   const std::vector<Job> jobs = jobs_of(options, targets);
   if (jobs.empty()) {
-    std::fprintf(stderr, "%s: there is no .wif in it; give drafts or a folder of drafts\n", options.files[0].c_str());
+    const std::string line =
+        fill(tr("{file}: there is no .wif in it; give drafts or a folder of drafts"), arg("file", options.files[0]));
+    std::fprintf(stderr, "%s\n", line.c_str());
     return kBadInput;
   }
   const int code = run_all(jobs, options, *mesh.mesh);

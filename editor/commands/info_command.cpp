@@ -1,17 +1,24 @@
-// `info`: what a draft is, for people or as JSON.
+// `info`: the properties of a draft as text or as JSON.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "analysis/floats.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "draft/repeat.h"
 
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
+/// For JSON; tr() of it for people.
 const char* severity_name(Severity severity) {
-  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
+  return severity == Severity::kError ? mark("error") : severity == Severity::kWarning ? mark("warning") : mark("note");
 }
 
 nlohmann::ordered_json as_json(const OpenedDesign& opened, const LongestFloats& floats, const Repeat& repeat) {
@@ -41,23 +48,33 @@ nlohmann::ordered_json as_json(const OpenedDesign& opened, const LongestFloats& 
 void print_text(const std::string& path, const OpenedDesign& opened, const LongestFloats& floats,
                 const Repeat& repeat) {
   const Draft& draft = opened.design.draft;
-  if (!opened.design.title.empty()) std::printf("title           %s\n", opened.design.title.c_str());
-  if (!opened.file.source_program.empty()) std::printf("source program  %s\n", opened.file.source_program.c_str());
-  std::printf("ends            %d\npicks           %d\nshafts          %d\ntreadles        %d\n", draft.ends(),
-              draft.picks(), draft.shafts, draft.treadles);
-  std::printf("shed            %s\n", draft.rising ? "rising" : "sinking");
-  std::printf("driven by       %s\n",
-              draft.shed_control == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
-  std::printf("longest float   warp %d front, %d back; weft %d front, %d back\n", floats.warp_front, floats.warp_back,
-              floats.weft_front, floats.weft_back);
-  std::printf("repeat          %d ends, %d picks\n", repeat.ends, repeat.picks);
+  if (!opened.design.title.empty()) print_row(tr("title"), opened.design.title);
+  if (!opened.file.source_program.empty()) print_row(tr("source program"), opened.file.source_program);
+  print_row(tr("ends"), std::to_string(draft.ends()));
+  print_row(tr("picks"), std::to_string(draft.picks()));
+  print_row(tr("shafts"), std::to_string(draft.shafts));
+  print_row(tr("treadles"), std::to_string(draft.treadles));
+  print_row(tr("shed"), draft.rising ? tr("rising") : tr("sinking"));
+  const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
+  print_row(tr("shed control"), liftplan ? tr("liftplan") : tr("tie-up and treadling"));
+  print_row(tr("longest float"), longest_float_text(floats));
+  print_row(tr("repeat"), fill(tr("{ends} ends, {picks} picks"), arg("ends", repeat.ends), arg("picks", repeat.picks)));
   for (const Diagnostic& d : opened.diagnostics) {
-    const std::string place = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
-    std::printf("%s: %s: %s; %s\n", place.c_str(), severity_name(d.severity), d.text.c_str(), d.remedy.c_str());
+    const std::string file = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
+    const std::string line =
+        fill(tr("{file}: {severity}: {problem}; {remedy}"), arg("file", file),
+             arg("severity", tr(severity_name(d.severity))), arg("problem", d.text), arg("remedy", d.remedy));
+    std::printf("%s\n", line.c_str());
   }
 }
 
 }  // namespace
+
+std::string longest_float_text(const LongestFloats& floats) {
+  return fill(tr("warp {warp_front} front, {warp_back} back; weft {weft_front} front, {weft_back} back"),
+              arg("warp_front", floats.warp_front), arg("warp_back", floats.warp_back),
+              arg("weft_front", floats.weft_front), arg("weft_back", floats.weft_back));
+}
 
 int info_command(const InfoOptions& options) {
   const OpenedDesign opened = open_design(options.file);

@@ -1,18 +1,41 @@
 #include <cstdio>
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "files/picture_draft.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::commands {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 void print_diagnostic(const std::string& path, const Diagnostic& d) {
-  const std::string place = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
-  std::fprintf(stderr, "%s: %s%s; %s\n", place.c_str(),
-               d.severity == Severity::kError ? "" : "warning: ", d.text.c_str(), d.remedy.c_str());
+  const std::string file = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
+  const char* form =
+      d.severity == Severity::kError ? tr("{file}: {problem}; {remedy}") : tr("{file}: warning: {problem}; {remedy}");
+  const std::string line = fill(form, arg("file", file), arg("problem", d.text), arg("remedy", d.remedy));
+  std::fprintf(stderr, "%s\n", line.c_str());
 }
 
-int not_written(const std::string& why) {
-  std::fprintf(stderr, "%s; choose another place\n", why.c_str());
+void print_row(const std::string& label, const std::string& value) {
+  constexpr size_t kColumn = 16;  // characters
+  size_t width = 0;
+  for (const char c : label) width += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;  // the heads of UTF-8
+  const std::string gap(width < kColumn ? kColumn - width : 1, ' ');
+  std::printf("%s%s%s\n", label.c_str(), gap.c_str(), value.c_str());
+}
+
+void print_problem(const std::string& problem) { std::fprintf(stderr, "weftlight: %s\n", problem.c_str()); }
+
+int fail(int code, const std::string& problem) {
+  print_problem(problem);
+  return code;
+}
+
+int not_written(const std::string& problem) {
+  std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another place"), arg("problem", problem)).c_str());
   return kNotWritten;
 }
 
@@ -20,7 +43,9 @@ OpenedDesign open_design(const std::string& path, bool print_warnings, const fil
   OpenedDesign result;
   const FileBytes file = read_file(path);
   if (!file.error.empty()) {
-    std::fprintf(stderr, "%s: %s; give the path of a draft\n", path.c_str(), file.error.c_str());
+    const std::string line =
+        fill(tr("{file}: {problem}; give the path of a draft"), arg("file", path), arg("problem", file.error));
+    std::fprintf(stderr, "%s\n", line.c_str());
     return result;
   }
   WifRead read = is_picture(path) ? read_picture_draft(path, picture) : read_draft(file.bytes);

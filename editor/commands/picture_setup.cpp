@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/text.h"
 #include "draft/lights.h"
 #include "files/design_drape.h"
 #include "files/files.h"
@@ -14,9 +15,13 @@
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-void take_options(Design& design, const PictureOptions& o) {
+void apply_options(Design& design, const PictureOptions& o) {
   Scene& scene = design.scene;
   if (!o.mesh.empty()) scene.mesh = o.mesh;
   if (o.simulated_drape) scene.simulated_drape = true;
@@ -33,39 +38,32 @@ void take_options(Design& design, const PictureOptions& o) {
   if (!o.method.empty()) design.look.method = method_from_name(o.method).value_or(Method::kAuto);
 }
 
-/// The cloth's own drape, where the scene asks for it and it is not kept yet.
+/// Simulates this fabric's drape if the scene asks for it and it is not cached yet.
 void drape(const Design& design, StatusLine& status) {
   if (!design.scene.simulated_drape || !can_drape(design) || is_draped(design)) return;
-  const std::string problem = drape_cloth(design, [&status](double share) {
-    status.say("draping, " + std::to_string(static_cast<int>(100 * share)) + " %");
+  const std::string problem = drape_cloth(design, [&status](double done) {
+    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * done))));
     return true;
   });
   status.clear();
   if (!problem.empty())
-    std::fprintf(stderr, "weftlight: warning: %s; drawn as cloths of its kind hang\n", problem.c_str());
+    print_problem(fill(tr("warning: {problem}; the generic drape is drawn instead"), arg("problem", problem)));
 }
 
 std::string no_view_text(const Design& design, const std::string& name) {
-  std::string text = "no view is called '" + name + "'; there are ";
-  const std::vector<std::string> names = view_names(design);
-  for (size_t i = 0; i < names.size(); ++i)
-    text.append(i == 0 ? "" : i + 1 == names.size() ? " and " : ", ").append(names[i]);
-  return text;
+  std::string names;
+  for (const std::string& one : view_names(design)) names.append(names.empty() ? "" : ", ").append(one);
+  return fill(tr("no view is called '{name}'; the views are {names}"), arg("name", name), arg("names", names));
 }
 
 }  // namespace
 
-int fail(int code, const std::string& what) {
-  std::fprintf(stderr, "weftlight: %s\n", what.c_str());
-  return code;
-}
-
 int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
-    return fail(kUsage, o.out + ": the picture must be a .png or an .exr");
+    return fail(kUsage, fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
   }
   if (const std::string why = o.turntable > 0 ? "" : why_not_writable(o.out); !why.empty()) return not_written(why);
-  status.say("reading " + o.file);
+  status.show(fill(tr("reading {file}"), arg("file", o.file)));
   OpenedDesign opened = open_design(o.file);
   status.clear();
   if (!opened.ok) return kBadInput;
@@ -73,22 +71,23 @@ int PictureSetup::open(const PictureOptions& o) {
   if (!o.view_name.empty()) {
     const std::optional<NamedView> view =
         view_named(design, o.view_name, static_cast<float>(o.width), static_cast<float>(o.height));
-    if (!view) return fail(kUsage, o.file + ": " + no_view_text(design, o.view_name));
+    if (!view)
+      return fail(kUsage, fill(tr("{file}: {problem}"), arg("file", o.file),
+                               arg("problem", no_view_text(design, o.view_name))));
     design.scene = drawn_scene(*view);
   }
-  take_options(design, o);
+  apply_options(design, o);
   drape(design, status);
   std::string error;
   context = HeadlessContext::create(error);
   if (context) renderer = Renderer::create(error);
-  if (!renderer) return fail(kNoGraphics, "no graphics: " + error);
-  if (const std::string& problem = renderer->lod_table_problem(); !problem.empty())
-    std::fprintf(stderr, "weftlight: %s\n", problem.c_str());
+  if (!renderer) return fail(kNoGraphics, fill(tr("no graphics: {problem}"), arg("problem", error)));
+  if (const std::string& problem = renderer->lod_table_problem(); !problem.empty()) print_problem(problem);
   const Draft& d = design.draft;
-  status.say("weaving " + std::to_string(d.ends()) + " ends by " + std::to_string(d.picks()) + " picks");
+  status.show(fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks())));
   error = upload_once(std::make_shared<const Design>(design), *renderer);
   status.clear();
-  for (const std::string& remark : renderer->light_remarks()) std::fprintf(stderr, "weftlight: %s\n", remark.c_str());
+  for (const std::string& remark : renderer->light_remarks()) print_problem(remark);
   return error.empty() ? kDone : fail(kBadInput, error);
 }
 
@@ -105,7 +104,7 @@ bool writes_linear(const std::string& path) { return extension_of(path) == ".exr
 
 std::string write_picture(const std::string& path, const Image& image) {
   if (writes_linear(path)) return write_image(path, image, PixelType::kHalf);
-  // The picture is opaque: a PNG without alpha is smaller and reads everywhere.
+  // The picture is opaque, and a PNG without alpha is smaller and read by every program.
   Image rgb{image.width, image.height, 3, {}};
   rgb.texels.reserve(image.texels.size() / 4 * 3);
   for (size_t i = 0; i < image.texels.size(); i += 4) {

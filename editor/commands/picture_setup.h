@@ -1,6 +1,6 @@
 #pragma once
-// What `render` and `reference` share: the design with the command line's options in it, the renderer with
-// everything uploaded, and the file that comes out.
+// Shared by `render` and `reference`: the design with the options of the command line applied, the renderer with the
+// design uploaded, and the output file.
 
 #include <memory>
 #include <string>
@@ -13,24 +13,21 @@
 
 namespace weftlight::commands {
 
-/// Prints "weftlight: what" and gives the code back.
-int fail(int code, const std::string& what);
-
 struct PictureSetup {
   Design design;
   std::unique_ptr<HeadlessContext> context;  // outlives the renderer
   std::unique_ptr<Renderer> renderer;
 
-  StatusLine status;  // what it is at, on a terminal
+  StatusLine status;
 
-  /// An exit code of the contract; what went wrong is printed.
+  /// Returns an exit code of the contract; problems are printed.
   int open(const PictureOptions& options);
   Frame frame(const PictureOptions& options) const;
 };
 
-/// .exr holds scene-linear values, .png the finished picture.
+/// True for .exr, which holds scene-linear values; a .png is tone mapped.
 bool writes_linear(const std::string& path);
-/// Empty: done; else what went wrong.
+/// Returns an error, or an empty string.
 std::string write_picture(const std::string& path, const Image& image);
 
 }  // namespace weftlight::commands

@@ -1,28 +1,36 @@
-// `print`: the draft on paper, as PDF, SVG or PNG; a sheet a file where the format holds one.
+// `print`: the draft on paper, as PDF, SVG or PNG. SVG and PNG hold one sheet per file.
 
 #include <cstdio>
 #include <filesystem>
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "print/print.h"
 
 namespace weftlight::commands {
 
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 int print_command(const PrintCommand& options) {
   const bool pdf = options.out.ends_with(".pdf"), svg = options.out.ends_with(".svg");
   if (!pdf && !svg && !options.out.ends_with(".png")) {
-    std::fprintf(stderr, "%s: this cannot be printed to; give a name that ends in .pdf, .svg or .png\n",
-                 options.out.c_str());
+    const std::string line = fill(tr("{file}: not a format for print; give a name that ends in .pdf, .svg or .png"),
+                                  arg("file", options.out));
+    std::fprintf(stderr, "%s\n", line.c_str());
     return kUsage;
   }
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
   const auto format = pdf ? print::PrintFormat::kPdf : svg ? print::PrintFormat::kSvg : print::PrintFormat::kPng;
-  print::PrintOptions how = options.options;
-  how.name = std::filesystem::path(options.file).stem().string();
-  const print::Printed printed = print::printed(opened.design, format, how);
+  print::PrintOptions named = options.options;
+  named.name = std::filesystem::path(options.file).stem().string();
+  const print::Printed printed = print::printed(opened.design, format, named);
   if (!printed.why.empty()) {
-    std::fprintf(stderr, "%s: %s\n", options.file.c_str(), printed.why.c_str());
+    const std::string line = fill(tr("{file}: {problem}"), arg("file", options.file), arg("problem", printed.why));
+    std::fprintf(stderr, "%s\n", line.c_str());
     return kBadInput;
   }
   for (size_t i = 0; i < printed.files.size(); ++i) {
@@ -30,7 +38,8 @@ int print_command(const PrintCommand& options) {
     const std::string error = write_file_atomically(path, printed.files[i]);
     if (!error.empty()) return not_written(error);
   }
-  std::printf("%d sheets\n", printed.sheets);
+  const std::string line = fill(tr_n("{count} sheet", "{count} sheets", printed.sheets), arg("count", printed.sheets));
+  std::printf("%s\n", line.c_str());
   return kDone;
 }
 

@@ -1,6 +1,7 @@
-// `weftlight reference`: the picture of `render` with the cloth ray traced thread by thread. Ground, backdrop
-// and the form under the cloth are those of the preview, so that only the cloth differs.
+// `weftlight reference`: the picture of `render`, with the threads of the cloth ray traced. The ground, the backdrop
+// and the body under the cloth are drawn by the renderer, so that only the cloth differs.
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
 #include "render_data/reference_scene.h"
@@ -8,12 +9,16 @@
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 Progress progress_on(StatusLine& status) {
-  return [&status, last = -1](float share) mutable {
-    const int percent = static_cast<int>(share * 100);
+  return [&status, last = -1](float done) mutable {
+    const int percent = static_cast<int>(done * 100);
     if (percent == last) return;
     last = percent;
-    status.say("tracing: " + std::to_string(percent) + " %");
+    status.show(fill(tr("tracing: {percent} %"), arg("percent", percent)));
   };
 }
 
@@ -35,7 +40,7 @@ int reference_command(const PictureOptions& o) {
   const Design& design = setup.design;
   ReferenceScene scene;
   std::string error = scene.update(design);
-  if (!error.empty()) return fail(kBadInput, o.file + ": " + error);
+  if (!error.empty()) return fail(kBadInput, fill(tr("{file}: {problem}"), arg("file", o.file), arg("problem", error)));
 
   Frame frame = setup.frame(o);
   frame.cloth = false;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "commands/picture_setup.h"
 #include "light/lod_table.h"
 #include "render_data/method_weights.h"
@@ -12,6 +13,10 @@
 
 namespace weftlight::commands {
 namespace {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 std::string write_stats(const std::string& path, const FrameStats& stats, float tolerance, const PictureOptions& o) {
   const nlohmann::json json{{"method", method_name(stats.method)},
@@ -28,7 +33,7 @@ std::string write_stats(const std::string& path, const FrameStats& stats, float 
   return write_file_atomically(path, json.dump(2) + "\n");
 }
 
-/// PICTURE_001.png of PICTURE.png.
+/// "picture_001.png" from "picture.png" and 1.
 std::string numbered(const std::string& path, int number) {
   const std::filesystem::path p(path);
   char digits[16];
@@ -36,13 +41,13 @@ std::string numbered(const std::string& path, int number) {
   return (p.parent_path() / (p.stem().string() + digits + p.extension().string())).string();
 }
 
-/// One turn of the view around what is seen, in even steps from where it stands.
+/// Draws one full turn of the view around its target, in even steps from its present azimuth.
 int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
   const Frame frame = setup.frame(o);
   Scene scene = setup.design.scene;
   const float from = scene.view_azimuth;
   for (int k = 0; k < o.turntable; ++k) {
-    setup.status.say("drawing picture " + std::to_string(k + 1) + " of " + std::to_string(o.turntable));
+    setup.status.show(fill(tr("drawing picture {number} of {count}"), arg("number", k + 1), arg("count", o.turntable)));
     scene.view_azimuth =
         std::remainder(from + 360.0f * static_cast<float>(k) / static_cast<float>(o.turntable), 360.0f);
     setup.renderer->draw(scene, setup.design.look, frame);
@@ -60,14 +65,14 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
   return kDone;
 }
 
-/// Draws once to have the programs compiled, and once to see what this machine takes.
+/// Sets the tolerance that fits the budget. The first draw compiles the programs, the second one is timed.
 void keep_within(double budget_ms, PictureSetup& setup, Frame frame) {
   Look& look = setup.design.look;
   look.tolerance = kCoarsestTolerance;
   frame.timed = true;
   for (int k = 0; k < 2; ++k) setup.renderer->draw(setup.design.scene, look, frame);
-  const float held = setup.renderer->tolerance_within(static_cast<float>(budget_ms));
-  if (held > 0) look.tolerance = held;
+  const float tolerance = setup.renderer->tolerance_within(static_cast<float>(budget_ms));
+  if (tolerance > 0) look.tolerance = tolerance;
 }
 
 }  // namespace
@@ -75,21 +80,21 @@ void keep_within(double budget_ms, PictureSetup& setup, Frame frame) {
 int render_command(const PictureOptions& o) {
   PictureSetup setup;
   if (o.turntable > 0 && !o.stats.empty())
-    return fail(kUsage, "--stats is of one picture: leave it or --turntable out");
+    return fail(kUsage, tr("--stats is for one picture; leave it or --turntable out"));
   if (const int code = setup.open(o); code != kDone) return code;
   if (o.budget_ms > 0) keep_within(o.budget_ms, setup, setup.frame(o));
   if (o.turntable > 0) return draw_turntable(setup, o);
-  const Method asked = setup.design.look.method;
+  const Method requested = setup.design.look.method;
   Frame frame = setup.frame(o);
   frame.timed = !o.stats.empty();
-  setup.status.say("drawing " + std::to_string(o.width) + " x " + std::to_string(o.height) + " pixels");
+  setup.status.show(fill(tr("drawing {width} x {height} pixels"), arg("width", o.width), arg("height", o.height)));
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   setup.status.clear();
   if (!stats.problem.empty()) return fail(kNoGraphics, stats.problem);
-  if (asked != Method::kAuto && asked != stats.method) {
-    std::fprintf(stderr, "weftlight: drawn by %s, the nearest method that is there\n",
-                 std::string(method_name(stats.method)).c_str());
+  if (requested != Method::kAuto && requested != stats.method) {
+    print_problem(fill(tr("drawn with the method {method}, the closest one available"),
+                       arg("method", std::string(method_name(stats.method)))));
   }
   std::string error = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
   if (error.empty() && !o.stats.empty()) error = write_stats(o.stats, stats, setup.design.look.tolerance, o);

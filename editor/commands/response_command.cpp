@@ -1,11 +1,12 @@
-// `weftlight response`: what the flat cloth sends back from afar under one directional light, as a table. `cloth` is
-// worked out on the processor, `reference` by tracing rays, the other methods are drawn as patches.
+// `weftlight response`: the far-field radiance of the flat cloth under one directional light, as a table. The method
+// `cloth` is evaluated on the CPU, `reference` is ray traced, the others are drawn as patches by the renderer.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
 #include "draft/methods.h"
@@ -19,9 +20,13 @@
 namespace weftlight::commands {
 namespace {
 
-constexpr int kTracedPixels = 32;  // along a side of the period, each with `spp` rays
-constexpr int kDrawnPixels = 8;    // along a side of a patch
-constexpr float kDrawnYarns = 8;   // across a pixel, at the least
+using base::arg;
+using base::fill;
+using base::tr;
+
+constexpr int kTracedPixels = 32;  // along each side of the repeat, each with `spp` rays
+constexpr int kDrawnPixels = 8;    // along each side of a patch
+constexpr float kDrawnYarns = 8;   // least number of yarns across a pixel
 
 struct Directions {
   bool warp = true;  // the plane of incidence holds the warp
@@ -44,7 +49,7 @@ glm::vec3 unit(bool warp, double degrees) {
   return warp ? glm::vec3(0, side, up) : glm::vec3(side, 0, up);
 }
 
-/// One value a direction; none with `error` set.
+/// One value for each direction; empty after an error.
 using Radiances = std::vector<glm::vec3>;
 
 Cloth one_face(const Design& design, Face face) {
@@ -52,11 +57,11 @@ Cloth one_face(const Design& design, Face face) {
   return face_cloth(design, cells, face, Period::kRepeat);
 }
 
-Radiances worked_out(const Cloth& cloth, const std::vector<Directions>& directions) {
-  const FarField answer = far_field(cloth);
+Radiances evaluated(const Cloth& cloth, const std::vector<Directions>& directions) {
+  const FarField far = far_field(cloth);
   Radiances out;
   for (const Directions& d : directions)
-    out.push_back(radiance_from_afar(answer, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
+    out.push_back(radiance_from_afar(far, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
   return out;
 }
 
@@ -82,9 +87,9 @@ Radiances traced(const Cloth& cloth, const ResponseOptions& o, const std::vector
 FlatPatch far_patch(const PackedCloth& packed, Face face) {
   FlatPatch patch;
   patch.width = patch.height = kDrawnPixels;
-  const float least = kDrawnYarns * packed.mean_spacing_mm;
-  // Whole periods, so that no part of one counts twice.
-  const auto side = [&](float period) { return period * std::max(1.0f, std::ceil(least * kDrawnPixels / period)); };
+  const float pixel_mm = kDrawnYarns * packed.mean_spacing_mm;
+  // Whole repeats, so that every part has the same weight.
+  const auto side = [&](float period) { return period * std::max(1.0f, std::ceil(pixel_mm * kDrawnPixels / period)); };
   patch.step_x_mm = {side(packed.width_mm) / kDrawnPixels, 0};
   patch.step_y_mm = {0, side(packed.depth_mm) / kDrawnPixels};
   patch.face = face;
@@ -138,17 +143,19 @@ int response_command(const ResponseOptions& o) {
   const OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
-    return fail(kBadInput, o.file + ": the draft has no threads: give it at least one end and one pick");
+    return fail(kBadInput, fill(tr("{file}: the draft has no threads; give it at least one end and one pick"),
+                                arg("file", o.file)));
   }
   const std::vector<Directions> directions = directions_of(o);
   std::string error;
   Radiances radiances;
-  if (o.method == "cloth") radiances = worked_out(one_face(opened.design, o.face), directions);
+  if (o.method == "cloth") radiances = evaluated(one_face(opened.design, o.face), directions);
   else if (o.method == "reference") radiances = traced(one_face(opened.design, o.face), o, directions, error);
   else radiances = drawn(opened.design, o, directions, error);
   if (radiances.size() != directions.size()) {
-    return o.method == "reference" ? fail(kBadInput, o.file + ": " + error)
-                                   : fail(kNoGraphics, "no graphics: " + error);
+    return o.method == "reference"
+               ? fail(kBadInput, fill(tr("{file}: {problem}"), arg("file", o.file), arg("problem", error)))
+               : fail(kNoGraphics, fill(tr("no graphics: {problem}"), arg("problem", error)));
   }
   error = write_file_atomically(o.out, as_csv(directions, radiances));
   return error.empty() ? kDone : not_written(error);

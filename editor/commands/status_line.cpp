@@ -10,12 +10,12 @@ StatusLine::StatusLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 StatusLine::~StatusLine() { clear(); }
 
-void StatusLine::say(const std::string& what) {
+void StatusLine::show(const std::string& text) {
   if (!terminal_) return;
   clear();
-  std::fprintf(stderr, "%s", what.c_str());
+  std::fprintf(stderr, "%s", text.c_str());
   std::fflush(stderr);
-  width_ = what.size();
+  width_ = text.size();
 }
 
 void StatusLine::clear() {

@@ -1,5 +1,5 @@
 #pragma once
-// What a slow command is at, on a terminal alone: one line that each word replaces and the end takes away.
+// Progress of a slow command on one line of stderr, only if that is a terminal. Each text replaces the one before.
 
 #include <string>
 
@@ -11,12 +11,12 @@ class StatusLine {
   ~StatusLine();
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
-  void say(const std::string& what);
+  void show(const std::string& text);
   void clear();
 
  private:
   bool terminal_;
-  size_t width_ = 0;  // of what stands there
+  size_t width_ = 0;  // bytes of the text that is shown
 };
 
 }  // namespace weftlight::commands

@@ -1,7 +1,9 @@
-// `weave`: a draft from the table of weaves, or over some threads of a draft.
+// `weave`: a draft from the table of weaves.
 
+#include <algorithm>
 #include <cstdio>
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "draft/edits.h"
 #include "draft/generators/table.h"
@@ -9,29 +11,41 @@
 namespace weftlight::commands {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
+/// "(2 to 32)", "(own, point)", or nothing for a text.
+std::string range_text(const WeaveParameter& parameter) {
+  if (parameter.kind == ParameterKind::kCount)
+    return fill(tr("({low} to {high})"), arg("low", parameter.low), arg("high", parameter.high));
+  std::string choices;
+  for (const char* choice : parameter.choices) choices.append(choices.empty() ? "" : ", ").append(choice);
+  return choices.empty() ? "" : "(" + choices + ")";
+}
+
 void print_kind(const WeaveKind& kind) {
-  std::printf("%-18s %s: %s\n", kind.id, kind.name, kind.description);
-  for (const WeaveParameter& n : kind.parameters) {
-    std::printf("  --set %s=%s", n.id, n.default_value);
-    if (n.kind == ParameterKind::kCount) std::printf("  (%d to %d)", n.low, n.high);
-    for (size_t i = 0; i < n.choices.size(); ++i) std::printf(i == 0 ? "  (%s" : ", %s", n.choices[i]);
-    std::printf("%s  %s\n", n.choices.empty() ? "" : ")", n.tip);
+  std::printf("%-18s %s: %s\n", kind.id, tr(kind.name), tr(kind.description));
+  for (const WeaveParameter& parameter : kind.parameters) {
+    const std::string range = range_text(parameter);
+    std::printf("  --set %s=%s%s%s  %s\n", parameter.id, parameter.default_value, range.empty() ? "" : "  ",
+                range.c_str(), tr(parameter.tip));
   }
 }
 
-/// False, with a line on stderr, when one is not of the form ID=VALUE or names no number of the weave.
-bool take_values(const WeaveKind& kind, const std::vector<std::string>& set, WeaveValues& values) {
+bool has_parameter(const WeaveKind& kind, const std::string& id) {
+  return std::any_of(kind.parameters.begin(), kind.parameters.end(),
+                     [&id](const WeaveParameter& parameter) { return id == parameter.id; });
+}
+
+/// False, with a line on stderr, if an entry is not of the form ID=VALUE or names no parameter of the weave.
+bool read_values(const WeaveKind& kind, const std::vector<std::string>& set, WeaveValues& values) {
   for (const std::string& one : set) {
     const size_t equals = one.find('=');
     const std::string id = one.substr(0, equals);
-    bool known = equals != std::string::npos;
-    if (known) {
-      known = false;
-      for (const WeaveParameter& n : kind.parameters) known = known || id == n.id;
-    }
-    if (!known) {
-      std::fprintf(stderr, "weftlight: --set %s: the weave %s has no such number; see weftlight weave --list\n",
-                   one.c_str(), kind.id);
+    if (equals == std::string::npos || !has_parameter(kind, id)) {
+      fail(kUsage, fill(tr("--set {value}: the weave {weave} has no such parameter; see weftlight weave --list"),
+                        arg("value", one), arg("weave", kind.id)));
       return false;
     }
     values.emplace_back(id, one.substr(equals + 1));
@@ -48,16 +62,19 @@ int weave_command(const WeaveOptions& options) {
   }
   const WeaveKind* kind = find_weave(options.weave);
   if (!kind || options.out.empty()) {
-    std::fprintf(stderr, "weftlight: %s; see weftlight weave --list\n",
-                 kind ? "give a name for the draft with -o" : "there is no such weave");
-    return kUsage;
+    return fail(kUsage, kind ? tr("give a name for the draft with -o; see weftlight weave --help")
+                             : tr("there is no such weave; see weftlight weave --list"));
   }
   WeaveValues values;
-  if (!take_values(*kind, options.set, values)) return kUsage;
-  GeneratedWeave made = new_draft(*kind, values, {options.ends, options.picks});
-  made.design.title = kind->name;
-  if (!made.why.empty()) std::fprintf(stderr, "%s: warning: %s\n", options.out.c_str(), made.why.c_str());
-  const std::string error = write_file_atomically(options.out, write_new_wif(made.design));
+  if (!read_values(*kind, options.set, values)) return kUsage;
+  GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
+  generated.design.title = kind->name;
+  if (!generated.why.empty()) {
+    const std::string line =
+        fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", generated.why));
+    std::fprintf(stderr, "%s\n", line.c_str());
+  }
+  const std::string error = write_file_atomically(options.out, write_new_wif(generated.design));
   return error.empty() ? kDone : not_written(error);
 }
 

@@ -25,6 +25,17 @@ TEST(Resources, a_variable_decides) {
   ASSERT_EQ(::setenv("WEFTLIGHT_SHADERS", "", 1), 0);
   EXPECT_NE(shaders_dir(), "");
   ::unsetenv("WEFTLIGHT_SHADERS");
+  ASSERT_EQ(::setenv("WEFTLIGHT_LANGUAGES", "/elsewhere", 1), 0);
+  EXPECT_EQ(languages_dir(), "/elsewhere");
+  ::unsetenv("WEFTLIGHT_LANGUAGES");
+}
+
+TEST(Resources, languages_lie_beside_a_program_in_its_build_folder) {
+  const fs::path languages = fs::read_symlink("/proc/self/exe").parent_path() / "languages";
+  const bool there = fs::exists(languages);
+  fs::create_directory(languages);
+  EXPECT_EQ(fs::path(languages_dir()), languages);
+  if (!there) fs::remove(languages);
 }
 
 TEST(Fonts, only_of_the_family_that_is_asked_for) {

@@ -29,8 +29,9 @@ float farthest(const Mesh& a, const Mesh& b) {
 }
 
 TEST_F(OwnDrape, is_drawn_kept_and_written) {
-  const std::vector<std::string> line{"render", draft_,  "--mesh",    "cushion", "--own-drape", "-o", path("a.png"),
-                                      "--size", "48x32", "--samples", "1"};
+  const std::vector<std::string> line{"render", draft_,        "--mesh", "cushion", "--simulate-drape",
+                                      "-o",     path("a.png"), "--size", "48x32",   "--samples",
+                                      "1"};
   const Ran drawn = run(line);
   if (drawn.code == kNoGraphics) GTEST_SKIP() << drawn.said;
   ASSERT_EQ(drawn.code, kDone) << drawn.said;
@@ -49,6 +50,17 @@ TEST_F(OwnDrape, is_drawn_kept_and_written) {
   EXPECT_LT(farthest(*load_design_drape(design).mesh, *own.mesh), 0.01f) << "the one that is drawn";
   EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "not as its kind hangs";
   for (const glm::vec3& place : own.mesh->position_mm) ASSERT_GT(place.y, -0.5f);
+}
+
+TEST_F(OwnDrape, options_keep_their_earlier_names) {
+  for (const char* option : {"--simulate-drape", "--own-drape"})
+    EXPECT_EQ(run({"render", draft_, option, "-o", path("none/a.png")}).code, kNotWritten) << option;
+  for (const char* option : {"--stiffness", "--hang"})
+    EXPECT_EQ(run({"drape", "plane", option, "stiff", "-o", path("none/a.glb")}).code, kNotWritten) << option;
+  const std::string help = run({"render", "--help"}).out + run({"drape", "--help"}).out;
+  EXPECT_NE(help.find("--stiffness"), std::string::npos);
+  EXPECT_EQ(help.find("--hang"), std::string::npos);
+  EXPECT_EQ(help.find("--own-drape"), std::string::npos);
 }
 
 TEST_F(OwnDrape, is_simulated_and_written_whole_where_none_is_kept) {

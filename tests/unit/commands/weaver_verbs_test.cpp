@@ -43,7 +43,7 @@ TEST_F(WeaverVerbs, analyse_as_json) {
   for (const int shaft : json["heddles"]) heddles += shaft;
   EXPECT_EQ(heddles, json["yarn"]["ends"]);
   options.json = false;
-  EXPECT_NE(said(analyse_command, options).find("hangs together  yes"), std::string::npos);
+  EXPECT_NE(said(analyse_command, options).find("layers          one connected cloth"), std::string::npos);
 }
 
 TEST_F(WeaverVerbs, analyse_counts_the_cost) {

@@ -1,0 +1,279 @@
+// The options of the verbs that show, export or measure the cloth.
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "base/text.h"
+#include "commands/chart/scene.h"
+#include "commands/commands.h"
+#include "commands/option_checks.h"
+#include "commands/verbs.h"
+#include "draft/lights.h"
+#include "draft/methods.h"
+#include "drape/mesh.h"
+#include "light/formulas.h"
+
+namespace weftlight::commands {
+namespace {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
+constexpr float kUnset = std::numeric_limits<float>::quiet_NaN();
+
+/// `drawn`: only those that the renderer draws.
+std::vector<std::string> method_names(bool drawn) {
+  std::vector<std::string> names;
+  for (const MethodFacts& m : kMethods)
+    if (m.drawn || !drawn) names.emplace_back(m.name);
+  return names;
+}
+
+std::vector<std::string> light_names() {
+  std::vector<std::string> names;
+  for (const LightingPreset& preset : kLightingPresets) names.push_back(preset.id);
+  return names;
+}
+
+std::string all_drape_names() {
+  std::string text;
+  for (const std::string& name : drape_names()) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// The options of `render` and `reference`, and those of their values that are read after the parse.
+struct PictureVerb {
+  PictureOptions options;
+  std::string size = "1280x800", view, light, exposure;
+};
+
+/// False, with a line on stderr: the size is out of range.
+bool apply_picture_texts(PictureVerb& verb) {
+  constexpr float kMaxSide = 16384;
+  PictureOptions& o = verb.options;
+  float w = 0, h = 0;
+  parse_pair(verb.size, 'x', w, h);
+  if (w < 1 || h < 1 || w > kMaxSide || h > kMaxSide || w != std::floor(w) || h != std::floor(h)) {
+    fail(kUsage, fill(tr("--size {size}: give whole pixels from 1x1 to 16384x16384"), arg("size", verb.size)));
+    return false;
+  }
+  o.width = static_cast<int>(w);
+  o.height = static_cast<int>(h);
+  if (!verb.view.empty()) parse_pair(verb.view, ',', o.view_azimuth, o.view_elevation);
+  if (!verb.light.empty()) parse_pair(verb.light, ',', o.light_azimuth, o.light_elevation);
+  if (!verb.exposure.empty()) parse_exposure(verb.exposure, o.automatic_exposure, o.exposure_ev);
+  return true;
+}
+
+void add_mesh_options(CLI::App& verb, PictureOptions& o) {
+  verb.add_option("--mesh", o.mesh, tr("Drape by its name, or a .glb or .gltf file; default: the draft's"));
+  verb.add_flag("--simulate-drape", o.simulated_drape,
+                tr("Drape simulated with this fabric's own stiffness; takes seconds"));
+  verb.add_flag("--own-drape", o.simulated_drape)->group("");  // the earlier name
+}
+
+void add_view_options(CLI::App& verb, PictureVerb& p) {
+  PictureOptions& o = p.options;
+  verb.add_option("--size", p.size, tr("Size of the picture in pixels; default: 1280x800"))->check(pair_of('x', "WxH"));
+  verb.add_option("--method", o.method, tr("Shading method; default: the draft's, which is auto unless changed"))
+      ->check(CLI::IsMember(method_names(true)));
+  verb.add_option("--yarns-per-pixel", o.yarns_per_pixel,
+                  tr("Footprint in yarns per pixel at the middle of the picture; default: as the view frames it"))
+      ->check(above_zero());
+  verb.add_option("--view", p.view, tr("Direction of the view: azimuth and elevation in degrees"))
+      ->check(pair_of(',', "AZ,EL"));
+  verb.add_option("--view-name", o.view_name,
+                  tr("View that is saved with the draft, or one of: whole, head_on, grazing, near"));
+  add_face(verb, o.face);
+}
+
+void add_light_options(CLI::App& verb, PictureVerb& p) {
+  PictureOptions& o = p.options;
+  verb.add_option("--light", p.light, tr("Direction of the key light: azimuth and elevation in degrees"))
+      ->check(pair_of(',', "AZ,EL"));
+  auto* preset = verb.add_option("--lights", o.lights, tr("Lighting preset; --light moves its key light"))
+                     ->check(CLI::IsMember(light_names()));
+  verb.add_option("--environment", o.lights, tr("Environment map, an equirectangular .hdr or .exr; --light rotates it"))
+      ->check(environment_file())
+      ->excludes(preset);
+  verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
+  verb.add_option("--exposure", p.exposure,
+                  tr("Exposure in stops, or auto: from the reflectance of the cloth; an .exr uses the stops only"))
+      ->check(exposure_form());
+}
+
+std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
+  const auto picture = std::make_shared<PictureVerb>();
+  PictureOptions& o = picture->options;
+  o.view_azimuth = o.view_elevation = o.light_azimuth = o.light_elevation = o.exposure_ev = kUnset;
+  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_option("-o,--output", o.out, tr("Output file: .png or .exr"))->required()->check(some_path());
+  add_mesh_options(verb, o);
+  add_view_options(verb, *picture);
+  add_light_options(verb, *picture);
+  verb.add_option("--stats", o.stats, tr("JSON file for the cost and the estimated error of the picture"))
+      ->check(some_path());
+  return picture;
+}
+
+RunVerb add_render(CLI::App& verb) {
+  const std::shared_ptr<PictureVerb> picture = add_picture_options(verb);
+  PictureOptions& o = picture->options;
+  auto* samples =
+      verb.add_option("--samples", o.samples,
+                      fill(tr("Samples per pixel where threads are drawn one by one, whatever the tolerance: 1, 2, 3, "
+                              "5, 8, 13, 21 or {most}; other counts are rounded down to one of these"),
+                           arg("most", int{formulas::kMaxYarnSamples})))
+          ->check(whole_number(1, 1024));
+  auto* tolerance = verb.add_option("--tolerance", o.tolerance,
+                                    tr("Error allowed to the method auto, as a fraction of the brightness: 0.05 is 5%"))
+                        ->check(above_zero())
+                        ->check(CLI::Range(0.01, 1.0));
+  verb.add_option("--budget-ms", o.budget_ms,
+                  tr("Time for drawing the cloth in milliseconds; the error is the smallest that fits into it"))
+      ->check(above_zero())
+      ->check(CLI::Range(0.01, 1e7))
+      ->excludes(samples)
+      ->excludes(tolerance);
+  verb.add_option(
+          "--turntable", o.turntable,
+          tr("Number of pictures of one full turn, named PICTURE_001.png and so on; the view moves to the right"))
+      ->check(whole_number(1, 3600));
+  return [picture] { return apply_picture_texts(*picture) ? render_command(picture->options) : kUsage; };
+}
+
+RunVerb add_reference(CLI::App& verb) {
+  const std::shared_ptr<PictureVerb> picture = add_picture_options(verb);
+  PictureOptions& o = picture->options;
+  verb.add_option("--spp", o.spp, tr("Samples per pixel; default: 64"))->check(whole_number(1, 1 << 20));
+  verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
+  return [picture] { return apply_picture_texts(*picture) ? reference_command(picture->options) : kUsage; };
+}
+
+void add_texture_options(CLI::App& verb, ExportOptions& o) {
+  auto* size = verb.add_option("--size", o.size, tr("Side of the textures in texels, a power of two; default: 1024"))
+                   ->check(whole_number(16, 8192));
+  verb.add_option("--px-per-mm", o.texels_per_mm, tr("Resolution in texels per millimetre, at least"))
+      ->check(CLI::Range(0.1, 1000.0))
+      ->excludes(size);
+  verb.add_option("--tile-cm", o.tile_cm,
+                  tr("Smallest side of a tile in cm, filled with whole repeats; default: one repeat"))
+      ->check(CLI::Range(0.1, 500.0));
+  verb.add_option("--alpha", o.alpha, tr("Alpha mode of the gaps between threads; default: auto"))
+      ->check(CLI::IsMember({"auto", "opaque", "mask", "hashed", "blend"}));
+  verb.add_option("--distance", o.distance_m,
+                  tr("Viewing distance in metres that the roughness is made for; 0: close up; default: 1"))
+      ->check(CLI::Range(0.0, 1000.0));
+  verb.add_option("--mips", o.mips,
+                  tr("Container for 8-bit images with prefiltered mipmaps, written beside each image"))
+      ->check(CLI::IsMember({"dds", "ktx2"}));
+  verb.add_option("--mesh", o.mesh, tr("Drape for the .glb; default: plane"));
+}
+
+RunVerb add_export(CLI::App& verb) {
+  const auto options = std::make_shared<ExportOptions>();
+  ExportOptions& o = *options;
+  verb.add_option("files", o.files, tr("Drafts, or folders of drafts"))->required();
+  verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
+      ->delimiter(',')
+      ->allow_extra_args(false)  // what follows is a draft
+      ->check(
+          CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "u3m", "materialx", "raw"}));
+  verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path());
+  add_texture_options(verb, o);
+  verb.add_option("--name", o.name, tr("Template for the folder of a set; {name}, {target} and {size} are filled in"));
+  verb.add_option("--jobs", o.jobs, tr("Number of sets made at the same time; default: 1"))->check(whole_number(1, 64));
+  verb.add_flag("--zip", o.zip, tr("Archive of each set beside its folder"));
+  verb.add_flag("--resume", o.resume, tr("Skip sets that are complete and up to date"));
+  verb.add_flag("--watch", o.watch, tr("Export again whenever a draft changes"));
+  verb.add_flag("--force", o.force, tr("Overwrite other files that have the same names"));
+  return [options] { return export_command(*options); };
+}
+
+/// One option for each measured quantity, with the values that the chart knows.
+void add_chart_part(CLI::App& verb, ChartPart& part) {
+  std::vector<std::string> scenes;
+  for (const ChartScene& scene : kChartScenes) scenes.emplace_back(scene.name);
+  verb.add_option("--scene", part.scenes, tr("Cloths to measure, separated by commas; default: all"))
+      ->delimiter(',')
+      ->check(CLI::IsMember(scenes));
+  verb.add_option("--view", part.views_deg, tr("Views to measure, in degrees from the normal; default: all"))
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<int>(kChartViews.begin(), kChartViews.end())));
+  verb.add_option("--yarns-per-pixel", part.yarns_per_pixel, tr("Footprints to measure; default: all"))
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<double>(kChartFootprints.begin(), kChartFootprints.end())));
+}
+
+RunVerb add_chart(CLI::App& verb) {
+  const auto options = std::make_shared<ChartOptions>();
+  ChartOptions& o = *options;
+  verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path());
+  add_chart_part(verb, o.part);
+  verb.add_flag("--quick", o.quick, tr("Smaller patches; takes a few minutes"));
+  verb.add_flag("--count", o.count, tr("Instruction counts too, by single-stepping the processor; takes hours"));
+  return [options] { return chart_command(*options); };
+}
+
+RunVerb add_response(CLI::App& verb) {
+  const auto options = std::make_shared<ResponseOptions>();
+  ResponseOptions& o = *options;
+  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_option("-o,--output", o.out, tr("Output file: .csv"))->required();
+  verb.add_option("--method", o.method, tr("Shading method, or reference for ray tracing; default: cloth"))
+      ->check(CLI::IsMember(method_names(false)));
+  verb.add_option("--plane", o.plane, tr("Threads that lie in the plane of incidence; default: both"))
+      ->check(CLI::IsMember({"warp", "weft", "both"}));
+  verb.add_option_function<std::string>(
+          "--views", [](const std::string&) {}, tr("View angles in degrees from the normal; default: 0,30,60"))
+      ->check(angles_into(o.views_deg));
+  verb.add_option_function<std::string>(
+          "--lights", [](const std::string&) {}, tr("Light angles in degrees from the normal; default: -80:80:5"))
+      ->check(angles_into(o.lights_deg));
+  add_face(verb, o.face);
+  verb.add_option("--spp", o.spp, tr("Rays per sample of the reference, with 1,024 samples per repeat; default: 16"))
+      ->check(CLI::Range(1, 1 << 16));
+  return [options] {
+    if (options->lights_deg.empty()) parse_angles("-80:80:5", options->lights_deg);
+    return response_command(*options);
+  };
+}
+
+RunVerb add_drape(CLI::App& verb) {
+  const auto options = std::make_shared<DrapeOptions>();
+  DrapeOptions& o = *options;
+  verb.add_option("name", o.name,
+                  fill(tr("{drapes} or all; or a draft, to drape its own fabric"), arg("drapes", all_drape_names())))
+      ->required();
+  verb.add_option("--mesh", o.mesh, tr("Drape for a draft; default: the one in its scene"));
+  auto* stiffness = verb.add_option("--stiffness", o.stiffness,
+                                    tr("Drape stiffness of a generic fabric; default: medium; all: every one"))
+                        ->check(CLI::IsMember({"limp", "medium", "stiff"}));
+  verb.add_option("--hang", o.stiffness)  // the earlier name
+      ->check(CLI::IsMember({"limp", "medium", "stiff"}))
+      ->excludes(stiffness)
+      ->group("");
+  verb.add_option("-o,--output", o.out, tr("Output file: .glb or .gltf; for all: a folder"))
+      ->required()
+      ->check(some_path());
+  return [options] { return drape_command(*options); };
+}
+
+constexpr Verb kClothVerbs[] = {
+    {"render", mark("Render the lit, draped cloth as a picture"), add_render},
+    {"reference", mark("Render the same picture by ray tracing the threads"), add_reference},
+    {"export", mark("Export a seamless texture set of one repeat"), add_export},
+    {"chart", mark("Measure the speed and the accuracy of every shading method"), add_chart},
+    {"response", mark("Tabulate the far-field radiance of the flat cloth"), add_response},
+    {"drape", mark("Simulate a drape, with a generic fabric or the fabric of a draft"), add_drape},
+};
+
+}  // namespace
+
+std::span<const Verb> cloth_verbs() { return kClothVerbs; }
+
+}  // namespace weftlight::commands

@@ -1,0 +1,204 @@
+// The options of the verbs that read or write drafts.
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <memory>
+
+#include "base/text.h"
+#include "commands/commands.h"
+#include "commands/option_checks.h"
+#include "commands/verbs.h"
+
+namespace weftlight::commands {
+namespace {
+
+using base::mark;
+using base::tr;
+
+constexpr double kMaxLengthMm = 1e7;
+
+RunVerb add_info(CLI::App& verb) {
+  const auto options = std::make_shared<InfoOptions>();
+  verb.add_option("file", options->file, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required();
+  verb.add_flag("--json", options->json, tr("Output as JSON"));
+  return [options] { return info_command(*options); };
+}
+
+RunVerb add_analyse(CLI::App& verb) {
+  const auto options = std::make_shared<AnalyseOptions>();
+  AnalyseOptions& o = *options;
+  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_flag("--json", o.json, tr("Output as JSON"));
+  verb.add_option("--floats", o.float_limit, tr("Float length in threads; longer floats are listed; default: 7"))
+      ->check(CLI::Range(0, kMaxThreads));
+  verb.add_option("--length", o.plan.length_mm, tr("Length of the finished cloth in mm; default: as drafted"))
+      ->check(CLI::Range(0.0, kMaxLengthMm));
+  verb.add_option("--width", o.plan.width_mm, tr("Width of the finished cloth in mm; default: as drafted"))
+      ->check(CLI::Range(0.0, kMaxLengthMm));
+  verb.add_option("--waste", o.plan.loom_waste_mm, tr("Loom waste in mm, the warp that cannot be woven; default: 600"))
+      ->check(CLI::Range(0.0, kMaxLengthMm));
+  verb.add_option("--shrinkage", o.plan.warp_shrinkage,
+                  tr("Shrinkage in the wash as a fraction; default: 0.08, which is 8%"))
+      ->check(CLI::Range(0.0, 0.9));
+  verb.add_option("--spare", o.plan.spare, tr("Yarn lost in winding and on the bobbins, as a fraction; default: 0.05"))
+      ->check(CLI::Range(0.0, 1.0));
+  verb.add_option("--price", o.prices, tr("Price of a kilogram of yarn: YARN=PRICE, or PRICE for all yarns"));
+  return [options] {
+    options->plan.weft_shrinkage = options->plan.warp_shrinkage;
+    return analyse_command(*options);
+  };
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// The options of `print` whose values are words.
+struct PrintWords {
+  std::string paper = "a4", end1 = "right", pick1 = "top", threading = "above";
+  std::vector<std::string> parts;  // empty: all
+  bool across = false;
+};
+
+void add_print_words(CLI::App& verb, PrintWords& words) {
+  std::vector<std::string> papers, parts;
+  for (const print::NamedPaper& paper : print::kPapers) papers.push_back(lower(paper.name));
+  for (const print::NamedPart& part : print::kParts) parts.emplace_back(part.name);
+  verb.add_option("--parts", words.parts, tr("Parts to print, separated by commas; default: all"))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(parts));
+  verb.add_option("--paper", words.paper, tr("Paper size; default: a4"))->check(CLI::IsMember(papers));
+  verb.add_flag("--across", words.across, tr("Landscape orientation"));
+  verb.add_option("--end1", words.end1, tr("Side of end 1; default: right"))->check(CLI::IsMember({"left", "right"}));
+  verb.add_option("--pick1", words.pick1, tr("Side of pick 1; default: top"))->check(CLI::IsMember({"top", "bottom"}));
+  verb.add_option("--threading", words.threading,
+                  tr("Position of the threading relative to the drawdown; default: above"))
+      ->check(CLI::IsMember({"above", "below"}));
+}
+
+void apply_print_words(print::PrintOptions& o, const PrintWords& words) {
+  for (const print::NamedPaper& paper : print::kPapers)
+    if (lower(paper.name) == words.paper) o.paper = paper.paper;
+  if (words.across) std::swap(o.paper.width_mm, o.paper.height_mm);
+  o.end1_right = words.end1 == "right";
+  o.pick1_bottom = words.pick1 == "bottom";
+  o.threading_below = words.threading == "below";
+  for (const print::NamedPart& part : print::kParts)
+    o.parts.*part.on = words.parts.empty() || std::ranges::count(words.parts, part.name) > 0;
+}
+
+RunVerb add_print(CLI::App& verb) {
+  struct Options {
+    PrintCommand command;
+    PrintWords words;
+  };
+  const auto options = std::make_shared<Options>();
+  print::PrintOptions& o = options->command.options;
+  verb.add_option("file", options->command.file, tr("Draft"))->required();
+  verb.add_option("-o,--output", options->command.out, tr("Output file: .pdf, .svg or .png"))->required();
+  add_print_words(verb, options->words);
+  verb.add_option("--scale", o.cell_mm, tr("Side of a grid cell in mm; default: chosen to fit the paper"))
+      ->check(CLI::Range(0.5, 20.0));
+  verb.add_option("--heavy", o.heavy_lines, tr("Threads from one heavier grid line to the next; 0: none; default: 4"))
+      ->check(whole_number(0, 1000));
+  verb.add_option("--dpi", o.png_dpi, tr("Resolution of a .png in dots per inch; default: 150"))
+      ->check(CLI::Range(30.0, 1200.0));
+  return [options] {
+    apply_print_words(options->command.options, options->words);
+    return print_command(options->command);
+  };
+}
+
+RunVerb add_weave(CLI::App& verb) {
+  const auto options = std::make_shared<WeaveOptions>();
+  WeaveOptions& o = *options;
+  verb.add_option("weave", o.weave, tr("Id of the weave; see --list"));
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif"));
+  verb.add_option("--set", o.set, tr("Parameter of the weave: ID=VALUE; may be given several times"));
+  verb.add_option("--ends", o.ends, tr("Number of ends; default: 64"))->check(CLI::Range(1, kMaxThreads));
+  verb.add_option("--picks", o.picks, tr("Number of picks; default: 64"))->check(CLI::Range(1, kMaxThreads));
+  verb.add_flag("--list", o.list, tr("List of all weaves with their parameters"));
+  return [options] { return weave_command(*options); };
+}
+
+RunVerb add_diff(CLI::App& verb) {
+  const auto options = std::make_shared<DiffOptions>();
+  verb.add_option("a", options->a, tr("First draft"))->required();
+  verb.add_option("b", options->b, tr("Second draft"))->required();
+  return [options] { return diff_command(*options); };
+}
+
+RunVerb add_drawdown(CLI::App& verb) {
+  const auto options = std::make_shared<DrawdownOptions>();
+  DrawdownOptions& o = *options;
+  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_flag("--points", o.points, tr("Picture with one pixel per crossing, black where the warp is on top"));
+  verb.add_option("-o,--output", o.out,
+                  tr("Output file: text, or the coloured drawdown as .png, .jpg, .tif, .svg or .pdf; default: text on "
+                     "the standard output"))
+      ->check(some_path());
+  add_face(verb, o.face);
+  verb.add_option_function<std::string>(
+          "--end1", [&o](const std::string& side) { o.origin.end1_left = side == "left"; },
+          tr("Side of end 1 in the picture; default: right"))
+      ->check(CLI::IsMember({"left", "right"}));
+  verb.add_option_function<std::string>(
+          "--pick1", [&o](const std::string& side) { o.origin.pick1_bottom = side == "bottom"; },
+          tr("Side of pick 1 in the picture; default: top"))
+      ->check(CLI::IsMember({"top", "bottom"}));
+  return [options] { return drawdown_command(*options); };
+}
+
+void add_picture_draft_options(CLI::App& verb, files::PictureDraft& o) {
+  verb.add_option("--ends", o.ends, tr("Picture as input: width of the draft in ends; default: one end per pixel"))
+      ->check(whole_number(2, kMaxShafts));
+  verb.add_option("--colors", o.colors, tr("Picture as input: number of colours, each woven with a weave of its own"))
+      ->check(whole_number(2, 16));
+  verb.add_option("--floats", o.longest_float,
+                  tr("Picture as input: longest float of its weaves in threads; default: 7"))
+      ->check(whole_number(1, 1000));
+}
+
+RunVerb add_convert(CLI::App& verb) {
+  const auto options = std::make_shared<ConvertOptions>();
+  ConvertOptions& o = *options;
+  verb.add_option("in", o.in, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required();
+  verb.add_option("out", o.out, tr("Output file: .wif"))->required()->check(some_path());
+  verb.add_flag("--plain", o.plain, tr("Plain WIF for other programs and loom consoles"));
+  auto* liftplan = verb.add_flag_callback(
+      "--liftplan", [&o] { o.shed_control = ConvertShedControl::kLiftplan; }, tr("Liftplan as the shed control"));
+  verb.add_flag_callback(
+          "--treadling", [&o] { o.shed_control = ConvertShedControl::kTreadling; },
+          tr("Tie-up and treadling as the shed control"))
+      ->excludes(liftplan);
+  auto* shafts = verb.add_option("--shafts", o.loom.shafts, tr("Number of shafts that the loom has"))
+                     ->check(whole_number(1, kMaxShafts));
+  auto* treadles = verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has"))
+                       ->check(whole_number(1, kMaxShafts))
+                       ->excludes(liftplan);
+  verb.add_flag("--nearest", o.nearest, tr("Closest weave for the loom, where the draft itself does not fit it"));
+  add_picture_draft_options(verb, o.picture);
+  return [options, shafts, treadles] {
+    if (!options->nearest || shafts->count() + treadles->count() > 0) return convert_command(*options);
+    return fail(kUsage, tr("--nearest: give the loom's --shafts or --treadles with it"));
+  };
+}
+
+constexpr Verb kDraftVerbs[] = {
+    {"info", mark("Print the counts, floats, repeat and warnings of a draft"), add_info},
+    {"analyse", mark("Analyse the floats, layers, repeat, heddles, sett and yarn of a draft"), add_analyse},
+    {"print", mark("Print a draft on paper: grids, lists for the loom, swatch"), add_print},
+    {"weave", mark("Generate a draft from the table of weaves"), add_weave},
+    {"diff", mark("Compare two drafts"), add_diff},
+    {"drawdown", mark("Write the drawdown as text or as a coloured picture"), add_drawdown},
+    {"convert", mark("Copy a draft; without options the copy has the same bytes"), add_convert},
+};
+
+}  // namespace
+
+std::span<const Verb> draft_verbs() { return kDraftVerbs; }
+
+}  // namespace weftlight::commands

@@ -1,0 +1,39 @@
+#pragma once
+// Checks of what is given to an option, and how its text becomes numbers. Messages are in the user's language.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "draft/drawdown.h"
+
+namespace weftlight::commands {
+
+/// The text in quotation marks, cut to fit on a line.
+std::string quoted(const std::string& text);
+
+/// Two finite numbers with `between` between them.
+bool parse_pair(const std::string& text, char between, float& a, float& b);
+CLI::Validator pair_of(char between, const std::string& form);
+
+CLI::Validator whole_number(int64_t low, int64_t high);
+CLI::Validator above_zero();
+CLI::Validator some_path();  // not empty
+
+/// Angles in degrees from the normal, below 90 on either side: "0,30,60" or FROM:TO:STEP ("-80:80:5").
+/// Returns what is wrong, or an empty string.
+std::string parse_angles(const std::string& text, std::vector<double>& out);
+/// Reads the text into `out` when it is checked.
+CLI::Validator angles_into(std::vector<double>& out);
+
+/// "auto", "auto+0.5" or stops alone, from -20 to 20 EV.
+bool parse_exposure(const std::string& text, bool& automatic, float& stops);
+CLI::Validator exposure_form();
+
+CLI::Validator environment_file();
+
+/// Adds --face, front by default.
+void add_face(CLI::App& verb, draft::Face& face);
+
+}  // namespace weftlight::commands

@@ -34,7 +34,7 @@ void draw_places(PanelContext& c, const ClosestWeave& n) {
 
 }  // namespace
 
-DialogAnswer draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
+DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   const ClosestWeave& n = *p.nearest;
   heading(c, "The nearest that the loom weaves");
   ImGui::PushTextWrapPos(c.style.px(kWidth));
@@ -47,10 +47,10 @@ DialogAnswer draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   c.map.add_item("nearest.wrong:" + std::to_string(n.wrong));
   ImGui::PopTextWrapPos();
   draw_places(c, n);
-  return answered(draw_buttons(c, {"Take the nearest", "Keep what was"}, true));
+  return dialog_result(draw_buttons(c, {"Take the nearest", "Keep what was"}, true));
 }
 
-MaybeEdit given_back(const ClosestWeavePrompt& p) {
+MaybeEdit restored(const ClosestWeavePrompt& p) {
   return Edit{"Closest weave", [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 

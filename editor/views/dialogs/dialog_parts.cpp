@@ -41,9 +41,9 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
   return pressed < 0 && enter_presses_first && enter_pressed() ? 0 : pressed;
 }
 
-DialogAnswer answered(int button, int leave_button) {
+DialogResult dialog_result(int button, int leave_button) {
   if (button < 0) return {};
-  return {button == leave_button ? Answer::kLeft : Answer::kDone, button, {}};
+  return {button == leave_button ? DialogOutcome::kCancelled : DialogOutcome::kDone, button, {}};
 }
 
 void heading(PanelContext& c, const std::string& text) {

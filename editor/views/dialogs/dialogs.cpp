@@ -14,27 +14,27 @@ namespace {
 
 bool escape_pressed() { return key_pressed(ImGuiKey_Escape, false); }
 
-DialogAnswer draw(PanelContext&, std::monostate&) { return {}; }
+DialogResult draw(PanelContext&, std::monostate&) { return {}; }
 
-DialogAnswer draw(PanelContext& c, Question& q) {
+DialogResult draw(PanelContext& c, Question& q) {
   heading(c, q.title);
   ImGui::PushTextWrapPos(c.style.px(440));
   ImGui::TextUnformatted(q.text.c_str());
   ImGui::PopTextWrapPos();
-  return answered(draw_buttons(c, q.buttons, true), -2);
+  return dialog_result(draw_buttons(c, q.buttons, true), -2);
 }
 
-DialogAnswer draw(PanelContext& c, PathPrompt& p) {
+DialogResult draw(PanelContext& c, PathPrompt& p) {
   heading(c, p.title);
   ImGui::SetNextItemWidth(c.style.px(520));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool enter = ImGui::InputText("##path", &p.path, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("dialog.path");
   const int button = draw_buttons(c, {p.button, "Cancel"}, false);
-  return answered(enter ? 0 : button);
+  return dialog_result(enter ? 0 : button);
 }
 
-DialogAnswer draw(PanelContext& c, NamePrompt& p) {
+DialogResult draw(PanelContext& c, NamePrompt& p) {
   heading(c, p.title);
   if (!p.tip.empty()) muted_text(c, p.tip);
   ImGui::SetNextItemWidth(c.style.px(360));
@@ -43,10 +43,10 @@ DialogAnswer draw(PanelContext& c, NamePrompt& p) {
       ImGui::InputText("##name", &p.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   c.map.add_item("dialog.name");
   const int button = draw_buttons(c, {p.button, "Cancel"}, false);
-  return answered(enter ? 0 : button);
+  return dialog_result(enter ? 0 : button);
 }
 
-DialogAnswer draw(PanelContext& c, NamesPrompt& p) {
+DialogResult draw(PanelContext& c, NamesPrompt& p) {
   constexpr int kMaxRows = 10;
   heading(c, p.title);
   const float row = ImGui::GetFrameHeightWithSpacing(), width = c.style.px(380);
@@ -65,10 +65,10 @@ DialogAnswer draw(PanelContext& c, NamesPrompt& p) {
     ImGui::PopID();
   }
   ImGui::EndChild();
-  return answered(draw_buttons(c, {"Done", "Cancel"}, false));
+  return dialog_result(draw_buttons(c, {"Done", "Cancel"}, false));
 }
 
-DialogAnswer draw(PanelContext& c, SizePrompt& p) {
+DialogResult draw(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
   number(c, "size.ends", "Ends", p.ends, 1, kMaxThreads);
   number(c, "size.picks", "Picks", p.picks, 1, kMaxThreads);
@@ -78,10 +78,10 @@ DialogAnswer draw(PanelContext& c, SizePrompt& p) {
   muted_text(c, "What the loom has, within which the drawdown is painted; 0: not said");
   number(c, "size.loom_shafts", "Its shafts", p.loom_shafts, 0, kMaxShafts);
   number(c, "size.loom_treadles", "Its treadles", p.loom_treadles, 0, kMaxShafts);
-  return answered(draw_buttons(c, {p.button, "Cancel"}, true));
+  return dialog_result(draw_buttons(c, {p.button, "Cancel"}, true));
 }
 
-DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
+DialogResult draw(PanelContext& c, NotesPrompt& p) {
   heading(c, "Title and notes");
   const auto field = [&](const char* id, const char* label, std::string& text) {
     row_label(c, label, nullptr);
@@ -96,10 +96,10 @@ DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
   row_label(c, "Notes", nullptr);
   ImGui::InputTextMultiline("##notes", &p.notes, {c.style.px(420), c.style.px(220)});
   c.map.add_item("notes.text");
-  return answered(draw_buttons(c, {"Keep", "Cancel"}, false));
+  return dialog_result(draw_buttons(c, {"Keep", "Cancel"}, false));
 }
 
-DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
+DialogResult draw(PanelContext& c, ThreadPrompt& p) {
   heading(c, "Go to a thread");
   constexpr const char* kSystems[] = {"End", "Pick"};
   int system = p.system == System::kWarp ? 0 : 1;
@@ -109,24 +109,24 @@ DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   number(c, "goto.number", "Number", p.number, 1, last);
   muted_text(c, "of " + std::to_string(last));
-  return answered(draw_buttons(c, {"Go", "Cancel"}, true));
+  return dialog_result(draw_buttons(c, {"Go", "Cancel"}, true));
 }
 
-DialogAnswer draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
+DialogResult draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
 
-DialogAnswer draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_weave(c, p); }
+DialogResult draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_weave(c, p); }
 
-DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
+DialogResult draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
+DialogResult draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
+DialogResult draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, p); }
+DialogResult draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, p); }
 
-DialogAnswer draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
+DialogResult draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
 
-DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
+DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
   constexpr int kMaxRows = 8;
   heading(c, "Bring back unsaved work?");
   muted_text(c, p.rows.size() == 1 ? "Weftlight ended before this was saved."
@@ -155,14 +155,15 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
   std::vector<std::string> buttons{"Bring back", "Later", "Discard"};
   if (p.rows.size() > 1) buttons.insert(buttons.begin() + 1, "Bring back all");
   const int pressed = draw_buttons(c, buttons, true);
-  return pressed >= 0 && p.button(pressed) == RecoveryPrompt::Button::kLater ? answered(1) : answered(pressed, -2);
+  return pressed >= 0 && p.button(pressed) == RecoveryPrompt::Button::kLater ? dialog_result(1)
+                                                                             : dialog_result(pressed, -2);
 }
 
 /// What a dialog that the draft follows gives back when it is left.
 MaybeEdit as_it_was(const Dialog& dialog) {
-  if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return given_back(*over);
-  if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return given_back(*sections);
-  if (const auto* nearest = std::get_if<ClosestWeavePrompt>(&dialog)) return given_back(*nearest);
+  if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return restored(*over);
+  if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return restored(*sections);
+  if (const auto* nearest = std::get_if<ClosestWeavePrompt>(&dialog)) return restored(*nearest);
   return {};
 }
 
@@ -188,7 +189,7 @@ RecoveryPrompt::Button RecoveryPrompt::button(int pressed) const {
   return kButtons[std::clamp(pressed + skipped, 0, 3)];
 }
 
-DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
+DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   if (std::holds_alternative<std::monostate>(dialog)) return {};
   constexpr const char* kName = "###dialog";
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
@@ -209,19 +210,19 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, blend(color.raised, color.text, 0.12f));
   ImGui::PushStyleColor(ImGuiCol_Button, blend(color.raised, color.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(color.raised, color.text, 0.14f));
-  DialogAnswer answer;
+  DialogResult result;
   if (ImGui::BeginPopupModal(
           kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
-    answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
-    if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1, {}};
-    if (answer.answer == Answer::kLeft)
-      if (MaybeEdit back = as_it_was(dialog)) answer.edit = std::move(back);
-    if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
+    result = std::visit([&](auto& d) { return draw(c, d); }, dialog);
+    if (result.outcome == DialogOutcome::kOpen && escape_pressed()) result = {DialogOutcome::kCancelled, -1, {}};
+    if (result.outcome == DialogOutcome::kCancelled)
+      if (MaybeEdit back = as_it_was(dialog)) result.edit = std::move(back);
+    if (result.outcome != DialogOutcome::kOpen) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleColor(4);
   ImGui::PopStyleVar(2);
-  return answer;
+  return result;
 }
 
 }  // namespace weftlight::views

@@ -96,14 +96,14 @@ using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, Na
                             RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
-enum class Answer { kNone, kDone, kLeft };
-struct DialogAnswer {
-  Answer answer = Answer::kNone;
+enum class DialogOutcome { kOpen, kDone, kCancelled };
+struct DialogResult {
+  DialogOutcome outcome = DialogOutcome::kOpen;
   int button = -1;
   MaybeEdit edit{};  // what a live dialog makes of the draft, also while it stands open
 };
 /// Draws the open dialog, whose fields hold what was typed.
-DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);
+DialogResult draw_dialog(PanelContext& c, Dialog& dialog);
 /// What is worked out beside the window: `busy` while it is, true when there is something new to show.
 bool update_dialog(Dialog& dialog, bool& busy);
 

@@ -283,9 +283,9 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const Room& room) {
 }
 
 /// What the pressed button does; an answer where the dialog is left.
-DialogAnswer press(ExportPrompt& p, int button, bool busy) {
+DialogResult press(ExportPrompt& p, int button, bool busy) {
   if (button < 0) return {};
-  if (button == 1) return {Answer::kLeft, ExportPrompt::kClose, {}};
+  if (button == 1) return {DialogOutcome::kCancelled, ExportPrompt::kClose, {}};
   if (busy) {
     p.exporter->stop();
     return {};
@@ -302,7 +302,7 @@ DialogAnswer press(ExportPrompt& p, int button, bool busy) {
 
 }  // namespace
 
-DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p) {
+DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   const Room room = room_in(c);
   const Exporter::State state = p.exporter->state();
   heading(c, "Export texture set");
@@ -334,7 +334,7 @@ DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   ImGui::SetCursorPos(foot);
   const char* first = state.busy ? "Stop" : p.asked.empty() ? "Export" : "Write there";
   const int button = draw_buttons(c, {first, state.busy ? "Hide" : "Close"}, !ImGui::GetIO().WantTextInput);
-  if (choose) return {Answer::kDone, ExportPrompt::kFolder, {}};
+  if (choose) return {DialogOutcome::kDone, ExportPrompt::kFolder, {}};
   return press(p, button, state.busy);
 }
 

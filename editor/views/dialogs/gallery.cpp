@@ -221,7 +221,7 @@ const char* nothing_to_show(const GalleryPrompt& p) {
 
 }  // namespace
 
-DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p) {
+DialogResult draw_gallery(PanelContext& c, GalleryPrompt& p) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 size = card_size(c, p.page);
   const float gap = c.style.px(kGap), bar = ImGui::GetStyle().ScrollbarSize + c.style.px(4);
@@ -257,7 +257,7 @@ DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p) {
     p.recent.erase(p.recent.begin() + wanted.card);
     p.focus = true;
   }
-  return answered(button, GalleryPrompt::kClose);
+  return dialog_result(button, GalleryPrompt::kClose);
 }
 
 }  // namespace weftlight::views

@@ -163,7 +163,7 @@ void draw_format(PanelContext& c, PrintPrompt& p, float width) {
 
 }  // namespace
 
-DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p) {
+DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p) {
   heading(c, "Print the draft");
   const PrintOptions options = chosen_options(p);
   ImGui::BeginGroup();
@@ -181,13 +181,13 @@ DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p) {
   ImGui::Dummy({0, c.style.px(4)});
   draw_format(c, p, width);
   ImGui::EndChild();
-  DialogAnswer answer = answered(draw_buttons(c, {"Save\xE2\x80\xA6", "Cancel"}, true));
+  DialogResult result = dialog_result(draw_buttons(c, {"Save\xE2\x80\xA6", "Cancel"}, true));
   ImGui::EndGroup();
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
   p.preview->ask(chosen_options(p), p.sheet,
                  static_cast<double>(sheet_size(c, chosen_options(p).paper).x * std::max(ratio, 1.0f)) /
                      chosen_options(p).paper.width_mm);
-  return answer;
+  return result;
 }
 
 }  // namespace weftlight::views

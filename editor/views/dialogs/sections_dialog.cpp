@@ -213,7 +213,7 @@ void draw_result(PanelContext& c, const Page& page) {
 
 }  // namespace
 
-DialogAnswer draw_sections(PanelContext& c, SectionsPrompt& p) {
+DialogResult draw_sections(PanelContext& c, SectionsPrompt& p) {
   constexpr const char* kPages[] = {"Threading", "Treadling"};
   heading(c, "Threads from sections");
   int shown = p.system == System::kWarp ? 0 : 1;
@@ -229,12 +229,12 @@ DialogAnswer draw_sections(PanelContext& c, SectionsPrompt& p) {
   draw_order(c, page);
   draw_result(c, page);
   ImGui::PopID();
-  DialogAnswer answer = answered(draw_buttons(c, {"Keep", "Cancel"}, false));
-  if (page.changed) answer.edit = follow(p);
-  return answer;
+  DialogResult result = dialog_result(draw_buttons(c, {"Keep", "Cancel"}, false));
+  if (page.changed) result.edit = follow(p);
+  return result;
 }
 
-MaybeEdit given_back(const SectionsPrompt& p) {
+MaybeEdit restored(const SectionsPrompt& p) {
   return Edit{"Threads from sections", [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 

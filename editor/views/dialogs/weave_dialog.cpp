@@ -69,7 +69,7 @@ WeavePrompt prompt_for(int kind, ClothSize about) {
   return p;
 }
 
-DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
+DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   heading(c, "New draft");
   if (draw_weave_list(c, p.kind, kListWidth, kHeight)) {
     p.values = allowed_values(kind_of(p), {});
@@ -91,7 +91,7 @@ DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   p.own_size = p.own_size || ends != p.ends || picks != p.picks;
   draw_repeat(c, p);
   ImGui::EndChild();
-  return answered(draw_buttons(c, {"Create", "Cancel"}, true));
+  return dialog_result(draw_buttons(c, {"Create", "Cancel"}, true));
 }
 
 }  // namespace weftlight::views

@@ -28,8 +28,8 @@ MaybeEdit follow(WeaveOverPrompt& p) {
 
 }  // namespace
 
-DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
-  DialogAnswer answer;
+DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
+  DialogResult result;
   heading(c, p.whole ? "Weave over the draft" : "Weave over the selected threads");
   bool other = draw_weave_list(c, p.kind, kListWidth, kHeight);
   if (other || p.use.values.empty()) {
@@ -42,18 +42,18 @@ DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   muted_text(c, kind_of(p).words);
   ImGui::PopTextWrapPos();
   other |= draw_weave_numbers(c, kind_of(p), p.use.values);
-  if (other) answer.edit = follow(p);
+  if (other) result.edit = follow(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
   muted_text(c, p.why);
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
-  const DialogAnswer button = answered(draw_buttons(c, {"Keep", "Cancel"}, true));
-  answer.answer = button.answer, answer.button = button.button;
-  return answer;
+  const DialogResult button = dialog_result(draw_buttons(c, {"Keep", "Cancel"}, true));
+  result.outcome = button.outcome, result.button = button.button;
+  return result;
 }
 
-MaybeEdit given_back(const WeaveOverPrompt& p) {
+MaybeEdit restored(const WeaveOverPrompt& p) {
   return Edit{"Weave", [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 

@@ -225,7 +225,7 @@ void LookTest::shoot_closest_weave(const Window& w) {
   display_.click(w.middle_of("nearest.see"));
   ASSERT_TRUE(comes_true([&] { return w.has("nearest.place:1"); }));
   shoot("closest_weave");
-  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Keep what was"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Cancel"));
   ASSERT_TRUE(comes_true([&] { return !w.has("nearest.place:1"); }));
   display_.key("p");
   display_.key("ctrl+z");

@@ -396,14 +396,14 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
 }
 
 void Editor::draw_question(PanelContext& c) {
-  DialogAnswer answer = draw_dialog(c, dialog_);
-  c.wanted.add(std::move(answer.edit));
-  if (answer.answer == Answer::kNone) return;
+  DialogResult result = draw_dialog(c, dialog_);
+  c.wanted.add(std::move(result.edit));
+  if (result.outcome == DialogOutcome::kOpen) return;
   if (std::holds_alternative<ClosestWeavePrompt>(dialog_))
     c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);
-  if (answer.answer == Answer::kDone && then) then(answer.button);
+  if (result.outcome == DialogOutcome::kDone && then) then(result.button);
   // The answer may have asked the next question.
   if (!answer_) dialog_ = {};
 }

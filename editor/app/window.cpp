@@ -345,7 +345,7 @@ void Window::use_style(Style& style) {
     fonts_for_ = scale;
   }
   apply(style);
-  redraw_->forget();
+  redraw_->invalidate();
 }
 
 void Window::begin_frame() {

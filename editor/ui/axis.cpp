@@ -6,17 +6,17 @@
 namespace weftlight::ui {
 namespace {
 
-/// What is scrolled away, on whole pixels: what is drawn and what is found agree.
-float hidden(const Axis& a) { return std::round(a.scroll * a.pitch); }
+/// Pixels scrolled away. Rounded, so that drawing and hit testing agree.
+float scrolled_px(const Axis& a) { return std::round(a.scroll * a.pitch); }
 
-/// Pixels from index 0's side of the pane to the near edge of cell i.
-float offset(const Axis& a, int i) { return std::round(static_cast<float>(i) * a.pitch) - hidden(a); }
+/// Pixels from the pane's edge at index 0 to the near edge of cell i.
+float offset(const Axis& a, int i) { return std::round(static_cast<float>(i) * a.pitch) - scrolled_px(a); }
 
 }  // namespace
 
 int cell_at(const Axis& a, float pixel) {
-  if (a.reversed) return static_cast<int>(std::ceil((a.start + a.length - pixel + hidden(a)) / a.pitch)) - 1;
-  return static_cast<int>(std::floor((pixel - a.start + hidden(a)) / a.pitch));
+  if (a.reversed) return static_cast<int>(std::ceil((a.start + a.length - pixel + scrolled_px(a)) / a.pitch)) - 1;
+  return static_cast<int>(std::floor((pixel - a.start + scrolled_px(a)) / a.pitch));
 }
 
 float Axis::low(int i) const { return reversed ? start + length - offset(*this, i + 1) : start + offset(*this, i); }
@@ -39,8 +39,8 @@ int Axis::first_visible() const { return std::clamp(static_cast<int>(std::floor(
 int Axis::end_visible() const { return std::clamp(static_cast<int>(std::ceil(scroll + length / pitch)), 0, count); }
 
 float clamp_scroll(const Axis& axis, float scroll) {
-  const float most = std::max(0.0f, static_cast<float>(axis.count) - axis.length / axis.pitch);
-  return std::clamp(scroll, 0.0f, most);
+  const float max_scroll = std::max(0.0f, static_cast<float>(axis.count) - axis.length / axis.pitch);
+  return std::clamp(scroll, 0.0f, max_scroll);
 }
 
 float scroll_about(const Axis& axis, float pixel, float new_pitch) {

@@ -18,9 +18,9 @@ struct Axis {
   float high(int i) const;
   /// Cell at a pixel, or -1 outside the pane or the grid.
   int at(float pixel) const;
-  /// As `at`, but the nearest cell for pixels outside (for drags that leave the pane). -1 when empty.
+  /// As `at`, but the closest cell for pixels outside (for drags that leave the pane). -1 if there are no cells.
   int nearest(float pixel) const;
-  /// Half-open range of the cells that the pane shows, wholly or in part.
+  /// Half-open range of the cells that the pane shows, whole or in part.
   int first_visible() const;
   int end_visible() const;
   /// Pixels that all cells take.
@@ -29,9 +29,9 @@ struct Axis {
 
 /// Cell at a pixel, also beyond pane and grid.
 int cell_at(const Axis& axis, float pixel);
-/// Scroll that is possible: 0 to what leaves the last cell at the pane's edge.
+/// Held between 0 and the scroll at which the last cell meets the edge of the pane.
 float clamp_scroll(const Axis& axis, float scroll);
-/// Scroll that keeps the cell under `pixel` where it is when the pitch becomes `new_pitch`.
+/// The scroll that keeps the cell under `pixel` in place when the pitch becomes `new_pitch`.
 float scroll_about(const Axis& axis, float pixel, float new_pitch);
 /// Smallest of 1, 2, 5, 10, 20, 50 ... cells whose width is at least `pixels`.
 int label_step(float pitch, float pixels);

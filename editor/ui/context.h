@@ -1,5 +1,5 @@
 #pragma once
-// What every control needs to draw itself: the look, the map that it is noted in, and where the keyboard goes.
+// What every control needs to draw itself: the style, the map that records its position, and the keyboard focus.
 
 #include <string>
 
@@ -9,12 +9,12 @@
 
 namespace weftlight::ui {
 
-/// The tooltip, by the clock and not by frames, which may be slow or not drawn at all.
+/// State of the tooltip. Timed by the clock, because frames may be slow or skipped.
 struct Tip {
-  double rest_s = 0;                  // how long the pointer has not moved
+  double rest_s = 0;                  // seconds since the pointer last moved
   bool shown = false, drawn = false;  // in the last frame and in this one
-  float x = 0, y = 0;                 // of the control that it belongs to
-  /// To be called before every frame.
+  float x = 0, y = 0;                 // of its control
+  /// Call before every frame.
   void begin(double rest) { rest_s = rest, shown = drawn, drawn = false; }
 };
 
@@ -22,7 +22,7 @@ struct Context {
   const Style& style;
   UiMap& map;
   Tip& tip;
-  std::string& focus;  // control that the keyboard goes to next, by its name in the --ui-map
+  std::string& focus;  // control that gets the keyboard next, by its name in the --ui-map
 };
 
 }  // namespace weftlight::ui

@@ -15,22 +15,22 @@ Area joined(const Area& a, const Area& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// Adds an area to the few that are kept: to one that grows by no more than what it takes in, or as one more.
+/// Adds an area to the list: merged into the one that grows least_growth, or as a new one while the list is short.
 void add(std::vector<Area>& areas, Area next) {
   if (next.empty()) return;
-  constexpr float kFreeGrowth = 64 * 64;  // of so few pixels a join costs less than another pass over the window
+  constexpr float kFreeGrowth = 64 * 64;  // pixels; merging these costs less than another pass over the window
   size_t best = areas.size();
-  float least = std::numeric_limits<float>::max();
+  float least_growth = std::numeric_limits<float>::max();
   for (size_t i = 0; i < areas.size(); ++i) {
     const float growth = size_of(joined(areas[i], next)) - size_of(areas[i]) - size_of(next);
-    if (growth < least) least = growth, best = i;
+    if (growth < least_growth) least_growth = growth, best = i;
   }
-  if (best < areas.size() && (least <= kFreeGrowth || areas.size() == Damage::kMaxAreas))
+  if (best < areas.size() && (least_growth <= kFreeGrowth || areas.size() == Damage::kMaxAreas))
     areas[best] = joined(areas[best], next);
   else areas.push_back(next);
 }
 
-/// A pixel more on every side, which the edges of smoothed lines may touch.
+/// One pixel larger on every side, because antialiased edges reach over.
 template <class Triangle>
 Area area_of(const Triangle& t) {
   const auto [x0, x1] = std::minmax({t.corner[0].pos.x, t.corner[1].pos.x, t.corner[2].pos.x});
@@ -63,7 +63,7 @@ Damage::List Damage::list_of(const ImDrawList& from) {
   return list;
 }
 
-/// Triangle by triangle where there are as many; else all between what both begin with and what both end with.
+/// Compares triangle by triangle if there are as many. Otherwise marks all between the common start and the common end.
 void Damage::compare(const List& before, const List& now, std::vector<Area>& areas) {
   const std::vector<Triangle>&a = before.triangles, &b = now.triangles;
   if (a.size() == b.size()) {
@@ -80,7 +80,7 @@ void Damage::compare(const List& before, const List& now, std::vector<Area>& are
   for (size_t i = head; i < b.size() - tail; ++i) add(areas, area_of(b[i]));
 }
 
-std::vector<Area> Damage::of(const ImDrawData& data) {
+std::vector<Area> Damage::changed_areas(const ImDrawData& data) {
   std::vector<List> now;
   for (int i = 0; i < data.CmdListsCount; ++i) now.push_back(list_of(*data.CmdLists[i]));
   const Area all{data.DisplayPos.x, data.DisplayPos.y, data.DisplayPos.x + data.DisplaySize.x,
@@ -88,8 +88,8 @@ std::vector<Area> Damage::of(const ImDrawData& data) {
   std::vector<Area> areas;
   const auto owner = [](const List& a, const List& b) { return a.owner == b.owner; };
   const bool resized = data.DisplaySize.x != size_.x || data.DisplaySize.y != size_.y;
-  // What lies over what may have changed as well: windows that come, go or change places are rare.
-  if (std::exchange(whole_, false) || resized ||
+  // A window that opens, closes or changes its order may uncover others. This is rare: redraw everything.
+  if (std::exchange(redraw_all_, false) || resized ||
       !std::equal(before_.begin(), before_.end(), now.begin(), now.end(), owner)) {
     areas = {all};
   } else {

@@ -1,6 +1,6 @@
 #pragma once
-// Where a frame of the window differs from the one before, so that only that is drawn again: without a graphics card,
-// filling the window's pixels takes ten times as long as working out what stands in it.
+// Finds where a frame of the window differs from the previous one, so that only those areas are redrawn. Without a
+// graphics card, filling the window's pixels takes ten times as long as building the frame.
 
 #include <imgui.h>
 
@@ -20,11 +20,11 @@ class Damage {
  public:
   static constexpr size_t kMaxAreas = 6;
 
-  /// Areas, on whole units, that hold all that is drawn otherwise than in the frame before; none where nothing is. The
-  /// first frame, and one of another size, is drawn whole. A texture whose pixels change must change its name.
-  std::vector<Area> of(const ImDrawData& data);
-  /// The next frame is drawn whole.
-  void forget() { whole_ = true; }
+  /// Areas, on whole units, that cover every change since the previous frame; none if nothing changed. The first frame
+  /// and a frame of another size are one area. A texture whose pixels change must get another name.
+  std::vector<Area> changed_areas(const ImDrawData& data);
+  /// The next frame is redrawn completely.
+  void invalidate() { redraw_all_ = true; }
 
  private:
   struct Triangle {
@@ -41,7 +41,7 @@ class Damage {
 
   std::vector<List> before_;
   ImVec2 size_{0, 0};
-  bool whole_ = true;
+  bool redraw_all_ = true;
 };
 
 }  // namespace weftlight::ui

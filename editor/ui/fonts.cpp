@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kTextFonts[] = {"Inter", "Inter Variable", "Noto Sans", "DejaVu Sans"};
 constexpr const char* kMonoFonts[] = {"JetBrains Mono", "DejaVu Sans Mono"};
-// The icons' numbers are those of Font Awesome 4; later ones name themselves otherwise.
+// The code points are those of Font Awesome 4; later versions have another family name.
 constexpr const char* kIconFonts[] = {"FontAwesome"};
 
 constexpr ImWchar kTextRanges[] = {0x20, 0x17F, 0x2010, 0x203A, 0x2190, 0x2193, 0x2212, 0x2212, 0x25CF, 0x25CF, 0};
@@ -27,17 +27,17 @@ constexpr float kText = 15, kSmall = 13, kMono = 14, kMonoSmall = 12, kIcons = 1
 ImFont* add(const std::string& path, float size, const ImWchar* ranges = kTextRanges) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   if (path.empty()) {
-    ImFontConfig own;
-    own.SizePixels = size;
-    return atlas->AddFontDefault(&own);
+    ImFontConfig config;
+    config.SizePixels = size;
+    return atlas->AddFontDefault(&config);
   }
   return atlas->AddFontFromFileTTF(path.c_str(), size, nullptr, ranges);
 }
 
-void merge_icons(const std::string& path, float size, float drop) {
+void merge_icons(const std::string& path, float size, float offset_y) {
   ImFontConfig config;
   config.MergeMode = true;
-  config.GlyphOffset.y = drop;
+  config.GlyphOffset.y = offset_y;
   ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), size, &config, kIconRanges);
 }
 

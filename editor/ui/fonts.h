@@ -1,13 +1,13 @@
 #pragma once
-// Inter for words, JetBrains Mono for figures, Font Awesome for icons: found through
-// fontconfig; ImGui's own font stands in for what is missing.
+// Inter for text, JetBrains Mono for figures, Font Awesome for icons, found by fontconfig. ImGui's built-in font
+// replaces a missing one.
 
 #include "ui/names.h"
 #include "ui/style.h"
 
 namespace weftlight::ui {
 
-/// Fills the atlas anew. `pixels` is framebuffer pixels a design unit; `ratio` of them make a window unit.
+/// Rebuilds the atlas. `pixels`: framebuffer pixels per design unit. `ratio`: framebuffer pixels per window unit.
 Fonts load_fonts(float pixels, float ratio);
 
 }  // namespace weftlight::ui

@@ -1,5 +1,5 @@
 #pragma once
-// Font Awesome 4.7 glyphs (fonts-font-awesome), UTF-8; used when Fonts::icons says that they are there.
+// Font Awesome 4.7 glyphs (fonts-font-awesome), UTF-8. Used if Fonts::icons is true.
 
 namespace weftlight::icon {
 

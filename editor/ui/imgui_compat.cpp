@@ -16,7 +16,7 @@ struct KeyPair {
   int glfw;
   ImGuiKey key;
 };
-// What text fields, lists and the panels themselves ask for.
+// The keys that text fields, lists and the panels use.
 constexpr KeyPair kKeys[] = {{GLFW_KEY_TAB, ImGuiKey_Tab},
                              {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
                              {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
@@ -94,7 +94,7 @@ void feed_modifiers(bool ctrl, bool shift, bool alt, bool super) {
 
 void feed_whole_frames() {}
 bool key_pressed(ImGuiKey key, bool repeat) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat); }
-// 1.86 knows keys by the window system's codes; GLFW's for a letter is its capital.
+// 1.86 uses the window system's key codes; GLFW's code of a letter is its capital.
 bool letter_down(char letter) { return ImGui::IsKeyDown(letter); }
 
 #endif
@@ -119,7 +119,7 @@ float begin_fonts(float ratio) {
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
 #if IMGUI_VERSION_NUM >= 19200
-  // Glyphs are drawn as they are needed, as fine as the framebuffer.
+  // Glyphs are rasterised on demand, at the resolution of the framebuffer.
   io.Fonts->SetFontLoader(ImGuiFreeType::GetFontLoader());
   io.Fonts->FontLoaderFlags = ImGuiFreeTypeLoaderFlags_LightHinting;
   return 1 / ratio;

@@ -1,6 +1,6 @@
 #pragma once
-// What differs between the versions of Dear ImGui that Weftlight takes, 1.86 (Debian 12) to 1.92: how input is fed,
-// how keys are named, how fonts are held. Nothing outside this file asks for a version.
+// What differs between the supported versions of Dear ImGui, 1.86 (Debian 12) to 1.92: input, key names, fonts. No
+// other file checks the version.
 
 #include <imgui.h>
 
@@ -18,35 +18,34 @@ inline constexpr ImGuiCol kFocusColor = ImGuiCol_NavCursor;
 inline constexpr ImGuiCol kFocusColor = ImGuiCol_NavHighlight;
 #endif
 
-/// Which of the window system's moves ImGui shall see in this frame, after its backend's own new frame. The pointer is
-/// fed in every frame.
+/// The input that ImGui sees in this frame; call after the new frame of its backend. Feed the pointer in every frame.
 void feed_pointer(ImVec2 at);
 void feed_button(int button, bool down);
 void feed_wheel(float x, float y);
-/// By GLFW's code.
+/// By GLFW's key code.
 void feed_key(int glfw_key, bool down);
 void feed_modifiers(bool ctrl, bool shift, bool alt, bool super);
-/// The events of a frame are told apart by the caller, not by ImGui.
+/// The caller splits input into frames; ImGui must not do it again.
 void feed_whole_frames();
 
-/// Pressed in this frame.
+/// True if pressed in this frame.
 bool key_pressed(ImGuiKey key, bool repeat = true);
-/// 'A' to 'Z', held.
+/// True while the letter, 'A' to 'Z', is held.
 bool letter_down(char letter);
 
 ImTextureID texture_of(unsigned gl_name);
 
-/// Pixels of a loaded font.
+/// Height of a loaded font in pixels.
 float font_size(const ImFont* font);
 void push_font(ImFont* font);
-/// Starts the atlas anew, drawn by FreeType, for `ratio` framebuffer pixels a window unit. Fonts are to be added at
-/// the answered share of their size in framebuffer pixels.
+/// Clears the atlas and selects FreeType, for `ratio` framebuffer pixels per window unit. Multiply the sizes of added
+/// fonts, in framebuffer pixels, by the returned factor.
 float begin_fonts(float ratio);
 void end_fonts();
 
-/// Right edge of what the window holds, from its left edge.
+/// Right edge of the window's content, from the window's left edge.
 float content_right();
-/// A child whose own padding parts it from what it holds.
+/// A child window that has padding.
 bool begin_padded_child(const char* id, ImVec2 size);
 
 }  // namespace weftlight::ui

@@ -1,5 +1,5 @@
 #pragma once
-// This folder uses the names of base alone: it knows ImGui and nothing of drafts.
+// This folder uses the names of base only: it knows ImGui and nothing of drafts.
 
 #include "base/names.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A GL texture that the CPU fills.
+// A GL texture filled by the CPU.
 
 #include <imgui.h>
 
@@ -18,8 +18,8 @@ class PixelTexture {
   PixelTexture(const PixelTexture&) = delete;
   PixelTexture& operator=(const PixelTexture&) = delete;
 
-  /// width x height pixels as ImGui packs them, row 0 on top. Other pixels have another name (Damage asks for it).
-  /// `smooth`: to be shown at another size, at least half its own.
+  /// width x height pixels as ImGui packs them, row 0 on top. Each call changes name(), which Damage needs. `smooth`:
+  /// linear filtering, for display at another size, at least half of its own.
   void set(int width, int height, std::span<const ImU32> pixels, bool smooth = false);
   bool empty() const { return name() == 0; }
   unsigned name() const { return names_[shown_]; }

@@ -20,15 +20,15 @@ void Redraw::resize(int width, int height) {
   width_ = width, height_ = height;
   if (framebuffer_ == 0) glGenFramebuffers(1, &framebuffer_), glGenTextures(1, &picture_);
   glBindTexture(GL_TEXTURE_2D, picture_);
-  // The order of the channels that windows have, so that showing it is copying it.
+  // The channel order of windows, so that presenting is a plain copy.
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_, 0);
-  damage_.forget();
+  damage_.invalidate();
 }
 
-/// ImGui's commands with their rectangles cut to the area, which it takes as scissors.
+/// Draws ImGui's commands with their clip rectangles, which become scissors, cut to the area.
 void Redraw::draw_area(ImDrawData& data, const Area& area) const {
   const float sx = data.FramebufferScale.x, sy = data.FramebufferScale.y;
   const int x = static_cast<int>(area.x0 * sx), y = static_cast<int>(static_cast<float>(height_) - area.y1 * sy);
@@ -57,9 +57,9 @@ void Redraw::draw_area(ImDrawData& data, const Area& area) const {
 bool Redraw::draw(ImDrawData& data, int width, int height, ImU32 background, bool show) {
   if (width < 1 || height < 1) return false;
   resize(width, height);
-  if (background != background_) damage_.forget();
+  if (background != background_) damage_.invalidate();
   background_ = background;
-  const std::vector<Area> areas = damage_.of(data);
+  const std::vector<Area> areas = damage_.changed_areas(data);
   if (areas.empty() && !show) return false;
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

@@ -1,5 +1,5 @@
 #pragma once
-// Draws ImGui's frames into a picture that is kept, and of each frame only what differs from the one before.
+// Keeps the drawn window in a texture and redraws only the areas that differ from the previous frame.
 
 #include <imgui.h>
 
@@ -14,10 +14,11 @@ class Redraw {
   Redraw(const Redraw&) = delete;
   Redraw& operator=(const Redraw&) = delete;
 
-  /// Into the window's framebuffer, width x height pixels. True when it must be shown: something changed, or `show`.
+  /// Draws into the window's framebuffer, width x height pixels. True if it must be presented: something changed, or
+  /// `show`.
   bool draw(ImDrawData& data, int width, int height, ImU32 background, bool show);
-  /// The fonts or the theme are others.
-  void forget() { damage_.forget(); }
+  /// Redraws everything next time, as after a change of fonts or theme.
+  void invalidate() { damage_.invalidate(); }
 
  private:
   void resize(int width, int height);

@@ -104,11 +104,11 @@ void apply(const Style& style) {
   s.ScaleAllSizes(style.scale);
 }
 
-ImU32 blend(ImU32 from, ImU32 to, float share) {
+ImU32 blend(ImU32 from, ImU32 to, float t) {
   ImU32 out = 0;
   for (int shift = 0; shift < 32; shift += 8) {
     const float a = static_cast<float>((from >> shift) & 255), b = static_cast<float>((to >> shift) & 255);
-    out |= static_cast<ImU32>(std::lround(a + (b - a) * std::clamp(share, 0.0f, 1.0f))) << shift;
+    out |= static_cast<ImU32>(std::lround(a + (b - a) * std::clamp(t, 0.0f, 1.0f))) << shift;
   }
   return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The look of the window: one set of colours, fonts and spacings, handed to every panel.
+// The style of the window: one set of colours, fonts and spacings for all panels.
 
 #include <imgui.h>
 
@@ -8,10 +8,10 @@
 namespace weftlight::ui {
 
 struct Colors {
-  ImU32 window, panel, raised;  // backgrounds, from the furthest back
-  ImU32 line, line_strong;      // hairlines and every fifth
-  ImU32 text, muted;            // contrast against `panel`: 7:1 and 4.5:1 or better
-  ImU32 accent, accent_soft;    // what is chosen; what the pointer is over
+  ImU32 window, panel, raised;  // backgrounds, back to front
+  ImU32 line, line_strong;      // grid lines, and the heavy ones
+  ImU32 text, muted;            // contrast against `panel` at least 7:1 and 4.5:1
+  ImU32 accent, accent_soft;    // selected; hovered
   ImU32 ink, paper;             // a filled and an empty cell
   ImU32 warn, error;
 };
@@ -22,9 +22,9 @@ struct Fonts {
   ImFont* bold = nullptr;
   ImFont* mono = nullptr;
   ImFont* mono_small = nullptr;
-  ImFont* title = nullptr;  // read from a step away
-  ImFont* big = nullptr;    // figures alone, read from across the room
-  bool icons = false;       // Font Awesome was found
+  ImFont* title = nullptr;  // to read from a step away
+  ImFont* big = nullptr;    // digits only, to read from across the room
+  bool icons = false;       // true if Font Awesome was found
 };
 
 struct Style {
@@ -33,7 +33,7 @@ struct Style {
   bool dark = false;
   float scale = 1;  // of the display: 1 at 96 dpi
 
-  /// A length of the design, on whole pixels.
+  /// A length of the design (96 dpi) in whole pixels.
   float px(float v) const { return static_cast<float>(static_cast<int>(v * scale + 0.5f)); }
 };
 
@@ -42,10 +42,10 @@ Colors dark_colors();
 /// Sets ImGui's own colours and spacings from the style.
 void apply(const Style& style);
 
-/// Towards `to` by `share`, channel by channel.
-ImU32 blend(ImU32 from, ImU32 to, float share);
+/// Linear interpolation by `t`, per channel.
+ImU32 blend(ImU32 from, ImU32 to, float t);
 ImU32 with_alpha(ImU32 color, float alpha);
-/// Black or white, whichever reads better on `c`.
+/// Black or white, whichever has more contrast on `c`.
 ImU32 reading_color(ImU32 c);
 
 }  // namespace weftlight::ui

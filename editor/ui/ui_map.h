@@ -1,6 +1,6 @@
 #pragma once
-// Where the controls and grids are, in window pixels: collected while a frame is drawn, so that tests
-// and assistive programs can find them (`--ui-map`).
+// Positions of controls and grids in window pixels, collected while a frame is drawn, so that tests and assistive
+// programs can find them (`--ui-map`).
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct UiControl {
   bool operator==(const UiControl&) const = default;
 };
 
-/// Cell (a, b), both from 1, has its middle at origin + (a - 1) step_a + (b - 1) step_b.
+/// The centre of cell (a, b), both counted from 1, is origin + (a - 1) step_a + (b - 1) step_b.
 struct UiGrid {
   std::string name;
   float origin[2] = {0, 0}, step_a[2] = {0, 0}, step_b[2] = {0, 0};

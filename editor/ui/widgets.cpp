@@ -7,26 +7,32 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 
 namespace weftlight::ui {
+
+using base::tr;
+
 namespace {
 
-constexpr float kLabelColumn = 104, kFigureColumn = 70;
-constexpr double kRest = 0.45;  // seconds
+constexpr float kLabelColumn = 112, kFigureColumn = 70;  // pixels at 96 dpi
+constexpr double kTipDelayS = 0.45;
 
-float share_of(const SliderSpec& spec, float value) {
-  const float share = (value - spec.min) / (spec.max - spec.min);
-  return std::clamp(spec.logarithmic ? std::log1p(std::max(share, 0.0f) * 20) / std::log1p(20.0f) : share, 0.0f, 1.0f);
+float track_position(const SliderSpec& spec, float value) {
+  const float t = (value - spec.min) / (spec.max - spec.min);
+  return std::clamp(spec.logarithmic ? std::log1p(std::max(t, 0.0f) * 20) / std::log1p(20.0f) : t, 0.0f, 1.0f);
 }
 
-/// One value: a filled track with a knob. Several: their span between two smaller ones.
-void draw_track(const Context& c, const SliderSpec& spec, const SliderSpan& span, ImVec2 a, ImVec2 b, bool lit) {
+/// One value: a filled track with a knob. A range: the track between two smaller knobs.
+void draw_track(const Context& c, const SliderSpec& spec, const SliderSpan& span, ImVec2 a, ImVec2 b,
+                bool highlighted) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& k = c.style.color;
   const bool mixed = span.low != span.high;
-  const float y = static_cast<float>(static_cast<int>((a.y + b.y) / 2)), r = c.style.px(lit ? 7 : 6), h = c.style.px(2);
-  const auto at = [&](float value) { return a.x + r + (b.x - a.x - 2 * r) * share_of(spec, value); };
+  const float y = static_cast<float>(static_cast<int>((a.y + b.y) / 2)), r = c.style.px(highlighted ? 7 : 6),
+              h = c.style.px(2);
+  const auto at = [&](float value) { return a.x + r + (b.x - a.x - 2 * r) * track_position(spec, value); };
   const float low = at(span.low), high = at(span.high);
   const ImU32 fill = span.inherited ? blend(k.panel, k.accent, 0.45f) : k.accent;
   dl->AddRectFilled({a.x, y - h}, {b.x, y + h}, blend(k.panel, k.text, 0.14f), h);
@@ -34,16 +40,16 @@ void draw_track(const Context& c, const SliderSpec& spec, const SliderSpan& span
   for (const float x : {low, high}) {
     const float radius = mixed ? r - c.style.px(2) : r;
     dl->AddCircleFilled({x, y}, radius, c.style.dark ? k.text : k.raised);
-    dl->AddCircle({x, y}, radius, lit ? k.accent : k.line_strong, 0, 1.2f);
+    dl->AddCircle({x, y}, radius, highlighted ? k.accent : k.line_strong, 0, 1.2f);
     if (!mixed) break;
   }
 }
 
-/// The slider's place along its track, 0..1, as draw_track shows it, and back.
-float value_at(const SliderSpec& s, float share) {
-  share = std::clamp(share, 0.0f, 1.0f);
-  if (s.logarithmic) share = std::expm1(share * std::log1p(20.0f)) / 20.0f;
-  return s.min + (s.max - s.min) * share;
+/// Inverse of track_position: the value at `t` of the track, 0..1.
+float value_at(const SliderSpec& s, float t) {
+  t = std::clamp(t, 0.0f, 1.0f);
+  if (s.logarithmic) t = std::expm1(t * std::log1p(20.0f)) / 20.0f;
+  return s.min + (s.max - s.min) * t;
 }
 
 bool drag_track(const Context& c, const SliderSpec& spec, ImVec2 a, ImVec2 b, float& value) {
@@ -65,8 +71,8 @@ void draw_figure(const char* text, FigureAlign align, ImU32 color) {
       text);
 }
 
-/// The figure: drag it, or click to type. Its text is drawn here, since ImGui would centre it and
-/// knows nothing of several values.
+/// The figure: drag it, or click to type. Its text is drawn here, because ImGui would centre it and cannot show
+/// "mixed".
 bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign align, ImU32 color, float& value) {
   push_font(c.style.font.mono_small);
   float typed = value;
@@ -81,14 +87,14 @@ bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign al
     ImGui::PopStyleColor();
     char text[48];
     std::snprintf(text, sizeof text, spec.format, static_cast<double>(typed));
-    draw_figure(mixed && !changed ? "mixed" : text, align, color);
+    draw_figure(mixed && !changed ? tr("mixed") : text, align, color);
   }
   ImGui::PopFont();
   if (changed) value = typed;
   return changed;
 }
 
-/// In the column of figures, up to `room_after` pixels from the end.
+/// In the column of figures, `room_after` pixels before the end.
 bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
@@ -102,6 +108,13 @@ bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& s
 }
 
 }  // namespace
+
+SliderSpec translated(SliderSpec spec) {
+  spec.label = tr(spec.label);
+  spec.format = tr(spec.format);
+  spec.tip = tr(spec.tip);
+  return spec;
+}
 
 bool span_slider(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushID(spec.id);
@@ -170,7 +183,7 @@ bool begin_combo(const Context& c, const char* id, const char* shown) {
     const float r = c.style.px(4), x = b.x - c.style.px(14), y = (a.y + b.y) / 2;
     const ImU32 frame = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg);
     ImDrawList* dl = ImGui::GetWindowDrawList();
-    dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // a long name ends here
+    dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // covers the end of a long name
     dl->AddTriangleFilled({x - r, y - r / 2}, {x + r, y - r / 2}, {x, y + r * 0.7f}, c.style.color.muted);
     ImGui::PopID();
   }
@@ -195,23 +208,24 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
   bool changed = false;
   ImGui::PushID(id);
   for (int i = 0; i < count; ++i) {
+    const char* label = labels[static_cast<size_t>(i)];
+    const char* shown = tr(label);
     const ImVec2 a{at.x + each * static_cast<float>(i), at.y}, b{a.x + each, a.y + h};
     ImGui::SetCursorScreenPos(a);
-    if (hit_area(labels[static_cast<size_t>(i)], {each, h}) && chosen != i) {
+    if (hit_area(label, {each, h}) && chosen != i) {
       chosen = i;
       changed = true;
     }
-    c.map.add_item(std::string(id) + ":" + labels[static_cast<size_t>(i)]);
+    c.map.add_item(std::string(id) + ":" + label);
     const bool on = chosen == i;
     if (on) {
       dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
     }
-    const ImVec2 size = ImGui::CalcTextSize(labels[static_cast<size_t>(i)]);
+    const ImVec2 size = ImGui::CalcTextSize(shown);
     dl->AddText({static_cast<float>(static_cast<int>((a.x + b.x - size.x) / 2)),
                  static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))},
-                on || ImGui::IsItemHovered() ? c.style.color.text : c.style.color.muted,
-                labels[static_cast<size_t>(i)]);
+                on || ImGui::IsItemHovered() ? c.style.color.text : c.style.color.muted, shown);
   }
   ImGui::PopID();
   return changed;
@@ -233,7 +247,7 @@ bool section(const Context& c, const char* id, const char* label, bool open_at_f
   ImFont* font = c.style.font.bold;
   const float x = at.x + c.style.px(14);
   dl->AddText(font, font_size(font), {x, at.y + (h - font_size(font)) / 2}, c.style.color.text, label);
-  // A small triangle that points right when shut and down when open.
+  // A triangle that points right if closed and down if open.
   const float r = c.style.px(4);
   const ImVec2 m{at.x + r + 1, at.y + h / 2};
   if (open)
@@ -268,7 +282,7 @@ bool text_button(const Context& c, const char* id, const char* label, const char
 }
 
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
-  // ImGui aborts at no size, and a window may be smaller than what surrounds its panes.
+  // ImGui asserts on an empty size, and a tiny window has empty panes.
   return ImGui::InvisibleButton(id, {std::max(1.0f, size.x), std::max(1.0f, size.y)}, flags);
 }
 
@@ -279,7 +293,7 @@ void tooltip(const Context& c, const char* tip) {
   if (ImGui::IsItemActive()) return;
   const ImVec2 at = ImGui::GetItemRectMin();
   const bool shown = c.tip.shown && c.tip.x == at.x && c.tip.y == at.y;
-  if (!shown && c.tip.rest_s < kRest) return;
+  if (!shown && c.tip.rest_s < kTipDelayS) return;
   c.tip = {c.tip.rest_s, shown, true, at.x, at.y};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
   push_font(c.style.font.small);
@@ -295,15 +309,15 @@ void tooltip(const Context& c, const char* tip) {
 }
 
 std::string fitted(const std::string& text, float width) {
-  constexpr const char* kDots = "\xE2\x80\xA6";
+  constexpr const char* kEllipsis = "\xE2\x80\xA6";
   if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
   std::string start = text;
-  while (!start.empty() && ImGui::CalcTextSize((start + kDots).c_str()).x > width) {
-    // Whole characters: the bytes of one that go on begin with the bits 10.
+  while (!start.empty() && ImGui::CalcTextSize((start + kEllipsis).c_str()).x > width) {
+    // Remove whole UTF-8 characters: continuation bytes start with the bits 10.
     while (start.size() > 1 && (static_cast<unsigned char>(start.back()) & 0xC0) == 0x80) start.pop_back();
     start.pop_back();
   }
-  return start + kDots;
+  return start + kEllipsis;
 }
 
 void muted_text(const Context& c, const std::string& text) {

@@ -129,7 +129,7 @@ TEST_F(DrawingTest, WhatTheLoomCannotWeaveIsOfferedAsTheNearest) {
 
   ASSERT_NO_FATAL_FAILURE(refused());
   display_.click(w.middle_of("nearest.see"));
-  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Take the nearest") && w.live() != before; }));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Use closest weave") && w.live() != before; }));
   EXPECT_TRUE(w.has("nearest.place:1")) << "where it is not as painted";
   display_.click(w.middle_of("nearest.place:1"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Keep what was"));

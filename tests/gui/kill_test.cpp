@@ -108,15 +108,15 @@ void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point
   if (least == 0 && before.states.front() == design_of(bytes_of(draft_))) {
     // Too short to be sure of an offer.
     std::this_thread::sleep_for(1s);
-    if (!w.has("dialog:Bring back")) {
+    if (!w.has("dialog:Recover")) {
       painted.states = {before.states.front()};
       return;
     }
   }
-  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Bring back"); })) << "nothing was offered";
-  display_.click(w.middle_of("dialog:Bring back"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Recover"); })) << "nothing was offered";
+  display_.click(w.middle_of("dialog:Recover"));
   const std::string original = bytes_of(draft_);
-  ASSERT_TRUE(comes_true([&] { return w.live() != original && !w.has("dialog:Bring back"); }));
+  ASSERT_TRUE(comes_true([&] { return w.live() != original && !w.has("dialog:Recover"); }));
   const Design back = design_of(w.live());
   const auto state = std::find(before.states.rbegin(), before.states.rend(), back);
   ASSERT_NE(state, before.states.rend()) << "what came back was never painted";

@@ -224,8 +224,8 @@ void LookTest::shoot_closest_weave(const Window& w) {
   shoot("closest_weave_notice");
   display_.click(w.middle_of("nearest.see"));
   ASSERT_TRUE(comes_true([&] { return w.has("nearest.place:1"); }));
-  shoot("nearest");
-  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Keep what was"));
+  shoot("closest_weave");
+  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Cancel"));
   ASSERT_TRUE(comes_true([&] { return !w.has("nearest.place:1"); }));
   display_.key("p");
   display_.key("ctrl+z");

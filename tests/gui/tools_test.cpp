@@ -33,7 +33,7 @@ TEST_F(ToolsTest, PrintsWhatWasSeen) {
   ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); })) << "no sheet is seen";
   EXPECT_TRUE(w.has("print.sheets:2")) << "the grids, and the lists";
   for (const char* part : {"print.lists", "print.heddles", "print.yarn"}) ASSERT_NO_FATAL_FAILURE(click(w, part));
-  ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Own"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Custom"));
   ASSERT_TRUE(comes_true([&] { return w.has("print.cell"); }));
   const auto [slider, size] = w.place_of("print.cell");
   display_.drag({{slider.x + 10, slider.y + size.y / 2}, {slider.x + size.x - 4, slider.y + size.y / 2}});
@@ -69,7 +69,7 @@ TEST_F(ToolsTest, ExportsWhatWasSeenAndFollowsTheDraft) {
   ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Export"));
   ASSERT_TRUE(comes_true([&] { return w.has("export.asked"); })) << "there is something of the artist's";
   EXPECT_FALSE(fs::exists(other / "texture_set.json"));
-  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Write there"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Replace"));
   ASSERT_TRUE(comes_true([&] { return w.has("export.written"); }));
   EXPECT_EQ(bytes_of(other / "notes.txt"), "of the artist");
   const std::string before = bytes_of(other / "straight_albedo.png");

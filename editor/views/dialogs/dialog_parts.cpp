@@ -4,10 +4,14 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 bool enter_pressed() { return key_pressed(ImGuiKey_Enter, false); }
@@ -28,22 +32,22 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
   const ImGuiStyle& s = ImGui::GetStyle();
   float width = -s.ItemSpacing.x;
   for (const std::string& l : labels)
-    width += ImGui::CalcTextSize(l.c_str()).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
+    width += ImGui::CalcTextSize(tr(l.c_str())).x + 2 * s.FramePadding.x + s.ItemSpacing.x;
   ImGui::Dummy({0, c.style.px(6)});
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), content_right() - width));
   int pressed = -1;
   for (int i = static_cast<int>(labels.size()) - 1; i >= 0; --i) {
     const std::string id = "dialog:" + labels[static_cast<size_t>(i)];
-    const char* label = labels[static_cast<size_t>(i)].c_str();
+    const char* label = tr(labels[static_cast<size_t>(i)].c_str());
     if (i == 0 ? primary_button(c, id.c_str(), label) : text_button(c, id.c_str(), label, nullptr)) pressed = i;
     if (i > 0) ImGui::SameLine();
   }
   return pressed < 0 && enter_presses_first && enter_pressed() ? 0 : pressed;
 }
 
-DialogAnswer answered(int button, int leave_button) {
+DialogResult dialog_result(int button, int cancel_button) {
   if (button < 0) return {};
-  return {button == leave_button ? Answer::kLeft : Answer::kDone, button, {}};
+  return {button == cancel_button ? DialogOutcome::kCancelled : DialogOutcome::kDone, button, {}};
 }
 
 void heading(PanelContext& c, const std::string& text) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the dialogs are made of.
+// Shared parts of the dialogs.
 
 #include <string>
 #include <vector>
@@ -12,25 +12,26 @@ namespace weftlight::views {
 void heading(PanelContext& c, const std::string& text);
 /// A labelled whole number with steps of one and ten.
 void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max);
-/// The buttons at the lower right, the first the primary one and outermost. Index pressed or -1.
+/// The buttons at the lower right; the first is the primary one and outermost. Labels are marked texts, and the map has
+/// them in English as dialog:LABEL. Returns the index of the pressed one or -1.
 int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first);
-/// What draw_buttons gave as an answer.
-DialogAnswer answered(int button, int leave_button = 1);
+/// The result for what draw_buttons returned.
+DialogResult dialog_result(int button, int cancel_button = 1);
 
-/// The weaves of weave_kinds() by family; true when another became the chosen one. Pixels at 96 dpi.
+/// The weaves of weave_kinds() by family. True if another was chosen. Sizes in pixels at 96 dpi.
 bool draw_weave_list(PanelContext& c, int& chosen, float width, float height);
-/// A row for each number of the weave; true when one became another.
+/// A row for each parameter of the weave. True if one changed.
 bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values);
-DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
-/// The draft as it was before.
-MaybeEdit given_back(const WeaveOverPrompt& p);
-DialogAnswer draw_sections(PanelContext& c, SectionsPrompt& p);
-MaybeEdit given_back(const SectionsPrompt& p);
-DialogAnswer draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p);
-MaybeEdit given_back(const ClosestWeavePrompt& p);
-DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p);
-DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p);
-DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p);
-DialogAnswer draw_weave_prompt(PanelContext& c, WeavePrompt& p);
+DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
+/// The edit that restores the draft as the dialog found it.
+MaybeEdit restored(const WeaveOverPrompt& p);
+DialogResult draw_sections(PanelContext& c, SectionsPrompt& p);
+MaybeEdit restored(const SectionsPrompt& p);
+DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p);
+MaybeEdit restored(const ClosestWeavePrompt& p);
+DialogResult draw_gallery(PanelContext& c, GalleryPrompt& p);
+DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p);
+DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p);
+DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 
 }  // namespace weftlight::views

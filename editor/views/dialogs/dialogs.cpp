@@ -5,36 +5,44 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 bool escape_pressed() { return key_pressed(ImGuiKey_Escape, false); }
 
-DialogAnswer draw(PanelContext&, std::monostate&) { return {}; }
+DialogResult draw(PanelContext&, std::monostate&) { return {}; }
 
-DialogAnswer draw(PanelContext& c, Question& q) {
+DialogResult draw(PanelContext& c, Question& q) {
   heading(c, q.title);
   ImGui::PushTextWrapPos(c.style.px(440));
   ImGui::TextUnformatted(q.text.c_str());
   ImGui::PopTextWrapPos();
-  return answered(draw_buttons(c, q.buttons, true), -2);
+  return dialog_result(draw_buttons(c, q.buttons, true), -2);
 }
 
-DialogAnswer draw(PanelContext& c, PathPrompt& p) {
+DialogResult draw(PanelContext& c, PathPrompt& p) {
   heading(c, p.title);
   ImGui::SetNextItemWidth(c.style.px(520));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool enter = ImGui::InputText("##path", &p.path, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("dialog.path");
-  const int button = draw_buttons(c, {p.button, "Cancel"}, false);
-  return answered(enter ? 0 : button);
+  const int button = draw_buttons(c, {p.button, mark("Cancel")}, false);
+  return dialog_result(enter ? 0 : button);
 }
 
-DialogAnswer draw(PanelContext& c, NamePrompt& p) {
+DialogResult draw(PanelContext& c, NamePrompt& p) {
   heading(c, p.title);
   if (!p.tip.empty()) muted_text(c, p.tip);
   ImGui::SetNextItemWidth(c.style.px(360));
@@ -42,11 +50,11 @@ DialogAnswer draw(PanelContext& c, NamePrompt& p) {
   const bool enter =
       ImGui::InputText("##name", &p.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   c.map.add_item("dialog.name");
-  const int button = draw_buttons(c, {p.button, "Cancel"}, false);
-  return answered(enter ? 0 : button);
+  const int button = draw_buttons(c, {p.button, mark("Cancel")}, false);
+  return dialog_result(enter ? 0 : button);
 }
 
-DialogAnswer draw(PanelContext& c, NamesPrompt& p) {
+DialogResult draw(PanelContext& c, NamesPrompt& p) {
   constexpr int kMaxRows = 10;
   heading(c, p.title);
   const float row = ImGui::GetFrameHeightWithSpacing(), width = c.style.px(380);
@@ -55,34 +63,34 @@ DialogAnswer draw(PanelContext& c, NamesPrompt& p) {
   for (size_t i = 0; i < p.names.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     ImGui::PushID(static_cast<int>(i));
-    const bool dropped = p.names[i].empty();
+    const bool deleted = p.names[i].empty();
     ImGui::SetNextItemWidth(width - c.style.px(110));
-    ImGui::InputTextWithHint("##name", ("dropped: " + p.before[i]).c_str(), &p.names[i]);
+    ImGui::InputTextWithHint("##name", fill(tr("delete: {name}"), arg("name", p.before[i])).c_str(), &p.names[i]);
     c.map.add_item("names:" + number);
     ImGui::SameLine();
-    if (text_button(c, ("names.drop:" + number).c_str(), dropped ? "Keep" : "Drop", nullptr))
-      p.names[i] = dropped ? p.before[i] : std::string();
+    if (text_button(c, ("names.drop:" + number).c_str(), deleted ? tr("Keep") : tr("Delete"), nullptr))
+      p.names[i] = deleted ? p.before[i] : std::string();
     ImGui::PopID();
   }
   ImGui::EndChild();
-  return answered(draw_buttons(c, {"Done", "Cancel"}, false));
+  return dialog_result(draw_buttons(c, {mark("Done"), mark("Cancel")}, false));
 }
 
-DialogAnswer draw(PanelContext& c, SizePrompt& p) {
+DialogResult draw(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
-  number(c, "size.ends", "Ends", p.ends, 1, kMaxThreads);
-  number(c, "size.picks", "Picks", p.picks, 1, kMaxThreads);
-  number(c, "size.shafts", "Shafts", p.shafts, 1, kMaxShafts);
-  number(c, "size.treadles", "Treadles", p.treadles, 1, kMaxShafts);
+  number(c, "size.ends", tr("Ends"), p.ends, 1, kMaxThreads);
+  number(c, "size.picks", tr("Picks"), p.picks, 1, kMaxThreads);
+  number(c, "size.shafts", tr("Shafts"), p.shafts, 1, kMaxShafts);
+  number(c, "size.treadles", tr("Treadles"), p.treadles, 1, kMaxShafts);
   ImGui::Dummy({0, c.style.px(4)});
-  muted_text(c, "What the loom has, within which the drawdown is painted; 0: not said");
-  number(c, "size.loom_shafts", "Its shafts", p.loom_shafts, 0, kMaxShafts);
-  number(c, "size.loom_treadles", "Its treadles", p.loom_treadles, 0, kMaxShafts);
-  return answered(draw_buttons(c, {p.button, "Cancel"}, true));
+  muted_text(c, tr("Loom limits, for edits of the drawdown; 0: no limit"));
+  number(c, "size.loom_shafts", tr("Max. shafts"), p.loom_shafts, 0, kMaxShafts);
+  number(c, "size.loom_treadles", tr("Max. treadles"), p.loom_treadles, 0, kMaxShafts);
+  return dialog_result(draw_buttons(c, {p.button, mark("Cancel")}, true));
 }
 
-DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
-  heading(c, "Title and notes");
+DialogResult draw(PanelContext& c, NotesPrompt& p) {
+  heading(c, tr("Title and notes"));
   const auto field = [&](const char* id, const char* label, std::string& text) {
     row_label(c, label, nullptr);
     ImGui::SetNextItemWidth(c.style.px(420));
@@ -91,46 +99,47 @@ DialogAnswer draw(PanelContext& c, NotesPrompt& p) {
     ImGui::PopID();
     c.map.add_item(id);
   };
-  field("notes.title", "Title", p.title);
-  field("notes.author", "Author", p.author);
-  row_label(c, "Notes", nullptr);
+  field("notes.title", tr("Title"), p.title);
+  field("notes.author", tr("Author"), p.author);
+  row_label(c, tr("Notes"), nullptr);
   ImGui::InputTextMultiline("##notes", &p.notes, {c.style.px(420), c.style.px(220)});
   c.map.add_item("notes.text");
-  return answered(draw_buttons(c, {"Keep", "Cancel"}, false));
+  return dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, false));
 }
 
-DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
-  heading(c, "Go to a thread");
-  constexpr const char* kSystems[] = {"End", "Pick"};
+DialogResult draw(PanelContext& c, ThreadPrompt& p) {
+  heading(c, tr("Go to thread"));
+  constexpr const char* kSystems[] = {mark("End"), mark("Pick")};
   int system = p.system == System::kWarp ? 0 : 1;
   segmented(c, "goto.system", kSystems, system, c.style.px(244));
   p.system = system == 0 ? System::kWarp : System::kWeft;
   const int last = system == 0 ? p.ends : p.picks;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  number(c, "goto.number", "Number", p.number, 1, last);
-  muted_text(c, "of " + std::to_string(last));
-  return answered(draw_buttons(c, {"Go", "Cancel"}, true));
+  number(c, "goto.number", tr("Number"), p.number, 1, last);
+  muted_text(c, fill(tr("of {count}"), arg("count", last)));
+  return dialog_result(draw_buttons(c, {mark("Go"), mark("Cancel")}, true));
 }
 
-DialogAnswer draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
+DialogResult draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
 
-DialogAnswer draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_weave(c, p); }
+DialogResult draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_weave(c, p); }
 
-DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
+DialogResult draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
+DialogResult draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
+DialogResult draw(PanelContext& c, PrintPrompt& p) { return draw_print_prompt(c, p); }
 
-DialogAnswer draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, p); }
+DialogResult draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, p); }
 
-DialogAnswer draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
+DialogResult draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
 
-DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
+DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
   constexpr int kMaxRows = 8;
-  heading(c, "Bring back unsaved work?");
-  muted_text(c, p.rows.size() == 1 ? "Weftlight ended before this was saved."
-                                   : "Weftlight ended before these were saved; the newest first.");
+  heading(c, tr("Recover unsaved work?"));
+  muted_text(c, tr_n("Weftlight closed before this draft was saved.",
+                     "Weftlight closed before these drafts were saved. The newest is first.",
+                     static_cast<int>(p.rows.size())));
   const float width = c.style.px(480), when = c.style.px(230);
   const float line = 2 * ImGui::GetTextLineHeightWithSpacing() + c.style.px(4);
   const int shown = std::min(static_cast<int>(p.rows.size()), kMaxRows);
@@ -152,17 +161,18 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
     ImGui::PopID();
   }
   ImGui::EndChild();
-  std::vector<std::string> buttons{"Bring back", "Later", "Discard"};
-  if (p.rows.size() > 1) buttons.insert(buttons.begin() + 1, "Bring back all");
+  std::vector<std::string> buttons{mark("Recover"), mark("Later"), mark("Discard")};
+  if (p.rows.size() > 1) buttons.insert(buttons.begin() + 1, mark("Recover all"));
   const int pressed = draw_buttons(c, buttons, true);
-  return pressed >= 0 && p.button(pressed) == RecoveryPrompt::Button::kLater ? answered(1) : answered(pressed, -2);
+  return pressed >= 0 && p.button(pressed) == RecoveryPrompt::Button::kLater ? dialog_result(1)
+                                                                             : dialog_result(pressed, -2);
 }
 
-/// What a dialog that the draft follows gives back when it is left.
-MaybeEdit as_it_was(const Dialog& dialog) {
-  if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return given_back(*over);
-  if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return given_back(*sections);
-  if (const auto* nearest = std::get_if<ClosestWeavePrompt>(&dialog)) return given_back(*nearest);
+/// The edit that undoes the preview of a cancelled dialog.
+MaybeEdit restored(const Dialog& dialog) {
+  if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return restored(*over);
+  if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return restored(*sections);
+  if (const auto* closest = std::get_if<ClosestWeavePrompt>(&dialog)) return restored(*closest);
   return {};
 }
 
@@ -188,12 +198,12 @@ RecoveryPrompt::Button RecoveryPrompt::button(int pressed) const {
   return kButtons[std::clamp(pressed + skipped, 0, 3)];
 }
 
-DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
+DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   if (std::holds_alternative<std::monostate>(dialog)) return {};
   constexpr const char* kName = "###dialog";
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImGuiViewport* view = ImGui::GetMainViewport();
-  // One that the draft follows stands beside it.
+  // A dialog with a preview in the draft stands beside the draft.
   const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
                     std::holds_alternative<ClosestWeavePrompt>(dialog);
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog);
@@ -203,25 +213,25 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   ImGui::SetNextWindowSizeConstraints({1, 1}, {std::max(1.0f, view->WorkSize.x), std::max(1.0f, view->WorkSize.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(10));
-  // A dialog lies higher than the panels: its fields stand out from its own ground.
+  // The background of a dialog is lighter than that of a panel, and so are its fields.
   const Colors& color = c.style.color;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, blend(color.raised, color.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, blend(color.raised, color.text, 0.12f));
   ImGui::PushStyleColor(ImGuiCol_Button, blend(color.raised, color.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(color.raised, color.text, 0.14f));
-  DialogAnswer answer;
+  DialogResult result;
   if (ImGui::BeginPopupModal(
           kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
-    answer = std::visit([&](auto& d) { return draw(c, d); }, dialog);
-    if (answer.answer == Answer::kNone && escape_pressed()) answer = {Answer::kLeft, -1, {}};
-    if (answer.answer == Answer::kLeft)
-      if (MaybeEdit back = as_it_was(dialog)) answer.edit = std::move(back);
-    if (answer.answer != Answer::kNone) ImGui::CloseCurrentPopup();
+    result = std::visit([&](auto& d) { return draw(c, d); }, dialog);
+    if (result.outcome == DialogOutcome::kOpen && escape_pressed()) result = {DialogOutcome::kCancelled, -1, {}};
+    if (result.outcome == DialogOutcome::kCancelled)
+      if (MaybeEdit back = restored(dialog)) result.edit = std::move(back);
+    if (result.outcome != DialogOutcome::kOpen) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleColor(4);
   ImGui::PopStyleVar(2);
-  return answer;
+  return result;
 }
 
 }  // namespace weftlight::views

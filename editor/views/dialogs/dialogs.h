@@ -1,5 +1,5 @@
 #pragma once
-// Questions in the middle of the window. One is open at a time; the answer comes back once.
+// Modal dialogs. One is open at a time and gives one result.
 
 #include <memory>
 #include <string>
@@ -15,72 +15,73 @@
 
 namespace weftlight::views {
 
-/// A question with up to three buttons; the answer is the index of the one pressed (-1: left by Escape).
+/// A question with up to four buttons; the result is the index of the pressed one, -1 for Escape. Buttons, here and in
+/// the other prompts, are marked texts.
 struct Question {
   std::string title, text;
-  std::vector<std::string> buttons;  // the first is the one that Enter presses
+  std::vector<std::string> buttons;  // Enter presses the first
 };
-/// A path typed in the window, where the system has no file dialog.
+/// A path to type, if the system has no file dialog.
 struct PathPrompt {
   std::string title, path, button;
 };
 struct SizePrompt {
   std::string title, button;
   int ends = 0, picks = 0, shafts = 0, treadles = 0;
-  int loom_shafts = 0, loom_treadles = 0;  // that the loom has; 0: not said
+  int loom_shafts = 0, loom_treadles = 0;  // loom limits; 0: none
 };
-/// The weave of a new draft, seen while it is chosen.
+/// The weave of a new draft, with a preview.
 struct WeavePrompt {
   int kind = 0;  // of weave_kinds()
   WeaveValues values;
   int ends = 64, picks = 64;
   ClothSize repeat{0, 0};
-  bool own_size = false;  // typed, else whole repeats
+  bool own_size = false;  // the size was typed; otherwise it is whole repeats
 };
-/// With the first numbers of the weave, about so large.
+/// The weave with its default parameters, near that size.
 WeavePrompt prompt_for(int kind, ClothSize about);
 struct ThreadPrompt {
   System system = System::kWarp;
   int number = 1, ends = 1, picks = 1;
 };
-/// A weave over the draft or some of its threads; the draft follows while the dialog is open.
+/// A weave over the draft or some of its threads. The draft shows it while the dialog is open.
 struct WeaveOverPrompt {
   int kind = 0;  // of weave_kinds()
   bool whole = true;
   WeaveUse use;
-  std::shared_ptr<const Design> base;  // as the dialog found it
+  std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
-  std::string why{};  // what could not be taken as it was asked
+  std::string why{};  // what could not be done as requested
 };
-/// Threading and treadling from named sections; the draft follows while the dialog is open.
+/// Threading and treadling from named sections. The draft shows them while the dialog is open.
 struct SectionsPrompt {
   System system = System::kWarp;
-  int first_end = 1, last_end = 1, first_pick = 1, last_pick = 1;  // what is taken, from 1
+  int first_end = 1, last_end = 1, first_pick = 1, last_pick = 1;  // the range to add as a section, from 1
   std::string name;                                                // of the next section
   Assembly warp, weft;
-  std::shared_ptr<const Design> base;  // as the dialog found it
+  std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
   std::string why{};  // what could not be made
 };
-/// The nearest that the loom weaves to what was painted; the draft shows it while the dialog is open.
+/// The closest weave that the loom can make to an edit beyond its limits. The draft shows it while the dialog is open.
 struct ClosestWeavePrompt {
   std::shared_ptr<const ClosestWeave> nearest;
-  std::shared_ptr<const Design> base;  // as the dialog found it
+  std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
 };
-/// A name for something.
+/// Asks for a name.
 struct NamePrompt {
   std::string title, tip, name, button;
 };
-/// Things with names, to be renamed or dropped (an empty name).
+/// Named things to rename, or to delete (an empty name).
 struct NamesPrompt {
   std::string title;
   std::vector<std::string> before, names;
 };
 struct NotesPrompt {
-  std::string title, author, notes;  // notes: one a line
+  std::string title, author, notes;  // notes: one per line
 };
-/// Unsaved work that was left, a row each: name, when, where.
+/// Unsaved work to recover, a row each.
 struct RecoveryPrompt {
   struct Row {
     std::string name, when, where;
@@ -88,23 +89,23 @@ struct RecoveryPrompt {
   std::vector<Row> rows;
   int chosen = 0;
   enum class Button { kOne, kAll, kLater, kDiscard };
-  /// What the pressed one means: of several rows, all can be brought back.
+  /// Meaning of the pressed button. With several rows there is also one for all.
   Button button(int pressed) const;
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
                             ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
                             RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt>;
 
-/// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
-enum class Answer { kNone, kDone, kLeft };
-struct DialogAnswer {
-  Answer answer = Answer::kNone;
+/// kOpen while the dialog is open, kDone with `button`, kCancelled by Cancel or Escape.
+enum class DialogOutcome { kOpen, kDone, kCancelled };
+struct DialogResult {
+  DialogOutcome outcome = DialogOutcome::kOpen;
   int button = -1;
-  MaybeEdit edit{};  // what a live dialog makes of the draft, also while it stands open
+  MaybeEdit edit{};  // of a dialog whose draft follows, also while it is open
 };
-/// Draws the open dialog, whose fields hold what was typed.
-DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);
-/// What is worked out beside the window: `busy` while it is, true when there is something new to show.
+/// Draws the open dialog, whose fields hold the input.
+DialogResult draw_dialog(PanelContext& c, Dialog& dialog);
+/// Takes finished background work. `busy`: some is running. True if there is something new to draw.
 bool update_dialog(Dialog& dialog, bool& busy);
 
 }  // namespace weftlight::views

@@ -8,16 +8,23 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 bool ExportStage::poll() {
-  std::optional<ExportPreview> news = preview.take();
-  if (!news) return false;
-  shown = std::move(*news);
+  std::optional<ExportPreview> finished = preview.take();
+  if (!finished) return false;
+  shown = std::move(*finished);
   if (!shown.pixels.empty()) texture.set(shown.width, shown.height, std::exchange(shown.pixels, {}));
   return true;
 }
@@ -30,13 +37,13 @@ constexpr int kThumbnail = 84, kSwatchHeight = 150;
 constexpr Target kOrder[] = {Target::kGltf,  Target::kBlender,   Target::kUnreal, Target::kUnityHdrp, Target::kUnityUrp,
                              Target::kGodot, Target::kMaterialX, Target::kU3m,    Target::kRaw};
 
-/// As large as the window has room for.
-struct Room {
+/// Sizes of the parts of the dialog, limited by the window.
+struct DialogSizes {
   float column = 0, stage = 0, height = 0;
 };
-Room room_in(PanelContext& c) {
+DialogSizes sizes_in(PanelContext& c) {
   const ImVec2 view = ImGui::GetMainViewport()->WorkSize;
-  Room r;
+  DialogSizes r;
   r.column = c.style.px(kColumn);
   r.stage = std::min(c.style.px(kStageWidth), view.x - r.column - c.style.px(80));
   r.height = std::min(c.style.px(kHeight), view.y - c.style.px(kAround));
@@ -54,13 +61,14 @@ std::string figure(float v) {
 }
 
 void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
-  row_label(c, "For", "Which programs read them: names, packing and normals are made for each");
+  row_label(c, tr("Targets"),
+            tr("Programs to export for. File names, channel packing and normals follow each one's rules"));
   ImGui::BeginGroup();
   int at = 0;
   for (const Target target : kOrder) {
     if (at++ % 2) ImGui::SameLine(width * 0.56f);
     bool on = has(*p.plan, target);
-    if (ImGui::Checkbox(target_title(target), &on)) toggle(*p.plan, target);
+    if (ImGui::Checkbox(tr(target_title(target)), &on)) toggle(*p.plan, target);
     c.map.add_item(std::string("export.for:") + target_name(target));
   }
   ImGui::EndGroup();
@@ -68,16 +76,16 @@ void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
 }
 
 void draw_size(PanelContext& c, ExportPlan& plan, float width) {
-  constexpr const char* kWays[] = {"By texels", "By millimetre"};
+  constexpr const char* kWays[] = {mark("Pixels"), mark("Texel density")};
   int way = plan.by_density ? 1 : 0;
-  row_label(c, "Size", "Texels of the longer side of the tile, or how many a millimetre of cloth gets");
+  row_label(c, tr("Resolution"), tr("Pixels along the longer side of the tile, or texels per millimetre of cloth"));
   segmented(c, "export.by", kWays, way, width);
   plan.by_density = way == 1;
   if (plan.by_density) {
-    slider(
-        c,
-        {"export.density", "", 2, 200, "%.0f /mm", "At least so many texels a millimetre: the next power of two", true},
-        plan.texels_per_mm);
+    slider(c,
+           {"export.density", "", 2, 200, tr("%.0f /mm"),
+            tr("At least this many texels per millimetre; the size is the next power of two"), true},
+           plan.texels_per_mm);
   } else {
     constexpr const char* kSizes[] = {"512", "1024", "2048", "4096", "8192"};
     int step = 0;
@@ -87,20 +95,21 @@ void draw_size(PanelContext& c, ExportPlan& plan, float width) {
     plan.size = 512 << step;
   }
   slider(c,
-         {"export.tile", "Tile", 0, 50, plan.tile_cm > 0 ? "%.0f cm" : "a repeat",
-          "Least width of the tile: more repeats, in which yarns differ; at 0 one repeat"},
+         {"export.tile", tr("Tile"), 0, 50, plan.tile_cm > 0 ? tr("%.0f cm") : tr("1 repeat"),
+          tr("Minimum width of the tile. More repeats show more variation of the yarns; 0 is one repeat")},
          plan.tile_cm);
   plan.tile_cm = std::round(plan.tile_cm);
 }
 
 void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
-  constexpr const char* kNames[] = {"As open as it is", "Opaque", "Mask", "Hashed", "Blend"};
+  constexpr const char* kNames[] = {mark("Automatic"), mark("Opaque"), mark("Mask"), mark("Hashed"), mark("Blend")};
   ExportPlan& plan = *p.plan;
-  row_label(c, "Gaps", "How light comes through; as open as it is: opaque where there are but pinholes");
+  row_label(c, tr("Alpha mode"),
+            tr("How gaps between threads are shown. Automatic: opaque if the cloth has only pinholes"));
   ImGui::SetNextItemWidth(width);
-  if (begin_combo(c, "export.alpha", kNames[static_cast<size_t>(plan.alpha)])) {
+  if (begin_combo(c, "export.alpha", tr(kNames[static_cast<size_t>(plan.alpha)]))) {
     for (size_t i = 0; i < std::size(kNames); ++i) {
-      if (ImGui::Selectable(kNames[i], i == static_cast<size_t>(plan.alpha))) plan.alpha = static_cast<Alpha>(i);
+      if (ImGui::Selectable(tr(kNames[i]), i == static_cast<size_t>(plan.alpha))) plan.alpha = static_cast<Alpha>(i);
       c.map.add_item(std::string("export.alpha:") + alpha_name(static_cast<Alpha>(i)));
     }
     end_combo();
@@ -108,29 +117,30 @@ void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
 }
 
 void draw_mips(PanelContext& c, ExportPlan& plan, float width) {
-  constexpr const char* kNames[] = {"None", ".dds", ".ktx2"};
-  row_label(c, "Mips",
-            "None: the program averages each image alone. Else beside each image the same with mips of our own, "
-            "in which "
-            "roughness holds what normals lose and gaps stay as open");
+  constexpr const char* kNames[] = {mark("None"), ".dds", ".ktx2"};
+  row_label(c, tr("Mipmaps"),
+            tr("None: the target program makes its own. Otherwise each image is also written with mipmaps that move "
+               "lost detail of the normals into roughness and keep the coverage of gaps"));
   int way = !plan.mips ? 0 : *plan.mips == MipContainer::kDds ? 1 : 2;
   segmented(c, "export.mips", kNames, way, width);
   plan.mips.reset();
   if (way > 0) plan.mips = way == 1 ? MipContainer::kDds : MipContainer::kKtx2;
 }
 
-/// True: the folder is to be chosen.
+/// True if the button that chooses the folder was pressed.
 bool draw_folder(PanelContext& c, ExportPlan& plan, float width) {
-  row_label(c, "Into", "Each draft gets a folder of its own within; of several programs each one more");
-  const float button = ImGui::CalcTextSize("Choose\xE2\x80\xA6").x + 2 * ImGui::GetStyle().FramePadding.x;
+  row_label(c, tr("Folder"),
+            tr("Each draft gets its own subfolder, with one subfolder per target if there are several"));
+  const char* browse = tr("Browse\xE2\x80\xA6");
+  const float button = ImGui::CalcTextSize(browse).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(width - button - ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::InputText("##folder", &plan.folder);
   c.map.add_item("export.folder");
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-  return text_button(c, "export.choose", "Choose\xE2\x80\xA6", nullptr);
+  return text_button(c, "export.choose", browse, nullptr);
 }
 
-void work_out(ExportPrompt& p) {
+void update_figures(ExportPrompt& p) {
   std::vector<ExportJob> jobs = jobs_of(*p.plan, *p.design, p.draft_path, p.version);
   std::string key;
   for (const ExportJob& job : jobs) key.append(job.folder).append(" ").append(key_of(job.options)).append("\n");
@@ -138,7 +148,7 @@ void work_out(ExportPrompt& p) {
   p.key = std::move(key), p.jobs = std::move(jobs);
   p.figures = figures_of(*p.design, p.jobs);
   p.replaced = replaced_files(p.jobs);
-  p.asked.clear();
+  p.conflicts.clear();
 }
 
 void draw_facts(PanelContext& c, const ExportPrompt& p) {
@@ -148,22 +158,31 @@ void draw_facts(PanelContext& c, const ExportPrompt& p) {
     ImGui::TextUnformatted(text.c_str());
   };
   if (f.set.ends > 0) {
-    line("Measures", figure(f.set.width_mm) + " \xC3\x97 " + figure(f.set.depth_mm) + " mm, " +
-                         std::to_string(f.set.ends) + " ends \xC3\x97 " + std::to_string(f.set.picks) + " picks");
-    line("Images", std::to_string(f.images) + " of " + std::to_string(f.set.size.width) + " \xC3\x97 " +
-                       std::to_string(f.set.size.height));
-    line("A thread", figure(f.texels_a_thread) + " texels");
+    line(tr("Tile size"), fill(tr("{width} \xC3\x97 {height} mm, {ends} ends \xC3\x97 {picks} picks"),
+                               arg("width", figure(f.set.width_mm)), arg("height", figure(f.set.depth_mm)),
+                               arg("ends", f.set.ends), arg("picks", f.set.picks)));
+    line(tr("Images"), fill(tr("{count} of {width} \xC3\x97 {height}"), arg("count", f.images),
+                            arg("width", f.set.size.width), arg("height", f.set.size.height)));
+    line(tr("Per thread"), fill(tr("{count} texels"), arg("count", figure(f.texels_a_thread))));
     c.map.add_item("export.images:" + std::to_string(f.images));
     const int64_t disk = bytes_on_disk(p.stage->shown, f.set.size);
-    const std::string each = p.jobs.size() > 1 ? " each" : "";
-    line("Room", (disk > 0 ? "about " + shown_bytes(disk) + each + " on disk, " : std::string()) +
-                     shown_bytes(f.texel_bytes) + " on the card");
+    const char* text = disk <= 0           ? tr("{gpu} on the GPU")
+                       : p.jobs.size() > 1 ? tr("{disk} per set on disk, {gpu} on the GPU")
+                                           : tr("{disk} on disk, {gpu} on the GPU");
+    line(tr("Storage"), fill(text, arg("disk", shown_bytes(disk)), arg("gpu", shown_bytes(f.texel_bytes))));
   }
   for (const std::string& why : f.why) {
     ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
     ImGui::TextWrapped("%s", why.c_str());
     ImGui::PopStyleColor();
   }
+}
+
+std::string written_text(const std::vector<std::string>& folders) {
+  const auto sets = static_cast<int>(folders.size());
+  if (sets == 1) return fill(tr("Exported to {folder}"), arg("folder", folders.front()));
+  return fill(tr_n("Exported {count} set to {folder}", "Exported {count} sets to {folder}", sets), arg("count", sets),
+              arg("folder", std::filesystem::path(folders.front()).parent_path().string()));
 }
 
 void draw_progress(PanelContext& c, const ExportPrompt& p, const Exporter::State& state) {
@@ -176,35 +195,34 @@ void draw_progress(PanelContext& c, const ExportPrompt& p, const Exporter::State
     ImGui::PopStyleColor();
   };
   if (state.busy) {
-    const std::string text = state.sets > 1 ? std::to_string(state.set + 1) + " of " + std::to_string(state.sets) : "";
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, c.style.color.accent);
     ImGui::ProgressBar(state.share, {std::min(width, c.style.px(kColumn)), c.style.px(8)}, "");
     ImGui::PopStyleColor();
     c.map.add_item("export.progress");
-    words("Writing " + (text.empty() ? std::string("the images") : "set " + text) + "\xE2\x80\xA6",
+    words(state.sets > 1
+              ? fill(tr("Writing set {set} of {sets}\xE2\x80\xA6"), arg("set", state.set + 1), arg("sets", state.sets))
+              : std::string(tr("Writing the images\xE2\x80\xA6")),
           c.style.color.muted);
-  } else if (!p.asked.empty()) {
-    for (const std::string& there : p.asked) words(there + ".", c.style.color.warn);
-    words("Files of the same names would be replaced; all others stay.", c.style.color.text);
-    c.map.add_item("export.asked");
+  } else if (!p.conflicts.empty()) {
+    for (const std::string& conflict : p.conflicts) words(conflict + ".", c.style.color.warn);
+    words(tr("Files with the same names will be replaced; other files are kept."), c.style.color.text);
+    c.map.add_item("export.conflicts");
   } else if (!state.problems.empty()) {
     for (const std::string& problem : state.problems) words(problem, c.style.color.error);
   } else if (state.stopped) {
-    words("Stopped; what stood there before stands.", c.style.color.muted);
+    words(tr("Stopped. The earlier files are unchanged."), c.style.color.muted);
   } else if (!state.written.empty()) {
-    words("Written: " + (state.written.size() == 1
-                             ? state.written.front()
-                             : std::to_string(state.written.size()) + " sets in " +
-                                   std::filesystem::path(state.written.front()).parent_path().string()),
-          c.style.color.text);
+    words(written_text(state.written), c.style.color.text);
     c.map.add_item("export.written");
   } else if (p.replaced > 0) {
-    words("Replaces " + std::to_string(p.replaced) + " files of the earlier export; all others stay.",
+    words(fill(tr_n("Replaces {count} file of the last export; other files are kept.",
+                    "Replaces {count} files of the last export; other files are kept.", p.replaced),
+               arg("count", p.replaced)),
           c.style.color.muted);
   }
 }
 
-/// A part of the picture, with a hairline around it.
+/// A part of the preview texture, with a thin border.
 void draw_part(PanelContext& c, const ExportStage& stage, const PictureRect& at, ImVec2 from, ImVec2 size) {
   const auto u = [&](int x) { return static_cast<float>(x) / static_cast<float>(stage.shown.width); };
   const auto v = [&](int y) { return static_cast<float>(y) / static_cast<float>(stage.shown.height); };
@@ -215,12 +233,12 @@ void draw_part(PanelContext& c, const ExportStage& stage, const PictureRect& at,
   dl->AddRect(from, to, c.style.color.line_strong, c.style.px(3));
 }
 
-/// An image: whole, then its channels, each with what it holds.
+/// One image of the set: all channels together, then each channel with its meaning.
 void draw_image(PanelContext& c, const ExportStage& stage, const ShownImage& image, float ratio) {
   push_font(c.style.font.small);
   ImGui::TextUnformatted(image.file.c_str());
   ImGui::SameLine();
-  muted_text(c, image.about);
+  muted_text(c, tr(image.about.c_str()));
   const float gap = c.style.px(8), line = ImGui::GetTextLineHeight();
   ImVec2 at = ImGui::GetCursorScreenPos();
   const auto part = [&](const PictureRect& r, const std::string& words) {
@@ -235,28 +253,28 @@ void draw_image(PanelContext& c, const ExportStage& stage, const ShownImage& ima
     at.x += room + gap;
   };
   const ImVec2 start = at;
-  if (image.channels.size() > 1) part(image.at, "together");
-  for (const ShownChannel& channel : image.channels) part(channel.at, channel.words);
+  if (image.channels.size() > 1) part(image.at, tr("combined"));
+  for (const ShownChannel& channel : image.channels) part(channel.at, tr(channel.words.c_str()));
   ImGui::SetCursorScreenPos(start);
   ImGui::Dummy({at.x - start.x, static_cast<float>(image.at.height) / ratio + line + c.style.px(8)});
   c.map.add_item("export.map:" + image.file);
   ImGui::PopFont();
 }
 
-void draw_stage(PanelContext& c, ExportPrompt& p, const Room& room) {
+void draw_stage(PanelContext& c, ExportPrompt& p, const DialogSizes& room) {
   const float wide = room.stage - ImGui::GetStyle().ScrollbarSize - c.style.px(8);
   if (p.plan->targets.size() > 1) {
     ImGui::SetNextItemWidth(c.style.px(190));
-    if (begin_combo(c, "export.shown", target_title(p.plan->targets[p.target]))) {
+    if (begin_combo(c, "export.shown", tr(target_title(p.plan->targets[p.target])))) {
       for (size_t i = 0; i < p.plan->targets.size(); ++i) {
-        if (ImGui::Selectable(target_title(p.plan->targets[i]), i == p.target)) p.target = i;
+        if (ImGui::Selectable(tr(target_title(p.plan->targets[i])), i == p.target)) p.target = i;
         c.map.add_item(std::string("export.shown:") + target_name(p.plan->targets[i]));
       }
       end_combo();
     }
     ImGui::SameLine();
   }
-  constexpr const char* kFaces[] = {"Front", "Back"};
+  constexpr const char* kFaces[] = {mark("Front"), mark("Back")};
   int face = p.face == Face::kFront ? 0 : 1;
   segmented(c, "export.face", kFaces, face, c.style.px(150));
   p.face = face == 0 ? Face::kFront : Face::kBack;
@@ -273,7 +291,7 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const Room& room) {
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + size.x, from.y + size.y}, c.style.color.window,
                                               c.style.px(3));
     ImGui::Dummy(size);
-    muted_text(c, p.stage->preview.busy() ? "The images are being made\xE2\x80\xA6" : "There is no cloth to show.");
+    muted_text(c, p.stage->preview.busy() ? tr("Rendering the images\xE2\x80\xA6") : tr("There is no cloth to show."));
   }
   ImGui::EndChild();
   PreviewSizes sizes;
@@ -282,30 +300,30 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const Room& room) {
   if (p.target < p.jobs.size()) p.stage->preview.ask(p.face, p.jobs[p.target].options, sizes);
 }
 
-/// What the pressed button does; an answer where the dialog is left.
-DialogAnswer press(ExportPrompt& p, int button, bool busy) {
+/// Handles the pressed button.
+DialogResult press(ExportPrompt& p, int button, bool busy) {
   if (button < 0) return {};
-  if (button == 1) return {Answer::kLeft, ExportPrompt::kClose, {}};
+  if (button == 1) return {DialogOutcome::kCancelled, ExportPrompt::kClose, {}};
   if (busy) {
     p.exporter->stop();
     return {};
   }
-  const bool sure = !p.asked.empty();
-  if (!sure) p.asked = in_the_way(p.jobs);
-  if (!p.asked.empty() && !sure) return {};
-  p.asked.clear();
-  for (ExportJob& job : p.jobs) job.options.force = sure;
+  const bool confirmed = !p.conflicts.empty();
+  if (!confirmed) p.conflicts = in_the_way(p.jobs);
+  if (!p.conflicts.empty() && !confirmed) return {};
+  p.conflicts.clear();
+  for (ExportJob& job : p.jobs) job.options.force = confirmed;
   p.exporter->start(p.jobs, p.design);
-  p.key.clear();  // what stands there is another now
+  p.key.clear();  // the files on disk change
   return {};
 }
 
 }  // namespace
 
-DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p) {
-  const Room room = room_in(c);
+DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p) {
+  const DialogSizes room = sizes_in(c);
   const Exporter::State state = p.exporter->state();
-  heading(c, "Export texture set");
+  heading(c, tr("Export texture set"));
   ImGui::BeginChild("choices", {room.column, room.height});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(kLabels + 8);
   draw_targets(c, p, width);
@@ -315,10 +333,10 @@ DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   draw_mips(c, *p.plan, width);
   const bool choose = draw_folder(c, *p.plan, width);
   row_label(c, "", nullptr);
-  ImGui::Checkbox("Again after each edit", &p.plan->watch);
+  ImGui::Checkbox(tr("Export after every edit"), &p.plan->watch);
   c.map.add_item("export.watch");
-  tooltip(c, "For engines that load images anew: the sets follow the draft while this is on");
-  if (!state.busy) work_out(p);
+  tooltip(c, tr("For engines that reload images: the sets follow the draft while this is on"));
+  if (!state.busy) update_figures(p);
   ImGui::Dummy({0, c.style.px(2)});
   draw_facts(c, p);
   ImGui::EndChild();
@@ -332,9 +350,9 @@ DialogAnswer draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   draw_progress(c, p, state);
   ImGui::EndChild();
   ImGui::SetCursorPos(foot);
-  const char* first = state.busy ? "Stop" : p.asked.empty() ? "Export" : "Write there";
-  const int button = draw_buttons(c, {first, state.busy ? "Hide" : "Close"}, !ImGui::GetIO().WantTextInput);
-  if (choose) return {Answer::kDone, ExportPrompt::kFolder, {}};
+  const char* first = state.busy ? mark("Stop") : p.conflicts.empty() ? mark("Export") : mark("Replace");
+  const int button = draw_buttons(c, {first, state.busy ? mark("Hide") : mark("Close")}, !ImGui::GetIO().WantTextInput);
+  if (choose) return {DialogOutcome::kDone, ExportPrompt::kFolder, {}};
   return press(p, button, state.busy);
 }
 

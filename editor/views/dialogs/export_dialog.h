@@ -1,6 +1,6 @@
 #pragma once
-// The export of texture sets: for which programs, how fine and where to, beside what the sets will hold; how far the
-// export is, and whether it follows the draft.
+// Export of texture sets: targets, resolution and folder, beside a preview of the images; progress, and whether the
+// export follows the draft.
 
 #include <functional>
 #include <memory>
@@ -16,31 +16,31 @@
 
 namespace weftlight::views {
 
-/// What the dialog has on the graphics card, and the thread that makes it.
+/// The preview images: their texture, and the thread that renders them.
 struct ExportStage {
   ExportStage(std::shared_ptr<const Design> design, std::function<void()> wake)
       : preview(std::move(design), std::move(wake)) {}
-  ExportPreview shown;  // the last that was made; its pixels are in `texture`
+  ExportPreview shown;  // the last one rendered; its pixels are in `texture`
   PixelTexture texture;
   ExportPreviewer preview;
-  /// True when there is another picture. In the window's thread.
+  /// True if there is a new picture. Call it on the window's thread.
   bool poll();
 };
 
 struct ExportPrompt {
-  std::shared_ptr<ExportPlan> plan;  // what is chosen outlives the dialog
+  std::shared_ptr<ExportPlan> plan;  // the choices outlive the dialog
   std::shared_ptr<const Design> design;
   std::string draft_path, version;
   Exporter* exporter = nullptr;
   std::shared_ptr<ExportStage> stage;
-  size_t target = 0;  // whose images are shown, of the plan's
+  size_t target = 0;  // index in plan->targets of the previewed one
   Face face = Face::kFront;
-  std::vector<std::string> asked{};  // what is in the way; while it stands, the question is open
-  // Worked out when the choices change.
+  std::vector<std::string> conflicts{};  // files in the way; if not empty, the dialog asks for confirmation
+  // Computed when the choices change.
   std::string key{};
   std::vector<ExportJob> jobs{};
   ExportFigures figures{};
-  int replaced = 0;  // files of the same sets
+  int replaced = 0;  // number of existing files of the same sets
 
   enum Button { kExport = 0, kClose = 1, kFolder = 2 };
 };

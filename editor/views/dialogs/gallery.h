@@ -1,5 +1,5 @@
 #pragma once
-// Drafts with their pictures: those that were open lately, and the library.
+// Drafts with their thumbnails: the recent ones, and the library.
 
 #include <cstdint>
 #include <functional>
@@ -16,37 +16,37 @@
 
 namespace weftlight::views {
 
-/// The pictures of files, as textures; what was looked at is looked for beside the window.
+/// Thumbnails of files as textures. They are made on another thread when first requested.
 class GalleryPictures {
  public:
-  /// `wake`: called on another thread when there is news. `now_ns`: since 1970, for "today".
+  /// `wake`: called on the other thread when one is done. `now_ns`: since 1970, for "today".
   GalleryPictures(std::string cache_folder, std::function<void()> wake, int64_t now_ns);
-  struct Seen {
-    bool known = false;
+  struct Entry {
+    bool known = false;  // the file was looked at
     DraftThumbnail::State state = DraftThumbnail::State::kMissing;
     std::string when;
     PixelTexture texture;
   };
-  const Seen& of(const std::string& path);
-  /// True when there is something new to show. In the window's thread.
+  const Entry& entry(const std::string& path);
+  /// True if there is something new to show. Call it on the window's thread.
   bool poll();
-  bool busy() const { return looks_.busy(); }
+  bool busy() const { return thumbnails_.busy(); }
 
  private:
   int64_t now_ns_;
-  std::map<std::string, Seen> seen_;
-  DraftThumbnails looks_;
+  std::map<std::string, Entry> entries_;
+  DraftThumbnails thumbnails_;
 };
 
 struct GalleryPrompt {
   int page = 0;  // 0: recent, 1: library
   std::string typed;
-  int chosen = -1;      // of what is found
-  bool focus = false;   // the keyboard goes back to what is typed
-  bool follow = false;  // the chosen card is brought into sight
+  int chosen = -1;      // index in the cards found
+  bool focus = false;   // the keyboard returns to the search field
+  bool follow = false;  // scroll to the chosen card
   std::vector<GalleryCard> recent, library;
   std::shared_ptr<GalleryPictures> pictures;
-  GalleryCard open{};  // what was chosen, when answered by kOpen
+  GalleryCard open{};  // the chosen card, with kOpen
   enum Button { kOpen, kClose, kBrowse, kNew };
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -13,31 +14,36 @@
 
 namespace weftlight::views {
 
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 using namespace print;
 
 SheetPreview::SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake)
     : design_(std::move(design)), wake_(std::move(wake)) {}
 
 void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per_mm) {
-  Asked now{options, sheet, pixels_per_mm};
-  if (now == asked_) return;
-  asked_ = now;
+  Request now{options, sheet, pixels_per_mm};
+  if (now == request_) return;
+  request_ = now;
   worker_.post([this, now](const std::stop_token&) {
     SheetPicture made = picture_of_sheet(*design_, now.options, now.sheet, now.pixels_per_mm);
     const std::lock_guard lock(mutex_);
-    news_ = std::move(made);
+    finished_ = std::move(made);
     wake_();
   });
 }
 
 bool SheetPreview::poll() {
-  std::optional<SheetPicture> news;
+  std::optional<SheetPicture> finished;
   {
     const std::lock_guard lock(mutex_);
-    news = std::exchange(news_, std::nullopt);
+    finished = std::exchange(finished_, std::nullopt);
   }
-  if (!news) return false;
-  last_ = std::move(*news);
+  if (!finished) return false;
+  last_ = std::move(*finished);
   if (!last_.pixels.empty()) texture_.set(last_.width, last_.height, std::exchange(last_.pixels, {}));
   return true;
 }
@@ -57,19 +63,19 @@ const char* ending_of(PrintFormat format) {
 
 namespace {
 
-constexpr float kStageWidth = 380, kStageHeight = 470, kColumn = 330;  // pixels at 96 dpi
+constexpr float kPreviewWidth = 380, kPreviewHeight = 470, kColumn = 330;  // pixels at 96 dpi
 
-/// How large the sheet is drawn, in window pixels.
+/// Size of the drawn sheet in window pixels.
 ImVec2 sheet_size(const PanelContext& c, const Paper& paper) {
   const float w = static_cast<float>(paper.width_mm), h = static_cast<float>(paper.height_mm);
   const float scale =
-      std::min((c.style.px(kStageWidth) - c.style.px(40)) / w, (c.style.px(kStageHeight) - c.style.px(40)) / h);
+      std::min((c.style.px(kPreviewWidth) - c.style.px(40)) / w, (c.style.px(kPreviewHeight) - c.style.px(40)) / h);
   return {std::floor(w * scale), std::floor(h * scale)};
 }
 
 void draw_sheet(PanelContext& c, const PrintPrompt& p, const PrintOptions& o) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, c.style.color.window);
-  begin_padded_child("stage", {c.style.px(kStageWidth), c.style.px(kStageHeight)});
+  begin_padded_child("preview", {c.style.px(kPreviewWidth), c.style.px(kPreviewHeight)});
   const ImVec2 at = ImGui::GetWindowPos(), room = ImGui::GetWindowSize(), size = sheet_size(c, o.paper);
   const ImVec2 a{std::floor(at.x + (room.x - size.x) / 2), std::floor(at.y + (room.y - size.y) / 2)};
   const ImVec2 b{a.x + size.x, a.y + size.y};
@@ -89,36 +95,37 @@ void draw_sheet(PanelContext& c, const PrintPrompt& p, const PrintOptions& o) {
   ImGui::PopStyleColor();
 }
 
-/// Back and forth among the sheets.
-void draw_turner(PanelContext& c, PrintPrompt& p) {
+/// Buttons for the previous and the next sheet.
+void draw_sheet_buttons(PanelContext& c, PrintPrompt& p) {
   const SheetPicture& last = p.preview->last();
   const int sheets = std::max(last.sheets, 1);
   p.sheet = std::clamp(p.sheet, 0, sheets - 1);
-  if (icon_button(c, "print.back", icon::kLeft, "<", "The sheet before", p.sheet > 0)) --p.sheet;
+  if (icon_button(c, "print.back", icon::kLeft, "<", tr("Previous sheet"), p.sheet > 0)) --p.sheet;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (!last.why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
-  ImGui::TextUnformatted(!last.why.empty() ? fitted(last.why, c.style.px(280)).c_str()
-                         : last.sheets == 0
-                             ? "\xE2\x80\xA6"
-                             : ("Sheet " + std::to_string(p.sheet + 1) + " of " + std::to_string(sheets)).c_str());
+  const std::string text =
+      !last.why.empty()  ? fitted(last.why, c.style.px(280))
+      : last.sheets == 0 ? std::string("\xE2\x80\xA6")
+                         : fill(tr("Sheet {sheet} of {sheets}"), arg("sheet", p.sheet + 1), arg("sheets", sheets));
+  ImGui::TextUnformatted(text.c_str());
   c.map.add_item("print.sheets:" + std::to_string(last.sheets));
   if (!last.why.empty()) ImGui::PopStyleColor();
   ImGui::SameLine();
-  if (icon_button(c, "print.next", icon::kRight, ">", "The next sheet", p.sheet + 1 < sheets)) ++p.sheet;
+  if (icon_button(c, "print.next", icon::kRight, ">", tr("Next sheet"), p.sheet + 1 < sheets)) ++p.sheet;
 }
 
 void draw_paper(PanelContext& c, PrintPrompt& p, float width) {
-  row_label(c, "Paper", nullptr);
+  row_label(c, tr("Paper"), nullptr);
   ImGui::SetNextItemWidth(width);
-  if (begin_combo(c, "print.paper", kPapers[p.paper].name)) {
+  if (begin_combo(c, "print.paper", tr(kPapers[p.paper].name))) {
     for (int i = 0; i < static_cast<int>(std::size(kPapers)); ++i) {
-      if (ImGui::Selectable(kPapers[i].name, i == p.paper)) p.paper = i;
+      if (ImGui::Selectable(tr(kPapers[i].name), i == p.paper)) p.paper = i;
       c.map.add_item(std::string("print.paper:") + kPapers[i].name);
     }
     end_combo();
   }
-  constexpr const char* kWays[] = {"Upright", "Across"};
+  constexpr const char* kWays[] = {mark("Portrait"), mark("Landscape")};
   row_label(c, "", nullptr);
   int way = p.wide ? 1 : 0;
   segmented(c, "print.way", kWays, way, width);
@@ -126,53 +133,55 @@ void draw_paper(PanelContext& c, PrintPrompt& p, float width) {
 }
 
 void draw_scale(PanelContext& c, PrintPrompt& p, float width) {
-  constexpr const char* kScales[] = {"As fits", "Own"};
-  row_label(c, "Scale", "As fits: on one sheet, unless its cells would be too small to read");
+  constexpr const char* kScales[] = {mark("Fit page"), mark("Custom")};
+  row_label(c, tr("Scale"), tr("Fit page: one sheet, unless its cells would be too small to read"));
   int scale = p.own_scale ? 1 : 0;
   segmented(c, "print.scale", kScales, scale, width);
   p.own_scale = scale == 1;
   if (p.own_scale)
-    slider(c, {"print.cell", "Cell", 0.5f, 20, "%.1f mm", "Side of a cell on paper; more sheets as it grows", true},
+    slider(c,
+           {"print.cell", tr("Cell size"), 0.5f, 20, "%.1f mm",
+            tr("Size of a cell on paper; larger cells take more sheets"), true},
            p.cell_mm);
-  row_label(c, "Heavier lines", "A heavier line every so many threads, counted from the first");
+  row_label(c, tr("Heavy lines"), tr("A heavy grid line every so many threads, counted from the first"));
   constexpr int kEvery[] = {0, 4, 5, 6, 8, 10};
-  constexpr const char* kWords[] = {"No", "4", "5", "6", "8", "10"};
+  constexpr const char* kWords[] = {mark("Off"), "4", "5", "6", "8", "10"};
   int every = static_cast<int>(std::find(std::begin(kEvery), std::end(kEvery), p.options.heavy_lines) - kEvery) % 6;
   if (segmented(c, "print.heavy", kWords, every, width)) p.options.heavy_lines = kEvery[every];
 }
 
 void draw_parts(PanelContext& c, PrintPrompt& p) {
   for (const NamedPart& part : kParts) {
-    row_label(c, &part == &kParts[0] ? "On paper" : "", nullptr);
-    ImGui::Checkbox(part.words, &(p.options.parts.*part.on));
+    row_label(c, &part == &kParts[0] ? tr("Include") : "", nullptr);
+    ImGui::Checkbox(tr(part.words), &(p.options.parts.*part.on));
     c.map.add_item(std::string("print.") + part.name);
   }
 }
 
 void draw_format(PanelContext& c, PrintPrompt& p, float width) {
   constexpr const char* kFormats[] = {"PDF", "SVG", "PNG"};
-  row_label(c, "Save as", "PDF holds all sheets; SVG and PNG are a file a sheet");
+  row_label(c, tr("Format"), tr("A PDF holds all sheets; SVG and PNG are one file per sheet"));
   int format = static_cast<int>(p.format);
   segmented(c, "print.format", kFormats, format, width);
   p.format = static_cast<PrintFormat>(format);
   if (p.format != PrintFormat::kPng) return;
   auto dpi = static_cast<float>(p.options.png_dpi);
-  if (slider(c, {"print.dpi", "Dots", 50, 600, "%.0f /inch", "Of an inch of paper"}, dpi))
+  if (slider(c, {"print.dpi", tr("Resolution"), 50, 600, tr("%.0f dpi"), tr("Dots per inch of paper")}, dpi))
     p.options.png_dpi = static_cast<double>(dpi);
 }
 
 }  // namespace
 
-DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p) {
-  heading(c, "Print the draft");
+DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p) {
+  heading(c, tr("Print draft"));
   const PrintOptions options = chosen_options(p);
   ImGui::BeginGroup();
   draw_sheet(c, p, options);
-  draw_turner(c, p);
+  draw_sheet_buttons(c, p);
   ImGui::EndGroup();
   ImGui::SameLine(0, c.style.px(20));
   ImGui::BeginGroup();
-  ImGui::BeginChild("choices", {c.style.px(kColumn), c.style.px(kStageHeight)});
+  ImGui::BeginChild("choices", {c.style.px(kColumn), c.style.px(kPreviewHeight)});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(112);
   draw_paper(c, p, width);
   draw_scale(c, p, width);
@@ -181,13 +190,13 @@ DialogAnswer draw_print_prompt(PanelContext& c, PrintPrompt& p) {
   ImGui::Dummy({0, c.style.px(4)});
   draw_format(c, p, width);
   ImGui::EndChild();
-  DialogAnswer answer = answered(draw_buttons(c, {"Save\xE2\x80\xA6", "Cancel"}, true));
+  DialogResult result = dialog_result(draw_buttons(c, {mark("Save\xE2\x80\xA6"), mark("Cancel")}, true));
   ImGui::EndGroup();
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
   p.preview->ask(chosen_options(p), p.sheet,
                  static_cast<double>(sheet_size(c, chosen_options(p).paper).x * std::max(ratio, 1.0f)) /
                      chosen_options(p).paper.width_mm);
-  return answer;
+  return result;
 }
 
 }  // namespace weftlight::views

@@ -1,5 +1,5 @@
 #pragma once
-// Printing: paper, scale and what is on it, beside the sheet as it will be.
+// Printing: paper, scale and contents, beside a preview of the sheet.
 
 #include <functional>
 #include <memory>
@@ -15,34 +15,34 @@
 
 namespace weftlight::views {
 
-/// One sheet of a design as a picture, drawn on a thread of its own; the last one stands until the next is done.
+/// Renders one sheet of a design on its own thread. The last picture is kept until the next is done.
 class SheetPreview {
  public:
-  /// `wake`: called from that thread when there is news.
+  /// `wake`: called on that thread when a picture is done.
   SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake);
   void ask(const print::PrintOptions& options, int sheet, double pixels_per_mm);
-  /// True when another sheet is to be shown. In the window's thread.
+  /// True if there is a new picture to show. Call it on the window's thread.
   bool poll();
   bool busy() const { return worker_.busy(); }
-  /// Of the last picture: its numbers and why there is none; its pixels are in texture().
+  /// Facts about the last picture, or why there is none. Its pixels are in texture().
   const print::SheetPicture& last() const { return last_; }
   const PixelTexture& texture() const { return texture_; }
 
  private:
-  struct Asked {
+  struct Request {
     print::PrintOptions options;
     int sheet = -1;
     double pixels_per_mm = 0;
-    bool operator==(const Asked&) const = default;
+    bool operator==(const Request&) const = default;
   };
   std::shared_ptr<const Design> design_;
   std::function<void()> wake_;
-  Asked asked_;
+  Request request_;
   print::SheetPicture last_;
   PixelTexture texture_;
   std::mutex mutex_;
-  std::optional<print::SheetPicture> news_;  // guarded by the mutex
-  base::Worker worker_;                      // gone before what it writes to
+  std::optional<print::SheetPicture> finished_;  // guarded by the mutex
+  base::Worker worker_;                          // last: destroyed before what it writes to
 };
 
 struct PrintPrompt {
@@ -55,7 +55,7 @@ struct PrintPrompt {
   int sheet = 0;
   std::shared_ptr<SheetPreview> preview{};
 };
-/// Its options, from what was chosen.
+/// The options, from the choices of the dialog.
 print::PrintOptions chosen_options(const PrintPrompt& p);
 /// ".pdf", ".svg" or ".png".
 const char* ending_of(print::PrintFormat format);

@@ -1,4 +1,4 @@
-// The weaves by family, and the numbers of one: what both weave dialogs are made of.
+// The list of weaves by family and the parameters of one, shared by both weave dialogs.
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -6,19 +6,23 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
-/// True when `value` became another.
+/// True if `value` changed.
 bool pick_from(PanelContext& c, const std::string& id, const std::vector<std::string>& choices, std::string& value) {
   const std::string before = value;
-  if (!begin_combo(c, id.c_str(), value.c_str())) return false;
+  if (!begin_combo(c, id.c_str(), tr(value.c_str()))) return false;
   for (const std::string& choice : choices) {
-    if (ImGui::Selectable(choice.c_str(), value == choice)) value = choice;
+    if (ImGui::Selectable(tr(choice.c_str()), value == choice)) value = choice;
     c.map.add_item(id + ":" + choice);
   }
   end_combo();
@@ -29,7 +33,7 @@ bool draw_count(PanelContext& c, const WeaveParameter& n, std::string& value) {
   const std::string before = value;
   int count = n.low;
   std::from_chars(value.data(), value.data() + value.size(), count);
-  number(c, std::string("weave.").append(n.id).c_str(), n.label, count, n.low, n.high);
+  number(c, std::string("weave.").append(n.id).c_str(), tr(n.label), count, n.low, n.high);
   value = std::to_string(count);
   return value != before;
 }
@@ -52,7 +56,7 @@ std::vector<std::string> choices_of(const WeaveParameter& n, const WeaveValues& 
 
 bool draw_value(PanelContext& c, const WeaveParameter& n, const WeaveValues& all, std::string& value) {
   if (n.kind == ParameterKind::kCount && !n.allowed) return draw_count(c, n, value);
-  row_label(c, n.label, n.tip);
+  row_label(c, tr(n.label), tr(n.tip));
   ImGui::SetNextItemWidth(c.style.px(n.allowed ? 140 : 190));
   if (n.kind == ParameterKind::kText) return draw_text(c, n, value);
   return pick_from(c, std::string("weave.").append(n.id), choices_of(n, all), value);
@@ -69,9 +73,9 @@ bool draw_weave_list(PanelContext& c, int& chosen, float width, float height) {
   std::string family;
   for (int i = 0; i < static_cast<int>(weave_kinds().size()); ++i) {
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(i)];
-    if (family != kind.family) muted_text(c, family = kind.family);
+    if (family != kind.family) muted_text(c, tr((family = kind.family).c_str()));
     ImGui::PushID(kind.id);
-    if (ImGui::Selectable((std::string("  ") + kind.name).c_str(), i == chosen)) chosen = i;
+    if (ImGui::Selectable((std::string("  ") + tr(kind.name)).c_str(), i == chosen)) chosen = i;
     ImGui::PopID();
     c.map.add_item(std::string("weave:") + kind.id);
   }
@@ -82,12 +86,12 @@ bool draw_weave_list(PanelContext& c, int& chosen, float width, float height) {
 }
 
 bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values) {
-  bool other = false;
+  bool changed = false;
   for (const WeaveParameter& n : kind.parameters)
     for (auto& [key, value] : values)
-      if (key == n.id) other |= draw_value(c, n, values, value);
-  if (other) values = allowed_values(kind, values);
-  return other;
+      if (key == n.id) changed |= draw_value(c, n, values, value);
+  if (changed) values = allowed_values(kind, values);
+  return changed;
 }
 
 }  // namespace weftlight::views

@@ -1,60 +1,67 @@
-// A weave over the chosen threads of the draft: the list, its numbers, and the draft itself, which follows while they
-// change. Cancel gives back what was there.
+// A weave over the selected threads of the draft: the list of weaves and the parameters. The draft follows the choices.
+// Cancel restores it.
 
 #include <imgui.h>
 
 #include <memory>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
 constexpr float kListWidth = 190, kHeight = 360, kColumn = 300;  // pixels at 96 dpi
 
 const WeaveKind& kind_of(const WeaveOverPrompt& p) { return weave_kinds()[static_cast<size_t>(p.kind)]; }
 
-/// All steps of the dialog are one step of undo, each made anew from the draft that it found.
-MaybeEdit follow(WeaveOverPrompt& p) {
+/// Every change in the dialog starts again from the draft as it was, and all of them are one undo step.
+MaybeEdit preview_edit(WeaveOverPrompt& p) {
   p.use.weave = kind_of(p).id;
   GeneratedWeave made = with_weave(*p.base, p.use);
   p.why = std::move(made.why);
-  return Edit{std::string("Weave ").append(kind_of(p).name),
+  return Edit{fill(tr("Weave: {weave}"), arg("weave", tr(kind_of(p).name))),
               [next = std::make_shared<const Design>(std::move(made.design))](const Design&) { return *next; },
               p.stroke};
 }
 
 }  // namespace
 
-DialogAnswer draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
-  DialogAnswer answer;
-  heading(c, p.whole ? "Weave over the draft" : "Weave over the selected threads");
-  bool other = draw_weave_list(c, p.kind, kListWidth, kHeight);
-  if (other || p.use.values.empty()) {
+DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
+  DialogResult result;
+  heading(c, p.whole ? tr("Weave over the draft") : tr("Weave over the selected threads"));
+  bool changed = draw_weave_list(c, p.kind, kListWidth, kHeight);
+  if (changed || p.use.values.empty()) {
     p.use.values = allowed_values(kind_of(p), {});
-    other = true;
+    changed = true;
   }
   ImGui::SameLine(0, c.style.px(16));
   ImGui::BeginChild("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, kind_of(p).description);
+  muted_text(c, tr(kind_of(p).description));
   ImGui::PopTextWrapPos();
-  other |= draw_weave_numbers(c, kind_of(p), p.use.values);
-  if (other) answer.edit = follow(p);
+  changed |= draw_weave_numbers(c, kind_of(p), p.use.values);
+  if (changed) result.edit = preview_edit(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
   muted_text(c, p.why);
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
-  const DialogAnswer button = answered(draw_buttons(c, {"Keep", "Cancel"}, true));
-  answer.answer = button.answer, answer.button = button.button;
-  return answer;
+  const DialogResult button = dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true));
+  result.outcome = button.outcome, result.button = button.button;
+  return result;
 }
 
-MaybeEdit given_back(const WeaveOverPrompt& p) {
-  return Edit{"Weave", [base = p.base](const Design&) { return *base; }, p.stroke};
+MaybeEdit restored(const WeaveOverPrompt& p) {
+  return Edit{tr("Weave"), [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

@@ -39,7 +39,7 @@ class DamageTest : public testing::Test {
     if (picture != nullptr) dl->AddImage(picture, {150, 150}, {180, 190});
     if (second_window) ImGui::GetForegroundDrawList()->AddRectFilled({10, 10}, {20, 20}, IM_COL32_WHITE);
     ImGui::Render();
-    return damage.of(*ImGui::GetDrawData());
+    return damage.changed_areas(*ImGui::GetDrawData());
   }
   Damage damage;
 };
@@ -55,7 +55,7 @@ TEST_F(DamageTest, TheFirstFrameIsDrawnWholeAndTheSameAgainNotAtAll) {
   const std::vector<Box> boxes{{10, 10, 40, 40, IM_COL32(255, 0, 0, 255)}};
   EXPECT_EQ(frame(boxes), std::vector<Area>{kAll});
   EXPECT_TRUE(frame(boxes).empty());
-  damage.forget();
+  damage.invalidate();
   EXPECT_EQ(frame(boxes), std::vector<Area>{kAll});
 }
 

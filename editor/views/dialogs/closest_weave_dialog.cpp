@@ -1,16 +1,24 @@
-// The nearest that the loom weaves to what was painted: the draft shows it, its wrong crossings are marked there and
-// listed here. Left, it gives back what was there.
+// The closest weave within the loom limits to what was painted. The draft shows it and marks the crossings that differ;
+// they are listed here. Cancel restores the draft.
 
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "analysis/difference.h"
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 constexpr float kWidth = 300;  // pixels at 96 dpi
@@ -34,24 +42,23 @@ void draw_places(PanelContext& c, const ClosestWeave& n) {
 
 }  // namespace
 
-DialogAnswer draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
+DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   const ClosestWeave& n = *p.nearest;
-  heading(c, "The nearest that the loom weaves");
+  heading(c, tr("Closest weave"));
   ImGui::PushTextWrapPos(c.style.px(kWidth));
-  muted_text(c, "What was painted is too much for it: " + n.why + ".");
+  muted_text(c, fill(tr("Your edit is beyond the loom: {reason}."), arg("reason", n.why)));
   const int64_t all = int64_t{n.differing.rows()} * n.differing.cols();
-  ImGui::TextUnformatted((std::to_string(n.wrong) + " of " + std::to_string(all) +
-                          (n.wrong == 1 ? " crossings is not as you painted it; it is marked."
-                                        : " crossings are not as you painted them; they are marked."))
-                             .c_str());
+  const char* text = tr_n("{count} of {all} crossings differs from your edit; it is marked.",
+                          "{count} of {all} crossings differ from your edit; they are marked.", n.wrong);
+  ImGui::TextUnformatted(fill(text, arg("count", n.wrong), arg("all", all)).c_str());
   c.map.add_item("nearest.wrong:" + std::to_string(n.wrong));
   ImGui::PopTextWrapPos();
   draw_places(c, n);
-  return answered(draw_buttons(c, {"Take the nearest", "Keep what was"}, true));
+  return dialog_result(draw_buttons(c, {mark("Use closest weave"), mark("Cancel")}, true));
 }
 
-MaybeEdit given_back(const ClosestWeavePrompt& p) {
-  return Edit{"Closest weave", [base = p.base](const Design&) { return *base; }, p.stroke};
+MaybeEdit restored(const ClosestWeavePrompt& p) {
+  return Edit{tr("Closest weave"), [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

@@ -53,10 +53,10 @@ Cloth one_face(const Design& design, Face face) {
 }
 
 Radiances worked_out(const Cloth& cloth, const std::vector<Directions>& directions) {
-  const FarField answer = far_field(cloth);
+  const FarField field = far_field(cloth);
   Radiances out;
   for (const Directions& d : directions)
-    out.push_back(radiance_from_afar(answer, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
+    out.push_back(far_field_radiance(field, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
   return out;
 }
 

@@ -8,15 +8,15 @@ out vec4 out_color;
 
 // The environment's picture along a direction; its middle lies at -z.
 vec3 surroundings(vec3 d) {
-  vec2 turn = vec2(frame.look[0].w, frame.look[1].w);
+  vec2 turn = vec2(frame.camera_rays[0].w, frame.camera_rays[1].w);
   vec3 p = vec3(d.x * turn.x - d.z * turn.y, d.y, d.z * turn.x + d.x * turn.y);
   vec2 place = vec2(atan(p.x, -p.z) * 0.15915494 + 0.5, acos(clamp(p.y, -1.0, 1.0)) * 0.31830989);
   return textureLod(environment_map, place, 0.0).rgb;
 }
 
 void main() {
-  if (frame.look[2].w > 0.5) {
-    out_color = leave(surroundings(normalize(frame.look[0].xyz * at.x + frame.look[1].xyz * at.y + frame.look[2].xyz)), 1.0);
+  if (frame.camera_rays[2].w > 0.5) {
+    out_color = encoded(surroundings(normalize(frame.camera_rays[0].xyz * at.x + frame.camera_rays[1].xyz * at.y + frame.camera_rays[2].xyz)), 1.0);
     return;
   }
   vec2 d = vec2(at.x * 0.75, at.y * 0.9 - 0.12);

@@ -3,15 +3,15 @@
 
 in vec3 position;
 in vec3 normal;
-in vec2 sky_seen;
+in vec2 sky_visibility;
 out vec4 out_color;
 
 const vec3 kPlaster = vec3(0.46, 0.44, 0.415);
 
 void main() {
   vec3 n = normalize(normal);
-  vec3 light = sky_diffuse(n) * sky_seen.x;
-  for (light_at = 0; light_at <= last_light(); ++light_at)
-    light += light_color_here() * (max(dot(n, light_here().xyz), 0.0) * sun_seen(position, n) / 3.14159265);
-  out_color = leave(kPlaster * light, 1.0);
+  vec3 light = sky_diffuse(n) * sky_visibility.x;
+  for (light_index = 0; light_index <= last_light(); ++light_index)
+    light += current_light_color() * (max(dot(n, current_light().xyz), 0.0) * key_visibility(position, n) / 3.14159265);
+  out_color = encoded(kPlaster * light, 1.0);
 }

@@ -6,18 +6,18 @@
 out vec4 out_color;
 
 void main() {
-  Side side = seen_side();
+  Side side = viewed_side();
   Footprint f = footprint_here();
 #if defined(MORE_LIT)
   vec4 color = vec4(0.0);
-  for (light_at = 0; light_at <= last_light(); ++light_at) {
-    vec4 more = SHADE(side, seen_lights(side), f);
+  for (light_index = 0; light_index <= last_light(); ++light_index) {
+    vec4 more = SHADE(side, side_lights(side), f);
     color = vec4(color.rgb + more.rgb, more.a);
     if (frame.methods.w > 0.5) break;   // false colours
   }
 #else
-  Lights lights = seen_lights(side);
+  Lights lights = side_lights(side);
   vec4 color = SHADE(side, lights, f);   // radiance and cover
 #endif
-  out_color = leave(color.rgb, color.a);
+  out_color = encoded(color.rgb, color.a);
 }

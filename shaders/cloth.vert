@@ -12,13 +12,13 @@ out vec3 position;
 out vec3 normal;
 out vec3 tangent;
 out vec2 tile;
-out vec2 sky_seen;
+out vec2 sky_visibility;
 
 void main() {
   position = in_position;
   normal = in_normal;
   tangent = in_tangent;
   tile = in_uv_mm * frame.tile.xy + frame.tile.zw;
-  sky_seen = in_sky;
+  sky_visibility = in_sky;
   gl_Position = frame.world_to_clip * vec4(in_position, 1.0);
 }

@@ -13,13 +13,13 @@ uniform sampler2DArray relief_map;
 uniform sampler2DArray horizon_map;
 uniform sampler2DArray response_map;
 uniform sampler2D slopes_map;
-uniform sampler2D seen_map;
+uniform sampler2D view_map;
 
 in vec3 position;
 in vec3 normal;
 in vec3 tangent;
 in vec2 tile;
-in vec2 sky_seen;
+in vec2 sky_visibility;
 
 // The cloth's frame, on the side that is seen: t along the weft, b along the warp, n to the eye. On the back
 // of the mesh it is left-handed: both faces are mapped in the same (u, v).
@@ -31,7 +31,7 @@ struct Side {
   float sky;         // share of the sky that the folds leave
 };
 
-Side seen_side() {
+Side viewed_side() {
   Side s;
   float turn = gl_FrontFacing ? 1.0 : -1.0;
   vec3 n = normalize(normal);
@@ -40,7 +40,7 @@ Side seen_side() {
   s.n = n * turn;
   s.face = turn * frame.eye.w > 0.0 ? 0 : 1;
   // A pixel's middle may lie outside the triangle, where what is interpolated runs on.
-  s.sky = clamp(gl_FrontFacing ? sky_seen.x : sky_seen.y, 0.0, 1.0);
+  s.sky = clamp(gl_FrontFacing ? sky_visibility.x : sky_visibility.y, 0.0, 1.0);
   return s;
 }
 
@@ -57,7 +57,7 @@ struct Lights {
 // The eye in the side's frame. A pixel at the silhouette of a fold holds all slants up to edge-on, and only the last
 // hair's breadth of them shines as edge-on cloth does: it takes their mean, where the cosine runs evenly over the pixel.
 // Interpolated normals lean behind the silhouette: as far before it as they would be behind.
-vec3 seen_eye(Side side) {
+vec3 view_direction(Side side) {
   vec3 v = to_side(side, normalize(frame.eye.xyz - position));
   float cosine = abs(v.z);
   float most = 0.5 * fwidth(v.z);
@@ -67,11 +67,11 @@ vec3 seen_eye(Side side) {
   return v;
 }
 
-Lights seen_lights(Side side) {
+Lights side_lights(Side side) {
   Lights x;
-  x.l = to_side(side, light_here().xyz);
-  x.v = seen_eye(side);
-  x.key = light_color_here() * sun_seen(position, x.l.z > 0.0 ? side.n : -side.n);
+  x.l = to_side(side, current_light().xyz);
+  x.v = view_direction(side);
+  x.key = current_light_color() * key_visibility(position, x.l.z > 0.0 ? side.n : -side.n);
   return x;
 }
 
@@ -123,7 +123,7 @@ float pass_turn() { return fract(pixel_turn() + 0.61803399 * frame.samples.x); }
 struct System {
   vec4 color;     // premultiplied by coverage
   vec3 n;         // mean normal
-  float gather;   // length of the mean of the normals
+  float mean_length;   // length of the mean of the normals
   vec2 variance;  // of the slopes
 };
 
@@ -140,7 +140,7 @@ void fetch_relief(Side s, Footprint f, int which, inout System y) {
   float square = 1.0 - min(across, 0.97);
   y.n = normalize(vec3(r.xy, sqrt(square)));
   float z = 0.25 * square + 0.75 * sqrt(square);   // of a round thread
-  y.gather = sqrt(dot(r.xy, r.xy) + z * z);
+  y.mean_length = sqrt(dot(r.xy, r.xy) + z * z);
   y.variance = max(r.zw - r.xy * r.xy, vec2(0.0)) / max(y.n.z * y.n.z, 0.05);
 }
 
@@ -185,29 +185,29 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), sky_level(f)).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
-  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, light_here().w), sky_left(s, f));
+  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, current_light().w), sky_left(s, f));
 }
 
 // What is seen along v over the whole cloth, of warp and weft.
-struct Seen {
-  vec2 share;
+struct VisibleSystems {
+  vec2 fraction;
   vec2 height;   // mean, mm
   float rise;    // of the warp's share, with its share of the cover around
 };
 
 // Of a face along v: table 0 what is seen, 1 and 2 the answers of warp and weft to an even sky, 3 where from,
 // 4 how much more of it than rung `yarn` would make, and from how much further along.
-vec4 seen_along(int face, int table, vec3 v) {
+vec4 view_table(int face, int table, vec3 v) {
   vec2 c = response_coord(v);
   const float around = float(RESPONSE_VIEWS_AROUND);
   const float up = float(RESPONSE_ELEVATIONS);
-  float row = float(face * SEEN_TABLES / 2 + table) * up + c.y;
-  return textureLod(seen_map, vec2((c.x * around + 0.5) / (around + 1.0), (row + 0.5) / (float(SEEN_TABLES) * up)), 0.0);
+  float row = float(face * VIEW_TABLES / 2 + table) * up + c.y;
+  return textureLod(view_map, vec2((c.x * around + 0.5) / (around + 1.0), (row + 0.5) / (float(VIEW_TABLES) * up)), 0.0);
 }
 
-Seen seen_systems(int face, vec3 v) {
-  vec4 s = seen_along(face, 0, v);
-  return Seen(vec2(s.x, 1.0 - s.x), s.zw, s.y);
+VisibleSystems visible_systems(int face, vec3 v) {
+  vec4 s = view_table(face, 0, v);
+  return VisibleSystems(vec2(s.x, 1.0 - s.x), s.zw, s.y);
 }
 
 // Share of the pixel that threads fill, of the prefiltered rungs.

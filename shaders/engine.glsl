@@ -151,14 +151,14 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
 }
 
 // Towards wo; f: frame of the material's normal. soft and glossy: shares of the sky, occluded as engines do.
-FORMULA Answer engine_answer(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
+FORMULA Reflected engine_radiance(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
   vec3 wo = lobe_local(f, v);
   EngineParts p = engine_parts(m, kSheenCharlie, lobe_local(f, l), wo);
   float fuzz = charlie_albedo(clamp(wo.z, 0.0f, 1.0f), m.sheen_roughness);
   float kept = 1.0f - max(max(m.sheen.x, m.sheen.y), m.sheen.z) * fuzz;
-  Answer a;
+  Reflected a;
   a.key = (p.body + (p.gloss.x * m.f0 + p.gloss.y * m.f90)) * p.kept + p.fuzz;
-  a.soft = (m.base * ((1.0f - m.metal) * kept) + m.sheen * fuzz) * m.occlusion;
+  a.diffuse = (m.base * ((1.0f - m.metal) * kept) + m.sheen * fuzz) * m.occlusion;
   a.glossy = mix(vec3(m.f0), m.base, m.metal) * (kept * m.occlusion);
   return a;
 }

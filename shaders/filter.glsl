@@ -16,9 +16,9 @@ FORMULA float gap_left(float gap, float rim, float slope) {
   float g = max(gap, 1.0e-6f);
   float x = 1.0f - rim * (sqrt(1.0f + slope * slope) - 1.0f) / g;
   // Threads are round and lie unevenly: a gap closes over a range, not at once.
-  float soft = 0.08f;
-  float open = 0.5f * (x + sqrt(x * x + soft * soft));
-  return clamp(open / (0.5f * (1.0f + sqrt(1.0f + soft * soft))), 0.0f, 1.0f);
+  float softness = 0.08f;
+  float open = 0.5f * (x + sqrt(x * x + softness * softness));
+  return clamp(open / (0.5f * (1.0f + sqrt(1.0f + softness * softness))), 0.0f, 1.0f);
 }
 
 // Coverage seen along w of cloth that covers `coverage` at normal view. gap_mm: mean gap along x and
@@ -35,12 +35,12 @@ FORMULA float coverage_by_view(float coverage, vec2 gap_mm, float rim_mm, vec3 w
 // signed, in units of the spacing of threads.
 // A ray that leaves the lower system climbs `lift` while it runs lift * tangent across the threads of
 // the upper one, and meets one with the chance of their share.
-FORMULA vec2 system_masking(vec2 share, vec2 areas, float lift, vec3 w) {
+FORMULA vec2 system_masking(vec2 fraction, vec2 areas, float lift, vec3 w) {
   float z = max(abs(w.z), kMinFilterCosine);
-  float over_warp = exp(-min(max(-lift, 0.0f) * share.y * abs(w.y) / z, 40.0f));  // wefts stop moves along y
-  float over_weft = exp(-min(max(lift, 0.0f) * share.x * abs(w.x) / z, 40.0f));
+  float over_warp = exp(-min(max(-lift, 0.0f) * fraction.y * abs(w.y) / z, 40.0f));  // wefts stop moves along y
+  float over_weft = exp(-min(max(lift, 0.0f) * fraction.x * abs(w.x) / z, 40.0f));
   vec2 seen = vec2(areas.x * over_warp, areas.y * over_weft);
-  float total = share.x * seen.x + share.y * seen.y;
+  float total = fraction.x * seen.x + fraction.y * seen.y;
   return seen / max(total, 1.0e-6f);
 }
 

@@ -22,7 +22,7 @@ const float kFlyawaysBound = 0.03f;      // share of fuzz that lies along the th
 const float kFlyawayCrowd = 0.4f;        // share of what a fibre sees that is other fibres
 
 // Share of the area whose fibres stand off far enough to be seen one by one.
-FORMULA float hair_share(float fuzz) { return max(fuzz - kFlyawaysBound, 0.0f); }
+FORMULA float flyaway_fraction(float fuzz) { return max(fuzz - kFlyawaysBound, 0.0f); }
 
 // Density over the sphere of the cosine of a turn whose mean is g; integrates to 1.
 FORMULA float turn_density(float cosine, float g) {
@@ -31,24 +31,24 @@ FORMULA float turn_density(float cosine, float g) {
 }
 
 // Light that leaves a fibre, per steradian, by the cosine of its turn; integrates to 1.
-FORMULA float hair_phase(float cosine) {
+FORMULA float flyaway_phase(float cosine) {
   return 0.55f * turn_density(cosine, -0.35f) + 0.45f * turn_density(cosine, 0.6f);
 }
 
 // Light that a fibre sends out, with what its neighbours send it of the same light.
-FORMULA vec3 hair_gathered(vec3 colour) { return colour / (1.0f - kFlyawayCrowd * colour); }
+FORMULA vec3 flyaway_scattered(vec3 colour) { return colour / (1.0f - kFlyawayCrowd * colour); }
 
 // Radiance of a fibre along `fibre` for a unit of the key light's irradiance at right angles. colour: albedo
 // of the fibre; body: share that the cloth beneath sends back; n: the cloth's normal on its side.
-FORMULA vec3 hair_key(vec3 colour, vec3 body, vec3 fibre, vec3 n, vec3 l, vec3 v) {
+FORMULA vec3 flyaway_key(vec3 colour, vec3 body, vec3 fibre, vec3 n, vec3 l, vec3 v) {
   float along = dot(fibre, l);
   float sine = sqrt(max(1.0f - along * along, 0.0f));
   float met = sine * 1.2732395f;      // over its mean, pi / 4
   float beneath = max(dot(n, l), 0.0f) * 0.15915494f;   // half a sphere of the cloth's radiance
-  return hair_gathered(colour) * (vec3(met * hair_phase(-dot(l, v))) + body * (beneath * (1.0f - kFlyawayCrowd)));
+  return flyaway_scattered(colour) * (vec3(met * flyaway_phase(-dot(l, v))) + body * (beneath * (1.0f - kFlyawayCrowd)));
 }
 
 // Share of the sky's mean radiance: half of what is not fibres is sky, half the cloth.
-FORMULA vec3 hair_soft(vec3 colour, vec3 body) {
-  return hair_gathered(colour) * (0.5f + body * 0.5f) * (1.0f - kFlyawayCrowd);
+FORMULA vec3 flyaway_sky(vec3 colour, vec3 body) {
+  return flyaway_scattered(colour) * (0.5f + body * 0.5f) * (1.0f - kFlyawayCrowd);
 }

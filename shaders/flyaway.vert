@@ -12,7 +12,7 @@ in vec2 in_uv_mm;
 in vec2 in_sky;        // x: sky seen on its side; y: +1 the mesh's front
 in vec4 in_flyaway;       // x: seed, 0..1; y: fibres that it stands for; z: least length, mm; w: radius of the rim, mm
 
-out vec4 leaving;
+out vec4 strip_color;
 
 const float kMinWidth = 0.85;   // pixels
 
@@ -64,10 +64,10 @@ vec3 dye_beneath(int face, vec2 tile, out vec3 body) {
   float cover = 0.0;
   for (int i = 0; i < 2; ++i) {
     SystemData data = cloth.systems[face * 2 + i];
-    vec4 c = textureLod(color_map, vec3(tile, float(face * 2 + i)), level) + vec4(data.color.rgb, 1.0) * (0.004 * data.share);
-    float share = hair_share(data.yarn.fuzz);
-    sum += c.rgb * share;
-    weight += c.a * share;
+    vec4 c = textureLod(color_map, vec3(tile, float(face * 2 + i)), level) + vec4(data.color.rgb, 1.0) * (0.004 * data.fraction);
+    float fraction = flyaway_fraction(data.yarn.fuzz);
+    sum += c.rgb * fraction;
+    weight += c.a * fraction;
     sent += c.rgb * (data.yarn.body * (1.0 - data.yarn.tint.w));
     cover += c.a;
   }
@@ -79,10 +79,10 @@ void main() {
   uint state = floatBitsToUint(in_flyaway.x + 1.0);
   random(state);
   int step_at = gl_VertexID / 2;
-  float t = float(step_at) / frame.hair.x;
+  float t = float(step_at) / frame.flyaway.x;
   int face = in_sky.y * frame.eye.w > 0.0 ? 0 : 1;
   vec3 n = normalize(in_normal);
-  Fibre f = fibre_at(t, n, in_sky.y > 0.0 ? frame.hair.z : frame.hair.w, in_flyaway.z, state);
+  Fibre f = fibre_at(t, n, in_sky.y > 0.0 ? frame.flyaway.z : frame.flyaway.w, in_flyaway.z, state);
   vec3 p = in_position + f.at;
 
   vec4 clip = frame.world_to_clip * vec4(p, 1.0);
@@ -98,17 +98,17 @@ void main() {
   // Against the cloth that it stands on a fibre is a part of the fuzz lobe: it is drawn where what is behind it is
   // farther than the edge of its rim.
   vec3 v = normalize(frame.eye.xyz - p);
-  float rim = sqrt(2.0 * in_flyaway.w * (in_flyaway.z + (in_sky.y > 0.0 ? frame.hair.z : frame.hair.w)));
+  float rim = sqrt(2.0 * in_flyaway.w * (in_flyaway.z + (in_sky.y > 0.0 ? frame.flyaway.z : frame.flyaway.w)));
   vec4 back = frame.world_to_clip * vec4(p - v * rim, 1.0);
   gl_Position = vec4(clip.xy, back.z / max(back.w, 1e-6) * clip.w, clip.w);
 
   vec3 body;
   vec3 colour = sqrt(dye_beneath(face, in_uv_mm * frame.tile.xy + frame.tile.zw, body));
-  vec3 light = hair_soft(colour, body) * sky_diffuse(n) * in_sky.x;
-  for (light_at = 0; light_at <= last_light(); ++light_at)
-    light += hair_key(colour, body, f.along, n, light_here().xyz, v) * light_color_here()
-           * sun_seen(in_position + n * (0.5 * length(f.at)), n);
+  vec3 light = flyaway_sky(colour, body) * sky_diffuse(n) * in_sky.x;
+  for (light_index = 0; light_index <= last_light(); ++light_index)
+    light += flyaway_key(colour, body, f.along, n, current_light().xyz, v) * current_light_color()
+           * key_visibility(in_position + n * (0.5 * length(f.at)), n);
   const float kRootShade = 0.7;   // roots stand in the others' shade
   const float kTip = 0.5;         // width of the tip over that of the root
-  leaving = leave(light * mix(kRootShade, 1.0, t), pixels / drawn * mix(1.0, kTip, t));
+  strip_color = encoded(light * mix(kRootShade, 1.0, t), pixels / drawn * mix(1.0, kTip, t));
 }

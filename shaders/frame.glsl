@@ -10,16 +10,16 @@ uniform sampler2DShadow sun_shadow_map;
 uniform sampler2DArrayShadow more_shadow_map;
 
 // The light that is shaded by: 0 the key light and all that is soft, above it one of the others.
-int light_at = 0;
+int light_index = 0;
 
-vec4 light_here() { return light_at == 0 ? frame.light : frame.more_light[light_at - 1]; }
-vec3 light_color_here() { return light_at == 0 ? frame.light_color.rgb : frame.more_color[light_at - 1].rgb; }
+vec4 current_light() { return light_index == 0 ? frame.light : frame.more_light[light_index - 1]; }
+vec3 current_light_color() { return light_index == 0 ? frame.light_color.rgb : frame.more_color[light_index - 1].rgb; }
 int last_light() { return int(frame.picture.w); }
 
 // Radiance of the sky along d, blurred: `one` and `two` scale its bands (1, 1 as it is; 2/3, 1/4 as a
 // Lambertian sees it, times pi for irradiance; Ramamoorthi, Hanrahan 2001).
 vec3 sky_radiance(vec3 d, float one, float two) {
-  if (light_at > 0) return vec3(0.0);
+  if (light_index > 0) return vec3(0.0);
   vec3 l1 = frame.sky[1].rgb * d.y + frame.sky[2].rgb * d.z + frame.sky[3].rgb * d.x;
   vec3 l2 = (frame.sky[4].rgb * (d.x * d.y) + frame.sky[5].rgb * (d.y * d.z) + frame.sky[7].rgb * (d.x * d.z)) * 1.092548
           + frame.sky[6].rgb * (0.946176 * d.z * d.z - 0.315392 * dot(d, d))
@@ -36,15 +36,15 @@ vec3 sky_about(vec3 d) { return sky_radiance(d, 1.0, min(length(d), 1.0)); }
 
 // How far from a surface it is asked whether light arrives, so that a leaning one does not shade itself where the filter
 // reaches past the texel: that reach on the map times the sine to the light; `lift` on a surface along the light.
-vec3 lifted_off(vec3 position, vec3 n, vec3 l, float lift) {
+vec3 offset_from_surface(vec3 position, vec3 n, vec3 l, float lift) {
   float c = dot(n, l);
   return position + n * (lift * max(sqrt(max(1.0 - c * c, 0.0)), 0.4));
 }
 
 // Share of a light beside the key light that reaches a point.
-float more_seen(vec3 position, vec3 n) {
-  int i = light_at - 1;
-  vec3 lifted = lifted_off(position, n, frame.more_light[i].xyz, 2.5 * frame.more_color[i].w);
+float more_light_visibility(vec3 position, vec3 n) {
+  int i = light_index - 1;
+  vec3 lifted = offset_from_surface(position, n, frame.more_light[i].xyz, 2.5 * frame.more_color[i].w);
   vec3 at = (frame.world_to_more[i] * vec4(lifted, 1.0)).xyz;
   float step_uv = 1.5 / float(textureSize(more_shadow_map, 0).x);
   vec2 a = vec2(0.35, 0.93) * step_uv;
@@ -56,9 +56,9 @@ float more_seen(vec3 position, vec3 n) {
 
 // Share of the light that reaches a point: a turned grid of taps over the shadow map, softer than its
 // texels. n: normal of the side that is seen.
-float sun_seen(vec3 position, vec3 n) {
-  if (light_at > 0) return more_seen(position, n);
-  vec3 lifted = lifted_off(position, n, frame.light.xyz, frame.shadow.z);
+float key_visibility(vec3 position, vec3 n) {
+  if (light_index > 0) return more_light_visibility(position, n);
+  vec3 lifted = offset_from_surface(position, n, frame.light.xyz, frame.shadow.z);
   vec3 at = (frame.world_to_shadow * vec4(lifted, 1.0)).xyz;
   float step_uv = frame.shadow.x * frame.shadow.y;
 #if SHADOW_TAPS == 4
@@ -79,7 +79,7 @@ float sun_seen(vec3 position, vec3 n) {
 }
 
 // A scene-linear colour as the target wants it: tone-mapped, or as it is for an .exr.
-vec4 leave(vec3 scene, float alpha) {
+vec4 encoded(vec3 scene, float alpha) {
   // Within half floats, whatever the light.
   vec3 c = min(scene * frame.light_color.w, vec3(65000.0));
   return frame.picture.z > 0.5 ? vec4(c * alpha, alpha) : vec4(tone_map(c) * alpha, alpha);

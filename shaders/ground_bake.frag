@@ -19,7 +19,7 @@ vec2 spiral(int i) {
   return sqrt((float(i) + 0.5) / float(kTaps)) * vec2(cos(t), sin(t));
 }
 
-float key_seen(vec3 p) {
+float key_light_visibility(vec3 p) {
   vec3 here = (frame.world_to_shadow * vec4(p, 1.0)).xyz;
   if (abs(here.x - 0.5) > 0.5 || abs(here.y - 0.5) > 0.5) return 1.0;
   here.z = min(here.z, 0.998);  // the ground runs on beyond the depths that the map holds
@@ -44,8 +44,8 @@ void main() {
   vec3 p = vec3(frame.ground.z + at.x * frame.ground.y, frame.ground.x, frame.ground.w + at.y * frame.ground.y);
   float sky = texture(ground_map, at * 0.5 + 0.5).r;
   float key = max(frame.light.y, 0.0) * dot(frame.light_color.rgb, vec3(0.3333)) / 3.14159265;
-  float soft = dot(sky_diffuse(kGround), vec3(0.3333));
-  float lit = 1.0 - frame.shadow.w * (1.0 - key_seen(p));
-  float left = (key * lit + soft * sky) / max(key + soft, 1e-4);
+  float diffuse = dot(sky_diffuse(kGround), vec3(0.3333));
+  float lit = 1.0 - frame.shadow.w * (1.0 - key_light_visibility(p));
+  float left = (key * lit + diffuse * sky) / max(key + diffuse, 1e-4);
   out_color = vec4(1.0 - (1.0 - left) * kDarkest);
 }

@@ -42,8 +42,8 @@ FORMULA float horizon_mix(HorizonTaps taps, vec4 values) {
 // the horizon's sine over the footprint; `light_radius` in radians (its disc, spread as a Gaussian of
 // the same variance, radius / 2).
 FORMULA float horizon_visibility(float elevation_sine, float mean, float spread, float light_radius) {
-  float soft = 0.5f * light_radius * sqrt(max(1.0f - elevation_sine * elevation_sine, 0.0f));
-  float sigma = sqrt(spread * spread + soft * soft + 1.0e-6f);
+  float softness = 0.5f * light_radius * sqrt(max(1.0f - elevation_sine * elevation_sine, 0.0f));
+  float sigma = sqrt(spread * spread + softness * softness + 1.0e-6f);
   float x = clamp((elevation_sine - mean) / sigma, -4.0f, 4.0f);
   // Normal distribution by its logistic form (Bowling et al. 2009, error 1.4e-4).
   return 1.0f / (1.0f + exp(-x * (1.5976f + 0.07056f * x * x)));

@@ -36,13 +36,13 @@ using glm::vec4;
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16
-#define BEHIND_ELEVATIONS 12
-#define BEHIND_AROUND 32
+#define TRANSMISSION_ELEVATIONS 12
+#define TRANSMISSION_LIGHTS_AROUND 32
 // Texels of the answer along one view: answer and lean, and below them the answer to light from behind, and its lean.
 #define RESPONSE_WIDTH 34
 #define RESPONSE_HEIGHT 128
 #define RESPONSE_SLOPES 64
-#define SEEN_TABLES 10
+#define VIEW_TABLES 10
 
 struct FrameData {
   mat4 world_to_clip;
@@ -59,14 +59,14 @@ struct FrameData {
   vec4 tile;                  // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
   vec4 ground;                // x: height mm; y: radius mm; zw: centre x, z mm
   vec4 methods;               // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
-  vec4 hair;                  // stray fibres: x: pieces that each is drawn with; zw: mean length on the
+  vec4 flyaway;               // stray fibres: x: pieces that each is drawn with; zw: mean length on the
                               // mesh's front and back, mm
   vec4 lattices[2];           // of rung yarn: footprints from which on each finer lattice is needed (lattice.glsl)
   mat4 world_to_more[MORE_LIGHTS];  // as world_to_shadow, light and light_color, of the lights beside the key light
   vec4 more_light[MORE_LIGHTS];
   vec4 more_color[MORE_LIGHTS];  // rgb irradiance; w: texel of its shadow map in mm
-  vec4 look[3];  // xyz: right, up and middle of the picture as directions of its rays; w: cosine and sine
-                 // by which the environment's picture is turned, and 1 where it shows
+  vec4 camera_rays[3];  // xyz: right, up and middle of the picture as directions of its rays; w: cosine and sine
+                        // by which the environment's picture is turned, and 1 where it shows
 };
 
 // The lobes of a yarn as the shaders take them (yarn_of() of methods.glsl), or means of several yarns.
@@ -79,11 +79,11 @@ struct YarnData {
   float fuzz_width;
   float fuzz_depth;  // optical
   float transmission;
-  vec4 tint;          // rgb of the specular, linear; w: share of it in the thread's colour (metal: all)
-  float reflectance;  // of the clear fibres at normal incidence
-  float pile;         // that over one layer's
-  float inner_pale;   // how often the way of the dyed share through the dye is halved, -1..2
-  float spare_c;      // for further numbers of a yarn; 0
+  vec4 tint;             // rgb of the specular, linear; w: share of it in the thread's colour (metal: all)
+  float reflectance;     // of the clear fibres at normal incidence
+  float fibre_layers;    // that over one layer's
+  float inner_halvings;  // how often the way of the dyed share through the dye is halved, -1..2
+  float spare_c;         // for further numbers of a yarn; 0
 };
 
 // One thread system of one face: index face * 2 + system (0 warp, 1 weft).
@@ -91,7 +91,7 @@ struct SystemData {
   YarnData yarn;    // mean over its threads
   float fibre_tan;  // of the mean angle between fibre and thread
   float coverage;   // mean over the maps
-  float share;      // of the cover, as rays see it
+  float fraction;   // of the cover, as rays see it
   float spare;
   vec4 color;   // rgb: mean
   vec4 facets;  // means of the unit normal's x, y and of their squares
@@ -152,7 +152,7 @@ enum Sampler : int {
   kCrossingSlot,
   kResponseSlot,
   kSlopesSlot,
-  kSeenSlot,
+  kViewSlot,
   kMoreShadowSlot,
   kEnvironmentSlot,
   kSamplerCount
@@ -162,7 +162,7 @@ inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "sun_shadow_map",      "ground_map",          "sun_depth_map",  "albedo_texture",
     "albedo_mean_texture", "fuzz_texture",        "front_half_map", "front_difference_map",
     "back_half_map",       "back_difference_map", "thread_map",     "crossing_map",
-    "response_map",        "slopes_map",          "seen_map",       "more_shadow_map",
+    "response_map",        "slopes_map",          "view_map",       "more_shadow_map",
     "environment_map"};
 
 enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kFlyaway, kAttributeCount };

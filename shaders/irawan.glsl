@@ -2,7 +2,7 @@
 // stripe across it. GLSL 3.30 and C++20; with threads.glsl, whose host it shares. Frame of a float: x across the
 // thread, y along it, z the cloth's normal; millimetres.
 //
-//   IrawanPlace p = irawan_place(grid, at)    the float that a place lies on, and where on it
+//   IrawanPoint p = irawan_point(grid, at)    the float that a place lies on, and where on it
 //   irawan_specular(p, tan, l, v)             radiance that it mirrors, for a unit of irradiance at right angles
 //
 // Based on: Irawan, Marschner 2012, "Specular reflection from woven cloth", sections 4 and 5 (staple yarns, and
@@ -23,7 +23,7 @@ const float kIrawanGain = 25.0f;
 const float kIrawanFilament = 0.05f;   // tangent of a twist below which fibres count as straight
 const int kIrawanFloat = 24;           // threads at the most that a float is followed over, each way
 
-struct IrawanPlace {
+struct IrawanPoint {
   int system;     // -1: a gap
   int thread;
   bool above;     // of a float; else of a thread that passes below, seen beside the one above
@@ -51,14 +51,14 @@ FORMULA float irawan_reach(ThreadGrid g, int system, ivec2 cell, int way) {
 }
 
 // at: 0..period.
-FORMULA IrawanPlace irawan_place(ThreadGrid g, vec2 at) {
+FORMULA IrawanPoint irawan_point(ThreadGrid g, vec2 at) {
   ivec2 cell = ivec2(thread_at(g, 0, at.x), thread_at(g, 1, at.y));
   ThreadSection end = thread_body(0, cell.x);
   ThreadSection pick = thread_body(1, cell.y);
   vec2 aside = vec2(at.x - end.centre, at.y - pick.centre);
   vec2 room = vec2(end.half_room, pick.half_room);
   vec2 half_width = vec2(min(end.half_width, end.half_room), min(pick.half_width, pick.half_room));
-  IrawanPlace p;
+  IrawanPoint p;
   p.system = irawan_top(g, cell);
   p.above = abs(aside[p.system]) <= half_width[p.system];
   if (!p.above) p.system = 1 - p.system;
@@ -109,7 +109,7 @@ FORMULA vec3 irawan_normal(float u, float turn) { return vec3(sin(turn), sin(u) 
 
 // The stripe of a twisted yarn: at each place along the float, where around the thread its fibres mirror.
 // psi: angle of the fibres to the thread; radii: of the thread, of the bend.
-FORMULA float irawan_staple(IrawanPlace p, float psi, vec2 radii, vec3 l, vec3 v) {
+FORMULA float irawan_staple(IrawanPoint p, float psi, vec2 radii, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float sum_length = max(length(sum), 1.0e-4f);
   vec3 h = sum / sum_length;
@@ -130,7 +130,7 @@ FORMULA float irawan_staple(IrawanPlace p, float psi, vec2 radii, vec3 l, vec3 v
 }
 
 // The stripe of a yarn without twist: where along the float the fibres mirror, the same all around the thread.
-FORMULA float irawan_straight(IrawanPlace p, vec2 radii, vec3 l, vec3 v) {
+FORMULA float irawan_straight(IrawanPoint p, vec2 radii, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float u = atan(sum.y, sum.z);
   if (abs(u) >= kIrawanBend) return 0.0f;
@@ -145,7 +145,7 @@ FORMULA float irawan_straight(IrawanPlace p, vec2 radii, vec3 l, vec3 v) {
 }
 
 // fibre_tan: tangent of the angle between fibre and thread, towards +across; l, v: in the cloth's axes.
-FORMULA float irawan_specular(IrawanPlace p, float fibre_tan, vec3 l, vec3 v) {
+FORMULA float irawan_specular(IrawanPoint p, float fibre_tan, vec3 l, vec3 v) {
   if (!p.above || l.z <= 0.0f) return 0.0f;
   vec3 to_light = p.system == 0 ? l : vec3(l.y, l.x, l.z);
   vec3 to_eye = p.system == 0 ? v : vec3(v.y, v.x, v.z);

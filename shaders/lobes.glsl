@@ -6,7 +6,7 @@
 //   YarnLobes y           what the yarn is (core/light/yarn_lobes.h makes it from the design)
 //   yarn_reflect(y, wi, wo), yarn_transmit(y, wi, wo), yarn_albedo(y, wo)
 //   With several lights: lobe_shared(y) and lobe_side(y, shared, wo) once, then lobe_reflect() a light.
-//   In batches: lobe_place(), a look-up, lobe_finish() are the parts of lobe_side().
+//   In batches: lobe_coords(), a look-up, lobe_finish() are the parts of lobe_side().
 //   Prefiltered: lobe_frame(mean normal, fibre), yarn_widen(y, lobe_covariance(frame, slope covariance)).
 //
 // The host declares the tables (shaders/tables.glsl, core/light/tables.h, which says what they hold):
@@ -36,7 +36,7 @@ struct YarnLobes {
   vec3 slope_cov;      // covariance of the facets' slopes (xx, xy, yy), >= 0; x along the fibre
   vec3 f0;             // reflectance at normal incidence, 0..1
   float f90;           // reflectance at grazing incidence, 0..1
-  float pile;          // >= 1: reflectance of the layers of fibres over that of one, at normal incidence
+  float fibre_layers;          // >= 1: reflectance of the layers of fibres over that of one, at normal incidence
   vec3 body;           // share that comes back out of the body, 0..1
   vec3 through;        // share that comes out behind; body + through <= 1
   vec3 fuzz_colour;    // albedo of the fibres that stand off, 0..1
@@ -56,7 +56,7 @@ struct LobeShared {
 };
 
 // Where one direction lies in the tables.
-struct LobePlace {
+struct LobeCoords {
   float mu;            // cosine, held above kMinCosine
   float area;          // projected area of the facets, over that of the plane's unit area
   float rim;           // mu + sine * along
@@ -109,21 +109,21 @@ FORMULA float spread_coordinate(float variance) {
 // Schlick's weight of the grazing reflectance for a pile of layers: of n that each reflect r the whole reflects
 // n r / (1 + (n - 1) r) (Stokes 1862). With Schlick's r that is f0 + (1 - f0) times this, exactly; pile: f0 over one
 // layer's. It rises sooner than one surface's.
-FORMULA float pile_grazing(float pile, float k) {
+FORMULA float layered_grazing(float fibre_layers, float k) {
   float k2 = k * k;
   float q = k2 * k2 * k;
-  return pile * q / (1.0f + (pile - 1.0f) * q);
+  return fibre_layers * q / (1.0f + (fibre_layers - 1.0f) * q);
 }
 
 // Mean of it over facets, of which one layer's mean is q: the weight bends down, so its mean is the less the more the
 // facets differ. spread2: squares of the coordinates of their slopes. Fitted to the white furnace, as are those below.
-FORMULA float pile_over_facets(float pile, float q, float spread2) {
-  return pile * q / (1.0f + (pile - 1.0f) * q * (1.0f + 5.8f * spread2));
+FORMULA float layered_over_facets(float fibre_layers, float q, float spread2) {
+  return fibre_layers * q / (1.0f + (fibre_layers - 1.0f) * q * (1.0f + 5.8f * spread2));
 }
 
 // The same over a hemisphere; spread: sum of the coordinates of the slopes, 0..2. Of flat facets exact to 1 percent.
-FORMULA float pile_mean(float pile, float mean, float spread) {
-  float l = log(pile);
+FORMULA float layered_mean(float fibre_layers, float mean, float spread) {
+  float l = log(fibre_layers);
   return min(mean * (1.0f + l * (0.6815f + 0.1847f * l) / (1.0f - 0.4f * spread)), 1.0f);
 }
 
@@ -143,19 +143,19 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
   float lost = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
   // Kulla, Conty 2017: facets that light meets again reflect with the mean Fresnel term. Differs: at least a
   // quarter leaves at a time, which keeps a coloured lobe of any roughness from turning black.
-  vec3 f_mean = y.f0 + (y.f90 - y.f0) * pile_mean(y.pile, 1.0f / 21.0f, 0.0f);
+  vec3 f_mean = y.f0 + (y.f90 - y.f0) * layered_mean(y.fibre_layers, 1.0f / 21.0f, 0.0f);
   float stays = min(lost, 0.75f);
   s.recurring = f_mean * f_mean * (1.0f - stays) / (1.0f - f_mean * stays);
   s.multiple = s.recurring / (kPi * lost);
-  float mean_rise = pile_mean(y.pile, mean.y, spread.x + spread.y);
+  float mean_rise = layered_mean(y.fibre_layers, mean.y, spread.x + spread.y);
   vec3 mean_albedo = y.f0 * (1.0f - lost) + (y.f90 - y.f0) * mean_rise + s.recurring * lost;
   s.mean_enters = max(1.0f - mean_albedo, vec3(2.0e-3f));
   s.body_scale = 1.0f / (kPi * s.mean_enters);
   return s;
 }
 
-FORMULA LobePlace lobe_place(LobeShared s, vec3 w) {
-  LobePlace p;
+FORMULA LobeCoords lobe_coords(LobeShared s, vec3 w) {
+  LobeCoords p;
   p.mu = max(w.z, kMinCosine);
   float sine2 = max(w.x * w.x + w.y * w.y, 1.0e-10f);
   float sigma2 = max(variance_along(s.cov, w.x, w.y), 1.0e-10f * s.cov.x);
@@ -170,20 +170,20 @@ FORMULA LobePlace lobe_place(LobeShared s, vec3 w) {
   return p;
 }
 
-FORMULA vec2 fuzz_place(YarnLobes y, float mu) {
+FORMULA vec2 fuzz_coords(YarnLobes y, float mu) {
   float depth = max(y.fuzz_depth, 1.0e-4f);
   return vec2(mu / (mu + depth), depth / (1.0f + depth));
 }
 
 // From what the tables hold at the place: x of `stored` the loss, y the cosine over the rim.
-FORMULA LobeSide lobe_finish(YarnLobes y, LobeShared s, LobePlace p, vec2 stored, vec4 fuzz) {
+FORMULA LobeSide lobe_finish(YarnLobes y, LobeShared s, LobeCoords p, vec2 stored, vec4 fuzz) {
   LobeSide side;
   side.mu = p.mu;
   side.area = p.area;
   side.lost = stored.x;
   float k = max(1.0f - stored.y * p.rim, 0.0f);  // of the facets that are seen
   float k2 = k * k;
-  float rise = pile_over_facets(y.pile, k2 * k2 * k, p.along * p.along + p.across * p.across);
+  float rise = layered_over_facets(y.fibre_layers, k2 * k2 * k, p.along * p.along + p.across * p.across);
   vec3 specular = (y.f0 + (y.f90 - y.f0) * rise) * (1.0f - side.lost) + s.recurring * side.lost;
   side.enters = max(1.0f - specular, vec3(0.0f));
   side.clear = 1.0f;
@@ -193,9 +193,9 @@ FORMULA LobeSide lobe_finish(YarnLobes y, LobeShared s, LobePlace p, vec2 stored
 }
 
 FORMULA LobeSide lobe_side(YarnLobes y, LobeShared s, vec3 w) {
-  LobePlace p = lobe_place(s, w);
+  LobeCoords p = lobe_coords(s, w);
   vec4 t = albedo_table(p.opening, p.along, p.across);
-  vec2 f = fuzz_place(y, p.mu);
+  vec2 f = fuzz_coords(y, p.mu);
   vec4 fuzz = vec4(0.0f);
   if (y.fuzz > 0.0f) fuzz = fuzz_table(f.x, f.y);
   return lobe_finish(y, s, p, mix(vec2(t.x, t.y), vec2(t.z, t.w), p.mixed), fuzz);
@@ -215,7 +215,7 @@ FORMULA vec3 lobe_specular(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, ve
   float d = s.peak * exp(-0.5f * min(q, 160.0f)) * secant2 * secant2;
   float v = 0.25f / (i.area * o.mu + o.area * i.mu - i.mu * o.mu);
   float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);  // 1 - wi.h
-  return (y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k)) * (d * v);
+  return (y.f0 + (y.f90 - y.f0) * layered_grazing(y.fibre_layers, k)) * (d * v);
 }
 
 // Light from wi leaves along wo, both above the surface.
@@ -226,8 +226,8 @@ FORMULA vec3 lobe_reflect(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, vec
   float clear = i.clear * o.clear;
   float once = (1.0f - clear) / (4.0f * kPi * (i.mu + o.mu));
   float again = i.fuzz.y * o.fuzz.y / (kPi * max(o.fuzz.w, 1.0e-4f));
-  vec3 hair = y.fuzz_colour * (vec3(once) + y.body * s.mean_enters * again);
-  return base * (1.0f - y.fuzz * (1.0f - clear)) + hair * y.fuzz;
+  vec3 fuzz = y.fuzz_colour * (vec3(once) + y.body * s.mean_enters * again);
+  return base * (1.0f - y.fuzz * (1.0f - clear)) + fuzz * y.fuzz;
 }
 
 // Light from wi below leaves along wo above: i is the side of wi mirrored to above.

@@ -8,9 +8,9 @@ vec4 response_at(int table, int system, vec3 l, vec3 v) {
   const float views = float(RESPONSE_VIEWS_AROUND);
   const float up = float(RESPONSE_ELEVATIONS);
   const vec2 size = vec2(float(RESPONSE_WIDTH), float(RESPONSE_HEIGHT));
-  vec2 before = response_coord(l) * vec2(float(RESPONSE_LIGHTS_AROUND), 1.0) + vec2(float(table * (RESPONSE_LIGHTS_AROUND + 1)), float(system) * up);
-  vec2 behind = transmission_coord(l) * vec2(float(BEHIND_AROUND), 1.0) + vec2(0.0, 4.0 * up + float((table * 4 + system) * BEHIND_ELEVATIONS));
-  vec2 at = ((l.z > 0.0 ? before : behind) + 0.5) / size;
+  vec2 from_front = response_coord(l) * vec2(float(RESPONSE_LIGHTS_AROUND), 1.0) + vec2(float(table * (RESPONSE_LIGHTS_AROUND + 1)), float(system) * up);
+  vec2 from_behind = transmission_coord(l) * vec2(float(TRANSMISSION_LIGHTS_AROUND), 1.0) + vec2(0.0, 4.0 * up + float((table * 4 + system) * TRANSMISSION_ELEVATIONS));
+  vec2 at = ((l.z > 0.0 ? from_front : from_behind) + 0.5) / size;
   o.x *= views;
   vec2 cell = min(floor(o), vec2(views - 1.0, up - 2.0));
   vec2 t = o - cell;
@@ -23,14 +23,14 @@ vec4 response_at(int table, int system, vec3 l, vec3 v) {
        + textureLod(response_map, vec3(at, next), 0.0) * side.x + textureLod(response_map, vec3(at, layer + views), 0.0) * side.y;
 }
 
-Answer far_field_of(Side side, Lights x, int which, vec2 slopes, vec3 color) {
+Reflected far_field_of(Side side, Lights x, int which, vec2 slopes, vec3 color) {
   int system = side.face * 2 + which;
   SystemData data = cloth.systems[system];
   vec2 d = vec2(textureLod(slopes_map, vec2(slopes.x, (float(system) * 2.0 + 0.5) / 8.0), 0.0).r,
                 textureLod(slopes_map, vec2(slopes.y, (float(system) * 2.0 + 1.5) / 8.0), 0.0).r);
   YarnLobes y = yarn_of(data.yarn, color);
-  vec4 broad = response_at(0, system, x.l, x.v);
-  return system_answer(y, broad, d, data.share, seen_along(side.face, 1 + which, x.v), x.l, x.v);
+  vec4 reflected = response_at(0, system, x.l, x.v);
+  return system_radiance(y, reflected, d, data.fraction, view_table(side.face, 1 + which, x.v), x.l, x.v);
 }
 
 vec2 half_slope_coords(Lights x) {
@@ -38,10 +38,10 @@ vec2 half_slope_coords(Lights x) {
   return vec2(slope_coord(h.x), slope_coord(h.y));
 }
 
-vec3 mixed_light(Side side, Lights x, Answer m) {
-  vec4 from = seen_along(side.face, 3, x.v);
+vec3 mixed_light(Side side, Lights x, Reflected m) {
+  vec4 from = view_table(side.face, 3, x.v);
   vec2 along = x.v.xy * inversesqrt(max(dot(x.v.xy, x.v.xy), 1e-8));
-  vec3 sky = m.soft * sky_about(from_side(side, vec3(along * from.x, from.y)))
+  vec3 sky = m.diffuse * sky_about(from_side(side, vec3(along * from.x, from.y)))
            + m.glossy * sky_about(from_side(side, vec3(along * from.z, from.w)));
   return x.key * m.key + sky * side.sky;
 }
@@ -84,37 +84,37 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
 }
 
 // A system's answer where its facets lie otherwise than its mean ones.
-Answer leaned_answer(Side side, Lights x, Local y, int which, vec2 slopes) {
+Reflected local_radiance(Side side, Lights x, Local y, int which, vec2 slopes) {
   int system = side.face * 2 + which;
   SystemData data = cloth.systems[system];
-  Answer a = far_field_of(side, x, which, slopes, system_color(y.color, data));
-  a.key *= lean_factor(response_at(1, system, x.l, x.v), y.facets, data.facets);
+  Reflected a = far_field_of(side, x, which, slopes, system_color(y.color, data));
+  a.key *= gradient_factor(response_at(1, system, x.l, x.v), y.facets, data.facets);
   return a;
 }
 
 vec3 repeat_light(Side side, Lights x, Footprint f) {
-  Seen seen = seen_systems(side.face, x.v);
+  VisibleSystems seen = visible_systems(side.face, x.v);
   // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
   vec2 towards = x.v.xy / (x.v.z * vec2(cloth.width_mm, cloth.depth_mm));
   Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
   Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
-  vec2 share = vec2(cloth.systems[side.face * 2].share, cloth.systems[side.face * 2 + 1].share);
+  vec2 fraction = vec2(cloth.systems[side.face * 2].fraction, cloth.systems[side.face * 2 + 1].fraction);
   vec2 cover = vec2(cloth.systems[side.face * 2].coverage, cloth.systems[side.face * 2 + 1].coverage);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(cover, vec2(1e-3));
   vec2 region = vec2(warp.around, weft.around) * (cover.x + cover.y) / max(cover * (warp.around + weft.around), vec2(1e-3));
-  vec2 rise = seen.rise * share / max(seen.share, vec2(1e-3)) - 1.0;
+  vec2 rise = seen.rise * fraction / max(seen.fraction, vec2(1e-3)) - 1.0;
   relative *= vec2(region_factor(rise.x, region.x), region_factor(rise.y, region.y));
   vec2 slopes = half_slope_coords(x);
-  Answer a = leaned_answer(side, x, warp, 0, slopes);
-  Answer b = leaned_answer(side, x, weft, 1, slopes);
-  return mixed_light(side, x, mixed_answer(a, b, relative, seen.share));
+  Reflected a = local_radiance(side, x, warp, 0, slopes);
+  Reflected b = local_radiance(side, x, weft, 1, slopes);
+  return mixed_light(side, x, mixed_radiance(a, b, relative, seen.fraction));
 }
 
 vec3 cloth_light(Side side, Lights x) {
   vec2 slopes = half_slope_coords(x);
-  Answer a = far_field_of(side, x, 0, slopes, cloth.systems[side.face * 2].color.rgb);
-  Answer b = far_field_of(side, x, 1, slopes, cloth.systems[side.face * 2 + 1].color.rgb);
-  return mixed_light(side, x, mixed_answer(a, b, vec2(1.0), vec2(0.5)));
+  Reflected a = far_field_of(side, x, 0, slopes, cloth.systems[side.face * 2].color.rgb);
+  Reflected b = far_field_of(side, x, 1, slopes, cloth.systems[side.face * 2 + 1].color.rgb);
+  return mixed_light(side, x, mixed_radiance(a, b, vec2(1.0), vec2(0.5)));
 }
 
 vec4 shade_repeat(Side side, Lights x, Footprint f) { return vec4(repeat_light(side, x, f), cover_of(side, x, f)); }

@@ -17,9 +17,9 @@ const int kLightCells = 24;
 // Means over the samples of a pixel.
 struct YarnSums {
   vec3 key;
-  vec3 soft;
+  vec3 diffuse;
   vec3 glossy;
-  vec3 soft_from;     // mean direction of the sky's light that each sends, times how much it sends
+  vec3 diffuse_from;     // mean direction of the sky's light that each sends, times how much it sends
   vec3 glossy_from;
   float cover;
 };
@@ -27,7 +27,7 @@ struct YarnSums {
 // Towards a point of the light's disc. own: 0 to 1, of the pixel, so that few samples leave grain and no false edge.
 vec3 light_sample(vec3 l, int i, float own) {
   // Steps that agree with none of the lattices', or each side of the pixel would see one side of the light.
-  float r = sqrt(fract(0.56984029 * float(i) + 5.0 * own)) * light_here().w;
+  float r = sqrt(fract(0.56984029 * float(i) + 5.0 * own)) * current_light().w;
   float turn = 6.2831853 * (0.41421356 * float(i) + own);
   vec3 a = normalize(abs(l.z) < 0.9 ? cross(l, vec3(0.0, 0.0, 1.0)) : cross(l, vec3(1.0, 0.0, 0.0)));
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
@@ -52,12 +52,12 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2
   vec3 n = p.normal;
   if (pattern.plies > 1) n = ply_normal(p, pattern, texel.ply, length_mm);
   if (dot(n, x.v) <= 0.0) n = p.normal;
-  vec4 look = thread_look(hit.system, thread);
-  YarnLobes lobes = thread_lobes(int(look.w), fibre_colour(texel, look.rgb));
-  float disc = light_here().w * light_here().w / 16.0;   // of the half vector's slopes
+  vec4 dye = thread_dye(hit.system, thread);
+  YarnLobes lobes = thread_lobes(int(dye.w), fibre_colour(texel, dye.rgb));
+  float disc = current_light().w * current_light().w / 16.0;   // of the half vector's slopes
   float covered = x.l.z > 0.0 ? 1.0 : 0.0;
   lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) * covered + vec3(disc, 0.0, disc));
-  Answer a = facet_answer(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
+  Reflected a = facet_radiance(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;
   // Light from behind crosses this thread itself; every other one stops it. Where it falls on a side that hangs over, the
   // thread may stand before itself, too: from a little above it.
@@ -67,12 +67,12 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2
   sums.key += a.key;
   float sky = texel.groove * (hit.system == 0 ? measured.x : measured.y);
   vec3 mirrored = reflect(-x.v, n);
-  a.soft *= sky * facet_seen(n);
-  a.glossy *= sky * mirrored_seen(mirrored);
-  sums.soft += a.soft;
+  a.diffuse *= sky * facet_sky_visibility(n);
+  a.glossy *= sky * mirrored_sky_visibility(mirrored);
+  sums.diffuse += a.diffuse;
   sums.glossy += a.glossy;
-  sums.soft_from += facet_seen_from(n) * (a.soft.r + a.soft.g + a.soft.b);
-  sums.glossy_from += mirrored_seen_from(mirrored) * (a.glossy.r + a.glossy.g + a.glossy.b);
+  sums.diffuse_from += facet_sky_direction(n) * (a.diffuse.r + a.diffuse.g + a.diffuse.b);
+  sums.glossy_from += mirrored_sky_direction(mirrored) * (a.glossy.r + a.glossy.g + a.glossy.b);
 }
 
 // Radiance of what is covered, and cover.
@@ -86,7 +86,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec2 dx = f.dx * g.period;
   vec2 dy = f.dy * g.period;
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-  vec4 measured = seen_along(side.face, 4, x.v);
+  vec4 measured = view_table(side.face, 4, x.v);
   float own = pixel_turn();
   // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them. So many
   // steps of R2 as spread them over the whole pixel, not along one line of it.
@@ -99,10 +99,10 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   } while (i < count);   // threads.glsl says why
   if (sums.cover < 0.5) return vec4(0.0);
   float scale = 1.0 / sums.cover;
-  vec3 soft_from = sums.soft_from / max(sums.soft.r + sums.soft.g + sums.soft.b, 1.0e-6);
+  vec3 diffuse_from = sums.diffuse_from / max(sums.diffuse.r + sums.diffuse.g + sums.diffuse.b, 1.0e-6);
   vec3 glossy_from = sums.glossy_from / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6);
   glossy_from += vec3(x.v.xy * (measured.z * inversesqrt(max(dot(x.v.xy, x.v.xy), 1.0e-8))), measured.w);
-  vec3 sky = sums.soft * sky_about(from_side(side, soft_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
+  vec3 sky = sums.diffuse * sky_about(from_side(side, diffuse_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
   vec3 radiance = (x.key * sums.key + sky * side.sky) * scale;
   return vec4(radiance, sums.cover / float(count));
 }

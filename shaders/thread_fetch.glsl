@@ -40,7 +40,7 @@ ThreadGrid thread_grid(int face) {
 }
 
 // A thread's linear colour, and its yarn in w.
-vec4 thread_look(int system, int thread) { return record_look(thread_texel(record_at(system, thread) + THREAD_COLOR)); }
+vec4 thread_dye(int system, int thread) { return record_color(thread_texel(record_at(system, thread) + THREAD_COLOR)); }
 
 ThreadTexture thread_pattern(int system, int thread, float side) {
   int i = record_at(system, thread) + THREAD_PATTERN;

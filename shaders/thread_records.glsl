@@ -92,11 +92,11 @@ struct ThreadSection {
   float half_room;
   float half_width;     // means of what swells
   float half_height;
-  float swell;          // spread of its thickness along it, over the mean
+  float unevenness;          // spread of its thickness along it, over the mean
 };
 
 const float kRoundnessSteps = 262144.0f;   // of height over width, below 4
-const float kSwellSteps = 4095.0f;
+const float kUnevennessSteps = 4095.0f;
 
 // From THREAD_BODY: centre, half its room and half width as they are; height over width and, below it, the swell.
 FORMULA ThreadSection record_body(uvec4 a) {
@@ -105,7 +105,7 @@ FORMULA ThreadSection record_body(uvec4 a) {
   s.half_room = uintBitsToFloat(a.y);
   s.half_width = uintBitsToFloat(a.z);
   s.half_height = s.half_width * (float(a.w >> 12) / kRoundnessSteps);
-  s.swell = float(a.w & 4095u) / kSwellSteps;
+  s.unevenness = float(a.w & 4095u) / kUnevennessSteps;
   return s;
 }
 
@@ -113,11 +113,11 @@ FORMULA uvec4 pack_section(ThreadSection s) {
   float roundness = s.half_width > 0.0f ? clamp(s.half_height / s.half_width, 0.0f, 3.99f) : 0.0f;
   uint tail = uint(roundness * kRoundnessSteps + 0.5f) << 12u;
   return uvec4(floatBitsToUint(s.centre), floatBitsToUint(s.half_room), floatBitsToUint(s.half_width),
-               tail | uint(clamp(s.swell, 0.0f, 1.0f) * kSwellSteps + 0.5f));
+               tail | uint(clamp(s.unevenness, 0.0f, 1.0f) * kUnevennessSteps + 0.5f));
 }
 
 // From THREAD_COLOR: linear colour; its yarn in w.
-FORMULA vec4 record_look(uvec4 a) {
+FORMULA vec4 record_color(uvec4 a) {
   return vec4(uintBitsToFloat(a.x), uintBitsToFloat(a.y), uintBitsToFloat(a.z), float(int(a.w)));
 }
 
@@ -136,7 +136,7 @@ FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   x.stray_advance = int(c.y);
   x.nodes = int(c.z);
   x.depth = uintBitsToFloat(c.w);
-  x.hair = uintBitsToFloat(d.x);
+  x.hairiness = uintBitsToFloat(d.x);
   x.radius_mm = uintBitsToFloat(d.y);
   x.seed = d.z;
   x.melange = uintBitsToFloat(d.w);
@@ -166,8 +166,8 @@ FORMULA YarnData record_yarn(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   y.transmission = uintBitsToFloat(b.w);
   y.tint = uintBitsToFloat(c);
   y.reflectance = uintBitsToFloat(d.x);
-  y.pile = uintBitsToFloat(d.y);
-  y.inner_pale = uintBitsToFloat(d.z);
+  y.fibre_layers = uintBitsToFloat(d.y);
+  y.inner_halvings = uintBitsToFloat(d.z);
   y.spare_c = uintBitsToFloat(d.w);
   return y;
 }

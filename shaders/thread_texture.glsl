@@ -18,7 +18,7 @@ const float kMelangeTone = 1.7f;     // contrasts at melange 1
 const float kMelangeThread = 0.12f;   // of threads and of stretches along them, at melange 1
 const float kTuftTone = 0.62f;       // of tufts, at melange 1
 const float kTuftHue = 1.5f;
-const float kStrayShare = 0.35f;     // of the places for a stray fibre, at hairiness 1
+const float kStrayFraction = 0.35f;     // of the places for a stray fibre, at hairiness 1
 const float kWander = 1.3f;          // grooves, at hairiness 1
 const int kFibresABundle = 4;
 const float kTuft = 5.0f;            // bundles across a tuft of one colour
@@ -38,7 +38,7 @@ struct ThreadTexture {
   int stray_advance;     // like advance, of the stray fibres that cross the others
   int nodes;             // of the tone along one period
   float depth;
-  float hair;
+  float hairiness;
   float radius_mm;
   uint seed;
   float melange;         // how unlike neighbouring fibres are in colour
@@ -86,18 +86,18 @@ FORMULA float wander(ThreadTexture x, int node, float blend) {
   float b = blend * blend * (3.0f - 2.0f * blend);
   float here = unit_of(mix_bits(x.seed ^ 0x5bd1e995u, uint(node))) - 0.5f;
   float next = unit_of(mix_bits(x.seed ^ 0x5bd1e995u, uint(node + 1 == x.nodes ? 0 : node + 1))) - 0.5f;
-  return kWander * x.hair * (here + b * (next - here));
+  return kWander * x.hairiness * (here + b * (next - here));
 }
 
 // The place `share` (0..1) along the period and `turn` around the thread: 0 on its ridge, towards +across.
-FORMULA TexturePoint texture_point(ThreadTexture x, float share, float turn, float cycles, float ply_fade) {
+FORMULA TexturePoint texture_point(ThreadTexture x, float along, float turn, float cycles, float ply_fade) {
   TexturePoint p;
-  float node = share * float(x.nodes);
+  float node = along * float(x.nodes);
   p.node = clamp(int(node), 0, x.nodes - 1);
   p.blend = clamp(node - float(p.node), 0.0f, 1.0f);
-  p.turn = x.fibres * turn + float(x.advance) * share + wander(x, p.node, p.blend);
-  p.ply_turn = float(x.plies) * turn + float(x.ply_advance) * share;
-  p.stray_turn = x.fibres * turn / kStraySpacing + float(x.stray_advance) * share;
+  p.turn = x.fibres * turn + float(x.advance) * along + wander(x, p.node, p.blend);
+  p.ply_turn = float(x.plies) * turn + float(x.ply_advance) * along;
+  p.stray_turn = x.fibres * turn / kStraySpacing + float(x.stray_advance) * along;
   p.cycles = cycles;
   p.ply_fade = ply_fade;
   return p;
@@ -115,12 +115,12 @@ FORMULA vec2 tuft_values(uint seed, int tuft, int node) {
 // Tone and hue of the tuft at a place, mean 0.
 FORMULA vec2 tuft_at(ThreadTexture x, TexturePoint p) {
   int nodes = max(int(float(x.nodes) / kTuftNodes), 1);
-  float share = (float(p.node) + p.blend) / float(x.nodes);
+  float along = (float(p.node) + p.blend) / float(x.nodes);
   int advance = int(floor(float(x.advance) / kTuft + 0.5f));
-  float turn = (p.turn - float(x.advance) * share + x.phase) / kTuft + float(advance) * share;
+  float turn = (p.turn - float(x.advance) * along + x.phase) / kTuft + float(advance) * along;
   int tuft = int(floor(turn));
   // Each tuft begins and ends at a place of its own, so that no line goes around the thread.
-  float place = share * float(nodes);
+  float place = along * float(nodes);
   int node = min(int(place), nodes - 1);
   bool wraps = node + 1 == nodes;
   float b = clamp(place - float(node), 0.0f, 1.0f);
@@ -142,7 +142,7 @@ FORMULA vec3 fibre_colour(Texel t, vec3 colour) { return min(colour * fibre_tint
 
 FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
   Texel made;
-  made.tone = 1.0f + (kThreadTone * x.hair + kMelangeThread * x.melange) * (2.0f * unit_of(mix_bits(x.seed, 3u)) - 1.0f);
+  made.tone = 1.0f + (kThreadTone * x.hairiness + kMelangeThread * x.melange) * (2.0f * unit_of(mix_bits(x.seed, 3u)) - 1.0f);
   made.hue = 0.0f;
   made.groove = 1.0f - 0.2f * x.depth;
   made.ply = 0.0f;
@@ -160,18 +160,18 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
     // Groove: 1 between fibres, 0 on their ridge; the fourth power has the mean 1/5.
     float across = 2.0f * (turn - fibre) - 1.0f;
     float groove = across * across * across * across;
-    made.groove -= x.depth * fade * (groove * (1.0f + 1.6f * x.hair * tone) - 0.2f);
+    made.groove -= x.depth * fade * (groove * (1.0f + 1.6f * x.hairiness * tone) - 0.2f);
     // A stray fibre: thin, light, over one node's length, thinning out to both ends.
     float stray_turn = p.stray_turn + x.phase;
     float stray_fibre = floor(stray_turn);
-    float share = kStrayShare * x.hair;
+    float density = kStrayFraction * x.hairiness;
     float aside = 5.0f * (2.0f * (stray_turn - stray_fibre) - 1.0f);
     float stray = 0.0f;
-    if (abs(aside) < 1.0f && fibre_value(x.seed ^ 0xA341316Cu, int(stray_fibre), p.node) < share) {
+    if (abs(aside) < 1.0f && fibre_value(x.seed ^ 0xA341316Cu, int(stray_fibre), p.node) < density) {
       stray = (1.0f - aside * aside) * 4.0f * p.blend * (1.0f - p.blend);
     }
     const float kMeanOfStray = 2.0f / 15.0f * 2.0f / 3.0f;
-    made.tone += fade * ((kFibreTone * x.hair + kMelangeTone * x.melange) * tone + kStrayTone * (stray - share * kMeanOfStray));
+    made.tone += fade * ((kFibreTone * x.hairiness + kMelangeTone * x.melange) * tone + kStrayTone * (stray - density * kMeanOfStray));
     // The single fibres of a bundle, each of its own tone.
     float fine = contrast_left(float(kFibresABundle) * p.cycles);
     if (fine > 0.0f) {
@@ -182,7 +182,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
       if (x.singles > 0) own -= int(floor(index / float(x.singles))) * x.singles;
       float rounded_off = 2.0f * (single - index) - 1.0f;  // darker to its sides; square's mean 1/3
       float own_tone = fibre_value(x.seed ^ 0xC2B2AE35u, own, 0) - 0.5f;
-      made.tone += fine * (0.06f + 0.3f * x.hair + 0.6f * x.melange) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
+      made.tone += fine * (0.06f + 0.3f * x.hairiness + 0.6f * x.melange) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
     }
   }
   float tufts = x.melange > 0.0f ? x.melange * contrast_left(p.cycles / kTuft) : 0.0f;

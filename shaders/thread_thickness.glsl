@@ -15,7 +15,7 @@
 // the spread between threads.
 const float kSlub_mm = 9.0f;
 const float kSlubGain = 1.7547f;      // so that the thickness spreads as asked for: 1 / sqrt(4/5 * 128/315)
-const float kMinSwell = 0.4f;       // of the mean thickness
+const float kMinThicknessFactor = 0.4f;       // of the mean thickness
 const float kTallestSection = 1.5f;   // a jammed thread gives way sideways until then (core/cloth/lay_out.cpp)
 
 FORMULA int slubs_in(float length_mm) { return max(int(length_mm / kSlub_mm + 0.5f), 1); }
@@ -38,7 +38,7 @@ FORMULA float thickness_factor(float spread, int system, int thread, int crossin
   float strength = slub_of(own, slub);
   float bump = 4.0f * u * (1.0f - u);
   // Thick places are fewer and stronger than thin ones: -1 to 2, mean 0.
-  return max(1.0f + spread * kSlubGain * (3.0f * strength * strength - 1.0f) * bump * bump, kMinSwell);
+  return max(1.0f + spread * kSlubGain * (3.0f * strength * strength - 1.0f) * bump * bump, kMinThicknessFactor);
 }
 
 // A thread keeps to its room: what has none beside it goes into its height.

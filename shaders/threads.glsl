@@ -73,7 +73,7 @@ FORMULA vec2 strand_thin(Strand s, float along) {
 // Where a point lies in the section of a thread that holds it: x, y on the section, 1 long on the ellipse; z the
 // section's place along. Sections stand at right angles to the centre line, so over a slope the one that holds a
 // point stands further along: the foot of the perpendicular, by Newton's steps.
-FORMULA vec3 strand_place(Strand s, float across, float along, float z) {
+FORMULA vec3 section_coords(Strand s, float across, float along, float z) {
   float place = along;
   vec3 c = strand_curve(s, place);
   for (int k = 0; k < 2; ++k) {
@@ -89,7 +89,7 @@ FORMULA vec3 strand_place(Strand s, float across, float along, float z) {
 
 // Below 0 inside the thread; a length.
 FORMULA float strand_distance(Strand s, float across, float along, float z) {
-  vec3 p = strand_place(s, across, along, z);
+  vec3 p = section_coords(s, across, along, z);
   return (sqrt(p.x * p.x + p.y * p.y) - 1.0f) * s.half_height;
 }
 
@@ -102,7 +102,7 @@ FORMULA float strand_top(Strand s, float across, float along, int steps) {
   float lean = sqrt(1.0f + c.y * c.y) / thin.y;
   float wanted = sqrt(1.0f - x * x);
   float z = c.x + wanted * lean;
-  for (int k = 0; k < steps; ++k) z += (wanted - strand_place(s, across, along, z).y) * lean;
+  for (int k = 0; k < steps; ++k) z += (wanted - section_coords(s, across, along, z).y) * lean;
   return z;
 }
 
@@ -148,7 +148,7 @@ FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, i
   return 1.0f / half_sizes;
 #else
   int other = 1 - system;
-  float f = thickness_factor(body.swell, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
+  float f = thickness_factor(body.unevenness, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
   return 1.0f / uneven_section(half_sizes, body.half_room, f);
 #endif
 }
@@ -407,7 +407,7 @@ struct ThreadPoint {
 FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float across = system == 0 ? p.x : p.y;
   float along = system == 0 ? p.y : p.x;
-  vec3 q = strand_place(s, across, along, p.z);
+  vec3 q = section_coords(s, across, along, p.z);
   vec3 c = strand_curve(s, q.z);
   float n = inversesqrt(1.0f + c.y * c.y);
   float x = q.x;

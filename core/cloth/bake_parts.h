@@ -8,7 +8,7 @@
 #include "cloth/horizon.h"
 #include "cloth/maps.h"
 #include "cloth/names.h"
-#include "cloth/surface.h"
+#include "cloth/surface_sampler.h"
 
 namespace weftlight::cloth {
 

@@ -26,7 +26,7 @@ constexpr float kHeldByNeighbours = 0.45f;
 constexpr float kTension = 0.75f;  // 1: Catmull and Rom's; less: a stiffer pull, less bulge
 // Share of the crimp that the stiffer system keeps at least. Small: a thick thread cannot bend about fine ones that
 // lie closer than its own radius.
-constexpr float kMinShare = 0.02f;
+constexpr float kMinCrimpFraction = 0.02f;
 
 int wrap(int i, int n) {
   const int r = i % n;
@@ -124,7 +124,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
   const int ends = lines.ends(), picks = window.pick1 - window.pick0;
   lines.warp_mm.resize(static_cast<size_t>(ends) * static_cast<size_t>(picks));
   lines.weft_mm.resize(lines.warp_mm.size());
-  const bool swell = uneven(cloth, System::kWarp) || uneven(cloth, System::kWeft);
+  const bool is_uneven = uneven(cloth, System::kWarp) || uneven(cloth, System::kWeft);
   const auto rise = [&](size_t at, std::ptrdiff_t stride) {
     return kRises[static_cast<size_t>(cells.run(at, -stride) * (kFloatReach + 1) + cells.run(at, stride))];
   };
@@ -136,13 +136,14 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
       const size_t at =
           static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) + static_cast<size_t>(e + kFloatReach);
       const float sum = w.stiffness + f.stiffness;
-      const float share = sum > 0.0f ? std::clamp(f.stiffness / sum, kMinShare, 1.0f - kMinShare) : 0.5f;
-      const float apart = swell ? half_section(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
-                                      half_section(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
-                                : 0.5f * (w.height + f.height);
+      const float crimp_fraction =
+          sum > 0.0f ? std::clamp(f.stiffness / sum, kMinCrimpFraction, 1.0f - kMinCrimpFraction) : 0.5f;
+      const float apart = is_uneven ? half_section(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
+                                          half_section(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
+                                    : 0.5f * (w.height + f.height);
       const float side = cells.up[at] ? 1.0f : -1.0f;
-      lines.warp_mm[out] = side * (share * apart + w.rise * rise(at, cells.cols));
-      lines.weft_mm[out] = -side * ((1.0f - share) * apart + f.rise * rise(at, 1));
+      lines.warp_mm[out] = side * (crimp_fraction * apart + w.rise * rise(at, cells.cols));
+      lines.weft_mm[out] = -side * ((1.0f - crimp_fraction) * apart + f.rise * rise(at, 1));
     }
   }
   add_levels(lines, cloth);
@@ -154,7 +155,7 @@ CentreLines centre_lines(const Cloth& cloth) {
   return centre_lines(cloth, {-2, cloth.up.cols() + 2, -2, cloth.up.rows() + 2});
 }
 
-float place_in_period(float s_mm, float period_mm) {
+float position_in_period(float s_mm, float period_mm) {
   return std::clamp(s_mm - std::floor(s_mm / period_mm) * period_mm, 0.0f, period_mm);
 }
 
@@ -163,7 +164,7 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   const auto& crossed = system == System::kWarp ? cloth.picks : cloth.ends;
   const float period = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   const int n = static_cast<int>(crossed.size());
-  const float s = place_in_period(s_mm, period);
+  const float s = position_in_period(s_mm, period);
   const auto after =
       std::upper_bound(crossed.begin(), crossed.end(), s, [](float x, const ThreadBody& t) { return x < t.centre_mm; });
   const auto place = [&](int i) {

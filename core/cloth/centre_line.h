@@ -39,7 +39,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window);
 CentreLines centre_lines(const Cloth& cloth);
 
 /// The same place in 0..period.
-float place_in_period(float s_mm, float period_mm);
+float position_in_period(float s_mm, float period_mm);
 
 /// Crossing at or before s_mm along a thread of `system`, and where between it and the next s is (0..1).
 struct CentreStep {

@@ -26,13 +26,13 @@ struct ThreadBody {
   float height_mm = 0;   // full height of it
   Linear colour;         // linear light
   int yarn = 0;          // index into Cloth::yarns
-  float swell = 0;       // spread of its thickness along it, over the mean (thickness.h)
+  float unevenness = 0;  // spread of its thickness along it, over the mean (thickness.h)
 };
 
 /// Threads that lie side by side, in a cloth of several layers: runs of its ends and picks.
-struct Layer {
+struct ClothLayer {
   int first_end = 0, ends = 0, first_pick = 0, picks = 0;
-  bool operator==(const Layer&) const = default;
+  bool operator==(const ClothLayer&) const = default;
 };
 
 /// One period of one face. Front: up = drawdown; back: its complement, same end order, seen with +z
@@ -44,7 +44,7 @@ struct Cloth {
   std::vector<Yarn> yarns;
   // Double cloth and its like (layers.h); empty: one layer, threads in the draft's order. Else threads stand layer by
   // layer; those of each layer fill the whole period.
-  std::vector<Layer> layers;
+  std::vector<ClothLayer> layers;
   // Then, as `up`: how far each thread's centre line is moved where it crosses one of its own layer.
   std::vector<float> warp_level_mm, weft_level_mm;
   int first_end = 0, first_pick = 0;  // of one layer alone: where its threads stand in the cloth

@@ -64,7 +64,7 @@ float diameter_of(const Design& design, const Threads& threads, int i) {
 }
 
 /// Spun yarn is thick and thin: a factor for each thread, the same every time, between a third and thrice.
-float thickness_factor(const Yarn& yarn, System system, int thread) {
+float irregularity_factor(const Yarn& yarn, System system, int thread) {
   const float spread = std::isnan(yarn.irregularity) ? 0 : std::clamp(yarn.irregularity, 0.0f, 0.6f);
   if (spread <= 0) return 1;
   using thread_formulas::mix_bits, thread_formulas::unit_of;
@@ -78,7 +78,7 @@ float thickness_factor(const Yarn& yarn, System system, int thread) {
 /// for a thread is its share of the nap's upper side.
 void cover_with_nap(ThreadBody& body, float raised) {
   body.width_mm += (body.spacing_mm - body.width_mm) * raised;
-  body.height_mm *= 1 - kReliefLost * raised;
+  body.height_mm *= 1 - kNapFlattening * raised;
 }
 
 /// Between rollers a thread spreads into the room beside it, however open the cloth; its section keeps its area.
@@ -103,7 +103,7 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   const Yarn& yarn = yarn_of(design, threads, i);
   const size_t index = static_cast<size_t>(&yarn - design.yarns.data());
   const float even = diameter_of(design, threads, i);
-  const float factor = thickness_factor(yarn, system, i);
+  const float factor = irregularity_factor(yarn, system, i);
   // A thread has the room that its even yarn would have on the loom: the reed does not know where it is thick, and the
   // sett is not the finisher's.
   const float room = body_of(even, spacing, yarn).spacing_mm;
@@ -113,7 +113,7 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   if (calendered > 0) press(body, woven.finished[index].flattening, calendered);
   if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));
   body.yarn = static_cast<int>(index);
-  body.swell = unevenness_of(yarn, design.finish);
+  body.unevenness = unevenness_of(yarn, design.finish);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
   return body;
 }
@@ -142,7 +142,7 @@ std::vector<int> layer_order(const std::vector<uint8_t>& layer_of) {
 }
 
 /// Ends of the least groups of threads of which each layer has its share of all.
-std::vector<int> shared_groups(const std::vector<uint8_t>& layer_of, int layers) {
+std::vector<int> balanced_groups(const std::vector<uint8_t>& layer_of, int layers) {
   std::vector<int64_t> all(static_cast<size_t>(layers)), so_far(all);
   for (const uint8_t l : layer_of) ++all[l];
   std::vector<int> ends;
@@ -164,7 +164,7 @@ std::vector<ThreadBody> layered_bodies(const Woven& woven, System system, const 
   std::vector<std::vector<ThreadBody>> by_layer(static_cast<size_t>(layers));
   double edge = 0;
   int first = 0;
-  for (const int last : shared_groups(layer_of, layers)) {
+  for (const int last : balanced_groups(layer_of, layers)) {
     std::vector<double> own(static_cast<size_t>(layers));
     double room = 0;
     bool given = false;

@@ -83,11 +83,11 @@ Votes votes_of(const Tile& t, unsigned ends_a, unsigned picks_a) {
 
 struct Orders {
   std::string_view ends, picks;
-  float share = 0;  // of the tiles that are in layers
+  float fraction = 0;  // of the tiles that are in layers
 };
 
 /// Share of the tiles in which all crossings between such layers but one in eight agree; 0 for no layers.
-float share_of(const std::vector<Tile>& tiles, std::string_view ends, std::string_view picks) {
+float layered_fraction(const std::vector<Tile>& tiles, std::string_view ends, std::string_view picks) {
   const unsigned a = bits_of(ends), b = bits_of(picks);
   Votes sum;
   int64_t wrong = 0, layered = 0;
@@ -131,8 +131,8 @@ Orders best_orders(const BitMatrix& cells) {
         if (side_of(ends) != side_e || !fits(ends, cells.cols())) continue;
         for (const std::string_view picks : kPickOrders) {
           if (side_of(picks) != side_p || !fits(picks, cells.rows())) continue;
-          const float share = share_of(tiles, ends, picks);
-          if (share > best.share) best = {ends, picks, share};
+          const float fraction = layered_fraction(tiles, ends, picks);
+          if (fraction > best.fraction) best = {ends, picks, fraction};
         }
       }
     }
@@ -249,7 +249,7 @@ bool in_areas(const BitMatrix& cells, const Orders& orders) {
 
 LayerPlan interleaved(const BitMatrix& cells) {
   const Orders orders = best_orders(cells);
-  if (orders.share < kMinTiles || !in_areas(cells, orders)) return {};
+  if (orders.fraction < kMinTiles || !in_areas(cells, orders)) return {};
   LayerPlan plan;
   plan.layers = 2;
   plan.end_layer = layers_by(orders.ends, cells.cols()), plan.pick_layer = layers_by(orders.picks, cells.rows());
@@ -360,7 +360,7 @@ LayerPlan find_layers(const BitMatrix& cells) {
 
 Cloth one_layer(const Cloth& cloth, int i) {
   if (cloth.layers.empty()) return cloth;
-  const Layer& l = cloth.layers[static_cast<size_t>(i)];
+  const ClothLayer& l = cloth.layers[static_cast<size_t>(i)];
   Cloth one;
   one.width_mm = cloth.width_mm, one.depth_mm = cloth.depth_mm, one.yarns = cloth.yarns;
   one.ends.assign(cloth.ends.begin() + l.first_end, cloth.ends.begin() + l.first_end + l.ends);
@@ -389,7 +389,7 @@ int front_layer(const Cloth& cloth) {
   int front = 0;
   double highest = 0;
   for (int i = 0; i < static_cast<int>(cloth.layers.size()); ++i) {
-    const Layer& l = cloth.layers[static_cast<size_t>(i)];
+    const ClothLayer& l = cloth.layers[static_cast<size_t>(i)];
     double sum = 0;
     for (int p = l.first_pick; p < l.first_pick + l.picks; ++p)
       for (int e = l.first_end; e < l.first_end + l.ends; ++e)
@@ -404,7 +404,7 @@ int front_layer(const Cloth& cloth) {
 int layer_of(const Cloth& cloth, System system, int thread) {
   int layer = 0;
   while (layer + 1 < static_cast<int>(cloth.layers.size())) {
-    const Layer& next = cloth.layers[static_cast<size_t>(layer) + 1];
+    const ClothLayer& next = cloth.layers[static_cast<size_t>(layer) + 1];
     if (thread < (system == System::kWarp ? next.first_end : next.first_pick)) break;
     ++layer;
   }
@@ -424,12 +424,12 @@ void stitch(Cloth& cloth, const LayerPlan& plan, const Levels& levels, const std
   }
   for (int e = 0; e < cloth.up.cols(); ++e) {
     const int a = layer_of(cloth, System::kWarp, e), end = end_order[static_cast<size_t>(e)];
-    const Layer& own = cloth.layers[static_cast<size_t>(a)];
+    const ClothLayer& own = cloth.layers[static_cast<size_t>(a)];
     for (int p = 0; p < cloth.up.rows(); ++p) {
       const int b = layer_of(cloth, System::kWeft, p), pick = pick_order[static_cast<size_t>(p)];
       const bool over = cloth.up.get(p, e);
       if (a == b || over == plan.above(a, b, end, pick)) continue;
-      const Layer& other = cloth.layers[static_cast<size_t>(b)];
+      const ClothLayer& other = cloth.layers[static_cast<size_t>(b)];
       const ThreadBody &body = cloth.ends[static_cast<size_t>(e)], &held = cloth.picks[static_cast<size_t>(p)];
       const int k = nearest(cloth.picks, own.first_pick, own.picks, held.centre_mm);
       const int beside = nearest(cloth.ends, other.first_end, other.ends, body.centre_mm);
@@ -462,7 +462,7 @@ void put_in_layers(Cloth& cloth, const LayerPlan& plan, const std::vector<int>& 
   const Levels levels(cloth, plan);
   cloth.warp_level_mm.assign(static_cast<size_t>(cloth.up.rows()) * static_cast<size_t>(cloth.up.cols()), 0.0f);
   for (int i = 0; i < plan.layers; ++i) {
-    const Layer& l = cloth.layers[static_cast<size_t>(i)];
+    const ClothLayer& l = cloth.layers[static_cast<size_t>(i)];
     for (int p = l.first_pick; p < l.first_pick + l.picks; ++p)
       for (int e = l.first_end; e < l.first_end + l.ends; ++e)
         cloth.warp_level_mm[static_cast<size_t>(p) * static_cast<size_t>(cloth.up.cols()) + static_cast<size_t>(e)] =

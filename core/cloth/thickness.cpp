@@ -31,19 +31,20 @@ glm::vec2 even_section(const ThreadBody& body) {
 float unevenness_of(const Yarn& yarn, const Finish& finish) {
   if (std::isnan(yarn.unevenness)) return 0;
   // Mass goes with the square of the thickness: half of its variation is the thickness's.
-  return std::clamp(0.005f * yarn.unevenness, 0.0f, 0.5f) * (1 - kReliefLost * std::clamp(finish.raised, 0.0f, 1.0f));
+  return std::clamp(0.005f * yarn.unevenness, 0.0f, 0.5f) *
+         (1 - kNapFlattening * std::clamp(finish.raised, 0.0f, 1.0f));
 }
 
 float spread_in(const ThreadBody& body, float length_mm) {
   const float whole = std::min(length_mm / thread_formulas::kSlub_mm, 1.0f);
-  return body.swell * whole * whole;
+  return body.unevenness * whole * whole;
 }
 
 glm::vec2 half_section(const Cloth& cloth, System system, int thread, int crossing) {
   const auto& threads = threads_of(cloth, system);
   const int own = wrap(thread, static_cast<int>(threads.size()));
   const ThreadBody& body = threads[static_cast<size_t>(own)];
-  if (body.swell <= 0) return even_section(body);
+  if (body.unevenness <= 0) return even_section(body);
   const int count = static_cast<int>(threads_of(cloth, system == System::kWarp ? System::kWeft : System::kWarp).size());
   const int first = system == System::kWarp ? cloth.first_end : cloth.first_pick;
   const float length = length_of(cloth, system);
@@ -55,7 +56,7 @@ glm::vec2 half_section(const Cloth& cloth, System system, int thread, int crossi
 glm::vec2 half_section(const Cloth& cloth, System system, int thread, const CentreStep& step) {
   const auto& threads = threads_of(cloth, system);
   const ThreadBody& body = threads[static_cast<size_t>(wrap(thread, static_cast<int>(threads.size())))];
-  if (body.swell <= 0) return even_section(body);
+  if (body.unevenness <= 0) return even_section(body);
   // Evenly in one over it, as the shaders do.
   const glm::vec2 here = 1.0f / half_section(cloth, system, thread, step.crossing),
                   next = 1.0f / half_section(cloth, system, thread, step.crossing + 1);
@@ -67,7 +68,7 @@ float tallest_half(const Cloth& cloth, System system) {
   for (const ThreadBody& t : threads_of(cloth, system)) {
     const glm::vec2 even = even_section(t);
     most = std::max(most, even.y);
-    if (t.swell <= 0) continue;
+    if (t.unevenness <= 0) continue;
     // At the top of the strongest thick place that there can be: one in a few hundred comes near.
     const float f = 1 + 2 * spread_in(t, length_of(cloth, system)) * thread_formulas::kSlubGain;
     most = std::max(most, uneven_section(even, 0.5f * t.spacing_mm, f).y);
@@ -76,7 +77,7 @@ float tallest_half(const Cloth& cloth, System system) {
 }
 
 bool uneven(const Cloth& cloth, System system) {
-  return std::ranges::any_of(threads_of(cloth, system), [](const ThreadBody& t) { return t.swell > 0; });
+  return std::ranges::any_of(threads_of(cloth, system), [](const ThreadBody& t) { return t.unevenness > 0; });
 }
 
 }  // namespace weftlight::cloth

@@ -11,7 +11,7 @@
 namespace weftlight::cloth {
 
 /// Of the threads' relief, under the closest nap; by eye.
-inline constexpr float kReliefLost = 0.93f;
+inline constexpr float kNapFlattening = 0.93f;
 
 /// Standard deviation of a yarn's thickness along it, over its mean; less under a nap.
 float unevenness_of(const Yarn& yarn, const Finish& finish);

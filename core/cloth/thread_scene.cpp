@@ -48,15 +48,15 @@ float widest_room(const std::vector<ThreadBody>& threads) {
 }
 
 /// Place of thread i of an endless row.
-float place_of(const std::vector<ThreadBody>& threads, float period, int i) {
+float centre_of(const std::vector<ThreadBody>& threads, float period, int i) {
   const int n = static_cast<int>(threads.size());
   const int turn = i >= 0 ? i / n : -((n - 1 - i) / n);
   return threads[static_cast<size_t>(i - turn * n)].centre_mm + static_cast<float>(turn) * period;
 }
 
-std::vector<float> places_of(const std::vector<ThreadBody>& threads, float period, int from, int to) {
+std::vector<float> centres_of(const std::vector<ThreadBody>& threads, float period, int from, int to) {
   std::vector<float> out;
-  for (int i = from; i < to; ++i) out.push_back(place_of(threads, period, i));
+  for (int i = from; i < to; ++i) out.push_back(centre_of(threads, period, i));
   return out;
 }
 
@@ -69,7 +69,7 @@ std::vector<glm::vec4> layered_crossings(const Cloth& cloth) {
   const size_t ends = cloth.ends.size();
   std::vector<glm::vec4> out(ends * cloth.picks.size(), glm::vec4(0));
   for (int i = 0; i < layer_count(cloth); ++i) {
-    const Layer& l = cloth.layers[static_cast<size_t>(i)];
+    const ClothLayer& l = cloth.layers[static_cast<size_t>(i)];
     const std::vector<glm::vec4> own = thread_crossings(one_layer(cloth, i), {0, l.ends, 0, l.picks});
     for (int p = 0; p < l.picks; ++p)
       std::copy_n(
@@ -86,8 +86,8 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
   if (cloth.ends.empty() || cloth.picks.empty() || w.empty()) return out;
   if (!cloth.layers.empty()) return layered_crossings(cloth);
   const CentreLines lines = centre_lines(cloth, {w.end0 - 1, w.end1 + 1, w.pick0 - 1, w.pick1 + 1});
-  const std::vector<float> x = places_of(cloth.ends, cloth.width_mm, w.end0 - 1, w.end1 + 1);
-  const std::vector<float> y = places_of(cloth.picks, cloth.depth_mm, w.pick0 - 1, w.pick1 + 1);
+  const std::vector<float> x = centres_of(cloth.ends, cloth.width_mm, w.end0 - 1, w.end1 + 1);
+  const std::vector<float> y = centres_of(cloth.picks, cloth.depth_mm, w.pick0 - 1, w.pick1 + 1);
   out.reserve(static_cast<size_t>(w.end1 - w.end0) * static_cast<size_t>(w.pick1 - w.pick0));
   for (int p = w.pick0; p < w.pick1; ++p) {
     const size_t j = static_cast<size_t>(p - w.pick0);
@@ -150,7 +150,7 @@ thread_formulas::ThreadHead head_of(const Cloth& one, int layers) {
 }
 
 /// Heights of a layer among others: rays look for it there alone.
-void take_span(thread_formulas::ThreadHead& h, Cloth one) {
+void set_span(thread_formulas::ThreadHead& h, Cloth one) {
   const CellRect all{0, h.count.x, 0, h.count.y};
   const glm::vec2 span = span_of(one, thread_crossings(one, all));
   h.bottom = span.x, h.top = span.y;
@@ -165,9 +165,9 @@ ThreadTables thread_tables(const Cloth& cloth, float top_mm) {
   t.bodies = {bodies_of(cloth.ends, cloth.depth_mm), bodies_of(cloth.picks, cloth.width_mm)};
   const int layers = layer_count(cloth);
   for (int i = 0; i < layers; ++i) {
-    const Layer l = cloth.layers.empty()
-                        ? Layer{0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())}
-                        : cloth.layers[static_cast<size_t>(i)];
+    const ClothLayer l = cloth.layers.empty() ? ClothLayer{0, static_cast<int>(cloth.ends.size()), 0,
+                                                           static_cast<int>(cloth.picks.size())}
+                                              : cloth.layers[static_cast<size_t>(i)];
     add_bins(t.first[0], cloth.ends, static_cast<size_t>(l.first_end), static_cast<size_t>(l.first_end + l.ends),
              cloth.width_mm);
     add_bins(t.first[1], cloth.picks, static_cast<size_t>(l.first_pick), static_cast<size_t>(l.first_pick + l.picks),
@@ -175,7 +175,7 @@ ThreadTables thread_tables(const Cloth& cloth, float top_mm) {
     if (layers > 1) {
       Cloth one = one_layer(cloth, i);
       t.layers.push_back(head_of(one, layers));
-      take_span(t.layers.back(), std::move(one));
+      set_span(t.layers.back(), std::move(one));
     } else {
       t.layers.push_back(head_of(cloth, 1));
       t.layers.back().top = t.layers.back().reach = top_mm, t.layers.back().bottom = -top_mm;

@@ -43,7 +43,7 @@ ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System sys
   t.stray_advance = -rounded(0.35f * static_cast<float>(t.advance) / thread_formulas::kStraySpacing);
   t.nodes = std::max(1, rounded(length_mm / (kToneLength * fibre_mm)));
   t.depth = yarn.groove_depth;
-  t.hair = yarn.hairiness;
+  t.hairiness = yarn.hairiness;
   t.melange = yarn.melange;
   t.seed = mix_bits(static_cast<uint32_t>(thread), system == System::kWarp ? 0x51u : 0xA7u);
   t.phase = unit_of(mix_bits(t.seed, 1)) * 64.0f;

@@ -22,19 +22,19 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr size_t kV = kResponseViews, kL = kResponseLights;
-constexpr float kDark = 1e-4f;       // radiance whose lean is not seen
-constexpr float kEvenWeave = 0.02f;  // relative variance of the cover around that tells nothing
-constexpr int kBehindPlaces = 4;     // for each of the front: few of them are both seen and lit
-constexpr int kMeanTexels = 512;     // along a side of the map, for plain means
+constexpr float kDark = 1e-4f;           // radiance whose lean is not seen
+constexpr float kEvenWeave = 0.02f;      // relative variance of the cover around that tells nothing
+constexpr int kTransmissionSamples = 4;  // for each of the front: few of them are both seen and lit
+constexpr int kMeanTexels = 512;         // along a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;
 
 /// What reaches a place from the lights on one side of the cloth: cosine, times what the lobes do on the way in;
 /// shadow: projected area of the micro-facets; the light in the frame of the fibre, mu held above the plane.
-struct LitFrom {
+struct LightOnSample {
   PerLight cosine{}, lit{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
-  LitFrom() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // of lights that do not reach it any will do
+  LightOnSample() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // of lights that do not reach it any will do
 };
 
 /// One place on a thread: what each view sees of it, and what each light sends to it.
@@ -44,20 +44,20 @@ struct Point {
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
   PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
-  LitFrom front;
+  LightOnSample front;
   float height_mm = 0;
   float around = 0;  // share of the crossings around that its system has on top
   FacetMoments facets{};
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
   float peak = 0;              // density of those slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
-  float f0 = 0, f90 = 0, pile = 1, hair = 0;  // green
+  float f0 = 0, f90 = 0, fibre_layers = 1, fuzz_colour = 0;  // green
   // Of the colours that the table leaves out, as pictures take them.
-  float tone = 0, drawn_f0 = 0, drawn_flyaway = 0;
+  float tone = 0, drawn_f0 = 0, drawn_fuzz = 0;
 };
 
 /// Before the place: cosine of it, times share that is not hidden.
-void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
+void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
   from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
   from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
   from.clear[i] = side.clear, from.shadow[i] = side.area;
@@ -65,30 +65,30 @@ void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const g
 }
 
 /// With a normal of the place: that between its plies for the views before which it faces, else the section's.
-Point measure(const ThreadSample& place, const glm::vec3& normal, const std::array<glm::vec3, kV>& w) {
+Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::array<glm::vec3, kV>& w) {
   Point p;
-  const formulas::YarnLobes& lobes = place.lobes;
+  const formulas::YarnLobes& lobes = sample.lobes;
   const formulas::LobeShared shared = formulas::lobe_shared(lobes);
-  p.system = place.system, p.area = place.area;
-  p.above = place.area * std::max(place.side.z, 0.0f) * place.open[kV - 1];
+  p.system = sample.system, p.area = sample.area;
+  p.above = sample.area * std::max(sample.side.z, 0.0f) * sample.open[kV - 1];
   p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
-  p.inverse = shared.inverse, p.peak = shared.peak, p.groove = place.groove;
-  p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.pile = lobes.pile;
-  p.hair = lobes.fuzz_colour.g, p.drawn_f0 = place.drawn.f0.g;
-  p.drawn_flyaway = lobes.fuzz > 0 ? place.drawn.fuzz_colour.g : p.drawn_f0 / std::max(p.f90, 1e-3f);
+  p.inverse = shared.inverse, p.peak = shared.peak, p.groove = sample.groove;
+  p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.fibre_layers = lobes.fibre_layers;
+  p.fuzz_colour = lobes.fuzz_colour.g, p.drawn_f0 = sample.drawn.f0.g;
+  p.drawn_fuzz = lobes.fuzz > 0 ? sample.drawn.fuzz_colour.g : p.drawn_f0 / std::max(p.f90, 1e-3f);
   p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
-  p.height_mm = place.height_mm, p.around = place.around, p.facets = facet_moments(normal);
-  const bool plain = place.normal == place.side, own = normal == place.normal;
-  const formulas::LobeFrame frame = formulas::lobe_frame(normal, place.fibre);
+  p.height_mm = sample.height_mm, p.around = sample.around, p.facets = facet_moments(normal);
+  const bool plain = sample.normal == sample.side, own = normal == sample.normal;
+  const formulas::LobeFrame frame = formulas::lobe_frame(normal, sample.fibre);
   std::array<formulas::LobeSide, kV> sides;
   for (size_t v = 0; v < kV; ++v) {
-    const float facing = glm::dot(place.side, w[v]);
+    const float facing = glm::dot(sample.side, w[v]);
     p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // unseen: any will do
-    if (facing <= 0 || place.open[v] <= 0) continue;
+    if (facing <= 0 || sample.open[v] <= 0) continue;
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
-    if (plain || own == (glm::dot(place.normal, w[v]) > 0)) p.seen[v] = facing;
+    if (plain || own == (glm::dot(sample.normal, w[v]) > 0)) p.seen[v] = facing;
     p.enters[v] = side.enters.g, p.lost[v] = side.lost, p.veil[v] = side.fuzz.y;
     p.clear[v] = side.clear, p.shadow[v] = side.area;
     p.along[v] = local.x, p.across[v] = local.y, p.mu[v] = side.mu;
@@ -96,28 +96,28 @@ Point measure(const ThreadSample& place, const glm::vec3& normal, const std::arr
   for (size_t i = 0; i < kL; ++i) {
     const size_t v = view_of_light(i);
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
-    if (glm::dot(place.side, w[v]) > 0 && place.open[v] > 0)
-      take_light(p.front, i, sides[v], local, std::max(local.z, 0.0f));
-    if (local.z >= 0 || place.open[v] <= 0 || lobes.body.g <= 0 || lobes.through.g <= 0) continue;
-    const float behind = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
-    p.front.lit[i] = -local.z * behind * lobes.through.g / lobes.body.g;
+    if (glm::dot(sample.side, w[v]) > 0 && sample.open[v] > 0)
+      add_light(p.front, i, sides[v], local, std::max(local.z, 0.0f));
+    if (local.z >= 0 || sample.open[v] <= 0 || lobes.body.g <= 0 || lobes.through.g <= 0) continue;
+    const float entering = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
+    p.front.lit[i] = -local.z * entering * lobes.through.g / lobes.body.g;
   }
   return p;
 }
 
 /// Over points, of [view][light]: what leaves by the body, what mirrors, fuzz and what is scattered more than once.
-struct SentSums {
-  std::vector<float> body, mirror, hair;
-  SentSums() : body(kV * kL), mirror(kV * kL), hair(kV * kL) {}
+struct RadianceSums {
+  std::vector<float> body, mirror, fuzz;
+  RadianceSums() : body(kV * kL), mirror(kV * kL), fuzz(kV * kL) {}
 };
 
 struct Sums {
-  SentSums front;
-  std::vector<float> all;                                 // front, [view][light]
-  std::array<std::vector<float>, kFacetMoments> leaning;  // all, times each of the point's moments
-  PerView seen{}, height{}, seen_around{};
-  std::array<PerView, kFacetMoments> seen_leaning{};
-  Sums() : all(kV * kL) { leaning.fill(all); }
+  RadianceSums front;
+  std::vector<float> all;                                     // front, [view][light]
+  std::array<std::vector<float>, kFacetMoments> all_moments;  // all, times each of the point's moments
+  PerView seen{}, height{}, visible_around{};
+  std::array<PerView, kFacetMoments> visible_moments{};
+  Sums() : all(kV * kL) { all_moments.fill(all); }
 
   /// All views from straight above are one.
   void repeat_top() {
@@ -127,11 +127,11 @@ struct Sums {
         std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
     };
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
-    rows(front.body, kL), rows(front.mirror, kL), rows(front.hair, kL);
+    rows(front.body, kL), rows(front.mirror, kL), rows(front.fuzz, kL);
     rows(all, kL);
-    for (auto& of : leaning) rows(of, kL);
-    for (auto* of : {&seen, &height, &seen_around}) one(*of);
-    for (auto& of : seen_leaning) one(of);
+    for (auto& of : all_moments) rows(of, kL);
+    for (auto* of : {&seen, &height, &visible_around}) one(*of);
+    for (auto& of : visible_moments) one(of);
   }
 };
 
@@ -147,22 +147,24 @@ std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
   return out;
 }
 
-/// Of a pile of layers (shaders/lobes.glsl, pile_grazing()).
-void rise(PerLight& rising, float pile, const float* grazing) {
-  for (size_t i = 0; i < kL; ++i) rising[i] = pile * grazing[i] / (1 + (pile - 1) * grazing[i]);
+/// Of a pile of layers (shaders/lobes.glsl, layered_grazing()).
+void rise(PerLight& rising, float fibre_layers, const float* grazing) {
+  for (size_t i = 0; i < kL; ++i) rising[i] = fibre_layers * grazing[i] / (1 + (fibre_layers - 1) * grazing[i]);
 }
 
 /// What one point sends one view, of each light.
-struct Sent {
-  PerLight scattered, mirrored, combed;
+struct ViewRadiance {
+  PerLight scattered, mirrored, fuzz;
 };
 
 /// rising: of Fresnel's term towards grazing, of the row of this view.
-void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& rising, size_t view) {
+void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& from, const PerLight& rising,
+                     size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
-  const float body = seen * p.enters[view] * p.body_scale, over_flyaway = grooved / std::max(p.drawn_flyaway, 1e-4f);
-  const float veil = over_flyaway * p.hair * p.veil[view] * p.again, once = over_flyaway * p.hair * p.fuzz / (4 * kPi);
-  const float lost = over_flyaway * p.lost[view] * p.multiple;
+  const float body = seen * p.enters[view] * p.body_scale, over_drawn_fuzz = grooved / std::max(p.drawn_fuzz, 1e-4f);
+  const float veil = over_drawn_fuzz * p.fuzz_colour * p.veil[view] * p.again,
+              once = over_drawn_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
+  const float lost = over_drawn_fuzz * p.lost[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
   // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
   // then runs on vectors.
@@ -181,7 +183,7 @@ void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& risin
     const float fresnel = (f0 + (f90 - f0) * rising[i]) / (drawn_f0 + (f90 - drawn_f0) * rising[i] + 1e-6f);
     sent.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
     sent.scattered[i] = body * from.lit[i] * unveiled;
-    sent.combed[i] = once * cosine * veiled * over + veil * from.veil[i] + lost * from.lost[i];
+    sent.fuzz[i] = once * cosine * veiled * over + veil * from.veil[i] + lost * from.lost[i];
   }
 }
 
@@ -190,10 +192,10 @@ void accumulate(std::vector<float>& to, size_t view, const PerLight& sent, float
   for (size_t i = 0; i < kL; ++i) row[i] += sent[i] * scale;
 }
 
-void accumulate(SentSums& to, size_t view, const Sent& sent) {
+void accumulate(RadianceSums& to, size_t view, const ViewRadiance& sent) {
   accumulate(to.body, view, sent.scattered);
   accumulate(to.mirror, view, sent.mirrored);
-  accumulate(to.hair, view, sent.combed);
+  accumulate(to.fuzz, view, sent.fuzz);
 }
 
 using Grazing = std::vector<float>;
@@ -202,18 +204,18 @@ using Grazing = std::vector<float>;
 void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   if (p.seen[view] <= 0) return;
   const float seen = p.area * p.seen[view];
-  sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.seen_around[view] += seen * p.around;
-  for (size_t k = 0; k < kFacetMoments; ++k) sums.seen_leaning[k][view] += seen * p.facets[k];
-  Sent sent;
+  sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.visible_around[view] += seen * p.around;
+  for (size_t k = 0; k < kFacetMoments; ++k) sums.visible_moments[k][view] += seen * p.facets[k];
+  ViewRadiance sent;
   PerLight rising, all;
-  rise(rising, p.pile, &grazing[view * kL]);
-  send(sent, p, p.front, rising, view);
+  rise(rising, p.fibre_layers, &grazing[view * kL]);
+  evaluate_lights(sent, p, p.front, rising, view);
   accumulate(sums.front, view, sent);
-  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_flyaway;
+  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, drawn_fuzz = p.drawn_fuzz;
   for (size_t i = 0; i < kL; ++i)
-    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.combed[i] * hair;
+    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.fuzz[i] * drawn_fuzz;
   accumulate(sums.all, view, all);
-  for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.leaning[k], view, all, p.facets[k]);
+  for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.all_moments[k], view, all, p.facets[k]);
 }
 
 /// Adds all points to the rows of the views of one elevation.
@@ -273,17 +275,17 @@ void measure_means(ClothResponse& out, const Maps& maps) {
       const Linear& c = maps.colour.at(x, y);
       const Slope slope = maps.slope.at(x, y);
       const auto facets = facet_moments(glm::normalize(glm::vec3(slope.x, slope.y, 1)));
-      s.share += weight, all += weight;
+      s.fraction += weight, all += weight;
       s.colour.r += c.r * shade, s.colour.g += c.g * shade, s.colour.b += c.b * shade;
       for (size_t k = 0; k < kFacetMoments; ++k) s.facets[k] += weight * facets[k];
       out.sky += weight * maps.occlusion.at(x, y);
     }
   }
   for (SystemResponse& s : out.systems) {
-    const float scale = 1 / std::max(s.share, 1e-9f);
+    const float scale = 1 / std::max(s.fraction, 1e-9f);
     s.colour = {s.colour.r * scale, s.colour.g * scale, s.colour.b * scale};
     for (float& f : s.facets) f *= scale;
-    s.share /= std::max(all, 1e-9f);
+    s.fraction /= std::max(all, 1e-9f);
   }
   out.sky /= std::max(all, 1e-9f);
 }
@@ -301,10 +303,10 @@ using Moments = FacetMoments;
 
 /// Slopes and moments of what is seen from above, and how much of each system. A texel of a map is of one system: where
 /// the slits between threads are narrower than texels, the shares of a map are off by a quarter.
-std::array<Moments, 2> take_top(ClothResponse& out, const ThreadSamples& threads) {
+std::array<Moments, 2> measure_top(ClothResponse& out, const ThreadSamples& threads) {
   std::array<Moments, 2> sums{};
   std::array<float, 2> seen{};
-  for (const TopPlace& p : threads.top) {
+  for (const TopSample& p : threads.top) {
     const size_t s = static_cast<size_t>(p.system);
     add_slopes(out.systems[s].slopes, p.normal, p.fibre, p.widths2, 1);
     const Moments m = facet_moments(p.normal);
@@ -314,21 +316,21 @@ std::array<Moments, 2> take_top(ClothResponse& out, const ThreadSamples& threads
   for (size_t s = 0; s < 2; ++s)
     for (float& m : sums[s]) m /= std::max(seen[s], 1.0f);
   if (const float all = seen[0] + seen[1]; threads.whole && all > 0)
-    for (size_t s = 0; s < 2; ++s) out.systems[s].share = seen[s] / all;
+    for (size_t s = 0; s < 2; ++s) out.systems[s].fraction = seen[s] / all;
   return sums;
 }
 
 /// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
 /// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
 /// rise, beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
-std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadSamples& threads) {
+std::vector<float> visible_rises(const std::array<Sums, 2>& sums, const ThreadSamples& threads) {
   std::vector<float> out(kV);
   for (size_t s = 0; s < 2; ++s) {
     const float mean = std::max(s == 0 ? threads.around_mean : 1 - threads.around_mean, 1e-3f);
     const float variance = threads.around_variance / (mean * mean), known = variance / (variance + kEvenWeave);
     const auto seen = [&](size_t v) { return std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f); };
     const auto part = [&](size_t v) { return sums[s].seen[v] / seen(v); };
-    const auto covariance = [&](size_t v) { return (sums[s].seen_around[v] - sums[s].seen[v] * mean) / seen(v); };
+    const auto covariance = [&](size_t v) { return (sums[s].visible_around[v] - sums[s].seen[v] * mean) / seen(v); };
     const float above = covariance(kV - 1), scale = 1 / std::max(threads.around_variance, 1e-6f);
     for (size_t v = 0; v < kV; ++v) {
       const float rise = 1 + (covariance(v) - above) * scale;
@@ -353,40 +355,40 @@ FacetRegression regression(const std::vector<Point>& points, int system, Weight 
 float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
                     const Moments& above) {
   const FacetRegression cover = regression(points, system, [](const Point& p) { return p.above; });
-  const float scale = out.share / std::max(cover.weight, 1e-9f);
+  const float scale = out.fraction / std::max(cover.weight, 1e-9f);
   for (size_t v = 0; v < kV; ++v) {
     const FacetRegression visible = regression(points, system, [v](const Point& p) { return p.area * p.seen[v]; });
     Moments products;
-    for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.seen_leaning[k][v];
+    for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.visible_moments[k][v];
     out.height_mm[v] = sums.height[v] / std::max(sums.seen[v], 1e-9f);
     sums.seen[v] *= scale * cover.correction(sums.seen[v], cover.rise(sums.seen[v], products), above);
     for (size_t i = 0; i < kL; ++i) {
       const size_t at = v * kL + i;
       const float all = sums.all[at], least = kDark * std::max(visible.weight, 1e-9f);
-      for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.leaning[k][at];
+      for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.all_moments[k][at];
       const Moments rise = visible.rise(all, products);
       for (size_t k = 0; k < kFacetMoments; ++k)
-        out.lean[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kSteepestLean, kSteepestLean);
+        out.gradient[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kMaxGradient, kMaxGradient);
       const float correction = scale * cover.correction(all, cover.rise(all, products), above);
-      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair}) (*of)[at] *= correction;
+      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.fuzz}) (*of)[at] *= correction;
     }
   }
   return scale;
 }
 
 /// Points of the places, with the slopes of those that are seen from above.
-std::vector<Point> points_of(const std::vector<ThreadSample>& places, const std::array<glm::vec3, kV>& w) {
+std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std::array<glm::vec3, kV>& w) {
   const auto turns_away = [&w](const ThreadSample& p) {
     return p.normal != p.side && std::any_of(w.begin(), w.end(), [&p](const glm::vec3& v) {
              return glm::dot(p.normal, v) <= 0 && glm::dot(p.side, v) > 0;
            });
   };
-  std::vector<Point> points(2 * places.size());
-  for_each_job(static_cast<int>(places.size()), [&](int k) {
+  std::vector<Point> points(2 * samples.size());
+  for_each_job(static_cast<int>(samples.size()), [&](int k) {
     const size_t i = static_cast<size_t>(k);
-    points[2 * i] = measure(places[i], places[i].normal, w);
-    if (!turns_away(places[i])) return;
-    points[2 * i + 1] = measure(places[i], places[i].side, w);
+    points[2 * i] = measure(samples[i], samples[i].normal, w);
+    if (!turns_away(samples[i])) return;
+    points[2 * i + 1] = measure(samples[i], samples[i].side, w);
     points[2 * i + 1].above = 0;
   });
   std::erase_if(points, [](const Point& p) { return p.area <= 0; });
@@ -395,9 +397,9 @@ std::vector<Point> points_of(const std::vector<ThreadSample>& places, const std:
 
 /// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those
 /// of many.
-std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& places) {
+std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& samples) {
   std::array<FacetSlopes, 2> out{};
-  for (const ThreadSample& p : places) {
+  for (const ThreadSample& p : samples) {
     const float weight = p.area * std::max(p.side.z, 0.0f) * p.open[kV - 1];
     const glm::vec3& cov = p.lobes.slope_cov;
     if (weight > 0) add_slopes(out[static_cast<size_t>(p.system)], p.normal, p.fibre, {cov.x, cov.z}, weight);
@@ -413,14 +415,14 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
     const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
     for (size_t s = 0; s < 2; ++s) {
       SystemResponse& system = out.systems[s];
-      const SentSums& sent = sums[s].front;
+      const RadianceSums& sent = sums[s].front;
       for (size_t i = 0; i < kL; ++i) {
         const size_t at = v * kL + i;
-        const float density = closed_form(few[s], system.share, w[view_of_light(i)], w[v]);
-        system.broad[4 * at] = sent.body[at] / seen;
-        system.broad[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kUnseenFacets));
-        system.broad[4 * at + 2] = sent.hair[at] / seen;
-        system.broad[4 * at + 3] = sums[s].seen[v] / seen;
+        const float density = closed_form(few[s], system.fraction, w[view_of_light(i)], w[v]);
+        system.reflected[4 * at] = sent.body[at] / seen;
+        system.reflected[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
+        system.reflected[4 * at + 2] = sent.fuzz[at] / seen;
+        system.reflected[4 * at + 3] = sums[s].seen[v] / seen;
       }
     }
   }
@@ -428,48 +430,48 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
 
 }  // namespace
 
-float closed_form(const FacetSlopes& slopes, float share, const glm::vec3& l, const glm::vec3& v) {
+float closed_form(const FacetSlopes& slopes, float fraction, const glm::vec3& l, const glm::vec3& v) {
   const formulas::vec2 h = formulas::half_slopes(l, v);
   const auto density = [](const std::array<float, kSlopeBins>& bins, float slope) {
     const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
     const size_t k = static_cast<size_t>(at);
     return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
   };
-  return share * formulas::facet_density({density(slopes[0], h.x), density(slopes[1], h.y)}, h);
+  return fraction * formulas::facet_density({density(slopes[0], h.x), density(slopes[1], h.y)}, h);
 }
 
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) {
   ClothResponse out;
   out.sky = 0;
   for (SystemResponse& s : out.systems) {
-    s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
-    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f);
-    s.transmission_lean = s.behind, s.sky.assign(4 * kV, 0.0f);
+    s.reflected.assign(4 * kV * kL, 0.0f), s.gradient.assign(kFacetMoments * kV * kL, 0.0f);
+    s.height_mm.assign(kV, 0.0f), s.transmitted.assign(4 * kV * kTransmissionLights, 0.0f);
+    s.transmission_gradient = s.transmitted, s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
   out.near_sky.assign(kV, glm::vec4(1, 1, 0, 0));
-  out.seen_rise.assign(kV, 1.0f);
+  out.visible_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();
-  const ThreadSamples threads = thread_samples(cloth, samples, kBehindPlaces * samples);
-  const std::vector<Point> points = points_of(threads.places, w);
+  const ThreadSamples threads = thread_samples(cloth, samples, kTransmissionSamples * samples);
+  const std::vector<Point> points = points_of(threads.samples, w);
   measure_means(out, maps);
-  const std::array<Moments, 2> moments = take_top(out, threads);
+  const std::array<Moments, 2> moments = measure_top(out, threads);
   const Grazing grazing = grazing_of(w);
   std::array<Sums, 2> sums;
   for_each_job(kResponseElevations, [&](int e) { add_views_fast(sums, points, grazing, e); });
   for (Sums& s : sums) s.repeat_top();
-  out.seen_rise = seen_rises(sums, threads);
+  out.visible_rise = visible_rises(sums, threads);
   std::array<float, 2> scale{};
   for (size_t s = 0; s < 2; ++s) {
     scale[s] = finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
     finish(out.systems[s].slopes);
   }
-  write_tables(out, sums, slopes_of(threads.places), w);
+  write_tables(out, sums, slopes_of(threads.samples), w);
   PerView seen;
   for (size_t v = 0; v < kV; ++v) seen[v] = sums[0].seen[v] + sums[1].seen[v];
   measure_transmission(out, cloth, threads, seen);
-  measure_sky(out, cloth, threads.places, scale, seen);
+  measure_sky(out, cloth, threads.samples, scale, seen);
   return out;
 }
 

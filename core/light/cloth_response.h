@@ -20,24 +20,24 @@ using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
 
 struct SystemResponse {
   // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()
-  // of shaders/methods.glsl times the share, and kUnseenFacets), fuzz and light scattered more than once, share of what
-  // is seen. Directions: light/thread_samples.h. Over all the cloth that is seen.
-  std::vector<float> broad;
+  // of shaders/methods.glsl times the share, and kFacetDensityFloor), fuzz and light scattered more than once, share of
+  // what is seen. Directions: light/thread_samples.h. Over all the cloth that is seen.
+  std::vector<float> reflected;
   // The same of [view][light from behind] (thread_samples.h): through the threads or onto their sides, body times body
   // and through, what mirrors as it is, no share. Other threads stop most of it.
-  std::vector<float> behind;
-  std::vector<float> transmission_lean;  // as `lean`, of what comes by the body and through
+  std::vector<float> transmitted;
+  std::vector<float> transmission_gradient;  // as `lean`, of what comes by the body and through
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
-  std::vector<float> lean;
+  std::vector<float> gradient;
   // RGBA of [view], under a sky that is 1 everywhere: body (times the thread's colour), fuzz and light scattered more
   // than once, mirrored light without Fresnel's term, that times its rise at grazing.
   std::vector<float> sky;
   FacetMoments facets{};         // of the maps, seen from above
   std::vector<float> height_mm;  // [view]: mean height of what is seen
   FacetSlopes slopes{};
-  float share = 0;  // of the cover at normal view, as rays see it; both sum to 1
-  Linear colour;    // mean of the maps, with grooves
+  float fraction = 0;  // of the cover at normal view, as rays see it; both sum to 1
+  Linear colour;       // mean of the maps, with grooves
 };
 
 /// Index 0 warp, 1 weft. Means of colours and facets come from the maps; `samples`: places on the threads at
@@ -48,17 +48,17 @@ struct ClothResponse {
   // [view]: mean directions of the sky that is sent, by body and fuzz and as it is mirrored.
   std::vector<std::array<glm::vec3, 2>> sky_from;
   // [view]: what warp and weft send of an even sky, over what rung `yarn` makes of it place by place
-  // (shaders/methods.glsl, facet_seen() and on); what the mean direction of the mirrored sky is beyond the rung's,
-  // along the view and up.
+  // (shaders/methods.glsl, facet_sky_visibility() and on); what the mean direction of the mirrored sky is beyond the
+  // rung's, along the view and up.
   std::vector<glm::vec4> near_sky;
   // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
   // slant, where the fewer threads lie hidden between the others.
-  std::vector<float> seen_rise;
+  std::vector<float> visible_rise;
 };
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = kResponseSamples);
 
 /// Density (1/sr) of the facets of a system with such a share that mirror light from `l` to `v`, as pictures take it
 /// from the slopes.
-float closed_form(const FacetSlopes& slopes, float share, const glm::vec3& l, const glm::vec3& v);
+float closed_form(const FacetSlopes& slopes, float fraction, const glm::vec3& l, const glm::vec3& v);
 
 }  // namespace weftlight::light

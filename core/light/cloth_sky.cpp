@@ -72,15 +72,15 @@ float open_towards(const ThreadSample& p, const glm::vec3& l) {
 
 /// A place with what all views share.
 struct Facets {
-  const ThreadSample* place;
+  const ThreadSample* sample;
   formulas::LobeShared shared;
   glm::vec3 root{0};  // of the covariance of slopes: lower triangle xx, xy, yy
 };
 
-std::vector<Facets> facets_of(const std::vector<ThreadSample>& places) {
+std::vector<Facets> facets_of(const std::vector<ThreadSample>& samples) {
   std::vector<Facets> out;
-  out.reserve(places.size());
-  for (const ThreadSample& p : places) {
+  out.reserve(samples.size());
+  for (const ThreadSample& p : samples) {
     Facets f{&p, formulas::lobe_shared(p.lobes)};
     f.root.x = std::sqrt(f.shared.cov.x), f.root.y = f.shared.cov.y / f.root.x;
     f.root.z = std::sqrt(std::max(f.shared.cov.z - f.root.y * f.root.y, 0.0f));
@@ -103,7 +103,7 @@ struct Drawn {  // by rung `yarn`
 /// What the place mirrors of the sky that it sees. weight: of its area towards the view.
 void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame& frame, const formulas::LobeSide& side,
                   const glm::vec3& wo, const glm::vec2* slopes, float weight) {
-  const ThreadSample& p = *facets.place;
+  const ThreadSample& p = *facets.sample;
   const formulas::YarnLobes& y = p.lobes;
   for (size_t k = 0; k < kFacets; ++k) {
     const glm::vec3 slope(facets.root.x * slopes[k].x, facets.root.y * slopes[k].x + facets.root.z * slopes[k].y, 1);
@@ -118,52 +118,52 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
     const float mu = std::max(wi.z, formulas::kMinCosine);
     const float area = formulas::gaussian_area(mu, std::sqrt(formulas::variance_along(facets.shared.cov, wi.x, wi.y)));
     const float masked = mu / (area * side.mu + side.area * mu - mu * side.mu);  // over side.area: projected
-    const float rising = formulas::pile_grazing(y.pile, std::max(1 - facing, 0.0f));
+    const float rising = formulas::layered_grazing(y.fibre_layers, std::max(1 - facing, 0.0f));
     const float fresnel = y.f0.g + (y.f90 - y.f0.g) * rising;
     const float clear = y.fuzz > 0 ? std::exp(-std::min(y.fuzz_depth / mu, 80.0f)) : 1.0f;
     const float sent = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
     const float drawn = p.drawn.f0.g + (y.f90 - p.drawn.f0.g) * rising;
-    const float taken = sent * fresnel / (drawn + 1e-6f);
-    sum.all += taken, sum.rising += taken * rising;
+    const float weighted = sent * fresnel / (drawn + 1e-6f);
+    sum.all += weighted, sum.rising += weighted * rising;
     sum.light += sent * fresnel, sum.from += sent * fresnel * l;
   }
 }
 
-void add_place(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const glm::vec3& v, const glm::vec2* slopes) {
-  const ThreadSample& p = *facets.place;
+void add_sample(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const glm::vec3& v, const glm::vec2* slopes) {
+  const ThreadSample& p = *facets.sample;
   const float weight = p.area * glm::dot(p.side, v) * p.groove;
   const glm::vec3 n = glm::dot(p.normal, v) > 0 ? p.normal : p.side;
   const formulas::LobeFrame frame = formulas::lobe_frame(n, p.fibre);
   const glm::vec3 wo = formulas::lobe_local(frame, v);
   const formulas::LobeSide side = formulas::lobe_side(p.lobes, facets.shared, wo);
-  const formulas::Answer sky = formulas::facet_sky(p.lobes, facets.shared, side);
+  const formulas::Reflected sky = formulas::facet_sky(p.lobes, facets.shared, side);
   const glm::vec3 reflected = glm::reflect(-v, n);
-  const float glossy = weight * sky.glossy.g * formulas::mirrored_seen(reflected);
-  drawn.all += weight * sky.soft.g * formulas::facet_seen(n) + glossy;
-  drawn.glossy += glossy, drawn.from += glossy * formulas::mirrored_seen_from(reflected);
+  const float glossy = weight * sky.glossy.g * formulas::mirrored_sky_visibility(reflected);
+  drawn.all += weight * sky.diffuse.g * formulas::facet_sky_visibility(n) + glossy;
+  drawn.glossy += glossy, drawn.from += glossy * formulas::mirrored_sky_direction(reflected);
   add_mirrored(mirrored, facets, frame, side, wo, slopes, weight);
 }
 
 /// All that one view is sent: times its direction, and it.
-struct SentSky {
-  glm::vec4 soft{0}, glossy{0};
+struct SkyRadiance {
+  glm::vec4 diffuse{0}, glossy{0};
   Drawn drawn;
 };
 
-class SkyTaker {
+class SkyMeasurer {
  public:
-  SkyTaker(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& places)
-      : response_(response), parts_(sky_parts()), deviates_(deviates()), facets_(facets_of(places)) {
+  SkyMeasurer(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples)
+      : response_(response), parts_(sky_parts()), deviates_(deviates()), facets_(facets_of(samples)) {
     deviates_.insert(deviates_.end(), deviates_.begin(), deviates_.begin() + kFacets);
     for (size_t s = 0; s < 2; ++s) {
       const Linear& c = response.systems[s].colour;
       yarns_[s] = formulas::yarn_of(mean_yarn(cloth, s == 0 ? cloth.ends : cloth.picks), {c.r, c.g, c.b});
     }
   }
-  void take(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
+  void measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
 
  private:
-  glm::vec2 scattered(size_t system, size_t view, SentSky& sent) const;
+  glm::vec2 scattered(size_t system, size_t view, SkyRadiance& sent) const;
 
   ClothResponse& response_;
   std::vector<glm::vec4> parts_;
@@ -173,42 +173,42 @@ class SkyTaker {
 };
 
 /// Body; fuzz and light scattered more than once.
-glm::vec2 SkyTaker::scattered(size_t system, size_t view, SentSky& sent) const {
-  const float* row = &response_.systems[system].broad[4 * view * kResponseLights];
-  const float body = yarns_[system].body.g, hair = formulas::flyaway_of(yarns_[system]).g;
+glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& sent) const {
+  const float* row = &response_.systems[system].reflected[4 * view * kResponseLights];
+  const float body = yarns_[system].body.g, fuzz = formulas::fuzz_tint(yarns_[system]).g;
   glm::vec2 sum(0);
   for (size_t i = 0; i < kResponseLights; ++i) {
-    const glm::vec2 broad(row[4 * i], row[4 * i + 2]);
-    sum += broad * parts_[i].w;
-    sent.soft += (broad.x * body + broad.y * hair) * parts_[i];
+    const glm::vec2 reflected(row[4 * i], row[4 * i + 2]);
+    sum += reflected * parts_[i].w;
+    sent.diffuse += (reflected.x * body + reflected.y * fuzz) * parts_[i];
   }
   return sum;
 }
 
-void SkyTaker::take(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen) {
+void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen) {
   std::array<Mirrored, 2> mirrored;
   std::array<Drawn, 2> drawn;
   for (size_t i = 0; i < facets_.size(); ++i) {
-    const ThreadSample& p = *facets_[i].place;
+    const ThreadSample& p = *facets_[i].sample;
     if (p.open[view] <= 0 || glm::dot(p.side, v) <= 0) continue;
     const size_t s = static_cast<size_t>(p.system);
-    add_place(mirrored[s], drawn[s], facets_[i], v, &deviates_[(i * kFacets + view) % kDeviates]);
+    add_sample(mirrored[s], drawn[s], facets_[i], v, &deviates_[(i * kFacets + view) % kDeviates]);
   }
-  SentSky sent;
+  SkyRadiance sent;
   glm::vec4& near_sky = response_.near_sky[view];
   for (size_t s = 0; s < 2; ++s) {
     const float part = scale[s] / std::max(seen, 1e-9f);
-    const glm::vec2 soft = scattered(s, view, sent);
-    const glm::vec4 sky(soft, mirrored[s].all * part, mirrored[s].rising * part);
+    const glm::vec2 diffuse = scattered(s, view, sent);
+    const glm::vec4 sky(diffuse, mirrored[s].all * part, mirrored[s].rising * part);
     std::copy_n(glm::value_ptr(sky), 4, &response_.systems[s].sky[4 * view]);
     const formulas::YarnLobes& y = yarns_[s];
-    const float all = y.body.g * sky.x + formulas::flyaway_of(y).g * sky.y + y.f0.g * (sky.z - sky.w) + y.f90 * sky.w;
+    const float all = y.body.g * sky.x + formulas::fuzz_tint(y).g * sky.y + y.f0.g * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
     near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
     sent.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
     sent.drawn.glossy += part * drawn[s].glossy, sent.drawn.from += part * drawn[s].from;
   }
-  if (sent.soft.w > 0) response_.sky_from[view][0] = glm::vec3(sent.soft) / sent.soft.w;
+  if (sent.diffuse.w > 0) response_.sky_from[view][0] = glm::vec3(sent.diffuse) / sent.diffuse.w;
   if (sent.glossy.w <= 0) return;
   response_.sky_from[view][1] = glm::vec3(sent.glossy) / sent.glossy.w;
   if (sent.drawn.glossy <= 0) return;
@@ -219,13 +219,13 @@ void SkyTaker::take(size_t view, const glm::vec3& v, const std::array<float, 2>&
 
 }  // namespace
 
-void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& places,
+void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples,
                  const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen) {
-  SkyTaker taker(response, cloth, places);
+  SkyMeasurer measurer(response, cloth, samples);
   const std::array<glm::vec3, kResponseViews> views = response_views();
   for_each_job(kResponseViews, [&](int i) {
     const size_t view = static_cast<size_t>(i);
-    taker.take(view, views[view], scale, seen[view]);
+    measurer.measure(view, views[view], scale, seen[view]);
   });
 }
 

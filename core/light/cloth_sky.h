@@ -12,7 +12,7 @@ namespace weftlight::light {
 
 /// Fills `sky` of both systems, `sky_from` and `near_sky`. places: those of the answers; scale: of a system's areas, as
 /// the answers have it; seen: of both systems so scaled, per view.
-void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& places,
+void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples,
                  const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen);
 
 }  // namespace weftlight::light

@@ -25,10 +25,10 @@ constexpr size_t kUnknowns = 6;                              // base r, g, b, f0
 constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;        // of the search, in logarithms
 constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // of the variances, where all of the spread is in them
 constexpr float kSmoothestSheen = 0.2f, kRoughestSheen = 1.0f;
-constexpr float kHighlightShare = 0.2f;  // of what is sent in the size of an error; the rest is the mean of the view
-constexpr float kMeanPull = 4.0f;        // weight of the mean of a view, over that of all its pairs
-constexpr float kHue = 0.05f;            // pull of the base colour's factors to their mean: a dark channel tells little
-constexpr float kSteepView = 0.26f, kSteepViewShare = 0.3f;  // weight of views past 75 degrees
+constexpr float kHighlightWeight = 0.2f;  // of what is sent in the size of an error; the rest is the mean of the view
+constexpr float kMeanPull = 4.0f;         // weight of the mean of a view, over that of all its pairs
+constexpr float kHue = 0.05f;  // pull of the base colour's factors to their mean: a dark channel tells little
+constexpr float kSteepView = 0.26f, kSteepViewWeight = 0.3f;  // weight of views past 75 degrees
 
 glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
 
@@ -49,18 +49,18 @@ std::array<formulas::YarnLobes, 2> mean_yarns(const Cloth& cloth, const ClothRes
 }
 
 /// What the whole cloth sends from light node to view node for a unit of irradiance at right angles.
-glm::vec3 cloth_answer(const std::array<formulas::YarnLobes, 2>& yarns, const ClothResponse& response, size_t view,
-                       size_t light) {
+glm::vec3 cloth_radiance(const std::array<formulas::YarnLobes, 2>& yarns, const ClothResponse& response, size_t view,
+                         size_t light) {
   static const std::array<glm::vec3, kResponseViews> w = response_views();
   const glm::vec3 v = w[view], l = w[view_of_light(light)];
   const glm::vec2 h = formulas::half_slopes(l, v);
   glm::vec3 sum(0);
   for (size_t s = 0; s < 2; ++s) {
     const SystemResponse& system = response.systems[s];
-    const float* broad = &system.broad[4 * (view * kResponseLights + light)];
+    const float* reflected = &system.reflected[4 * (view * kResponseLights + light)];
     const glm::vec2 slopes{density_at(system.slopes[0], h.x), density_at(system.slopes[1], h.y)};
-    sum += formulas::system_answer(yarns[s], {broad[0], broad[1], broad[2], broad[3]}, slopes, system.share,
-                                   glm::vec4(0), l, v)
+    sum += formulas::system_radiance(yarns[s], {reflected[0], reflected[1], reflected[2], reflected[3]}, slopes,
+                                     system.fraction, glm::vec4(0), l, v)
                .key;
   }
   return sum;
@@ -70,7 +70,7 @@ glm::vec3 cloth_answer(const std::array<formulas::YarnLobes, 2>& yarns, const Cl
 struct Node {
   size_t index = 0;  // view or light
   glm::vec3 w{0, 0, 1};
-  float share = 0;
+  float fraction = 0;
 };
 
 /// Down to an elevation node, `azimuths` a ring of the `of` that there are.
@@ -82,10 +82,10 @@ std::vector<Node> nodes(size_t lowest, size_t azimuths, size_t of) {
   };
   for (size_t k = lowest; k < static_cast<size_t>(kResponseElevations); ++k) {
     const size_t ring = k == 7 ? 1 : azimuths;
-    const float below = k == 0 ? 0.0f : edge(k - 1), share = (edge(k) - below) / static_cast<float>(ring);
+    const float below = k == 0 ? 0.0f : edge(k - 1), fraction = (edge(k) - below) / static_cast<float>(ring);
     for (size_t a = 0; a < ring; ++a) {
       const size_t at = a * (of / azimuths);
-      out.push_back({k * of + at, w[k * kViewAzimuths + at * (kViewAzimuths / of)], share});
+      out.push_back({k * of + at, w[k * kViewAzimuths + at * (kViewAzimuths / of)], fraction});
     }
   }
   return out;
@@ -95,7 +95,7 @@ struct Pair {
   size_t view = 0, light = 0;  // among the nodes
   glm::vec3 wanted{0};
   float weight = 0;  // of the squares: over what is sent and the mean of the view, so that no highlight rules
-  float share = 0;
+  float fraction = 0;
 };
 
 struct Problem {
@@ -109,19 +109,19 @@ Problem problem_of(const Cloth& cloth, const ClothResponse& response, size_t low
   const std::array<formulas::YarnLobes, 2> yarns = mean_yarns(cloth, response);
   for (size_t v = 0; v < out.views.size(); ++v) {
     const size_t first = out.pairs.size();
-    float sum = 0, shares = 0;
+    float sum = 0, total = 0;
     for (size_t l = 0; l < out.lights.size(); ++l) {
-      const glm::vec3 wanted = cloth_answer(yarns, response, out.views[v].index, out.lights[l].index);
-      const float share = out.views[v].share * out.lights[l].share;
-      out.pairs.push_back({v, l, wanted, 0, share});
-      sum += share * (wanted.r + wanted.g + wanted.b), shares += share;
+      const glm::vec3 wanted = cloth_radiance(yarns, response, out.views[v].index, out.lights[l].index);
+      const float fraction = out.views[v].fraction * out.lights[l].fraction;
+      out.pairs.push_back({v, l, wanted, 0, fraction});
+      sum += fraction * (wanted.r + wanted.g + wanted.b), total += fraction;
     }
-    const float mean = std::max(sum / std::max(shares, 1e-9f), 1e-4f);
+    const float mean = std::max(sum / std::max(total, 1e-9f), 1e-4f);
     for (size_t i = first; i < out.pairs.size(); ++i) {
       const glm::vec3& wanted = out.pairs[i].wanted;
-      const float size = (1 - kHighlightShare) * mean + kHighlightShare * (wanted.r + wanted.g + wanted.b);
+      const float size = (1 - kHighlightWeight) * mean + kHighlightWeight * (wanted.r + wanted.g + wanted.b);
       out.pairs[i].weight =
-          out.pairs[i].share / (size * size) * (out.views[v].w.z < kSteepView ? kSteepViewShare : 1.0f);
+          out.pairs[i].fraction / (size * size) * (out.views[v].w.z < kSteepView ? kSteepViewWeight : 1.0f);
     }
   }
   return out;
@@ -131,7 +131,7 @@ Problem problem_of(const Cloth& cloth, const ClothResponse& response, size_t low
 struct Shaded {
   EngineMaterial material;
   formulas::LobeFrame frame;
-  float share = 0;
+  float weight = 0;
 };
 
 std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model, const EngineFit& fit) {
@@ -139,7 +139,7 @@ std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model,
   float total = 1e-9f;
   for (const EngineTexel& t : texels.texels) total += t.weight;
   for (const EngineTexel& t : texels.texels) {
-    const EngineLobe lobe = engine_lobe(t, fit.lobe, texels.share);
+    const EngineLobe lobe = engine_lobe(t, fit.lobe, texels.footprint_weight);
     EngineMaterial m = t.material;
     m.base = glm::min(m.base * fit.base, glm::vec3(1));
     m.sheen = glm::min(m.sheen * fit.sheen, glm::vec3(1));
@@ -151,14 +151,14 @@ std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model,
 }
 
 /// What the texels send for each pair, part by part, for factors of one.
-struct Sent {
+struct PairRadiance {
   glm::vec3 body{0}, fuzz{0};
   glm::vec2 gloss{0};
 };
 
-std::vector<Sent> sent_by(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
-                          const EngineFit& fit) {
-  std::vector<Sent> out(problem.pairs.size());
+std::vector<PairRadiance> radiance_by(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
+                                      const EngineFit& fit) {
+  std::vector<PairRadiance> out(problem.pairs.size());
   std::vector<glm::vec3> wi(problem.lights.size()), wo(problem.views.size());
   for (const Shaded& t : shaded(texels, model, fit)) {
     for (size_t i = 0; i < wi.size(); ++i) wi[i] = formulas::lobe_local(t.frame, problem.lights[i].w);
@@ -166,15 +166,15 @@ std::vector<Sent> sent_by(const EngineTexels& texels, const Problem& problem, co
     for (size_t i = 0; i < out.size(); ++i) {
       const Pair& pair = problem.pairs[i];
       const EngineParts p = formulas::engine_parts(t.material, model.sheen, wi[pair.light], wo[pair.view]);
-      out[i].body += p.body * (p.kept * t.share) / fit.base;
-      out[i].fuzz += p.fuzz * (t.share / std::max(fit.sheen, 1e-3f));
-      out[i].gloss += p.gloss * (p.kept * t.share);
+      out[i].body += p.body * (p.kept * t.weight) / fit.base;
+      out[i].fuzz += p.fuzz * (t.weight / std::max(fit.sheen, 1e-3f));
+      out[i].gloss += p.gloss * (p.kept * t.weight);
     }
   }
   return out;
 }
 
-glm::vec3 whole(const Sent& sent, const EngineFit& fit) {
+glm::vec3 whole(const PairRadiance& sent, const EngineFit& fit) {
   return sent.body * fit.base + glm::vec3(glm::dot(sent.gloss, glm::vec2(fit.f0, fit.f90))) + sent.fuzz * fit.sheen;
 }
 
@@ -217,7 +217,7 @@ struct Normal {
 };
 
 /// A pair's part of each unknown, in a channel.
-Unknowns row_of(const Sent& sent, int channel) {
+Unknowns row_of(const PairRadiance& sent, int channel) {
   Unknowns row{0, 0, 0, sent.gloss.x, sent.gloss.y, sent.fuzz[channel]};
   row[static_cast<size_t>(channel)] = sent.body[channel];
   return row;
@@ -225,19 +225,19 @@ Unknowns row_of(const Sent& sent, int channel) {
 
 /// The pairs of a view summed up, as one more of them: what is too bright towards one light and too dark towards
 /// another still sends what the cloth does.
-void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const Sent> sent, int channel) {
+void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadiance> sent, int channel) {
   Unknowns sum{};
-  float wanted = 0, shares = 1e-9f, weights = 0;
+  float wanted = 0, total = 1e-9f, weights = 0;
   for (size_t i = 0; i < pairs.size(); ++i) {
     const Unknowns row = row_of(sent[i], channel);
-    for (size_t k = 0; k < kUnknowns; ++k) sum[k] += pairs[i].share * row[k];
-    wanted += pairs[i].share * pairs[i].wanted[channel], shares += pairs[i].share, weights += pairs[i].weight;
+    for (size_t k = 0; k < kUnknowns; ++k) sum[k] += pairs[i].fraction * row[k];
+    wanted += pairs[i].fraction * pairs[i].wanted[channel], total += pairs[i].fraction, weights += pairs[i].weight;
   }
-  for (float& x : sum) x /= shares;
-  to.add(sum, wanted / shares, kMeanPull * weights);
+  for (float& x : sum) x /= total;
+  to.add(sum, wanted / total, kMeanPull * weights);
 }
 
-Normal normal_of(const Problem& problem, const std::vector<Sent>& sent) {
+Normal normal_of(const Problem& problem, const std::vector<PairRadiance>& sent) {
   Normal out;
   const size_t lights = problem.lights.size();
   for (int c = 0; c < 3; ++c) {
@@ -267,7 +267,7 @@ Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
 void solve(EngineFit& fit, const EngineTexels& texels, const Problem& problem, const EngineModel& model,
            const Bounds& bounds, int rounds) {
   for (int round = 0; round < rounds; ++round) {
-    const Normal normal = normal_of(problem, sent_by(texels, problem, model, fit));
+    const Normal normal = normal_of(problem, radiance_by(texels, problem, model, fit));
     Unknowns x{fit.base.r, fit.base.g, fit.base.b, fit.f0, fit.f90, fit.sheen};
     normal.solve(x, bounds.least, bounds.most);
     fit.base = {x[0], x[1], x[2]}, fit.f0 = x[3], fit.f90 = x[4], fit.sheen = x[5];
@@ -290,7 +290,8 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
   if (texels.texels.empty()) return {};
   const Problem problem = problem_of(cloth, response, 3, 8, 8);
   const Bounds bounds = bounds_of(texels, model);
-  const float narrowest = std::pow(kNarrowestLobe, texels.share), widest = std::pow(kWidestLobe, texels.share);
+  const float narrowest = std::pow(kNarrowestLobe, texels.footprint_weight),
+              widest = std::pow(kWidestLobe, texels.footprint_weight);
   EngineFit best;
   if (model.sheen == formulas::kSheenNone) best.sheen = 0;
   solve(best, texels, problem, model, bounds, kRounds);
@@ -333,9 +334,9 @@ std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& c
   for (size_t l = 0; l < kLights.size(); ++l) {
     problem.lights.push_back({kLights[l], w[view_of_light(kLights[l])], 1});
     for (size_t v = 0; v < problem.views.size(); ++v)
-      problem.pairs.push_back({v, l, cloth_answer(yarns, response, problem.views[v].index, kLights[l]), 1, 1});
+      problem.pairs.push_back({v, l, cloth_radiance(yarns, response, problem.views[v].index, kLights[l]), 1, 1});
   }
-  const std::vector<Sent> sent = sent_by(texels, problem, model, fit);
+  const std::vector<PairRadiance> sent = radiance_by(texels, problem, model, fit);
   std::vector<EngineCheck> out;
   for (size_t i = 0; i < sent.size(); ++i) {
     const Pair& pair = problem.pairs[i];
@@ -348,7 +349,7 @@ std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& c
                                       const EngineModel& model, const EngineFit& fit) {
   constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
   const Problem problem = problem_of(cloth, response, 3, kViewAzimuths / 2, kLightAzimuths);
-  const std::vector<Sent> sent = sent_by(texels, problem, model, fit);
+  const std::vector<PairRadiance> sent = radiance_by(texels, problem, model, fit);
   std::vector<EngineScore> out;
   for (size_t k = kResponseElevations; k-- > 3;) {
     float engine = 0, wanted = 1e-9f, square = 0, squares = 1e-12f;
@@ -356,8 +357,8 @@ std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& c
       const Pair& pair = problem.pairs[i];
       if (problem.views[pair.view].index / kViewAzimuths != k) continue;
       const float a = glm::dot(whole(sent[i], fit), kLuminance), b = glm::dot(pair.wanted, kLuminance);
-      engine += pair.share * a, wanted += pair.share * b;
-      square += pair.share * (a - b) * (a - b), squares += pair.share * b * b;
+      engine += pair.fraction * a, wanted += pair.fraction * b;
+      square += pair.fraction * (a - b) * (a - b), squares += pair.fraction * b * b;
     }
     const float z = response_views()[k * kViewAzimuths].z;
     out.push_back({std::acos(std::min(z, 1.0f)) * 57.29578f, engine / wanted, std::sqrt(square / squares)});

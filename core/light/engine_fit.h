@@ -16,7 +16,7 @@
 namespace weftlight::light {
 
 /// Places on the threads at which the answer is measured that sets are fitted to: means then hold 4 percent.
-inline constexpr int kFitPlaces = 512;
+inline constexpr int kFitSamples = 512;
 
 /// What an engine's material has.
 struct EngineModel {

@@ -31,7 +31,7 @@ Axes axes_over(const glm::vec3& n) {
 }
 
 /// The thread nearest to a place across its system, mm; the maps' own may be gone.
-const ThreadBody& nearest_thread(const std::vector<ThreadBody>& threads, float at_mm) {
+const ThreadBody& closest_thread(const std::vector<ThreadBody>& threads, float at_mm) {
   const auto after = std::lower_bound(threads.begin(), threads.end(), at_mm,
                                       [](const ThreadBody& t, float at) { return t.centre_mm < at; });
   if (after == threads.begin()) return *after;
@@ -56,7 +56,7 @@ const Lobes& lobes_at(const Cloth& cloth, const Maps& maps, int x, int y) {
   }
   const float u_mm = (static_cast<float>(x) + 0.5f) / static_cast<float>(maps.coverage.width) * maps.width_mm;
   const float v_mm = (static_cast<float>(y) + 0.5f) / static_cast<float>(maps.coverage.height) * maps.depth_mm;
-  const ThreadBody& body = weft ? nearest_thread(cloth.picks, v_mm) : nearest_thread(cloth.ends, u_mm);
+  const ThreadBody& body = weft ? closest_thread(cloth.picks, v_mm) : closest_thread(cloth.ends, u_mm);
   return cloth.yarns[static_cast<size_t>(body.yarn)].lobes;
 }
 
@@ -85,7 +85,7 @@ Sample sample(const Cloth& cloth, const Maps& maps, int x, int y) {
 
 /// One of side x side places, 0..1; rows and columns are set off by the golden ratio, since threads are as regular as a
 /// grid.
-glm::vec2 place(int i, int j, int side) {
+glm::vec2 sample_position(int i, int j, int side) {
   const auto along = [side](int a, int b) {
     return (static_cast<float>(a) + std::fmod(0.5f + 0.618034f * static_cast<float>(b), 1.0f)) /
            static_cast<float>(side);
@@ -127,7 +127,8 @@ std::vector<Sample> samples_in(const Cloth& cloth, const Maps& maps, glm::vec2 m
   std::vector<Sample> out;
   for (int l = 0; l < side; ++l) {
     for (int k = 0; k < side; ++k)
-      out.push_back(sample_at(cloth, maps, middle + (place(k, l, side) - 0.5f) * glm::min(box, glm::vec2(1))));
+      out.push_back(
+          sample_at(cloth, maps, middle + (sample_position(k, l, side) - 0.5f) * glm::min(box, glm::vec2(1))));
   }
   return out;
 }
@@ -138,12 +139,12 @@ class Windows {
   /// window: its sides in periods.
   Windows(const Cloth& cloth, const Maps& maps, glm::vec2 window)
       : cloth_(cloth), maps_(maps), count_(glm::exp2(glm::max(glm::round(-glm::log2(window)), glm::vec2(0)))) {}
-  FootprintLobe at(glm::vec2 place) {
-    const glm::vec2 low = glm::floor(place * count_ - 0.5f), share = place * count_ - 0.5f - low;
+  FootprintLobe at(glm::vec2 position) {
+    const glm::vec2 low = glm::floor(position * count_ - 0.5f), t = position * count_ - 0.5f - low;
     FootprintLobe out{glm::vec3(0), glm::vec2(0)};
     for (int k = 0; k < 4; ++k) {
       const glm::vec2 step(static_cast<float>(k % 2), static_cast<float>(k / 2));
-      const glm::vec2 part = glm::mix(1.0f - share, share, step);
+      const glm::vec2 part = glm::mix(1.0f - t, t, step);
       const FootprintLobe& lobe = window(glm::mod(low + step, count_));
       out.covariance += part.x * part.y * lobe.covariance, out.grain += part.x * part.y * lobe.grain;
     }
@@ -172,7 +173,7 @@ void keep_means(std::vector<EngineTexel>& texels, const Cloth& cloth, const Maps
   float total = 1e-9f, seen = 1e-9f;
   for (int j = 0; j < kMeans; ++j) {
     for (int i = 0; i < kMeans; ++i) {
-      const glm::vec2 at = place(i, j, kMeans);
+      const glm::vec2 at = sample_position(i, j, kMeans);
       const int x = std::min(static_cast<int>(at.x * static_cast<float>(maps.coverage.width)), maps.coverage.width - 1);
       const int y =
           std::min(static_cast<int>(at.y * static_cast<float>(maps.coverage.height)), maps.coverage.height - 1);
@@ -245,21 +246,21 @@ glm::vec2 EngineLobe::alpha() const {
   return {narrow + (1 - narrow) * strength * strength, narrow};
 }
 
-EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float share) {
+EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float footprint_weight) {
   EngineLobe out{{0, 0}, 0, 0};
   float total = 1e-9f;
   const auto add = [&](const glm::vec3& covariance, bool weft, float w) {
     const FacetAlphas a = facet_alphas(covariance);
     // Both senses of an axis mean the same: across a warp it is +x, across a weft +y; of a footprint by the longer
     // part.
-    const bool up = share > 0.5f ? std::abs(a.axis.y) > std::abs(a.axis.x) : weft;
+    const bool up = footprint_weight > 0.5f ? std::abs(a.axis.y) > std::abs(a.axis.x) : weft;
     out.axis += ((up ? a.axis.y : a.axis.x) < 0 ? -w : w) * a.axis, total += w;
     out.roughness += w * std::sqrt(a.alpha.y);
     out.strength += w * (a.alpha.y < 1 ? std::sqrt(std::max(a.alpha.x - a.alpha.y, 0.0f) / (1 - a.alpha.y)) : 0.0f);
   };
   const glm::vec3 whole = scaled_covariance(texel.lobe, scale);
   if (texel.facets.empty()) add(whole, false, 1);
-  for (const EngineFacet& f : texel.facets) add(glm::mix(f.covariance, whole, share), f.weft, f.weight);
+  for (const EngineFacet& f : texel.facets) add(glm::mix(f.covariance, whole, footprint_weight), f.weft, f.weight);
   out.roughness /= total, out.strength /= total;
   out.axis = glm::dot(out.axis, out.axis) > 1e-12f ? glm::normalize(out.axis) : glm::vec2(1, 0);
   return out;
@@ -274,7 +275,7 @@ float thread_spacing_mm(const Cloth& cloth) {
 
 float lobe_window_mm(float footprint_mm, float spacing_mm) { return std::max(footprint_mm, 2 * spacing_mm); }
 
-float footprint_share(float footprint_mm, float spacing_mm) {
+float footprint_weight(float footprint_mm, float spacing_mm) {
   return std::clamp(0.5f * footprint_mm / std::max(spacing_mm, 1e-6f), 0.0f, 1.0f);
 }
 
@@ -284,17 +285,17 @@ EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint
   const float spacing_mm = thread_spacing_mm(cloth);
   const glm::vec2 period(cloth.width_mm, cloth.depth_mm);
   const glm::vec2 pixel = footprint_mm / period, window = lobe_window_mm(footprint_mm, spacing_mm) / period;
-  out.share = footprint_share(footprint_mm, spacing_mm);
+  out.footprint_weight = footprint_weight(footprint_mm, spacing_mm);
   const bool single = footprint_mm <= cloth.width_mm / static_cast<float>(maps.coverage.width);
   const int side = single ? kTexels : pixels;
   Windows windows(cloth, maps, glm::clamp(window, glm::vec2(1e-4f), glm::vec2(1)));
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
-      const glm::vec2 middle = place(i, j, side);
+      const glm::vec2 middle = sample_position(i, j, side);
       out.texels.push_back(pixel_of(
           single ? std::vector{sample_at(cloth, maps, middle)} : samples_in(cloth, maps, middle, pixel, kFacets),
-          out.share < 1));
-      if (out.share > 0) out.texels.back().lobe = windows.at(middle);
+          out.footprint_weight < 1));
+      if (out.footprint_weight > 0) out.texels.back().lobe = windows.at(middle);
       if (out.texels.back().weight <= 1e-6f) out.texels.pop_back();
     }
   }
@@ -302,13 +303,13 @@ EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint
   return out;
 }
 
-std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_share) {
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_fraction) {
   // A line through what the pixels hold, by how their fibres run.
   constexpr float kAlike = 1e-3f;  // variance of that which tells nothing
   glm::vec4 mean(0), both(0);
   float total = 1e-9f, at = 0, square = 0;
   for (const EngineTexel& t : texels.texels) {
-    const EngineLobe lobe = engine_lobe(t, scale, texels.share);
+    const EngineLobe lobe = engine_lobe(t, scale, texels.footprint_weight);
     const glm::vec4 v(lobe.axis, lobe.roughness, lobe.strength);
     const float x = t.lobe.grain.x, w = t.weight;
     total += w, mean += w * v, both += w * x * v, at += w * x, square += w * x * x;
@@ -318,7 +319,7 @@ std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::ve
   const glm::vec4 rise = variance > kAlike ? (both - at * mean) / variance : glm::vec4(0);
   std::array<EngineLobe, 2> out;
   for (size_t s = 0; s < 2; ++s) {
-    const glm::vec4 v = mean + rise * (static_cast<float>(s) - weft_share);
+    const glm::vec4 v = mean + rise * (static_cast<float>(s) - weft_fraction);
     out[s] = {{v.x, v.y}, v.z, v.w};
   }
   return out;

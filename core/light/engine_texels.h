@@ -64,7 +64,7 @@ struct EngineLobe {
   glm::vec2 alpha() const;
 };
 /// share: how far each texel of a set takes the lobe of its footprint for its own.
-EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float share);
+EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float footprint_weight);
 
 /// Mean of warp and weft.
 float thread_spacing_mm(const Cloth& cloth);
@@ -72,19 +72,19 @@ float thread_spacing_mm(const Cloth& cloth);
 /// systems.
 float lobe_window_mm(float footprint_mm, float spacing_mm);
 /// That share, for a pixel so wide and threads so far apart: all of it from two threads on.
-float footprint_share(float footprint_mm, float spacing_mm);
+float footprint_weight(float footprint_mm, float spacing_mm);
 
 /// Pixels that stand for a period of the cloth.
 struct EngineTexels {
   std::vector<EngineTexel> texels;
-  float share = 0;
+  float footprint_weight = 0;
 };
 inline constexpr int kFitPixels = 4;
 /// footprint_mm: a pixel's width; 0: a texel of the maps. `pixels`: so many a side.
 EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm, int pixels = kFitPixels);
 /// A line through the lobes of all pixels, where they hold warp alone and where weft alone; at the cloth's share of
 /// weft lies their mean. Between, roughness and strength keep to 0..1; at its ends they need not.
-std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_share);
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_fraction);
 
 /// Of a pixel a metre away, in a picture of 1080 rows that is 50 degrees high.
 inline constexpr float kFootprintMmAtOneMetre = 0.863f;

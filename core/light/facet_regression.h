@@ -8,7 +8,7 @@
 
 namespace weftlight::light {
 
-inline constexpr float kSteepestLean = 100.0f;  // rise with a moment, over the mean
+inline constexpr float kMaxGradient = 100.0f;  // rise with a moment, over the mean
 
 struct FacetRegression {
   using Matrix = std::array<FacetMoments, kFacetMoments>;

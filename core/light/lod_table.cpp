@@ -51,14 +51,14 @@ std::optional<float> number(std::string_view text) {
 }
 
 /// Several scenes and views of one method and footprint become one point: worst errors, mean cost.
-struct Gathered {
+struct Merged {
   LodPoint worst;
   int rows = 0;
 };
-using Gathering = std::map<std::tuple<Method, int, float>, Gathered>;
+using MergedPoints = std::map<std::tuple<Method, int, float>, Merged>;
 
-void gather(Gathering& all, const LodPoint& p) {
-  Gathered& g = all[{p.method, p.samples, p.yarns_per_pixel}];
+void merge(MergedPoints& all, const LodPoint& p) {
+  Merged& g = all[{p.method, p.samples, p.yarns_per_pixel}];
   g.worst.method = p.method;
   g.worst.samples = p.samples;
   g.worst.yarns_per_pixel = p.yarns_per_pixel;
@@ -75,9 +75,9 @@ static void add_lattices(LodTable& lod_table, const LodPoint& all) {
   for (int i = 0; i < formulas::kLattices; ++i) {
     LodPoint p = all;
     p.samples = formulas::lattice_of(i).x;
-    const float share = static_cast<float>(p.samples) / static_cast<float>(formulas::kMaxYarnSamples);
+    const float fraction = static_cast<float>(p.samples) / static_cast<float>(formulas::kMaxYarnSamples);
     p.cost_ns *= static_cast<float>(p.samples);
-    p.filtering_error = p.model_error = all.model_error / std::sqrt(share);
+    p.filtering_error = p.model_error = all.model_error / std::sqrt(fraction);
     lod_table.push_back(p);
   }
 }
@@ -120,7 +120,7 @@ LodTable read_lod_table(std::string_view csv, std::string& problem) {
       return {};
     }
   }
-  Gathering all;
+  MergedPoints all;
   for (size_t l = 1; l < lines.size(); ++l) {
     if (lines[l].empty()) continue;
     const std::vector<std::string_view> cells = split(lines[l], ',');
@@ -133,7 +133,7 @@ LodTable read_lod_table(std::string_view csv, std::string& problem) {
       return {};
     }
     if (const std::optional<Method> m = method_from_name(cells[at[0]]))
-      gather(all, {*m, *v[1], *v[2], *v[3], *v[4], static_cast<int>(*v[0])});
+      merge(all, {*m, *v[1], *v[2], *v[3], *v[4], static_cast<int>(*v[0])});
   }
   LodTable lod_table;
   for (auto& [key, g] : all) {
@@ -175,15 +175,15 @@ Choice cheapest(const LodTable& lod_table, float yarns, float tolerance, const s
   const float held = std::max(tolerance, least * kAsGood);
   Choice best;
   float best_cost = std::numeric_limits<float>::infinity();
-  const auto take = [&](float error, float cost) {
+  const auto try_within = [&](float error, float cost) {
     for (const Choice& c : among) {
       const float one = expected_cost(lod_table, c.method, yarns, c.samples);
       if (expected_error(lod_table, c.method, yarns, c.samples) <= error && one < cost && one < best_cost)
         best_cost = one, best = c;
     }
   };
-  take(held, best_cost);
-  take(held * kNearlyHeld, best_cost * kMuchCheaper);
+  try_within(held, best_cost);
+  try_within(held * kNearlyHeld, best_cost * kMuchCheaper);
   return best;
 }
 

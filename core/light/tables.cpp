@@ -47,19 +47,19 @@ glm::vec4 albedo_at(const Table& t, float opening, float along, float across) {
 }
 
 /// A view (sine, 0, mu) of facets with RMS slopes along it and across it.
-struct Seen {
+struct FacetView {
   float along, across;  // RMS slopes
   float nu, mu, sine;   // nu: cosine over deviation
   float area;
 };
 /// Of the angle from the normal; the inverse of `opening`.
 float cotangent_of(float opening, float along) {
-  const float share = opening * opening;
-  return share / std::max(1.0f - share, 1.0e-6f) * (along / (1 + along));
+  const float squared = opening * opening;
+  return squared / std::max(1.0f - squared, 1.0e-6f) * (along / (1 + along));
 }
-Seen seen(float opening, float along, float across) {
+FacetView facet_view(float opening, float along, float across) {
   const float cotangent = cotangent_of(opening, along);
-  Seen v{along, across, cotangent / along, 0, 0, 0};
+  FacetView v{along, across, cotangent / along, 0, 0, 0};
   v.sine = 1.0f / std::sqrt(1.0f + cotangent * cotangent);
   v.mu = std::max(cotangent * v.sine, 1.0e-6f);
   v.area = formulas::gaussian_area(v.mu, along * v.sine);
@@ -92,7 +92,7 @@ Row<kCount> slope_row(float first, float last, float rms) {
 /// the projected areas, which is F D G / (4 mu_o) dwi with the measure turned to slopes; and that
 /// times (1 - wi.h)^5.
 template <bool kCorrelated, int kCount>
-void add_facets(Row<kCount>& row, const Seen& v, float kx, float ky, float y0, float weight) {
+void add_facets(Row<kCount>& row, const FacetView& v, float kx, float ky, float y0, float weight) {
   for (size_t i = 0; i < kCount; ++i) {
     const float sx = kx * row.slope[i], sy = y0 + ky * row.slope[i];
     const float faces = std::max(v.mu + v.sine * sx, 0.0f);
@@ -113,7 +113,7 @@ void add_facets(Row<kCount>& row, const Seen& v, float kx, float ky, float y0, f
 /// The sum of `front` is the projected area, known in closed form: what the nodes miss of a smooth lobe's
 /// they miss of its albedo too. A rough lobe's steep facets count in the area only.
 template <int kCount>
-glm::vec2 total(const Row<kCount>& row, const Seen& v) {
+glm::vec2 total(const Row<kCount>& row, const FacetView& v) {
   glm::vec3 sum(0);
   for (size_t i = 0; i < kCount; ++i) sum += glm::vec3(row.front[i], row.albedo[i], row.fresnel[i]);
   const bool smooth = std::max(v.along, v.across) < 1.0f;
@@ -121,15 +121,15 @@ glm::vec2 total(const Row<kCount>& row, const Seen& v) {
 }
 
 /// Facets with z < -nu turn away from the view.
-float first_facing(const Seen& v) { return std::max(-v.nu, -kGaussianReach); }
+float first_facing(const FacetView& v) { return std::max(-v.nu, -kGaussianReach); }
 
-glm::vec2 independent_albedo(const Seen& v, const Row<kAcrossNodes>& across) {
+glm::vec2 independent_albedo(const FacetView& v, const Row<kAcrossNodes>& across) {
   Row<kAlongNodes> along = slope_row<kAlongNodes>(first_facing(v), kGaussianReach, v.along);
   for (size_t j = 0; j < kAcrossNodes; ++j) add_facets<false>(along, v, 1, 0, across.slope[j], 2 * across.weight[j]);
   return total(along, v);
 }
 
-glm::vec2 correlated_albedo(const Seen& v) {
+glm::vec2 correlated_albedo(const FacetView& v) {
   const float rms = std::sqrt(v.along * v.along + v.across * v.across);
   Row<kLineNodes> row = slope_row<kLineNodes>(first_facing(v), kGaussianReach, rms);
   add_facets<true>(row, v, v.along / rms, v.across / rms, 0, 1);
@@ -137,9 +137,9 @@ glm::vec2 correlated_albedo(const Seen& v) {
 }
 
 /// The cosine c of which (1 - c)^5 is the mean, over that of the view.
-float fresnel_cosine(const Seen& v, const glm::vec2& albedo) {
-  const float share = std::clamp(albedo.y / std::max(albedo.x, 1.0e-12f), 0.0f, 1.0f);
-  return (1.0f - std::pow(share, 0.2f)) / v.mu;
+float fresnel_cosine(const FacetView& v, const glm::vec2& albedo) {
+  const float ratio = std::clamp(albedo.y / std::max(albedo.x, 1.0e-12f), 0.0f, 1.0f);
+  return (1.0f - std::pow(ratio, 0.2f)) / v.mu;
 }
 
 Table make_albedo(int threads) {
@@ -150,11 +150,11 @@ Table make_albedo(int threads) {
     const float slope_along = slope_of(coordinate(y, kSpreads)), slope_across = slope_of(coordinate(z, kSpreads));
     // Within 45 degrees of the normal the Fresnel part is next to nothing and its cosine that of the few
     // steepest facets: holding the one at 45 degrees keeps the entries fit for interpolation.
-    const Seen half = seen(std::sqrt(1 / (1 + slope_along / (1 + slope_along))), slope_along, slope_across);
+    const FacetView half = facet_view(std::sqrt(1 / (1 + slope_along / (1 + slope_along))), slope_along, slope_across);
     const float hold = fresnel_cosine(half, independent_albedo(half, across));
     const float hold_correlated = fresnel_cosine(half, correlated_albedo(half));
     for (int x = 0; x < kOpenings; ++x) {
-      const Seen v = seen(coordinate(x, kOpenings), slope_along, slope_across);
+      const FacetView v = facet_view(coordinate(x, kOpenings), slope_along, slope_across);
       const glm::vec2 a = independent_albedo(v, across), b = correlated_albedo(v);
       const float over_rim = v.mu / (v.mu + v.sine * slope_along / (1 + slope_along));
       float* cell = t.at(x, y, z);

@@ -62,7 +62,7 @@ class Sampler {
     }
     return sum / static_cast<float>(lattice.x);
   }
-  glm::vec2 place(int k) const {
+  glm::vec2 position(int k) const {
     const auto part = [k](double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); };
     return glm::vec2(part(0.7548776662466927), part(0.5698402909980532)) * grid_.period;
   }
@@ -87,20 +87,20 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   const ThreadTexture& pattern = patterns_[system][thread];
   const float mm = std::sqrt(std::abs(side.x.x * side.y.y - side.x.y * side.y.x));
   const float across = mm / (2 * std::numbers::pi_v<float> * pattern.radius_mm * std::max(std::abs(p.normal.z), 0.1f));
-  const float along = mm / length(system), place = p.along / length(system);
+  const float along = mm / length(system), period_fraction = p.along / length(system);
   const float cycles = std::max(pattern.fibres * across, std::abs(static_cast<float>(pattern.advance)) * along);
   const float ply =
       std::max(static_cast<float>(pattern.plies) * across, std::abs(static_cast<float>(pattern.ply_advance)) * along);
-  const auto texel =
-      thread_formulas::texture_at(pattern, thread_formulas::texture_point(pattern, place - std::floor(place), p.turn,
-                                                                          cycles, thread_formulas::contrast_left(ply)));
+  const auto texel = thread_formulas::texture_at(
+      pattern, thread_formulas::texture_point(pattern, period_fraction - std::floor(period_fraction), p.turn, cycles,
+                                              thread_formulas::contrast_left(ply)));
   glm::vec3 n = p.normal;
   if (pattern.plies > 1) n = scene_.ply_normal(p, pattern, texel.ply, length(system));
   if (glm::dot(n, v) <= 0) n = p.normal;
   const formulas::YarnLobes lobes =
       formulas::yarn_widen(lobes_[system][thread], scene_.slope_spread(p, pattern.fibre_tan, v, side.x, side.y));
   const float sent =
-      formulas::facet_answer(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key.g;
+      formulas::facet_radiance(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key.g;
   if (sent <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
   return sent * texel.groove;
 }
@@ -116,7 +116,7 @@ Errors errors_at(Sampler& sampler, float yarns, float spacing_mm, const glm::vec
   std::array<double, kErrorLattices> off{};
   double all = 0;
   for (int k = 0; k < kPixels; ++k) {
-    const glm::vec2 middle = sampler.place(k);
+    const glm::vec2 middle = sampler.position(k);
     const double truth = static_cast<double>(sampler.mean(middle, pixel, kFine, 0, l, v));
     all += truth * truth;
     for (size_t i = 0; i < kErrorLattices; ++i) {

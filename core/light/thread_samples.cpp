@@ -22,7 +22,8 @@ constexpr int kAbove = 1 << 13;            // places seen from above
 constexpr float kEvenTurns = 0.55f;
 
 constexpr size_t kHighest = (kResponseElevations - 1) * kViewAzimuths;  // the view from straight above
-constexpr size_t kAlong = (kBehindElevations - 1) * kBehindAzimuths;  // from there on lights from behind reach nothing
+constexpr size_t kAlong =
+    (kTransmissionElevations - 1) * kTransmissionAzimuths;  // from there on lights from behind reach nothing
 
 /// Coordinate 0..1 of point k of an even spread.
 float part(int k, double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); }
@@ -41,9 +42,9 @@ std::vector<Cloth> windows_of(const Cloth& cloth) {
 }
 
 /// Places of one cloth.
-class Placer {
+class ThreadSampler {
  public:
-  explicit Placer(const Cloth& cloth)
+  explicit ThreadSampler(const Cloth& cloth)
       : cloth_(cloth),
         scene_(cloth),
         shadows_(scene_),
@@ -57,7 +58,7 @@ class Placer {
   }
   /// Place k of `count` of a system; area 0 where there is none. lit: by light from behind; those that none reaches are
   /// left out.
-  ThreadSample place(int system, int k, int count, bool lit);
+  ThreadSample sample(int system, int k, int count, bool lit);
   void look_down(int first, int count, ThreadSamples& out);
 
  private:
@@ -66,13 +67,13 @@ class Placer {
   glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
   void dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
   glm::vec3 bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
-  enum class Seen {
+  enum class ViewSet {
     kTopAlone,
     kHigh,
     kLow
   };  // views: that from straight above, the high ones, those along the cloth, too
-  void look_around(ThreadSample& p, glm::vec3 at, int thread, Seen from);
-  void look_behind(ThreadSample& p, glm::vec3 at, int thread);
+  void look_around(ThreadSample& p, glm::vec3 at, int thread, ViewSet from);
+  void find_transmission(ThreadSample& p, glm::vec3 at, int thread);
 
   const Cloth& cloth_;
   ThreadScene scene_;
@@ -85,7 +86,7 @@ class Placer {
 };
 
 /// The warp's share of the crossings around one, by a tent: what mips of four yarns see, read between texels.
-float Placer::warp_around(int layer, int end, int pick) const {
+float ThreadSampler::warp_around(int layer, int end, int pick) const {
   constexpr int kReach = 4, kTop = kReach + 1;
   const auto& grid = layers_[static_cast<size_t>(layer)];
   const int ends = grid.count.x, picks = grid.count.y;
@@ -101,7 +102,7 @@ float Placer::warp_around(int layer, int end, int pick) const {
   return static_cast<float>(sum) / (kTop * kTop * kTop * kTop);
 }
 
-ThreadSample Placer::place(int system, int k, int count, bool lit) {
+ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   const glm::vec2 at = glm::vec2(part(k, 0.8191725133961645), part(k, 0.6710436067037893)) * grid_.period;
   const float u = 2 * part(k, 0.5497004779019703) - 1;
   const float turn = kPi * u * (kEvenTurns + (1 - kEvenTurns) * u * u),
@@ -111,18 +112,18 @@ ThreadSample Placer::place(int system, int k, int count, bool lit) {
   const auto& s = system == 0 ? crossing.warp : crossing.weft;
   const float along = system == 0 ? at.y : at.x;
   const glm::vec3 c = scene_.strand_curve(s, along);
-  const float lean = std::sqrt(1 + c.y * c.y), x = std::sin(turn), y = std::cos(turn);
+  const float stretch = std::sqrt(1 + c.y * c.y), x = std::sin(turn), y = std::cos(turn);
   const glm::vec2 half = 1.0f / scene_.strand_thin(s, along);
   const float around = std::sqrt(half.x * half.x * y * y + half.y * half.y * x * x);
   // Sections stand at right angles to a bent line: outside the bend they are further apart.
-  const float apart = lean * (1 - half.y * y * c.z / (lean * lean * lean));
+  const float apart = stretch * (1 - half.y * y * c.z / (stretch * stretch * stretch));
   const float room = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)].spacing_mm;
   ThreadSample p;
   p.system = system;
   if (apart <= 0 || room <= 0) return p;
   p.area = around * apart * density * 2 * static_cast<float>(grid_.layers) / (room * static_cast<float>(count));
-  const float aside = s.centre + half.x * x, level = c.x + half.y * y / lean;
-  const float ahead = along - half.y * y * c.y / lean;
+  const float aside = s.centre + half.x * x, level = c.x + half.y * y / stretch;
+  const float ahead = along - half.y * y * c.y / stretch;
   const glm::vec3 where = system == 0 ? glm::vec3(aside, ahead, level) : glm::vec3(ahead, aside, level);
   p.height_mm = level;
   // Inside the other thread, where both are pressed together.
@@ -134,23 +135,25 @@ ThreadSample Placer::place(int system, int k, int count, bool lit) {
   const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
   p.around = system == 0 ? warp : 1 - warp;
   dress(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
-  if (lit) look_behind(p, where, s.thread);
-  look_around(p, where, s.thread, !lit ? Seen::kLow : p.behind.empty() ? Seen::kTopAlone : Seen::kHigh);
+  if (lit) find_transmission(p, where, s.thread);
+  look_around(p, where, s.thread, !lit ? ViewSet::kLow : p.lights.empty() ? ViewSet::kTopAlone : ViewSet::kHigh);
   return p;
 }
 
 /// The normal between plies, and the pattern there, between fibres at its mean.
-glm::vec3 Placer::plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel) {
+glm::vec3 ThreadSampler::plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
+                               Texel& texel) {
   const ThreadTexture& t = textures_[static_cast<size_t>(system)][static_cast<size_t>(thread)];
-  const float share = point.along / length(system);
-  texel = texture_at(t, thread_formulas::texture_point(t, share - std::floor(share), point.turn, 1, 1));
+  const float fraction = point.along / length(system);
+  texel = texture_at(t, thread_formulas::texture_point(t, fraction - std::floor(fraction), point.turn, 1, 1));
   return t.plies > 1 ? scene_.ply_normal(point, t, texel.ply, length(system)) : point.normal;
 }
 
 /// Variances of the slopes along the thread of the surface that a place stands for, as lobes hold them: along the
 /// fibre, between both, across it. A narrow highlight on a bend would else lie on few places, or on none, by chance.
 /// step: of the places, over a repeat.
-glm::vec3 Placer::bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const {
+glm::vec3 ThreadSampler::bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan,
+                                   float step) const {
   constexpr float kRepeat = 8;  // crossings
   constexpr float kMax = 0.04f;
   const float turned = point.bend.x * kRepeat * grid_.spacing * step, tan2 = fibre_tan * fibre_tan;
@@ -159,7 +162,8 @@ glm::vec3 Placer::bend_over(const thread_formulas::ThreadScene::ThreadPoint& poi
 }
 
 /// Normals, fibre and lobes, as core/reference/trace.cpp has them.
-void Placer::dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step) {
+void ThreadSampler::dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
+                          float step) {
   Texel texel;
   p.side = point.normal;
   p.normal = plied(p.system, thread, point, texel);
@@ -175,7 +179,7 @@ void Placer::dress(ThreadSample& p, int thread, const thread_formulas::ThreadSce
 }
 
 /// Adds what is seen from above; of the crossings around it, sums.
-void Placer::look_down(int first, int count, ThreadSamples& out) {
+void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
   for (int k = first; k < first + count; ++k) {
     const glm::vec2 at = glm::vec2(part(k, 0.7548776662466927), part(k, 0.5698402909980532)) * grid_.period;
     const auto hit = scene_.first_thread(grid_, at, glm::vec3(0, 0, 1), 0);
@@ -196,24 +200,24 @@ void Placer::look_down(int first, int count, ThreadSamples& out) {
   }
 }
 
-void Placer::look_around(ThreadSample& p, glm::vec3 at, int thread, Seen from) {
+void ThreadSampler::look_around(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
   const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
   Directions open;
   open.reserve(high_views_.size());
-  for (size_t k = from == Seen::kTopAlone ? high_views_.size() - 1 : 0; k < high_views_.size(); ++k)
-    if (can_see(high_views_.number[k])) open.take(high_views_, k);
+  for (size_t k = from == ViewSet::kTopAlone ? high_views_.size() - 1 : 0; k < high_views_.size(); ++k)
+    if (can_see(high_views_.number[k])) open.add_from(high_views_, k);
   shadows_.cast(open, at, p.system, thread);
   Directions facing;
   facing.reserve(open.size());
   for (size_t k = 0; k < open.size(); ++k) {
     const uint16_t v = open.number[k];
-    if (glm::dot(p.side, views_[v]) > 0) facing.take(open, k);
+    if (glm::dot(p.side, views_[v]) > 0) facing.add_from(open, k);
     else p.open[v] = 1;
   }
   shadows_.cast(facing, at + p.side * (0.02f * grid_.top), p.system, thread, true);
   for (const uint16_t v : facing.number) p.open[v] = 1;
   std::fill_n(p.open.begin() + kHighest, kViewAzimuths, p.open[kHighest]);
-  if (from != Seen::kLow) return;
+  if (from != ViewSet::kLow) return;
   // What might stand before these is far off: one by one. What stands before two elevations stands before the lower
   // ones.
   for (size_t v = kLowViews; v-- > 0;) {
@@ -223,20 +227,20 @@ void Placer::look_around(ThreadSample& p, glm::vec3 at, int thread, Seen from) {
 }
 
 /// Through the thread, or onto a side of it.
-void Placer::look_behind(ThreadSample& p, glm::vec3 at, int thread) {
+void ThreadSampler::find_transmission(ThreadSample& p, glm::vec3 at, int thread) {
   Directions through, side;
   through.reserve(lights_.size()), side.reserve(lights_.size());
   for (size_t k = 0; k < lights_.size(); ++k) {
     const bool faces = p.side.x * lights_.x[k] + p.side.y * lights_.y[k] + p.side.z * lights_.z[k] > 0;
-    if (faces) side.take(lights_, k);
-    else if (p.lobes.through.g > 0) through.take(lights_, k);
+    if (faces) side.add_from(lights_, k);
+    else if (p.lobes.through.g > 0) through.add_from(lights_, k);
   }
   shadows_.cast(through, at, p.system, thread);
   shadows_.cast(side, at, p.system, thread);
   // The thread itself may stand before a side, too: from a little above it.
   shadows_.cast(side, at + p.side * (0.02f * grid_.top), p.system, thread, true);
-  p.behind = through.number;
-  p.behind.insert(p.behind.end(), side.number.begin(), side.number.end());
+  p.lights = through.number;
+  p.lights.insert(p.lights.end(), side.number.begin(), side.number.end());
 }
 
 }  // namespace
@@ -254,14 +258,14 @@ std::array<glm::vec3, kResponseViews> response_views() {
   return out;
 }
 
-std::array<glm::vec3, kBehindLights> transmission_lights() {
-  std::array<glm::vec3, kBehindLights> out;
-  for (int e = 0; e < kBehindElevations; ++e) {
-    const float u = static_cast<float>(e) / (kBehindElevations - 1);
+std::array<glm::vec3, kTransmissionLights> transmission_lights() {
+  std::array<glm::vec3, kTransmissionLights> out;
+  for (int e = 0; e < kTransmissionElevations; ++e) {
+    const float u = static_cast<float>(e) / (kTransmissionElevations - 1);
     const float z = std::max(1 - u * u, 0.004f), r = std::sqrt(1 - z * z);
-    for (int a = 0; a < kBehindAzimuths; ++a) {
-      const float t = 2 * kPi * static_cast<float>(a) / kBehindAzimuths;
-      out[static_cast<size_t>(e * kBehindAzimuths + a)] = {r * std::cos(t), r * std::sin(t), -z};
+    for (int a = 0; a < kTransmissionAzimuths; ++a) {
+      const float t = 2 * kPi * static_cast<float>(a) / kTransmissionAzimuths;
+      out[static_cast<size_t>(e * kTransmissionAzimuths + a)] = {r * std::cos(t), r * std::sin(t), -z};
     }
   }
   return out;
@@ -287,7 +291,7 @@ Cloth cut(const Cloth& cloth, const CellRect& w) {
   return out;
 }
 
-ThreadSamples thread_samples(const Cloth& cloth, int count, int behind) {
+ThreadSamples thread_samples(const Cloth& cloth, int count, int transmission_count) {
   ThreadSamples out;
   if (cloth.ends.empty() || cloth.picks.empty()) return out;
   const bool large = cloth.layers.empty() && cloth.ends.size() * cloth.picks.size() > kWholeCrossings;
@@ -295,24 +299,24 @@ ThreadSamples thread_samples(const Cloth& cloth, int count, int behind) {
   out.whole = !large;
   const int windows = static_cast<int>(parts.size()), above = kAbove / windows;
   // One spread over all windows: each takes the points that the one before left.
-  const auto spread = [&](std::vector<ThreadSample>& to, Placer& placer, int w, int wanted, bool lit) {
+  const auto spread = [&](std::vector<ThreadSample>& to, ThreadSampler& sampler, int w, int wanted, bool lit) {
     const int each = std::max(1, wanted / 2 / windows);
     to.resize(static_cast<size_t>((w + 1) * 2 * each));
     for_each_job(2 * each, [&](int i) {
-      to[static_cast<size_t>(w * 2 * each + i)] = placer.place(i % 2, w * each + i / 2, windows * each, lit);
+      to[static_cast<size_t>(w * 2 * each + i)] = sampler.sample(i % 2, w * each + i / 2, windows * each, lit);
     });
   };
   for (int w = 0; w < windows; ++w) {
-    Placer placer(parts[static_cast<size_t>(w)]);
-    spread(out.places, placer, w, count, false);
-    if (behind > 0) spread(out.behind, placer, w, behind, true);
-    placer.look_down(w * above, above, out);
+    ThreadSampler sampler(parts[static_cast<size_t>(w)]);
+    spread(out.samples, sampler, w, count, false);
+    if (transmission_count > 0) spread(out.transmission, sampler, w, transmission_count, true);
+    sampler.look_down(w * above, above, out);
   }
   const float scale = 1 / static_cast<float>(windows * above);
   out.around_mean *= scale;
   out.around_variance = std::max(out.around_variance * scale - out.around_mean * out.around_mean, 0.0f);
-  for (std::vector<ThreadSample>* places : {&out.places, &out.behind}) {
-    std::erase_if(*places, [](const ThreadSample& p) {
+  for (std::vector<ThreadSample>* samples : {&out.samples, &out.transmission}) {
+    std::erase_if(*samples, [](const ThreadSample& p) {
       return p.area <= 0 || std::all_of(p.open.begin(), p.open.end(), [](float o) { return o <= 0; });
     });
   }

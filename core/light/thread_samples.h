@@ -22,8 +22,9 @@ inline constexpr int kResponseLights = kResponseElevations * kLightAzimuths;
 
 // Lights from behind the cloth, closer, since what they come through is narrow: node k: cosine 1 - (k / 11)^2, steps of
 // some 8 degrees; those along the cloth reach nothing.
-inline constexpr int kBehindElevations = BEHIND_ELEVATIONS, kBehindAzimuths = BEHIND_AROUND;
-inline constexpr int kBehindLights = kBehindElevations * kBehindAzimuths;
+inline constexpr int kTransmissionElevations = TRANSMISSION_ELEVATIONS,
+                     kTransmissionAzimuths = TRANSMISSION_LIGHTS_AROUND;
+inline constexpr int kTransmissionLights = kTransmissionElevations * kTransmissionAzimuths;
 
 inline constexpr int kLowViews = 2 * kViewAzimuths;  // along the cloth, as good as
 
@@ -34,7 +35,7 @@ constexpr size_t view_of_light(size_t i) {
 
 /// Unit vectors; x along the weft, y along the warp, z out of the face.
 std::array<glm::vec3, kResponseViews> response_views();
-std::array<glm::vec3, kBehindLights> transmission_lights();
+std::array<glm::vec3, kTransmissionLights> transmission_lights();
 
 struct ThreadSample {
   int system = 0;  // 0 warp, 1 weft
@@ -49,7 +50,7 @@ struct ThreadSample {
   formulas::YarnLobes drawn;  // as pictures from afar take them, of colours with grooves in them
   // Per view, 0 or 1: nothing stands before it; for those behind the place, nothing but its own thread.
   std::array<float, kResponseViews> open{};
-  std::vector<uint16_t> behind;  // lights from behind before which nothing but its own thread stands
+  std::vector<uint16_t> lights;  // lights from behind before which nothing but its own thread stands
 };
 
 // Means of the unit normal's x, y and of their squares.
@@ -58,18 +59,18 @@ using FacetMoments = std::array<float, kFacetMoments>;
 FacetMoments facet_moments(const glm::vec3& normal);
 
 /// A place seen from straight above; all such stand for the same area.
-struct TopPlace {
+struct TopSample {
   int system = 0;
   glm::vec3 normal{0, 0, 1}, fibre{1, 0, 0};
   glm::vec2 widths2{0};  // variances of the lobe's slopes along the fibre and across
 };
 
 struct ThreadSamples {
-  std::vector<ThreadSample> places;
+  std::vector<ThreadSample> samples;
   // Of more, those that light from behind reaches, without views along the cloth, and of the others those that are seen
   // from straight above, with that view alone; area: as if there were no others.
-  std::vector<ThreadSample> behind;
-  std::vector<TopPlace> top;  // many more: they cost little
+  std::vector<ThreadSample> transmission;
+  std::vector<TopSample> top;  // many more: they cost little
   // Of the warp's share of the crossings around a place (a tent nine wide), over the whole cloth.
   float around_mean = 0, around_variance = 0;
   bool whole = true;  // not windows of a cloth of very many crossings
@@ -81,6 +82,6 @@ Cloth cut(const Cloth& cloth, const CellRect& window);
 
 /// `count` places, the same every time, and `behind` that are tried for light from behind. Of a cloth of very many
 /// crossings: in windows spread over it. Those that no direction reaches are left out.
-ThreadSamples thread_samples(const Cloth& cloth, int count, int behind = 0);
+ThreadSamples thread_samples(const Cloth& cloth, int count, int transmission_count = 0);
 
 }  // namespace weftlight::light

@@ -117,7 +117,7 @@ void Directions::reserve(size_t count) {
   number.reserve(count);
 }
 
-void Directions::take(const Directions& from, size_t k) {
+void Directions::add_from(const Directions& from, size_t k) {
   x.push_back(from.x[k]), y.push_back(from.y[k]), z.push_back(from.z[k]);
   slant.push_back(from.slant[k]);
   number.push_back(from.number[k]);
@@ -143,7 +143,7 @@ struct ThreadShadows::Around {
     const auto body = scene.thread_body(of, index);
     threads[static_cast<size_t>(of)][static_cast<size_t>(kMiddle + step)] = {
         index, body.centre + base[of] + static_cast<float>(period) * g.period[of], body,
-        std::max(body.half_room, body.half_width * (1 + 3 * body.swell))};
+        std::max(body.half_room, body.half_width * (1 + 3 * body.unevenness))};
   }
   bool crosses(int axis, float first, float last) const { return first <= high[axis] && last >= low[axis]; }
 };
@@ -172,15 +172,15 @@ void ThreadShadows::cast_span(Directions& open, std::vector<float>& clear, const
   span.curve = warp ? cloth::thread_formulas::cubic_through(here.x, here.y, next.x, next.y, step)
                     : cloth::thread_formulas::cubic_through(here.z, here.w, next.z, next.w, step);
   const int pieces = around.only_it ? kOwnPieces : kPieces;
-  const float share = 1 / static_cast<float>(pieces);
+  const float per_piece = 1 / static_cast<float>(pieces);
   glm::vec3 low, high = cloth::thread_formulas::cubic_at(span.curve, 0);
   for (int k = 0; k < pieces; ++k) {
-    low = high, high = cloth::thread_formulas::cubic_at(span.curve, static_cast<float>(k + 1) * share * step);
-    const glm::vec2 over = span.thin + span.thinner * ((static_cast<float>(k) + 0.5f) * share);
-    const float reach = 1 / over.y, from = start + static_cast<float>(k) * share * step;
+    low = high, high = cloth::thread_formulas::cubic_at(span.curve, static_cast<float>(k + 1) * per_piece * step);
+    const glm::vec2 over = span.thin + span.thinner * ((static_cast<float>(k) + 0.5f) * per_piece);
+    const float reach = 1 / over.y, from = start + static_cast<float>(k) * per_piece * step;
     const float nearest =
         around.down ? std::min(low.x, high.x) - reach - around.from.z : around.from.z - std::max(low.x, high.x) - reach;
-    if (nearest > 0 || !around.crosses(other, from - reach, from + share * step + reach)) continue;
+    if (nearest > 0 || !around.crosses(other, from - reach, from + per_piece * step + reach)) continue;
     const Piece p = piece_of(span, k, pieces, around.from.z, low, high, over);
     meet(p, open.size(), (warp ? open.x : open.y).data(), (warp ? open.y : open.x).data(), open.z.data(), clear.data());
   }
@@ -193,7 +193,7 @@ void ThreadShadows::leave_before(Directions& open, Directions& through, std::vec
   around.low = around.high = glm::vec2(0);
   for (size_t k = 0; k < open.size(); ++k) {
     if (depth * open.slant[k] < away) {
-      through.take(open, k), clear[k] = 0;
+      through.add_from(open, k), clear[k] = 0;
       continue;
     }
     const glm::vec2 end = glm::vec2(open.x[k], open.y[k]) * (depth / std::max(std::abs(open.z[k]), 1e-3f));
@@ -229,7 +229,7 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
       keep_clear(open, clear);
     }
   }
-  for (size_t k = 0; k < open.size(); ++k) through.take(open, k);
+  for (size_t k = 0; k < open.size(); ++k) through.add_from(open, k);
   open = std::move(through);
 }
 

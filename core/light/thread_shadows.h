@@ -19,7 +19,7 @@ struct Directions {
   std::vector<uint16_t> number;
   size_t size() const { return number.size(); }
   void add(const glm::vec3& w, size_t number);
-  void take(const Directions& from, size_t k);
+  void add_from(const Directions& from, size_t k);
   void reserve(size_t count);
 };
 

@@ -8,7 +8,7 @@
 
 namespace weftlight::light {
 
-/// Fills `behind` and `transmission_lean` of both systems. seen: projected area of what each view sees, over the
+/// Fills `behind` and `transmission_gradient` of both systems. seen: projected area of what each view sees, over the
 /// cloth's.
 void measure_transmission(ClothResponse& response, const Cloth& cloth, const ThreadSamples& threads,
                           const std::array<float, kResponseViews>& seen);

@@ -23,7 +23,7 @@ struct Directions {
   glm::vec3 at(size_t k) const { return {x[k], y[k], z[k]}; }
 };
 
-/// LobePlace, what is stored there, and the rest of LobeSide, of one direction of every pair.
+/// LobeCoords, what is stored there, and the rest of LobeSide, of one direction of every pair.
 struct Sides {
   Lanes<float> mu, area, rim, opening, along, across, mixed;
   Lanes<int> entry;                           // of the albedo table: first float of the cell
@@ -47,7 +47,7 @@ Shared shared_of(const formulas::YarnLobes& yarn) {
   s.fuzz_openings = light_tables().fuzz.nx;
   assert(s.fuzz_openings <= static_cast<int>(kMaxFuzzOpenings));
   if (yarn.fuzz <= 0) return s;
-  const float depth = formulas::fuzz_place(yarn, 1).y;
+  const float depth = formulas::fuzz_coords(yarn, 1).y;
   for (int i = 0; i < s.fuzz_openings; ++i) {
     const glm::vec4 f = formulas::fuzz_table(static_cast<float>(i) / static_cast<float>(s.fuzz_openings - 1), depth);
     s.fuzz_lost[static_cast<size_t>(i)] = f.y;
@@ -62,9 +62,9 @@ void load(std::span<const glm::vec3> from, Directions& to) {
   for (size_t k = from.size(); k < kBlock; ++k) to.x[k] = to.y[k] = 0, to.z[k] = 1;
 }
 
-void find_places(const Shared& shared, const Directions& w, Sides& s) {
+void find_coords(const Shared& shared, const Directions& w, Sides& s) {
   for (size_t k = 0; k < kBlock; ++k) {
-    const formulas::LobePlace p = formulas::lobe_place(shared.lobes, w.at(k));
+    const formulas::LobeCoords p = formulas::lobe_coords(shared.lobes, w.at(k));
     s.mu[k] = p.mu, s.area[k] = p.area, s.rim[k] = p.rim, s.mixed[k] = p.mixed;
     s.opening[k] = p.opening, s.along[k] = p.along, s.across[k] = p.across;
   }
@@ -111,14 +111,14 @@ void look_up_albedo(const Table& t, Sides& s) {
 
 void look_up_fuzz(const Shared& shared, Sides& s) {
   for (size_t k = 0; k < kBlock; ++k) {
-    const TableCell cell = cell_of(formulas::fuzz_place(shared.yarn, s.mu[k]).x, shared.fuzz_openings);
+    const TableCell cell = cell_of(formulas::fuzz_coords(shared.yarn, s.mu[k]).x, shared.fuzz_openings);
     const float* p = shared.fuzz_lost.data() + cell.i;
     s.fuzz_lost[k] = p[0] + cell.t * (p[1] - p[0]);
   }
 }
 
 formulas::LobeSide finished(const formulas::YarnLobes& yarn, const Shared& shared, const Sides& s, size_t k) {
-  const formulas::LobePlace p{s.mu[k], s.area[k], s.rim[k], s.opening[k], s.along[k], s.across[k], s.mixed[k]};
+  const formulas::LobeCoords p{s.mu[k], s.area[k], s.rim[k], s.opening[k], s.along[k], s.across[k], s.mixed[k]};
   // Reflection asks for what the fuzz loses, and for the mean of it.
   return formulas::lobe_finish(yarn, shared.lobes, p, {s.lost[k], s.cosine[k]},
                                {0, s.fuzz_lost[k], 0, shared.fuzz_mean});
@@ -145,8 +145,8 @@ inline void reflect_all(const Shared& shared, std::span<const glm::vec3> wi, std
     const size_t count = std::min(kBlock, out.size() - first);
     load(wi.subspan(first, count), in);
     load(wo.subspan(first, count), seen);
-    find_places(shared, in, i);
-    find_places(shared, seen, o);
+    find_coords(shared, in, i);
+    find_coords(shared, seen, o);
     find_cells(shared.albedo, i);
     find_cells(shared.albedo, o);
     look_up_albedo(shared.albedo, i);

@@ -16,25 +16,25 @@ glm::vec3 unit_colour(Linear c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
 
 }  // namespace
 
-MirrorShares mirror_shares(const Lobes& any) {
+FibreReflectance fibre_reflectance(const Lobes& any) {
   const Lobes lobes = clamped(any);
   const float root = (lobes.ior - 1) / (lobes.ior + 1), once = root * root;
   if (lobes.metallic) return {once, 1, 1, 0};
-  const float pile = lobes.layers / (1 + (lobes.layers - 1) * once);
-  return {pile * once, pile, lobes.inner, lobes.body};
+  const float fibre_layers = lobes.layers / (1 + (lobes.layers - 1) * once);
+  return {fibre_layers * once, fibre_layers, lobes.inner, lobes.body};
 }
 
 interop::YarnData yarn_data(const Lobes& any) {
   const Lobes lobes = clamped(any);
   const Linear tint = linear_from_srgb(lobes.specular_tint);
-  const MirrorShares shares = mirror_shares(lobes);
+  const FibreReflectance fibre = fibre_reflectance(lobes);
   interop::YarnData y{};
   y.along_width = lobes.along_width, y.across_width = lobes.across_width;
-  y.specular = lobes.specular, y.reflectance = shares.clear, y.pile = shares.pile;
-  y.body = shares.body, y.transmission = lobes.transmission;
+  y.specular = lobes.specular, y.reflectance = fibre.clear, y.fibre_layers = fibre.fibre_layers;
+  y.body = fibre.body, y.transmission = lobes.transmission;
   y.fuzz = lobes.fuzz, y.fuzz_width = lobes.fuzz_width, y.fuzz_depth = lobes.fuzz_width * lobes.fuzz_width;
-  y.tint = {tint.r, tint.g, tint.b, shares.dyed};
-  y.inner_pale = lobes.metallic ? 0 : -std::log2(std::clamp(lobes.inner_depth, 0.25f, 2.0f));
+  y.tint = {tint.r, tint.g, tint.b, fibre.dyed};
+  y.inner_halvings = lobes.metallic ? 0 : -std::log2(std::clamp(lobes.inner_depth, 0.25f, 2.0f));
   return y;
 }
 

@@ -15,10 +15,10 @@ namespace weftlight::light {
 /// thread's colour, and what the body may send. Clear fibres lie one behind the other: a pile of so many layers, each
 /// of which reflects r and passes the rest, sends back n r / (1 + (n - 1) r) (Stokes 1862, "On the intensity of the
 /// light reflected from or transmitted through a pile of plates", without absorption). A metal has no clear light.
-struct MirrorShares {
-  float clear = 0, pile = 1, dyed = 0, body = 0;  // pile: `clear` over one layer's
+struct FibreReflectance {
+  float clear = 0, fibre_layers = 1, dyed = 0, body = 0;  // pile: `clear` over one layer's
 };
-MirrorShares mirror_shares(const Lobes& lobes);
+FibreReflectance fibre_reflectance(const Lobes& lobes);
 
 /// The numbers of a yarn as the shaders take them. Out-of-range values are clamped; never NaN.
 interop::YarnData yarn_data(const Lobes& lobes);

@@ -104,9 +104,9 @@ struct DrapeTrace {
       const glm::vec3 local = face(frame.to(direction));
       const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
       // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
-      const Seen seen = tracer.trace(at - local * (kEnterThicknesses * thickness), local, 0, around(hit, light),
-                                     sampler, picture.bounces);
-      if (seen.hit) return glm::vec4(seen.radiance, 1);
+      const PathSample traced = tracer.trace(at - local * (kEnterThicknesses * thickness), local, 0, around(hit, light),
+                                             sampler, picture.bounces);
+      if (traced.hit) return glm::vec4(traced.radiance, 1);
       t_min = hit.t + thickness;
     }
     return glm::vec4(0);
@@ -156,9 +156,9 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
         const glm::vec2 p = glm::vec2(x, y) + pixel_sample(k, shift);
         const glm::vec2 at = picture.corner_mm + p.x * picture.step_x_mm + p.y * picture.step_y_mm;
         const float away = 2 * (tubes.z_max() - tubes.z_min()) / std::max(picture.view.z, 1e-4f);
-        const Seen seen = tracer.trace(glm::vec3(at, 0) + picture.view * away, -picture.view, 0, picture.around,
-                                       sampler, picture.bounces);
-        sum += glm::vec4(seen.radiance, seen.hit ? 1.0f : 0.0f);
+        const PathSample traced = tracer.trace(glm::vec3(at, 0) + picture.view * away, -picture.view, 0, picture.around,
+                                               sampler, picture.bounces);
+        sum += glm::vec4(traced.radiance, traced.hit ? 1.0f : 0.0f);
       }
       image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
           sum / static_cast<float>(picture.spp);

@@ -61,9 +61,9 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   const ThreadTexture& texture = textures_[warp ? 0 : 1][index];
   const float length = warp ? cloth.depth_mm : cloth.width_mm;
 
-  // The texture counts turns from the top of the section towards +across (core/cloth/surface.cpp).
-  const float turn = 0.25f - hit.around_rad / (2 * kPi), share = hit.along_mm / length;
-  const Texel texel = texture_at(texture, thread_formulas::texture_point(texture, share, turn, 0, 1));
+  // The texture counts turns from the top of the section towards +across (core/cloth/surface_sampler.cpp).
+  const float turn = 0.25f - hit.around_rad / (2 * kPi), fraction = hit.along_mm / length;
+  const Texel texel = texture_at(texture, thread_formulas::texture_point(texture, fraction, turn, 0, 1));
 
   Point p;
   p.position = hit.position;
@@ -121,30 +121,30 @@ glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Random
   return f * around.light_irradiance * (std::abs(local.z) * p.groove);
 }
 
-Seen ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
-                        RandomStream& sampler, int bounces) const {
-  Seen seen;
+PathSample ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
+                              RandomStream& sampler, int bounces) const {
+  PathSample traced;
   TubeHit hit;
-  if (!tubes_.intersect(origin, direction, t_min, hit)) return seen;
-  seen.hit = true;
+  if (!tubes_.intersect(origin, direction, t_min, hit)) return traced;
+  traced.hit = true;
   glm::vec3 weight(1);
   for (int depth = 0;; ++depth) {
     const Point p = point_of(hit, -direction);
-    seen.radiance += weight * direct(p, around, sampler);
-    if (depth == bounces && !around.sky) return seen;
+    traced.radiance += weight * direct(p, around, sampler);
+    if (depth == bounces && !around.sky) return traced;
     // Cosine-weighted: f cos / pdf = pi f.
     direction = cosine_direction(p.frame.n, sampler);
-    if (glm::dot(direction, p.smooth) <= 0) return seen;
+    if (glm::dot(direction, p.smooth) <= 0) return traced;
     const glm::vec3 local = formulas::lobe_local(p.frame, direction);
     weight *= formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
                                      p.local_out) *
               (kPi * p.groove);
     const glm::vec3 from = p.position + p.smooth * ray_epsilon_mm_;
     if (!tubes_.intersect(from, direction, 0, hit)) {
-      if (around.sky) seen.radiance += weight * around.sky(direction);
-      return seen;
+      if (around.sky) traced.radiance += weight * around.sky(direction);
+      return traced;
     }
-    if (depth == bounces) return seen;
+    if (depth == bounces) return traced;
   }
 }
 

@@ -43,7 +43,7 @@ struct Surroundings {
   std::function<glm::vec3(glm::vec3)> sky;
 };
 
-struct Seen {
+struct PathSample {
   glm::vec3 radiance{0};
   bool hit = false;  // false: the ray went through a gap
 };
@@ -52,8 +52,8 @@ class ClothTracer {
  public:
   explicit ClothTracer(const TubeScene& tubes);
   /// One sample of what the ray sees. `bounces`: indirect light between threads, 0 for none.
-  Seen trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around, RandomStream& sampler,
-             int bounces) const;
+  PathSample trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
+                   RandomStream& sampler, int bounces) const;
 
  private:
   struct Point;

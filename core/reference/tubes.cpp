@@ -43,7 +43,7 @@ glm::vec3 across_of(System s) { return s == System::kWarp ? glm::vec3(1, 0, 0) :
 glm::vec3 up_of(System s, float slope) {
   return glm::normalize(s == System::kWarp ? glm::vec3(0, -slope, 1) : glm::vec3(-slope, 0, 1));
 }
-glm::vec3 place(System s, float centre, const Ring& r) {
+glm::vec3 centre_of(System s, float centre, const Ring& r) {
   return s == System::kWarp ? glm::vec3(centre, r.along, r.z) : glm::vec3(r.along, centre, r.z);
 }
 
@@ -81,7 +81,7 @@ struct TubeScene::Parts {
   /// No place of it is wider.
   float widest(System s, int thread) const {
     const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
-    return 0.5f * std::max({body.width_mm, body.swell > 0 ? body.spacing_mm : 0, kThinnest_mm});
+    return 0.5f * std::max({body.width_mm, body.unevenness > 0 ? body.spacing_mm : 0, kThinnest_mm});
   }
   Ring ring_at(System s, int thread, float along) const {
     const float period = period_along(s);
@@ -170,7 +170,7 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
     const System s = tube.system;
     for (int i = 0; i <= segments(s); ++i) {
       const Ring ring = ring_at(s, tube.thread, along_of(s, static_cast<float>(i)));
-      const glm::vec3 centre = place(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
+      const glm::vec3 centre = centre_of(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
       for (int k = 0; k < around; ++k) {
         const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
         const glm::vec3 p = centre + across * (ring.radii.x * std::cos(a)) + up * (ring.radii.y * std::sin(a));
@@ -250,9 +250,9 @@ bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, 
   } else if (origin.z < z_min || origin.z > z_max) {
     return false;
   }
-  const float hair = 1e-5f * (tile.x + tile.y);  // beyond t0, the tile is the one that the ray is entering
+  const float epsilon = 1e-5f * (tile.x + tile.y);  // beyond t0, the tile is the one that the ray is entering
   for (int tiles = 0; tiles < kMaxTiles && t0 <= t1; ++tiles) {
-    const glm::vec3 p = origin + direction * (t0 + hair);
+    const glm::vec3 p = origin + direction * (t0 + epsilon);
     const glm::vec3 shift(std::floor(p.x / tile.x) * tile.x, std::floor(p.y / tile.y) * tile.y, 0);
     const glm::vec3 local = origin - shift;
     float exit = t1;
@@ -260,7 +260,7 @@ bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, 
       if (direction[k] > 0) exit = std::min(exit, (tile[k] - local[k]) / direction[k]);
       if (direction[k] < 0) exit = std::min(exit, -local[k] / direction[k]);
     }
-    exit = std::max(exit, t0 + hair);
+    exit = std::max(exit, t0 + epsilon);
     if (visit(local, t0, exit)) return true;
     t0 = exit;
     if (exit >= t1) break;

@@ -19,16 +19,16 @@ constexpr int kGroundSize = 96;
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii
 
 /// What stands before the sky: cloth and body. Without a ray tracer nothing does.
-class Around {
+class Occluders {
  public:
-  Around(const Mesh& cloth, const Mesh& body, float lift_mm) : lift_mm_(lift_mm) {
+  Occluders(const Mesh& cloth, const Mesh& body, float lift_mm) : lift_mm_(lift_mm) {
     std::string none;
     for (const Mesh* mesh : {&cloth, &body}) {
       if (std::unique_ptr<MeshScene> scene = MeshScene::build(*mesh, none)) scenes_.push_back(std::move(scene));
     }
   }
   /// Share of the cosine-weighted sky about n.
-  float seen(glm::vec3 p, glm::vec3 n, const std::vector<glm::vec3>& directions) const {
+  float sky_visibility(glm::vec3 p, glm::vec3 n, const std::vector<glm::vec3>& directions) const {
     const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 t = glm::normalize(glm::cross(helper, n)), b = glm::cross(n, t), from = p + n * lift_mm_;
     int open = 0;
@@ -57,9 +57,9 @@ std::vector<glm::vec3> cosine_directions(int count) {
 }
 
 /// Means over neighbours, so that the few directions do not show.
-void smooth(std::vector<SkySeen>& sky, const Mesh& mesh) {
+void smooth(std::vector<SkyVisibility>& sky, const Mesh& mesh) {
   for (int pass = 0; pass < 2; ++pass) {
-    std::vector<SkySeen> sum(sky.size(), SkySeen{0, 0});
+    std::vector<SkyVisibility> sum(sky.size(), SkyVisibility{0, 0});
     std::vector<float> count(sky.size(), 0);
     for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
       for (size_t a = 0; a < 3; ++a) {
@@ -75,22 +75,22 @@ void smooth(std::vector<SkySeen>& sky, const Mesh& mesh) {
   }
 }
 
-std::vector<SkySeen> sky_of(const Mesh& mesh, const Around& around, bool behind, SkyRays rays) {
+std::vector<SkyVisibility> sky_of(const Mesh& mesh, const Occluders& occluders, bool both_sides, SkyRays rays) {
   const size_t vertices = mesh.position_mm.size();
   const int at_rest = vertices <= kManyVertices ? kDirections : kFewDirections;
   const std::vector<glm::vec3> directions = cosine_directions(rays == SkyRays::kFew ? kFirstDirections : at_rest);
-  std::vector<SkySeen> sky(vertices);
+  std::vector<SkyVisibility> sky(vertices);
   for_each_job(static_cast<int>(vertices), [&](int i) {
     const size_t v = static_cast<size_t>(i);
     const glm::vec3 p = mesh.position_mm[v], n = mesh.normal[v];
-    sky[v].front = around.seen(p, n, directions);
-    sky[v].back = behind ? around.seen(p, -n, directions) : 1.0f;
+    sky[v].front = occluders.sky_visibility(p, n, directions);
+    sky[v].back = both_sides ? occluders.sky_visibility(p, -n, directions) : 1.0f;
   });
   smooth(sky, mesh);
   return sky;
 }
 
-void fill_ground(PreparedMesh& out, const Around& around, SkyRays rays) {
+void fill_ground(PreparedMesh& out, const Occluders& occluders, SkyRays rays) {
   const std::vector<glm::vec3> directions = cosine_directions(rays == SkyRays::kFew ? kFirstDirections : kDirections);
   out.ground_size = kGroundSize;
   out.ground_half_mm = out.bounds.radius() * kGroundReach;
@@ -101,7 +101,7 @@ void fill_ground(PreparedMesh& out, const Around& around, SkyRays rays) {
     const glm::vec3 p{c.x + across(i % kGroundSize) * out.ground_half_mm, out.ground_mm,
                       c.z + across(i / kGroundSize) * out.ground_half_mm};
     out.ground_sky[static_cast<size_t>(i)] =
-        static_cast<uint8_t>(around.seen(p, glm::vec3(0, 1, 0), directions) * 255 + 0.5f);
+        static_cast<uint8_t>(occluders.sky_visibility(p, glm::vec3(0, 1, 0), directions) * 255 + 0.5f);
   });
 }
 
@@ -141,10 +141,10 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   // Shipped drapes stand on y = 0; others on their lowest point, with a little air so that a cloth that
   // lies flat does not fight the ground.
   out.ground_mm = out.body.position_mm.empty() ? all.low.y - 0.002f * out.bounds.radius() : std::min(0.0f, all.low.y);
-  const Around around(out.mesh, out.body, 0.002f * out.bounds.radius());
-  out.sky = sky_of(out.mesh, around, true, rays);
-  out.body_sky = sky_of(out.body, around, false, rays);
-  fill_ground(out, around, rays);
+  const Occluders occluders(out.mesh, out.body, 0.002f * out.bounds.radius());
+  out.sky = sky_of(out.mesh, occluders, true, rays);
+  out.body_sky = sky_of(out.body, occluders, false, rays);
+  fill_ground(out, occluders, rays);
   constexpr size_t kMaxTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMaxTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);

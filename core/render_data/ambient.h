@@ -13,14 +13,14 @@
 namespace weftlight::render_data {
 
 /// Share of the cosine-weighted sky that is seen, 0..1, on the side of the normal and behind it.
-struct SkySeen {
+struct SkyVisibility {
   float front = 1, back = 1;
 };
 
 /// A mesh made ready for the renderer.
 struct PreparedMesh {
   Mesh mesh, body;  // body: what the cloth hangs on; may be empty
-  std::vector<SkySeen> sky, body_sky;
+  std::vector<SkyVisibility> sky, body_sky;
   // Triangles to draw: at rest all of them, or of very many as few as keep the weave in its place; fewer while the view
   // moves. Small triangles are what a software renderer spends its time on.
   std::vector<uint32_t> fine, coarse, body_fine;

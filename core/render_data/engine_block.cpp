@@ -43,12 +43,12 @@ MapsSize size_of(const Cloth& cloth) {
 
 }  // namespace
 
-interop::EngineData engine_block(const Cloth& repeat, float weft_share) {
+interop::EngineData engine_block(const Cloth& repeat, float weft_fraction) {
   const Maps maps = bake(repeat, size_of(repeat));
   const EngineTexels seen = engine_texels(repeat, maps, kFootprintMmAtOneMetre);
-  const EngineFit fit = fit_engine(seen, repeat, cloth_response(repeat, maps, kFitPlaces), {});
+  const EngineFit fit = fit_engine(seen, repeat, cloth_response(repeat, maps, kFitSamples), {});
   const std::array<EngineLobe, 2> lobes =
-      engine_lobes(engine_texels(repeat, maps, kFootprintMmAtOneMetre, kLobePixels), fit.lobe, weft_share);
+      engine_lobes(engine_texels(repeat, maps, kFootprintMmAtOneMetre, kLobePixels), fit.lobe, weft_fraction);
   const auto packed = [](const EngineLobe& l) { return glm::vec4(l.axis, l.roughness, l.strength); };
   return {glm::vec4(fit.base, fit.f0),
           {fit.sheen, fit.sheen_roughness, fit.f90, 0},

@@ -8,7 +8,7 @@
 namespace weftlight::render_data {
 
 /// Of one repeat of a face, as sets are: maps, answer and fit are made as for a set. About a tenth of a second.
-/// weft_share: of the cover, as the rung's maps have it.
-interop::EngineData engine_block(const Cloth& repeat, float weft_share);
+/// weft_fraction: of the cover, as the rung's maps have it.
+interop::EngineData engine_block(const Cloth& repeat, float weft_fraction);
 
 }  // namespace weftlight::render_data

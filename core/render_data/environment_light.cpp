@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kReachCos = 0.9659f;   // 15 degrees: a light holds no more than this disc
-constexpr float kMinShare = 0.04f;     // of all light; less is left in the rest
+constexpr float kMinFraction = 0.04f;  // of all light; less is left in the rest
 constexpr float kMinRadius = 0.0047f;  // the sun's
 constexpr int kCoarse = 64;            // columns among which lights are looked for
 
@@ -83,7 +83,7 @@ glm::vec3 brightest_disc(const std::vector<Texel>& coarse, const std::vector<Tex
   return best;
 }
 
-void take_out(std::vector<Texel>& texels, glm::vec3 middle, glm::vec3 level) {
+void remove_light(std::vector<Texel>& texels, glm::vec3 middle, glm::vec3 level) {
   for (Texel& t : texels)
     if (glm::dot(t.towards, middle) >= kReachCos) t.radiance = glm::min(t.radiance, level);
 }
@@ -129,11 +129,11 @@ Environment::Environment(Image picture) : picture_(std::move(picture)) {
   while (lights_.size() < kMaxLights) {
     const glm::vec3 middle = brightest_disc(coarse, fine, mean_);
     const Excess e = excess_about(fine, middle, mean_);
-    if (!(e.luminous > kMinShare * whole)) break;
+    if (!(e.luminous > kMinFraction * whole)) break;
     // Of an even disc the mean square is half of the radius's.
     const float radius = std::sqrt(2 * e.spread / e.luminous);
     lights_.push_back({glm::normalize(e.towards), e.light, std::clamp(radius, kMinRadius, 0.26f)});
-    take_out(fine, middle, mean_), take_out(coarse, middle, mean_);
+    remove_light(fine, middle, mean_), remove_light(coarse, middle, mean_);
   }
   std::sort(lights_.begin(), lights_.end(), [](const DistantLight& a, const DistantLight& b) {
     return luminance(a.irradiance) > luminance(b.irradiance);
@@ -147,7 +147,7 @@ Environment::Environment(Image picture) : picture_(std::move(picture)) {
     const float step = kPi / static_cast<float>(h), top = static_cast<float>(y) * step;
     double row = 0;
     for (size_t x = 0; x < w; ++x) {
-      row += static_cast<double>(luminance(texel(y * w + x) - soft_of(texel(y * w + x))));
+      row += static_cast<double>(luminance(texel(y * w + x) - capped(texel(y * w + x))));
       columns_[y * w + x] = static_cast<float>(row);
     }
     for (size_t x = 0; x < w; ++x) columns_[y * w + x] /= static_cast<float>(std::max(row, 1e-30));
@@ -164,7 +164,7 @@ DistantLight Environment::sample(float u, float v) const {
   const float by = chance(rows_.data(), y) * chance(&columns_[y * w], x);
   const float step = kPi / static_cast<float>(h), top = static_cast<float>(y) * step;
   const float covers = (std::cos(top) - std::cos(top + step)) * 2 * kPi / static_cast<float>(w);
-  const glm::vec3 bright = texel(y * w + x) - soft_of(texel(y * w + x));
+  const glm::vec3 bright = texel(y * w + x) - capped(texel(y * w + x));
   const glm::vec3 towards = environment_direction((static_cast<float>(x) + 0.5f) / static_cast<float>(w),
                                                   (static_cast<float>(y) + 0.5f) / static_cast<float>(h));
   return {towards, by > 0 ? bright * (covers / by) : glm::vec3(0), 0.5f * step};
@@ -175,13 +175,13 @@ glm::vec3 Environment::texel(size_t at) const {
   return {t[0], t[1], t[2]};
 }
 
-glm::vec3 Environment::soft_of(glm::vec3 radiance) const { return glm::min(radiance, mean_); }
+glm::vec3 Environment::capped(glm::vec3 radiance) const { return glm::min(radiance, mean_); }
 
-glm::vec3 Environment::soft(glm::vec3 d) const {
+glm::vec3 Environment::capped_radiance(glm::vec3 d) const {
   const float across = std::atan2(d.x, -d.z) / (2 * kPi) + 0.5f, down = std::acos(std::clamp(d.y, -1.0f, 1.0f)) / kPi;
   const int x = std::clamp(static_cast<int>(across * static_cast<float>(picture_.width)), 0, picture_.width - 1);
   const int y = std::clamp(static_cast<int>(down * static_cast<float>(picture_.height)), 0, picture_.height - 1);
-  return soft_of(texel(static_cast<size_t>(y) * static_cast<size_t>(picture_.width) + static_cast<size_t>(x)));
+  return capped(texel(static_cast<size_t>(y) * static_cast<size_t>(picture_.width) + static_cast<size_t>(x)));
 }
 
 glm::vec3 turned(glm::vec3 d, float degrees) {

@@ -42,11 +42,11 @@ class Environment {
   /// chance to be chosen, so that the mean of many, with all of soft(), is the picture's light.
   DistantLight sample(float u, float v) const;
   /// Radiance along a direction, no brighter than the mean.
-  glm::vec3 soft(glm::vec3 direction) const;
+  glm::vec3 capped_radiance(glm::vec3 direction) const;
 
  private:
   glm::vec3 texel(size_t at) const;
-  glm::vec3 soft_of(glm::vec3 radiance) const;
+  glm::vec3 capped(glm::vec3 radiance) const;
 
   Image picture_;
   std::vector<DistantLight> lights_;

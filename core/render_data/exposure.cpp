@@ -26,13 +26,13 @@ glm::vec3 even_albedo(const formulas::YarnLobes& yarn) {
 
 float mean_reflectance(const interop::ClothData& cloth) {
   const glm::vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);
-  float sum = 0, shares = 0;
+  float sum = 0, total = 0;
   for (const interop::SystemData& system : cloth.systems) {
     const formulas::YarnLobes y = formulas::yarn_of(system.yarn, glm::vec3(system.color));
-    sum += system.share * glm::dot(kLuminance, glm::clamp(even_albedo(y), 0.0f, 1.0f));
-    shares += system.share;
+    sum += system.fraction * glm::dot(kLuminance, glm::clamp(even_albedo(y), 0.0f, 1.0f));
+    total += system.fraction;
   }
-  return shares > 0 ? sum / shares : 0;
+  return total > 0 ? sum / total : 0;
 }
 
 float exposure_for(float reflectance) {

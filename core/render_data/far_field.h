@@ -20,9 +20,9 @@ FarField far_field(const Cloth& cloth, int samples = kResponseSamples);
 
 /// Radiance along `view` per unit irradiance on a plane perpendicular to the beam that comes from `light`; gaps send
 /// nothing. Unit vectors: x along the weft, y along the warp, z out of the face; view.z > 0.
-glm::vec3 radiance_from_afar(const FarField& answer, const glm::vec3& light, const glm::vec3& view);
+glm::vec3 far_field_radiance(const FarField& field, const glm::vec3& light, const glm::vec3& view);
 
 /// Radiance along `view` under a sky of radiance `even` + dot(`rise`, d) towards d, alike in all channels.
-glm::vec3 sky_from_afar(const FarField& answer, const glm::vec3& view, float even, const glm::vec3& rise);
+glm::vec3 far_field_sky_radiance(const FarField& field, const glm::vec3& view, float even, const glm::vec3& rise);
 
 }  // namespace weftlight::render_data

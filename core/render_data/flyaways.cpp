@@ -75,7 +75,7 @@ class FlyawayScatterer {
  public:
   /// `kept`: share of the fibres of the budget; 0 counts alone.
   FlyawayScatterer(const FlyawayGrowth& growth, const FlyawayView& view, float kept, std::vector<Flyaway>& flyaways)
-      : growth_(growth), view_(view), rows_(glm::transpose(view.world_to_clip)), kept_(kept), hairs_(flyaways) {
+      : growth_(growth), view_(view), rows_(glm::transpose(view.world_to_clip)), kept_(kept), flyaways_(flyaways) {
     pixel_scale_ = 2 / (view.height * std::max(glm::length(glm::vec3(rows_[1])), 1e-12f));
     reach_mm_ = 4.5f * std::max(growth.length_mm[0], growth.length_mm[1]);
   }
@@ -114,15 +114,15 @@ class FlyawayScatterer {
     const float area = glm::length(to.at - from.at) * kPi * growth_.hem_mm;
     radius_mm_ = kHemRadius * std::max(growth_.length_mm[0], growth_.length_mm[1]);
     Random random(seed);
-    const float share = density_share(mid.at, std::max(growth_.length_mm[0], growth_.length_mm[1]));
-    const int count = counted(area * each * share, random());
+    const float fraction = drawn_fraction(mid.at, std::max(growth_.length_mm[0], growth_.length_mm[1]));
+    const int count = counted(area * each * fraction, random());
     for (int i = 0; i < count; ++i) {
       const float t = random(), turn = kPi * (random() - 0.5f), kept = random(), which = random();
       Corner root = between(from, to, t);
       const glm::vec3 n = glm::normalize(root.normal);
       const float side = turn >= 0 ? 1.0f : -1.0f;
       root.normal = side * (outward * std::cos(turn) + n * std::sin(turn));
-      keep(root, side, 0, 1, kept, which, share);
+      keep(root, side, 0, 1, kept, which, fraction);
     }
   }
 
@@ -140,7 +140,7 @@ class FlyawayScatterer {
   }
 
   /// Share of the fibres that is drawn where a pixel is so large.
-  float density_share(glm::vec3 at, float length_mm) const {
+  float drawn_fraction(glm::vec3 at, float length_mm) const {
     const float w = glm::dot(rows_[3], glm::vec4(at, 1));
     if (!(w > 0)) return 0;
     const float pixel_mm = w * pixel_scale_;
@@ -163,12 +163,12 @@ class FlyawayScatterer {
     const auto [low, high] = std::minmax_element(facing.begin(), facing.end());
     const float least = *low > 0 ? *low : (*high < 0 ? -*high : 0.0f);
     const Corner mid = middle(middle(c[0], c[1]), c[2]);
-    std::array<float, 2> share{}, chance{}, expected{};
+    std::array<float, 2> fraction{}, chance{}, expected{};
     for (size_t side = 0; side < 2; ++side) {
       chance[side] = open_[side] ? chance_of(needed_mm(least), side) : 0;
       if (chance[side] < kMinChance) continue;
-      share[side] = density_share(mid.at, growth_.length_mm[side]);
-      expected[side] = area * growth_.per_mm2[side] * share[side] * chance[side];
+      fraction[side] = drawn_fraction(mid.at, growth_.length_mm[side]);
+      expected[side] = area * growth_.per_mm2[side] * fraction[side] * chance[side];
     }
     if (std::max(expected[0], expected[1]) > kPerPiece && depth < kMaxDivisions) {
       const Corner ab = middle(c[0], c[1]), bc = middle(c[1], c[2]), ca = middle(c[2], c[0]);
@@ -179,10 +179,11 @@ class FlyawayScatterer {
       return;
     }
     for (size_t side = 0; side < 2; ++side)
-      strew(c, expected[side], side, chance[side], share[side], hashed(seed ^ (side ? 0x9e3779b9u : 0u)));
+      scatter_in(c, expected[side], side, chance[side], fraction[side], hashed(seed ^ (side ? 0x9e3779b9u : 0u)));
   }
 
-  void strew(const std::array<Corner, 3>& c, float expected, size_t side, float chance, float share, uint32_t seed) {
+  void scatter_in(const std::array<Corner, 3>& c, float expected, size_t side, float chance, float fraction,
+                  uint32_t seed) {
     Random random(seed);
     const int count = counted(expected, random());
     for (int i = 0; i < count; ++i) {
@@ -190,7 +191,7 @@ class FlyawayScatterer {
       Corner root = inside(c, u, v);
       root.normal = glm::normalize(root.normal);
       const float facing = glm::dot(root.normal, glm::normalize(view_.eye - root.at));
-      keep(root, side ? -1.0f : 1.0f, needed_mm(std::abs(facing)), chance, kept, which, share);
+      keep(root, side ? -1.0f : 1.0f, needed_mm(std::abs(facing)), chance, kept, which, fraction);
     }
   }
 
@@ -203,7 +204,7 @@ class FlyawayScatterer {
   float chance_of(float needed_mm, size_t side) const { return std::exp(-needed_mm / growth_.length_mm[side]); }
 
   /// `chance`: that of the patch, already in the number of roots; `kept`: random.
-  void keep(const Corner& root, float side, float needed_mm, float chance, float kept, float which, float share) {
+  void keep(const Corner& root, float side, float needed_mm, float chance, float kept, float which, float fraction) {
     const size_t s = side > 0 ? 0 : 1;
     if (!(growth_.length_mm[s] > 0)) return;
     const float pixel_mm = glm::dot(rows_[3], glm::vec4(root.at, 1)) * pixel_scale_;
@@ -213,15 +214,15 @@ class FlyawayScatterer {
     // Never so many that they would be a broad ribbon: on a mesh with few triangles some are left out
     // instead.
     const float most = std::max(1.0f, pixel_mm / formulas::kFlyawayWidth);
-    hairs_.push_back({root.at, root.normal * side, root.uv_mm, s ? root.sky.y : root.sky.x, side, which,
-                      std::min(1 / std::max(share, 1e-9f), most), needed_mm, radius_mm_});
+    flyaways_.push_back({root.at, root.normal * side, root.uv_mm, s ? root.sky.y : root.sky.x, side, which,
+                         std::min(1 / std::max(fraction, 1e-9f), most), needed_mm, radius_mm_});
   }
 
   const FlyawayGrowth& growth_;
   const FlyawayView& view_;
   glm::mat4 rows_;
   float kept_;
-  std::vector<Flyaway>& hairs_;
+  std::vector<Flyaway>& flyaways_;
   float pixel_scale_ = 0;  // pixel's size in mm over its distance
   float reach_mm_ = 0;
   float expected_ = 0;
@@ -242,16 +243,17 @@ Corner corner_of(const PreparedMesh& p, uint32_t v, std::array<double, 2> origin
   return c;
 }
 
-void sow(FlyawayScatterer& sower, const PreparedMesh& p, const std::vector<Hem>& hems, std::array<double, 2> origin) {
+void scatter(FlyawayScatterer& scatterer, const PreparedMesh& p, const std::vector<Hem>& hems,
+             std::array<double, 2> origin) {
   const std::vector<uint32_t>& index = p.fine;
   for (size_t i = 0; i + 2 < index.size(); i += 3) {
-    sower.triangle(
+    scatterer.triangle(
         {corner_of(p, index[i], origin), corner_of(p, index[i + 1], origin), corner_of(p, index[i + 2], origin)},
         hashed(static_cast<uint32_t>(i)));
   }
   for (size_t i = 0; i < hems.size(); ++i) {
-    sower.hem(corner_of(p, hems[i].from, origin), corner_of(p, hems[i].to, origin), hems[i].outward,
-              hashed(static_cast<uint32_t>(i) ^ 0x5bd1e995u));
+    scatterer.hem(corner_of(p, hems[i].from, origin), corner_of(p, hems[i].to, origin), hems[i].outward,
+                  hashed(static_cast<uint32_t>(i) ^ 0x5bd1e995u));
   }
 }
 
@@ -265,8 +267,8 @@ FlyawayGrowth flyaway_growth(const interop::ClothData& cloth, Face front) {
     float standing = 0, deep = 0;
     for (size_t system = 0; system < 2; ++system) {
       const interop::SystemData& s = cloth.systems[face * 2 + system];
-      const float share = std::clamp(s.coverage, 0.0f, 1.0f) * formulas::hair_share(s.yarn.fuzz);
-      standing += share, deep += share * s.yarn.fuzz_depth;
+      const float fraction = std::clamp(s.coverage, 0.0f, 1.0f) * formulas::flyaway_fraction(s.yarn.fuzz);
+      standing += fraction, deep += fraction * s.yarn.fuzz_depth;
     }
     if (!(standing > 0)) continue;
     growth.per_mm2[side] = standing * formulas::kFlyawaysPerMm2;
@@ -277,9 +279,9 @@ FlyawayGrowth flyaway_growth(const interop::ClothData& cloth, Face front) {
 
 std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
   // The two sides of a seam share their places, not their vertices.
-  std::map<Vec3, uint32_t, PlaceOrder> places;
-  std::vector<uint32_t> place(mesh.position_mm.size());
-  for (uint32_t v = 0; v < place.size(); ++v) place[v] = places.try_emplace(mesh.position_mm[v], v).first->second;
+  std::map<Vec3, uint32_t, PlaceOrder> vertices;
+  std::vector<uint32_t> vertex(mesh.position_mm.size());
+  for (uint32_t v = 0; v < vertex.size(); ++v) vertex[v] = vertices.try_emplace(mesh.position_mm[v], v).first->second;
   struct Edge {
     uint32_t from, to, beyond;
     int count = 0;
@@ -288,7 +290,7 @@ std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
   for (size_t i = 0; i + 2 < index.size(); i += 3) {
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t a = index[i + k], b = index[i + (k + 1) % 3], c = index[i + (k + 2) % 3];
-      const auto key = std::minmax(place[a], place[b]);
+      const auto key = std::minmax(vertex[a], vertex[b]);
       Edge& edge = edges.try_emplace({key.first, key.second}, Edge{a, b, c}).first->second;
       ++edge.count;
     }
@@ -306,17 +308,17 @@ std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
   return hems;
 }
 
-std::vector<Flyaway> sow_hairs(const PreparedMesh& prepared, const std::vector<Hem>& hems,
-                               std::array<double, 2> uv_origin_mm, const FlyawayGrowth& growth,
-                               const FlyawayView& view) {
+std::vector<Flyaway> scatter_flyaways(const PreparedMesh& prepared, const std::vector<Hem>& hems,
+                                      std::array<double, 2> uv_origin_mm, const FlyawayGrowth& growth,
+                                      const FlyawayView& view) {
   std::vector<Flyaway> flyaways;
   if (growth.per_mm2[0] + growth.per_mm2[1] <= 0 || prepared.mesh.normal.size() != prepared.mesh.position_mm.size())
     return flyaways;
   FlyawayScatterer count(growth, view, 0, flyaways);
-  sow(count, prepared, hems, uv_origin_mm);
+  scatter(count, prepared, hems, uv_origin_mm);
   if (count.expected() <= 0) return flyaways;
-  FlyawayScatterer sower(growth, view, std::min(1.0f, kMaxFlyaways / count.expected()), flyaways);
-  sow(sower, prepared, hems, uv_origin_mm);
+  FlyawayScatterer scatterer(growth, view, std::min(1.0f, kMaxFlyaways / count.expected()), flyaways);
+  scatter(scatterer, prepared, hems, uv_origin_mm);
   return flyaways;
 }
 

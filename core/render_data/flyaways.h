@@ -54,8 +54,8 @@ struct Flyaway {
 /// Roots on the triangles of prepared.fine. At most about kMaxFlyaways: where there would be more, each stands
 /// for more, so that what they cover stays the same.
 inline constexpr float kMaxFlyaways = 100000;
-std::vector<Flyaway> sow_hairs(const PreparedMesh& prepared, const std::vector<Hem>& hems,
-                               std::array<double, 2> uv_origin_mm, const FlyawayGrowth& growth,
-                               const FlyawayView& view);
+std::vector<Flyaway> scatter_flyaways(const PreparedMesh& prepared, const std::vector<Hem>& hems,
+                                      std::array<double, 2> uv_origin_mm, const FlyawayGrowth& growth,
+                                      const FlyawayView& view);
 
 }  // namespace weftlight::render_data

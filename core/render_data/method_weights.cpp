@@ -29,7 +29,7 @@ float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
 }
 
 /// Widens a rectangle of the cloth by what of a triangle lies on the picture.
-void widen(MethodWeights& shares, const std::array<glm::vec2, 3>& pixel, const std::array<glm::vec2, 3>& uv,
+void widen(MethodWeights& weights, const std::array<glm::vec2, 3>& pixel, const std::array<glm::vec2, 3>& uv,
            const glm::mat2& cloth_by_pixel, glm::vec2 picture) {
   glm::vec2 low = glm::min(uv[0], glm::min(uv[1], uv[2])), high = glm::max(uv[0], glm::max(uv[1], uv[2]));
   glm::vec2 picture_low(std::numeric_limits<float>::infinity()), picture_high = -picture_low;
@@ -38,9 +38,9 @@ void widen(MethodWeights& shares, const std::array<glm::vec2, 3>& pixel, const s
     picture_low = glm::min(picture_low, at), picture_high = glm::max(picture_high, at);
   }
   low = glm::max(low, picture_low), high = glm::min(high, picture_high);
-  const bool first = shares.seen_high.x <= shares.seen_low.x;
-  shares.seen_low = first ? low : glm::min(shares.seen_low, low);
-  shares.seen_high = first ? high : glm::max(shares.seen_high, high);
+  const bool first = weights.visible_high.x <= weights.visible_low.x;
+  weights.visible_low = first ? low : glm::min(weights.visible_low, low);
+  weights.visible_high = first ? high : glm::max(weights.visible_high, high);
 }
 
 constexpr float kBinsAnOctave = 3, kFirstOctave = -8;
@@ -52,12 +52,12 @@ size_t bin_of(float yarns) {
 
 }  // namespace
 
-SeenPart seen_part(const MethodWeights& shares, float spacing_mm) {
+VisiblePart visible_part(const MethodWeights& weights, float spacing_mm) {
   float sum = 0;
   for (size_t k = 0; k < kFootprintBins; ++k) {
-    sum += shares.footprints[k];
+    sum += weights.footprints[k];
     if (sum > kSlivers)
-      return {shares.seen_low.x, shares.seen_low.y, shares.seen_high.x, shares.seen_high.y,
+      return {weights.visible_low.x, weights.visible_low.y, weights.visible_high.x, weights.visible_high.y,
               footprint_of_bin(k) * spacing_mm};
   }
   return {};
@@ -65,21 +65,21 @@ SeenPart seen_part(const MethodWeights& shares, float spacing_mm) {
 
 float footprint_of_bin(size_t k) { return std::exp2(kFirstOctave + (static_cast<float>(k) + 0.5f) / kBinsAnOctave); }
 
-float expected_ms(const LodTable& lod_table, const MethodWeights& shares, float pixels, const LodDemand& demand) {
+float expected_ms(const LodTable& lod_table, const MethodWeights& weights, float pixels, const LodDemand& demand) {
   const Plan plan = plan_of(lod_table, demand);
   float ns = 0;
   for (size_t k = 0; k < kFootprintBins; ++k) {
-    if (shares.footprints[k] > 0) ns += shares.footprints[k] * expected(lod_table, plan, footprint_of_bin(k)).cost_ns;
+    if (weights.footprints[k] > 0) ns += weights.footprints[k] * expected(lod_table, plan, footprint_of_bin(k)).cost_ns;
   }
   return ns * pixels * 1e-6f;
 }
 
-float tolerance_within(const LodTable& lod_table, const MethodWeights& shares, float pixels, float as_measured,
+float tolerance_within(const LodTable& lod_table, const MethodWeights& weights, float pixels, float as_measured,
                        float budget_ms) {
   // By bisection of the logarithm: the coarser, the cheaper.
   float fine = std::log2(kFinestTolerance), coarse = std::log2(kCoarsestTolerance);
   const auto fits = [&](float octave) {
-    return expected_ms(lod_table, shares, pixels, {std::exp2(octave)}) * as_measured <= budget_ms;
+    return expected_ms(lod_table, weights, pixels, {std::exp2(octave)}) * as_measured <= budget_ms;
   };
   if (fits(fine)) return kFinestTolerance;
   for (int k = 0; k < 8; ++k) {
@@ -100,7 +100,7 @@ MethodWeights method_weights(const PreparedMesh& prepared, const Camera& camera,
     pixel.push_back({(c.x / w * 0.5f + 0.5f) * static_cast<float>(width),
                      (c.y / w * 0.5f + 0.5f) * static_cast<float>(height), c.w > 0 ? 1.0f : 0.0f});
   }
-  MethodWeights shares;
+  MethodWeights weights;
   float all = 0, octaves = 0;
   std::array<float, 4> wanted{};
   const std::vector<uint32_t>& index = prepared.coarse.empty() ? mesh.index : prepared.coarse;
@@ -120,21 +120,21 @@ MethodWeights method_weights(const PreparedMesh& prepared, const Camera& camera,
     const glm::mat2 cloth_by_pixel = on_cloth * glm::inverse(on_picture);
     const float yarns = pixel_size(cloth_by_pixel) / std::max(spacing_mm, 1e-6f);
     const auto point = [](const Vec2& uv) { return glm::vec2(uv[0], uv[1]); };
-    widen(shares, {glm::vec2(a), glm::vec2(b), glm::vec2(c)}, {point(ua), point(ub), point(uc)}, cloth_by_pixel,
+    widen(weights, {glm::vec2(a), glm::vec2(b), glm::vec2(c)}, {point(ua), point(ub), point(uc)}, cloth_by_pixel,
           {width, height});
     const glm::vec4 weight = formulas::lod_weights(yarns, {edges[0], edges[1], edges[2]});
-    for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kUnseenWeight ? on_screen : 0;
-    for (int k = 0; k < 4; ++k) shares.of[static_cast<size_t>(k)] += weight[k] * on_screen;
+    for (int k = 0; k < 4; ++k) wanted[static_cast<size_t>(k)] += weight[k] > kNegligibleWeight ? on_screen : 0;
+    for (int k = 0; k < 4; ++k) weights.of[static_cast<size_t>(k)] += weight[k] * on_screen;
     octaves += std::log2(std::max(yarns, 1e-6f)) * on_screen;
-    shares.footprints[bin_of(yarns)] += on_screen;
+    weights.footprints[bin_of(yarns)] += on_screen;
     all += on_screen;
   }
-  for (size_t k = 0; k < 4; ++k) shares.needed[k] = wanted[k] > kSlivers * all;
-  if (all <= 0) return shares;
-  for (float& s : shares.of) s /= all;
-  for (float& s : shares.footprints) s /= all;
-  shares.yarns_per_pixel = std::exp2(octaves / all);
-  return shares;
+  for (size_t k = 0; k < 4; ++k) weights.needed[k] = wanted[k] > kSlivers * all;
+  if (all <= 0) return weights;
+  for (float& s : weights.of) s /= all;
+  for (float& s : weights.footprints) s /= all;
+  weights.yarns_per_pixel = std::exp2(octaves / all);
+  return weights;
 }
 
 }  // namespace weftlight::render_data

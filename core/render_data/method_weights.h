@@ -12,7 +12,7 @@
 namespace weftlight::render_data {
 
 /// So little of a rung changes no colour by what an eye could tell.
-inline constexpr float kUnseenWeight = 0.05f;
+inline constexpr float kNegligibleWeight = 0.05f;
 
 inline constexpr size_t kFootprintBins = 48;  // three an octave, from 1/256 to 256 yarns a pixel
 
@@ -23,17 +23,17 @@ struct MethodWeights {
   // Shares of the cloth by its pixels' size: bin k about footprint_of_bin(k).
   std::array<float, kFootprintBins> footprints{};
   // What is on screen of the cloth, millimetres of (u, v); empty where none is.
-  glm::vec2 seen_low{0}, seen_high{0};
+  glm::vec2 visible_low{0}, visible_high{0};
 };
 
 /// The part of the cloth that a picture shows, millimetres of (u, v), and its smallest pixel there; empty: not known.
-struct SeenPart {
+struct VisiblePart {
   float u0 = 0, v0 = 0, u1 = 0, v1 = 0;
   float pixel_mm = 0;
   bool empty() const { return u1 <= u0 || v1 <= v0 || pixel_mm <= 0; }
 };
 /// But for slivers.
-SeenPart seen_part(const MethodWeights& shares, float spacing_mm);
+VisiblePart visible_part(const MethodWeights& weights, float spacing_mm);
 
 /// Yarns a pixel.
 float footprint_of_bin(size_t k);
@@ -43,8 +43,8 @@ MethodWeights method_weights(const PreparedMesh& mesh, const Camera& camera, int
 /// The least error within a budget: the tolerance to ask for. pixels: of cloth; as_measured: what this machine takes
 /// over what the ladder's took. Between kFinestTolerance and kCoarsestTolerance, whatever the budget.
 inline constexpr float kFinestTolerance = 0.02f, kCoarsestTolerance = 0.5f;
-float expected_ms(const LodTable& lod_table, const MethodWeights& shares, float pixels, const LodDemand& demand);
-float tolerance_within(const LodTable& lod_table, const MethodWeights& shares, float pixels, float as_measured,
+float expected_ms(const LodTable& lod_table, const MethodWeights& weights, float pixels, const LodDemand& demand);
+float tolerance_within(const LodTable& lod_table, const MethodWeights& weights, float pixels, float as_measured,
                        float budget_ms);
 
 }  // namespace weftlight::render_data

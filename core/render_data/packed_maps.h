@@ -62,13 +62,13 @@ struct PackedFace {
 struct ResponseTables {
   // [view]: [face * 2 + system][elevation][answer, lean][azimuth of the light], then to light from behind
   // [face * 2 + system][elevation][azimuth]
-  std::vector<glm::vec4> broad;
+  std::vector<glm::vec4> reflected;
   std::vector<float> slopes;  // [face * 2 + system][axis][slope]: density of the facets' slope angles
   // [face][table][elevation][azimuth]: share of the warp, its rise, mean heights of both; what each system sends of an
   // even sky; where from (response_block.cpp)
-  std::vector<glm::vec4> seen;
-  bool empty() const { return broad.empty(); }
-  size_t bytes() const { return (broad.size() + seen.size()) * sizeof(glm::vec4) + slopes.size() * sizeof(float); }
+  std::vector<glm::vec4> views;
+  bool empty() const { return reflected.empty(); }
+  size_t bytes() const { return (reflected.size() + views.size()) * sizeof(glm::vec4) + slopes.size() * sizeof(float); }
   bool operator==(const ResponseTables&) const = default;
 };
 

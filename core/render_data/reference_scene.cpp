@@ -94,7 +94,7 @@ TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& pro
       return LightSample{turned(light.towards, turn), light.irradiance * strength, light.radius};
     };
     picture.sky = [around, turn = scene.light_azimuth, strength = scene.sky_strength](glm::vec3 d) {
-      return around->soft(turned(d, -turn)) * strength;
+      return around->capped_radiance(turned(d, -turn)) * strength;
     };
   } else {
     const SceneLight light = scene_light(rig_, scene);
@@ -114,11 +114,11 @@ void lay_over(Image& picture, const TracedImage& traced, float exposure_ev, bool
     for (int x = 0; x < picture.width; ++x, ++i) {
       const glm::vec4 p = traced_at(traced, picture, x, y);
       if (p.a <= 0) continue;
-      const glm::vec3 scene = glm::vec3(p) * exposure, behind = texel(picture, i);
+      const glm::vec3 scene = glm::vec3(p) * exposure, background = texel(picture, i);
       const glm::vec3 shown = formulas::tone_map(scene / p.a) * p.a;
       float* out = &picture.texels[i * static_cast<size_t>(picture.channels)];
       for (int k = 0; k < 3; ++k) {
-        out[k] = linear ? scene[k] + behind[k] * (1 - p.a) : encode(shown[k] + decode(behind[k]) * (1 - p.a));
+        out[k] = linear ? scene[k] + background[k] * (1 - p.a) : encode(shown[k] + decode(background[k]) * (1 - p.a));
       }
       if (picture.channels == 4) out[3] = std::max(out[3], p.a);
     }

@@ -33,22 +33,23 @@ void append_view(std::vector<glm::vec4>& out, const Faces& faces, size_t view) {
   for (const ClothResponse& face : faces) {
     for (const SystemResponse& system : face.systems) {
       for (size_t e = 0; e < kResponseElevations; ++e) {
-        LightRow{system.broad, view, e, kLightAzimuths, kResponseLights}.append(out, kAnswerWidth);
-        LightRow{system.lean, view, e, kLightAzimuths, kResponseLights}.append(out, kResponseWidth - kAnswerWidth);
+        LightRow{system.reflected, view, e, kLightAzimuths, kResponseLights}.append(out, kReflectionWidth);
+        LightRow{system.gradient, view, e, kLightAzimuths, kResponseLights}.append(out,
+                                                                                   kResponseWidth - kReflectionWidth);
       }
     }
   }
-  for (const auto table : {&SystemResponse::behind, &SystemResponse::transmission_lean}) {
+  for (const auto table : {&SystemResponse::transmitted, &SystemResponse::transmission_gradient}) {
     for (const ClothResponse& face : faces) {
       for (const SystemResponse& system : face.systems) {
-        for (size_t e = 0; e < kBehindElevations; ++e)
-          LightRow{system.*table, view, e, kBehindAzimuths, kBehindLights}.append(out, kResponseWidth);
+        for (size_t e = 0; e < kTransmissionElevations; ++e)
+          LightRow{system.*table, view, e, kTransmissionAzimuths, kTransmissionLights}.append(out, kResponseWidth);
       }
     }
   }
 }
 
-std::vector<glm::vec4> broad_of(const Faces& faces) {
+std::vector<glm::vec4> reflected_of(const Faces& faces) {
   std::vector<glm::vec4> out;
   out.reserve(size_t{kResponseWidth} * kResponseHeight * kResponseViews);
   for (size_t view = 0; view < kResponseViews; ++view) append_view(out, faces, view);
@@ -68,20 +69,20 @@ std::vector<float> slopes_of(const Faces& faces) {
 /// Mean directions of the sky that is sent, by body and as it is mirrored, each along the view and up.
 glm::vec4 sky_from(const ClothResponse& face, size_t view, const glm::vec3& towards) {
   const glm::vec2 along = glm::vec2(towards) / std::max(glm::length(glm::vec2(towards)), 1e-6f);
-  const auto [soft, glossy] = face.sky_from[view];
-  return {glm::dot(glm::vec2(soft), along), soft.z, glm::dot(glm::vec2(glossy), along), glossy.z};
+  const auto [diffuse, glossy] = face.sky_from[view];
+  return {glm::dot(glm::vec2(diffuse), along), diffuse.z, glm::dot(glm::vec2(glossy), along), glossy.z};
 }
 
-std::vector<glm::vec4> seen_of(const Faces& faces) {
+std::vector<glm::vec4> views_of(const Faces& faces) {
   const auto views = response_views();
   std::vector<glm::vec4> out;
   for (const ClothResponse& face : faces) {
-    for (int table = 0; table < SEEN_TABLES / 2; ++table) {
+    for (int table = 0; table < VIEW_TABLES / 2; ++table) {
       for (size_t e = 0; e < kResponseElevations; ++e) {
-        for (size_t a = 0; a < kSeenWidth; ++a) {
+        for (size_t a = 0; a < kViewTableWidth; ++a) {
           const size_t view = e * kViewAzimuths + a % kViewAzimuths;
           if (table == 0)
-            out.push_back({face.systems[0].broad[4 * view * kResponseLights + 3], face.seen_rise[view],
+            out.push_back({face.systems[0].reflected[4 * view * kResponseLights + 3], face.visible_rise[view],
                            face.systems[0].height_mm[view], face.systems[1].height_mm[view]});
           else if (table == 3) out.push_back(sky_from(face, view, views[view]));
           else if (table == 4) out.push_back(face.near_sky[view]);
@@ -123,7 +124,7 @@ void keep_response(interop::ClothData& data, const interop::ClothData& earlier) 
   data.engine[0] = earlier.engine[0], data.engine[1] = earlier.engine[1];
   for (size_t s = 0; s < 4; ++s) {
     data.systems[s].color = earlier.systems[s].color;
-    data.systems[s].share = earlier.systems[s].share;
+    data.systems[s].fraction = earlier.systems[s].fraction;
     data.systems[s].facets = earlier.systems[s].facets;
   }
 }
@@ -149,11 +150,11 @@ ResponseTables response_tables(interop::ClothData& data, const FaceInput& front,
     for (size_t s = 0; s < 2; ++s) {
       const SystemResponse& system = faces[f].systems[s];
       data.systems[f * 2 + s].color = {system.colour.r, system.colour.g, system.colour.b, 0};
-      data.systems[f * 2 + s].share = system.share;
+      data.systems[f * 2 + s].fraction = system.fraction;
       data.systems[f * 2 + s].facets = glm::make_vec4(system.facets.data());
     }
   }
-  return {broad_of(faces), slopes_of(faces), seen_of(faces)};
+  return {reflected_of(faces), slopes_of(faces), views_of(faces)};
 }
 
 }  // namespace weftlight::render_data

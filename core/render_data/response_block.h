@@ -12,11 +12,11 @@
 namespace weftlight::render_data {
 
 // Azimuths with the first again at the end. Answer and lean stand side by side, below them the answer from behind.
-inline constexpr int kAnswerWidth = kLightAzimuths + 1, kSeenWidth = kViewAzimuths + 1;
+inline constexpr int kReflectionWidth = kLightAzimuths + 1, kViewTableWidth = kViewAzimuths + 1;
 inline constexpr int kResponseWidth = RESPONSE_WIDTH, kResponseHeight = RESPONSE_HEIGHT;
-static_assert(2 * kAnswerWidth <= kResponseWidth && kBehindAzimuths + 1 <= kResponseWidth);
+static_assert(2 * kReflectionWidth <= kResponseWidth && kTransmissionAzimuths + 1 <= kResponseWidth);
 inline constexpr int kSlopeRows = 8;  // (face * 2 + system) * 2 + axis
-inline constexpr int kSeenHeight = SEEN_TABLES * kResponseElevations;
+inline constexpr int kViewTableHeight = VIEW_TABLES * kResponseElevations;
 
 /// Yarns a pixel from which on the packed colour of the face is the same everywhere to 2 percent.
 float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm);

@@ -35,8 +35,9 @@ constexpr double kQuickThreads = 1.7;  // across a texel of it; of more, some st
 constexpr int kQuickThreadSamples = 1;
 constexpr int kManyCrossings =
     2000;  // changed, all over the cloth: to bring the maps up to date takes longer than a hand waits
-constexpr int64_t kMaxSeen = 1 << 18;                         // texels, or crossings, that are made for what is seen
-constexpr int kSeenLevels = 4, kSeenStep = 1 << kSeenLevels;  // levels of a part of the maps; it stands on whole texels
+constexpr int64_t kMaxVisible = 1 << 18;  // texels, or crossings, that are made for what is seen
+constexpr int kPreviewLevels = 4,
+              kPreviewStep = 1 << kPreviewLevels;  // levels of a part of the maps; it stands on whole texels
 
 bool same_yarn_shape(Yarn a, Yarn b) {
   a.lobes = b.lobes = Lobes{};
@@ -55,7 +56,7 @@ bool same_threads(const Draft& a, const Draft& b) {
 bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ThreadBody& s, const ThreadBody& t) {
     return s.centre_mm == t.centre_mm && s.spacing_mm == t.spacing_mm && s.width_mm == t.width_mm &&
-           s.height_mm == t.height_mm && s.swell == t.swell && s.yarn == t.yarn && s.colour.r == t.colour.r &&
+           s.height_mm == t.height_mm && s.unevenness == t.unevenness && s.yarn == t.yarn && s.colour.r == t.colour.r &&
            s.colour.g == t.colour.g && s.colour.b == t.colour.b;
   });
 }
@@ -202,7 +203,7 @@ Maps Stages::bake_quick(const Cloth& cloth, const MapsSize& size, const TexelRec
 
 /// Whether an edit of many cells can be answered with what is seen of them: the maps are there, and only `up` changed.
 bool Stages::can_bake_preview(const Design& design) const {
-  if (!done_ || seen_.empty() || coarse_ || shadows_ || packed_.front.textures[0].width == 0) return false;
+  if (!done_ || visible_.empty() || coarse_ || shadows_ || packed_.front.textures[0].width == 0) return false;
   if (period_ != Period::kWholeDraft || !front_.cloth.layers.empty()) return false;
   return done_->draft.ends() == design.draft.ends() && done_->draft.picks() == design.draft.picks() &&
          same_threads(done_->draft, design.draft) && done_->yarns == design.yarns && done_->finish == design.finish;
@@ -250,19 +251,19 @@ void append_levels(std::vector<PackedPatch>& to, PackedTexture& t, const TexelRe
 void Stages::bake_preview_maps(const Cloth& cloth, StageResult& result) const {
   const PackedTexture& shown = packed_.front.textures[0];
   const double period[] = {static_cast<double>(cloth.width_mm), static_cast<double>(cloth.depth_mm)};
-  const Run u = in_period(static_cast<double>(seen_.u0), static_cast<double>(seen_.u1), period[0]);
-  const Run v = in_period(static_cast<double>(seen_.v0), static_cast<double>(seen_.v1), period[1]);
-  for (int level = 0; level + kSeenLevels < static_cast<int>(shown.levels.size()); ++level) {
+  const Run u = in_period(static_cast<double>(visible_.u0), static_cast<double>(visible_.u1), period[0]);
+  const Run v = in_period(static_cast<double>(visible_.v0), static_cast<double>(visible_.v1), period[1]);
+  for (int level = 0; level + kPreviewLevels < static_cast<int>(shown.levels.size()); ++level) {
     const int w = shown.level_width(level), h = shown.level_height(level);
     const auto texels = [](double from, double to, double length, int n) {
-      const int low = static_cast<int>(from / length * n) / kSeenStep * kSeenStep;
-      const int high = (static_cast<int>(std::ceil(to / length * n)) + kSeenStep - 1) / kSeenStep * kSeenStep;
+      const int low = static_cast<int>(from / length * n) / kPreviewStep * kPreviewStep;
+      const int high = (static_cast<int>(std::ceil(to / length * n)) + kPreviewStep - 1) / kPreviewStep * kPreviewStep;
       return std::pair{std::min(low, n - 1), std::clamp(high, std::min(low, n - 1) + 1, n)};
     };
     const auto [x0, x1] = texels(u.from, u.to, period[0], w);
     const auto [y0, y1] = texels(v.from, v.to, period[1], h);
     const double texel_mm = std::min(period[0] / w, period[1] / h);
-    if (2 * texel_mm <= static_cast<double>(seen_.pixel_mm) || int64_t{x1 - x0} * (y1 - y0) > kMaxSeen) continue;
+    if (2 * texel_mm <= static_cast<double>(visible_.pixel_mm) || int64_t{x1 - x0} * (y1 - y0) > kMaxVisible) continue;
     const MapsSize size{w, h, packed_.front.textures[static_cast<size_t>(PackedKind::kHorizon)].layers - 1};
     PackedFace part = pack(bake_quick(cloth, size, {x0, y0, x1, y1}), false);
     const bool whole = x1 - x0 == w && y1 - y0 == h;
@@ -272,8 +273,8 @@ void Stages::bake_preview_maps(const Cloth& cloth, StageResult& result) const {
       append_levels(result.patches.maps, t,
                     half ? TexelRect{x0 / 2, y0 / 2, x1 / 2, y1 / 2} : TexelRect{x0, y0, x1, y1}, level,
                     whole  ? static_cast<int>(t.levels.size())
-                    : half ? kSeenLevels - 1
-                           : kSeenLevels);
+                    : half ? kPreviewLevels - 1
+                           : kPreviewLevels);
     }
     return;
   }
@@ -282,7 +283,7 @@ void Stages::bake_preview_maps(const Cloth& cloth, StageResult& result) const {
 /// Thread by thread, where so few are seen that they may be drawn so.
 void Stages::bake_preview_crossings(const Cloth& cloth, StageResult& result) const {
   if (packed_.crossings.empty()) return;
-  const auto seen = [](const std::vector<ThreadBody>& threads, const Run& run) {
+  const auto visible = [](const std::vector<ThreadBody>& threads, const Run& run) {
     const auto at = [&](double mm) {
       return static_cast<int>(
           std::ranges::partition_point(threads,
@@ -295,11 +296,11 @@ void Stages::bake_preview_crossings(const Cloth& cloth, StageResult& result) con
   };
   const double width = static_cast<double>(cloth.width_mm), depth = static_cast<double>(cloth.depth_mm);
   const auto [e0, e1] =
-      seen(cloth.ends, in_period(static_cast<double>(seen_.u0), static_cast<double>(seen_.u1), width));
+      visible(cloth.ends, in_period(static_cast<double>(visible_.u0), static_cast<double>(visible_.u1), width));
   const auto [p0, p1] =
-      seen(cloth.picks, in_period(static_cast<double>(seen_.v0), static_cast<double>(seen_.v1), depth));
+      visible(cloth.picks, in_period(static_cast<double>(visible_.v0), static_cast<double>(visible_.v1), depth));
   const CellRect cells{e0, e1, p0, p1};
-  if (cells.empty() || int64_t{e1 - e0} * (p1 - p0) > kMaxSeen) return;
+  if (cells.empty() || int64_t{e1 - e0} * (p1 - p0) > kMaxVisible) return;
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
   result.patches.crossings.push_back({cells, packed_crossings(crossings)});
   const float top_mm = highest_thread(cloth, crossings);
@@ -457,8 +458,8 @@ void Stages::update_cloth(const std::shared_ptr<const Design>& design, Effort ef
   }
   engine_ = engine_ || new_engine;
   if (result.all_maps) previewed_ = false;
-  const bool new_answer = old_response_ && effort != Effort::kQuick;
-  if (result.all_maps || !dirty.empty() || new_answer || new_engine || done_->yarns != design->yarns)
+  const bool new_response = old_response_ && effort != Effort::kQuick;
+  if (result.all_maps || !dirty.empty() || new_response || new_engine || done_->yarns != design->yarns)
     update_lobes(*design, effort, result);
   done_ = design;
 }

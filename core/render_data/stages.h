@@ -46,7 +46,7 @@ enum class Effort { kQuick, kFull, kOnce };
 class Stages {
  public:
   /// What quick answers are made for.
-  void look(const SeenPart& seen) { seen_ = seen; }
+  void set_visible_part(const VisiblePart& part) { visible_ = part; }
   StageResult update(std::shared_ptr<const Design> design, Effort effort = Effort::kFull);
   const PackedCloth& packed() const { return packed_; }
   /// After kOnce: what nobody asks for again.
@@ -71,7 +71,7 @@ class Stages {
   void update_scene(const Design& design, Effort effort, StageResult& result);
 
   std::shared_ptr<const Design> done_;
-  SeenPart seen_;
+  VisiblePart visible_;
   bool few_rays_ = false;   // the mesh has its share of the sky from few rays
   bool previewed_ = false;  // quick patches were sent that packed_ knows nothing of
   std::string mesh_name_, mesh_problem_, lights_name_, lights_problem_;

@@ -152,10 +152,10 @@ void FaceSource::measure_range() {
 
 void FaceSource::measure(const Maps& maps) {
   const EngineTexels texels = engine_texels(cloth_, maps, options_.footprint_mm);
-  const ClothResponse response = cloth_response(cloth_, maps, kFitPlaces);
+  const ClothResponse response = cloth_response(cloth_, maps, kFitSamples);
   fit_ = fit_engine(texels, cloth_, response, options_.model);
   older_fit_ = options_.older ? fit_engine(texels, cloth_, response, *options_.older) : fit_;
-  share_ = texels.share;
+  share_ = texels.footprint_weight;
   checks_ = check_engine(texels, cloth_, response, options_.model, fit_);
   scores_ = score_engine(texels, cloth_, response, options_.model, fit_);
 }

@@ -129,9 +129,9 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   frame.samples = samples;
   frame.all_samples = all_samples_;
   if (scale == 1)
-    frame.pass = passes_, frame.share = static_cast<float>(samples) / static_cast<float>(samples_ + samples);
+    frame.pass = passes_, frame.pass_weight = static_cast<float>(samples) / static_cast<float>(samples_ + samples);
   stats_ = renderer_->draw(request.scene, look_for(request), frame);
-  pipeline_.look(renderer_->seen());
+  pipeline_.set_visible_part(renderer_->visible_part());
   if (scale == 1) stats_ = renderer_->measure();
   if (scale == 1 && passes_ == 0 && request.budget_ms > 0 && stats_.method == Method::kAuto) {
     const float held = renderer_->tolerance_within(request.budget_ms);

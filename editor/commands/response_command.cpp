@@ -61,7 +61,7 @@ Radiances evaluated(const Cloth& cloth, const std::vector<Directions>& direction
   const FarField far = far_field(cloth);
   Radiances out;
   for (const Directions& d : directions)
-    out.push_back(radiance_from_afar(far, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
+    out.push_back(far_field_radiance(far, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
   return out;
 }
 

@@ -14,7 +14,7 @@ class Average {
   bool build(std::string& error);
   /// Takes the sRGB-encoded picture, whose share in the mean is above 0 to 1 (1 begins anew), and leaves the mean in
   /// its place.
-  void add(GLuint texture, GLuint framebuffer, int width, int height, float share);
+  void add(GLuint texture, GLuint framebuffer, int width, int height, float weight);
 
  private:
   void draw(GLuint from, GLuint to);

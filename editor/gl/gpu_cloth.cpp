@@ -64,7 +64,7 @@ void upload_cube(GlTexture& texture, const std::vector<float>& texels, int size)
 }  // namespace
 
 void GpuCloth::upload_tables() {
-  if (albedo_.preview_bake()) return;
+  if (albedo_.name()) return;
   const LightTables& tables = light_tables();
   glBindTexture(GL_TEXTURE_3D, albedo_.get());
   glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RGBA, GL_FLOAT,
@@ -191,24 +191,25 @@ void GpuCloth::upload_lobes(const ClothLobes& lobes) {
 void GpuCloth::upload_response(const ResponseTables& tables) {
   glBindTexture(GL_TEXTURE_2D_ARRAY, response_.get());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kResponseWidth, kResponseHeight, kResponseViews, 0, GL_RGBA,
-               GL_FLOAT, tables.broad.data());
+               GL_FLOAT, tables.reflected.data());
   clamp_to_edge(GL_TEXTURE_2D_ARRAY);
   glBindTexture(GL_TEXTURE_2D, slopes_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, kSlopeBins, kSlopeRows, 0, GL_RED, GL_FLOAT, tables.slopes.data());
   clamp_to_edge(GL_TEXTURE_2D);
-  glBindTexture(GL_TEXTURE_2D, seen_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSeenWidth, kSeenHeight, 0, GL_RGBA, GL_FLOAT, tables.seen.data());
+  glBindTexture(GL_TEXTURE_2D, views_.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kViewTableWidth, kViewTableHeight, 0, GL_RGBA, GL_FLOAT,
+               tables.views.data());
   clamp_to_edge(GL_TEXTURE_2D);
 }
 
 void GpuCloth::bind() {
   for (size_t k = 0; k < kPackedKinds; ++k) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kFormats[k].slot));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].preview_bake());
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].name());
   }
   const auto bind_to = [](int slot, GLenum target, const GlTexture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(slot));
-    glBindTexture(target, texture.preview_bake());
+    glBindTexture(target, texture.name());
   };
   bind_to(kThreadSlot, GL_TEXTURE_2D, threads_);
   bind_to(kCrossingSlot, GL_TEXTURE_2D_ARRAY, crossings_);
@@ -217,7 +218,7 @@ void GpuCloth::bind() {
   bind_to(kFuzzSlot, GL_TEXTURE_2D, fuzz_);
   bind_to(kResponseSlot, GL_TEXTURE_2D_ARRAY, response_);
   bind_to(kSlopesSlot, GL_TEXTURE_2D, slopes_);
-  bind_to(kSeenSlot, GL_TEXTURE_2D, seen_);
+  bind_to(kViewSlot, GL_TEXTURE_2D, views_);
   for (int i = 0; i < 4; ++i) bind_to(kFrontHalfSlot + i, GL_TEXTURE_CUBE_MAP, cubes_[static_cast<size_t>(i)]);
   glBindBufferBase(GL_UNIFORM_BUFFER, kClothBinding, block_.get());
 }

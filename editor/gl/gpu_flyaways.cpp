@@ -38,11 +38,11 @@ bool GpuFlyaways::build(std::string& error) {
   return true;
 }
 
-void GpuFlyaways::sow(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view) {
+void GpuFlyaways::scatter(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view) {
   if (known_mesh_ && growth == growth_ && view == view_) return;
   if (!known_mesh_) hems_ = hems_of(mesh.prepared().mesh, mesh.prepared().fine);
   known_mesh_ = true, growth_ = growth, view_ = view;
-  const std::vector<Flyaway> flyaways = sow_hairs(mesh.prepared(), hems_, mesh.uv_origin_mm(), growth, view);
+  const std::vector<Flyaway> flyaways = scatter_flyaways(mesh.prepared(), hems_, mesh.uv_origin_mm(), growth, view);
   count_ = flyaways.size();
   glBindBuffer(GL_ARRAY_BUFFER, roots_.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(flyaways.size() * sizeof(Flyaway)), flyaways.data(),
@@ -51,7 +51,7 @@ void GpuFlyaways::sow(const GpuMesh& mesh, const FlyawayGrowth& growth, const Fl
 
 void GpuFlyaways::draw(int pieces) {
   if (!count_) return;
-  glUseProgram(program_.preview_bake());
+  glUseProgram(program_.name());
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
   glBindVertexArray(array_.get());

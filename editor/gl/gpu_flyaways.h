@@ -15,7 +15,7 @@ class GpuFlyaways {
   bool build(std::string& error);
   /// A new mesh: its edges are sought again.
   void forget() { known_mesh_ = false; }
-  void sow(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view);
+  void scatter(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view);
   size_t count() const { return count_; }
   /// Over what is there, with the frame's and the cloth's blocks and textures bound. `pieces` as in
   /// FrameData::hair.

@@ -11,7 +11,7 @@ namespace {
 struct Vertex {
   Vec3 position, normal, tangent;
   Vec2 uv_mm;
-  SkySeen sky;
+  SkyVisibility sky;
 };
 
 void attribute(Attribute slot, int size, size_t offset) {
@@ -21,7 +21,8 @@ void attribute(Attribute slot, int size, size_t offset) {
 
 }  // namespace
 
-void GpuMesh::fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky, const std::vector<uint32_t>& index) {
+void GpuMesh::fill(Part& part, const Mesh& mesh, const std::vector<SkyVisibility>& sky,
+                   const std::vector<uint32_t>& index) {
   std::vector<Vertex> vertices(mesh.position_mm.size());
   for (size_t i = 0; i < vertices.size(); ++i) {
     Vertex& v = vertices[i];

@@ -22,7 +22,7 @@ class GpuMesh {
   void sort(glm::vec3 eye, TriangleOrder order, bool coarse);
   void draw_cloth();
   void draw_body();
-  GLuint ground_sky() const { return ground_sky_.preview_bake(); }
+  GLuint ground_sky() const { return ground_sky_.name(); }
 
  private:
   struct Part {
@@ -30,7 +30,7 @@ class GpuMesh {
     GlBuffer vertices, indices;
     int count = 0;
   };
-  void fill(Part& part, const Mesh& mesh, const std::vector<SkySeen>& sky, const std::vector<uint32_t>& index);
+  void fill(Part& part, const Mesh& mesh, const std::vector<SkyVisibility>& sky, const std::vector<uint32_t>& index);
 
   PreparedMesh prepared_;
   Part cloth_, body_;

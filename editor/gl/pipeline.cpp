@@ -29,7 +29,7 @@ struct Pipeline::Parts {
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
   std::string problem;
-  SeenPart seen;
+  VisiblePart visible;
   bool quick_drawn = true;
   std::condition_variable_any drawn;
   Stages stages;
@@ -39,7 +39,7 @@ struct Pipeline::Parts {
   void wait_for_picture(const std::stop_token& stop);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
-  bool has_news() const { return mesh || lights || all_maps || quick_maps || !patches.empty() || lobes; }
+  bool has_updates() const { return mesh || lights || all_maps || quick_maps || !patches.empty() || lobes; }
 };
 
 /// Quick maps are small: a copy of them is handed over, so that they can be taken up while the full ones are made.
@@ -48,7 +48,7 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
   const std::lock_guard hold(maps);
   {
     const std::lock_guard lock(mutex);
-    stages.look(seen);
+    stages.set_visible_part(visible);
   }
   StageResult result = stages.update(design, effort);
   std::optional<PackedCloth> copy;
@@ -88,7 +88,7 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
   if (wait) hold.lock();
   std::unique_lock lock(mutex);
   if (all_maps && !wait && !hold.try_lock()) return false;
-  const bool changed = has_news();
+  const bool changed = has_updates();
   if (mesh) renderer.set_mesh(std::move(*mesh));
   mesh.reset();
   if (lights) renderer.set_lights(std::move(*lights));
@@ -115,9 +115,9 @@ void Pipeline::submit(std::shared_ptr<const Design> design) {
   });
 }
 
-void Pipeline::look(const SeenPart& seen) {
+void Pipeline::set_visible_part(const VisiblePart& visible) {
   const std::lock_guard lock(parts_->mutex);
-  parts_->seen = seen;
+  parts_->visible = visible;
   if (parts_->quick_drawn || parts_->quick_maps) return;
   parts_->quick_drawn = true;
   parts_->drawn.notify_all();
@@ -139,7 +139,7 @@ std::string Pipeline::problem() const {
 bool Pipeline::busy() const {
   if (parts_->worker.busy()) return true;
   const std::lock_guard lock(parts_->mutex);
-  return parts_->has_news();
+  return parts_->has_updates();
 }
 
 std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer) {

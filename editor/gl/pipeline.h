@@ -20,7 +20,7 @@ class Pipeline {
   /// From the thread that edits: the newest design wins, those between are skipped.
   void submit(std::shared_ptr<const Design> design);
   /// What the picture shows: quick answers to edits of many cells are made for it.
-  void look(const SeenPart& seen);
+  void set_visible_part(const VisiblePart& visible);
   /// From the thread with the GL context: uploads what is finished (maps, patches, a new mesh).
   /// True when the picture must be drawn again.
   bool poll(Renderer& renderer);

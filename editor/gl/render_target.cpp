@@ -16,7 +16,7 @@ void blit(GLuint from, int from_width, int from_height, GLuint to, int width, in
 
 }  // namespace
 
-void Target::make(Resolved& to, int width, int height) {
+void RenderTarget::make(Resolved& to, int width, int height) {
   if (to.width == width && to.height == height) return;
   to.width = width, to.height = height;
   glBindTexture(GL_TEXTURE_2D, to.texture.get());
@@ -32,7 +32,7 @@ void Target::make(Resolved& to, int width, int height) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, to.texture.get(), 0);
 }
 
-bool Target::begin(int width, int height, float scale) {
+bool RenderTarget::begin(int width, int height, float scale) {
   const int w = std::max(1, static_cast<int>(std::lround(static_cast<float>(width) * scale)));
   const int h = std::max(1, static_cast<int>(std::lround(static_cast<float>(height) * scale)));
   if (w != drawn_width_ || h != drawn_height_) {
@@ -54,7 +54,7 @@ bool Target::begin(int width, int height, float scale) {
   return true;
 }
 
-void Target::end() {
+void RenderTarget::end() {
   make(picture_, width_, height_);
   glEnable(GL_FRAMEBUFFER_SRGB);
   if (drawn_width_ == width_ && drawn_height_ == height_) {
@@ -68,10 +68,10 @@ void Target::end() {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-Image Target::read() const {
+Image RenderTarget::read() const {
   Image image{width_, height_, 4, std::vector<float>(static_cast<size_t>(width_) * static_cast<size_t>(height_) * 4)};
-  if (!picture_.framebuffer.preview_bake()) return image;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.preview_bake());
+  if (!picture_.framebuffer.name()) return image;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   if (half_) {
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, image.texels.data());
@@ -90,10 +90,10 @@ Image Target::read() const {
   return image;
 }
 
-void Target::read(std::vector<uint32_t>& pixels) const {
+void RenderTarget::read(std::vector<uint32_t>& pixels) const {
   pixels.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
-  if (!picture_.framebuffer.preview_bake()) return;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.preview_bake());
+  if (!picture_.framebuffer.name()) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
 }

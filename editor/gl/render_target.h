@@ -7,17 +7,17 @@
 
 namespace weftlight::gl {
 
-class Target {
+class RenderTarget {
  public:
   /// 8-bit sRGB for the screen, or half floats for scene-linear pictures.
-  explicit Target(bool half) : half_(half) {}
+  explicit RenderTarget(bool half) : half_(half) {}
 
   /// Binds the multisampled target of `scale` times the picture's size. False with no memory for it.
   bool begin(int width, int height, float scale);
   /// Resolves into texture(), scaled to the picture's size.
   void end();
-  GLuint texture() const { return picture_.texture.preview_bake(); }
-  GLuint framebuffer() const { return picture_.framebuffer.preview_bake(); }
+  GLuint texture() const { return picture_.texture.name(); }
+  GLuint framebuffer() const { return picture_.framebuffer.name(); }
   /// Row 0 on top.
   Image read() const;
   /// Bytes of a target of 8 bits, row 0 at the bottom.

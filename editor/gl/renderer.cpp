@@ -55,7 +55,7 @@ struct Renderer::Parts {
   SunShadow sun;
   GroundLight ground;
   GpuFlyaways flyaways;
-  Target screen{false}, linear{true};
+  RenderTarget screen{false}, linear{true};
   Average average;
   GlBuffer frame_block;
   GlVertexArray nothing;  // for shapes that the vertex shader makes
@@ -66,9 +66,9 @@ struct Renderer::Parts {
   };
   std::map<std::array<int, 7>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
-  GlQuery timer, samples, hair_timer;
+  GlQuery timer, samples, flyaway_timer;
   bool queried = false, flyaways_queried = false, software = false;
-  double software_ms = 0, software_hair_ms = 0;
+  double software_ms = 0, software_flyaway_ms = 0;
   FrameStats stats;
   DrawnFrame last;
   ShippedLodTable shipped = shipped_lod_table();
@@ -78,25 +78,25 @@ struct Renderer::Parts {
   void set_lights(LightRig lights);
   const ClothProgram& cloth_program(Method method, int taps, int methods, bool more_lit, ThreadKind kind = {});
   int methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
-  void tell_methods(const DrawnFrame& drawn);
+  void report_methods(const DrawnFrame& drawn);
   Plan plan_for(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
                                 const GpuMesh& on) const;
-  void put_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const;
+  void fill_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const;
   void upload_frame(const interop::FrameData& data);
-  void draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out);
+  void draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
-  void draw_hairs(const DrawnFrame& drawn, const Camera& camera);
+  void draw_flyaways(const DrawnFrame& drawn, const Camera& camera);
   void draw_patch(const FlatPatch& patch, const Look& look);
   std::chrono::steady_clock::time_point clock_here(const Frame& frame) const;
   void draw_around(const DrawnFrame& drawn, const Camera& camera);
   /// Share of the key light that the cloth keeps from what is behind it.
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].coverage + cloth.data().systems[1].coverage); }
   std::array<glm::vec4, 6> ground_drawn{};  // what the light on the ground was made by
-  MethodWeights shares;                     // of the last picture
+  MethodWeights weights;                    // of the last picture
   void fit_lod_table() { lod_table = fitted(asked, cloth.errors()); }
   bool has_gaps() const;
-  void take_queries(bool wait);
+  void read_queries(bool wait);
 };
 
 bool Renderer::Parts::build(std::string& error) {
@@ -139,7 +139,7 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
                                                                     ThreadKind kind) {
   ClothProgram& made =
       cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer, kind.smooth}];
-  if (!made.program.preview_bake() && made.problem.empty()) {
+  if (!made.program.name() && made.problem.empty()) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
                                      "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
@@ -156,7 +156,7 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
 }
 
 /// Lights, sky, and what of an environment shows behind the cloth.
-void Renderer::Parts::put_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const {
+void Renderer::Parts::fill_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const {
   const std::vector<DistantLight>& lights = drawn.light.lights;
   if (!lights.empty()) {
     data.light = vec(lights[0].towards, lights[0].radius);
@@ -178,9 +178,9 @@ void Renderer::Parts::put_lights(const DrawnFrame& drawn, const Camera& camera, 
   const glm::vec3 middle = ray(0, 0);
   const float turn = glm::radians(drawn.scene.light_azimuth);
   const bool shown = drawn.scene.surroundings && rig.environment && !drawn.frame.transparent;
-  data.look[0] = vec(ray(1, 0) - middle, std::cos(turn));
-  data.look[1] = vec(ray(0, 1) - middle, std::sin(turn));
-  data.look[2] = vec(middle, shown ? 1.0f : 0.0f);
+  data.camera_rays[0] = vec(ray(1, 0) - middle, std::cos(turn));
+  data.camera_rays[1] = vec(ray(0, 1) - middle, std::sin(turn));
+  data.camera_rays[2] = vec(middle, shown ? 1.0f : 0.0f);
 }
 
 void Renderer::Parts::set_lights(LightRig lights) {
@@ -204,7 +204,7 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.world_to_clip = camera.world_to_clip;
   data.world_to_shadow = sun.world_to_shadow();
   data.eye = vec(camera.eye, drawn.frame.front == Face::kFront ? 1.0f : -1.0f);
-  put_lights(drawn, camera, data);
+  fill_lights(drawn, camera, data);
   data.light_color.w = std::exp2(linear_out ? drawn.look.exposure_ev : stats.exposure_ev);
   const Linear background = linear_from_srgb(scene.background);
   data.background = {background.r, background.g, background.b, drawn.frame.transparent ? 1.0f : 0.0f};
@@ -229,8 +229,8 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
   data.methods = {plan.methods[0], plan.methods[1], plan.methods[2], drawn.frame.false_color_methods ? 1.0f : 0.0f};
   const FlyawayGrowth growth = flyaway_growth(cloth.data(), drawn.frame.front);
-  data.hair = {static_cast<float>(flyaway_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0],
-               growth.length_mm[1]};
+  data.flyaway = {static_cast<float>(flyaway_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0],
+                  growth.length_mm[1]};
   return data;
 }
 
@@ -258,9 +258,9 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
                                            software && of_threads ? cloth.thread_kind() : ThreadKind{});
   stats.problem = with.problem;
   if (!with.problem.empty()) return;
-  glUseProgram(with.program.preview_bake());
+  glUseProgram(with.program.name());
   drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
-  take_queries(queried);
+  read_queries(queried);
   const auto start = clock_here(drawn.frame);
   glBeginQuery(GL_TIME_ELAPSED, timer.get());
   glBeginQuery(GL_SAMPLES_PASSED, samples.get());
@@ -275,7 +275,7 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
 
 /// The rungs of ours have stray fibres; the seed's row and the baselines show what they show. While something moves
 /// there are none: the mesh is a coarser one then, and they would float beside it.
-bool has_hairs(const DrawnFrame& drawn) {
+bool has_flyaways(const DrawnFrame& drawn) {
   const Method method = drawn_method(drawn.look.method);
   const bool ours = method == Method::kAuto || method == Method::kYarn || method == Method::kCell ||
                     method == Method::kRepeat || method == Method::kCloth;
@@ -283,45 +283,45 @@ bool has_hairs(const DrawnFrame& drawn) {
 }
 
 /// Over everything else, since what is behind shows between them.
-void Renderer::Parts::draw_hairs(const DrawnFrame& drawn, const Camera& camera) {
+void Renderer::Parts::draw_flyaways(const DrawnFrame& drawn, const Camera& camera) {
   stats.flyaways = 0;
-  if (cloth.empty() || !has_hairs(drawn)) {
+  if (cloth.empty() || !has_flyaways(drawn)) {
     stats.flyaway_ms = 0;
     return;
   }
   const auto start = clock_here(drawn.frame);
   const FlyawayGrowth growth = flyaway_growth(cloth.data(), drawn.frame.front);
-  flyaways.sow(mesh, growth,
-               {camera.world_to_clip, camera.eye, static_cast<float>(drawn.frame.width),
-                static_cast<float>(drawn.frame.height)});
+  flyaways.scatter(mesh, growth,
+                   {camera.world_to_clip, camera.eye, static_cast<float>(drawn.frame.width),
+                    static_cast<float>(drawn.frame.height)});
   stats.flyaways = flyaways.count();
   cloth.bind();
   sun.bind();
-  glBeginQuery(GL_TIME_ELAPSED, hair_timer.get());
+  glBeginQuery(GL_TIME_ELAPSED, flyaway_timer.get());
   flyaways.draw(flyaway_pieces(growth, camera.pixel_mm));
   glEndQuery(GL_TIME_ELAPSED);
   flyaways_queried = true;
   if (software && drawn.frame.timed) {
-    software_hair_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
+    software_flyaway_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
   }
 }
 
 /// Backdrop, ground and what the cloth hangs on.
 void Renderer::Parts::draw_around(const DrawnFrame& drawn, const Camera& camera) {
-  glUseProgram(body.preview_bake());
+  glUseProgram(body.name());
   glDisable(GL_BLEND);
   mesh.draw_body();
   glBindVertexArray(nothing.get());
   if (!drawn.frame.transparent) {
-    glUseProgram(backdrop.preview_bake());
+    glUseProgram(backdrop.name());
     glActiveTexture(GL_TEXTURE0 + kEnvironmentSlot);
-    glBindTexture(GL_TEXTURE_2D, environment.preview_bake());
+    glBindTexture(GL_TEXTURE_2D, environment.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
 }
 
-void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool linear_out) {
+void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out) {
   const PreparedMesh& prepared = mesh.prepared();
   const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
@@ -355,7 +355,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   if (chosen.gaps) draw_around(drawn, camera);
   draw_cloth(chosen, mesh);
   if (!chosen.gaps) draw_around(drawn, camera);
-  draw_hairs(drawn, camera);
+  draw_flyaways(drawn, camera);
   glBindVertexArray(0);
   target.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -377,26 +377,26 @@ int Renderer::Parts::methods_of(const DrawnFrame& drawn, const GpuMesh& on, cons
   const float scale = drawn.frame.render_scale;
   const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };
   const Plan plan = plan_for(drawn);
-  shares = method_weights(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
-                          cloth.mean_spacing_mm(), plan.methods);
-  tell_methods(drawn);
-  if (stats.method != Method::kAuto || shares.yarns_per_pixel <= 0) return kAllMethods;
+  weights = method_weights(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
+                           cloth.mean_spacing_mm(), plan.methods);
+  report_methods(drawn);
+  if (stats.method != Method::kAuto || weights.yarns_per_pixel <= 0) return kAllMethods;
   if (scale < 1) {
     // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
     constexpr float kFairPart = 0.05f;
-    return shares.of[0] > kFairPart ? kYarnMethod : shares.of[1] > kFairPart ? kCellMethod : kRepeatMethod;
+    return weights.of[0] > kFairPart ? kYarnMethod : weights.of[1] > kFairPart ? kCellMethod : kRepeatMethod;
   }
   if (!software) return plan.methods[0] < plan.methods[1] ? kAllMethods : kAllMethods & ~kCellMethod;
   int needed = 0;
-  for (size_t k = 0; k < shares.needed.size(); ++k) needed |= shares.needed[k] ? 1 << k : 0;
+  for (size_t k = 0; k < weights.needed.size(); ++k) needed |= weights.needed[k] ? 1 << k : 0;
   return needed;
 }
 
 /// Shares of the rungs and the error to expect; of several passes when all are drawn.
-void Renderer::Parts::tell_methods(const DrawnFrame& drawn) {
-  stats.method_weights = shares.of;
+void Renderer::Parts::report_methods(const DrawnFrame& drawn) {
+  stats.method_weights = weights.of;
   stats.estimated_error = 0;
-  const float yarns = shares.yarns_per_pixel;
+  const float yarns = weights.yarns_per_pixel;
   if (yarns <= 0) return;
   Plan plan = plan_for(drawn);
   if (drawn.frame.pass >= 0) plan.samples = drawn.frame.all_samples;
@@ -409,7 +409,7 @@ void Renderer::Parts::tell_methods(const DrawnFrame& drawn) {
     stats.estimated_error = error_of(stats.method);
     return;
   }
-  for (size_t k = 0; k < kDrawn.size(); ++k) stats.estimated_error += shares.of[k] * error_of(kDrawn[k]);
+  for (size_t k = 0; k < kDrawn.size(); ++k) stats.estimated_error += weights.of[k] * error_of(kDrawn[k]);
 }
 
 void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
@@ -449,7 +449,7 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   stats.texture_bytes = cloth.bytes();
 }
 
-void Renderer::Parts::take_queries(bool wait) {
+void Renderer::Parts::read_queries(bool wait) {
   if (!queried) return;
   GLuint ready = GL_FALSE;
   if (!wait) glGetQueryObjectuiv(samples.get(), GL_QUERY_RESULT_AVAILABLE, &ready);
@@ -461,9 +461,9 @@ void Renderer::Parts::take_queries(bool wait) {
   stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
   queried = false;
   if (!flyaways_queried) return;
-  GLuint64 hair_ns = 0;
-  glGetQueryObjectui64v(hair_timer.get(), GL_QUERY_RESULT, &hair_ns);
-  stats.flyaway_ms = software ? software_hair_ms : static_cast<double>(hair_ns) * 1e-6;
+  GLuint64 flyaway_ns = 0;
+  glGetQueryObjectui64v(flyaway_timer.get(), GL_QUERY_RESULT, &flyaway_ns);
+  stats.flyaway_ms = software ? software_flyaway_ms : static_cast<double>(flyaway_ns) * 1e-6;
   flyaways_queried = false;
 }
 
@@ -502,16 +502,16 @@ void Renderer::upload_lobes(const ClothLobes& lobes) {
 
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
   parts_->last = {scene, look, frame, kAllMethods, false, {}};
-  Target& screen = parts_->screen;
+  RenderTarget& screen = parts_->screen;
   parts_->draw_scene(parts_->last, screen, false);
   if (frame.pass >= 0)
-    parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.share);
-  parts_->take_queries(false);
+    parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.pass_weight);
+  parts_->read_queries(false);
   return parts_->stats;
 }
 
 FrameStats Renderer::measure() {
-  parts_->take_queries(true);
+  parts_->read_queries(true);
   return parts_->stats;
 }
 
@@ -530,9 +530,9 @@ float Renderer::tolerance_within(float budget_ms) {
   const float pixels = static_cast<float>(s.shaded_pixels);
   const DrawnFrame& drawn = parts_->last;
   const LodDemand demand{drawn.look.tolerance, drawn.frame.all_samples};
-  const float expected = expected_ms(parts_->lod_table, parts_->shares, pixels, demand);
+  const float expected = expected_ms(parts_->lod_table, parts_->weights, pixels, demand);
   if (s.gpu_ms <= 0 || expected <= 0) return 0;
-  return render_data::tolerance_within(parts_->lod_table, parts_->shares, pixels,
+  return render_data::tolerance_within(parts_->lod_table, parts_->weights, pixels,
                                        static_cast<float>(s.gpu_ms) / expected, budget_ms);
 }
 
@@ -540,10 +540,10 @@ void Renderer::set_lod_table(const LodTable& lod_table) {
   parts_->asked = lod_table;
   parts_->fit_lod_table();
 }
-SeenPart Renderer::seen() const {
-  SeenPart seen = seen_part(parts_->shares, parts_->cloth.mean_spacing_mm());
-  seen.pixel_mm *= parts_->last.frame.render_scale;
-  return seen;
+VisiblePart Renderer::visible_part() const {
+  VisiblePart part = render_data::visible_part(parts_->weights, parts_->cloth.mean_spacing_mm());
+  part.pixel_mm *= parts_->last.frame.render_scale;
+  return part;
 }
 
 bool Renderer::is_software() const { return parts_->software; }

@@ -35,7 +35,7 @@ struct Frame {
   // of several passes, each with so many (pass < 0: this one alone); `share`: of this pass in the mean of those so far;
   // `all_samples`: of all of them.
   int samples = formulas::kMaxYarnSamples, pass = -1;
-  float share = 1;
+  float pass_weight = 1;
   int all_samples = formulas::kMaxYarnSamples;
   bool exact_samples = false;  // not by tolerance: the largest lattice of no more than `samples`
   bool timed = false;          // wait for the cloth on a software renderer, so that gpu_ms is measured there too
@@ -92,7 +92,7 @@ class Renderer {
   /// What rung auto chooses by; the shipped ladder until then.
   void set_lod_table(const LodTable& lod_table);
   /// What the last picture showed of the cloth, at all its pixels.
-  SeenPart seen() const;
+  VisiblePart visible_part() const;
   /// Drawn by the processor (Mesa's llvmpipe).
   bool is_software() const;
   /// What is wrong with the shipped ladder; the built-in one then chooses the methods.

@@ -34,7 +34,7 @@ class SunShadow {
 
   int size() const { return kSize; }
   float texel_mm() const { return key_.texel_mm; }
-  GLuint depth() const { return depth_.preview_bake(); }
+  GLuint depth() const { return depth_.name(); }
   const glm::mat4& world_to_shadow() const { return key_.world_to_shadow; }
   /// Of light i, 1 and on.
   const ShadowView& more(size_t i) const { return more_[i - 1]; }

@@ -25,7 +25,7 @@ class IrawanScene : public ThreadScene {
 namespace {
 
 using thread_formulas::IrawanScene;
-using Place = IrawanScene::IrawanPlace;
+using Place = IrawanScene::IrawanPoint;
 using glm::vec2;
 using glm::vec3;
 
@@ -52,7 +52,7 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
     for (int p = 0; p < 4; ++p) {
       const vec2 at{(static_cast<float>(e) + 0.5f) * kSpacing, (static_cast<float>(p) + 0.5f) * kSpacing};
       const bool warp = (e + p) % 4 != 0;
-      const Place place = front.irawan_place(g, at);
+      const Place place = front.irawan_point(g, at);
       EXPECT_EQ(place.system, warp ? 0 : 1);
       EXPECT_TRUE(place.above);
       EXPECT_EQ(place.thread, warp ? e : p);
@@ -64,16 +64,16 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
       }
     }
   // Between two ends that are on top the pick below is seen; between both systems, nothing.
-  const Place beside = front.irawan_place(g, {kSpacing, 2.5f * kSpacing});
+  const Place beside = front.irawan_point(g, {kSpacing, 2.5f * kSpacing});
   EXPECT_EQ(beside.system, 1);
   EXPECT_FALSE(beside.above);
   EXPECT_EQ(front.irawan_specular(beside, 0.4f, {0, 0, 1}, {0, 0, 1}), 0);
-  EXPECT_EQ(front.irawan_place(g, {kSpacing, kSpacing}).system, -1);
+  EXPECT_EQ(front.irawan_point(g, {kSpacing, kSpacing}).system, -1);
 }
 
 TEST(Irawan, TheBackHasItsOwnFloats) {
   IrawanScene back(cloth_of(4, warp_faced_twill()), Face::kBack);
-  const Place place = back.irawan_place(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
+  const Place place = back.irawan_point(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
   EXPECT_EQ(place.system, 1);
   EXPECT_NEAR(place.size.y, 3 * kSpacing, 1e-5f);
 }
@@ -92,7 +92,7 @@ double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const 
 
 TEST(Irawan, MirrorsTheShareThatItIsAskedFor) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
-  const Place p = s.irawan_place(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  const Place p = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   for (const float fibre_tan : {0.0f, 0.15f, 0.5f, -0.5f, 1.0f})
     for (const float cosine : {1.0f, 0.7f, 0.3f}) {
       const vec3 l = towards(cosine, 0.8f);
@@ -114,7 +114,7 @@ TEST(Irawan, IsReciprocal) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<float> u(0, 1);
   for (int k = 0; k < 5000; ++k) {
-    const Place p = s.irawan_place(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
+    const Place p = s.irawan_point(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
     if (p.system < 0) continue;
     const vec3 l = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng)), v = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng));
     const float there = s.irawan_specular(p, 0.4f, l, v) * v.z, back = s.irawan_specular(p, 0.4f, v, l) * l.z;
@@ -124,7 +124,7 @@ TEST(Irawan, IsReciprocal) {
 
 TEST(Irawan, ThreadsShineAcrossTheLight) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
-  const Place warp = s.irawan_place(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  const Place warp = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   ASSERT_EQ(warp.system, 0);
   // Straight fibres mirror within the bend of the float alone: across the thread from far around, along it no further
   // than twice its inclination.

@@ -127,7 +127,7 @@ TEST(Layers, StitchedLayersStayLayersAndTheStitchHolds) {
   cells.set(12, 13, true);
   const Cloth cloth = woven(cells);
   ASSERT_EQ(cloth.layers.size(), 2u);
-  const Layer lower = cloth.layers[1];
+  const ClothLayer lower = cloth.layers[1];
   const Cloth one = one_layer(cloth, 1), top = one_layer(cloth, 0);
   const CentreLines below = centre_lines(one), above = centre_lines(top);
   int over = 0;
@@ -151,8 +151,8 @@ TEST(Layers, ThreeLayersLieInTheirOrder) {
   const Cloth cloth = woven(cells);
   ASSERT_EQ(cloth.layers.size(), 3u);
   for (size_t i = 0; i + 1 < 3; ++i) {
-    const Layer &upper = cloth.layers[i], &lower = cloth.layers[i + 1];
-    const auto level = [&](const Layer& l) {
+    const ClothLayer &upper = cloth.layers[i], &lower = cloth.layers[i + 1];
+    const auto level = [&](const ClothLayer& l) {
       return cloth.warp_level_mm[static_cast<size_t>(12 * l.first_pick + l.first_end)];
     };
     EXPECT_GT(level(upper), level(lower) + 0.45f);

@@ -38,7 +38,7 @@ struct Picture {
     glBindTexture(GL_TEXTURE_2D, texture.get());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, grey.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);  // as Target does
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);  // as RenderTarget does
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
   }
@@ -58,11 +58,11 @@ TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
   Average average;
   ASSERT_TRUE(average.build(error)) << error;
   Picture picture;
-  average.add(picture.texture.preview_bake(), picture.framebuffer.preview_bake(), kSize, kSize, 1);
+  average.add(picture.texture.name(), picture.framebuffer.name(), kSize, kSize, 1);
   ASSERT_EQ(poison(), 1);
-  for (const float share : {1.0f, 0.5f, 0.3f}) {
-    average.add(picture.texture.preview_bake(), picture.framebuffer.preview_bake(), kSize, kSize, share);
-    EXPECT_NEAR(picture.middle(), 128, 2) << share;
+  for (const float weight : {1.0f, 0.5f, 0.3f}) {
+    average.add(picture.texture.name(), picture.framebuffer.name(), kSize, kSize, weight);
+    EXPECT_NEAR(picture.middle(), 128, 2) << weight;
   }
 }
 

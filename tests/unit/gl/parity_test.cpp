@@ -43,7 +43,7 @@ constexpr const char* kMain = R"(
   y.fuzz_colour = given(5).rgb;
   y.fuzz = given(4).w;
   y.fuzz_depth = given(5).w;
-  y.pile = 1.0 + 7.0 * given(6).x;
+  y.fibre_layers = 1.0 + 7.0 * given(6).x;
   vec4 p = given(6), q = given(7), c = given(8);
   Vrst03 v = Vrst03(p.x, 1.0 - p.x, p.y, p.z, q.x, q.y, p.w, y.f0, y.body);
   vec3 r = vec3(0.0);
@@ -53,7 +53,7 @@ constexpr const char* kMain = R"(
   if (row == 3) r = vrst03_brdf(v, q.z, q.w, wi, wo);
   if (row == 4) r = vec3(horizon_visibility(wi.z, wo.z, c.x, c.y), coverage_by_view(c.z, c.xw, c.y, wo), 0.0);
   if (row == 5) r = tone_map(given(9).rgb);
-  answer = vec4(r, 1.0);
+  result = vec4(r, 1.0);
 )";
 
 formulas::YarnLobes lobes_of(const Case& c) {
@@ -67,7 +67,7 @@ formulas::YarnLobes lobes_of(const Case& c) {
   y.fuzz_colour = vec3(c[kFuzz]);
   y.fuzz = c[kThrough].w;
   y.fuzz_depth = c[kFuzz].w;
-  y.pile = 1 + 7 * c[kSeedShares].x;
+  y.fibre_layers = 1 + 7 * c[kSeedShares].x;
   return y;
 }
 

@@ -41,7 +41,7 @@ out vec4 out_color;
 vec4 given(int i) { return texelFetch(cases, ivec2(int(gl_FragCoord.x), i), 0); }
 void main() {
   int row = int(gl_FragCoord.y);
-  vec4 answer = vec4(0.0);
+  vec4 result = vec4(0.0);
 )" + main_text +
           "  out_color = answer;\n}\n";
   GlProgram program;
@@ -88,7 +88,7 @@ std::vector<glm::vec4> run_pixels(const GlProgram& program, const std::vector<Ca
   glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output.get(), 0);
   EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-  glUseProgram(program.preview_bake());
+  glUseProgram(program.name());
   GlVertexArray array;
   glBindVertexArray(array.get());
   glViewport(0, 0, width, questions);

@@ -50,7 +50,7 @@ class PackedThreads {
 #include "shaders/irawan.glsl"
 #undef FORMULA
   ThreadGrid grid() const { return grid_of(head_, side_); }
-  vec4 look(int system, int thread) const { return record_look(texel(record_at(system, thread) + THREAD_COLOR)); }
+  vec4 look(int system, int thread) const { return record_color(texel(record_at(system, thread) + THREAD_COLOR)); }
   ThreadTexture pattern(int system, int thread) const {
     const int i = record_at(system, thread) + THREAD_PATTERN;
     return pattern_on(record_pattern(texel(i), texel(i + 1), texel(i + 2), texel(i + 3)), side_);
@@ -130,7 +130,7 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
       EXPECT_EQ(vec3(section.centre, section.half_room, section.half_width),
                 vec3(body.centre_mm, 0.5f * body.spacing_mm, 0.5f * body.width_mm));
       EXPECT_NEAR(section.half_height, 0.5f * body.height_mm, 1e-5f * body.width_mm);
-      EXPECT_NEAR(section.swell, spread_in(body, length), 2e-4f);
+      EXPECT_NEAR(section.unevenness, spread_in(body, length), 2e-4f);
       EXPECT_EQ(back.look(s, i), vec4(body.colour.r, body.colour.g, body.colour.b, body.yarn));
       ThreadRecord in{}, out{};
       in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);
@@ -158,7 +158,7 @@ constexpr const char* kRayMain = R"(
   vec3 v = given(1).xyz;
   vec3 l = given(2).xyz;
   ThreadHit hit = first_thread(g, given(0).xy, v, 48);
-  answer = vec4(-1.0);
+  result = vec4(-1.0);
   if (hit.system >= 0) {
     int thread = hit.strand.thread;
     float length_mm = hit.system == 0 ? g.period.y : g.period.x;
@@ -167,18 +167,18 @@ constexpr const char* kRayMain = R"(
     Texel t = texture_at(x, texture_point(x, fract(p.along / length_mm), p.turn, given(2).w, 1.0));
     vec4 look = thread_look(hit.system, thread);
     YarnLobes y = thread_lobes(int(look.w), look.rgb);
-    if (row == 0) answer = vec4(float(hit.system), float(thread), hit.at.z, 0.0);
-    if (row == 1) answer = vec4(threads_block(g, hit.at, l, 24, hit.system, thread) ? 1.0 : 0.0);
-    if (row == 2) answer = vec4(p.normal, p.turn);
-    if (row == 3) answer = vec4(p.axis, p.along);
-    if (row == 4) answer = vec4(t.groove, t.tone, t.ply, x.fibre_tan);
-    if (row == 5) answer = vec4(ply_normal(p, x, t.ply, length_mm), 0.0);
-    if (row == 6) answer = vec4(facet_answer(y, p.normal, 1.0, p.axis + p.around * x.fibre_tan, vec3(0.0), l, v).key, 0.0);
+    if (row == 0) result = vec4(float(hit.system), float(thread), hit.at.z, 0.0);
+    if (row == 1) result = vec4(threads_block(g, hit.at, l, 24, hit.system, thread) ? 1.0 : 0.0);
+    if (row == 2) result = vec4(p.normal, p.turn);
+    if (row == 3) result = vec4(p.axis, p.along);
+    if (row == 4) result = vec4(t.groove, t.tone, t.ply, x.fibre_tan);
+    if (row == 5) result = vec4(ply_normal(p, x, t.ply, length_mm), 0.0);
+    if (row == 6) result = vec4(facet_radiance(y, p.normal, 1.0, p.axis + p.around * x.fibre_tan, vec3(0.0), l, v).key, 0.0);
   }
 )";
 constexpr int kRayRows = 7;
-constexpr std::array<const char*, kRayRows> kRayNames{"first_thread", "threads_block", "normal, turn", "axis, along",
-                                                      "texture_at",   "ply_normal",    "facet_answer"};
+constexpr std::array<const char*, kRayRows> kRayNames{"first_thread", "threads_block", "normal, turn",  "axis, along",
+                                                      "texture_at",   "ply_normal",    "facet_radiance"};
 
 vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
   using namespace cloth::thread_formulas;
@@ -207,7 +207,7 @@ vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
       return {t.ply_normal(p, x, texel.ply, length), 0};
     default: {
       const formulas::YarnLobes y = formulas::yarn_of(t.yarn(static_cast<int>(look.w)), vec3(look));
-      return {formulas::facet_answer(y, p.normal, 1, p.axis + p.around * x.fibre_tan, vec3(0), l, v).key, 0};
+      return {formulas::facet_radiance(y, p.normal, 1, p.axis + p.around * x.fibre_tan, vec3(0), l, v).key, 0};
     }
   }
 }
@@ -294,11 +294,11 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
 
 constexpr const char* kFloatMain = R"(
   ThreadGrid g = thread_grid(given(0).w > 0.0 ? 0 : 1);
-  IrawanPlace p = irawan_place(g, given(0).xy);
-  answer = vec4(-1.0);
-  if (p.system >= 0 && row == 0) answer = vec4(float(p.system), float(p.thread), p.above ? 1.0 : 0.0, 0.0);
-  if (p.system >= 0 && row == 1) answer = vec4(p.at, p.size);
-  if (row == 2) answer = vec4(irawan_specular(p, given(2).w, given(2).xyz, given(1).xyz));
+  IrawanPoint p = irawan_point(g, given(0).xy);
+  result = vec4(-1.0);
+  if (p.system >= 0 && row == 0) result = vec4(float(p.system), float(p.thread), p.above ? 1.0 : 0.0, 0.0);
+  if (p.system >= 0 && row == 1) result = vec4(p.at, p.size);
+  if (row == 2) result = vec4(irawan_specular(p, given(2).w, given(2).xyz, given(1).xyz));
 )";
 
 TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
@@ -317,12 +317,12 @@ TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
     std::vector<vec4> cpu;
     for (const RayCase& c : cases) {
       PackedThreads& t = c[0].w > 0 ? front : back;
-      const PackedThreads::IrawanPlace place = t.irawan_place(t.grid(), glm::vec2(c[0]));
-      vec4 answer(-1);
-      if (place.system >= 0 && row == 0) answer = {place.system, place.thread, place.above, 0};
-      if (place.system >= 0 && row == 1) answer = {place.at, place.size};
-      if (row == 2) answer = vec4(t.irawan_specular(place, c[2].w, vec3(c[2]), vec3(c[1])));
-      cpu.push_back(answer);
+      const PackedThreads::IrawanPoint place = t.irawan_point(t.grid(), glm::vec2(c[0]));
+      vec4 result(-1);
+      if (place.system >= 0 && row == 0) result = {place.system, place.thread, place.above, 0};
+      if (place.system >= 0 && row == 1) result = {place.at, place.size};
+      if (row == 2) result = vec4(t.irawan_specular(place, c[2].w, vec3(c[2]), vec3(c[1])));
+      cpu.push_back(result);
     }
     const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
     const double off = share_off({from, from + static_cast<std::ptrdiff_t>(cases.size())}, cpu, 2e-3f);
@@ -345,22 +345,22 @@ constexpr const char* kMethodMain = R"(
   vec3 color = given(6).rgb;
   YarnLobes y = yarn_of(data, color);
   vec4 e = given(7);
-  if (row == 0) answer = vec4(facet_answer(y, normalize(vec3(e.xy - 0.5, 1.0)), 0.9, vec3(1.0, e.z, 0.0), vec3(e.x, 0.0, e.y), l, v).key, 0.0);
-  if (row == 1) answer = vec4(facet_answer(y, vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0, 1.0, 0.0), vec3(0.0), l, v).soft, 0.0);
-  if (row == 2) answer = vec4(system_answer(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, d, l, v).key, 0.0);
-  if (row == 3) answer = vec4(response_coord(v), half_slopes(l, v));
+  if (row == 0) result = vec4(facet_radiance(y, normalize(vec3(e.xy - 0.5, 1.0)), 0.9, vec3(1.0, e.z, 0.0), vec3(e.x, 0.0, e.y), l, v).key, 0.0);
+  if (row == 1) result = vec4(facet_radiance(y, vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0, 1.0, 0.0), vec3(0.0), l, v).diffuse, 0.0);
+  if (row == 2) result = vec4(system_radiance(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, d, l, v).key, 0.0);
+  if (row == 3) result = vec4(response_coord(v), half_slopes(l, v));
   if (row == 4) {
     EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), 0.5 + e.x, 0.9 - 0.5 * e.y, e.x);
-    answer = vec4(engine_answer(m, lobe_frame(normalize(vec3(e.xy - 0.5, 1.0)), vec3(1.0, 0.0, 0.0)), l, v).key, 0.0);
+    result = vec4(engine_radiance(m, lobe_frame(normalize(vec3(e.xy - 0.5, 1.0)), vec3(1.0, 0.0, 0.0)), l, v).key, 0.0);
   }
-  if (row == 5) answer = vec4(lean_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), lattice_point(lattice_of(lattice_for(e.x, vec4(0.1, 0.2, 0.3, 0.4), vec4(0.5, 0.6, 0.7, 9.0), 21)), 5, 3, e.y).x);
-  if (row == 6) answer = vec4(hair_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), hair_share(e.w));
-  if (row == 7) answer = vec4(hair_soft(color, color * e.x), 0.0);
+  if (row == 5) result = vec4(gradient_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), lattice_point(lattice_of(lattice_for(e.x, vec4(0.1, 0.2, 0.3, 0.4), vec4(0.5, 0.6, 0.7, 9.0), 21)), 5, 3, e.y).x);
+  if (row == 6) result = vec4(flyaway_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), flyaway_fraction(e.w));
+  if (row == 7) result = vec4(flyaway_sky(color, color * e.x), 0.0);
 )";
 constexpr int kMethodRows = 8;
 constexpr std::array<const char*, kMethodRows> kMethodNames{
-    "facet_answer, key", "facet_answer, soft",  "system_answer", "response_coord, half_slopes",
-    "engine_answer",     "lean, region, slope", "hair_key",      "hair_soft"};
+    "facet_radiance, key", "facet_radiance, diffuse", "system_radiance", "response_coord, half_slopes",
+    "engine_radiance",     "gradient, region, slope", "flyaway_key",     "flyaway_sky"};
 
 vec4 method_on_cpu(const MethodCase& given, int row) {
   using namespace formulas;
@@ -372,27 +372,27 @@ vec4 method_on_cpu(const MethodCase& given, int row) {
   const vec3 n = normalize(vec3(e.x - 0.5f, e.y - 0.5f, 1));
   switch (row) {
     case 0:
-      return {facet_answer(y, n, 0.9f, vec3(1, e.z, 0), vec3(e.x, 0, e.y), l, v).key, 0};
+      return {facet_radiance(y, n, 0.9f, vec3(1, e.z, 0), vec3(e.x, 0, e.y), l, v).key, 0};
     case 1:
-      return {facet_answer(y, vec3(0, 0, 1), 1, vec3(0, 1, 0), vec3(0), l, v).soft, 0};
+      return {facet_radiance(y, vec3(0, 0, 1), 1, vec3(0, 1, 0), vec3(0), l, v).diffuse, 0};
     case 2:
-      return {system_answer(y, e, {0.5f + e.x, 0.5f + e.y}, e.z, given[5], l, v).key, 0};
+      return {system_radiance(y, e, {0.5f + e.x, 0.5f + e.y}, e.z, given[5], l, v).key, 0};
     case 3:
       return {response_coord(v), half_slopes(l, v)};
     case 4: {
       const EngineMaterial m{color,      data.tint.w,       color * e.x, 0.1f + e.y, {0.1f + e.z, 0.1f + e.w},
                              0.5f + e.x, 0.9f - 0.5f * e.y, e.x};
-      return {engine_answer(m, lobe_frame(n, vec3(1, 0, 0)), l, v).key, 0};
+      return {engine_radiance(m, lobe_frame(n, vec3(1, 0, 0)), l, v).key, 0};
     }
     case 5:
       return {
-          lean_factor(given[2], given[3], e), region_factor(e.x, e.y + 0.1f), slope_coord(l.x / l.z),
+          gradient_factor(given[2], given[3], e), region_factor(e.x, e.y + 0.1f), slope_coord(l.x / l.z),
           lattice_point(lattice_of(lattice_for(e.x, {0.1f, 0.2f, 0.3f, 0.4f}, {0.5f, 0.6f, 0.7f, 9.0f}, 21)), 5, 3, e.y)
               .x};
     case 6:
-      return {hair_key(color, color * e.x, normalize(vec3(e) - 0.5f), vec3(0, 0, 1), l, v), hair_share(e.w)};
+      return {flyaway_key(color, color * e.x, normalize(vec3(e) - 0.5f), vec3(0, 0, 1), l, v), flyaway_fraction(e.w)};
     default:
-      return {hair_soft(color, color * e.x), 0};
+      return {flyaway_sky(color, color * e.x), 0};
   }
 }
 

@@ -28,12 +28,12 @@ struct Nearness {
 };
 
 void expect_near(const Measured& m, const EngineModel& model, const Nearness& bounds, const std::string& what) {
-  const EngineTexels seen = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
-  ASSERT_FALSE(seen.texels.empty());
-  const EngineFit fit = fit_engine(seen, m.cloth, m.response, model);
+  const EngineTexels texels = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
+  ASSERT_FALSE(texels.texels.empty());
+  const EngineFit fit = fit_engine(texels, m.cloth, m.response, model);
   EXPECT_LE(fit.f0, model.most_f0) << what;
   EXPECT_LE(fit.f0, fit.f90) << what;
-  for (const EngineScore& s : score_engine(seen, m.cloth, m.response, model, fit)) {
+  for (const EngineScore& s : score_engine(texels, m.cloth, m.response, model, fit)) {
     if (s.view_deg > 75) continue;
     const bool slanted = s.view_deg > 60;
     EXPECT_NEAR(s.mean, 1, slanted ? bounds.slanted_mean : bounds.mean) << what << " at " << s.view_deg << " degrees";
@@ -63,9 +63,9 @@ Design shining_satin() {
 TEST(EngineFit, GlossySatinKeepsItsHighlight) {
   const Measured m = measured(shining_satin());
   expect_near(m, kModels[0], {0.1f, 0.33f, 0.25f}, "glTF");
-  const EngineTexels seen = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
-  const EngineFit fit = fit_engine(seen, m.cloth, m.response, kModels[0]);
-  const EngineLobe wide = engine_lobe(seen.texels[0], {1, 1}, 1), held = engine_lobe(seen.texels[0], fit.lobe, 1);
+  const EngineTexels texels = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
+  const EngineFit fit = fit_engine(texels, m.cloth, m.response, kModels[0]);
+  const EngineLobe wide = engine_lobe(texels.texels[0], {1, 1}, 1), held = engine_lobe(texels.texels[0], fit.lobe, 1);
   EXPECT_LT(held.roughness, 0.9f * wide.roughness) << "the spread of the normals is no highlight";
 }
 
@@ -86,9 +86,9 @@ TEST(EngineFit, WhatAnEngineCannotSetStays) {
 
 TEST(EngineFit, CloseViewsKeepTheYarnsOwnLobes) {
   const Measured m = measured(plain({2, 2}));
-  const EngineTexels seen = engine_texels(m.cloth, m.maps, 0);
-  EXPECT_EQ(seen.share, 0);
-  const EngineFit fit = fit_engine(seen, m.cloth, m.response, {});
+  const EngineTexels texels = engine_texels(m.cloth, m.maps, 0);
+  EXPECT_EQ(texels.footprint_weight, 0);
+  const EngineFit fit = fit_engine(texels, m.cloth, m.response, {});
   EXPECT_EQ(fit.lobe, glm::vec2(1, 1));
 }
 

@@ -33,7 +33,7 @@ YarnLobes white(float along, float across, float f0 = 1) {
   y.fuzz_colour = glm::vec3(1);
   y.fuzz = 0;
   y.fuzz_depth = 0.25f;
-  y.pile = 1;
+  y.fibre_layers = 1;
   return y;
 }
 

@@ -25,7 +25,7 @@ YarnLobes white_mirror(float along, float across) {
   y.fuzz_colour = glm::vec3(1);
   y.fuzz = 0;
   y.fuzz_depth = 0.25f;
-  y.pile = 1;
+  y.fibre_layers = 1;
   return y;
 }
 
@@ -309,15 +309,15 @@ TEST(YarnLobes, AreHeldWhereTheFileHoldsThem) {
 // n r / (1 + (n - 1) r), at any angle that r stands for.
 TEST(YarnLobes, LayersMirrorAsAPileOfPlates) {
   Lobes lobes;
-  const float once = mirror_shares(lobes).clear;
+  const float once = fibre_reflectance(lobes).clear;
   EXPECT_NEAR(once, 0.0439f, 1e-4f);
   for (const float n : {1.0f, 2.0f, 5.0f, 16.0f}) {
     lobes.layers = n;
     const YarnLobes y = yarn_lobes(lobes, {0, 0, 0});
     for (const float cosine : {1.0f, 0.7f, 0.3f, 0.05f}) {
       const float one = once + (1 - once) * std::pow(1 - cosine, 5.0f);
-      const float pile = y.f0.x + (y.f90 - y.f0.x) * formulas::pile_grazing(y.pile, 1 - cosine);
-      EXPECT_NEAR(pile, n * one / (1 + (n - 1) * one), 1e-5f) << n << ' ' << cosine;
+      const float layered = y.f0.x + (y.f90 - y.f0.x) * formulas::layered_grazing(y.fibre_layers, 1 - cosine);
+      EXPECT_NEAR(layered, n * one / (1 + (n - 1) * one), 1e-5f) << n << ' ' << cosine;
     }
   }
 }
@@ -325,7 +325,7 @@ TEST(YarnLobes, LayersMirrorAsAPileOfPlates) {
 TEST(YarnLobes, WhatWentThroughTheFibresTakesTheirColour) {
   Lobes lobes;
   lobes.layers = 3, lobes.inner = 0.25f;
-  const float clear = mirror_shares(lobes).clear;
+  const float clear = fibre_reflectance(lobes).clear;
   const YarnLobes y = yarn_lobes(lobes, {0.8f, 0.1f, 0});
   EXPECT_NEAR(y.f0.x, 0.75f * clear + 0.25f * 0.8f, 1e-6f);
   EXPECT_NEAR(y.f0.z, 0.75f * clear, 1e-6f);
@@ -334,7 +334,7 @@ TEST(YarnLobes, WhatWentThroughTheFibresTakesTheirColour) {
 TEST(YarnLobes, AShorterWayThroughTheDyeIsPaler) {
   Lobes lobes;
   lobes.inner = 0.5f;
-  const float clear = 0.5f * mirror_shares(lobes).clear;
+  const float clear = 0.5f * fibre_reflectance(lobes).clear;
   for (const float depth : {0.5f, 1.0f, 2.0f}) {
     lobes.inner_depth = depth;
     const YarnLobes y = yarn_lobes(lobes, {0.8f, 0.1f, 1});

@@ -41,7 +41,7 @@ inline formulas::YarnLobes random_lobes(std::mt19937& rng) {
   y.fuzz_colour = colour();
   y.fuzz = u(rng) < 0.3f ? 0.0f : u(rng);
   y.fuzz_depth = 0.0025f + u(rng);
-  y.pile = 1;
+  y.fibre_layers = 1;
   return y;
 }
 

@@ -26,7 +26,7 @@ Cloth plain(int threads, float thickness_mm) {
 std::array<float, 2> covers(const ThreadSamples& threads, size_t view) {
   const glm::vec3 v = response_views()[view];
   std::array<float, 2> sum{};
-  for (const ThreadSample& p : threads.places)
+  for (const ThreadSample& p : threads.samples)
     sum[static_cast<size_t>(p.system)] += p.area * std::max(glm::dot(p.side, v), 0.0f) * p.open[view] / v.z;
   return sum;
 }
@@ -68,7 +68,7 @@ Cloth damask() {
 // Blocks stand out the more the flatter they are seen: the fewer threads of each hide between the others.
 TEST(ThreadSamples, WhatIsSeenRisesWithTheCoverAround) {
   const Cloth cloth = damask();
-  const std::vector<float> rise = cloth_response(cloth, bake(cloth, {192, 32}), 1 << 14).seen_rise;
+  const std::vector<float> rise = cloth_response(cloth, bake(cloth, {192, 32}), 1 << 14).visible_rise;
   ThreadScene scene(cloth);
   for (const size_t view :
        {kFromAbove, static_cast<size_t>(3 * kViewAzimuths + 3), static_cast<size_t>(2 * kViewAzimuths + 5)}) {
@@ -113,7 +113,7 @@ TEST(ThreadSamples, WindowsOfALargeClothAnswerAsTheWhole) {
   }
 }
 
-TEST(ThreadSamples, NoThreadsNoPlaces) { EXPECT_TRUE(thread_samples({}, 100).places.empty()); }
+TEST(ThreadSamples, NoThreadsNoPlaces) { EXPECT_TRUE(thread_samples({}, 100).samples.empty()); }
 
 }  // namespace
 }  // namespace weftlight::light

@@ -89,7 +89,7 @@ TEST(Environments, KeepAllTheirLight) {
                static_cast<float>(kSide * kSide);
   for (int y = 0; y < e.picture().height; ++y)
     for (int x = 0; x < e.picture().width; ++x)
-      sampled += e.soft(middle_of(e.picture(), x, y)) * covers(e.picture(), y);
+      sampled += e.capped_radiance(middle_of(e.picture(), x, y)) * covers(e.picture(), y);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(sampled[k] / all[k], 1, 0.02);
 }
 

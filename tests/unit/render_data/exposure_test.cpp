@@ -29,7 +29,7 @@ TEST(Exposure, IsOfTheThreadsAndNotOfTheGaps) {
     for (interop::SystemData& s : cloth.systems) {
       s.color = {color, color, color, 0};
       s.yarn.body = 1;
-      s.share = 0.5f, s.coverage = coverage;
+      s.fraction = 0.5f, s.coverage = coverage;
     }
     return mean_reflectance(cloth);
   };

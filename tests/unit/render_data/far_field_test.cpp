@@ -29,7 +29,7 @@ double grey(const glm::vec3& c) { return static_cast<double>(c.r + c.g + c.b) / 
 struct Shipped {
   std::string name;
   Cloth cloth;
-  FarField answer;
+  FarField field;
   std::unique_ptr<TubeScene> tubes;
 };
 
@@ -45,7 +45,7 @@ class FarFields : public ::testing::Test {
       Shipped made;
       made.name = name;
       made.cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
-      made.answer = far_field(made.cloth);
+      made.field = far_field(made.cloth);
       std::string error;
       made.tubes = TubeScene::build(made.cloth, {}, error);
       ASSERT_TRUE(made.tubes) << error;
@@ -85,7 +85,7 @@ TEST_F(FarFields, SharesAreWhatRaysSeeOfEachSystem) {
       if (!cloth.tubes->intersect({at.x, at.y, cloth.tubes->z_max()}, {0, 0, -1}, 0, hit)) continue;
       ++all, warp += hit.system == System::kWarp;
     }
-    EXPECT_NEAR(cloth.answer.response.systems[0].share, static_cast<float>(warp) / static_cast<float>(all), 0.006f)
+    EXPECT_NEAR(cloth.field.response.systems[0].fraction, static_cast<float>(warp) / static_cast<float>(all), 0.006f)
         << cloth.name;
   }
 }
@@ -96,7 +96,7 @@ TEST_F(FarFields, LightFromBehindComesThroughThePlacesThatNoThreadHides) {
     for (const float tilt : {0.0f, 60.0f}) {
       const glm::vec3 view = tilted(kViewAzimuth, tilt), before = tilted(35, 40), behind = tilted(35, 140);
       const double truth = traced(cloth, view, behind), bright = traced(cloth, view, before);
-      EXPECT_NEAR(grey(radiance_from_afar(cloth.answer, behind, view)), truth, 0.1 * truth + 0.0015 * bright)
+      EXPECT_NEAR(grey(far_field_radiance(cloth.field, behind, view)), truth, 0.1 * truth + 0.0015 * bright)
           << cloth.name << " at " << tilt << " degrees";
     }
   }
@@ -112,7 +112,7 @@ TEST_F(FarFields, LightFromBehindHoldsBetweenTheNodesToo) {
       const glm::vec3 view = tilted(kViewAzimuth, tilt);
       for (const glm::vec3& light : lights) {
         const double truth = traced(cloth, view, light);
-        all += truth, missed += std::abs(grey(radiance_from_afar(cloth.answer, light, view)) - truth);
+        all += truth, missed += std::abs(grey(far_field_radiance(cloth.field, light, view)) - truth);
       }
     }
     EXPECT_LT(missed / all, cloth.name == "satin_8" ? 0.4 : 0.15) << cloth.name;
@@ -126,7 +126,7 @@ TEST_F(FarFields, TheSkyIsSeenAsFarAsOtherThreadsLeaveIt) {
   for (const Shipped& cloth : cloths) {
     for (const float tilt : {0.0f, 60.0f, 80.0f}) {
       const glm::vec3 view = tilted(kViewAzimuth, tilt);
-      const double ours = grey(sky_from_afar(cloth.answer, view, 0.5f, {0, 0, 0.5f}));
+      const double ours = grey(far_field_sky_radiance(cloth.field, view, 0.5f, {0, 0, 0.5f}));
       EXPECT_NEAR(ours / traced(cloth, view, around), 1, 0.1) << cloth.name << " at " << tilt << " degrees";
     }
   }
@@ -137,7 +137,7 @@ TEST_F(FarFields, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
   for (const Shipped& cloth : cloths) {
     for (const float tilt : {0.0f, 60.0f, 80.0f}) {
       const glm::vec3 view = tilted(kViewAzimuth, tilt), light = tilted(35, 40);
-      EXPECT_NEAR(grey(radiance_from_afar(cloth.answer, light, view)) / traced(cloth, view, light), 1,
+      EXPECT_NEAR(grey(far_field_radiance(cloth.field, light, view)) / traced(cloth, view, light), 1,
                   tilt < 70 ? 0.06 : 0.13)
           << cloth.name << " at " << tilt << " degrees";
     }

@@ -99,7 +99,7 @@ TEST(Stages, OfManyCellsWhatIsSeenComesFirst) {
   const PackedTexture& color = stages.packed().front.textures[0];
   // Shown whole, four texels a pixel.
   const float texel_mm = stages.packed().width_mm / static_cast<float>(color.width);
-  stages.look({0, 0, 1e6f, 1e6f, 4 * texel_mm});
+  stages.set_visible_part({0, 0, 1e6f, 1e6f, 4 * texel_mm});
   const StageResult seen = stages.update(keep(after), Effort::kQuick);
   EXPECT_FALSE(seen.all_maps);
   ASSERT_FALSE(seen.patches.maps.empty());
@@ -127,7 +127,7 @@ TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
   fresh.update(keep(before));
   // Near: a corner of the cloth, two threads a pixel of which are seen one by one.
   const float mm = stages.packed().width_mm / 199;
-  stages.look({10 * mm, 20 * mm, 40 * mm, 50 * mm, 0.05f * mm});
+  stages.set_visible_part({10 * mm, 20 * mm, 40 * mm, 50 * mm, 0.05f * mm});
   const StageResult near = stages.update(keep(after), Effort::kQuick);
   ASSERT_EQ(near.patches.crossings.size(), 1u);
   EXPECT_LT(near.patches.crossings[0].texels.size(), 2000u);

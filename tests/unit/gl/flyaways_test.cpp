@@ -1,8 +1,9 @@
+#include "render_data/flyaways.h"
+
 #include <algorithm>
 #include <numeric>
 
 #include "picture.h"
-#include "render_data/flyaways.h"
 
 namespace weftlight::gl {
 namespace {
@@ -157,7 +158,7 @@ std::vector<Flyaway> sown(const FlyawayGrowth& growth, float pixel_mm) {
   view.world_to_clip[0][0] = view.world_to_clip[1][1] = scale, view.world_to_clip[3][1] = -150 * scale;
   view.world_to_clip[2][2] = view.world_to_clip[2][3] = -1;
   view.world_to_clip[3][2] = view.world_to_clip[3][3] = 1000;
-  return sow_hairs(prepared, {}, {}, growth, view);
+  return scatter_flyaways(prepared, {}, {}, growth, view);
 }
 
 TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {

@@ -3,7 +3,7 @@
 // A section leans with its thread: at slope m the vertical cut through it is sqrt(1 + m^2) as high, and the
 // place on top of the cut stems from a section further along (first order in the section's height).
 
-#include "cloth/surface.h"
+#include "cloth/surface_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
-constexpr float kMinShown = 1e-6f;       // rounding of the covers, not a sliver of thread
+constexpr float kMinCover = 1e-6f;       // rounding of the covers, not a sliver of thread
 constexpr double kMaxSamples = 1 << 24;  // of one map, before threads are sampled more sparsely
 // The square of an ellipse's slope has no mean up to its edge: it is taken to this share of the radius.
 constexpr float kSteepest = 0.985f;
@@ -83,7 +83,7 @@ SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid
       if (t.centre_mm + 0.5f * t.spacing_mm > middle) break;
       axis.thread_from.push_back(i);
     }
-    const float s = place_in_period((static_cast<float>(i) + 0.5f) * step, period);
+    const float s = position_in_period((static_cast<float>(i) + 0.5f) * step, period);
     while (axis.crossing_from.size() < threads.size() && threads[axis.crossing_from.size()].centre_mm <= s)
       axis.crossing_from.push_back(i);
   }
@@ -218,19 +218,19 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   const bool warp = system == System::kWarp;
   const Textures& textures = warp ? warp_texture_ : weft_texture_;
   const ThreadTexture& texture = textures.at(thread);
-  const float share = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
+  const float period_fraction = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
   const CentrePoint centre = centre_at(lines_, system, thread, step);
   Along a;
   a.centre_mm = centre.height_mm;
   a.slope = centre.slope;
   a.lengthened = std::sqrt(1.0f + centre.slope * centre.slope);
   a.bend = centre.bend * centre.slope / a.lengthened;
-  a.ply_turn = static_cast<float>(texture.ply_advance) * share;
-  a.stray_turn = static_cast<float>(texture.stray_advance) * share;
-  const float node = std::floor(share * static_cast<float>(texture.nodes));
+  a.ply_turn = static_cast<float>(texture.ply_advance) * period_fraction;
+  a.stray_turn = static_cast<float>(texture.stray_advance) * period_fraction;
+  const float node = std::floor(period_fraction * static_cast<float>(texture.nodes));
   a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
-  a.blend = std::clamp(share * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
-  a.turn = static_cast<float>(texture.advance) * share;
+  a.blend = std::clamp(period_fraction * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
+  a.turn = static_cast<float>(texture.advance) * period_fraction;
   if (textures.has_pattern(thread)) a.turn += thread_formulas::wander(texture, a.node, a.blend);
   return a;
 }
@@ -312,7 +312,7 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     }
     const bool warp_first = warp >= weft;
     out[i] = warp_first ? finish(System::kWarp, column, end, warp) : finish(System::kWeft, across_row, pick, weft);
-    if (std::min(warp, weft) > kMinShown)
+    if (std::min(warp, weft) > kMinCover)
       beside.push_back({static_cast<int>(i), warp_first ? finish(System::kWeft, across_row, pick, weft)
                                                         : finish(System::kWarp, column, end, warp)});
   }
@@ -332,11 +332,11 @@ void LayeredSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
   for (Shown& layer : layers_) layer.sampler.row(y, layer.out, layer.beside), layer.next = 0;
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
-    const std::vector<SurfaceSample>& seen = stacked(i);
-    const auto most = std::ranges::max_element(seen, {}, &SurfaceSample::cover);
+    const std::vector<SurfaceSample>& stack = stacked(i);
+    const auto most = std::ranges::max_element(stack, {}, &SurfaceSample::cover);
     out[i] = *most;
-    for (const SurfaceSample& s : seen)
-      if (&s != &*most && s.cover > kMinShown) beside.push_back({static_cast<int>(i), s});
+    for (const SurfaceSample& s : stack)
+      if (&s != &*most && s.cover > kMinCover) beside.push_back({static_cast<int>(i), s});
   }
 }
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::session {
+
+using base::tr;
+
 namespace {
 
 constexpr uint64_t kLoomStrokes = uint64_t{1} << 61;  // apart from those of the mouse
@@ -16,7 +20,7 @@ LoomStep taken(AtLoom& at, const Design& design, loom::LoomReply reply) {
   LoomStep step;
   step.send = std::move(reply.send);
   if (const int next = at.place.next_pick; next != design.loom.next_pick)
-    step.edit = Edit{"Weave at the loom",
+    step.edit = Edit{tr("Weave at the loom"),
                      [next](Design d) {
                        d.loom.next_pick = next;
                        return d;

@@ -3,9 +3,15 @@
 #include <ctime>
 #include <utility>
 
+#include "base/text.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int64_t kNsPerS = 1'000'000'000;
@@ -22,8 +28,12 @@ std::tm local_time(int64_t ns) {
 OpenResult bring_back(const LeftWork& left) {
   std::optional<JournalEntry> entry = read_left(left);
   if (!entry) {
-    const std::string why = left.problem.empty() ? std::string() : ": " + left.problem;
-    return {{}, {{Severity::kError, 0, left.journal + " cannot be read" + why, "It was left where it is."}}};
+    return {{},
+            {{Severity::kError, 0,
+              left.problem.empty() ? fill(tr("{file} cannot be read"), arg("file", left.journal))
+                                   : fill(tr("{file} cannot be read: {problem}"), arg("file", left.journal),
+                                          arg("problem", left.problem)),
+              tr("The file was left as it is.")}}};
   }
   WifRead read = read_wif(entry->text);
   if (!read.file) return {{}, std::move(read.diagnostics)};
@@ -32,7 +42,7 @@ OpenResult bring_back(const LeftWork& left) {
   if (!note.path.empty() && began_with.there && changed_since(note.path, began_with) == FileChange::kNone) {
     OpenResult original = open_document(note.path);
     if (original.document) {
-      original.document->commit({"Bring back unsaved work", [d = read.file->design](Design) { return d; }}, 0);
+      original.document->commit({tr("Recover unsaved work"), [d = read.file->design](Design) { return d; }}, 0);
       return original;
     }
   }
@@ -47,9 +57,9 @@ std::string time_in_words(int64_t then_ns, int64_t now_ns) {
   const auto on = [&then](const std::tm& day) { return then.tm_year == day.tm_year && then.tm_yday == day.tm_yday; };
   char text[64];
   std::strftime(text, sizeof text,
-                on(today)       ? "today %H:%M"
-                : on(yesterday) ? "yesterday %H:%M"
-                                : "%d %B %Y, %H:%M",
+                on(today)       ? tr("today %H:%M")
+                : on(yesterday) ? tr("yesterday %H:%M")
+                                : tr("%d %B %Y, %H:%M"),
                 &then);
   return text;
 }

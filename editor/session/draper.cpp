@@ -3,9 +3,15 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "files/design_drape.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of the window
@@ -13,7 +19,7 @@ constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of 
 }  // namespace
 
 Edit simulated_drape_edit(bool own) {
-  return {own ? "Simulate this fabric" : "Use the generic drape", [own](Design d) {
+  return {own ? tr("Simulate this fabric") : tr("Use the generic drape"), [own](Design d) {
             d.scene.simulated_drape = own;
             return d;
           }};
@@ -41,7 +47,7 @@ void Draper::stop() {
   if (state_.stage != DrapeStage::kFalling) return;
   state_ = {DrapeStage::kStopped, 0, {}};
   news_.any = true;
-  news_.said = "Stopped: it hangs like cloths of its kind";
+  news_.said = tr("Simulation stopped: the generic drape is shown");
 }
 
 void Draper::again(const std::shared_ptr<const Design>& design) {
@@ -70,10 +76,10 @@ void Draper::run(const Design& design, const std::string& wanted, const std::sto
   });
   if (stop.stop_requested()) return;
   if (!problem.empty()) {
-    std::string said = "Not draped: " + problem;
+    std::string said = fill(tr("Not simulated: {problem}"), arg("problem", problem));
     return tell(wanted, {DrapeStage::kFailed, 0, std::move(problem)}, std::move(said));
   }
-  tell(wanted, {DrapeStage::kOwn, 1, {}}, "Draped: it hangs as this cloth does");
+  tell(wanted, {DrapeStage::kOwn, 1, {}}, tr("Simulated: the drape is this fabric's own"));
 }
 
 void Draper::tell(const std::string& wanted, DrapeState state, std::string said) {

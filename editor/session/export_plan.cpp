@@ -4,9 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/text.h"
 #include "texture_set/set_folder.h"
 
 namespace weftlight::session {
+
+using base::tr;
 
 namespace fs = std::filesystem;
 
@@ -37,14 +40,14 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
   }
   const SetFigures& s = out.set;
   if (s.ends == 0 || s.picks == 0) {
-    out.why.emplace_back("There is no cloth: the draft needs at least one end and one pick.");
+    out.why.emplace_back(tr("There is no cloth: the draft needs at least one end and one pick."));
     return out;
   }
   out.texels_a_thread = std::min(static_cast<float>(s.size.width) / static_cast<float>(s.ends),
                                  static_cast<float>(s.size.height) / static_cast<float>(s.picks));
   constexpr float kMinTexels = 2;
   if (out.texels_a_thread < kMinTexels)
-    out.why.emplace_back("Threads have less than two texels and blur; take more texels or a smaller tile.");
+    out.why.emplace_back(tr("Threads are less than two texels wide and blur; use more texels or a smaller tile."));
   return out;
 }
 

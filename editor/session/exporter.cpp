@@ -5,10 +5,16 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "files/design_drape.h"
 #include "texture_set/material_files.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of the window
@@ -33,7 +39,7 @@ void Exporter::stop() {
   const std::lock_guard lock(mutex_);
   if (!state_.busy) return;
   state_.busy = false, state_.stopped = true;
-  message_ = "The export was stopped; what stood there before stands";
+  message_ = tr("The export was stopped; the earlier set is unchanged");
 }
 
 Exporter::State Exporter::state() const {
@@ -102,11 +108,13 @@ void Exporter::end() {
     const std::lock_guard lock(mutex_);
     state_.busy = false, state_.share = 1, news_ = true;
     const size_t count = state_.written.size();
-    if (!state_.problems.empty()) message_ = "Not exported: " + state_.problems.front();
-    else if (count == 1) message_ = "Exported the textures to " + state_.written.front();
+    if (!state_.problems.empty())
+      message_ = fill(tr("Not exported: {problem}"), arg("problem", state_.problems.front()));
+    else if (count == 1)
+      message_ = fill(tr("Exported the texture set to {folder}"), arg("folder", state_.written.front()));
     else if (count > 1)
-      message_ = "Exported " + std::to_string(count) + " sets to " +
-                 std::filesystem::path(state_.written.front()).parent_path().string();
+      message_ = fill(tr("Exported {count} sets to {folder}"), arg("count", count),
+                      arg("folder", std::filesystem::path(state_.written.front()).parent_path().string()));
   }
   wake_();
 }

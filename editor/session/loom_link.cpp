@@ -3,7 +3,12 @@
 #include <chrono>
 #include <utility>
 
+#include "base/text.h"
+
 namespace weftlight::session {
+
+using base::tr;
+
 namespace {
 
 constexpr std::chrono::seconds kAgain{2};
@@ -73,7 +78,7 @@ void LoomLink::work() {
     if (opened.line) talk(*opened.line, address);
     lock.lock();
     if (address != address_) continue;
-    why_ = opened.line ? "the line broke off" : opened.why;
+    why_ = opened.line ? tr("the connection was lost") : opened.why;
     state_ = State::kConnecting;
     wake_();
     changed_.wait_for(lock, kAgain, [&] { return address != address_; });

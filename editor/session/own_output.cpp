@@ -8,10 +8,15 @@
 #include <sstream>
 #include <utility>
 
+#include "base/text.h"
 #include "session/file_identity.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::mark;
+using base::tr;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,7 +28,7 @@ bool is_free(const std::string& path) {
   return fs::is_regular_file(path, error) ? fs::file_size(path, error) == 0 : !fs::is_directory(path, error);
 }
 
-constexpr const char* kIsTheDraft = "it is the draft that is opened; give another file";
+constexpr const char* kIsTheDraft = mark("it is the draft to open; give another file");
 
 /// The hashes that a record names; none where there is none.
 std::vector<uint64_t> hashes_in(const std::string& record) {
@@ -44,16 +49,16 @@ LiveExport::LiveExport(std::string path, const std::string& state_folder) : path
 }
 
 std::string LiveExport::rejected_edit(const std::string& draft) const {
-  if (same_file(path_, draft)) return kIsTheDraft;
+  if (same_file(path_, draft)) return tr(kIsTheDraft);
   if (is_free(path_)) return {};
   std::error_code error;
-  if (fs::is_directory(path_, error)) return "it is a folder; give a file";
+  if (fs::is_directory(path_, error)) return tr("it is a folder; give a file");
   const std::vector<uint64_t> own = hashes_in(record_);
   const uint64_t there = identify(path_).hash;
   if (std::find(own.begin(), own.end(), there) != own.end()) return {};
   // As the opened draft is: writing it again changes nothing.
   if (!draft.empty() && there == identify(draft).hash) return {};
-  return "a file is there that it did not write; remove that or give another name";
+  return tr("another program's file is there; remove it or give another name");
 }
 
 std::string LiveExport::write(std::string_view bytes) {
@@ -70,11 +75,11 @@ std::string LiveExport::write(std::string_view bytes) {
 }
 
 std::string ui_map_refusal(const std::string& path, const std::string& draft) {
-  if (same_file(path, draft)) return kIsTheDraft;
+  if (same_file(path, draft)) return tr(kIsTheDraft);
   if (is_free(path)) return {};
   const nlohmann::json json = nlohmann::json::parse(read_file(path).bytes, nullptr, false);
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};
-  return "what is there is no map of the window; remove it or give another name";
+  return tr("the file there is no map of the window; remove it or give another name");
 }
 
 }  // namespace weftlight::session

@@ -5,40 +5,65 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/text.h"
 #include "draft/crossings.h"
 #include "session/selection_state.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 std::string number(int index) { return std::to_string(index + 1); }
 
 /// "3", "3 and 5", "1, 2 and 4": the set columns of a row, counted from 1.
-std::string listed(const BitMatrix& m, int row) {
-  std::vector<std::string> names;
-  for (int col = 0; row >= 0 && row < m.rows() && col < m.cols(); ++col)
-    if (m.get(row, col)) names.push_back(number(col));
+std::string listed(const std::vector<int>& columns) {
   std::string out;
-  for (size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  for (size_t i = 0; i < columns.size(); ++i) {
+    if (i == 0) out = number(columns[i]);
+    else
+      out = fill(i + 1 == columns.size() ? tr("{first} and {last}") : tr("{first}, {last}"), arg("first", out),
+                 arg("last", number(columns[i])));
+  }
   return out;
 }
 
-std::string plural(const std::string& list, const char* one) {
-  return std::string(one) + (list.find_first_of(",a") == std::string::npos ? " " : "s ") + list;
+std::vector<int> set_columns(const BitMatrix& m, int row) {
+  std::vector<int> out;
+  for (int col = 0; row >= 0 && row < m.rows() && col < m.cols(); ++col)
+    if (m.get(row, col)) out.push_back(col);
+  return out;
 }
 
 std::string shafts_of_end(const Draft& d, int end) {
-  const std::string list = listed(d.threading, end);
-  return "End " + number(end) + (list.empty() ? " on no shaft" : " on " + plural(list, "shaft"));
+  const std::vector<int> on = set_columns(d.threading, end);
+  const char* text = on.empty() ? tr("End {end} on no shaft")
+                                : tr_n("End {end} on shaft {shafts}", "End {end} on shafts {shafts}",
+                                       static_cast<long long>(on.size()));
+  return fill(text, arg("end", number(end)), arg("shafts", listed(on)));
 }
 
-std::string lift_of_pick(const Draft& d, int pick) {
+/// Which shafts or treadles a pick uses.
+std::string shed_of_pick(const Draft& d, int pick) {
   const bool plan = d.shed_control == ShedControl::kLiftplan;
-  const std::string list = listed(plan ? d.liftplan : d.treadling, pick);
-  const char* verb = !plan ? "" : d.rising ? "lifts " : "lowers ";
-  const char* nothing = plan ? (d.rising ? "lifts no shaft" : "lowers no shaft") : "no treadle";
-  return "Pick " + number(pick) + (plan ? " " : ": ") +
-         (list.empty() ? nothing : verb + plural(list, plan ? "shaft" : "treadle"));
+  const std::vector<int> used = set_columns(plan ? d.liftplan : d.treadling, pick);
+  const auto count = static_cast<long long>(used.size());
+  const char* text = nullptr;
+  if (!plan)
+    text = used.empty() ? tr("Pick {pick}: no treadle")
+                        : tr_n("Pick {pick}: treadle {list}", "Pick {pick}: treadles {list}", count);
+  else if (d.rising)
+    text = used.empty() ? tr("Pick {pick} lifts no shaft")
+                        : tr_n("Pick {pick} lifts shaft {list}", "Pick {pick} lifts shafts {list}", count);
+  else
+    text = used.empty() ? tr("Pick {pick} lowers no shaft")
+                        : tr_n("Pick {pick} lowers shaft {list}", "Pick {pick} lowers shafts {list}", count);
+  return fill(text, arg("pick", number(pick)), arg("list", listed(used)));
 }
 
 std::string thread_facts(const Design& design, System system, int thread) {
@@ -46,10 +71,10 @@ std::string thread_facts(const Design& design, System system, int thread) {
   if (thread >= t.size()) return {};
   const Yarn& yarn = design.yarns[static_cast<size_t>(t.yarn[static_cast<size_t>(thread)])];
   const float given = t.thickness_mm[static_cast<size_t>(thread)];
-  char size[32];
-  std::snprintf(size, sizeof size, "%.2f mm", static_cast<double>(given < 0 ? yarn.diameter_mm : given));
-  return std::string(system == System::kWarp ? "End " : "Pick ") + number(thread) + ": colour " +
-         number(t.color[static_cast<size_t>(thread)]) + ", " + yarn.name + ", " + size;
+  const char* text = system == System::kWarp ? tr("End {thread}: colour {color}, {yarn}, {thickness:.2f} mm")
+                                             : tr("Pick {thread}: colour {color}, {yarn}, {thickness:.2f} mm");
+  return fill(text, arg("thread", number(thread)), arg("color", number(t.color[static_cast<size_t>(thread)])),
+              arg("yarn", yarn.name), arg("thickness", given < 0 ? yarn.diameter_mm : given));
 }
 
 /// The crossings of a line and its images, all of them or, where the loom cannot weave them, none.
@@ -125,8 +150,15 @@ Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
 }
 
 Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror) {
-  constexpr const char* kSpoken[] = {"", "threading", "tie-up", "treadling", "liftplan", "drawdown", "", ""};
-  Edit edit{std::string("Paint ") + kSpoken[static_cast<int>(grid)], [=](Design design) {
+  constexpr const char* kLabels[] = {"",
+                                     mark("Paint threading"),
+                                     mark("Paint tie-up"),
+                                     mark("Paint treadling"),
+                                     mark("Paint liftplan"),
+                                     mark("Paint drawdown"),
+                                     "",
+                                     ""};
+  Edit edit{tr(kLabels[static_cast<int>(grid)]), [=](Design design) {
               if (grid == GridId::kDrawdown) return painted_line(std::move(design), from, to, on, mirror).design;
               for (const Cell& at : line_of_cells(from, to))
                 for (const Cell& image : images_of(mirror, grid, at))
@@ -145,7 +177,7 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirro
 
 Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror) {
   const System system = grid == GridId::kWarpColors ? System::kWarp : System::kWeft;
-  const std::string label = what == BarPaint::kColor ? "Colour threads" : "Choose yarn of threads";
+  const std::string label = what == BarPaint::kColor ? tr("Colour threads") : tr("Choose yarn of threads");
   return {label, [=](Design design) {
             for (const Cell& at : line_of_cells(from, to))
               for (const Cell& image : images_of(mirror, grid, at)) {
@@ -165,13 +197,15 @@ std::string describe(const Design& design, const BitMatrix& cells, GridId grid, 
       return shafts_of_end(d, at.a);
     case GridId::kTreadling:
     case GridId::kLiftplan:
-      return lift_of_pick(d, at.b);
+      return shed_of_pick(d, at.b);
     case GridId::kTieup:
-      return "Treadle " + number(at.a) + (is_on(d, cells, grid, at) ? " tied to shaft " : " not tied to shaft ") +
-             number(at.b);
+      return fill(is_on(d, cells, grid, at) ? tr("Treadle {treadle} tied to shaft {shaft}")
+                                            : tr("Treadle {treadle} not tied to shaft {shaft}"),
+                  arg("treadle", number(at.a)), arg("shaft", number(at.b)));
     case GridId::kDrawdown:
-      return "End " + number(at.a) + (is_on(d, cells, grid, at) ? " over pick " : " under pick ") + number(at.b) +
-             "    " + shafts_of_end(d, at.a) + "    " + lift_of_pick(d, at.b);
+      return fill(is_on(d, cells, grid, at) ? tr("End {end} over pick {pick}") : tr("End {end} under pick {pick}"),
+                  arg("end", number(at.a)), arg("pick", number(at.b))) +
+             "    " + shafts_of_end(d, at.a) + "    " + shed_of_pick(d, at.b);
     case GridId::kWarpColors:
       return thread_facts(design, System::kWarp, at.a);
     case GridId::kWeftColors:

@@ -5,8 +5,14 @@
 #include <utility>
 
 #include "base/loops.h"
+#include "base/text.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int kMaxSamples = 256;           // of a pixel: noise is then below what is seen
@@ -86,7 +92,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   options.max_triangles = kTriangles;
   if (std::string problem = scene_.update(*job.design, options); !problem.empty()) {
     PictureComparison failed;
-    failed.problem = "No ray-traced picture: " + problem;
+    failed.problem = fill(tr("No ray-traced picture: {problem}"), arg("problem", problem));
     return publish(std::move(failed), stop);
   }
   ReferenceView view;

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/crossings.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::session {
+
+using base::tr;
+
 namespace {
 
 constexpr size_t kMaxPlaces = 200;
@@ -46,7 +50,7 @@ std::shared_ptr<const ClosestWeave> nearest_to(const Design& now, const Design& 
 }
 
 Edit larger_loom_edit(const RejectedEdit& rejected_edit) {
-  return {"A larger loom", [requested = rejected_edit.requested](Design design) {
+  return {tr("Enlarge the loom"), [requested = rejected_edit.requested](Design design) {
             design.draft = requested->draft;
             Loom& loom = design.loom;
             if (loom.shafts > 0) loom.shafts = std::max(loom.shafts, design.draft.shafts);

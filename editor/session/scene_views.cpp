@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "base/utf8.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 bool is_taken(const std::vector<NamedView>& views, const std::string& name) {
@@ -32,12 +38,13 @@ Scene seen_scene(const DocumentView& view, const Design& design) {
 }
 
 std::string free_view_name(const Design& design) {
-  return numbered_name(design.views, "View", static_cast<int>(design.views.size()) + 1);
+  return numbered_name(design.views, tr("View"), static_cast<int>(design.views.size()) + 1);
 }
 
 Edit keep_view_edit(const DocumentView& view, std::string name) {
   name = cleaned(name);
-  return {"Keep view " + name, [name, camera = view.camera, flat = view.flat, grazing = view.grazing](Design d) {
+  return {fill(tr("Save view {name}"), arg("name", name)),
+          [name, camera = view.camera, flat = view.flat, grazing = view.grazing](Design d) {
             if (name.empty()) return d;
             const Scene scene = flat && grazing ? render_data::lit_grazing(d.scene) : d.scene;
             const NamedView kept{name, with_orbit(scene, camera), flat};
@@ -56,14 +63,14 @@ MaybeEdit go_to_view(DocumentView& view, const Design& design, const NamedView& 
   // Where a new window begins stays as it was kept.
   const Scene scene = with_orbit(to.scene, orbit_of(design.scene));
   if (scene == design.scene) return {};
-  return Edit{"View: " + to.name, [scene](Design d) {
+  return Edit{fill(tr("View: {name}"), arg("name", to.name)), [scene](Design d) {
                 d.scene = with_orbit(scene, orbit_of(d.scene));
                 return d;
               }};
 }
 
 Edit rename_views_edit(std::vector<std::string> names) {
-  return {"Change views", [names = std::move(names)](Design d) {
+  return {tr("Change views"), [names = std::move(names)](Design d) {
             std::vector<NamedView> kept;
             for (size_t i = 0; i < d.views.size(); ++i) {
               NamedView view = d.views[i];

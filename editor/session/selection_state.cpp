@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
+
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 constexpr uint64_t kMoveStrokes = uint64_t{1} << 63;  // apart from the strokes of the mouse
@@ -18,38 +26,66 @@ bool goes_on(const SelectState& s, const Design& design) {
   return s.move && moved_from(*s.move, s.selected.a0, s.selected.b0) == design;
 }
 
-struct Words {
-  const char *column, *columns, *row, *rows;
-};
-
-Words words_of(BitGrid grid) {
+/// "3 ends", of the columns of a grid.
+std::string columns_text(BitGrid grid, int count) {
+  const char* text = nullptr;
   switch (grid) {
     case BitGrid::kThreading:
-      return {"end", "ends", "shaft", "shafts"};
-    case BitGrid::kTieup:
-      return {"treadle", "treadles", "shaft", "shafts"};
-    case BitGrid::kTreadling:
-      return {"treadle", "treadles", "pick", "picks"};
-    case BitGrid::kLiftplan:
-      return {"shaft", "shafts", "pick", "picks"};
     case BitGrid::kDrawdown:
-      return {"end", "ends", "pick", "picks"};
+      text = tr_n("{count} end", "{count} ends", count);
+      break;
+    case BitGrid::kTieup:
+    case BitGrid::kTreadling:
+      text = tr_n("{count} treadle", "{count} treadles", count);
+      break;
+    case BitGrid::kLiftplan:
+      text = tr_n("{count} shaft", "{count} shafts", count);
+      break;
   }
-  return {};
+  return fill(text, arg("count", count));
+}
+
+bool rows_are_shafts(BitGrid grid) { return grid == BitGrid::kThreading || grid == BitGrid::kTieup; }
+
+std::string rows_text(BitGrid grid, int count) {
+  return fill(rows_are_shafts(grid) ? tr_n("{count} shaft", "{count} shafts", count)
+                                    : tr_n("{count} pick", "{count} picks", count),
+              arg("count", count));
 }
 
 /// "end 3", "ends 3-10"; the range is half-open and counts from 0.
-std::string range_text(const char* one, const char* many, int first, int end) {
-  if (end - first == 1) return std::string(one) + " " + std::to_string(end);
-  return std::string(many) + " " + std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(end);
+std::string column_range(BitGrid grid, int first, int end) {
+  const int count = end - first;
+  const char* text = nullptr;
+  switch (grid) {
+    case BitGrid::kThreading:
+    case BitGrid::kDrawdown:
+      text = tr_n("end {first}", "ends {first}\xE2\x80\x93{last}", count);
+      break;
+    case BitGrid::kTieup:
+    case BitGrid::kTreadling:
+      text = tr_n("treadle {first}", "treadles {first}\xE2\x80\x93{last}", count);
+      break;
+    case BitGrid::kLiftplan:
+      text = tr_n("shaft {first}", "shafts {first}\xE2\x80\x93{last}", count);
+      break;
+  }
+  return fill(text, arg("first", first + 1), arg("last", end));
+}
+
+std::string row_range(BitGrid grid, int first, int end) {
+  return fill(rows_are_shafts(grid) ? tr_n("shaft {first}", "shafts {first}\xE2\x80\x93{last}", end - first)
+                                    : tr_n("pick {first}", "picks {first}\xE2\x80\x93{last}", end - first),
+              arg("first", first + 1), arg("last", end));
 }
 
 std::string held_text(const ActiveBlock& held) {
   const BitMatrix cells = turned_for(held.block, held.grid);
-  const Words w = words_of(held.grid);
-  return "Paste " + size_text(held.grid, cells.cols(), cells.rows()) + " from " + w.column + " " +
-         std::to_string(held.at.a + 1) + ", " + w.row + " " + std::to_string(held.at.b + 1) +
-         ": click or Enter puts it down, Shift+click keeps it in hand, Esc lets it go";
+  return fill(tr("Paste {size} from {column}, {row}: click or Enter places it, Shift+click places it and keeps it, Esc "
+                 "cancels"),
+              arg("size", size_text(held.grid, cells.cols(), cells.rows())),
+              arg("column", column_range(held.grid, held.at.a, held.at.a + 1)),
+              arg("row", row_range(held.grid, held.at.b, held.at.b + 1)));
 }
 
 }  // namespace
@@ -132,7 +168,7 @@ MaybeEdit move_selection(SelectState& s, const Design& design, int a, int b, boo
     s.move = MarksOnTheMove{std::make_shared<const Design>(design), at, copy, kMoveStrokes | ++s.moves};
   if (a == at.a0 && b == at.b0) return {};
   s.selected = {at.grid, a, a + at.columns(), b, b + at.rows()};
-  return Edit{s.move->copy ? "Copy selection" : "Move selection",
+  return Edit{s.move->copy ? tr("Copy selection") : tr("Move selection"),
               [move = *s.move, a, b](const Design&) { return moved_from(move, a, b); }, s.move->stroke};
 }
 
@@ -181,11 +217,11 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   const BitMatrix cells = turned_for(held.block, held.grid);
   const Selection place{held.grid, held.at.a, held.at.a + cells.cols(), held.at.b, held.at.b + cells.rows()};
   Design next = with_block(design, held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
-  s.notice = "Pasted " + size_text(held.grid, cells.cols(), cells.rows());
+  s.notice = fill(tr("Pasted {size}"), arg("size", size_text(held.grid, cells.cols(), cells.rows())));
   if (!held.add) s.notice += missed_text(next.draft, held.grid, held.at.a, held.at.b, cells);
   select_cells(s, clipped(place, next.draft));
   s.anchor = held.at;
-  Edit edit{"Paste", [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+  Edit edit{tr("Paste"), [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.anew = [held, cells](Design d) {
     return with_block(std::move(d), held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
   };
@@ -198,27 +234,25 @@ std::string missed_text(const Draft& d, BitGrid grid, int a, int b, const BitMat
 
 std::string missed_text(int64_t missed) {
   if (missed == 0) return {};
-  return "; " + std::to_string(missed) + (missed == 1 ? " crossing" : " crossings") +
-         " could not follow: ends on the same shafts rise together";
+  return fill(tr_n("; {count} crossing could not follow: ends on the same shafts rise together",
+                   "; {count} crossings could not follow: ends on the same shafts rise together", missed),
+              arg("count", missed));
 }
 
 std::string size_text(BitGrid grid, int columns, int rows) {
-  const Words w = words_of(grid);
-  return std::to_string(columns) + " " + (columns == 1 ? w.column : w.columns) + " \xC3\x97 " + std::to_string(rows) +
-         " " + (rows == 1 ? w.row : w.rows);
+  return columns_text(grid, columns) + " \xC3\x97 " + rows_text(grid, rows);
 }
 
 std::string selection_text(const SelectState& s) {
   if (s.held) return held_text(*s.held);
   if (s.selected.empty()) return {};
   const Selection& at = s.selected;
-  const Words w = words_of(at.grid);
-  const std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " +
-                           range_text(w.column, w.columns, at.a0, at.a1) + ", " +
-                           range_text(w.row, w.rows, at.b0, at.b1);
+  const std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " + column_range(at.grid, at.a0, at.a1) +
+                           ", " + row_range(at.grid, at.b0, at.b1);
   if (s.drag == SelectDrag::kBand) return size;
-  if (s.drag == SelectDrag::kMove) return (s.move && s.move->copy ? "Copy " : "Move ") + size;
-  return size + "    drag to move, Ctrl+drag to copy, right click for more";
+  if (s.drag == SelectDrag::kMove)
+    return fill(s.move && s.move->copy ? tr("Copy {size}") : tr("Move {size}"), arg("size", size));
+  return fill(tr("{size}    drag to move, Ctrl+drag to copy, right-click for more"), arg("size", size));
 }
 
 }  // namespace weftlight::session

@@ -7,18 +7,24 @@
 #include <span>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/crossings.h"
 #include "session/paint.h"
 #include "session/selection_state.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 bool by_end(GridId grid) { return grid == GridId::kThreading; }
 bool by_pick(GridId grid) { return grid == GridId::kTreadling; }
 
 const char* shape_name(Tool tool) {
-  return tool == Tool::kLine ? "Line" : tool == Tool::kRectangle ? "Rectangle" : "Filled rectangle";
+  return tool == Tool::kLine ? tr("Line") : tool == Tool::kRectangle ? tr("Rectangle") : tr("Filled rectangle");
 }
 
 /// From one index to another in so many equal steps.
@@ -214,7 +220,7 @@ MaybeEdit finish_shape(DocumentView& view, const Design& design) {
 }
 
 MaybeEdit fill_region(DocumentView& view, const Design& design, GridId grid, const CellMask& region, bool on) {
-  return drawn(view, design, {"Fill", grid, on, on ? Write::kAdd : Write::kErase}, {region});
+  return drawn(view, design, {tr("Fill"), grid, on, on ? Write::kAdd : Write::kErase}, {region});
 }
 
 Edit fill_bar_edit(const Draft& draft, GridId grid, Cell at, BarPaint what, int index) {
@@ -229,8 +235,10 @@ std::string shape_text(const ActiveShape& s) {
   const auto bits = bit_grid_of(s.grid);
   if (!bits) return {};
   const std::string size = size_text(*bits, std::abs(s.to.a - s.from.a) + 1, std::abs(s.to.b - s.from.b) + 1);
-  const char* shift = s.tool == Tool::kLine ? "Shift: straight or at 45 degrees" : "Shift: a square";
-  return std::string(shape_name(s.tool)) + (s.on ? ": " : " cleared: ") + size + "    " + shift + "; Esc gives up";
+  const char* text =
+      s.on ? tr("{shape}: {size}    {shift}; Esc cancels") : tr("{shape} cleared: {size}    {shift}; Esc cancels");
+  return fill(text, arg("shape", shape_name(s.tool)), arg("size", size),
+              arg("shift", s.tool == Tool::kLine ? tr("Shift: straight or at 45 degrees") : tr("Shift: a square")));
 }
 
 }  // namespace weftlight::session

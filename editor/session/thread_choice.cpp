@@ -6,9 +6,16 @@
 #include <set>
 #include <utility>
 
+#include "base/text.h"
 #include "cloth/cloth.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 constexpr size_t kMaxOthers = 7;
@@ -191,12 +198,13 @@ SharedThreads shared_by(const Design& design, System system, const std::vector<i
 }
 
 const char* thread_word(System system, size_t count) {
-  if (system == System::kWarp) return count == 1 ? "end" : "ends";
-  return count == 1 ? "pick" : "picks";
+  const auto n = static_cast<long long>(count);
+  return system == System::kWarp ? tr_n("end", "ends", n) : tr_n("pick", "picks", n);
 }
 
 std::string thread_label(const std::string& what, System system, size_t count) {
-  return what + " of " + std::to_string(count) + " " + thread_word(system, count);
+  return fill(tr("{what} of {count} {threads}"), arg("what", what), arg("count", count),
+              arg("threads", thread_word(system, count)));
 }
 
 }  // namespace weftlight::session

@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/crossings.h"
 #include "session/mirror.h"
 #include "session/paint.h"
 #include "session/selection_state.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 bool along_ends(GridId grid) { return grid == GridId::kThreading || grid == GridId::kTieup; }
@@ -36,8 +42,6 @@ Cell numbered(const TypeCursor& c, int number) {
   return along_ends(c.grid) ? Cell{c.at.a, number - 1} : Cell{number - 1, c.at.b};
 }
 
-const char* numbered_word(GridId grid) { return grid == GridId::kTreadling ? "treadle" : "shaft"; }
-
 void go(DocumentView& v, const Draft& d, int da, int db) {
   TypeCursor& c = v.cursor;
   const Size size = size_of(d, c.grid);
@@ -59,7 +63,8 @@ Edit with_why(Edit edit, GridId grid) {
 Edit number_edit(const TypeCursor& c, const Design& design, int number) {
   const Cell at = numbered(c, number);
   const bool on = holds_one(c.grid) || !is_on(design.draft, {}, c.grid, at);
-  const std::string label = std::string("Type ") + numbered_word(c.grid) + " " + std::to_string(number);
+  const std::string label = fill(c.grid == GridId::kTreadling ? tr("Type treadle {number}") : tr("Type shaft {number}"),
+                                 arg("number", number));
   return with_why({label, [grid = c.grid, at, on](Design d) { return with_cell(std::move(d), grid, at, on, true); }},
                   c.grid);
 }
@@ -67,7 +72,7 @@ Edit number_edit(const TypeCursor& c, const Design& design, int number) {
 /// The thread (or treadle) of the cursor loses all its marks.
 Edit clear_edit(const TypeCursor& c, const Draft& d) {
   const int cells = most(d, c.grid);
-  return with_why({"Clear typed",
+  return with_why({tr("Clear typed"),
                    [c, cells](Design design) {
                      for (int i = 1; i <= cells; ++i)
                        if (is_on(design.draft, {}, c.grid, numbered(c, i)))
@@ -101,9 +106,10 @@ void add_to(std::vector<Edit>& all, MaybeEdit edit) {
 }
 
 std::string why_no_number(GridId grid, int number, int limit) {
-  if (limit == 0) return "The drawdown has no numbers to type; Space turns the cell over";
-  return "There is no " + std::string(numbered_word(grid)) + " " + std::to_string(number) + ": the last is " +
-         std::to_string(limit);
+  if (limit == 0) return tr("The drawdown has no numbers to type; Space turns the cell over");
+  return fill(grid == GridId::kTreadling ? tr("There is no treadle {number}: the last is {last}")
+                                         : tr("There is no shaft {number}: the last is {last}"),
+              arg("number", number), arg("last", limit));
 }
 
 std::vector<Edit> type_digit(DocumentView& v, const Design& design, int digit, double now_s) {
@@ -228,14 +234,21 @@ void follow_draft(TypeCursor& c, const Draft& d) {
 std::string typing_text(const DocumentView& v, const Design& design, const BitMatrix& cells) {
   const TypeCursor& c = v.cursor;
   if (c.typed > 0)
-    return std::string(numbered_word(c.grid)) + " " + std::to_string(c.typed) +
-           "\xE2\x80\xA6    another digit, or Enter or a comma takes it; Esc drops it";
+    return fill(c.grid == GridId::kTreadling
+                    ? tr("treadle {number}\xE2\x80\xA6    type another digit; Enter or a comma accepts, Esc cancels")
+                    : tr("shaft {number}\xE2\x80\xA6    type another digit; Enter or a comma accepts, Esc cancels"),
+                arg("number", c.typed));
   const std::string here = describe(design, cells, c.grid, c.at);
-  if (c.grid == GridId::kDrawdown) return here + "    Space turns the cell over; arrows, Tab: next grid; Esc ends";
-  const std::string word = numbered_word(c.grid);
-  const char* zero = holds_one(c.grid) ? ", 0 clears" : "";
-  return here + "    type a " + word + zero +
-         "; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends";
+  const char* text = nullptr;
+  if (c.grid == GridId::kDrawdown) text = tr("{cell}    Space turns the cell over; arrows, Tab: next grid; Esc ends");
+  else if (c.grid == GridId::kTreadling)
+    text = tr(
+        "{cell}    type a treadle, 0 clears; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends");
+  else if (holds_one(c.grid))
+    text =
+        tr("{cell}    type a shaft, 0 clears; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends");
+  else text = tr("{cell}    type a shaft; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends");
+  return fill(text, arg("cell", here));
 }
 
 }  // namespace weftlight::session

@@ -29,7 +29,7 @@ TEST_F(FilesTest, AnotherProgramsChangesAreNotSavedOver) {
   const std::string mine = w.live(), theirs = straight_draft(30, 4);
   put(draft_, theirs);
   display_.key("ctrl+s");
-  ASSERT_NO_FATAL_FAILURE(press(w, "Save beside\xE2\x80\xA6"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Save a copy\xE2\x80\xA6"));
   ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
   display_.key("Return");
   EXPECT_TRUE(comes_true([&] { return bytes_of(folder_ / "straight-2.wif") == mine; }));

@@ -170,7 +170,7 @@ TEST_F(TabsTest, ARightClickOffersWhatIsDoneWithATab) {
   ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
   EXPECT_NE(w.live(), one);
   ASSERT_NO_FATAL_FAILURE(choose("tab:1", "reload"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Read it again"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Reload"));
   EXPECT_TRUE(comes_true([&] { return w.live() == one; }));
 
   ASSERT_NO_FATAL_FAILURE(choose("tab:2", "close_right"));

@@ -149,7 +149,7 @@ TEST(ExporterTest, TheNewestDraftWins) {
   EXPECT_EQ(exporter.state().written.size(), 1u);
   std::ifstream list(scratch / "out/x/texture_set.json");
   EXPECT_NE(std::string(std::istreambuf_iterator<char>(list), {}).find("changed"), std::string::npos);
-  EXPECT_EQ(exporter.take_message(), "Exported the textures to " + (scratch / "out/x"));
+  EXPECT_EQ(exporter.take_message(), "Exported the texture set to " + (scratch / "out/x"));
 }
 
 TEST(ExportPreviewTest, EveryImageIsShownWholeAndByItsChannels) {

@@ -125,8 +125,10 @@ void Pipeline::set_visible_part(const VisiblePart& visible) {
 
 bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false); }
 
+void Pipeline::wait() const { parts_->worker.wait(); }
+
 std::string Pipeline::finish(Renderer& renderer) {
-  parts_->worker.wait();
+  wait();
   parts_->upload(renderer, true);
   return problem();
 }

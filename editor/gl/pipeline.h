@@ -24,6 +24,8 @@ class Pipeline {
   /// From the thread with the GL context: uploads what is finished (maps, patches, a new mesh).
   /// True when the picture must be drawn again.
   bool poll(Renderer& renderer);
+  /// Until the last submitted design is computed; poll() then uploads it.
+  void wait() const;
   /// Headless: waits until the last submitted design is ready, then uploads it. Empty: done; else what
   /// went wrong (a mesh that cannot be read).
   std::string finish(Renderer& renderer);

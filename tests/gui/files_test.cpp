@@ -278,21 +278,21 @@ TEST_F(FilesTest, WhatCannotBeWrittenIsSaidUntilItIs) {
   EXPECT_TRUE(fs::exists(folder_ / "state/weftlight/recovery"));
 }
 
-TEST_F(FilesTest, AFullDiskLosesNothingThatWasThere) {
+TEST_F(FilesTest, WhereNoFileMayGrowNothingIsLostAndItIsSaid) {
   const std::string original = bytes_of(draft_);
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(paint(w));
   const std::string kept = w.live();
-  usleep(600'000);
-  // No file may grow past some bytes from now on.
+  ASSERT_TRUE(comes_true([&] { return !w.has("trouble"); }));
+  // No file may grow past some bytes from now on: writing fails as it does on a full disk, with another number.
   const rlimit full{100, 100};
   ASSERT_EQ(prlimit(w.process().id(), RLIMIT_FSIZE, &full, nullptr), 0);
   display_.click(w.cell("threading", 2, 3));
-  usleep(600'000);
+  ASSERT_TRUE(comes_true([&] { return w.has("trouble"); })) << "that nothing is kept is not said";
   ASSERT_TRUE(w.process().is_running()) << "a full disk ends no window";
   display_.key("ctrl+s");
-  usleep(1'000'000);
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Save as\xE2\x80\xA6"); })) << "that saving failed is not said";
   EXPECT_TRUE(w.process().is_running());
   EXPECT_EQ(bytes_of(draft_), original);
   w.process().kill_now();

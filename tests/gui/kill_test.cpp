@@ -66,6 +66,7 @@ class KillTest : public OnDisplay {
 
   std::mt19937 dice_{kSeed};
   double most_lost_s_ = 0;
+  int offers_ = 0;
 };
 
 /// Clicks and drags in the threading, slow or fast, until it is time.
@@ -117,6 +118,7 @@ void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point
   display_.click(w.middle_of("dialog:Recover"));
   const std::string original = bytes_of(draft_);
   ASSERT_TRUE(comes_true([&] { return w.live() != original && !w.has("dialog:Recover"); }));
+  ++offers_;
   const Design back = design_of(w.live());
   const auto state = std::find(before.states.rbegin(), before.states.rend(), back);
   ASSERT_NE(state, before.states.rend()) << "what came back was never painted";
@@ -153,6 +155,7 @@ TEST_F(KillTest, NothingOlderThanHalfASecondIsLost) {
     // The draft as it was, and nothing beside it but what the flags and the settings ask for.
     ASSERT_EQ(bytes_of(draft_), original);
   }
+  EXPECT_GE(2 * offers_, kills) << "unsaved work was offered after fewer than half of the kills";
   RecordProperty("most_lost_ms", static_cast<int>(1000 * most_lost_s_));
   std::printf("%d kills; the oldest cell that was lost was painted %.2f s before\n", kills, most_lost_s_);
 }

@@ -121,7 +121,7 @@ TEST(Yarn, EachYarnAndColourIsNamed) {
   EXPECT_EQ(r.needs[2].yarn, 1);
 }
 
-TEST(Yarn, OddNumbersGiveNumbers) {
+TEST(Yarn, NumbersOutOfRangeCountAsTheLimit) {
   Design d = plain_cloth(3, 3);
   d.draft.warp.spacing_mm = {0, 0, 0};
   EXPECT_TRUE(yarn_report(d, {}).needs.empty()) << "a cloth of no width";
@@ -130,7 +130,14 @@ TEST(Yarn, OddNumbersGiveNumbers) {
   wild.warp_shrinkage = 5;
   wild.weft_take_up = -3;
   wild.spare = -9;
-  EXPECT_TRUE(std::isfinite(yarn_report(d, wild).weight_g));
+  ClothPlan limits;  // what such numbers count as
+  limits.warp_shrinkage = 0.9;
+  limits.weft_take_up = 0;
+  limits.spare = 0;
+  const YarnReport report = yarn_report(d, wild), expected = yarn_report(d, limits);
+  EXPECT_GT(report.weight_g, 0);
+  EXPECT_DOUBLE_EQ(report.weight_g, expected.weight_g);
+  EXPECT_DOUBLE_EQ(report.loom_width_mm, expected.loom_width_mm);
 }
 
 }  // namespace

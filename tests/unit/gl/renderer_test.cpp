@@ -1,8 +1,6 @@
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "../relative_rms.h"
 #include "gl/shader_program.h"
@@ -289,7 +287,7 @@ TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
   EXPECT_GT(middle(fresh->read_back(true)).r, 0.01);
 }
 
-TEST_F(PictureTest, NewestDesignWinsInThePipeline) {
+TEST_F(PictureTest, TheLastSubmittedDesignIsDrawn) {
   Pipeline pipeline;
   Design design = twill(4, 2, kRed, kRed);
   design.scene.mesh = "";
@@ -309,9 +307,10 @@ TEST_F(PictureTest, ThePipelineIsBusyUntilWhatItMadeIsTakenUp) {
   Design design = twill(4, 2, kRed, kRed);
   design.scene.mesh = "";
   pipeline.submit(std::make_shared<const Design>(design));
-  std::this_thread::sleep_for(std::chrono::seconds(2));  // long enough for it to be computed, mostly
-  EXPECT_TRUE(pipeline.busy());
-  while (pipeline.busy()) pipeline.poll(*renderer);
+  pipeline.wait();
+  EXPECT_TRUE(pipeline.busy()) << "computed, but not yet on the graphics card";
+  EXPECT_TRUE(pipeline.poll(*renderer));
+  EXPECT_FALSE(pipeline.busy());
   EXPECT_FALSE(pipeline.poll(*renderer));
 }
 

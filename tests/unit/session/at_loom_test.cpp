@@ -184,8 +184,11 @@ TEST(LoomLink, SaysWhyThereIsNoLoom) {
   LoomLink link([] {});
   link.connect("somewhere");
   ASSERT_TRUE(comes_true([&] { return !link.why().empty(); }));
-  EXPECT_NE(link.why().find("tcp:HOST:PORT"), std::string::npos);
+  EXPECT_NE(link.why().find("somewhere"), std::string::npos) << "the address as it was given: " << link.why();
+  EXPECT_NE(link.why().find("tcp:HOST:PORT"), std::string::npos) << "how an address is written: " << link.why();
   EXPECT_EQ(link.state(), LoomLink::State::kConnecting) << "it goes on trying";
+  link.connect("");
+  EXPECT_EQ(link.state(), LoomLink::State::kOff);
 }
 
 }  // namespace

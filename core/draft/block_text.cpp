@@ -4,7 +4,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
+
 namespace weftlight::draft {
+
+using base::tr;
+
 namespace {
 
 constexpr std::string_view kHead = "weftlight cells: ";
@@ -17,9 +22,9 @@ std::string_view without_trailing_space(std::string_view line) {
   return line.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-constexpr size_t kMaxLines = static_cast<size_t>(kMaxThreads) + 2;  // a head, the rows, and one to know of more
+constexpr size_t kMaxLines = static_cast<size_t>(kMaxThreads) + 2;  // head line, rows, and one more to detect excess
 
-/// Lines at \n, \r\n or \r, up to kMaxLines; empty ones at the end fall away.
+/// Lines ended by \n, \r\n or \r, up to kMaxLines, without empty lines at the end.
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty() && lines.size() < kMaxLines) {
@@ -32,7 +37,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Columns of a separated row ("1 0 0 1", tabs of a spreadsheet): cells stand at every other place.
+/// Whether the cells of a row are separated by blanks or tabs ("1 0 0 1", as from a spreadsheet).
 bool is_separated(std::string_view line) {
   if (line.size() < 3 || line.size() % 2 == 0) return false;
   for (size_t i = 1; i < line.size(); i += 2)
@@ -51,18 +56,18 @@ std::optional<BitGrid> grid_named(std::string_view head) {
   return {};
 }
 
-BlockRead refused(const char* problem) { return {{}, problem}; }
+BlockRead failed(const char* problem) { return {{}, problem}; }
 
 BlockRead read_rows(BitGrid from, const std::vector<std::string_view>& lines) {
-  if (lines.empty()) return refused("The clipboard holds no cells.");
-  if (!std::ranges::all_of(lines, is_row)) return refused("The clipboard holds other text than cells.");
+  if (lines.empty()) return failed(tr("The clipboard holds no cells."));
+  if (!std::ranges::all_of(lines, is_row)) return failed(tr("The clipboard holds text that is not cells."));
   const size_t stride = std::ranges::all_of(lines, is_separated) ? 2 : 1;
   size_t columns = 0;
   for (std::string_view line : lines) columns = std::max(columns, (line.size() + stride - 1) / stride);
-  if (columns == 0) return refused("The clipboard holds no cells.");
+  if (columns == 0) return failed(tr("The clipboard holds no cells."));
   const auto most = static_cast<size_t>(kMaxThreads);
   if (columns > most || lines.size() > most || columns * lines.size() > static_cast<size_t>(kMaxBlockCells))
-    return refused("The clipboard holds more cells than can be pasted.");
+    return failed(tr("The clipboard holds more cells than can be pasted."));
   CellBlock block{from, BitMatrix(static_cast<int>(lines.size()), static_cast<int>(columns))};
   for (size_t r = 0; r < lines.size(); ++r)
     for (size_t i = 0; i < lines[r].size(); i += stride)
@@ -93,14 +98,14 @@ std::string block_text(const CellBlock& block) {
 }
 
 BlockRead read_block_text(std::string_view text) {
-  // Twice the cells leave room for separators and line ends; more is not looked at.
+  // Twice the cells leave room for separators and line ends.
   if (text.size() > static_cast<size_t>(2 * kMaxBlockCells + kMaxThreads))
-    return refused("The clipboard holds more cells than can be pasted.");
+    return failed(tr("The clipboard holds more cells than can be pasted."));
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   std::vector<std::string_view> lines = lines_of(text);
   if (lines.empty() || lines[0].substr(0, kHead.size()) != kHead) return read_rows(BitGrid::kDrawdown, lines);
   const std::optional<BitGrid> from = grid_named(lines[0].substr(kHead.size()));
-  if (!from) return refused("The clipboard holds cells of an unknown grid.");
+  if (!from) return failed(tr("The clipboard holds cells of an unknown grid."));
   lines.erase(lines.begin());
   return read_rows(*from, lines);
 }

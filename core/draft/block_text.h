@@ -1,13 +1,13 @@
 #pragma once
-// A block of cells as plain text, so that the system's clipboard carries it between windows and programs.
+// A block of cells as plain text, for the clipboard.
 //
 //   weftlight cells: threading, 4 x 2
 //   #.#.
 //   .#.#
 //
-// One line a row b, one character a column a, both from the lowest: pick 1 (shaft 1) first, end 1 first, as
-// `weftlight drawdown` writes. The first line may be missing: then # X x * 1 are marks, . 0 - _ and a space
-// between others are none, and the text is taken for crossings.
+// One line per row b, one character per column a, in ascending order: pick 1 (shaft 1) first, end 1 first, as
+// `weftlight drawdown` writes. Without the first line the text is read as crossings. # X x * 1 are marks; . 0 - _ and
+// blanks are empty cells.
 
 #include <optional>
 #include <string>
@@ -17,20 +17,20 @@
 
 namespace weftlight::draft {
 
-/// Most cells that a text may hold; a display's clipboard takes no more than a few million bytes.
+/// Limit of a text: a clipboard takes no more than a few million bytes.
 inline constexpr int64_t kMaxBlockCells = int64_t{1} << 22;
 
 struct BlockRead {
   std::optional<CellBlock> block;
-  std::string problem;  // why there is none
+  std::string problem;  // why there is no block; in the user's language
 };
 
 /// Empty when the block has no cells or more than kMaxBlockCells.
 std::string block_text(const CellBlock& block);
-/// Any bytes. Rows of different lengths are filled up with empty cells; any line ends.
+/// Accepts any bytes and any line ends. Short rows are filled up with empty cells.
 BlockRead read_block_text(std::string_view text);
 
-/// "threading", "tieup", ... as in the first line.
+/// "threading", "tieup", ... as in the first line of the text.
 const char* bit_grid_name(BitGrid grid);
 
 }  // namespace weftlight::draft

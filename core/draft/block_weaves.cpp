@@ -1,9 +1,9 @@
-// Weaves made of blocks: groups of threads that weave alike, in an order the weaver chooses, and weaves
-// that are made by the order of colours.
+// Block weaves: groups of threads that weave alike, in an order chosen by the weaver; and colour-and-weave effects.
 
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/mark.h"
 #include "draft/fibre.h"
 #include "draft/generators.h"
 
@@ -25,7 +25,7 @@ std::vector<int> point(int n) {
   return order;
 }
 
-// Of the two shafts of overshot block b (b and b + 1, cyclic) the even or the odd one.
+// The even or the odd one of the two shafts of overshot block b: b and b + 1, cyclic.
 int shaft_of_block(int b, bool odd) {
   const int next = (b + 1) % 4;
   return (b % 2 == 1) == odd ? b : next;
@@ -35,8 +35,8 @@ int shaft_of_block(int b, bool odd) {
 
 Design waffle(int shafts, ClothSize size) {
   const int n = std::clamp(shafts, 4, 64);
-  // Diamonds drawn by single ties on the diagonal: within one the warp floats, within the next the weft;
-  // the row of weft beside the diagonal keeps the two apart.
+  // Single ties on the diagonal draw diamonds. Within one diamond the warp floats, within the next the weft; the line
+  // of weft beside the diagonal separates them.
   std::vector<std::vector<int>> tieup(static_cast<size_t>(n));
   for (int t = 0; t < n; ++t) {
     for (int s = 0; s < n; ++s) {
@@ -48,7 +48,7 @@ Design waffle(int shafts, ClothSize size) {
 
 Design huck_lace(ClothSize size) {
   // Shafts 0 (outer) and 2 make one half unit, 1 (outer) and 3 the other. Tabbies {0, 3} and {1, 2}; a lace
-  // pick is a tabby that leaves the inner ends of a half unit down, so that the weft floats over all five.
+  // pick is a tabby without the inner ends of a half unit, so that the weft floats over all five.
   const std::vector<std::vector<int>> tieup = {{1}, {0, 3}, {0}, {1, 2}};
   return make_design({4, {0, 2, 0, 2, 0, 1, 3, 1, 3, 1}, tieup, {0, 1, 0, 1, 0, 2, 3, 2, 3, 2}}, size);
 }
@@ -62,14 +62,14 @@ Design overshot(const std::vector<int>& blocks, int length, ClothSize size) {
       recipe.threading.push_back(shaft_of_block(block, recipe.threading.size() % 2 == 1));
     }
     for (int i = 0; i < std::max(1, ends / 2); ++i) {
-      // A block's own shafts stay down, so that the pattern weft floats over it; tabbies take turns.
+      // The shafts of the block stay down, so that the pattern weft floats over it; the tabbies alternate.
       recipe.treadling.push_back(block);
       recipe.treadling.push_back(4 + (static_cast<int>(recipe.treadling.size()) / 2) % 2);
     }
   }
   Design design = make_design(recipe, size);
-  Yarn pattern = with_thickness(design.yarns[0], 1.6f * design.yarns[0].diameter_mm);  // covers the tabby beside it
-  pattern.name = "Pattern weft";
+  Yarn pattern = with_thickness(design.yarns[0], 1.6f * design.yarns[0].diameter_mm);  // covers the tabby
+  pattern.name = base::mark("Pattern weft");
   pattern.flattening = 0.6f;  // soft and little twisted, so that it spreads
   design.yarns.push_back(pattern);
   for (int p = 0; p < design.draft.picks(); p += 2) design.draft.weft.yarn[p] = 1;
@@ -107,7 +107,8 @@ Design twill_damask(const std::vector<int>& blocks, ClothSize size) {
     for (int t = 0; t < 4; ++t) {
       std::vector<int> shafts;
       for (int s = 0; s < 8; ++s) {
-        // 1/3 against 3/1 of the other lean: across a border each thread is the opposite of its neighbour.
+        // 1/3 twill against 3/1 twill of the other direction: across a border each thread weaves opposite to its
+        // neighbour.
         const bool warp_face = s / 4 != weft_block;
         if (warp_face ? s % 4 != 3 - t : s % 4 == t) shafts.push_back(s);
       }
@@ -125,8 +126,8 @@ Design twill_damask(const std::vector<int>& blocks, ClothSize size) {
 
 Design shadow_weave(const std::vector<int>& blocks, ClothSize size) {
   const std::vector<int> order = in_range(blocks, 4);
-  // Shafts and treadles 0..3 carry the dark threads of the blocks, 4..7 the light. A dark pick lifts the dark
-  // ends where the lines run across and the light ends where they run along; a light pick the opposite.
+  // Shafts and treadles 0..3 are those of the dark threads of the blocks, 4..7 of the light ones. A dark pick lifts the
+  // dark ends where lines run across and the light ends where they run along; a light pick the opposite.
   Recipe recipe{8, {}, {}, {}};
   for (int treadle = 0; treadle < 8; ++treadle) {
     std::vector<int> shafts;

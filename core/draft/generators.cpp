@@ -1,10 +1,10 @@
-// Simple weaves, and what all generators share.
+// Simple weaves, and functions shared by all generators.
 //
 // Sett. Based on: T. R. Ashenhurst, A Treatise on Textile Calculations and the Structure of Fabrics, 1884:
-// a thread needs room for itself and for the threads that pass between it and the next, so that the fewer
-// the interlacings the closer it lies. Differs: his count leaves room for whole round threads, on the loom.
-// Finished cloth is closer, its threads flattened and bloomed until they nearly touch: they cover about 6/7
-// of the width in plain weave and, where nothing passes between them, all of it (F. T. Peirce, The Geometry
+// a thread needs room for itself and for the threads that pass between it and the next, so that fewer interlacings
+// allow a closer sett. Differs: Ashenhurst counts round threads on
+// the loom. Finished cloth is closer, its threads flattened and bloomed until they nearly touch: they cover about 6/7
+// of the width in plain weave and, where no thread passes between them, all of it (F. T. Peirce, The Geometry
 // of Cloth Structure, 1937, on flattened threads and cover).
 
 #include "draft/generators.h"
@@ -19,12 +19,12 @@
 namespace weftlight::draft {
 namespace {
 
-constexpr float kGapAtPlain = 1.0f / 7.0f;  // share of the width left open where every crossing interlaces
+constexpr float kGapAtPlain = 1.0f / 7.0f;  // fraction of the width that is open in plain weave
 
 int wrapped(int i, int n) { return ((i % n) + n) % n; }
 
-// Which of the shafts of a straight draw are up on the first pick.
-std::vector<char> pattern_of(const OverUnder& order) {
+// For each shaft of a straight draw, whether it is up on the first pick.
+std::vector<char> lifts_of_first_pick(const OverUnder& order) {
   std::vector<char> up;
   bool over = true;
   for (const int threads : order) {
@@ -37,7 +37,7 @@ std::vector<char> pattern_of(const OverUnder& order) {
 }
 
 std::vector<std::vector<int>> twill_tieup(const OverUnder& order, Lean lean) {
-  const std::vector<char> up = pattern_of(order);
+  const std::vector<char> up = lifts_of_first_pick(order);
   const int n = static_cast<int>(up.size());
   std::vector<std::vector<int>> tieup(up.size());
   for (int t = 0; t < n; ++t) {
@@ -54,7 +54,7 @@ std::vector<int> straight(int n) {
   return order;
 }
 
-// There and back; neither end is doubled when it repeats.
+// Forwards and backwards, without repeating the first and the last.
 std::vector<int> mirrored(std::vector<int> order) {
   for (int i = static_cast<int>(order.size()) - 2; i > 0; --i) order.push_back(order[i]);
   return order;
@@ -62,14 +62,14 @@ std::vector<int> mirrored(std::vector<int> order) {
 
 std::vector<int> point(int n) { return mirrored(straight(n)); }
 
-// Interlacings of a crossing, 0..1, met in going along the rows.
+// Interlacings per crossing along the rows, 0..1.
 float interlacing(const BitMatrix& cells) {
-  int64_t turns = 0;
+  int64_t changes = 0;
   for (int r = 0; r < cells.rows(); ++r) {
-    for (int c = 0; c < cells.cols(); ++c) turns += cells.get(r, c) != cells.get(r, (c + 1) % cells.cols());
+    for (int c = 0; c < cells.cols(); ++c) changes += cells.get(r, c) != cells.get(r, (c + 1) % cells.cols());
   }
   const float crossings = static_cast<float>(cells.rows()) * static_cast<float>(cells.cols());
-  return crossings > 0 ? static_cast<float>(turns) / crossings : 0;
+  return crossings > 0 ? static_cast<float>(changes) / crossings : 0;
 }
 
 float mean_width_mm(const Threads& threads, const std::vector<Yarn>& yarns) {
@@ -77,19 +77,19 @@ float mean_width_mm(const Threads& threads, const std::vector<Yarn>& yarns) {
   for (int i = 0; i < threads.size(); ++i) {
     const Yarn& yarn = yarns[threads.yarn[i]];
     const float own = threads.thickness_mm[i];
-    // An ellipse of the round thread's area, `flattening` as high as wide.
+    // Width of an ellipse with the area of the round thread; `flattening` is its height over its width.
     sum += (own >= 0 ? own : yarn.diameter_mm) / std::sqrt(yarn.flattening);
   }
   return threads.size() > 0 ? sum / static_cast<float>(threads.size()) : 0;
 }
 
-void space(Threads& threads, const std::vector<Yarn>& yarns, float turns, float openness) {
-  const float mm = mean_width_mm(threads, yarns) / (1 - kGapAtPlain * turns) * openness;
-  // To a hundredth of a millimetre: the number is read by weavers too.
+void set_spacing(Threads& threads, const std::vector<Yarn>& yarns, float interlacings, float openness) {
+  const float mm = mean_width_mm(threads, yarns) / (1 - kGapAtPlain * interlacings) * openness;
+  // Rounded to 0.01 mm, as the user reads the number.
   std::fill(threads.spacing_mm.begin(), threads.spacing_mm.end(), std::round(mm * 100) / 100);
 }
 
-void paint(Threads& threads, const std::vector<Stripe>& order, size_t colors) {
+void set_stripes(Threads& threads, const std::vector<Stripe>& order, size_t colors) {
   std::vector<int> sequence;
   for (const Stripe& stripe : order) {
     const int color = std::clamp(stripe.color, 0, static_cast<int>(colors) - 1);
@@ -99,7 +99,7 @@ void paint(Threads& threads, const std::vector<Stripe>& order, size_t colors) {
   for (size_t i = 0; i < threads.color.size(); ++i) threads.color[i] = sequence[i % sequence.size()];
 }
 
-const std::vector<Rgb> kInkAndPaper = {{0.15f, 0.16f, 0.20f}, {0.93f, 0.91f, 0.86f}};
+const std::vector<Rgb> kDefaultPalette = {{0.15f, 0.16f, 0.20f}, {0.93f, 0.91f, 0.86f}};
 
 }  // namespace
 
@@ -114,7 +114,7 @@ Design make_design(const Recipe& recipe, ClothSize size) {
   for (int t = 0; t < treadles; ++t) {
     for (const int shaft : recipe.tieup[t]) d.tieup.set(t, shaft, true);
   }
-  d.palette = kInkAndPaper;
+  d.palette = kDefaultPalette;
   return with_sett(std::move(design));
 }
 
@@ -155,7 +155,7 @@ Design pointed_twill(const OverUnder& order, bool diamonds, ClothSize size) {
 Design herringbone(const OverUnder& order, int band, ClothSize size) {
   const auto tieup = twill_tieup(order, Lean::kRight);
   const int n = static_cast<int>(tieup.size());
-  // Each turn skips half the shafts, so that the neighbours across it are opposed.
+  // Each turn skips half the shafts, so that the two neighbours across it weave opposite.
   std::vector<int> threading;
   int shaft = 0;
   const int ends = std::clamp(band, 1, kMaxThreads);
@@ -179,11 +179,11 @@ Design undulating_twill(const OverUnder& order, int widest, bool diamonds, Cloth
   const auto tieup = twill_tieup(order, Lean::kRight);
   const int n = static_cast<int>(tieup.size());
   const int steps = 3 * n;  // one wave goes three times through the shafts
-  const double swing = std::clamp(widest, 1, 8) - 1;
+  const double amplitude = std::clamp(widest, 1, 8) - 1;
   std::vector<int> draw;
   for (int i = 0; i < steps; ++i) {
     const double wave = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / steps);
-    draw.insert(draw.end(), static_cast<size_t>(1 + std::lround(swing * wave)), i % n);
+    draw.insert(draw.end(), static_cast<size_t>(1 + std::lround(amplitude * wave)), i % n);
   }
   if (!diamonds) return make_design({n, draw, tieup, straight(n)}, size);
   draw = mirrored(std::move(draw));
@@ -199,15 +199,15 @@ Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<St
   for (Threads* threads : {&d.warp, &d.weft}) {
     for (int& color : threads->color) color = std::min(color, last);
   }
-  paint(d.warp, warp, d.palette.size());
-  paint(d.weft, weft, d.palette.size());
+  set_stripes(d.warp, warp, d.palette.size());
+  set_stripes(d.weft, weft, d.palette.size());
   return design;
 }
 
 Design with_sett(Design design, float openness) {
   const BitMatrix cells = drawdown(design.draft);
-  space(design.draft.warp, design.yarns, interlacing(cells), openness);
-  space(design.draft.weft, design.yarns, interlacing(transposed(cells)), openness);
+  set_spacing(design.draft.warp, design.yarns, interlacing(cells), openness);
+  set_spacing(design.draft.weft, design.yarns, interlacing(transposed(cells)), openness);
   return design;
 }
 

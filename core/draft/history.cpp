@@ -42,7 +42,7 @@ void History::commit(Design next, std::string label, uint64_t stroke) {
   if (joins) {
     label = std::move(steps_[position_].label);
     drop_last();
-    if (next == now()) return;  // the stroke took itself back
+    if (next == now()) return;  // the stroke reverted itself
   }
   const size_t size = bytes(next);
   steps_.push_back({std::make_shared<const Design>(std::move(next)), std::move(label), stroke, next_id_++, size});

@@ -1,6 +1,6 @@
 #pragma once
-// Undo: a list of immutable snapshots of the Design with labels. One drag is one step
-// (commits with the same stroke id join). The saved mark is a position in the list.
+// Undo: a list of immutable, labelled snapshots of the Design. One drag is one step: commits with the same stroke id
+// are merged. The saved mark is a position in the list.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace weftlight::draft {
 
-/// What the snapshots may take together; past it the oldest steps go, but never the last one.
+/// Memory limit of all snapshots; beyond it the oldest steps are dropped, but never the last one.
 inline constexpr size_t kMaxHistoryBytes = size_t{256} << 20;
 
 class History {
@@ -22,25 +22,25 @@ class History {
 
   const Design& now() const { return *steps_[position_].design; }
   std::shared_ptr<const Design> snapshot() const { return steps_[position_].design; }
-  /// Equal designs make no step. A non-zero `stroke` joins the step before if it has the same stroke.
+  /// A design equal to now() makes no step. A non-zero `stroke` replaces the step before if that has the same stroke.
   void commit(Design next, std::string label, uint64_t stroke = 0);
   bool can_undo() const { return position_ > 0; }
   bool can_redo() const { return position_ + 1 < steps_.size(); }
   void undo();
   void redo();
-  /// The steps that undo and redo walk along: the first is the oldest design that is kept, which no edit made.
+  /// Steps for undo and redo. The first is the oldest design that is kept; it has no label.
   size_t steps() const { return steps_.size(); }
   size_t position() const { return position_; }
-  /// What made the design of a step; empty of the first.
+  /// Label of the edit that made a step; empty for the first.
   const std::string& label(size_t step) const { return steps_[step].label; }
   bool is_saved(size_t step) const { return steps_[step].id == saved_id_; }
-  /// As many undos or redos as lead there.
+  /// Undoes or redoes to a step.
   void go_to(size_t step);
-  /// Label of the step that undo (redo) would take back (bring again); empty if none.
+  /// Label of the step that undo would revert, or redo repeat; empty if there is none.
   std::string undo_label() const;
   std::string redo_label() const;
   void mark_saved();
-  /// No step is what was saved.
+  /// No step counts as saved any more.
   void mark_unsaved();
   bool is_saved() const;
 

@@ -11,7 +11,7 @@
 namespace weftlight::draft {
 namespace {
 
-/// Threading and tie-up are stored a row a column a, the others a row a row b.
+/// Threading and tie-up have one matrix row per column a, the other grids one per row b.
 bool stored_by_column(BitGrid grid) { return grid == BitGrid::kThreading || grid == BitGrid::kTieup; }
 
 const BitMatrix& stored(const Draft& d, BitGrid grid) {
@@ -34,7 +34,7 @@ BitMatrix rows_between(const BitMatrix& m, int first, int end) {
   return out;
 }
 
-/// The crossings of some ends and picks, computed from those alone.
+/// The crossings of the selection, computed from its ends and picks alone.
 BitMatrix crossings(const Draft& d, const Selection& s) {
   Draft part;
   part.shafts = d.shafts;
@@ -50,8 +50,8 @@ BitMatrix crossings(const Draft& d, const Selection& s) {
   return drawdown(part);
 }
 
-/// The part of a block, put at (a, b), that lies in the grid.
-Selection place_of(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
+/// The part of a block at (a, b) that lies inside the grid.
+Selection target_of(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
   return clipped({grid, a, a + cells.cols(), b, b + cells.rows()}, d);
 }
 
@@ -69,8 +69,8 @@ void write_bits(BitMatrix& m, const Selection& s, int a, int b, const BitMatrix&
   for (int y = s.b0; y < s.b1; ++y)
     for (int x = s.a0; x < s.a1; ++x) {
       const bool on = cells.get(y - b, x - a);
-      const bool leaves = write == Write::kAdd || write == Write::kErase;
-      if (on || !leaves) m.set(by_column ? x : y, by_column ? y : x, on && write != Write::kErase);
+      const bool marks_only = write == Write::kAdd || write == Write::kErase;
+      if (on || !marks_only) m.set(by_column ? x : y, by_column ? y : x, on && write != Write::kErase);
     }
 }
 
@@ -115,7 +115,7 @@ BitMatrix cells_of(const Draft& d, const Selection& selection) {
 }
 
 Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write) {
-  const Selection s = place_of(design.draft, grid, a, b, cells);
+  const Selection s = target_of(design.draft, grid, a, b, cells);
   if (s.empty()) return design;
   if (grid == BitGrid::kDrawdown) return painted_crossings(std::move(design), s, a, b, cells, write).design;
   if (!may_paint(design, grid)) return design;
@@ -125,7 +125,7 @@ Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& ce
 }
 
 int64_t missed_cells(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
-  const Selection s = place_of(d, grid, a, b, cells);
+  const Selection s = target_of(d, grid, a, b, cells);
   const BitMatrix shown = cells_of(d, s);
   int64_t missed = 0;
   for (int y = s.b0; y < s.b1; ++y)

@@ -1,16 +1,16 @@
 #pragma once
-// A rectangle of cells of one grid, and a block of cells apart from any draft (what is copied, moved and
-// pasted). Edits of a whole selection are in selection_edits.h, those of whole threads in thread_order.h.
+// A rectangle of cells of one grid, and a block of cells that is copied, moved or pasted. Edits of a whole selection
+// are in selection_edits.h, those of whole threads in thread_order.h.
 
 #include "draft/design.h"
 
 namespace weftlight::draft {
 
-/// The grids of bits. Each is seen as columns a and rows b: threading (end, shaft), tie-up (treadle, shaft),
+/// The grids of a draft. Each has columns a and rows b: threading (end, shaft), tie-up (treadle, shaft),
 /// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick).
 enum class BitGrid { kThreading, kTieup, kTreadling, kLiftplan, kDrawdown };
 
-/// Half-open on both sides; a valid one is not empty and lies in its grid.
+/// Half-open in both directions; a valid one is not empty and lies inside its grid.
 struct Selection {
   BitGrid grid = BitGrid::kThreading;
   int a0 = 0, a1 = 0, b0 = 0, b1 = 0;
@@ -20,39 +20,38 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
-/// Row r, column c of `cells` is cell (a + c, b + r) of the grid that it is put into.
+/// Put at (a, b), row r and column c of `cells` is cell (a + c, b + r) of the grid.
 struct CellBlock {
   BitGrid from = BitGrid::kThreading;
   BitMatrix cells;
   bool operator==(const CellBlock&) const = default;
 };
 
-/// How a block meets what is there.
+/// How a block is combined with the cells of the grid.
 enum class Write {
-  kInside,   // its rectangle becomes the block, and nothing else changes
-  kThreads,  // also an end (pick) that gets a mark leaves the shafts (treadles) outside: as painting does
-  kAdd,      // only marks are added
-  kErase,    // where the block has marks, those that are there go
+  kInside,   // replaces the cells of its rectangle
+  kThreads,  // also clears the other marks of each end (pick) that gets one, as painting does
+  kAdd,      // adds the marks of the block
+  kErase,    // removes the marks of the block
 };
 
 int columns_of(const Draft& draft, BitGrid grid);
 int rows_of(const Draft& draft, BitGrid grid);
 Selection whole_grid(const Draft& draft, BitGrid grid);
-/// The part inside its grid; empty when nothing is.
+/// The part of the selection inside its grid; may be empty.
 Selection clipped(const Selection& selection, const Draft& draft);
 
-/// The cells of a selection (clipped). Of the drawdown: those crossings alone are computed.
+/// The cells of the clipped selection. In the drawdown only those crossings are computed.
 BitMatrix cells_of(const Draft& draft, const Selection& selection);
-/// The block with its first cell at (a, b); what lies outside the grid is left out. A liftplan block turns a
-/// treadled draft into one driven by its liftplan; crossings are painted as crossings.h says. A grid that is locked
-/// stays as it is.
+/// Puts a block with its first cell at (a, b), clipped to the grid. A block in the liftplan makes the liftplan the shed
+/// control; crossings are painted as in crossings.h. A locked grid is unchanged.
 Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write);
 
-/// How many cells of a block the design does not show at that place (of those inside the grid).
+/// Number of cells of a block at (a, b), inside the grid, that differ from the draft.
 int64_t missed_cells(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
 
-/// The block as it goes into another grid: between threading, treadling and liftplan, threads stay threads
-/// (a threading becomes the treadling that weaves as drawn in); else the cells as they are seen.
+/// The block as it is pasted into another grid. Between threading and treadling or liftplan it is transposed, so that
+/// threads stay threads (a threading becomes the treadling woven as drawn in).
 BitMatrix turned_for(const CellBlock& block, BitGrid to);
 
 }  // namespace weftlight::draft

@@ -18,14 +18,14 @@ BitMatrix block_of(int rows, int columns, Cell cell) {
   return out;
 }
 
-/// The selection's cells replaced by what `turn` makes of them.
-template <class Turn>
-Design turned(Design design, const Selection& s, Turn turn) {
-  const BitMatrix next = turn(cells_of(design.draft, s));
+/// Replaces the selection's cells by `map` of them.
+template <class Map>
+Design mapped(Design design, const Selection& s, Map map) {
+  const BitMatrix next = map(cells_of(design.draft, s));
   return with_block(std::move(design), s.grid, s.a0, s.b0, next, Write::kInside);
 }
 
-/// Whole threads that lie side by side along a (the ends), or along b (the picks).
+/// Whether the selection is of whole ends (along a) or whole picks (along b).
 bool whole_along_a(const Draft& d, const Selection& s) {
   return s.grid == BitGrid::kThreading && holds_whole_threads(d, s);
 }
@@ -98,7 +98,7 @@ Design with_cleared(Design design, const Selection& selection) {
 Design with_inverted(Design design, const Selection& selection) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
-  return turned(std::move(design), s, inverted);
+  return mapped(std::move(design), s, inverted);
 }
 
 Design with_moved(Design design, const Selection& selection, int a, int b, bool copy) {
@@ -113,20 +113,20 @@ Design with_mirrored_across(Design design, const Selection& selection, bool with
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   if (whole_along_a(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_properties);
-  return turned(std::move(design), s, mirrored_across);
+  return mapped(std::move(design), s, mirrored_across);
 }
 
 Design with_mirrored_down(Design design, const Selection& selection, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   if (whole_along_b(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_properties);
-  return turned(std::move(design), s, mirrored_down);
+  return mapped(std::move(design), s, mirrored_down);
 }
 
 Design with_half_turn(Design design, const Selection& selection, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
-  if (!holds_whole_threads(design.draft, s)) return turned(std::move(design), s, half_turned);
+  if (!holds_whole_threads(design.draft, s)) return mapped(std::move(design), s, half_turned);
   return with_mirrored_down(with_mirrored_across(std::move(design), s, with_properties), s, with_properties);
 }
 
@@ -137,7 +137,7 @@ Design with_shifted(Design design, const Selection& selection, int da, int db, b
   if (holds_whole_threads(design.draft, s))
     design = with_rotated_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_properties);
   if (da == 0 && db == 0) return design;
-  return turned(std::move(design), s, [da, db](const BitMatrix& cells) { return shifted(cells, da, db); });
+  return mapped(std::move(design), s, [da, db](const BitMatrix& cells) { return shifted(cells, da, db); });
 }
 
 Design with_repeated(Design design, const Selection& selection, RepeatExtent extent, bool with_properties) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/edits.h"
 
 namespace weftlight::draft {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr std::string_view kColors = "weftlight colours:", kThickness = "weftlight thickness:";
 constexpr std::string_view kSpace = " \t\r\n";
-constexpr const char* kNoLooks =
-    "The clipboard holds no colours or thicknesses of threads; choose threads and copy theirs first";
 
 uint32_t packed(Rgb c) {
   const auto byte = [](float v) { return static_cast<uint32_t>(std::lround(v * 255)); };
@@ -37,7 +36,7 @@ void each_thread(const Threads& t, std::span<const int> threads, Use use) {
     if (thread >= 0 && thread < t.size()) use(static_cast<size_t>(thread));
 }
 
-/// The next word, taken off the text; empty at its end.
+/// Removes and returns the next word of the text; empty at its end.
 std::string_view next_word(std::string_view& text) {
   const size_t first = std::min(text.find_first_not_of(kSpace), text.size());
   text.remove_prefix(first);
@@ -65,7 +64,7 @@ std::optional<float> thickness_of(std::string_view word) {
   return mm;
 }
 
-/// Index of a colour of the palette, which grows where it has none like it.
+/// Index of the colour in the palette; adds it if it is missing.
 int index_of(Design& design, Rgb color) {
   const auto& palette = design.draft.palette;
   for (size_t i = 0; i < palette.size(); ++i)
@@ -115,7 +114,9 @@ ThreadPropertiesRead read_thread_properties(std::string_view text) {
   if (text.starts_with(kColors)) whole = read_values(text.substr(kColors.size()), properties.colors, color_of);
   else if (text.starts_with(kThickness))
     whole = read_values(text.substr(kThickness.size()), properties.thickness_mm, thickness_of);
-  if (!whole) return {{}, kNoLooks};
+  if (!whole)
+    return {{},
+            base::tr("The clipboard holds no colours or thicknesses of threads; select threads and copy theirs first")};
   return {std::move(properties), {}};
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-// Colours or thicknesses of threads as a line of text, for the clipboard: copied alone, without the cells, from thread
-// to thread and from draft to draft.
+// Colours or thicknesses of threads as a line of text, to copy them alone through the clipboard.
 
 #include <optional>
 #include <span>
@@ -12,26 +11,26 @@
 
 namespace weftlight::draft {
 
-/// One of the two has values.
+/// Either colours or thicknesses; the other is empty.
 struct ThreadProperties {
   std::vector<Rgb> colors;
   std::vector<float> thickness_mm;  // or kFromYarn
   size_t size() const { return colors.size() + thickness_mm.size(); }
 };
 
-/// "weftlight colours: #10357A #E7B24B"; threads that are not there are left out.
+/// "weftlight colours: #10357A #E7B24B"; indices out of range are left out.
 std::string color_text(const Draft& draft, System system, std::span<const int> threads);
-/// "weftlight thickness: 0.5 - 0.8": millimetres, - where the yarn's holds.
+/// "weftlight thickness: 0.5 - 0.8": in mm, - where it follows from the yarn.
 std::string thickness_text(const Draft& draft, System system, std::span<const int> threads);
 
 struct ThreadPropertiesRead {
   std::optional<ThreadProperties> properties;
-  std::string problem;  // why there are none, and what to do
+  std::string problem;  // why there are none, and what to do; in the user's language
 };
-/// Any bytes; at most kMaxThreads values are taken.
+/// Accepts any bytes; reads at most kMaxThreads values.
 ThreadPropertiesRead read_thread_properties(std::string_view text);
 
-/// Over and over along the threads. Colours are those of the palette, or new ones of it.
+/// Applies the properties to the threads, repeated as needed. Colours that the palette lacks are added to it.
 Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& properties);
 
 }  // namespace weftlight::draft

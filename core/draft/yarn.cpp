@@ -8,29 +8,29 @@
 namespace weftlight::draft {
 namespace {
 
-float held(float value, float low, float high, float fallback) {
+float clamped_or(float value, float low, float high, float fallback) {
   return std::isnan(value) ? fallback : std::clamp(value, low, high);
 }
 
-Rgb held_unit(Rgb c) { return {held(c.r, 0, 1, 1), held(c.g, 0, 1, 1), held(c.b, 0, 1, 1)}; }
+Rgb clamped_tint(Rgb c) { return {clamped_or(c.r, 0, 1, 1), clamped_or(c.g, 0, 1, 1), clamped_or(c.b, 0, 1, 1)}; }
 
 template <class T, size_t N>
-void hold(T& value, const std::array<YarnField<T>, N>& fields) {
-  const T usual;
+void clamp_fields(T& value, const std::array<YarnField<T>, N>& fields) {
+  const T defaults;
   for (const YarnField<T>& f : fields)
-    value.*f.member = held(value.*f.member, f.facts.low, f.facts.high, usual.*f.member);
+    value.*f.member = clamped_or(value.*f.member, f.facts.low, f.facts.high, defaults.*f.member);
 }
 
 }  // namespace
 
 Lobes clamped(Lobes lobes) {
-  hold(lobes, kLobeFields);
-  lobes.specular_tint = held_unit(lobes.specular_tint);
+  clamp_fields(lobes, kLobeFields);
+  lobes.specular_tint = clamped_tint(lobes.specular_tint);
   return lobes;
 }
 
 Yarn clamped(Yarn yarn) {
-  hold(yarn, kYarnFields);
+  clamp_fields(yarn, kYarnFields);
   yarn.plies = std::clamp(yarn.plies, static_cast<int>(kPliesFacts.low), static_cast<int>(kPliesFacts.high));
   yarn.lobes = clamped(yarn.lobes);
   return yarn;

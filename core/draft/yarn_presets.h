@@ -1,5 +1,5 @@
 #pragma once
-// The yarns that a weaver finds ready: what each is spun from, and why its numbers are what they are.
+// The yarn presets; the sources of their numbers are in yarn_presets.cpp.
 
 #include <span>
 
@@ -7,7 +7,7 @@
 
 namespace weftlight::draft {
 
-/// The eight yarns, cotton first.
+/// Eight yarns, cotton first. The names are English and are saved with a design; a list shows tr(name).
 std::span<const Yarn> yarn_presets();
 
 }  // namespace weftlight::draft

@@ -215,7 +215,7 @@ std::string write_unity_images(const SetFacts& set, Face face) {
 
 /// HDRP's Lit has a specular colour or metal.
 bool has_specular_color(const SetFacts& set, Face face) {
-  return set.target == Target::kUnityHdrp && std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
+  return set.target == ExportTarget::kUnityHdrp && std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
 }
 
 /// As its inspector takes colours: encoded.
@@ -276,7 +276,7 @@ std::vector<std::string> unity_floats(const SetFacts& set, Face face, bool hdrp)
 
 std::string write_unity_face(const SetFacts& set, Face face) {
   if (std::string problem = write_unity_images(set, face); !problem.empty()) return problem;
-  const bool hdrp = set.target == Target::kUnityHdrp;
+  const bool hdrp = set.target == ExportTarget::kUnityHdrp;
   const Surface& s = set.of(face).small();
   std::vector<std::string> textures;
   for (const UnitySlot& slot : hdrp ? std::span<const UnitySlot>(kHdrpSlots) : std::span<const UnitySlot>(kUrpSlots)) {

@@ -215,7 +215,7 @@ std::string write_u3m(const SetFacts& set) {
   if (std::string problem = write_file_atomically(path, text); !problem.empty()) return problem;
   std::vector<ZipEntry> entries{{file, path}};
   for (const Face face : {Face::kFront, Face::kBack}) {
-    for (const ImageRow& row : image_rows(Target::kU3m)) {
+    for (const ImageRow& row : image_rows(ExportTarget::kU3m)) {
       const std::string image = image_file(row, set.name, face);
       entries.push_back({image, set.folder + "/" + image});
     }

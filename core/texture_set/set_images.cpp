@@ -107,8 +107,8 @@ class Mips {
   static void append(Image& to, const Surface& level) {
     constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
     constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
-    const Image a = pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level);
-    const Image b = pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level);
+    const Image a = pack({ExportTarget::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level);
+    const Image b = pack({ExportTarget::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level);
     to.width = a.width, to.height += a.height, to.channels = 5;
     for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
       to.texels.insert(to.texels.end(), {a.texels[3 * i], a.texels[3 * i + 1], a.texels[3 * i + 2], b.texels[2 * i],
@@ -234,9 +234,9 @@ void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face fa
 
 }  // namespace
 
-std::string face_suffix(Target target, Face face) {
+std::string face_suffix(ExportTarget target, Face face) {
   if (face == Face::kBack) return "_back";
-  return target == Target::kRaw ? "_front" : "";
+  return target == ExportTarget::kRaw ? "_front" : "";
 }
 
 std::string image_file(const ImageRow& row, const std::string& name, Face face) {
@@ -246,7 +246,7 @@ std::string image_file(const ImageRow& row, const std::string& name, Face face) 
 void write_face(SetImages& set, const FaceSource& source, Face face) {
   if (!set.problem.empty()) return;
   const TextureSize size = source.size();
-  Mips mips(set.target == Target::kRaw);
+  Mips mips(set.target == ExportTarget::kRaw);
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
   MipImages own(image_rows(set.target), stems_of(set, face), source, set.mips, cut_out, set.problem);
   if (!set.problem.empty()) return;

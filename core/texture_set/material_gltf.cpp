@@ -12,9 +12,9 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   GltfMaterial m;
   m.name = set.name + (face == Face::kBack ? "_back" : "");
   const bool whole = source.band() == source.size().height;
-  const Surface embedded = set.target == ExportTarget::kGltf ? Surface{}
-                           : whole                           ? source.rows(0, source.size().height)
-                                                             : source.small();
+  const SurfaceTexels embedded = set.target == ExportTarget::kGltf ? SurfaceTexels{}
+                                 : whole                           ? source.rows(0, source.size().height)
+                                                                   : source.small();
   const auto take = [&](GltfImage& image, const char* suffix, size_t row) {
     if (set.target == ExportTarget::kGltf) image.file = image_named(set, suffix, face);
     else image.png = encode_png(pack(image_rows(ExportTarget::kGltf)[row], embedded));

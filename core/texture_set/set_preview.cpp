@@ -37,7 +37,7 @@ SetPreview preview_set(const Design& design, Face face, const TextureSetOptions&
   if (design.draft.ends() < 1 || design.draft.picks() < 1 || stop.stop_requested()) return out;
   const FaceSource source = face_at(design, face, options, side);
   if (stop.stop_requested()) return out;
-  const Surface surface = source.rows(0, source.size().height);
+  const SurfaceTexels surface = source.rows(0, source.size().height);
   out.coverage = source.coverage();
   out.alpha = alpha_for(options.target, options.alpha, out.coverage);
   float bytes = 0;

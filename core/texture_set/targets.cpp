@@ -208,7 +208,7 @@ bool needs_alphas(Channel channel) {
 }
 
 /// alphas: of the texel, where the channel needs them.
-float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const Surface& surface) {
+float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const SurfaceTexels& surface) {
   switch (channel) {
     case kNone:
       return 0;
@@ -501,7 +501,7 @@ const char* exr_name(Channel channel) {
   }
 }
 
-Image pack(const ImageRow& row, const Surface& surface, int threads) {
+Image pack(const ImageRow& row, const SurfaceTexels& surface, int threads) {
   const int width = surface.texels.width, height = surface.texels.height;
   const auto end = std::find(row.channels.begin(), row.channels.end(), kNone);
   const int channels = static_cast<int>(end - row.channels.begin());

@@ -110,7 +110,7 @@ const char* exr_name(Channel channel);
 
 /// The row's image of a surface, as the editor shows the cloth: u runs to the left, v down (core/draft/draft.h).
 /// Directions in it are those of the image: x right, y up. threads: to pack with; 0: one a core.
-Image pack(const ImageRow& row, const Surface& surface, int threads = 0);
+Image pack(const ImageRow& row, const SurfaceTexels& surface, int threads = 0);
 /// Mean or spread of the horizon, a channel an azimuth (of an even number of them); likewise.
 Image pack_planes(const std::vector<Plane<float>>& planes);
 

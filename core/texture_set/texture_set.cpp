@@ -31,7 +31,9 @@ std::string millimetres(float v) {
   return text;
 }
 
-std::string size_words(const Surface& s) { return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm"; }
+std::string size_words(const SurfaceTexels& s) {
+  return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm";
+}
 
 /// Which images go together, where not all do.
 const char* advice(ExportTarget target) {
@@ -42,7 +44,7 @@ const char* advice(ExportTarget target) {
 }
 
 std::string readme(const FaceSource& face, const TextureSetOptions& o) {
-  const Surface& s = face.small();
+  const SurfaceTexels& s = face.small();
   return o.name + ": one seamless tile of " + o.source + ", " + size_words(s) + " (" +
          std::to_string(face.size().width) + " x " + std::to_string(face.size().height) + " texels), for " +
          target_name(o.target) + "; files with _back are the other face's.\n" + "Tile it once every " + size_words(s) +
@@ -98,7 +100,7 @@ json fit_of(const FaceSource& face) {
 
 std::string list_of(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
                     const SetIdentity& identity, const std::string& material) {
-  const Surface& s = set.front.small();
+  const SurfaceTexels& s = set.front.small();
   const Cloth& cloth = set.front.cloth();
   json root{{"format", "weftlight texture set"},
             {"format_version", 2},

@@ -34,7 +34,7 @@ BENCHMARK(SurfaceFromMaps)->Unit(benchmark::kMillisecond);
 
 void PackOrm(benchmark::State& state) {
   const Cloth cloth = sample_cloth();
-  const Surface surface = make_surface(cloth, bake(cloth, {1024, 1024, 0}), 1024, 1024);
+  const SurfaceTexels surface = make_surface(cloth, bake(cloth, {1024, 1024, 0}), 1024, 1024);
   for (auto _ : state) benchmark::DoNotOptimize(pack(image_rows(ExportTarget::kGltf)[1], surface));
 }
 BENCHMARK(PackOrm)->Unit(benchmark::kMillisecond);

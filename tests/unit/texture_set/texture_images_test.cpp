@@ -40,7 +40,7 @@ TEST(TextureSet, AverageColourSurvivesResampling) {
     sharp += static_cast<double>(maps.coverage.at_[i]) * lit * (metal ? static_cast<double>(tint.g) : 1.0);
     share += static_cast<double>(maps.coverage.at_[i]);
   }
-  Surface surface = make_surface(cloth, maps, 256, 64);
+  SurfaceTexels surface = make_surface(cloth, maps, 256, 64);
   for (int level = 0; level < 9; ++level) {
     double kept = 0, covered = 0;
     for (const SurfaceTexel& t : surface.texels.at_)
@@ -83,7 +83,7 @@ TEST(TextureSet, RoughAcrossTheFibreOfWarpAndWeft) {
   Design design = plain({2, 2});
   design.yarns[0].twist = Twist::kNone;
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
-  const Surface surface = make_surface(cloth, bake(cloth, {128, 128, 0}), 128, 128);
+  const SurfaceTexels surface = make_surface(cloth, bake(cloth, {128, 128, 0}), 128, 128);
   int along_v = 0, along_u = 0, warp = 0, weft = 0;
   for (const SurfaceTexel& t : surface.texels.at_) {
     if (t.coverage < 1) continue;
@@ -197,8 +197,8 @@ TEST(TextureSet, OneSampleATexelWillDoWhereThreadsAreWide) {
   const Design design = twill({2, 2}, Lean::kRight, {8, 8});
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
   const int size = 64 * static_cast<int>(cloth.ends.size());  // the least that is sampled once a texel
-  const Surface once = make_surface(cloth, bake(cloth, {size, size, 0}), size, size);
-  const Surface often = make_surface(cloth, bake(cloth, {4 * size, 4 * size, 0}), size, size);
+  const SurfaceTexels once = make_surface(cloth, bake(cloth, {size, size, 0}), size, size);
+  const SurfaceTexels often = make_surface(cloth, bake(cloth, {4 * size, 4 * size, 0}), size, size);
   double colour = 0, normal = 0, mean = 0;
   for (size_t i = 0; i < once.texels.at_.size(); ++i) {
     const SurfaceTexel &a = once.texels.at_[i], &b = often.texels.at_[i];

@@ -204,9 +204,9 @@ TEST(TextureSet, BandsAreTheWholeCutUp) {
   options.footprint_mm = 0.8f;
   const FaceSource source(cloth, options);
   ASSERT_LT(source.band(), 2048);
-  const Surface a = source.rows(0, source.band()), b = source.rows(source.band(), 2 * source.band());
+  const SurfaceTexels a = source.rows(0, source.band()), b = source.rows(source.band(), 2 * source.band());
   // No seam: neighbours across the bands differ no more than neighbours within.
-  const auto apart = [](const Surface& p, int y, const Surface& q, int z) {
+  const auto apart = [](const SurfaceTexels& p, int y, const SurfaceTexels& q, int z) {
     double sum = 0;
     for (int x = 0; x < p.texels.width; ++x) {
       const SurfaceTexel &s = p.texels.at(x, y), &t = q.texels.at(x, z);

@@ -9,19 +9,19 @@ namespace weftlight::drape {
 
 namespace {
 
-/// Points of the neckline from one neck point to the other, as far apart as one another.
+/// Points of the neckline from one neck point to the other, at equal distances.
 std::vector<Vec2> neckline(const BodiceCut& cut, float dip) {
   constexpr int kFine = 600;
   const auto at = [&](int i) {
     const float across = static_cast<float>(i) / kFine;
     return Vec2{cut.neck_half * (2 * across - 1), cut.length - dip * std::sin(kPi * across)};
   };
-  std::vector<float> gone{0};
-  for (int i = 1; i <= kFine; ++i) gone.push_back(gone.back() + length(at(i) - at(i - 1)));
+  std::vector<float> arc{0};
+  for (int i = 1; i <= kFine; ++i) arc.push_back(arc.back() + length(at(i) - at(i - 1)));
   std::vector<Vec2> points;
   for (int c = 0; c <= cut.neck_columns; ++c) {
-    const float goal = gone.back() * share_of(c, cut.neck_columns + 1);
-    points.push_back(at(static_cast<int>(std::lower_bound(gone.begin(), gone.end(), goal) - gone.begin())));
+    const float goal = arc.back() * fraction_of(c, cut.neck_columns + 1);
+    points.push_back(at(static_cast<int>(std::lower_bound(arc.begin(), arc.end(), goal) - arc.begin())));
   }
   return points;
 }
@@ -30,14 +30,14 @@ std::vector<Vec2> top_edge(const BodiceCut& cut, float dip) {
   std::vector<Vec2> edge;
   const Vec2 tip{-cut.shoulder_half, cut.tip()}, neck{-cut.neck_half, cut.length};
   for (int c = 0; c < cut.shoulder_columns; ++c)
-    edge.push_back(tip + (neck - tip) * share_of(c, cut.shoulder_columns + 1));
+    edge.push_back(tip + (neck - tip) * fraction_of(c, cut.shoulder_columns + 1));
   for (const Vec2& p : neckline(cut, dip)) edge.push_back(p);
   for (int c = cut.shoulder_columns; c-- > 0;)
     edge.push_back({-edge[static_cast<size_t>(c)][0], edge[static_cast<size_t>(c)][1]});
   return edge;
 }
 
-/// Half a panel's width at a share of its rows.
+/// Half of a panel's width; t: fraction of its rows, from the hem.
 float half_width(const BodiceCut& cut, float t) {
   const float under = static_cast<float>(cut.underarm()) / static_cast<float>(cut.top());
   if (t <= under) {
@@ -49,13 +49,13 @@ float half_width(const BodiceCut& cut, float t) {
          (cut.shoulder_half - cut.across_half) * ramp(0.5f, 1, up);
 }
 
-/// Where a vertex is put on: a ring round the neck; beside it straight out; below round the trunk.
+/// Start position of a vertex: the neckline is a ring, the shoulders run straight out, the rest lies around the trunk.
 Vec3 put_on(const BodiceCut& cut, const Panel& panel, int column, int row, float v, float side) {
-  const float across = 2 * share_of(column, cut.columns()) - 1, angle = across * kPi / 2;
+  const float across = 2 * fraction_of(column, cut.columns()) - 1, angle = across * kPi / 2;
   const Vec2 top = panel.top[static_cast<size_t>(column)];
-  const float ring = kPi * std::clamp(share_of(column - cut.shoulder_columns, cut.neck_columns + 1), 0.0f, 1.0f);
+  const float ring = kPi * std::clamp(fraction_of(column - cut.shoulder_columns, cut.neck_columns + 1), 0.0f, 1.0f);
   const float out = std::fmax(0.0f, std::fabs(top[0]) - cut.neck_half) / (cut.shoulder_half - cut.neck_half);
-  // Eight columns a gather.
+  // Eight columns per gather.
   const float gathers = cut.put_on_gathers * std::sin(ring) * std::sin(kPi / 4 * static_cast<float>(column)) *
                         ramp(0, 15, top[1] - v) * (1 - ramp(15, 160, top[1] - v));
   const float top_x =
@@ -64,7 +64,7 @@ Vec3 put_on(const BodiceCut& cut, const Panel& panel, int column, int row, float
   const float round = ramp(0, 130, top[1] - v);
   const float up = std::clamp(static_cast<float>(row - cut.underarm()) / static_cast<float>(cut.rise()), 0.0f, 1.0f);
   const float gape = 55 * std::sin(kPi * up);
-  // As wide as it is cut, and already in waves, so that what is flared falls in folds.
+  // At its full width and already in waves, so that a flared panel falls in folds.
   const float down = ramp(cut.tip() - cut.armhole, 0, v);
   const float flared = 1 + std::fmax(0.0f, cut.hem_half / cut.chest_half - 1) * down;
   const float phase = 0.8f * side + 0.6f;
@@ -98,17 +98,17 @@ Panel add_panel(Pattern& pattern, const BodiceCut& cut, bool back) {
 
 float cap_height(const SleeveCut& cut, float s) { return cut.cap * (0.5f - 0.5f * std::cos(2 * kPi * s)); }
 
-/// How far along the cap's edge each of `fine` steps is.
+/// Arc length along the edge of the cap at each of `fine` steps.
 std::vector<float> along_cap(const SleeveCut& cut, float width, int fine) {
   std::vector<float> along{0};
   for (int i = 1; i <= fine; ++i)
     along.push_back(along.back() +
-                    std::hypot(width / static_cast<float>(fine),
-                               cap_height(cut, share_of(i, fine + 1)) - cap_height(cut, share_of(i - 1, fine + 1))));
+                    std::hypot(width / static_cast<float>(fine), cap_height(cut, fraction_of(i, fine + 1)) -
+                                                                     cap_height(cut, fraction_of(i - 1, fine + 1))));
   return along;
 }
 
-/// The sleeve's width under its cap, so that the cap's edge is as long as the armhole.
+/// The width of the sleeve below its cap for which the edge of the cap is as long as the armhole.
 float sleeve_width(const SleeveCut& cut, float edge) {
   float low = 100, high = edge;
   for (int pass = 0; pass < 30; ++pass) {
@@ -118,28 +118,28 @@ float sleeve_width(const SleeveCut& cut, float edge) {
   return low;
 }
 
-/// Shares of the sleeve's width at which its columns stand, so that each step along the cap is as long as the
-/// armhole's.
-std::vector<float> sleeve_columns(const SleeveCut& cut, float width, const std::vector<float>& gone) {
+/// Positions of the columns as fractions of the sleeve's width, for which each step along the cap is as long as that
+/// along the armhole.
+std::vector<float> sleeve_columns(const SleeveCut& cut, float width, const std::vector<float>& arc) {
   constexpr int kFine = 800;
   const std::vector<float> along = along_cap(cut, width, kFine);
   std::vector<float> columns;
-  for (const float g : gone) {
-    const float goal = g / gone.back() * along.back();
-    columns.push_back(
-        share_of(static_cast<int>(std::lower_bound(along.begin(), along.end() - 1, goal) - along.begin()), kFine + 1));
+  for (const float at : arc) {
+    const float goal = at / arc.back() * along.back();
+    columns.push_back(fraction_of(
+        static_cast<int>(std::lower_bound(along.begin(), along.end() - 1, goal) - along.begin()), kFine + 1));
   }
   return columns;
 }
 
-/// Where the end of a sleeve is held: a ring about the arm at +x; s from below by the front.
+/// Position of the end of a sleeve: a ring about the arm at +x; s runs from below over the front.
 Vec3 ring_on_arm(const Arm& a, float round, float past_elbow, float s) {
   const Vec3 axis = unit(a.wrist - a.elbow), over = unit(Vec3{-axis[1], axis[0], 0}), ahead = cross(axis, over);
   const float radius = round / (2 * kPi), around = 2 * kPi * s;
   return a.elbow + axis * past_elbow - over * (std::cos(around) * radius) + ahead * (std::sin(around) * radius);
 }
 
-/// The same of either arm; the left one's runs by way of the back.
+/// The same for either arm; that of the left arm runs over the back first.
 Vec3 ring_on_arm(const Arm& a, float round, float past_elbow, float s, bool right) {
   if (right) return ring_on_arm(a, round, past_elbow, s);
   const Vec3 p = ring_on_arm(a, round, past_elbow, 1 - s);
@@ -148,7 +148,7 @@ Vec3 ring_on_arm(const Arm& a, float round, float past_elbow, float s, bool righ
 
 void put_on(Pattern& pattern, const SleeveCut& cut, const Sleeve& out, const std::vector<float>& columns,
             const std::vector<uint32_t>& hole, bool right) {
-  const Arm a = arm_let_down(0);
+  const Arm a = lowered_arm(0);
   for (int column = 0; column < out.sleeve.columns; ++column) {
     const float s = columns[static_cast<size_t>(column)];
     const Vec3 to = pattern.position_mm[pattern.particle[hole[static_cast<size_t>(column)]]];
@@ -156,10 +156,10 @@ void put_on(Pattern& pattern, const SleeveCut& cut, const Sleeve& out, const std
     const float cuff_share = cut.cuff_high / (cut.cuff_high + cut.length + cap_height(cut, s));
     for (int row = 0; row < out.cuff.rows; ++row)
       pattern.position_mm[pattern.particle[out.cuff.vertex(column, row)]] =
-          end + (to - end) * (cuff_share * share_of(row, cut.cuff_rows));
+          end + (to - end) * (cuff_share * fraction_of(row, cut.cuff_rows));
     for (int row = 0; row < cut.rows; ++row)
       pattern.position_mm[pattern.particle[out.sleeve.vertex(column, row)]] =
-          end + (to - end) * mix(cuff_share, 1, share_of(row, cut.rows));
+          end + (to - end) * mix(cuff_share, 1, fraction_of(row, cut.rows));
   }
 }
 
@@ -208,10 +208,10 @@ Piece add_band(Pattern& pattern, const BodiceCut& cut, const Bodice& bodice, con
   const int count = static_cast<int>(ring.size());
   std::vector<float> along{0};
   for (int k = 1; k < count; ++k) {
-    // Of the panel that both are of: the first and the last quarter are the back's.
+    // Both vertices must be of one panel: the first and the last quarter belong to the back.
     const bool is_changing = k == cut.neck_columns / 2 || k == 3 * cut.neck_columns / 2;
     const auto to = static_cast<size_t>(is_changing ? k - 1 : k);
-    along.push_back(along.back() + band.share * apart(pattern, ring[to - 1], ring[to]));
+    along.push_back(along.back() + band.fraction * pattern_distance(pattern, ring[to - 1], ring[to]));
   }
   const auto shape = [&](float s, float t) {
     return Vec2{along[static_cast<size_t>(std::lround(s * static_cast<float>(count - 1)))], t * band.high};
@@ -221,7 +221,7 @@ Piece add_band(Pattern& pattern, const BodiceCut& cut, const Bodice& bodice, con
     for (int k = 0; k < count; ++k) {
       const Vec3 base = pattern.position_mm[pattern.particle[ring[static_cast<size_t>(k)]]];
       pattern.position_mm[pattern.particle[piece.vertex(k, row)]] =
-          base + Vec3{0, band.high * share_of(row, band.rows), 0};
+          base + Vec3{0, band.high * fraction_of(row, band.rows), 0};
     }
     sew(pattern, piece.vertex(0, row), piece.vertex(count - 1, row));
   }
@@ -233,13 +233,14 @@ Piece add_band(Pattern& pattern, const BodiceCut& cut, const Bodice& bodice, con
 Sleeve add_sleeve(Pattern& pattern, const SleeveCut& cut, const std::vector<uint32_t>& hole, bool right) {
   const auto nowhere = [](Vec2) { return Vec3{}; };
   const int count = static_cast<int>(hole.size()), rise = count / 2;
-  std::vector<float> gone{0};
+  std::vector<float> arc{0};
   for (int k = 1; k < count; ++k) {
-    const int from = k <= rise ? k : count - k;  // the back's side is as long as the front's
-    gone.push_back(gone.back() + apart(pattern, hole[static_cast<size_t>(from - 1)], hole[static_cast<size_t>(from)]));
+    const int from = k <= rise ? k : count - k;  // the back edge is as long as the front edge
+    arc.push_back(arc.back() +
+                  pattern_distance(pattern, hole[static_cast<size_t>(from - 1)], hole[static_cast<size_t>(from)]));
   }
-  const float width = sleeve_width(cut, gone.back());
-  const std::vector<float> columns = sleeve_columns(cut, width, gone);
+  const float width = sleeve_width(cut, arc.back());
+  const std::vector<float> columns = sleeve_columns(cut, width, arc);
   const auto across = [&](float s) {
     return columns[static_cast<size_t>(std::lround(s * static_cast<float>(count - 1)))];
   };
@@ -268,7 +269,7 @@ Sleeve add_sleeve(Pattern& pattern, const SleeveCut& cut, const std::vector<uint
   return out;
 }
 
-void lead_arms(Drape& drape, const SleeveCut& cut, const Sleeve& right, const Sleeve& left) {
+void lower_arms(Drape& drape, const SleeveCut& cut, const Sleeve& right, const Sleeve& left) {
   constexpr float kFrom_s = 0.3f, kTo_s = 1.4f;
   struct End {
     uint32_t particle;
@@ -286,11 +287,11 @@ void lead_arms(Drape& drape, const SleeveCut& cut, const Sleeve& right, const Sl
       drape.held.push_back(ends.back().particle);
     }
   }
-  const auto arm = std::make_shared<Arm>(arm_let_down(0));
+  const auto arm = std::make_shared<Arm>(lowered_arm(0));
   drape.body = [arm](Vec3 p) { return form_with(*arm, p); };
-  drape.fall.lead = [=](Cloth& cloth, double time, double until) {
+  drape.fall.move_held = [=](SimulatedCloth& cloth, double time, double until) {
     const float down = ramp(kFrom_s, kTo_s, static_cast<float>(until));
-    *arm = arm_let_down(down);
+    *arm = lowered_arm(down);
     for (const End& end : ends) {
       const Vec3d goal =
           Vec3d(ring_on_arm(*arm, cut.round(), mix(cut.put_on, cut.past_elbow, down), end.round, end.right));

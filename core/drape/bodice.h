@@ -1,5 +1,6 @@
 #pragma once
-// What the sewn tops share: front and back, sleeves, and how they are put on a form whose arms then come down in them.
+// Parts of the sewn tops: front, back, neckband and sleeves, and how they are put on a dress form with raised arms,
+// which are then lowered.
 
 #include <vector>
 
@@ -9,19 +10,19 @@
 
 namespace weftlight::drape {
 
-/// Front and back, sewn at shoulders and sides, in millimetres; heights are above the hem's lowest place.
+/// The cut of front and back, sewn at shoulders and sides. Millimetres; heights are above the lowest point of the hem.
 struct BodiceCut {
   float length;  // hem to neck point
   float neck_half, front_dip, back_dip;
   float shoulder_half, shoulder_drop;
   float hem_half, waist_half, chest_half, across_half;
-  float tail;     // how much higher the hem is at the sides
+  float tail;     // rise of the hem at the sides
   float armhole;  // underarm to shoulder
   int shoulder_columns, neck_columns, rows;
-  // As it is put on, above where it will rest.
+  // The start of the simulation, higher than where the garment comes to rest.
   float put_on_height, put_on_half, put_on_depth, put_on_neck, neck_middle;
-  float put_on_wave = 0;     // of what is flared, in and out
-  float put_on_gathers = 0;  // of the neckline, in and out
+  float put_on_wave = 0;     // amplitude of the waves of a flared panel
+  float put_on_gathers = 0;  // amplitude of the gathers of the neckline
 
   constexpr float tip() const { return length - shoulder_drop; }
   constexpr int columns() const { return 2 * shoulder_columns + neck_columns + 1; }
@@ -36,37 +37,37 @@ struct BodiceCut {
 
 struct Panel {
   Piece piece;
-  std::vector<Vec2> top;  // its upper edge, a place a column: shoulder, neck, shoulder
+  std::vector<Vec2> top;  // upper edge, one point per column: shoulder, neck, shoulder
 };
 
 struct Bodice {
   Panel front, back;
 };
 
-/// `open`: rows from the hem that are not sewn at the sides.
+/// `open`: number of rows from the hem that are not sewn at the sides.
 Bodice add_bodice(Pattern& pattern, const BodiceCut& cut, int open = 0);
 
-/// The panels' vertices round an armhole from the underarm; the right arm's by way of the front.
+/// The vertices around an armhole, from the underarm; that of the right arm runs over the front first.
 std::vector<uint32_t> armhole(const Bodice& bodice, const BodiceCut& cut, bool right);
 
-/// The neckline's vertices from the middle of the back by the left of the front to the back again.
+/// The vertices of the neckline from the middle of the back, over the left of the front, to the back again.
 std::vector<uint32_t> neck_ring(const Bodice& bodice, const BodiceCut& cut);
 
 struct BandCut {
   int rows;
-  float high, share;  // mm; of the neckline's length, which is gathered into it
+  float high, fraction;  // mm; length as a fraction of the neckline, which is gathered into it
   float firmness;
 };
-/// A straight band that stands on the neckline, from the middle of the back by the left; its first row is the seam.
+/// A straight band on the neckline, from the middle of the back over the left; its first row is the seam.
 Piece add_band(Pattern& pattern, const BodiceCut& cut, const Bodice& bodice, const BandCut& band);
 
 struct SleeveCut {
-  float length;    // of the seam under the arm, without the cuff
+  float length;    // of the underarm seam, without the cuff
   float cap, end;  // height of the cap; width at the end
   int rows;
   float cuff_high = 0, cuff_round = 0;
   int cuff_rows = 0;         // 0: no cuff
-  float put_on, past_elbow;  // where it ends on the arm beyond the elbow, at first and at last
+  float put_on, past_elbow;  // distance of its end beyond the elbow, at the start and at the end
   float round() const { return cuff_rows > 0 ? cuff_round : end; }
 };
 
@@ -75,11 +76,10 @@ struct Sleeve {
   const Piece& lowest() const { return cuff.rows > 0 ? cuff : sleeve; }
 };
 
-/// Sewn into the armhole; its cuff first, if it has one.
+/// Adds the cuff, if there is one, and the sleeve, sewn into the armhole.
 Sleeve add_sleeve(Pattern& pattern, const SleeveCut& cut, const std::vector<uint32_t>& hole, bool right);
 
-/// The arms come down in the sleeves, whose ends go with the wrists and are held there. After the pattern's unused
-/// particles are dropped.
-void lead_arms(Drape& drape, const SleeveCut& cut, const Sleeve& right, const Sleeve& left);
+/// Lowers the arms inside the sleeves, whose ends are held at the wrists. Call it after drop_unused_particles().
+void lower_arms(Drape& drape, const SleeveCut& cut, const Sleeve& right, const Sleeve& left);
 
 }  // namespace weftlight::drape

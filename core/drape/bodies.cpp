@@ -19,7 +19,7 @@ float smooth_min(float a, float b, float width) {
 
 float smooth_max(float a, float b, float width) { return -smooth_min(-a, -b, width); }
 
-/// A limb that narrows from radius ra at a to rb at b.
+/// A limb that tapers from radius ra at a to rb at b.
 float limb(Vec3 p, Vec3 a, Vec3 b, float ra, float rb) {
   const Vec3 axis = b - a, from = p - a;
   const float t = std::clamp(dot(from, axis) / dot(axis, axis), 0.0f, 1.0f);
@@ -36,7 +36,7 @@ constexpr Measure kTrunk[] = {
     {1420, 84, 60, -14}, {1445, 60, 56, -10}, {1530, 53, 53, 4},
 };
 
-/// Cubic through four equally weighted values, between the middle two.
+/// Catmull-Rom cubic between the middle two of four values.
 float curve(float before, float from, float to, float after, float t) {
   const float slope_from = 0.5f * (to - before), slope_to = 0.5f * (after - from);
   const float t2 = t * t, t3 = t2 * t;
@@ -44,7 +44,7 @@ float curve(float before, float from, float to, float after, float t) {
 }
 
 float trunk(Vec3 p) {
-  const Section s = trunk_section(p[1]);
+  const TrunkSection s = trunk_section(p[1]);
   const float x = p[0], z = p[2] - s.middle;
   const float out = std::sqrt(x * x + z * z);
   const float scaled = std::sqrt(x * x / (s.half_width * s.half_width) + z * z / (s.half_depth * s.half_depth));
@@ -53,7 +53,7 @@ float trunk(Vec3 p) {
 
 }  // namespace
 
-Section trunk_section(float height) {
+TrunkSection trunk_section(float height) {
   const auto last = std::prev(std::end(kTrunk));
   const auto above = std::find_if(std::begin(kTrunk), last, [&](const Measure& m) { return m.height > height; });
   const Measure& to = above == std::begin(kTrunk) ? *std::next(above) : *above;
@@ -67,9 +67,9 @@ Section trunk_section(float height) {
 
 Arm arm() { return {{176, 1352, -10}, {345, 1142, -4}, {482, 948, 44}, 47, 37, 26}; }
 
-Arm arm_let_down(float share) {
+Arm lowered_arm(float fraction) {
   const Vec3 raised{0.87f, -0.5f, 0.02f}, upper{0.30f, -0.95f, -0.04f}, lower{0.17f, -0.90f, 0.40f};
-  const auto turned = [&](Vec3 to) { return unit(raised * (1 - share) + to * share); };
+  const auto turned = [&](Vec3 to) { return unit(raised * (1 - fraction) + to * fraction); };
   const Arm out = arm();
   Arm a = out;
   a.elbow = a.shoulder + turned(upper) * length(out.elbow - out.shoulder);
@@ -89,20 +89,20 @@ float table(Vec3 p) {
   return outside + std::min(std::max(out, up), 0.0f) - kEdge;
 }
 
-std::array<Box, 2> board_boxes() {
+std::array<RoundedBox, 2> board_boxes() {
   constexpr float kHalfThick = 16;
-  const Vec3 middle = Vec3{0, kBoardHeight, 0} - turned_back({0, kHalfThick, 0}, kBoardLean);
+  const Vec3 middle = Vec3{0, kBoardHeight, 0} - lean_back({0, kHalfThick, 0}, kBoardLean);
   return {{{middle, {265, kHalfThick, 265}, 12, kBoardLean}, {{0, 70, -60}, {150, 70, 80}, 14, 0}}};
 }
 
-Vec3 turned_back(Vec3 p, float lean) {
+Vec3 lean_back(Vec3 p, float lean) {
   return {p[0], p[1] * std::cos(lean) + p[2] * std::sin(lean), p[2] * std::cos(lean) - p[1] * std::sin(lean)};
 }
 
 float board(Vec3 p) {
   float nearest = ground(p);
-  for (const Box& box : board_boxes()) {
-    const Vec3 out = glm::abs(turned_back(p - box.centre, -box.lean_rad)) - (box.half - box.edge);
+  for (const RoundedBox& box : board_boxes()) {
+    const Vec3 out = glm::abs(lean_back(p - box.centre, -box.lean_rad)) - (box.half - box.edge);
     const float inside = std::min(std::max(out[0], std::max(out[1], out[2])), 0.0f);
     nearest = std::min(nearest, length(glm::max(out, Vec3(0))) + inside - box.edge);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What the drapes lie on, as signed distances to collide with and as meshes to draw.
+// The bodies under the drapes, as signed distances for collisions and as meshes for drawing.
 
 #include <array>
 
@@ -14,36 +14,36 @@ constexpr float kTableRadius = 450, kTableHeight = 720;
 constexpr float kRodHeight = 1890, kRodRadius = 11, kRodHalfLength = 480, kRingRadius = 21;
 constexpr int kRings = 15;
 constexpr float kWaistHeight = 1060;
-// The forms have a standing woman's heights; their stands are shorter than her legs by this much.
+// The forms have the heights of a standing woman; their stands are shorter than her legs by this much.
 constexpr float kSkirtLowered = 390, kTunicLowered = 600;
 
 float ground(Vec3 p);
 float ball(Vec3 p);
 float table(Vec3 p);
 struct Arm;
-/// A dress form from the hips to the neck, with such arms.
+/// A dress form from the hips to the neck, with the given arms.
 float form_with(const Arm& arm, Vec3 p);
-/// The same, arms hanging outwards.
+/// The same, with its arms held away from the body.
 float dress_form(Vec3 p);
 /// Its lower half, cut a little above the waist, without arms.
 float skirt_form(Vec3 p);
-/// A board that leans towards the viewer, on its foot.
+/// A board on a foot, tilted towards the viewer.
 float board(Vec3 p);
-struct Box {
+struct RoundedBox {
   Vec3 centre, half;
   float edge;      // radius of its edges
-  float lean_rad;  // backwards, about x
+  float lean_rad;  // rotation backwards, about x
 };
-std::array<Box, 2> board_boxes();
-/// From a box's own directions to those of the room.
-Vec3 turned_back(Vec3 p, float lean_rad);
-constexpr float kBoardHeight = 170, kBoardLean = -0.42f;  // of the middle of its upper side; radians
+std::array<RoundedBox, 2> board_boxes();
+/// From the directions of a box to those of the room.
+Vec3 lean_back(Vec3 p, float lean_rad);
+constexpr float kBoardHeight = 170, kBoardLean = -0.42f;  // mm, middle of its upper side; radians
 
 /// Half width (x), half depth (z) and middle (z) of the form's trunk at a height.
-struct Section {
+struct TrunkSection {
   float half_width, half_depth, middle;
 };
-Section trunk_section(float height);
+TrunkSection trunk_section(float height);
 
 /// An arm of the dress form at +x; that at -x is its mirror image.
 struct Arm {
@@ -51,10 +51,10 @@ struct Arm {
   float shoulder_radius, elbow_radius, wrist_radius;
 };
 Arm arm();
-/// The same, raised to put a garment on (0), let down beside the body and a little bent (1), or between.
-Arm arm_let_down(float share);
+/// The same arm between raised, to put a garment on (fraction 0), and lowered beside the body, slightly bent (1).
+Arm lowered_arm(float fraction);
 
-/// Where ring i of the curtain hangs once gathered.
+/// x of ring i of the curtain after gathering, mm.
 float ring_x(int ring);
 
 Mesh mesh_of_body(const std::string& name);

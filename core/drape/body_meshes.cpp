@@ -1,6 +1,6 @@
-// Meshes of the bodies: turned profiles, rings, and the zero set of a distance.
-// Based on: Gibson, "Constrained Elastic Surface Nets", MICCAI 1998 (a vertex a cell).
-// Differs: the vertex is then moved onto the surface along the slope of the distance.
+// Meshes of the bodies: surfaces of revolution, rings, and the zero set of a signed distance.
+// Based on: Gibson, "Constrained Elastic Surface Nets", MICCAI 1998 (one vertex per cell).
+// Differs: the vertex is then moved onto the surface along the gradient of the distance.
 
 #include <algorithm>
 
@@ -15,9 +15,9 @@ void append_quad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
   mesh.index.insert(mesh.index.end(), {a, b, c, a, c, d});
 }
 
-/// Turns a profile of (radius, height), from the bottom up on the outside, about the axis y.
-/// `ahead`: of the first column, in columns.
-void append_turned(Mesh& mesh, const std::vector<Vec2>& profile, uint32_t around, float ahead = 0) {
+/// Revolves a profile of (radius, height), outside from the bottom up, about the y axis.
+/// `ahead`: angle of the first column, in columns.
+void append_revolved(Mesh& mesh, const std::vector<Vec2>& profile, uint32_t around, float ahead = 0) {
   const auto first = static_cast<uint32_t>(mesh.position_mm.size());
   for (const Vec2& point : profile) {
     for (uint32_t k = 0; k < around; ++k) {
@@ -33,7 +33,8 @@ void append_turned(Mesh& mesh, const std::vector<Vec2>& profile, uint32_t around
   }
 }
 
-/// A quarter circle of the profile about `centre`, from angle `from` on (0: outwards, 1: up, in quarters).
+/// Appends a quarter circle about `centre` to the profile, starting at angle `from` in quarter turns (0: outwards, 1:
+/// up).
 void append_round(std::vector<Vec2>& profile, Vec2 centre, float radius, float from) {
   constexpr int kSteps = 5;
   for (int k = 0; k <= kSteps; ++k) {
@@ -51,24 +52,24 @@ std::vector<Vec2> disc(float radius, float bottom, float top, float edge) {
   return profile;
 }
 
-/// A small ball whose eighths are drawn apart to the corners.
-void append_box(Mesh& mesh, const Box& box) {
+/// A small ball whose eight octants are moved apart to the corners of the box.
+void append_box(Mesh& mesh, const RoundedBox& box) {
   constexpr int kRows = 6;
   constexpr uint32_t kAround = 4 * kRows;
   const auto first = mesh.position_mm.size();
   std::vector<Vec2> profile;
   for (const float from : {-1.0f, 0.0f}) append_round(profile, {0, from < 0 ? -1.0f : 1.0f}, box.edge, from);
   profile.front()[0] = profile.back()[0] = 0;
-  append_turned(mesh, profile, kAround, 0.5f);
+  append_revolved(mesh, profile, kAround, 0.5f);
   const Vec3 core = box.half - box.edge;
   for (size_t i = first; i < mesh.position_mm.size(); ++i) {
     Vec3& p = mesh.position_mm[i];
     const size_t around = (i - first) % kAround;
     const bool upper = i - first >= (mesh.position_mm.size() - first) / 2;
-    p[1] += upper ? -1.0f : 1.0f;  // the profile kept its halves apart by this
+    p[1] += upper ? -1.0f : 1.0f;  // the profile separated its halves by this much
     p += core * Vec3{around < kAround / 2 ? 1.0f : -1.0f, upper ? 1.0f : -1.0f,
                      around < kAround / 4 || around >= 3 * kAround / 4 ? 1.0f : -1.0f};
-    p = box.centre + turned_back(p, box.lean_rad);
+    p = box.centre + lean_back(p, box.lean_rad);
   }
   const auto corner = [&](size_t row, uint32_t quarter) {
     return static_cast<uint32_t>(first + row * kAround + quarter * kAround / 4);
@@ -84,20 +85,20 @@ void append_ball(Mesh& mesh) {
     const float angle = kPi * static_cast<float>(k) / 48;
     profile.push_back({kBallRadius * std::sin(angle), kBallRadius * (1 - std::cos(angle))});
   }
-  append_turned(mesh, profile, 96);
+  append_revolved(mesh, profile, 96);
 }
 
 void append_table(Mesh& mesh) {
-  append_turned(mesh, disc(kTableRadius, kTableHeight - 28, kTableHeight, 13), 128);
-  append_turned(mesh, {{62, 18}, {48, 40}, {38, 90}, {36, 560}, {44, 650}, {90, kTableHeight - 28}}, 48);
-  append_turned(mesh, disc(260, 0, 20, 9), 96);
+  append_revolved(mesh, disc(kTableRadius, kTableHeight - 28, kTableHeight, 13), 128);
+  append_revolved(mesh, {{62, 18}, {48, 40}, {38, 90}, {36, 560}, {44, 650}, {90, kTableHeight - 28}}, 48);
+  append_revolved(mesh, disc(260, 0, 20, 9), 96);
 }
 
-/// Lets the form down and puts a stand under it.
-void stand(Mesh& mesh, float lowered) {
+/// Lowers the form and puts a stand under it.
+void append_stand(Mesh& mesh, float lowered) {
   for (Vec3& p : mesh.position_mm) p[1] -= lowered;
-  append_turned(mesh, {{15, 14}, {13, 40}, {13, 800 - lowered}}, 32);
-  append_turned(mesh, disc(165, 0, 16, 7), 96);
+  append_revolved(mesh, {{15, 14}, {13, 40}, {13, 800 - lowered}}, 32);
+  append_revolved(mesh, disc(165, 0, 16, 7), 96);
 }
 
 /// A ring about the rod at x.
@@ -129,8 +130,8 @@ void append_rod(Mesh& mesh) {
   profile.push_back({kRodRadius, -kRodHalfLength});
   const size_t half = profile.size();
   for (size_t k = half; k-- > 0;) profile.push_back({profile[k][0], -profile[k][1]});
-  append_turned(mesh, profile, 40);
-  // Turned about y; laid along x.
+  append_revolved(mesh, profile, 40);
+  // Revolved about y; the rod runs along x.
   for (Vec3& p : mesh.position_mm) p = {p[1], kRodHeight - p[0], p[2]};
   for (int ring = 0; ring < kRings; ++ring) append_ring(mesh, ring_x(ring));
 }
@@ -147,7 +148,7 @@ struct Samples {
                static_cast<size_t>(count[0]) +
            static_cast<size_t>(x);
   }
-  Vec3 place(int x, int y, int z) const {
+  Vec3 position(int x, int y, int z) const {
     return origin + Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * width;
   }
 };
@@ -157,13 +158,13 @@ Samples sample(const Distance& distance, Vec3 low, Vec3 high, float width) {
   for (size_t k = 0; k < 3; ++k) s.count[k] = static_cast<int>((high[k] - low[k]) / width) + 1;
   for (int z = 0; z < s.count[2]; ++z) {
     for (int y = 0; y < s.count[1]; ++y) {
-      for (int x = 0; x < s.count[0]; ++x) s.value.push_back(distance(s.place(x, y, z)));
+      for (int x = 0; x < s.count[0]; ++x) s.value.push_back(distance(s.position(x, y, z)));
     }
   }
   return s;
 }
 
-/// Which of a cell's corners are inside: 0 none, 8 all.
+/// Number of corners of a cell that are inside the body, 0 to 8.
 int corners_inside(const Samples& s, int x, int y, int z) {
   int inside = 0;
   for (int k = 0; k < 8; ++k) inside += s.value[s.at(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2))] < 0;
@@ -180,11 +181,11 @@ void append_zero_set(Mesh& mesh, const Distance& distance, const Samples& s) {
         if (inside == 0 || inside == 8) continue;
         vertex[s.at(x, y, z)] = static_cast<uint32_t>(mesh.position_mm.size());
         const float half = 0.5f * s.width;
-        mesh.position_mm.push_back(settle(distance, s.place(x, y, z) + Vec3{half, half, half}));
+        mesh.position_mm.push_back(project_to_surface(distance, s.position(x, y, z) + Vec3{half, half, half}));
       }
     }
   }
-  // A quad for each grid edge that crosses the surface, from the four cells about it.
+  // One quad for each grid edge that crosses the surface, from the four cells around the edge.
   const auto quad = [&](bool out, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
     out ? append_quad(mesh, a, b, c, d) : append_quad(mesh, d, c, b, a);
   };
@@ -211,19 +212,19 @@ Mesh mesh_of_body(const std::string& name) {
   if (name == "curtain") append_rod(mesh);
   if (name == "skirt") {
     append_zero_set(mesh, skirt_form, sample(skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
-    stand(mesh, kSkirtLowered);
+    append_stand(mesh, kSkirtLowered);
   }
   if (name == "cushion") {
-    for (const Box& box : board_boxes()) append_box(mesh, box);
+    for (const RoundedBox& box : board_boxes()) append_box(mesh, box);
   }
   if (name == "scarf") {
     append_zero_set(mesh, dress_form, sample(dress_form, {-520, 730, -160}, {520, 1545, 160}, 11));
-    stand(mesh, kTunicLowered);
+    append_stand(mesh, kTunicLowered);
   }
   if (name == "tunic" || name == "shirt") {
-    const auto form = [arm = arm_let_down(1)](Vec3 p) { return form_with(arm, p); };
+    const auto form = [arm = lowered_arm(1)](Vec3 p) { return form_with(arm, p); };
     append_zero_set(mesh, form, sample(form, {-340, 730, -180}, {340, 1545, 220}, 11));
-    stand(mesh, kTunicLowered);
+    append_stand(mesh, kTunicLowered);
   }
   mesh.uv_mm.assign(mesh.position_mm.size(), Vec2{});
   compute_frames(mesh);

@@ -1,4 +1,4 @@
-// The shipped drapes: how each is cut, where it starts and what it falls on.
+// The shipped drapes: the cut of each, its start position, and its body.
 
 #include <algorithm>
 #include <optional>
@@ -17,13 +17,13 @@ PatternShape rectangle(float width_mm, float depth_mm) {
   return [=](float s, float t) { return Vec2{s * width_mm, t * depth_mm}; };
 }
 
-/// A gentle, fixed unevenness, so that folds do not come out as symmetric as no real cloth is.
+/// A small fixed unevenness in mm; without it folds would be perfectly symmetric.
 float uneven(float x_mm, float y_mm) {
   return std::sin(0.0113f * x_mm + 0.0041f * y_mm + 0.7f) + std::sin(0.0067f * y_mm - 0.0092f * x_mm + 2.1f) +
          0.5f * std::sin(0.0231f * x_mm - 0.0173f * y_mm + 4.0f);
 }
 
-/// A square of cloth lying flat, its middle near the axis.
+/// A flat square of cloth, its middle near the y axis.
 Pattern flat_square(int vertices, float side_mm, float height_mm) {
   Pattern pattern;
   add_piece(pattern, vertices, vertices, rectangle(side_mm, side_mm), [=](Vec2 uv) {
@@ -44,11 +44,11 @@ Drape sphere() {
   drape.pattern = flat_square(85, 600, 2 * kBallRadius + 2);
   drape.body = [](Vec3 p) { return std::min(ball(p), ground(p)); };
   drape.fall.seconds = 4;
-  drape.fall.air_per_second = 1;
+  drape.fall.drag_per_second = 1;
   drape.fall.body_friction = 0.5;
   drape.fabric.bending_n_m = 0.6e-5;
   drape.fabric.bias_n_per_m = 40;
-  drape.fall.apart_mm = 5.5;
+  drape.fall.cloth_gap_mm = 5.5;
   drape.fall.substeps = 18;
   return drape;
 }
@@ -58,7 +58,7 @@ Drape tablecloth() {
   drape.pattern = flat_square(101, 1400, kTableHeight + 2);
   drape.body = [](Vec3 p) { return std::min(table(p), ground(p)); };
   drape.fall.seconds = 4;
-  drape.fall.apart_mm = 10.5;
+  drape.fall.cloth_gap_mm = 10.5;
   drape.fabric.bending_n_m = 1.8e-5;
   return drape;
 }
@@ -73,14 +73,14 @@ Drape curtain() {
   });
   drape.body = ground;
   drape.fall.seconds = 5;
-  drape.fall.apart_mm = 11;
+  drape.fall.cloth_gap_mm = 11;
   std::vector<uint32_t> held;
   for (int ring = 0; ring < kRings; ++ring) {
     held.push_back(static_cast<uint32_t>((kRows - 1) * kColumns + ring * (kColumns - 1) / (kRings - 1)));
   }
   drape.held = held;
   // The rings slide together along the rod.
-  drape.fall.lead = [held](Cloth& cloth, double time, double until) {
+  drape.fall.move_held = [held](SimulatedCloth& cloth, double time, double until) {
     for (int ring = 0; ring < kRings; ++ring) {
       const float from = (static_cast<float>(ring) / (kRings - 1) - 0.5f) * kWidth * 0.995f;
       const float gathered = ramp(0, 1.8f, static_cast<float>(until));
@@ -92,8 +92,8 @@ Drape curtain() {
   return drape;
 }
 
-/// None of the plane and of unknown names.
-std::optional<Drape> made(const std::string& name) {
+/// Empty for the plane and for unknown names.
+std::optional<Drape> starting_drape(const std::string& name) {
   const std::pair<const char*, Drape (*)()> kDrapes[]{
       {"sphere", sphere}, {"tablecloth", tablecloth}, {"curtain", curtain}, {"skirt", skirt},
       {"tunic", tunic},   {"shirt", shirt},           {"scarf", scarf},     {"cushion", cushion}};
@@ -103,14 +103,14 @@ std::optional<Drape> made(const std::string& name) {
 }
 
 Mesh finish(Drape drape, const std::string& name, float steps_scale) {
-  Cloth cloth = weave(drape.pattern, drape.fabric, drape.fall.reach_mm());
+  SimulatedCloth cloth = make_cloth(drape.pattern, drape.fabric, drape.fall.reach_mm());
   for (const uint32_t particle : drape.held) cloth.inverse_mass[particle] = 0;
   drape.fall.seconds *= static_cast<double>(steps_scale);
-  fall(cloth, drape.body, drape.fall);
+  simulate(cloth, drape.body, drape.fall);
   for (size_t i = 0; i < cloth.position.size(); ++i) {
     drape.pattern.position_mm[i] = Vec3(cloth.position[i]) - Vec3{0, drape.lower_mm, 0};
   }
-  iron(drape.pattern, drape.iron_passes);
+  smooth_cell_waves(drape.pattern, drape.smoothing_passes);
   return to_mesh(drape.pattern, name);
 }
 
@@ -122,23 +122,23 @@ const std::vector<std::string>& drape_names() {
   return names;
 }
 
-Mesh simulate_drape(const std::string& name, DrapeStiffness hang, float steps_scale) {
+Mesh simulate_drape(const std::string& name, DrapeStiffness stiffness, float steps_scale) {
   if (name == "plane") return plane();
-  std::optional<Drape> drape = made(name);
+  std::optional<Drape> drape = starting_drape(name);
   if (!drape) return {};
-  drape->fabric = with_stiffness(drape->fabric, hang);
+  drape->fabric = with_stiffness(drape->fabric, stiffness);
   return finish(std::move(*drape), name, steps_scale);
 }
 
-Mesh simulate_drape(const std::string& name, const DrapeHandle& hang, const std::function<bool(double share)>& go_on,
-                    float steps_scale) {
-  std::optional<Drape> drape = made(name);
+Mesh simulate_drape(const std::string& name, const DrapeParameters& parameters,
+                    const std::function<bool(double progress)>& keep_going, float steps_scale) {
+  std::optional<Drape> drape = starting_drape(name);
   if (!drape) return {};
-  apply_handle(drape->fabric, drape->fall, hang);
-  bool left = false;
-  drape->fall.go_on = [&](double share) { return !go_on || (left = !go_on(share), !left); };
+  apply_parameters(drape->fabric, drape->fall, parameters);
+  bool stopped = false;
+  drape->fall.keep_going = [&](double progress) { return !keep_going || (stopped = !keep_going(progress), !stopped); };
   Mesh mesh = finish(std::move(*drape), name, steps_scale);
-  return left ? Mesh{} : mesh;
+  return stopped ? Mesh{} : mesh;
 }
 
 Mesh simulate_drape(const std::string& name, float steps_scale) {

@@ -1,7 +1,7 @@
-// Constraints of a cloth from its pattern.
+// Constraints of the simulated cloth from its pattern.
 // Based on: Bergou, Wardetzky, Harmon, Zorin, Grinspun, "A Quadratic Bending Model for Inextensible
 // Surfaces", SGP 2006 (the weights of a bend, equation 6 with the areas in the stiffness).
-// Differs: lengths and angles are those of the flat pattern, so a seam bends like whole cloth.
+// Differs: lengths and angles are those of the flat pattern, so a seam bends like cloth without a seam.
 
 #include "drape/fabric.h"
 
@@ -13,9 +13,9 @@ namespace weftlight::drape {
 
 namespace {
 
-constexpr double kInterlining_n_m = 1e-5;  // of one of firmness 2, whatever the cloth
+constexpr double kInterlining_n_m = 1e-5;  // of an interlining of firmness 2, for every fabric
 
-/// One triangle's side as seen from that triangle.
+/// A side of a triangle, in the order of that triangle.
 struct Side {
   uint32_t start, end, far;  // vertices
   float firmness;
@@ -23,7 +23,7 @@ struct Side {
 
 using EdgeSides = std::map<std::pair<uint32_t, uint32_t>, std::vector<Side>>;
 
-/// Triangle sides by the pair of particles they join, in ascending order.
+/// The sides of all triangles by the pair of particles that they join, in ascending order.
 EdgeSides collect_sides(const Pattern& pattern) {
   EdgeSides sides;
   for (size_t t = 0; t < pattern.index.size(); t += 3) {
@@ -45,7 +45,7 @@ double cotangent(Vec2 a, Vec2 b) {
   return static_cast<double>(a[0] * b[0] + a[1] * b[1]) / std::max(twice_area(a, b), 1e-6);
 }
 
-/// Threads are stiff, the bias between them is not: compliance by sin^2 of twice the angle.
+/// Stiff along the threads and soft along the bias: the compliance is mixed by sin^2 of twice the angle.
 Stretch make_stretch(const Pattern& pattern, const Side& side, const Fabric& fabric) {
   const Vec2 d = edge(pattern, side.start, side.end);
   const double rest = static_cast<double>(length(d));
@@ -89,8 +89,8 @@ std::vector<double> inverse_masses(const Pattern& pattern, const Fabric& fabric)
   return mass;
 }
 
-/// Particles within near_mm of each, along the edges of the cloth.
-void find_near(Cloth& cloth, double near_mm) {
+/// Finds the particles within near_mm of each particle, along the edges of the cloth (Dijkstra).
+void find_near(SimulatedCloth& cloth, double near_mm) {
   const size_t count = cloth.position.size();
   std::vector<std::vector<std::pair<uint32_t, double>>> links(count);
   for (const Stretch& s : cloth.stretches) {
@@ -117,15 +117,15 @@ void find_near(Cloth& cloth, double near_mm) {
 
 }  // namespace
 
-Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm) {
-  Cloth cloth;
+SimulatedCloth make_cloth(const Pattern& pattern, const Fabric& fabric, double near_mm) {
+  SimulatedCloth cloth;
   for (const Vec3& p : pattern.position_mm) cloth.position.push_back(Vec3d(p));
   cloth.velocity.assign(cloth.position.size(), Vec3d{});
   cloth.inverse_mass = inverse_masses(pattern, fabric);
   for (const auto& [particles, sides] : collect_sides(pattern)) {
     Stretch stretch = make_stretch(pattern, sides[0], fabric);
     if (sides.size() == 2) {
-      // What is gathered goes into the shorter of the two.
+      // The shorter side rules: the longer one is gathered into it.
       const Stretch other = make_stretch(pattern, sides[1], fabric);
       if (other.rest_mm < stretch.rest_mm) stretch = other;
     }
@@ -138,7 +138,7 @@ Cloth weave(const Pattern& pattern, const Fabric& fabric, double near_mm) {
   return cloth;
 }
 
-void set_creases(Cloth& cloth, double share) {
+void set_creases(SimulatedCloth& cloth, double fraction) {
   for (Bend& bend : cloth.bends) {
     if (!(bend.yield_mm > 0)) continue;
     const auto at = [&](size_t k) { return cloth.position[bend.particle[k]]; };
@@ -148,7 +148,7 @@ void set_creases(Cloth& cloth, double share) {
     Vec3d sum{};
     for (size_t k = 0; k < 4; ++k) sum += at(k) * bend.weight[k];
     const double more = dot(sum, both) / l - bend.set_mm;
-    bend.set_mm += share * std::copysign(std::max(std::abs(more) - bend.yield_mm, 0.0), more);
+    bend.set_mm += fraction * std::copysign(std::max(std::abs(more) - bend.yield_mm, 0.0), more);
     bend.rest = both * (bend.set_mm / l);
   }
 }

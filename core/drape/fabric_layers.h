@@ -1,5 +1,5 @@
 #pragma once
-// Second layers on a garment (placket, facing, hem, pocket, button): strips with turned edges and stitches.
+// Second layers on a garment (placket, facing, hem, pocket, button): strips with folded edges and stitches.
 
 #include <vector>
 
@@ -9,21 +9,22 @@
 
 namespace weftlight::drape {
 
-/// A place across a layer and how much of its thickness it has there: turned edges, a seam's groove beside them.
-struct Knot {
-  float at_mm, thick;
-  float more_mm = 0;  // of cloth, as it goes up and down on its way from the middle
+/// A point of the cross-section of a layer: folded edges, and the groove of a stitch line beside them.
+struct ProfilePoint {
+  float at_mm, thickness;  // thickness: fraction of the layer's
+  float extra_mm = 0;      // extra length of cloth from the middle to here, as the surface goes up and down
 };
 
-/// From `from` to `to`, stitched that far from its edges (0: not at all), in steps of about step_mm.
-std::vector<Knot> knots(float from, float to, float stitch_from, float stitch_to, float step_mm);
+/// The cross-section from `from` to `to` in steps of about step_mm, stitched at these distances from its edges (0: not
+/// stitched). All in mm.
+std::vector<ProfilePoint> strip_profile(float from, float to, float stitch_from, float stitch_to, float step_mm);
 
 using LayerGrid = std::function<Vec2(float across, float along)>;
-/// Lays a strip on: across and along in mm, put into the piece's columns and rows by `grid`.
-void lay_strip(Pattern& pattern, const Piece& piece, const std::vector<Knot>& across, const std::vector<Knot>& along,
-               const LayerGrid& grid, bool turned = false);
+/// Adds a strip; `grid` maps across and along, in mm, to columns and rows of the piece.
+void add_strip(Pattern& pattern, const Piece& piece, const std::vector<ProfilePoint>& across,
+               const std::vector<ProfilePoint>& along, const LayerGrid& grid, bool turned = false);
 
-/// A button covered with the cloth, about a place of the piece, on a layer or two.
-void lay_button(Pattern& pattern, const Piece& piece, Vec2 uv_mm);
+/// Adds a fabric-covered button at a point of the pattern.
+void add_button(Pattern& pattern, const Piece& piece, Vec2 uv_mm);
 
 }  // namespace weftlight::drape

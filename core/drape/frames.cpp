@@ -10,12 +10,12 @@ namespace weftlight::drape {
 
 namespace {
 
-/// A number for each distinct place; both sides of a seam get the same.
-std::vector<uint32_t> weld_by_place(const std::vector<Vec3>& places) {
-  std::map<Vec3, uint32_t, PlaceOrder> numbers;
-  std::vector<uint32_t> weld(places.size());
-  for (size_t i = 0; i < places.size(); ++i) {
-    weld[i] = numbers.emplace(places[i], static_cast<uint32_t>(i)).first->second;
+/// One number for each distinct position; both sides of a seam get the same number.
+std::vector<uint32_t> weld_by_position(const std::vector<Vec3>& positions) {
+  std::map<Vec3, uint32_t, PositionOrder> numbers;
+  std::vector<uint32_t> weld(positions.size());
+  for (size_t i = 0; i < positions.size(); ++i) {
+    weld[i] = numbers.emplace(positions[i], static_cast<uint32_t>(i)).first->second;
   }
   return weld;
 }
@@ -26,17 +26,17 @@ Vec3 perpendicular(Vec3 n) {
   return unit(axis - n * dot(axis, n));
 }
 
-/// Of the corner at v[k], radians: normals weighted by it do not see which way a cell's diagonal runs (Thuermer and
-/// Wuethrich 1998).
+/// The angle at corner v[k] in radians. Normals weighted by it do not depend on which way the diagonal of a cell runs
+/// (Thuermer and Wuethrich 1998).
 float corner_angle(const Mesh& mesh, const uint32_t* v, int k) {
   const Vec3 at = mesh.position_mm[v[k]];
   const Vec3 e = mesh.position_mm[v[(k + 1) % 3]] - at, f = mesh.position_mm[v[(k + 2) % 3]] - at;
   return std::atan2(length(cross(e, f)), dot(e, f));
 }
 
-/// Its normal, shorter the thinner it is: twice its area over the square of its longest side. A sliver's normal tells
-/// little, and its blunt corner is wide.
-Vec3 facing(const Mesh& mesh, const uint32_t* v) {
+/// The triangle's normal, with the length of twice its area over the square of its longest side: the normal of a sliver
+/// is unreliable, and its angle weight is large.
+Vec3 weighted_normal(const Mesh& mesh, const uint32_t* v) {
   const Vec3 e = mesh.position_mm[v[1]] - mesh.position_mm[v[0]], f = mesh.position_mm[v[2]] - mesh.position_mm[v[0]];
   const float longest = std::max({dot(e, e), dot(f, f), dot(f - e, f - e)});
   return longest > 0 ? cross(e, f) / longest : Vec3{};
@@ -57,11 +57,11 @@ Vec3 weft_direction(const Mesh& mesh, const uint32_t* v) {
 
 void compute_frames(Mesh& mesh) {
   const size_t count = mesh.position_mm.size();
-  const std::vector<uint32_t> weld = weld_by_place(mesh.position_mm);
+  const std::vector<uint32_t> weld = weld_by_position(mesh.position_mm);
   std::vector<Vec3> normals(count, Vec3{}), tangents(count, Vec3{});
   for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
     const uint32_t* v = &mesh.index[t];
-    const Vec3 face = facing(mesh, v);
+    const Vec3 face = weighted_normal(mesh, v);
     const Vec3 along = weft_direction(mesh, v);
     for (int corner = 0; corner < 3; ++corner) {
       normals[weld[v[corner]]] += corner_angle(mesh, v, corner) * face;

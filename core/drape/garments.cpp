@@ -1,4 +1,4 @@
-// The skirt: its pattern, and how it is put round the form before it falls.
+// The skirt: its pattern and its start position around the form.
 
 #include "drape/garments.h"
 
@@ -16,16 +16,16 @@ float ellipse_perimeter(float a, float b) {
   return kPi * (3 * (a + b) - std::sqrt((3 * a + b) * (a + 3 * b)));
 }
 
-/// The angle at which a point that has gone `share` of an ellipse's way round stands, from +z to +x.
-float angle_by_arc(float a, float b, float share) {
+/// The angle, from +z to +x, at which `fraction` of the perimeter of an ellipse is covered.
+float angle_by_arc(float a, float b, float fraction) {
   constexpr int kSteps = 720;
-  float gone = 0;
-  const float goal = share * ellipse_perimeter(a, b), step = 2 * kPi / kSteps;
+  float arc = 0;
+  const float goal = fraction * ellipse_perimeter(a, b), step = 2 * kPi / kSteps;
   for (int k = 0; k < kSteps; ++k) {
     const float phi = (static_cast<float>(k) + 0.5f) * step;
     const float piece = std::hypot(a * std::cos(phi), b * std::sin(phi)) * step;
-    if (gone + piece >= goal) return (static_cast<float>(k) + (goal - gone) / piece) * step;
-    gone += piece;
+    if (arc + piece >= goal) return (static_cast<float>(k) + (goal - arc) / piece) * step;
+    arc += piece;
   }
   return 2 * kPi;
 }
@@ -34,14 +34,14 @@ constexpr int kSkirtColumns = 91, kSkirtRows = 62;
 constexpr float kSkirtLength = 590, kPanelAngle = kPi / 2;
 
 struct SkirtCut {
-  Section waist;          // the cloth's, a little outside the form
-  float waist_radius;     // of the pattern's inner arc
+  TrunkSection waist;     // of the cloth, a little outside the form
+  float waist_radius;     // radius of the inner arc of the pattern
   float half_width, low;  // so that u and v start at 0
 };
 
 SkirtCut skirt_cut() {
-  const Section form = trunk_section(kWaistHeight);
-  const Section waist{form.half_width + 3, form.half_depth + 3, form.middle};
+  const TrunkSection form = trunk_section(kWaistHeight);
+  const TrunkSection waist{form.half_width + 3, form.half_depth + 3, form.middle};
   const float radius = ellipse_perimeter(waist.half_width, waist.half_depth) / 2 / kPanelAngle;
   const float hem = radius + kSkirtLength;
   return {waist, radius, hem * std::sin(kPanelAngle / 2), hem};
@@ -55,8 +55,8 @@ Piece add_skirt_panel(Pattern& pattern, const SkirtCut& cut, bool back) {
   const auto place = [=](Vec2 uv) {
     const float x = uv[0] - cut.half_width, y = cut.low - uv[1];
     const float down = std::hypot(x, y) - cut.waist_radius, s = std::atan2(x, y) / kPanelAngle;
-    const float share = (back ? 0.5f : 0.0f) + s / 2;
-    const float phi = angle_by_arc(cut.waist.half_width, cut.waist.half_depth, share - std::floor(share));
+    const float fraction = (back ? 0.5f : 0.0f) + s / 2;
+    const float phi = angle_by_arc(cut.waist.half_width, cut.waist.half_depth, fraction - std::floor(fraction));
     const float flare = 0.55f * down, drop = 0.83f * down;
     return Vec3{
         (cut.waist.half_width + flare) * std::sin(phi), kWaistHeight - drop,
@@ -67,7 +67,7 @@ Piece add_skirt_panel(Pattern& pattern, const SkirtCut& cut, bool back) {
 
 }  // namespace
 
-void wear(Drape& drape) {
+void put_on_form(Drape& drape) {
   drape.body = dress_form;
   drape.lower_mm = kTunicLowered;
   drape.fabric.bending_n_m = 1.4e-5;
@@ -91,7 +91,7 @@ Drape skirt() {
   }
   drape.body = skirt_form;
   drape.lower_mm = kSkirtLowered;
-  drape.fall.apart_mm = 9;
+  drape.fall.cloth_gap_mm = 9;
   drape.fall.body_friction = 0.25;
   return drape;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A drape before it falls, and the sewn ones.
+// A drape before it is simulated, and the sewn garments.
 
 #include "drape/fabric.h"
 #include "drape/names.h"
@@ -12,19 +12,19 @@ struct Drape {
   Distance body;
   Fabric fabric;
   Fall fall;
-  std::vector<uint32_t> held;  // particles held in place (or led)
-  int iron_passes = 0;
-  float lower_mm = 0;  // how far the finished drape is let down, to stand near the ground
+  std::vector<uint32_t> held;  // particles that are held in place, or moved by Fall::move_held
+  int smoothing_passes = 0;
+  float lower_mm = 0;  // how far the finished drape is lowered, so that it stands near the ground
 };
 
-/// Makes it fall on the dress form, as cloth that is worn: softer than a table's. Lets it down with the form.
-void wear(Drape& drape);
+/// Sets the dress form as the body and a fabric for clothes, which is softer than that of a tablecloth.
+void put_on_form(Drape& drape);
 
 /// Two flared panels, a quarter circle each, sewn at the sides, held at the waist.
 Drape skirt();
 /// Front, back and two sleeves, sewn at shoulders, sides and armholes.
 Drape tunic();
-/// Front, back, long sleeves in cuffs, a stand and a collar that falls over it; with placket, yoke, pocket and buttons.
+/// Front, back, long sleeves with cuffs, a collar stand and a collar; with placket, yoke, pocket and buttons.
 Drape shirt();
 
 }  // namespace weftlight::drape

@@ -1,6 +1,6 @@
-// Close pairs by a hashed grid of cells as wide as the reach.
+// Close pairs by a hashed grid, its cells as wide as the reach.
 // Based on: Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
-// Objects", VMV 2003 (the hash). Differs: cells are listed by counting, so the order is fixed.
+// Objects", VMV 2003 (the hash). Differs: cells are filled by a counting sort, so the order is fixed.
 
 #include "drape/pairs.h"
 
@@ -27,11 +27,11 @@ Cell cell_of(Vec3d p, double width) {
   return {number(p[0]), number(p[1]), number(p[2])};
 }
 
-bool are_near(const Cloth& cloth, uint32_t a, uint32_t b) {
+bool are_near(const SimulatedCloth& cloth, uint32_t a, uint32_t b) {
   return std::binary_search(cloth.near.begin() + cloth.near_first[a], cloth.near.begin() + cloth.near_first[a + 1], b);
 }
 
-/// Particles sorted by hashed cell: those of cell h are members[first[h]] .. members[first[h + 1]].
+/// Particles sorted by hashed cell; cell h has members[first[h]] .. members[first[h + 1]].
 struct Grid {
   std::vector<uint32_t> first, members;
 };
@@ -51,7 +51,7 @@ Grid sort_into_cells(const std::vector<Vec3d>& positions, double width) {
 
 }  // namespace
 
-void find_pairs(const Cloth& cloth, double reach_mm, std::vector<Pair>& pairs) {
+void find_pairs(const SimulatedCloth& cloth, double reach_mm, std::vector<ParticlePair>& pairs) {
   pairs.clear();
   const Grid grid = sort_into_cells(cloth.position, reach_mm);
   std::array<uint32_t, 27> cells;

@@ -1,16 +1,16 @@
 #pragma once
-// Which particles of a cloth come close to others that are not near along the cloth.
+// Finds particles that are close in space but not along the cloth.
 
 #include "drape/fabric.h"
 #include "drape/names.h"
 
 namespace weftlight::drape {
 
-struct Pair {
+struct ParticlePair {
   uint32_t a, b;  // a < b
 };
 
-/// All pairs closer than reach_mm, near ones left out, in a fixed order.
-void find_pairs(const Cloth& cloth, double reach_mm, std::vector<Pair>& pairs);
+/// All pairs closer than reach_mm that are not neighbours along the cloth, in a fixed order.
+void find_pairs(const SimulatedCloth& cloth, double reach_mm, std::vector<ParticlePair>& pairs);
 
 }  // namespace weftlight::drape

@@ -8,7 +8,7 @@ namespace weftlight::drape {
 
 namespace {
 
-/// Two triangles for each cell; diagonals alternate like a chequerboard, so that folds prefer neither bias.
+/// Two triangles per cell; diagonals alternate like a chequerboard, so that folds prefer neither bias direction.
 void append_cells(std::vector<uint32_t>& index, const Piece& piece) {
   for (int row = 0; row + 1 < piece.rows; ++row) {
     for (int column = 0; column + 1 < piece.columns; ++column) {
@@ -67,28 +67,30 @@ Vec2 grid_at(const Pattern& pattern, const Piece& piece, Vec2 uv) {
   return at;
 }
 
-void lay_on(Pattern& pattern, const Piece& piece, int columns, int rows, const LayerShape& shape, bool turned) {
-  const Piece layer{static_cast<uint32_t>(pattern.laid.size()), columns, rows};
+void add_layer(Pattern& pattern, const Piece& piece, int columns, int rows, const LayerShape& shape, bool turned) {
+  const Piece layer{static_cast<uint32_t>(pattern.layer_vertices.size()), columns, rows};
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
-      const LaidAt at = shape(i, j);
+      const LayerPoint at = shape(i, j);
       const int column = std::clamp(static_cast<int>(at.column), 0, piece.columns - 2);
       const int row = std::clamp(static_cast<int>(at.row), 0, piece.rows - 2);
       const float s = at.column - static_cast<float>(column), t = at.row - static_cast<float>(row);
-      LaidVertex v{{piece.vertex(column, row), piece.vertex(column + 1, row), piece.vertex(column, row + 1),
-                    piece.vertex(column + 1, row + 1)},
-                   {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t},
-                   at.lift_mm,
-                   at.more_mm};
-      for (size_t k = 0; k < 4; ++k) v.uv_mm += v.share[k] * pattern.uv_mm[v.under[k]];
+      LayerVertex v{{piece.vertex(column, row), piece.vertex(column + 1, row), piece.vertex(column, row + 1),
+                     piece.vertex(column + 1, row + 1)},
+                    {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t},
+                    at.lift_mm,
+                    at.extra_mm};
+      for (size_t k = 0; k < 4; ++k) v.uv_mm += v.weight[k] * pattern.uv_mm[v.under[k]];
       if (turned) v.uv_mm = {-v.uv_mm[1], v.uv_mm[0]};
-      pattern.laid.push_back(v);
+      pattern.layer_vertices.push_back(v);
     }
   }
-  append_cells(pattern.laid_index, layer);
+  append_cells(pattern.layer_index, layer);
 }
 
-float apart(const Pattern& pattern, uint32_t a, uint32_t b) { return length(pattern.uv_mm[a] - pattern.uv_mm[b]); }
+float pattern_distance(const Pattern& pattern, uint32_t a, uint32_t b) {
+  return length(pattern.uv_mm[a] - pattern.uv_mm[b]);
+}
 
 void sew(Pattern& pattern, uint32_t a, uint32_t b) {
   const uint32_t kept = pattern.particle[a], gone = pattern.particle[b];
@@ -113,23 +115,23 @@ Mesh to_mesh(const Pattern& pattern, const std::string& name) {
   Mesh mesh;
   mesh.name = name;
   mesh.uv_mm = pattern.uv_mm;
-  for (const LaidVertex& v : pattern.laid) mesh.uv_mm.push_back(v.uv_mm);
+  for (const LayerVertex& v : pattern.layer_vertices) mesh.uv_mm.push_back(v.uv_mm);
   for (Vec2& uv : mesh.uv_mm) uv = {-uv[0], -uv[1]};  // end 1 at the right and pick 1 at the top of a hanging piece
   mesh.index = pattern.index;
   mesh.position_mm.reserve(mesh.uv_mm.size());
   for (const uint32_t particle : pattern.particle) mesh.position_mm.push_back(pattern.position_mm[particle]);
   compute_frames(mesh);
-  if (pattern.laid.empty()) return mesh;
+  if (pattern.layer_vertices.empty()) return mesh;
   const auto first = static_cast<uint32_t>(mesh.position_mm.size());
-  for (const LaidVertex& v : pattern.laid) {
-    Vec3 place{}, up{};
+  for (const LayerVertex& v : pattern.layer_vertices) {
+    Vec3 position{}, up{};
     for (size_t k = 0; k < 4; ++k) {
-      place += v.share[k] * mesh.position_mm[v.under[k]];
-      up += v.share[k] * mesh.normal[v.under[k]];
+      position += v.weight[k] * mesh.position_mm[v.under[k]];
+      up += v.weight[k] * mesh.normal[v.under[k]];
     }
-    mesh.position_mm.push_back(place + v.lift_mm * unit(up));
+    mesh.position_mm.push_back(position + v.lift_mm * unit(up));
   }
-  for (const uint32_t v : pattern.laid_index) mesh.index.push_back(first + v);
+  for (const uint32_t v : pattern.layer_index) mesh.index.push_back(first + v);
   compute_frames(mesh);
   return mesh;
 }

@@ -11,36 +11,38 @@ namespace {
 
 constexpr int kScarfColumns = 41, kScarfRows = 217;
 constexpr float kScarfWidth = 320, kScarfLength = 1728;
-constexpr float kScarfLow = 1412;  // its lower edge, as it is laid round the neck
+constexpr float kScarfLow = 1412;  // height of its lower edge at the start
 
 constexpr int kCushionThreads = 63;
 constexpr float kCushionSide = 420;
 
-/// Along the scarf from its middle at the nape: a half circle, then straight forwards on both sides.
+/// The path of the scarf from its middle at the nape: a half circle, then straight forwards on both sides.
 Vec3 scarf_path(float along, float radius) {
   const float turn = std::fmin(std::fabs(along) / radius, kPi / 2), on = std::fabs(along) - turn * radius;
   const float side = along < 0 ? -1.0f : 1.0f;
   return {side * radius * std::sin(turn), 0, -radius * std::cos(turn) + on};
 }
 
-/// What is inside, in mm3.
-double volume_of(const Pattern& pattern, const Cloth& cloth) {
+/// The enclosed volume in mm3.
+double volume_of(const Pattern& pattern, const SimulatedCloth& cloth) {
   double six_volumes = 0;
   const auto at = [&](size_t i) { return cloth.position[pattern.particle[pattern.index[i]]] - cloth.position[0]; };
   for (size_t t = 0; t < pattern.index.size(); t += 3) six_volumes += dot(cross(at(t), at(t + 1)), at(t + 2));
   return six_volumes / 6;
 }
 
-/// Where the filling pushes: an even pressure on every triangle, as accelerations in mm/s2.
-void press_out(const Pattern& pattern, double pascal, const Cloth& cloth, std::vector<Vec3d>& push) {
-  push.assign(cloth.position.size(), Vec3d{});
+/// The pressure of the filling, equal on every triangle, as accelerations in mm/s2.
+void add_pressure(const Pattern& pattern, double pascal, const SimulatedCloth& cloth,
+                  std::vector<Vec3d>& acceleration) {
+  acceleration.assign(cloth.position.size(), Vec3d{});
   const double n_per_mm2 = 1e-6 * pascal;
   for (size_t t = 0; t < pattern.index.size(); t += 3) {
     std::array<uint32_t, 3> p{};
     for (size_t k = 0; k < 3; ++k) p[k] = pattern.particle[pattern.index[t + k]];
     const Vec3d doubled =
         cross(cloth.position[p[1]] - cloth.position[p[0]], cloth.position[p[2]] - cloth.position[p[0]]);
-    for (const uint32_t particle : p) push[particle] += doubled * (n_per_mm2 / 6 * 1000 * cloth.inverse_mass[particle]);
+    for (const uint32_t particle : p)
+      acceleration[particle] += doubled * (n_per_mm2 / 6 * 1000 * cloth.inverse_mass[particle]);
   }
 }
 
@@ -52,7 +54,7 @@ Piece add_cushion_side(Pattern& pattern, bool back) {
     const float uneven = 1.5f * std::sin(0.13f * uv[0] + 1) * std::sin(0.11f * uv[1]);
     const float side = back ? -1.0f : 1.0f, half = 0.475f * kCushionSide;
     const Vec3 lying{side * half * s, side * (bulge + uneven) + 62, -half * t - 22};
-    return Vec3{0, kBoardHeight, 0} + turned_back(lying, kBoardLean);
+    return Vec3{0, kBoardHeight, 0} + lean_back(lying, kBoardLean);
   };
   return add_piece(pattern, kCushionThreads, kCushionThreads, shape, place);
 }
@@ -64,17 +66,17 @@ Drape scarf() {
   const auto shape = [](float s, float t) { return Vec2{s * kScarfWidth, t * kScarfLength}; };
   const auto place = [](Vec2 uv) {
     const float up = uv[0] / kScarfWidth, along = uv[1] - kScarfLength * 0.53f;
-    // Wider at the top, as it is thrown on; uneven, as no hand lays it alike on both sides.
+    // Wider at the top, as a scarf is thrown on, and not quite symmetric.
     const Vec3 p = scarf_path(along, 92 + 40 * up);
     return p + Vec3{6 * std::sin(0.011f * uv[1] + 1), kScarfLow + uv[0] * 0.97f + 5 * std::sin(0.019f * uv[1]), 4};
   };
   add_piece(drape.pattern, kScarfColumns, kScarfRows, shape, place);
-  wear(drape);
+  put_on_form(drape);
   drape.fall.seconds = 4.5;
   drape.fall.substeps = 20;
-  drape.fall.apart_mm = 6.5;
+  drape.fall.cloth_gap_mm = 6.5;
   drape.fall.body_friction = 0.45;
-  drape.fall.air_per_second = 3.5;
+  drape.fall.drag_per_second = 3.5;
   return drape;
 }
 
@@ -91,17 +93,17 @@ Drape cushion() {
   }
   drop_unused_particles(pattern);
   drape.body = board;
-  drape.fall.air_per_second = 4;  // a filling that is no gas does not bounce
+  drape.fall.drag_per_second = 4;  // a filling of fibres does not bounce like a gas
   drape.fabric.bending_n_m = 0.8e-5;
   drape.fabric.bias_n_per_m = 100;
   drape.fall.seconds = 3;
-  drape.fall.apart_mm = 6;
+  drape.fall.cloth_gap_mm = 6;
   drape.fall.body_friction = 1.2;
-  drape.fall.push = [pattern](const Cloth& cloth, double time, std::vector<Vec3d>& push) {
-    // A full one would hold a fifth of its side's cube; soft ones are filled less.
+  drape.fall.accelerate = [pattern](const SimulatedCloth& cloth, double time, std::vector<Vec3d>& acceleration) {
+    // A full cushion holds a fifth of the cube of its side; a soft one is filled less.
     constexpr double kPascal = 900, kMax = 70, kSide = kCushionSide, kVolume = 0.165 * kSide * kSide * kSide;
     const double pascal = std::clamp(kPascal * (1 - volume_of(pattern, cloth) / kVolume), 0.0, kMax);
-    press_out(pattern, pascal * std::fmin(1.0, time / 0.1), cloth, push);
+    add_pressure(pattern, pascal * std::fmin(1.0, time / 0.1), cloth, acceleration);
   };
   return drape;
 }

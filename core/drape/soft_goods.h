@@ -1,14 +1,14 @@
 #pragma once
-// Drapes that are sewn little or not at all, but are no plain sheets: a scarf about the neck, a cushion.
+// Drapes with few seams that are not flat sheets: a scarf around the neck, a cushion.
 
 #include "drape/garments.h"
 #include "drape/names.h"
 
 namespace weftlight::drape {
 
-/// A strip about the dress form's neck, its ends hanging in front.
+/// A strip around the neck of the dress form, its ends hanging in front.
 Drape scarf();
-/// Two squares sewn together all round and filled, lying on a board that leans.
+/// Two squares, sewn together all round and filled, on a tilted board.
 Drape cushion();
 
 }  // namespace weftlight::drape

@@ -1,5 +1,5 @@
 #pragma once
-// Lets a cloth fall on a body until it rests. Deterministic: fixed order, no randomness.
+// Simulates a cloth that falls on a body until it rests. Deterministic: fixed order, no randomness.
 
 #include <functional>
 
@@ -8,38 +8,35 @@
 
 namespace weftlight::drape {
 
-/// Signed distance to a body in mm, negative inside; only its zero set and its direction need be
-/// true, its slope is measured.
+/// Signed distance to a body in mm, negative inside. Only its zero set and its sign must be exact; its gradient is
+/// measured.
 using Distance = std::function<float(Vec3)>;
 
 struct Fall {
   double seconds = 4;
-  int looks_per_second = 160;  // contacts are found this often
-  int substeps = 12;           // between two looks
-  int rest_substeps = 0;       // the same once it comes to rest, where threads' last stretch goes; 0: no others
-  double skin_mm = 3.5;        // the middle of the cloth stays this far from the body
-  double apart_mm = 8;         // and sheets of cloth this far from each other (over half a cell's diagonal)
+  int contact_updates_per_second = 160;  // how often contacts are searched
+  int substeps = 12;                     // between two searches for contacts
+  int rest_substeps = 0;                 // the same near rest, to remove the last stretch of the threads; 0: `substeps`
+  double body_gap_mm = 3.5;              // distance of the middle of the cloth from the body
+  double cloth_gap_mm = 8;               // distance of sheets of cloth; above half the diagonal of a cell
   double body_friction = 0.4, cloth_friction = 0.3;
-  double crease_share = 0.1;    // of what is bent too far stays so from one look to the next
-  double air_per_second = 1.5;  // share of the speed that the air takes
-  double let_down_s = 0;        // for so long it is let down by hand: in air ten times as thick
-  double rest_from = 0.7;       // share of the time after which the air thickens, to bring rest
-  /// How far off sheets are looked for: they may come 6 mm nearer between two looks.
-  double reach_mm() const { return apart_mm + 6; }
-  /// Moves the held particles (sets their velocity) for the time to the next look.
-  std::function<void(Cloth&, double time, double until)> lead;
-  /// What pushes the particles beside their weight until the next look, mm/s2.
-  std::function<void(const Cloth&, double time, std::vector<Vec3d>& push)> push;
-  /// Asked before each look, with the share of the time that is over; false: leave it as it is.
-  std::function<bool(double share)> go_on;
+  double crease_fraction = 0.1;  // fraction of bending that becomes permanent between two searches
+  double drag_per_second = 1.5;  // drag: fraction of the speed lost per second
+  double slow_start_s = 0;       // time at the start with ten times the drag, as if lowered by hand
+  double rest_from = 0.7;        // fraction of the time after which the drag grows, to bring rest
+  /// Distance at which sheets of cloth are searched: they may come 6 mm closer between two searches.
+  double reach_mm() const { return cloth_gap_mm + 6; }
+  /// Sets the velocities of the held particles until the next search.
+  std::function<void(SimulatedCloth&, double time, double until)> move_held;
+  /// Accelerations of the particles beside gravity until the next search, mm/s2.
+  std::function<void(const SimulatedCloth&, double time, std::vector<Vec3d>& acceleration)> accelerate;
+  /// Called before each search for contacts; false stops the simulation.
+  std::function<bool(double progress)> keep_going;
 };
 
-void fall(Cloth& cloth, const Distance& body, const Fall& how);
+void simulate(SimulatedCloth& cloth, const Distance& body, const Fall& settings);
 
-/// The place on the surface that p slides to along the slope of the distance.
-Vec3 settle(const Distance& body, Vec3 p);
-
-/// A place on the body's outside, skin_mm from it, if p is nearer than that; else p.
-Vec3 push_out(const Distance& body, Vec3 p, float skin_mm);
+/// The point of the surface that is reached from p along the gradient of the distance.
+Vec3 project_to_surface(const Distance& body, Vec3 p);
 
 }  // namespace weftlight::drape

@@ -9,19 +9,19 @@
 namespace weftlight::drape {
 namespace {
 
-// Halfway between the drapes' own bending lengths, in proportion.
+// Geometric means of the bending lengths of the three versions.
 constexpr double kLimpUpTo_mm = 15, kStiffFrom_mm = 23;
-// Of bending, so that the bending length is 0.63 and 1.6 times the medium one's.
+// Factors on the bending stiffness; the bending length is 0.63 and 1.6 times the medium one.
 constexpr std::array<double, 3> kBending{0.25, 1, 4};
-// Silk without twist shears at a touch; raw silk and jammed cotton hold.
+// Factors on the shear stiffness: untwisted silk shears easily, raw silk and jammed cotton do not.
 constexpr std::array<double, 3> kBias{0.5, 1, 2.5};
 
 constexpr double kGravity = 9.81;
-// Between the three hangs', as a power of the bending length.
+// Shear stiffness between the three versions, as a power of the bending length.
 constexpr double kBiasPower = 1.75, kMediumLength_mm = 19;
-constexpr double kUsualThickness_mm = 0.5;  // that the drapes' distances are made for
+constexpr double kUsualThickness_mm = 0.5;  // thickness for which the gaps of the drapes are set
 constexpr double kShortest_mm = 6, kLongest_mm = 60, kThickest_mm = 4;
-constexpr int kOwnVersion = 2;  // of what comes out: another makes kept ones anew
+constexpr int kCacheVersion = 2;  // a new version makes cached meshes invalid
 
 double twice_area(Vec3 a, Vec3 b, Vec3 c) {
   return static_cast<double>((b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x));
@@ -36,41 +36,41 @@ DrapeStiffness drape_stiffness_of(double c) {
                              : DrapeStiffness::kStiff;
 }
 
-Fabric with_stiffness(Fabric fabric, DrapeStiffness hang) {
-  fabric.bending_n_m *= kBending[static_cast<size_t>(hang)];
-  fabric.bias_n_per_m *= kBias[static_cast<size_t>(hang)];
+Fabric with_stiffness(Fabric fabric, DrapeStiffness stiffness) {
+  fabric.bending_n_m *= kBending[static_cast<size_t>(stiffness)];
+  fabric.bias_n_per_m *= kBias[static_cast<size_t>(stiffness)];
   return fabric;
 }
 
-DrapeHandle drape_handle(double bending_length_mm, double thickness_mm) {
+DrapeParameters drape_parameters(double bending_length_mm, double thickness_mm) {
   const double c = std::clamp(bending_length_mm > 0 ? bending_length_mm : kMediumLength_mm, kShortest_mm, kLongest_mm);
-  const double thick = std::clamp(thickness_mm > 0 ? thickness_mm : kUsualThickness_mm, 0.05, kThickest_mm);
-  return {static_cast<int>(std::lround(2 * c)), 5 * static_cast<int>(std::lround(20 * thick))};
+  const double thickness = std::clamp(thickness_mm > 0 ? thickness_mm : kUsualThickness_mm, 0.05, kThickest_mm);
+  return {static_cast<int>(std::lround(2 * c)), 5 * static_cast<int>(std::lround(20 * thickness))};
 }
 
-std::string drape_file(const std::string& name, const DrapeHandle& hang) {
+std::string drape_file(const std::string& name, const DrapeParameters& parameters) {
   char figures[48];
-  std::snprintf(figures, sizeof figures, "_%.1fmm_%.2fmm_v%d", hang.half_mm / 2.0, hang.thickness_10um / 100.0,
-                kOwnVersion);
+  std::snprintf(figures, sizeof figures, "_%.1fmm_%.2fmm_v%d", parameters.bending_half_mm / 2.0,
+                parameters.thickness_10um / 100.0, kCacheVersion);
   return name + figures;
 }
 
-void apply_handle(Fabric& fabric, Fall& fall, const DrapeHandle& hang) {
-  const double c = hang.half_mm / 2.0, more_mm = hang.thickness_10um / 100.0 - kUsualThickness_mm;
-  // Peirce's c^3 = B / (w g); with the weight of the drape's own fabric, whose threads and air are made for it.
+void apply_parameters(Fabric& fabric, Fall& fall, const DrapeParameters& parameters) {
+  const double c = parameters.bending_half_mm / 2.0, extra_mm = parameters.thickness_10um / 100.0 - kUsualThickness_mm;
+  // Peirce: c^3 = B / (w g). The weight stays that of the drape's fabric, for which threads and drag are tuned.
   fabric.bending_n_m = fabric.kg_per_m2 * kGravity * std::pow(c / 1000, 3);
   fabric.bias_n_per_m *= std::pow(c / kMediumLength_mm, kBiasPower);
-  fall.skin_mm += more_mm / 2;
-  fall.apart_mm += more_mm;
+  fall.body_gap_mm += extra_mm / 2;
+  fall.cloth_gap_mm += extra_mm;
 }
 
-std::string drape_file(const std::string& name, DrapeStiffness hang) {
-  if (hang == DrapeStiffness::kMedium || name == "plane") return name;
-  return name + "_" + kHangNames[static_cast<size_t>(hang)];
+std::string drape_file(const std::string& name, DrapeStiffness stiffness) {
+  if (stiffness == DrapeStiffness::kMedium || name == "plane") return name;
+  return name + "_" + kDrapeStiffnessNames[static_cast<size_t>(stiffness)];
 }
 
 double drape_coefficient(const Mesh& mesh, double support_mm, double flat_area_mm2) {
-  // Seen from above on a raster of millimetres times four: what is covered at all.
+  // Rasterised from above in cells of 4 mm.
   constexpr double kCell_mm = 4;
   if (mesh.position_mm.empty()) return 0;
   Vec3 low = mesh.position_mm[0], high = low;

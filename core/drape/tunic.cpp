@@ -1,4 +1,4 @@
-// The tunic: a smock that hangs from its neckband, into which it is gathered, as the sleeves are into the cuffs.
+// The tunic: a smock, gathered into its neckband; its sleeves are gathered into cuffs.
 
 #include "drape/bodice.h"
 #include "drape/fabric_layers.h"
@@ -31,7 +31,7 @@ constexpr BodiceCut kCut{.length = 775,
                          .put_on_wave = 14,
                          .put_on_gathers = 8};
 constexpr int kMiddle = kCut.last() / 2;  // a column
-constexpr BandCut kBand{.rows = 6, .high = 28, .share = 0.88f, .firmness = 12};
+constexpr BandCut kBand{.rows = 6, .high = 28, .fraction = 0.88f, .firmness = 12};
 
 constexpr SleeveCut kSleeve{.length = 444,
                             .cap = 45,
@@ -45,36 +45,37 @@ constexpr SleeveCut kSleeve{.length = 444,
 
 constexpr float kSlit = 230, kPlacketHalf = 16;
 
-void lay_on_front(Pattern& pattern, const Piece& front) {
+void add_front_layers(Pattern& pattern, const Piece& front) {
   const float neck = kCut.length - kCut.front_dip;
-  lay_strip(pattern, front, knots(-kPlacketHalf, kPlacketHalf, 4, 4, 8), knots(neck - kSlit, neck - 0.5f, 6, 0, 7.5f),
-            [&](float x, float v) {
+  add_strip(pattern, front, strip_profile(-kPlacketHalf, kPlacketHalf, 4, 4, 8),
+            strip_profile(neck - kSlit, neck - 0.5f, 6, 0, 7.5f), [&](float x, float v) {
               return grid_at(pattern, front, {x + kCut.hem_half, v});
             });
-  for (int k = 0; k < 3; ++k) lay_button(pattern, front, {kCut.hem_half, neck - 30 - 75 * static_cast<float>(k)});
+  for (int k = 0; k < 3; ++k) add_button(pattern, front, {kCut.hem_half, neck - 30 - 75 * static_cast<float>(k)});
 }
 
-void lay_on_cuff(Pattern& pattern, const Piece& cuff) {
-  lay_strip(pattern, cuff, knots(0.4f, kSleeve.cuff_round - 0.4f, 5, 5, 5), knots(0, kSleeve.cuff_high, 4, 4, 6),
-            [&](float x, float y) {
+void add_cuff_layers(Pattern& pattern, const Piece& cuff) {
+  add_strip(pattern, cuff, strip_profile(0.4f, kSleeve.cuff_round - 0.4f, 5, 5, 5),
+            strip_profile(0, kSleeve.cuff_high, 4, 4, 6), [&](float x, float y) {
               return grid_at(pattern, cuff, {x, y});
             });
-  lay_button(pattern, cuff, {11, kSleeve.cuff_high / 2});
+  add_button(pattern, cuff, {11, kSleeve.cuff_high / 2});
 }
 
-void lay_hem(Pattern& pattern, const Piece& panel) {
-  lay_strip(pattern, panel, knots(0.5f, 2 * kCut.hem_half - 0.5f, 0, 0, 9), knots(0.2f, 20, 0, 3.5f, 7),
+void add_hem(Pattern& pattern, const Piece& panel) {
+  add_strip(pattern, panel, strip_profile(0.5f, 2 * kCut.hem_half - 0.5f, 0, 0, 9), strip_profile(0.2f, 20, 0, 3.5f, 7),
             [&](float x, float v) {
               return grid_at(pattern, panel, {x, v});
             });
 }
 
-/// Of the whole way round but for the middle of the back, where it is joined.
-void lay_on_band(Pattern& pattern, const Piece& band) {
+/// The layer runs all the way round, except at the middle of the back, where the band is joined.
+void add_band_layer(Pattern& pattern, const Piece& band) {
   const float whole = pattern.uv_mm[band.vertex(band.columns - 1, 0)][0];
-  lay_strip(pattern, band, knots(0.4f, whole - 0.4f, 0, 0, 6), knots(0, kBand.high, 4, 4, 6), [&](float x, float y) {
-    return grid_at(pattern, band, {x, y});
-  });
+  add_strip(pattern, band, strip_profile(0.4f, whole - 0.4f, 0, 0, 6), strip_profile(0, kBand.high, 4, 4, 6),
+            [&](float x, float y) {
+              return grid_at(pattern, band, {x, y});
+            });
 }
 
 }  // namespace
@@ -91,23 +92,23 @@ Drape tunic() {
   interline(pattern, bodice.front.piece, {kMiddle - 2, kMiddle + 2}, {kCut.top() - 34, kCut.top()}, 5);
   for (const Panel& panel : {bodice.front, bodice.back}) {
     interline(pattern, panel.piece, {0, kCut.last()}, {0, 3}, 2);
-    lay_hem(pattern, panel.piece);
+    add_hem(pattern, panel.piece);
   }
-  lay_on_front(pattern, bodice.front.piece);
-  lay_on_band(pattern, band);
-  lay_on_cuff(pattern, right.cuff);
-  lay_on_cuff(pattern, left.cuff);
+  add_front_layers(pattern, bodice.front.piece);
+  add_band_layer(pattern, band);
+  add_cuff_layers(pattern, right.cuff);
+  add_cuff_layers(pattern, left.cuff);
   drop_unused_particles(pattern);
-  wear(drape);
-  lead_arms(drape, kSleeve, right, left);
+  put_on_form(drape);
+  lower_arms(drape, kSleeve, right, left);
   drape.fabric.bending_n_m = 1.0e-5;
   drape.fabric.pucker = 0.02;
   drape.fabric.crease_per_mm = 0.03;
-  drape.iron_passes = 2;
+  drape.smoothing_passes = 2;
   drape.fall.seconds = 2.8;
   drape.fall.substeps = 20;
   drape.fall.rest_substeps = 60;
-  drape.fall.apart_mm = 6;
+  drape.fall.cloth_gap_mm = 6;
   drape.fall.body_friction = 0.5;
   return drape;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the drape needs beside GLM: the solver's precision, directions that may be none, and two curves.
+// Helpers beside GLM: the precision of the solver, safe normalisation, and two curves.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -9,18 +9,18 @@
 
 namespace weftlight::drape {
 
-/// The solver's own precision: a substep moves a resting cloth by about 1e-3 mm, ten times the
-/// rounding of a float metre in millimetres.
+/// The precision of the solver: a substep moves a resting cloth by about 1e-3 mm, only ten times the rounding error of
+/// a float of one metre in millimetres.
 using Vec3d = glm::dvec3;
 
-/// `fallback` where there is no direction.
+/// `fallback` for a vector without direction.
 inline Vec3 unit(Vec3 a, Vec3 fallback = {0, 0, 1}) {
   const float l = glm::length(a);
   return l > 1e-12f ? a * (1.0f / l) : fallback;
 }
 
-/// Of the way from the first of `count` to the last.
-inline float share_of(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
+/// i as a fraction of the way from the first of `count` to the last.
+inline float fraction_of(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
 
 inline float mix(float a, float b, float t) { return a + (b - a) * t; }
 /// 0 before `from`, 1 after `to`, smooth between.

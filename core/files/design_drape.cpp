@@ -7,6 +7,7 @@
 #include "analysis/handle.h"
 #include "base/files.h"
 #include "base/resources.h"
+#include "base/text.h"
 #include "base/user_folders.h"
 #include "drape/stiffness.h"
 
@@ -14,9 +15,12 @@ namespace weftlight::files {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMaxKept = 48;  // of half a megabyte each
+using base::arg;
+using base::fill;
+using base::tr;
+constexpr size_t kMaxCached = 48;  // files of half a megabyte
 
-/// Without the ending, of the three of its kind.
+/// Name, without extension, of the shipped version for the fabric.
 std::string shipped_file(const Design& design) {
   return drape_file(design.scene.mesh, drape_stiffness_of(analysis::cloth_handle(design).bending_length_mm));
 }
@@ -33,24 +37,24 @@ ReadMesh load_shipped(const Design& design) {
   return read_mesh(path);
 }
 
-/// What is kept may be of any age and from anywhere: it must have the pattern that the shipped one has.
-ReadMesh load_kept(const Design& design) {
+/// Loads the cached drape. A file in the cache may be old or foreign: it must have the pattern of the shipped drape.
+ReadMesh load_cached(const Design& design) {
   const std::string path = kept_drape_path(design);
   std::error_code ec;
   if (path.empty() || !fs::exists(path, ec)) return {};
-  ReadMesh kept = read_mesh(path);
-  if (!kept.mesh) return kept;
+  ReadMesh cached = read_mesh(path);
+  if (!cached.mesh) return cached;
   const ReadMesh shipped = load_drape(design.scene.mesh);
   const auto near = [](Vec2 a, Vec2 b) { return glm::distance(a, b) < 0.01f; };
-  const bool same = shipped.mesh && kept.mesh->index == shipped.mesh->index &&
-                    std::ranges::equal(kept.mesh->uv_mm, shipped.mesh->uv_mm, near);
-  if (!same) return {{}, path + ": is no drape of this kind; it is simulated again"};
-  return kept;
+  const bool same = shipped.mesh && cached.mesh->index == shipped.mesh->index &&
+                    std::ranges::equal(cached.mesh->uv_mm, shipped.mesh->uv_mm, near);
+  if (!same) return {{}, fill(tr("{file}: is not a mesh of this drape; it is simulated again"), arg("file", path))};
+  return cached;
 }
 
-DrapeHandle own_hang_of(const Design& design) {
-  const analysis::ClothHandle hand = analysis::cloth_handle(design);
-  return drape_handle(hand.bending_length_mm, hand.thickness_mm);
+DrapeParameters drape_parameters_of(const Design& design) {
+  const analysis::ClothHandle handle = analysis::cloth_handle(design);
+  return drape_parameters(handle.bending_length_mm, handle.thickness_mm);
 }
 
 }  // namespace
@@ -62,34 +66,36 @@ bool can_drape(const Design& design) {
 
 std::string kept_drape_path(const Design& design) {
   if (!can_drape(design)) return {};
-  const std::string file = drape_file(design.scene.mesh, own_hang_of(design)) + ".glb";
+  const std::string file = drape_file(design.scene.mesh, drape_parameters_of(design)) + ".glb";
   return (fs::path(cache_folder()) / "drapes" / file).string();
 }
 
-bool is_draped(const Design& design) { return load_kept(design).mesh.has_value(); }
+bool is_draped(const Design& design) { return load_cached(design).mesh.has_value(); }
 
-Mesh simulate_design_drape(const Design& design, const std::function<bool(double share)>& go_on) {
-  return can_drape(design) ? simulate_drape(design.scene.mesh, own_hang_of(design), go_on) : Mesh{};
+Mesh simulate_design_drape(const Design& design, const std::function<bool(double progress)>& keep_going) {
+  return can_drape(design) ? simulate_drape(design.scene.mesh, drape_parameters_of(design), keep_going) : Mesh{};
 }
 
-std::string drape_cloth(const Design& design, const std::function<bool(double share)>& go_on) {
+std::string drape_cloth(const Design& design, const std::function<bool(double progress)>& keep_going) {
   const std::string path = kept_drape_path(design);
   if (path.empty()) return {};
   const fs::path folder = fs::path(path).parent_path();
   std::error_code ec;
   fs::create_directories(folder, ec);
-  if (ec) return folder.string() + ": the folder cannot be made: " + cause_of(ec.value());
-  const Mesh mesh = simulate_design_drape(design, go_on);
+  if (ec)
+    return fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", folder.string()),
+                arg("cause", cause_of(ec.value())));
+  const Mesh mesh = simulate_design_drape(design, keep_going);
   if (mesh.position_mm.empty()) return {};
   std::string problem = write_mesh(path, mesh, nullptr);
-  if (problem.empty()) keep_newest(folder.string(), ".glb", kMaxKept);
+  if (problem.empty()) keep_newest(folder.string(), ".glb", kMaxCached);
   return problem;
 }
 
 std::string drape_key(const Design& design) {
   if (!can_drape(design)) return design.scene.mesh;
   if (design.scene.simulated_drape) {
-    // With its time: one that was broken may have been made anew.
+    // With its time: a broken file may have been replaced.
     const std::string path = kept_drape_path(design);
     std::error_code ec;
     const auto written = fs::last_write_time(path, ec);
@@ -99,9 +105,9 @@ std::string drape_key(const Design& design) {
 }
 
 ReadMesh load_design_drape(const Design& design) {
-  ReadMesh read = design.scene.simulated_drape ? load_kept(design) : ReadMesh{};
+  ReadMesh read = design.scene.simulated_drape ? load_cached(design) : ReadMesh{};
   if (!read.mesh) read = load_shipped(design);
-  // Its form is that of the drape, however the cloth hangs.
+  // The name selects the body, which does not depend on the stiffness.
   if (read.mesh && can_drape(design)) read.mesh->name = design.scene.mesh;
   return read;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The drape that a design is shown on, as a cloth of its yarns and its sett hangs: one of the shipped three of its
-// kind, or one simulated for this cloth alone, kept in the user's cache (cache_folder()/drapes).
+// The drape of a design, for the stiffness that its yarns and sett give: the limp, medium or stiff version of a shipped
+// drape, or one simulated for this fabric and kept in the user's cache (cache_folder()/drapes).
 
 #include <functional>
 #include <string>
@@ -10,21 +10,23 @@
 
 namespace weftlight::files {
 
-/// As load_drape() of the scene's mesh; of a shipped drape the limper or stiffer one where the cloth is so
-/// (presets/meshes/NAME_limp.glb, NAME_stiff.glb), or the cloth's own where the scene asks for it and it is kept.
+/// Like load_drape() of the scene's mesh. A shipped drape is taken in the version for the fabric
+/// (presets/meshes/NAME.glb, NAME_limp.glb, NAME_stiff.glb); the simulated drape if the scene asks for it and it is in
+/// the cache.
 ReadMesh load_design_drape(const Design& design);
-/// The same for designs that get the same mesh; another once the cloth's own is kept.
+/// A key that is equal for designs with the same mesh; it changes when the simulated drape enters the cache.
 std::string drape_key(const Design& design);
 
-/// Whether the scene's drape is one that is simulated: a shipped one, but the plane.
+/// Whether the scene's drape can be simulated: all shipped ones except the plane.
 bool can_drape(const Design& design);
-/// Where the cloth's own drape is kept, whether it is there or not; empty where it has none.
+/// Path of the simulated drape in the cache, existing or not; empty if the drape cannot be simulated.
 std::string kept_drape_path(const Design& design);
-/// Whether a good one is kept. Reads all of it.
+/// Whether the cache holds a valid one. Reads the whole file.
 bool is_draped(const Design& design);
-/// The cloth's own drape, simulated (seconds); empty where it has none. `go_on` as of drape::simulate_drape().
-Mesh simulate_design_drape(const Design& design, const std::function<bool(double share)>& go_on = {});
-/// The same, kept; the oldest kept ones make room. Empty: done, or left; else what went wrong.
-std::string drape_cloth(const Design& design, const std::function<bool(double share)>& go_on = {});
+/// Simulates the drape of this fabric, in seconds; empty if it cannot be simulated. `keep_going`: see
+/// drape::simulate_drape().
+Mesh simulate_design_drape(const Design& design, const std::function<bool(double progress)>& keep_going = {});
+/// The same, into the cache, which drops its oldest files. Returns an error, or an empty string if done or stopped.
+std::string drape_cloth(const Design& design, const std::function<bool(double progress)>& keep_going = {});
 
 }  // namespace weftlight::files

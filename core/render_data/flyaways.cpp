@@ -279,7 +279,7 @@ FlyawayGrowth flyaway_growth(const interop::ClothData& cloth, Face front) {
 
 std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
   // The two sides of a seam share their places, not their vertices.
-  std::map<Vec3, uint32_t, PlaceOrder> vertices;
+  std::map<Vec3, uint32_t, PositionOrder> vertices;
   std::vector<uint32_t> vertex(mesh.position_mm.size());
   for (uint32_t v = 0; v < vertex.size(); ++v) vertex[v] = vertices.try_emplace(mesh.position_mm[v], v).first->second;
   struct Edge {

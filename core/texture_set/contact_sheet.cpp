@@ -115,7 +115,7 @@ Image thread_thumbnail(const Image& image) {
   });
 }
 
-Image lit_swatch(const Surface& surface, int width, int height, float repeats_across) {
+Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repeats_across) {
   const int w = surface.texels.width, h = surface.texels.height;
   Plane<Linear> radiance(w, h);
   for_each_job(h, [&](int y) {
@@ -147,7 +147,7 @@ Image lit_swatch(const Surface& surface, int width, int height, float repeats_ac
   return out;
 }
 
-Image contact_sheet(const std::string& title, const std::string& facts, const Surface& front,
+Image contact_sheet(const std::string& title, const std::string& facts, const SurfaceTexels& front,
                     const std::vector<SheetEntry>& entries) {
   const int cell = kTile + kLabel + kGap, columns = columns_for(entries.size());
   const int rows = std::max((static_cast<int>(entries.size()) + 4 + columns - 1) / columns, 2);

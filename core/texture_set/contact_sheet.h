@@ -22,11 +22,11 @@ Image thumbnail(const Image& image);
 Image thread_thumbnail(const Image& image);
 
 /// sRGB-encoded RGB.
-Image contact_sheet(const std::string& title, const std::string& facts, const Surface& front,
+Image contact_sheet(const std::string& title, const std::string& facts, const SurfaceTexels& front,
                     const std::vector<SheetEntry>& entries);
 
 /// A flat swatch under one light from the upper left, with fibre highlights; sRGB-encoded RGB. Shows
 /// `repeats` periods across, whatever its size.
-Image lit_swatch(const Surface& surface, int width, int height, float repeats_across);
+Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repeats_across);
 
 }  // namespace weftlight::texture_set

@@ -221,7 +221,7 @@ void FaceSource::measure_means() {
   occlusion_gain_ = high;
 }
 
-void FaceSource::finish(Surface& surface, int y0, int whole_height, int threads) const {
+void FaceSource::finish(SurfaceTexels& surface, int y0, int whole_height, int threads) const {
   if (!options_.fitted) return;
   const int width = surface.texels.width, height = surface.texels.height;
   const Plane<glm::vec3> coarser = within(footprints_, width, whole_height);
@@ -249,7 +249,7 @@ void FaceSource::measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) c
   if (share_ > 0.5f) texel.system = texel.slope_cov.z > texel.slope_cov.x ? 1 : 0;
 }
 
-Surface FaceSource::piece(int x0, int x1, int y0, int y1) const {
+SurfaceTexels FaceSource::piece(int x0, int x1, int y0, int y1) const {
   const MapsSize whole{options_.size.width * factor_, options_.size.height * factor_,
                        occlusion_.width > 0 ? 0 : kAzimuths, 1};
   Maps maps = bake(cloth_, whole, {x0 * factor_, y0 * factor_, x1 * factor_, y1 * factor_});
@@ -257,16 +257,16 @@ Surface FaceSource::piece(int x0, int x1, int y0, int y1) const {
   return make_surface(cloth_, maps, x1 - x0, y1 - y0, 1);
 }
 
-Surface FaceSource::rows(int y0, int y1) const { return finished(raw_rows(y0, y1), y0, options_.size.height); }
+SurfaceTexels FaceSource::rows(int y0, int y1) const { return finished(raw_rows(y0, y1), y0, options_.size.height); }
 
-Surface FaceSource::finished(Surface raw, int y0, int level_height) const {
+SurfaceTexels FaceSource::finished(SurfaceTexels raw, int y0, int level_height) const {
   finish(raw, y0, level_height, 1);
   return raw;
 }
 
-Surface FaceSource::raw_rows(int y0, int y1) const {
+SurfaceTexels FaceSource::raw_rows(int y0, int y1) const {
   const int width = options_.size.width;
-  Surface out{small_.width_mm, small_.depth_mm, Plane<SurfaceTexel>(width, y1 - y0), {}, {}};
+  SurfaceTexels out{small_.width_mm, small_.depth_mm, Plane<SurfaceTexel>(width, y1 - y0), {}, {}};
   out.low_mm = small_.low_mm, out.high_mm = small_.high_mm, out.smoothness = small_.smoothness;
   if (whole_.texels.width > 0) {
     std::copy(whole_.texels.row(y0), whole_.texels.row(y0) + static_cast<ptrdiff_t>(width) * (y1 - y0),
@@ -275,7 +275,7 @@ Surface FaceSource::raw_rows(int y0, int y1) const {
   }
   const int step = std::min(width, kMaxPieceSide / factor_);
   for (int x = 0; x < width; x += step) {
-    const Surface part = piece(x, x + step, y0, y1);
+    const SurfaceTexels part = piece(x, x + step, y0, y1);
     for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
   }
   for (int y = y0; occlusion_.width > 0 && y < y1; ++y) {

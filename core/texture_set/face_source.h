@@ -35,13 +35,13 @@ class FaceSource {
   FaceSource(Cloth cloth, const FaceOptions& options);
   const Cloth& cloth() const { return cloth_; }
   /// The whole face, at most 1024 texels a side.
-  const Surface& small() const { return small_; }
+  const SurfaceTexels& small() const { return small_; }
   /// Rows [y0, y1) of the full size, without horizons; made by the caller's thread alone.
-  Surface rows(int y0, int y1) const;
+  SurfaceTexels rows(int y0, int y1) const;
   /// The same before it is fitted, and a level of its mips fitted: half_of() of raw rows from row y0 of the level on,
   /// which has so many rows in all.
-  Surface raw_rows(int y0, int y1) const;
-  Surface finished(Surface raw, int y0, int level_height) const;
+  SurfaceTexels raw_rows(int y0, int y1) const;
+  SurfaceTexels finished(SurfaceTexels raw, int y0, int level_height) const;
   /// Rows that are made at a time; a power of two that divides the height.
   int band() const { return band_; }
   const EngineFit& fit() const { return fit_; }
@@ -59,13 +59,13 @@ class FaceSource {
   void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void measure_means();
   void measure_range();
-  void finish(Surface& surface, int y0, int whole_height, int threads) const;
-  Surface piece(int x0, int x1, int y0, int y1) const;
+  void finish(SurfaceTexels& surface, int y0, int whole_height, int threads) const;
+  SurfaceTexels piece(int x0, int x1, int y0, int y1) const;
 
   Cloth cloth_;
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
-  Surface small_, whole_;        // whole_: empty where the face is too large for one piece
+  SurfaceTexels small_, whole_;  // whole_: empty where the face is too large for one piece
   Plane<float> occlusion_;       // of the coarse maps; empty: each piece finds its own
   Plane<glm::vec3> footprints_;  // covariance of their facets, as the fit scales it
   float share_ = 0;              // how far a texel takes the lobe of its footprint for its own

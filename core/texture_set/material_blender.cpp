@@ -126,7 +126,7 @@ both = nodes.new("ShaderNodeMixShader")
 links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], both.inputs[0])
 links.new(face(""), both.inputs[1])
 links.new(face("_back"), both.inputs[2])
-links.new(both.outputs["Shader"], nodes["Material Output"].inputs["Surface"])
+links.new(both.outputs["Shader"], nodes["Material Output"].inputs["SurfaceTexels"])
 for thing in bpy.context.selected_objects:
     if thing.type == "MESH":
         without_back(thing.data)
@@ -164,7 +164,7 @@ std::string older_of(const FaceSource& face) {
 
 std::string write_blender_script(const SetFacts& set) {
   const EngineFit &front = set.front.fit(), &back = set.back.fit();
-  const Surface& s = set.front.small();
+  const SurfaceTexels& s = set.front.small();
   return write_file_atomically(set.folder + "/" + set.name + ".py",
                                filled(kScript, {{"NAME", set.name},
                                                 {"BLEND", blend_of(set.alpha)},

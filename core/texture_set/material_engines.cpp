@@ -215,7 +215,7 @@ std::string write_unity_images(const SetFacts& set, Face face) {
 
 /// HDRP's Lit has a specular colour or metal.
 bool has_specular_color(const SetFacts& set, Face face) {
-  return set.target == Target::kUnityHdrp && std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
+  return set.target == ExportTarget::kUnityHdrp && std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
 }
 
 /// As its inspector takes colours: encoded.
@@ -276,8 +276,8 @@ std::vector<std::string> unity_floats(const SetFacts& set, Face face, bool hdrp)
 
 std::string write_unity_face(const SetFacts& set, Face face) {
   if (std::string problem = write_unity_images(set, face); !problem.empty()) return problem;
-  const bool hdrp = set.target == Target::kUnityHdrp;
-  const Surface& s = set.of(face).small();
+  const bool hdrp = set.target == ExportTarget::kUnityHdrp;
+  const SurfaceTexels& s = set.of(face).small();
   std::vector<std::string> textures;
   for (const UnitySlot& slot : hdrp ? std::span<const UnitySlot>(kHdrpSlots) : std::span<const UnitySlot>(kUrpSlots)) {
     textures.push_back(std::string(slot.slot) +
@@ -358,7 +358,7 @@ std::string write_godot_material(const SetFacts& set) {
 }
 
 std::string write_unreal_script(const SetFacts& set) {
-  const Surface& s = set.front.small();
+  const SurfaceTexels& s = set.front.small();
   return write_file_atomically(
       set.folder + "/" + set.name + "_import.py",
       filled(kUnrealScript, {{"NAME", set.name},

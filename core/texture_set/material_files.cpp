@@ -85,26 +85,26 @@ Mesh scale_quad() {
   return mesh;
 }
 
-bool needs_mesh(Target target) { return target == Target::kGltf || target == Target::kBlender; }
+bool needs_mesh(ExportTarget target) { return target == ExportTarget::kGltf || target == ExportTarget::kBlender; }
 
 MaterialFile write_materials(const SetFacts& set) {
   switch (set.target) {
-    case Target::kGltf:
+    case ExportTarget::kGltf:
       return {set.name + ".glb", first({write_gltf_material(set, ".glb"), write_gltf_material(set, ".gltf")})};
-    case Target::kBlender:
+    case ExportTarget::kBlender:
       return {set.name + ".py", first({write_gltf_material(set, ".glb"), write_blender_script(set)})};
-    case Target::kGodot:
+    case ExportTarget::kGodot:
       return {set.name + ".tres", first({write_godot_material(set), write_quad(set)})};
-    case Target::kUnreal:
+    case ExportTarget::kUnreal:
       return {set.name + "_import.py", first({write_unreal_script(set), write_quad(set)})};
-    case Target::kUnityHdrp:
-    case Target::kUnityUrp:
+    case ExportTarget::kUnityHdrp:
+    case ExportTarget::kUnityUrp:
       return {set.name + ".mat", write_unity_material(set)};
-    case Target::kU3m:
+    case ExportTarget::kU3m:
       return {set.name + ".u3m", write_u3m(set)};
-    case Target::kMaterialX:
+    case ExportTarget::kMaterialX:
       return {set.name + ".mtlx", write_materialx(set)};
-    case Target::kRaw:
+    case ExportTarget::kRaw:
       break;
   }
   return {};

@@ -15,7 +15,7 @@ namespace weftlight::texture_set {
 /// A set whose images are written.
 struct SetFacts {
   std::string folder, name;
-  Target target = Target::kGltf;
+  ExportTarget target = ExportTarget::kGltf;
   Alpha alpha = Alpha::kOpaque;  // not kAuto
   std::string modified;          // of the draft, ISO 8601
   const Design& design;
@@ -26,7 +26,7 @@ struct SetFacts {
 };
 
 /// True where the material comes with a mesh.
-bool needs_mesh(Target target);
+bool needs_mesh(ExportTarget target);
 
 struct MaterialFile {
   std::string file;  // the one to open first; empty when the target needs none

@@ -12,12 +12,12 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   GltfMaterial m;
   m.name = set.name + (face == Face::kBack ? "_back" : "");
   const bool whole = source.band() == source.size().height;
-  const Surface embedded = set.target == Target::kGltf ? Surface{}
-                           : whole                     ? source.rows(0, source.size().height)
-                                                       : source.small();
+  const SurfaceTexels embedded = set.target == ExportTarget::kGltf ? SurfaceTexels{}
+                                 : whole                           ? source.rows(0, source.size().height)
+                                                                   : source.small();
   const auto take = [&](GltfImage& image, const char* suffix, size_t row) {
-    if (set.target == Target::kGltf) image.file = image_named(set, suffix, face);
-    else image.png = encode_png(pack(image_rows(Target::kGltf)[row], embedded));
+    if (set.target == ExportTarget::kGltf) image.file = image_named(set, suffix, face);
+    else image.png = encode_png(pack(image_rows(ExportTarget::kGltf)[row], embedded));
   };
   take(m.base_color, "_basecolor", 0);
   take(m.orm, "_orm", 1);
@@ -25,7 +25,7 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   take(m.anisotropy, "_anisotropy", 3);
   m.anisotropy_strength = 1;
   // The fit of the Blender set has none, and Blender 3's importer would add a velvet that is not scaled.
-  if (set.target == Target::kGltf && source.fit().sheen > 0) {
+  if (set.target == ExportTarget::kGltf && source.fit().sheen > 0) {
     take(m.sheen, "_sheen", 4);
     m.sheen_color = {1, 1, 1};
     m.sheen_roughness = 1;

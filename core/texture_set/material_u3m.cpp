@@ -103,7 +103,7 @@ json physics(const SetFacts& set) {
   for (const auto& [type, g] : grams)
     parts.push_back({{"ratio", total > 0 ? g / total : 1.0}, {"type", type}, {"name", nullptr}});
   const double area_m2 = static_cast<double>(cloth.width_mm) * static_cast<double>(cloth.depth_mm) * 1e-6;
-  const Surface &front = set.front.small(), &back = set.back.small();
+  const SurfaceTexels &front = set.front.small(), &back = set.back.small();
   return {{"thickness", static_cast<double>(front.high_mm + back.high_mm)},
           {"weight", total / area_m2},
           {"devices", {{"fab", "null"}}},
@@ -129,7 +129,7 @@ json scalar(const SetFacts& set, const std::string& suffix, Face face, double me
   return {{"constant", mean}, {"texture", {{"factor", factor}, {"offset", 0}, {"image", image(set, suffix, face)}}}};
 }
 
-double mean_of(const Surface& surface, double (*value)(const SurfaceTexel&)) {
+double mean_of(const SurfaceTexels& surface, double (*value)(const SurfaceTexel&)) {
   double sum = 0;
   for (const SurfaceTexel& t : surface.texels.at_) sum += value(t);
   return sum / static_cast<double>(surface.texels.at_.size());
@@ -141,7 +141,7 @@ json normal_of(const json& texture) { return {{"constant", {{"x", 0}, {"y", 0}, 
 
 json visual(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
-  const Surface& s = source.small();
+  const SurfaceTexels& s = source.small();
   const Rgb mean = srgb_from_linear(source.mean_base());
   const double roughness = mean_of(s, [](const SurfaceTexel& t) {
     const GgxAlphas a = ggx_alphas(t);
@@ -215,7 +215,7 @@ std::string write_u3m(const SetFacts& set) {
   if (std::string problem = write_file_atomically(path, text); !problem.empty()) return problem;
   std::vector<ZipEntry> entries{{file, path}};
   for (const Face face : {Face::kFront, Face::kBack}) {
-    for (const ImageRow& row : image_rows(Target::kU3m)) {
+    for (const ImageRow& row : image_rows(ExportTarget::kU3m)) {
       const std::string image = image_file(row, set.name, face);
       entries.push_back({image, set.folder + "/" + image});
     }

@@ -114,9 +114,9 @@ constexpr const char* kMesh = R"(    def Mesh "{FACE}" (
 
 constexpr const char* kPreview = R"(        def Material "{MATERIAL}"
         {
-            token outputs:surface.connect = </{PRIM}/Materials/{MATERIAL}/Surface.outputs:surface>
+            token outputs:surface.connect = </{PRIM}/Materials/{MATERIAL}/SurfaceTexels.outputs:surface>
 
-            def Shader "Surface"
+            def Shader "SurfaceTexels"
             {
                 uniform token info:id = "UsdPreviewSurface"
                 color3f inputs:diffuseColor.connect = </{PRIM}/Materials/{MATERIAL}/basecolor.outputs:rgb>
@@ -245,7 +245,7 @@ std::string usd_material(const SetFacts& set, Face face) {
     opacity = "                float inputs:opacity.connect = </{PRIM}/Materials/{MATERIAL}/opacity.outputs:r>\n";
     if (set.alpha == Alpha::kMask) opacity += "                float inputs:opacityThreshold = 0.5\n";
   }
-  const Surface& s = set.of(face).small();
+  const SurfaceTexels& s = set.of(face).small();
   return filled(kPreview, {{"TEXTURES", textures},
                            {"USD_OPACITY", opacity},
                            {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0)))},

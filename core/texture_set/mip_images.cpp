@@ -13,7 +13,7 @@ namespace {
 constexpr float kCut = 0.5f;  // of a mask
 constexpr float kMaxScale = 4;
 
-std::vector<float> coverages(const Surface& surface) {
+std::vector<float> coverages(const SurfaceTexels& surface) {
   std::vector<float> out;
   for (const SurfaceTexel& t : surface.texels.at_) out.push_back(t.coverage);
   return out;
@@ -21,12 +21,12 @@ std::vector<float> coverages(const Surface& surface) {
 
 }  // namespace
 
-std::vector<float> mask_scales(const Surface& small, TextureSize size) {
+std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size) {
   std::vector<float> out;
   for (int width = size.width, height = size.height; width > small.texels.width || height > small.texels.height;
        width /= 2, height /= 2)
     out.push_back(1);
-  Surface level{small.width_mm, small.depth_mm, small.texels, {}, {}};
+  SurfaceTexels level{small.width_mm, small.depth_mm, small.texels, {}, {}};
   const std::vector<float> finest = coverages(level);
   const auto above = std::count_if(finest.begin(), finest.end(), [](float c) { return c >= kCut; });
   const double wanted = static_cast<double>(above) / static_cast<double>(finest.size());
@@ -58,8 +58,8 @@ MipImages::MipImages(std::span<const ImageRow> rows, const std::vector<std::stri
   if (cut_out) scales_ = mask_scales(source.small(), source.size());
 }
 
-std::vector<Image> MipImages::packed_level(const Surface& raw, int level, int y0) const {
-  Surface surface = source_.finished(raw, y0, std::max(source_.size().height >> level, 1));
+std::vector<Image> MipImages::packed_level(const SurfaceTexels& raw, int level, int y0) const {
+  SurfaceTexels surface = source_.finished(raw, y0, std::max(source_.size().height >> level, 1));
   if (static_cast<size_t>(level) < scales_.size())
     for (SurfaceTexel& t : surface.texels.at_)
       t.coverage = std::min(t.coverage * scales_[static_cast<size_t>(level)], 1.0f);
@@ -68,7 +68,7 @@ std::vector<Image> MipImages::packed_level(const Surface& raw, int level, int y0
   return out;
 }
 
-MipImages::Band MipImages::packed(Surface raw, int y0) const {
+MipImages::Band MipImages::packed(SurfaceTexels raw, int y0) const {
   Band out;
   for (int level = 0;; ++level) {
     out.levels.push_back(packed_level(raw, level, y0 >> level));
@@ -95,11 +95,11 @@ std::string MipImages::add(Band band) {
 
 std::string MipImages::close() {
   if (files_.empty()) return {};
-  Surface level{rest_[0].width_mm,
-                rest_[0].depth_mm,
-                Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
-                {},
-                {}};
+  SurfaceTexels level{rest_[0].width_mm,
+                      rest_[0].depth_mm,
+                      Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
+                      {},
+                      {}};
   level.low_mm = rest_[0].low_mm, level.high_mm = rest_[0].high_mm, level.smoothness = rest_[0].smoothness;
   for (size_t y = 0; y < rest_.size(); ++y)
     std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));

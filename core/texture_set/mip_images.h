@@ -17,7 +17,7 @@ namespace weftlight::texture_set {
 
 /// By how much the coverage of each level is to grow, so that as much of it as of the finest is above one half; from
 /// the finest of `size` on. Levels finer than `small` keep theirs.
-std::vector<float> mask_scales(const Surface& small, TextureSize size);
+std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size);
 
 class MipImages {
  public:
@@ -32,16 +32,16 @@ class MipImages {
   /// A stretch of the face, its levels packed; `rest` is its coarsest row, from which those of the whole are made.
   struct Band {
     std::vector<std::vector<Image>> levels;  // by level, then by file
-    Surface rest;
+    SurfaceTexels rest;
   };
   /// Of FaceSource::raw_rows() from row y0 on. Any thread.
-  Band packed(Surface raw, int y0) const;
+  Band packed(SurfaceTexels raw, int y0) const;
   /// Bands in their order. Empty: done; else what went wrong.
   std::string add(Band band);
   std::string close();
 
  private:
-  std::vector<Image> packed_level(const Surface& raw, int level, int y0) const;
+  std::vector<Image> packed_level(const SurfaceTexels& raw, int level, int y0) const;
   std::string write(int level, const std::vector<Image>& images);
 
   const FaceSource& source_;
@@ -50,7 +50,7 @@ class MipImages {
   std::vector<std::unique_ptr<MipFile>> files_;
   std::vector<std::string> names_;
   std::vector<float> scales_;  // of the coverage, by level
-  std::vector<Surface> rest_;
+  std::vector<SurfaceTexels> rest_;
   int first_rest_ = 0;  // the level of `rest_`
 };
 

@@ -58,7 +58,7 @@ json channel_list(const ImageRow& row) {
 }
 
 /// Thumbnails show colour as a screen does, and every thread in a colour of its own.
-Image shown(const ImageRow& row, const Surface& surface) {
+Image shown(const ImageRow& row, const SurfaceTexels& surface) {
   ImageRow encoded = row;
   if (row.channels[0] == Channel::kBaseR) encoded.srgb = true;
   const Image image = pack(encoded, surface);
@@ -75,9 +75,9 @@ class Mips {
  public:
   explicit Mips(bool wanted) : wanted_(wanted) {}
   bool wanted() const { return wanted_; }
-  void add(const Surface& band) {
+  void add(const SurfaceTexels& band) {
     if (!wanted_) return;
-    Surface level = band;
+    SurfaceTexels level = band;
     for (size_t k = 0; level.texels.height > 1; ++k) {
       level = half_of(level);
       if (levels_.size() <= k) levels_.emplace_back();
@@ -88,11 +88,11 @@ class Mips {
   /// The levels, complete to one texel.
   std::vector<Image> finished() {
     if (!wanted_ || rest_.empty()) return {};
-    Surface level{rest_[0].width_mm,
-                  rest_[0].depth_mm,
-                  Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
-                  {},
-                  {}};
+    SurfaceTexels level{rest_[0].width_mm,
+                        rest_[0].depth_mm,
+                        Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
+                        {},
+                        {}};
     for (size_t y = 0; y < rest_.size(); ++y)
       std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
     while (level.texels.width > 1 || level.texels.height > 1) {
@@ -104,11 +104,11 @@ class Mips {
   }
 
  private:
-  static void append(Image& to, const Surface& level) {
+  static void append(Image& to, const SurfaceTexels& level) {
     constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
     constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
-    const Image a = pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level);
-    const Image b = pack({Target::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level);
+    const Image a = pack({ExportTarget::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level);
+    const Image b = pack({ExportTarget::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level);
     to.width = a.width, to.height += a.height, to.channels = 5;
     for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
       to.texels.insert(to.texels.end(), {a.texels[3 * i], a.texels[3 * i + 1], a.texels[3 * i + 2], b.texels[2 * i],
@@ -118,7 +118,7 @@ class Mips {
 
   bool wanted_;
   std::vector<Image> levels_;
-  std::vector<Surface> rest_;
+  std::vector<SurfaceTexels> rest_;
 };
 
 void write_mips(SetImages& set, std::vector<Image> levels, Face face) {
@@ -156,14 +156,14 @@ void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, cons
 /// Some rows of the face: those of every image, and the surface where it is wanted further.
 struct PackedBand {
   std::vector<Image> images;
-  Surface surface;
+  SurfaceTexels surface;
   MipImages::Band mips;
 };
 
 PackedBand packed_band(std::span<const ImageRow> rows, const FaceSource& source, int y0, const MipImages& mips,
                        bool keep) {
   PackedBand out;
-  Surface surface = source.raw_rows(y0, y0 + source.band());
+  SurfaceTexels surface = source.raw_rows(y0, y0 + source.band());
   if (mips.wanted()) out.mips = mips.packed(surface, y0);
   surface = source.finished(std::move(surface), y0, source.size().height);
   for (const ImageRow& row : rows) out.images.push_back(pack(row, surface, 1));
@@ -234,9 +234,9 @@ void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face fa
 
 }  // namespace
 
-std::string face_suffix(Target target, Face face) {
+std::string face_suffix(ExportTarget target, Face face) {
   if (face == Face::kBack) return "_back";
-  return target == Target::kRaw ? "_front" : "";
+  return target == ExportTarget::kRaw ? "_front" : "";
 }
 
 std::string image_file(const ImageRow& row, const std::string& name, Face face) {
@@ -246,7 +246,7 @@ std::string image_file(const ImageRow& row, const std::string& name, Face face) 
 void write_face(SetImages& set, const FaceSource& source, Face face) {
   if (!set.problem.empty()) return;
   const TextureSize size = source.size();
-  Mips mips(set.target == Target::kRaw);
+  Mips mips(set.target == ExportTarget::kRaw);
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
   MipImages own(image_rows(set.target), stems_of(set, face), source, set.mips, cut_out, set.problem);
   if (!set.problem.empty()) return;

@@ -18,7 +18,7 @@ namespace weftlight::texture_set {
 /// A set while it is written: what the sheet and the list will say.
 struct SetImages {
   std::string folder, name;
-  Target target = Target::kGltf;
+  ExportTarget target = ExportTarget::kGltf;
   nlohmann::json maps = nlohmann::json::array();
   std::vector<SheetEntry> sheet;
   std::string problem;  // empty until something goes wrong; then nothing more is written
@@ -29,7 +29,7 @@ struct SetImages {
 };
 
 /// Between the name and the suffix of a file: "" or "_front" of the front, "_back" of the back.
-std::string face_suffix(Target target, Face face);
+std::string face_suffix(ExportTarget target, Face face);
 /// File of a row's image.
 std::string image_file(const ImageRow& row, const std::string& name, Face face);
 

@@ -14,8 +14,8 @@ constexpr float kMaxRepeats = 40;  // of the tile across a swatch
 constexpr float kExrShare = 0.7f;  // that piz leaves of half floats of our maps
 
 /// A material that comes in one file with its images holds them a second time.
-bool is_packed_too(Target target) {
-  return target == Target::kGltf || target == Target::kU3m || target == Target::kMaterialX;
+bool is_packed_too(ExportTarget target) {
+  return target == ExportTarget::kGltf || target == ExportTarget::kU3m || target == ExportTarget::kMaterialX;
 }
 
 float bytes_of(const ImageRow& row, const Image& image) {
@@ -37,7 +37,7 @@ SetPreview preview_set(const Design& design, Face face, const TextureSetOptions&
   if (design.draft.ends() < 1 || design.draft.picks() < 1 || stop.stop_requested()) return out;
   const FaceSource source = face_at(design, face, options, side);
   if (stop.stop_requested()) return out;
-  const Surface surface = source.rows(0, source.size().height);
+  const SurfaceTexels surface = source.rows(0, source.size().height);
   out.coverage = source.coverage();
   out.alpha = alpha_for(options.target, options.alpha, out.coverage);
   float bytes = 0;

@@ -85,7 +85,7 @@ SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, con
   return out;
 }
 
-void reduce_horizon(Surface& out, const Maps& maps, int block_x, int block_y) {
+void reduce_horizon(SurfaceTexels& out, const Maps& maps, int block_x, int block_y) {
   const int width = out.texels.width, height = out.texels.height;
   const float share = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
   for (const Plane<uint8_t>& sharp : maps.horizon) {
@@ -107,7 +107,7 @@ void reduce_horizon(Surface& out, const Maps& maps, int block_x, int block_y) {
   }
 }
 
-void halve_horizon(Surface& out, const Surface& fine) {
+void halve_horizon(SurfaceTexels& out, const SurfaceTexels& fine) {
   const int width = out.texels.width, height = out.texels.height;
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
   const float share = 1.0f / static_cast<float>(step_x * step_y);
@@ -174,10 +174,10 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
   return out;
 }
 
-Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads) {
+SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads) {
   const int block_x = maps.colour.width / width, block_y = maps.colour.height / height;
   assert(block_x * width == maps.colour.width && block_y * height == maps.colour.height);
-  Surface out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
+  SurfaceTexels out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
   const std::vector<YarnFacts> yarns = facts_of(cloth.yarns);
   for_each_job(height, threads, [&](int y) {
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
@@ -197,10 +197,10 @@ Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height
   return out;
 }
 
-Surface half_of(const Surface& fine, int threads) {
+SurfaceTexels half_of(const SurfaceTexels& fine, int threads) {
   const int width = std::max(fine.texels.width / 2, 1), height = std::max(fine.texels.height / 2, 1);
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
-  Surface out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
+  SurfaceTexels out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
   out.low_mm = fine.low_mm, out.high_mm = fine.high_mm, out.smoothness = fine.smoothness;
   for_each_job(height, threads, [&](int y) {
     std::array<SurfaceTexel, 4> parts;

@@ -31,7 +31,7 @@ struct SurfaceTexel {
   uint8_t system = 0;      // 0 warp, 1 weft
 };
 
-struct Surface {
+struct SurfaceTexels {
   float width_mm = 0, depth_mm = 0;
   Plane<SurfaceTexel> texels;
   // One plane an azimuth, as in Maps: mean and standard deviation of the sine of the horizon.
@@ -41,10 +41,10 @@ struct Surface {
 };
 
 /// Means over blocks of texels; the sizes of `maps` are multiples of `width` and `height`.
-Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads = 0);
+SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads = 0);
 
 /// The next mip: half as many texels a side (at least 1). Sizes are powers of two.
-Surface half_of(const Surface& fine, int threads = 0);
+SurfaceTexels half_of(const SurfaceTexels& fine, int threads = 0);
 
 /// One texel that stands for several equally large ones.
 SurfaceTexel merged(std::span<const SurfaceTexel> parts);

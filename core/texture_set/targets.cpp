@@ -26,32 +26,32 @@ constexpr std::array<Channel, 4> grey(Channel c) { return {c, c, c, kNone}; }  /
 
 // Sorted by target: image_rows() takes a stretch.
 constexpr ImageRow kRows[] = {
-    {Target::kRaw, "", "_albedo", ".exr", kHalf, false, kBase},
-    {Target::kRaw, "", "_coverage", ".png", kU16, false, only(kCoverage)},
-    {Target::kRaw, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
-    {Target::kRaw, "", "_normal", ".png", kU16, false, kNormalUp},
-    {Target::kRaw, "", "_tangent", ".png", kU16, false, {kFibreX, kFibreY, kFibreZ, kNone}},
-    {Target::kRaw, "", "_roughness", ".png", kU16, false, {kRoughnessAlong, kRoughnessAcross, kMetal, kNone}},
-    {Target::kRaw, "", "_occlusion", ".png", kU16, false, only(kOcclusion)},
-    {Target::kRaw, "", "_thread", ".png", kU16, false, {kThreadLow, kThreadHigh, kSystem, kNone}},
+    {ExportTarget::kRaw, "", "_albedo", ".exr", kHalf, false, kBase},
+    {ExportTarget::kRaw, "", "_coverage", ".png", kU16, false, only(kCoverage)},
+    {ExportTarget::kRaw, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
+    {ExportTarget::kRaw, "", "_normal", ".png", kU16, false, kNormalUp},
+    {ExportTarget::kRaw, "", "_tangent", ".png", kU16, false, {kFibreX, kFibreY, kFibreZ, kNone}},
+    {ExportTarget::kRaw, "", "_roughness", ".png", kU16, false, {kRoughnessAlong, kRoughnessAcross, kMetal, kNone}},
+    {ExportTarget::kRaw, "", "_occlusion", ".png", kU16, false, only(kOcclusion)},
+    {ExportTarget::kRaw, "", "_thread", ".png", kU16, false, {kThreadLow, kThreadHigh, kSystem, kNone}},
 
-    {Target::kGltf, "", "_basecolor", ".png", kU8, true, kBaseCoverage},
-    {Target::kGltf, "", "_orm", ".png", kU8, false, {kOcclusion, kRoughnessNarrow, kMetal, kNone}},
-    {Target::kGltf, "", "_normal", ".png", kU8, false, kNormalUp},
-    {Target::kGltf, "", "_anisotropy", ".png", kU8, false, {kWideX, kWideY, kGltfAnisotropy, kNone}},
-    {Target::kGltf, "", "_sheen", ".png", kU8, true, kSheen},
+    {ExportTarget::kGltf, "", "_basecolor", ".png", kU8, true, kBaseCoverage},
+    {ExportTarget::kGltf, "", "_orm", ".png", kU8, false, {kOcclusion, kRoughnessNarrow, kMetal, kNone}},
+    {ExportTarget::kGltf, "", "_normal", ".png", kU8, false, kNormalUp},
+    {ExportTarget::kGltf, "", "_anisotropy", ".png", kU8, false, {kWideX, kWideY, kGltfAnisotropy, kNone}},
+    {ExportTarget::kGltf, "", "_sheen", ".png", kU8, true, kSheen},
 
-    {Target::kUnreal, "T_", "_BC", ".png", kU8, true, kBase},
-    {Target::kUnreal, "T_", "_N", ".png", kU8, false, {kNormalX, kNormalYDown, kNormalZ, kNone}},
-    {Target::kUnreal, "T_", "_ORM", ".png", kU8, false, kOrm},
-    {Target::kUnreal, "T_", "_OM", ".png", kU8, false, only(kCoverage)},
-    {Target::kUnreal, "T_", "_FC", ".png", kU8, true, {kSheenHueR, kSheenHueG, kSheenHueB, kNone}},
-    {Target::kUnreal, "T_", "_CW", ".png", kU8, false, only(kSheenWeight)},
+    {ExportTarget::kUnreal, "T_", "_BC", ".png", kU8, true, kBase},
+    {ExportTarget::kUnreal, "T_", "_N", ".png", kU8, false, {kNormalX, kNormalYDown, kNormalZ, kNone}},
+    {ExportTarget::kUnreal, "T_", "_ORM", ".png", kU8, false, kOrm},
+    {ExportTarget::kUnreal, "T_", "_OM", ".png", kU8, false, only(kCoverage)},
+    {ExportTarget::kUnreal, "T_", "_FC", ".png", kU8, true, {kSheenHueR, kSheenHueG, kSheenHueB, kNone}},
+    {ExportTarget::kUnreal, "T_", "_CW", ".png", kU8, false, only(kSheenWeight)},
 
-    {Target::kUnityHdrp, "", "_BaseMap", ".png", kU8, true, kBaseCoverage},
-    {Target::kUnityHdrp, "", "_MaskMap", ".png", kU8, false, {kMetal, kOcclusion, kOne, kSmoothness}},
-    {Target::kUnityHdrp, "", "_NormalMap", ".png", kU8, false, kNormalUp},
-    {Target::kUnityHdrp,
+    {ExportTarget::kUnityHdrp, "", "_BaseMap", ".png", kU8, true, kBaseCoverage},
+    {ExportTarget::kUnityHdrp, "", "_MaskMap", ".png", kU8, false, {kMetal, kOcclusion, kOne, kSmoothness}},
+    {ExportTarget::kUnityHdrp, "", "_NormalMap", ".png", kU8, false, kNormalUp},
+    {ExportTarget::kUnityHdrp,
      "",
      "_ThreadMap",
      ".png",
@@ -59,73 +59,78 @@ constexpr ImageRow kRows[] = {
      false,
      {kDetailOcclusion, kDetailNormalY, kDetailSmoothness, kDetailNormalX}},
 
-    {Target::kUnityUrp, "", "_BaseMap", ".png", kU8, true, kBaseCoverage},
-    {Target::kUnityUrp, "", "_MetallicSmoothness", ".png", kU8, false, {kMetal, kMetal, kMetal, kSmoothness}},
-    {Target::kUnityUrp, "", "_Normal", ".png", kU8, false, kNormalUp},
-    {Target::kUnityUrp, "", "_Occlusion", ".png", kU8, false, only(kOcclusion)},
+    {ExportTarget::kUnityUrp, "", "_BaseMap", ".png", kU8, true, kBaseCoverage},
+    {ExportTarget::kUnityUrp, "", "_MetallicSmoothness", ".png", kU8, false, {kMetal, kMetal, kMetal, kSmoothness}},
+    {ExportTarget::kUnityUrp, "", "_Normal", ".png", kU8, false, kNormalUp},
+    {ExportTarget::kUnityUrp, "", "_Occlusion", ".png", kU8, false, only(kOcclusion)},
 
-    {Target::kGodot, "", "_albedo", ".png", kU8, true, kBaseCoverage},
-    {Target::kGodot, "", "_orm", ".png", kU8, false, kOrm},
-    {Target::kGodot, "", "_normal", ".png", kU8, false, kNormalUp},
-    {Target::kGodot, "", "_flowmap", ".png", kU8, false, {kWideX, kWideY, kOne, kAspectAnisotropy}},
+    {ExportTarget::kGodot, "", "_albedo", ".png", kU8, true, kBaseCoverage},
+    {ExportTarget::kGodot, "", "_orm", ".png", kU8, false, kOrm},
+    {ExportTarget::kGodot, "", "_normal", ".png", kU8, false, kNormalUp},
+    {ExportTarget::kGodot, "", "_flowmap", ".png", kU8, false, {kWideX, kWideY, kOne, kAspectAnisotropy}},
 
-    {Target::kBlender, "", "_basecolor", ".png", kU8, true, kBase},
-    {Target::kBlender, "", "_alpha", ".png", kU8, false, only(kCoverage)},
-    {Target::kBlender, "", "_roughness", ".png", kU8, false, only(kRoughness)},
-    {Target::kBlender, "", "_metallic", ".png", kU8, false, only(kMetal)},
-    {Target::kBlender, "", "_normal", ".png", kU16, false, kNormalUp},
-    {Target::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kMiddle, kNone}},
-    {Target::kBlender, "", "_anisotropic", ".png", kU8, false, only(kAspectAnisotropy)},
-    {Target::kBlender, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
-    {Target::kBlender, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
+    {ExportTarget::kBlender, "", "_basecolor", ".png", kU8, true, kBase},
+    {ExportTarget::kBlender, "", "_alpha", ".png", kU8, false, only(kCoverage)},
+    {ExportTarget::kBlender, "", "_roughness", ".png", kU8, false, only(kRoughness)},
+    {ExportTarget::kBlender, "", "_metallic", ".png", kU8, false, only(kMetal)},
+    {ExportTarget::kBlender, "", "_normal", ".png", kU16, false, kNormalUp},
+    {ExportTarget::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kMiddle, kNone}},
+    {ExportTarget::kBlender, "", "_anisotropic", ".png", kU8, false, only(kAspectAnisotropy)},
+    {ExportTarget::kBlender, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
+    {ExportTarget::kBlender, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
 
-    {Target::kU3m, "", "_basecolor", ".png", kU8, true, kBase},
-    {Target::kU3m, "", "_alpha", ".png", kU8, false, grey(kCoverage)},
-    {Target::kU3m, "", "_normal", ".png", kU8, false, kNormalUp},
-    {Target::kU3m, "", "_roughness", ".png", kU8, false, grey(kRoughness)},
-    {Target::kU3m, "", "_metalness", ".png", kU8, false, grey(kMetal)},
-    {Target::kU3m, "", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy)},
-    {Target::kU3m, "", "_rotation", ".png", kU8, false, grey(kTurn)},
-    {Target::kU3m, "", "_sheen", ".png", kU8, false, grey(kSheenWeight)},
-    {Target::kU3m, "", "_displacement", ".png", kU16, false, grey(kHeightShare)},
+    {ExportTarget::kU3m, "", "_basecolor", ".png", kU8, true, kBase},
+    {ExportTarget::kU3m, "", "_alpha", ".png", kU8, false, grey(kCoverage)},
+    {ExportTarget::kU3m, "", "_normal", ".png", kU8, false, kNormalUp},
+    {ExportTarget::kU3m, "", "_roughness", ".png", kU8, false, grey(kRoughness)},
+    {ExportTarget::kU3m, "", "_metalness", ".png", kU8, false, grey(kMetal)},
+    {ExportTarget::kU3m, "", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy)},
+    {ExportTarget::kU3m, "", "_rotation", ".png", kU8, false, grey(kTurn)},
+    {ExportTarget::kU3m, "", "_sheen", ".png", kU8, false, grey(kSheenWeight)},
+    {ExportTarget::kU3m, "", "_displacement", ".png", kU16, false, grey(kHeightShare)},
 
-    {Target::kMaterialX, "", "_basecolor", ".png", kU8, true, kBase},
-    {Target::kMaterialX, "", "_opacity", ".png", kU8, false, only(kCoverage)},
-    {Target::kMaterialX, "", "_roughness", ".png", kU8, false, only(kOpenPbrRoughness)},
-    {Target::kMaterialX, "", "_metalness", ".png", kU8, false, only(kMetal)},
-    {Target::kMaterialX, "", "_normal", ".png", kU8, false, kNormalUp},
-    {Target::kMaterialX, "", "_anisotropy", ".png", kU8, false, only(kOpenPbrAnisotropy)},
-    {Target::kMaterialX, "", "_turn", ".png", kU8, false, only(kTurn)},
-    {Target::kMaterialX, "", "_fuzz", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
-    {Target::kMaterialX, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
-    {Target::kMaterialX, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
+    {ExportTarget::kMaterialX, "", "_basecolor", ".png", kU8, true, kBase},
+    {ExportTarget::kMaterialX, "", "_opacity", ".png", kU8, false, only(kCoverage)},
+    {ExportTarget::kMaterialX, "", "_roughness", ".png", kU8, false, only(kOpenPbrRoughness)},
+    {ExportTarget::kMaterialX, "", "_metalness", ".png", kU8, false, only(kMetal)},
+    {ExportTarget::kMaterialX, "", "_normal", ".png", kU8, false, kNormalUp},
+    {ExportTarget::kMaterialX, "", "_anisotropy", ".png", kU8, false, only(kOpenPbrAnisotropy)},
+    {ExportTarget::kMaterialX, "", "_turn", ".png", kU8, false, only(kTurn)},
+    {ExportTarget::kMaterialX, "", "_fuzz", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
+    {ExportTarget::kMaterialX, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
+    {ExportTarget::kMaterialX, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
 };
 static_assert(std::is_sorted(std::begin(kRows), std::end(kRows),
                              [](const ImageRow& a, const ImageRow& b) { return a.target < b.target; }));
 
 const float kF0 = formulas::kEngineF0;
 struct TargetRow {
-  Target target;
+  ExportTarget target;
   const char *name, *title;
   const char* normal;
   EngineModel model;
   Alpha open;  // for open cloth
 };
 const TargetRow kTargets[] = {
-    {Target::kRaw, "raw", "Raw maps", "+Y", {formulas::kSheenNone, 1, true, true}, Alpha::kBlend},
-    {Target::kGltf, "gltf", "glTF", "+Y", {formulas::kSheenCharlie, 1, true, true}, Alpha::kBlend},
-    {Target::kUnreal,
+    {ExportTarget::kRaw, "raw", "Raw maps", "+Y", {formulas::kSheenNone, 1, true, true}, Alpha::kBlend},
+    {ExportTarget::kGltf, "gltf", "glTF", "+Y", {formulas::kSheenCharlie, 1, true, true}, Alpha::kBlend},
+    {ExportTarget::kUnreal,
      "unreal",
      "Unreal Engine",
      "-Y",
      {formulas::kSheenInverseGgx, 2 * kF0, false, false},
      Alpha::kHashed},
-    {Target::kUnityHdrp, "unity-hdrp", "Unity HDRP", "+Y", {formulas::kSheenNone, 1, false, false}, Alpha::kBlend},
-    {Target::kUnityUrp, "unity-urp", "Unity URP", "+Y", {formulas::kSheenNone, kF0, false, false}, Alpha::kBlend},
-    {Target::kGodot, "godot", "Godot", "+Y", {formulas::kSheenNone, 4 * kF0, false, true}, Alpha::kHashed},
-    {Target::kBlender, "blender", "Blender", "+Y", {formulas::kSheenNone, 0.5f, false, true}, Alpha::kHashed},
-    {Target::kU3m, "u3m", "U3M", "+Y", {formulas::kSheenDisney, 2 * kF0, false, true}, Alpha::kBlend},
-    {Target::kMaterialX,
+    {ExportTarget::kUnityHdrp,
+     "unity-hdrp",
+     "Unity HDRP",
+     "+Y",
+     {formulas::kSheenNone, 1, false, false},
+     Alpha::kBlend},
+    {ExportTarget::kUnityUrp, "unity-urp", "Unity URP", "+Y", {formulas::kSheenNone, kF0, false, false}, Alpha::kBlend},
+    {ExportTarget::kGodot, "godot", "Godot", "+Y", {formulas::kSheenNone, 4 * kF0, false, true}, Alpha::kHashed},
+    {ExportTarget::kBlender, "blender", "Blender", "+Y", {formulas::kSheenNone, 0.5f, false, true}, Alpha::kHashed},
+    {ExportTarget::kU3m, "u3m", "U3M", "+Y", {formulas::kSheenDisney, 2 * kF0, false, true}, Alpha::kBlend},
+    {ExportTarget::kMaterialX,
      "materialx",
      "MaterialX, USD",
      "+Y",
@@ -133,7 +138,7 @@ const TargetRow kTargets[] = {
      Alpha::kBlend},
 };
 
-const TargetRow& target_row(Target target) { return kTargets[static_cast<size_t>(target)]; }
+const TargetRow& target_row(ExportTarget target) { return kTargets[static_cast<size_t>(target)]; }
 
 /// The sRGB curve between so many places: to 0.0004, a tenth of a step of 8 bits.
 class SrgbTable {
@@ -203,7 +208,7 @@ bool needs_alphas(Channel channel) {
 }
 
 /// alphas: of the texel, where the channel needs them.
-float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const Surface& surface) {
+float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const SurfaceTexels& surface) {
   switch (channel) {
     case kNone:
       return 0;
@@ -307,7 +312,7 @@ float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, boo
 
 }  // namespace
 
-std::span<const ImageRow> image_rows(Target target) {
+std::span<const ImageRow> image_rows(ExportTarget target) {
   const auto first =
       std::find_if(std::begin(kRows), std::end(kRows), [=](const ImageRow& r) { return r.target == target; });
   const auto last = std::find_if(first, std::end(kRows), [=](const ImageRow& r) { return r.target != target; });
@@ -318,22 +323,22 @@ int channels_of(const ImageRow& row) {
   return static_cast<int>(std::find(row.channels.begin(), row.channels.end(), Channel::kNone) - row.channels.begin());
 }
 
-std::optional<Target> target_named(const std::string& name) {
+std::optional<ExportTarget> target_named(const std::string& name) {
   for (const TargetRow& row : kTargets) {
     if (name == row.name) return row.target;
   }
   return std::nullopt;
 }
 
-EngineModel engine_model(Target target, bool metal) {
+EngineModel engine_model(ExportTarget target, bool metal) {
   EngineModel model = target_row(target).model;
   // HDRP's Lit takes a specular colour in place of metal.
-  if (target == Target::kUnityHdrp && metal) model.most_f0 = kF0;
+  if (target == ExportTarget::kUnityHdrp && metal) model.most_f0 = kF0;
   return model;
 }
 
-std::optional<EngineModel> older_model(Target target) {
-  if (target != Target::kBlender) return std::nullopt;
+std::optional<EngineModel> older_model(ExportTarget target) {
+  if (target != ExportTarget::kBlender) return std::nullopt;
   return EngineModel{formulas::kSheenNoneDisney, 0.5f, false, true};
 }
 
@@ -351,7 +356,7 @@ constexpr AlphaRow kAlphas[] = {{Alpha::kAuto, "auto"},
                                 {Alpha::kBlend, "blend"}};
 }  // namespace
 
-Alpha alpha_for(Target target, Alpha wanted, float coverage) {
+Alpha alpha_for(ExportTarget target, Alpha wanted, float coverage) {
   if (wanted == Alpha::kAuto) return coverage >= kPinholes ? Alpha::kOpaque : target_row(target).open;
   return wanted == Alpha::kHashed && target_row(target).open == Alpha::kBlend ? Alpha::kBlend : wanted;
 }
@@ -365,9 +370,9 @@ std::optional<Alpha> alpha_named(const std::string& name) {
 
 const char* alpha_name(Alpha alpha) { return kAlphas[static_cast<size_t>(alpha)].name; }
 
-const char* target_name(Target target) { return target_row(target).name; }
-const char* target_title(Target target) { return target_row(target).title; }
-const char* normal_convention(Target target) { return target_row(target).normal; }
+const char* target_name(ExportTarget target) { return target_row(target).name; }
+const char* target_title(ExportTarget target) { return target_row(target).title; }
+const char* normal_convention(ExportTarget target) { return target_row(target).normal; }
 
 const char* channel_words(Channel channel) {
   switch (channel) {
@@ -496,7 +501,7 @@ const char* exr_name(Channel channel) {
   }
 }
 
-Image pack(const ImageRow& row, const Surface& surface, int threads) {
+Image pack(const ImageRow& row, const SurfaceTexels& surface, int threads) {
   const int width = surface.texels.width, height = surface.texels.height;
   const auto end = std::find(row.channels.begin(), row.channels.end(), kNone);
   const int channels = static_cast<int>(end - row.channels.begin());

@@ -14,14 +14,14 @@
 
 namespace weftlight::texture_set {
 
-enum class Target { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlender, kU3m, kMaterialX };
+enum class ExportTarget { kRaw, kGltf, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kBlender, kU3m, kMaterialX };
 inline constexpr int kTargetCount = 9;
 
 /// How the gaps of a cloth are shown.
 enum class Alpha { kAuto, kOpaque, kMask, kHashed, kBlend };
 /// kAuto: opaque where gaps are but pinholes, else the target's best for `coverage` (mean, 0..1). A target without
 /// hashed alpha blends.
-Alpha alpha_for(Target target, Alpha wanted, float coverage);
+Alpha alpha_for(ExportTarget target, Alpha wanted, float coverage);
 std::optional<Alpha> alpha_named(const std::string& name);
 const char* alpha_name(Alpha alpha);
 
@@ -78,7 +78,7 @@ enum class Channel {
 };
 
 struct ImageRow {
-  Target target;
+  ExportTarget target;
   const char* prefix;  // file: prefix + name + suffix + extension
   const char* suffix;
   const char* extension;
@@ -88,21 +88,21 @@ struct ImageRow {
 };
 
 /// What the target's material has, that a set is fitted to (core/light/engine_fit.h). metal: there are metal yarns.
-EngineModel engine_model(Target target, bool metal);
+EngineModel engine_model(ExportTarget target, bool metal);
 /// What versions before the present one have in its place, where the material's own numbers differ for them.
-std::optional<EngineModel> older_model(Target target);
+std::optional<EngineModel> older_model(ExportTarget target);
 
 /// The rows of a target, in the order of the contact sheet.
-std::span<const ImageRow> image_rows(Target target);
+std::span<const ImageRow> image_rows(ExportTarget target);
 
 int channels_of(const ImageRow& row);
 
-std::optional<Target> target_named(const std::string& name);
-const char* target_name(Target target);
+std::optional<ExportTarget> target_named(const std::string& name);
+const char* target_name(ExportTarget target);
 /// As its makers call it: "Unreal Engine".
-const char* target_title(Target target);
+const char* target_title(ExportTarget target);
 /// Which way green runs in the target's normal map: "+Y" or "-Y".
-const char* normal_convention(Target target);
+const char* normal_convention(ExportTarget target);
 /// Words for texture_set.json.
 const char* channel_words(Channel channel);
 /// Name of the channel in an .exr.
@@ -110,7 +110,7 @@ const char* exr_name(Channel channel);
 
 /// The row's image of a surface, as the editor shows the cloth: u runs to the left, v down (core/draft/draft.h).
 /// Directions in it are those of the image: x right, y up. threads: to pack with; 0: one a core.
-Image pack(const ImageRow& row, const Surface& surface, int threads = 0);
+Image pack(const ImageRow& row, const SurfaceTexels& surface, int threads = 0);
 /// Mean or spread of the horizon, a channel an azimuth (of an even number of them); likewise.
 Image pack_planes(const std::vector<Plane<float>>& planes);
 

@@ -31,18 +31,20 @@ std::string millimetres(float v) {
   return text;
 }
 
-std::string size_words(const Surface& s) { return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm"; }
+std::string size_words(const SurfaceTexels& s) {
+  return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm";
+}
 
 /// Which images go together, where not all do.
-const char* advice(Target target) {
-  if (target == Target::kUnityHdrp)
+const char* advice(ExportTarget target) {
+  if (target == ExportTarget::kUnityHdrp)
     return " BaseMap, MaskMap and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for Fabric's thread slot, over a "
            "base of your own, never with them.";
   return "";
 }
 
 std::string readme(const FaceSource& face, const TextureSetOptions& o) {
-  const Surface& s = face.small();
+  const SurfaceTexels& s = face.small();
   return o.name + ": one seamless tile of " + o.source + ", " + size_words(s) + " (" +
          std::to_string(face.size().width) + " x " + std::to_string(face.size().height) + " texels), for " +
          target_name(o.target) + "; files with _back are the other face's.\n" + "Tile it once every " + size_words(s) +
@@ -98,7 +100,7 @@ json fit_of(const FaceSource& face) {
 
 std::string list_of(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
                     const SetIdentity& identity, const std::string& material) {
-  const Surface& s = set.front.small();
+  const SurfaceTexels& s = set.front.small();
   const Cloth& cloth = set.front.cloth();
   json root{{"format", "weftlight texture set"},
             {"format_version", 2},
@@ -177,9 +179,9 @@ float cover_of(const Cloth& cloth) {
 }
 
 /// Their importers are told to keep coverage, or they have no mips.
-bool keeps_masks(Target target) {
-  return target == Target::kUnreal || target == Target::kUnityHdrp || target == Target::kUnityUrp ||
-         target == Target::kBlender || target == Target::kRaw;
+bool keeps_masks(ExportTarget target) {
+  return target == ExportTarget::kUnreal || target == ExportTarget::kUnityHdrp || target == ExportTarget::kUnityUrp ||
+         target == ExportTarget::kBlender || target == ExportTarget::kRaw;
 }
 
 bool has_metal(const Cloth& cloth) {
@@ -188,13 +190,13 @@ bool has_metal(const Cloth& cloth) {
 
 FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
   Cloth cloth = cloth_of(design, cells, face, options.tile_mm);
-  const bool raw = options.target == Target::kRaw;
+  const bool raw = options.target == ExportTarget::kRaw;
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth)),
   of.older = older_model(options.target);
   // A path tracer averages what texels send, not texels: each keeps its own facets.
-  const bool traced = options.target == Target::kBlender;
+  const bool traced = options.target == ExportTarget::kBlender;
   of.footprint_mm = raw || traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(cloth), of};
 }

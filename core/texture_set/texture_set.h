@@ -18,7 +18,7 @@
 namespace weftlight::texture_set {
 
 struct TextureSetOptions {
-  Target target = Target::kGltf;
+  ExportTarget target = ExportTarget::kGltf;
   std::string name;        // of the files; file_name_of() makes one from anything
   std::string source;      // the draft's file name, for the record
   std::string draft_path;  // the draft's file; empty: never saved

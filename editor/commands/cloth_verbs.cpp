@@ -178,7 +178,7 @@ RunVerb add_export(CLI::App& verb) {
   const auto options = std::make_shared<ExportOptions>();
   ExportOptions& o = *options;
   verb.add_option("files", o.files, tr("Drafts, or folders of drafts"))->required();
-  verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
+  verb.add_option("--target", o.targets, tr("ExportTarget programs, separated by commas; default: gltf"))
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft
       ->check(

@@ -31,8 +31,8 @@ int write_one(const Mesh& mesh, const std::string& path) {
 }
 
 DrapeStiffness stiffness_from_name(const std::string& name) {
-  for (const DrapeStiffness stiffness : kHangs)
-    if (name == kHangNames[static_cast<size_t>(stiffness)]) return stiffness;
+  for (const DrapeStiffness stiffness : kDrapeStiffnesses)
+    if (name == kDrapeStiffnessNames[static_cast<size_t>(stiffness)]) return stiffness;
   return DrapeStiffness::kMedium;
 }
 

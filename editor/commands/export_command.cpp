@@ -88,7 +88,7 @@ std::string changed(const std::string& path) {
 }
 
 /// The path of a set below the output folder, from the template. Parts that would leave the output are dropped.
-std::string folder_name(const std::string& form, const std::string& name, Target target, int size) {
+std::string folder_name(const std::string& form, const std::string& name, ExportTarget target, int size) {
   fs::path out;
   for (const fs::path& part :
        fs::path(filled(form, {{"name", name}, {"target", target_name(target)}, {"size", std::to_string(size)}})))
@@ -101,7 +101,7 @@ std::string folder_of(const std::string& out, const std::string& form, const Tex
 }
 
 /// One folder for each draft and target; drafts of the same name are numbered.
-std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>& targets) {
+std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<ExportTarget>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
   std::set<std::string> taken;
@@ -110,7 +110,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>
     const std::string stem = file_name_of(path.stem().string());
     std::string name = stem;
     for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
-    for (const Target target : targets) {
+    for (const ExportTarget target : targets) {
       TextureSetOptions o;
       o.target = target, o.name = name, o.source = path.filename().string(), o.draft_path = file;
       o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
@@ -217,9 +217,9 @@ void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh
 }  // namespace
 
 int export_command(const ExportOptions& options) {
-  std::vector<Target> targets;
+  std::vector<ExportTarget> targets;
   for (const std::string& name : options.targets) {
-    const std::optional<Target> target = target_named(name);
+    const std::optional<ExportTarget> target = target_named(name);
     if (!target) return fail(kUsage, fill(tr("there is no target '{name}'"), arg("name", name)));
     if (std::find(targets.begin(), targets.end(), *target) == targets.end()) targets.push_back(*target);
   }

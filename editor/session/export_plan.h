@@ -12,7 +12,7 @@
 namespace weftlight::session {
 
 struct ExportPlan {
-  std::vector<Target> targets{Target::kGltf};  // none twice
+  std::vector<ExportTarget> targets{ExportTarget::kGltf};  // none twice
   bool by_density = false;
   int size = 1024;           // texels of the longer side, a power of two 16..8192
   float texels_per_mm = 40;  // where it goes by density: at least so many
@@ -47,7 +47,7 @@ std::vector<std::string> in_the_way(const std::vector<ExportJob>& jobs);
 int replaced_files(const std::vector<ExportJob>& jobs);
 
 /// The target is taken in or left out; one stays.
-void toggle(ExportPlan& plan, Target target);
+void toggle(ExportPlan& plan, ExportTarget target);
 
 /// "14 MB"; for people.
 std::string shown_bytes(int64_t bytes);

@@ -34,8 +34,9 @@ namespace {
 // Pixels at 96 dpi.
 constexpr float kColumn = 360, kLabels = 104, kStageWidth = 520, kHeight = 532, kFoot = 44, kAround = 150;
 constexpr int kThumbnail = 84, kSwatchHeight = 150;
-constexpr Target kOrder[] = {Target::kGltf,  Target::kBlender,   Target::kUnreal, Target::kUnityHdrp, Target::kUnityUrp,
-                             Target::kGodot, Target::kMaterialX, Target::kU3m,    Target::kRaw};
+constexpr ExportTarget kOrder[] = {ExportTarget::kGltf,      ExportTarget::kBlender,  ExportTarget::kUnreal,
+                                   ExportTarget::kUnityHdrp, ExportTarget::kUnityUrp, ExportTarget::kGodot,
+                                   ExportTarget::kMaterialX, ExportTarget::kU3m,      ExportTarget::kRaw};
 
 /// Sizes of the parts of the dialog, limited by the window.
 struct DialogSizes {
@@ -50,7 +51,7 @@ DialogSizes sizes_in(PanelContext& c) {
   return r;
 }
 
-bool has(const ExportPlan& plan, Target target) {
+bool has(const ExportPlan& plan, ExportTarget target) {
   return std::find(plan.targets.begin(), plan.targets.end(), target) != plan.targets.end();
 }
 
@@ -65,7 +66,7 @@ void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
             tr("Programs to export for. File names, channel packing and normals follow each one's rules"));
   ImGui::BeginGroup();
   int at = 0;
-  for (const Target target : kOrder) {
+  for (const ExportTarget target : kOrder) {
     if (at++ % 2) ImGui::SameLine(width * 0.56f);
     bool on = has(*p.plan, target);
     if (ImGui::Checkbox(tr(target_title(target)), &on)) toggle(*p.plan, target);

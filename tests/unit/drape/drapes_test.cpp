@@ -101,7 +101,7 @@ TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
   EXPECT_EQ(inside(shipped("sphere"), ball, 0), 0);
   EXPECT_EQ(inside(shipped("tablecloth"), table, 0), 0);
   EXPECT_EQ(inside(shipped("skirt"), skirt_form, kSkirtLowered), 0);
-  const auto arms_down = [arm = arm_let_down(1)](Vec3 p) { return form_with(arm, p); };
+  const auto arms_down = [arm = lowered_arm(1)](Vec3 p) { return form_with(arm, p); };
   for (const char* name : kTops) EXPECT_EQ(inside(shipped(name), arms_down, kTunicLowered), 0) << name;
   EXPECT_EQ(inside(shipped("scarf"), dress_form, kTunicLowered), 0);
   EXPECT_EQ(inside(shipped("cushion"), board, 0), 0);
@@ -120,7 +120,7 @@ TEST(Drapes, PiecesHaveTheirRealSize) {
 
 /// Edges of the welded surface that only one triangle has, counted by the number of loops they form.
 int open_loops(const Mesh& mesh) {
-  const PlaceOrder before;
+  const PositionOrder before;
   const auto edge_before = [&](const std::pair<Vec3, Vec3>& a, const std::pair<Vec3, Vec3>& b) {
     return before(a.first, b.first) || (a.first == b.first && before(a.second, b.second));
   };
@@ -130,7 +130,7 @@ int open_loops(const Mesh& mesh) {
     if (before(b, a)) std::swap(a, b);
     ++edges[{a, b}];
   }
-  std::map<Vec3, std::vector<Vec3>, PlaceOrder> border;
+  std::map<Vec3, std::vector<Vec3>, PositionOrder> border;
   for (const auto& [edge, count] : edges) {
     EXPECT_LE(count, 2);
     if (count == 1) {
@@ -241,12 +241,12 @@ TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
 
 TEST(Drapes, LimpAndStiffOnesAreThePatternsToo) {
   for (const std::string& name : drape_names()) {
-    for (const DrapeStiffness hang : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
+    for (const DrapeStiffness stiffness : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
       if (name == "plane") continue;
-      const Mesh mesh = shipped(drape_file(name, hang)), medium = shipped(name);
-      EXPECT_EQ(mesh.index, medium.index) << drape_file(name, hang);
+      const Mesh mesh = shipped(drape_file(name, stiffness)), medium = shipped(name);
+      EXPECT_EQ(mesh.index, medium.index) << drape_file(name, stiffness);
       EXPECT_EQ(mesh.uv_mm.size(), medium.uv_mm.size());
-      EXPECT_EQ(inside(mesh, ground, 0), 0) << drape_file(name, hang);
+      EXPECT_EQ(inside(mesh, ground, 0), 0) << drape_file(name, stiffness);
     }
   }
 }
@@ -255,9 +255,9 @@ TEST(Drapes, TheStifferTheClothTheMoreItCovers) {
   // Cusick's drape coefficient, of what is round.
   const auto covers = [](const char* name, double support_mm, double side_mm) {
     std::array<double, 3> out{};
-    for (const DrapeStiffness hang : kHangs)
-      out[static_cast<size_t>(hang)] =
-          drape_coefficient(shipped(drape_file(name, hang)), support_mm, side_mm * side_mm);
+    for (const DrapeStiffness stiffness : kDrapeStiffnesses)
+      out[static_cast<size_t>(stiffness)] =
+          drape_coefficient(shipped(drape_file(name, stiffness)), support_mm, side_mm * side_mm);
     return out;
   };
   for (const auto& [limp, medium, stiff] : {covers("tablecloth", 450, 1400), covers("sphere", 150, 600)}) {
@@ -277,8 +277,8 @@ TEST(Drapes, ABendingLengthChoosesHowItHangs) {
 }
 
 TEST(Drapes, ACushionIsFilled) {
-  for (const DrapeStiffness hang : kHangs) {
-    const Mesh mesh = shipped(drape_file("cushion", hang));
+  for (const DrapeStiffness stiffness : kDrapeStiffnesses) {
+    const Mesh mesh = shipped(drape_file("cushion", stiffness));
     double six_volumes = 0;
     for (size_t t = 0; t < mesh.index.size(); t += 3)
       six_volumes +=
@@ -289,32 +289,32 @@ TEST(Drapes, ACushionIsFilled) {
 }
 
 TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
-  const DrapeHandle shirting = drape_handle(19.2, 0.33);
-  EXPECT_EQ(shirting.half_mm, 38);
+  const DrapeParameters shirting = drape_parameters(19.2, 0.33);
+  EXPECT_EQ(shirting.bending_half_mm, 38);
   EXPECT_EQ(drape_file("skirt", shirting), "skirt_19.0mm_0.35mm_v2");
-  EXPECT_EQ(drape_handle(19.1, 0.34), shirting) << "nobody sees that";
-  EXPECT_EQ(drape_handle(0, 0), drape_handle(19, 0.5)) << "not known";
-  EXPECT_EQ(drape_handle(1e9, 1e9).half_mm, 120);
-  EXPECT_EQ(drape_handle(std::nan(""), std::nan("")), drape_handle(19, 0.5));
+  EXPECT_EQ(drape_parameters(19.1, 0.34), shirting) << "nobody sees that";
+  EXPECT_EQ(drape_parameters(0, 0), drape_parameters(19, 0.5)) << "not known";
+  EXPECT_EQ(drape_parameters(1e9, 1e9).bending_half_mm, 120);
+  EXPECT_EQ(drape_parameters(std::nan(""), std::nan("")), drape_parameters(19, 0.5));
   // Of the tablecloth, whose shipped hangs are of 12, 19 and 30 mm.
   Fabric limp, stiff;
-  Fall how, thick;
-  apply_handle(limp, how, drape_handle(12, 0.2));
-  apply_handle(stiff, thick, drape_handle(30, 1.2));
+  Fall thin, thick;
+  apply_parameters(limp, thin, drape_parameters(12, 0.2));
+  apply_parameters(stiff, thick, drape_parameters(30, 1.2));
   EXPECT_NEAR(std::cbrt(limp.bending_n_m / (limp.kg_per_m2 * 9.81)), 0.012, 1e-4);
   EXPECT_NEAR(std::cbrt(stiff.bending_n_m / (stiff.kg_per_m2 * 9.81)), 0.030, 1e-4);
   EXPECT_GT(stiff.bias_n_per_m, 4 * limp.bias_n_per_m);
-  EXPECT_NEAR(thick.apart_mm - how.apart_mm, 1.0, 1e-6);
+  EXPECT_NEAR(thick.cloth_gap_mm - thin.cloth_gap_mm, 1.0, 1e-6);
 }
 
 TEST(Drapes, AFallThatIsLeftGivesNothing) {
   int asked = 0;
   EXPECT_TRUE(simulate_drape(
-                  "sphere", drape_handle(15, 0.4), [&](double) { return ++asked < 3; }, kQuick)
+                  "sphere", drape_parameters(15, 0.4), [&](double) { return ++asked < 3; }, kQuick)
                   .index.empty());
   EXPECT_EQ(asked, 3);
-  EXPECT_FALSE(simulate_drape("sphere", drape_handle(15, 0.4), {}, kQuick).index.empty());
-  EXPECT_TRUE(simulate_drape("plane", drape_handle(15, 0.4)).index.empty());
+  EXPECT_FALSE(simulate_drape("sphere", drape_parameters(15, 0.4), {}, kQuick).index.empty());
+  EXPECT_TRUE(simulate_drape("plane", drape_parameters(15, 0.4)).index.empty());
 }
 
 TEST(Drapes, AFlatDiscHasTheCoefficientOfItsArea) {

@@ -35,24 +35,24 @@ Fall seconds(double s) {
 }
 
 TEST(Solver, FallsFreelyAsGravitySays) {
-  Cloth cloth = weave(sheet(5, 5, 10, 1000), {}, 10);
+  SimulatedCloth cloth = make_cloth(sheet(5, 5, 10, 1000), {}, 10);
   Fall how = seconds(0.2);
-  how.air_per_second = 0;
-  fall(cloth, nothing_near, how);
+  how.drag_per_second = 0;
+  simulate(cloth, nothing_near, how);
   const double fallen = 0.5 * 9810 * 0.2 * 0.2;
   for (const Vec3d& p : cloth.position) EXPECT_NEAR(1000 - p[1], fallen, 0.02 * fallen);
 }
 
 TEST(Solver, WeighsWhatItsAreaWeighs) {
   const Fabric fabric;
-  const Cloth cloth = weave(sheet(11, 21, 10, 0), fabric, 10);
+  const SimulatedCloth cloth = make_cloth(sheet(11, 21, 10, 0), fabric, 10);
   double mass = 0;
   for (const double w : cloth.inverse_mass) mass += 1 / w;
   EXPECT_NEAR(mass, fabric.kg_per_m2 * 0.1 * 0.2, 1e-9);
 }
 
 TEST(Solver, AFlatSheetIsAtRest) {
-  const Cloth cloth = weave(sheet(6, 6, 10, 0), {}, 10);
+  const SimulatedCloth cloth = make_cloth(sheet(6, 6, 10, 0), {}, 10);
   for (const Bend& bend : cloth.bends) {
     Vec3d sum{};
     for (size_t k = 0; k < 4; ++k) sum += cloth.position[bend.particle[k]] * bend.weight[k];
@@ -64,10 +64,10 @@ TEST(Solver, AFlatSheetIsAtRest) {
 }
 
 TEST(Solver, RestsOnTheGroundAtItsSkin) {
-  Cloth cloth = weave(sheet(9, 9, 10, 30), {}, 10);
+  SimulatedCloth cloth = make_cloth(sheet(9, 9, 10, 30), {}, 10);
   const Fall how = seconds(1.5);
-  fall(cloth, ground, how);
-  for (const Vec3d& p : cloth.position) EXPECT_NEAR(p[1], how.skin_mm, 0.1);
+  simulate(cloth, ground, how);
+  for (const Vec3d& p : cloth.position) EXPECT_NEAR(p[1], how.body_gap_mm, 0.1);
 }
 
 TEST(Solver, FrictionHoldsOnAGentleSlopeAndNotOnASteepOne) {
@@ -75,9 +75,9 @@ TEST(Solver, FrictionHoldsOnAGentleSlopeAndNotOnASteepOne) {
     const float c = 1 / std::sqrt(1 + slope * slope);
     Pattern pattern = sheet(5, 5, 10, 0);
     for (Vec3& p : pattern.position_mm) p[1] = slope * p[0] + 3.5f / c;
-    Cloth cloth = weave(pattern, {}, 10);
+    SimulatedCloth cloth = make_cloth(pattern, {}, 10);
     const double before = cloth.position[12][0];
-    fall(
+    simulate(
         cloth, [=](Vec3 p) { return (p[1] - slope * p[0]) * c; }, seconds(0.3));
     return before - cloth.position[12][0];
   };
@@ -87,9 +87,9 @@ TEST(Solver, FrictionHoldsOnAGentleSlopeAndNotOnASteepOne) {
 
 TEST(Solver, AHeldRowCarriesTheSheet) {
   Pattern pattern = sheet(5, 21, 10, 500);
-  Cloth cloth = weave(pattern, {}, 10);
+  SimulatedCloth cloth = make_cloth(pattern, {}, 10);
   for (size_t i = 100; i < 105; ++i) cloth.inverse_mass[i] = 0;
-  fall(cloth, nothing_near, seconds(3));
+  simulate(cloth, nothing_near, seconds(3));
   for (size_t i = 100; i < 105; ++i) EXPECT_EQ(cloth.position[i], Vec3d(pattern.position_mm[i]));
   EXPECT_NEAR(cloth.position[2][1], 500 - 200, 6);  // hangs straight down, hardly stretched
 }
@@ -110,14 +110,14 @@ double unbent(double crease_per_mm) {
       });
   Fabric fabric;
   fabric.crease_per_mm = crease_per_mm;
-  Cloth cloth = weave(pattern, fabric, 14);
+  SimulatedCloth cloth = make_cloth(pattern, fabric, 14);
   const std::vector<double> free = cloth.inverse_mass;
   std::fill(cloth.inverse_mass.begin(), cloth.inverse_mass.end(), 0.0);
   Fall how = seconds(2);
-  how.lead = [&](Cloth& led, double time, double) {
+  how.move_held = [&](SimulatedCloth& led, double time, double) {
     if (time > 0.33) std::copy_n(free.begin(), kColumns * (kRows - 1), led.inverse_mass.begin());
   };
-  fall(cloth, nothing_near, how);
+  simulate(cloth, nothing_near, how);
   return length(cloth.position[kColumns - 1] - cloth.position[0]) / 80;
 }
 
@@ -142,7 +142,7 @@ TEST(Solver, WhatIsGatheredGoesIntoTheShorter) {
       },
       place);
   for (int k = 0; k < 11; ++k) sew(pattern, wide.vertex(k, 2), band.vertex(k, 0));
-  const Cloth cloth = weave(pattern, {}, 14);
+  const SimulatedCloth cloth = make_cloth(pattern, {}, 14);
   const uint32_t a = pattern.particle[band.vertex(3, 0)], b = pattern.particle[band.vertex(4, 0)];
   const auto seam = std::find_if(cloth.stretches.begin(), cloth.stretches.end(),
                                  [&](const Stretch& s) { return std::minmax(s.a, s.b) == std::minmax(a, b); });
@@ -150,12 +150,12 @@ TEST(Solver, WhatIsGatheredGoesIntoTheShorter) {
   EXPECT_NEAR(seam->rest_mm, 6, 1e-4);
 }
 
-TEST(Iron, TakesTheWavesOfACellAndLeavesThoseOfEight) {
+TEST(Smoothing, TakesTheWavesOfACellAndLeavesThoseOfEight) {
   const auto height = [](float wave_cells) {
     Pattern pattern = sheet(33, 9, 10, 0);
     for (uint32_t i = 0; i < pattern.position_mm.size(); ++i)
       pattern.position_mm[i][1] = std::cos(2 * 3.14159265f * static_cast<float>(i % 33) / wave_cells);
-    iron(pattern, 4);
+    smooth_cell_waves(pattern, 4);
     return pattern.position_mm[4 * 33 + 16][1];
   };
   EXPECT_LT(std::fabs(height(2)), 0.3f);
@@ -172,11 +172,11 @@ TEST(Solver, SheetsStayApart) {
       [](Vec2 uv) {
         return Vec3{uv[0] - 37, 20, 43 - uv[1]};
       });
-  Cloth cloth = weave(pattern, {}, 14);
+  SimulatedCloth cloth = make_cloth(pattern, {}, 14);
   Fall how = seconds(1.5);
-  fall(cloth, ground, how);
-  for (size_t i = 0; i < 81; ++i) EXPECT_NEAR(cloth.position[i][1], how.skin_mm, 0.5);
-  for (size_t i = 81; i < 162; ++i) EXPECT_GT(cloth.position[i][1], how.skin_mm + 2);
+  simulate(cloth, ground, how);
+  for (size_t i = 0; i < 81; ++i) EXPECT_NEAR(cloth.position[i][1], how.body_gap_mm, 0.5);
+  for (size_t i = 81; i < 162; ++i) EXPECT_GT(cloth.position[i][1], how.body_gap_mm + 2);
 }
 
 TEST(Pairs, FindsWhatABruteForceSearchFinds) {
@@ -185,8 +185,8 @@ TEST(Pairs, FindsWhatABruteForceSearchFinds) {
     const float phi = 0.5f * static_cast<float>(i % 12);  // rolled up, so that turns lie near each other
     pattern.position_mm[i] = {7 * std::sin(phi), 0.3f * static_cast<float>(i), 7 * std::cos(phi)};
   }
-  const Cloth cloth = weave(pattern, {}, 9);
-  std::vector<Pair> pairs;
+  const SimulatedCloth cloth = make_cloth(pattern, {}, 9);
+  std::vector<ParticlePair> pairs;
   find_pairs(cloth, 8, pairs);
   size_t expected = 0;
   for (uint32_t a = 0; a < cloth.position.size(); ++a) {

@@ -106,7 +106,7 @@ TEST(Presets, ClothsWeighAndHangAsSuchClothsDo) {
     EXPECT_GE(g_per_m2, usual.least) << usual.name;
     EXPECT_LE(g_per_m2, usual.most) << usual.name;
     const double c = hand.bending_length_mm;
-    EXPECT_STREQ(drape::kHangNames[static_cast<size_t>(drape::drape_stiffness_of(c))], usual.hang)
+    EXPECT_STREQ(drape::kDrapeStiffnessNames[static_cast<size_t>(drape::drape_stiffness_of(c))], usual.hang)
         << usual.name << " " << c;
     char row[160];
     std::snprintf(row, sizeof row, "| %s | %.0f | %d to %d (%s) | %.1f | %s |\n", usual.name, g_per_m2, usual.least,

@@ -25,11 +25,11 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-class EveryTarget : public testing::TestWithParam<Target> {};
+class EveryTarget : public testing::TestWithParam<ExportTarget> {};
 INSTANTIATE_TEST_SUITE_P(All, EveryTarget,
-                         testing::Values(Target::kRaw, Target::kGltf, Target::kUnreal, Target::kUnityHdrp,
-                                         Target::kUnityUrp, Target::kGodot, Target::kBlender, Target::kU3m,
-                                         Target::kMaterialX),
+                         testing::Values(ExportTarget::kRaw, ExportTarget::kGltf, ExportTarget::kUnreal,
+                                         ExportTarget::kUnityHdrp, ExportTarget::kUnityUrp, ExportTarget::kGodot,
+                                         ExportTarget::kBlender, ExportTarget::kU3m, ExportTarget::kMaterialX),
                          [](const auto& target) {
                            std::string name = target_name(target.param);
                            std::erase(name, '-');
@@ -73,7 +73,7 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   EXPECT_GT(list["size_mm"][0], 0);
   EXPECT_GT(list["size_mm"][0], list["size_mm"][1]);
   EXPECT_EQ(list["size_texels"][0], 128);
-  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * 2 + (GetParam() == Target::kRaw ? 6 : 0));
+  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * 2 + (GetParam() == ExportTarget::kRaw ? 6 : 0));
   std::set<std::string> expected{"texture_set.json"}, named{"README.md", "contact_sheet.png"};
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
@@ -99,7 +99,7 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
 
 TEST(TextureSet, NamesAreThoseOfTheEngines) {
   const Scratch scratch("names");
-  ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
   for (const char* file : {"T_sample_BC.png", "T_sample_N.png", "T_sample_ORM.png"})
     EXPECT_TRUE(fs::exists(scratch / ("u/" + std::string(file)))) << file;
 }
@@ -121,9 +121,9 @@ TEST(TextureSet, FoldersOfOthersAreLeftAlone) {
   const Scratch scratch("others");
   fs::create_directories(scratch / "mine");
   std::ofstream(scratch / "mine/letter.txt") << "dear";
-  EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "mine"), {}), 1);
-  TextureSetOptions force = options_for(Target::kGltf, 32);
+  TextureSetOptions force = options_for(ExportTarget::kGltf, 32);
   force.force = true;
   EXPECT_EQ(write_texture_set(scratch / "mine", sample_design(), sheet(), force), "");
   EXPECT_TRUE(fs::exists(scratch / "mine/letter.txt"));
@@ -131,7 +131,7 @@ TEST(TextureSet, FoldersOfOthersAreLeftAlone) {
 
 TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
   const Scratch scratch("same");
-  const TextureSetOptions options = options_for(Target::kGltf, 32);
+  const TextureSetOptions options = options_for(ExportTarget::kGltf, 32);
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
   // An artist's own work stands beside it; an older version of the set had an image more.
   std::ofstream(scratch / "set/scene.blend") << "work";
@@ -154,10 +154,10 @@ TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
 
 TEST(TextureSet, SetsOfOthersAreNotReplaced) {
   const Scratch scratch("sets");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kUnreal, 32)), "");
-  EXPECT_NE(who_is_there(scratch / "set", options_for(Target::kGltf, 32)), "");
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
-  TextureSetOptions namesake = options_for(Target::kUnreal, 32);
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
+  EXPECT_NE(who_is_there(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
+  TextureSetOptions namesake = options_for(ExportTarget::kUnreal, 32);
   namesake.draft_path = "other/sample.wif";
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
   namesake.force = true;
@@ -178,7 +178,7 @@ TEST(TextureSet, WhatAKilledExportLeftGoes) {
   const std::string living = scratch / ("set.part-" + std::to_string(getpid()) + "-77");
   fs::create_directories(living);
   std::ofstream(living + "/.weftlight_texture_set") << "";
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
   EXPECT_FALSE(fs::exists(left));
   EXPECT_TRUE(fs::exists(living));
   EXPECT_TRUE(fs::exists(scratch / "set.part-time"));
@@ -186,10 +186,10 @@ TEST(TextureSet, WhatAKilledExportLeftGoes) {
 
 TEST(TextureSet, FailureLeavesTheOldSet) {
   const Scratch scratch("failure");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(Target::kGltf, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
   Mesh broken = sheet();
   broken.index[0] = 1000;
-  TextureSetOptions larger = options_for(Target::kGltf, 64);
+  TextureSetOptions larger = options_for(ExportTarget::kGltf, 64);
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), broken, larger), "");
   EXPECT_EQ(list_of(scratch / "set")["size_texels"][0], 32);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1);
@@ -204,9 +204,9 @@ TEST(TextureSet, BandsAreTheWholeCutUp) {
   options.footprint_mm = 0.8f;
   const FaceSource source(cloth, options);
   ASSERT_LT(source.band(), 2048);
-  const Surface a = source.rows(0, source.band()), b = source.rows(source.band(), 2 * source.band());
+  const SurfaceTexels a = source.rows(0, source.band()), b = source.rows(source.band(), 2 * source.band());
   // No seam: neighbours across the bands differ no more than neighbours within.
-  const auto apart = [](const Surface& p, int y, const Surface& q, int z) {
+  const auto apart = [](const SurfaceTexels& p, int y, const SurfaceTexels& q, int z) {
     double sum = 0;
     for (int x = 0; x < p.texels.width; ++x) {
       const SurfaceTexel &s = p.texels.at(x, y), &t = q.texels.at(x, z);
@@ -236,19 +236,19 @@ TEST(TextureSet, AMillimetreIsAMillimetre) {
   const Cloth cloth = lay_out(sample_design(), drawdown(sample_design().draft), Face::kFront, Period::kRepeat);
   const std::string scale = number(1 / static_cast<double>(cloth.width_mm)),
                     width = number(static_cast<double>(cloth.width_mm));
-  const auto holds = [&](Target target, const std::string& file, const std::string& text) {
+  const auto holds = [&](ExportTarget target, const std::string& file, const std::string& text) {
     const std::string folder = scratch / target_name(target);
     ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(target, 32)), "");
     std::ifstream in(folder + "/" + file);
     const std::string all{std::istreambuf_iterator<char>(in), {}};
     EXPECT_NE(all.find(text), std::string::npos) << file << " lacks " << text;
   };
-  holds(Target::kGodot, "sample.tres", "uv1_scale = Vector3(" + scale);
-  holds(Target::kUnityUrp, "sample.mat", "m_Scale: {x: " + scale);
-  holds(Target::kUnreal, "sample_import.py", "SIZE_MM = (" + width);
-  holds(Target::kBlender, "sample.py", "SIZE_MM = (" + width);
-  holds(Target::kMaterialX, "sample.mtlx", "value=\"" + scale);
-  holds(Target::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
+  holds(ExportTarget::kGodot, "sample.tres", "uv1_scale = Vector3(" + scale);
+  holds(ExportTarget::kUnityUrp, "sample.mat", "m_Scale: {x: " + scale);
+  holds(ExportTarget::kUnreal, "sample_import.py", "SIZE_MM = (" + width);
+  holds(ExportTarget::kBlender, "sample.py", "SIZE_MM = (" + width);
+  holds(ExportTarget::kMaterialX, "sample.mtlx", "value=\"" + scale);
+  holds(ExportTarget::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }
 
 std::string text_of(const std::string& path) {
@@ -258,7 +258,7 @@ std::string text_of(const std::string& path) {
 
 TEST(TextureSet, UnityReadsEachMapAsItIs) {
   const Scratch scratch("unity-maps");
-  for (const Target target : {Target::kUnityUrp, Target::kUnityHdrp}) {
+  for (const ExportTarget target : {ExportTarget::kUnityUrp, ExportTarget::kUnityHdrp}) {
     const std::string folder = scratch / target_name(target);
     ASSERT_EQ(write_texture_set(folder, sample_design(), {}, options_for(target, 32)), "");
     for (const json& map : list_of(folder)["maps"]) {
@@ -274,7 +274,7 @@ TEST(TextureSet, UnityReadsEachMapAsItIs) {
 /// HDRP adds its smoothness and normal, less a half and doubled, to those of the cloth that it is laid over.
 TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
   const Scratch scratch("thread-map");
-  ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(Target::kUnityHdrp, 128)), "");
+  ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(ExportTarget::kUnityHdrp, 128)), "");
   const Image map = *read_image(scratch / "h/sample_ThreadMap.png").image;
   ASSERT_EQ(map.channels, 4);
   std::array<double, 4> mean{};
@@ -290,14 +290,14 @@ TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
 /// Unity's inspector would set these, but an import does not: a blended material without them is drawn opaque.
 TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
   const Scratch scratch("unity");
-  TextureSetOptions options = options_for(Target::kUnityUrp, 32);
-  const auto material = [&](Target target, Alpha alpha) {
+  TextureSetOptions options = options_for(ExportTarget::kUnityUrp, 32);
+  const auto material = [&](ExportTarget target, Alpha alpha) {
     options.target = target, options.alpha = alpha;
     const std::string folder = scratch / (std::string(target_name(target)) + alpha_name(alpha));
     EXPECT_EQ(write_texture_set(folder, sample_design(), {}, options), "");
     return text_of(folder + "/sample.mat");
   };
-  for (const Target target : {Target::kUnityUrp, Target::kUnityHdrp}) {
+  for (const ExportTarget target : {ExportTarget::kUnityUrp, ExportTarget::kUnityHdrp}) {
     const std::string blended = material(target, Alpha::kBlend), opaque = material(target, Alpha::kOpaque),
                       cut = material(target, Alpha::kMask);
     for (const char* line : {"RenderType: Transparent\n", "_DstBlend: 10\n", "_ZWrite: 0\n"})
@@ -310,14 +310,14 @@ TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
 
 TEST(TextureSet, SaysWhereAMaskCloses) {
   Design design = plain({2, 2});
-  TextureSetOptions options = options_for(Target::kGltf, 128);
+  TextureSetOptions options = options_for(ExportTarget::kGltf, 128);
   options.alpha = Alpha::kMask;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "a dense cloth";
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
   EXPECT_EQ(warnings_of(design, options).size(), 1u);
   options.mips = MipContainer::kKtx2;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "mips of our own keep what is cut out";
-  options.mips = {}, options.target = Target::kUnreal;
+  options.mips = {}, options.target = ExportTarget::kUnreal;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer is told to";
 }
 
@@ -328,7 +328,7 @@ TEST(TextureSet, TilesOfManyRepeats) {
   EXPECT_FLOAT_EQ(many.width_mm, 3 * one.width_mm);
   EXPECT_EQ(many.picks.size(), 2 * one.picks.size());
   EXPECT_EQ(many.up.get(5, 20), one.up.get(5 % one.up.rows(), 20 % one.up.cols()));
-  TextureSetOptions options = options_for(Target::kGltf, 16);
+  TextureSetOptions options = options_for(ExportTarget::kGltf, 16);
   EXPECT_EQ(warnings_of(design, options).size(), 1u) << "16 ends in 16 texels";
   options.size = 128;
   EXPECT_TRUE(warnings_of(design, options).empty());
@@ -337,7 +337,7 @@ TEST(TextureSet, TilesOfManyRepeats) {
 
 TEST(TextureSet, TheSameBytesEveryTime) {
   const Scratch scratch("again");
-  for (const Target target : {Target::kU3m, Target::kMaterialX, Target::kGltf}) {
+  for (const ExportTarget target : {ExportTarget::kU3m, ExportTarget::kMaterialX, ExportTarget::kGltf}) {
     const std::string a = scratch / (std::string("a/") + target_name(target)),
                       b = scratch / (std::string("b/") + target_name(target));
     ASSERT_EQ(write_texture_set(a, sample_design(), sheet(), options_for(target, 32)), "");
@@ -353,7 +353,7 @@ TEST(TextureSet, TheSameBytesEveryTime) {
 
 TEST(TextureSet, EmptyDraftIsAnError) {
   const Scratch scratch("empty");
-  EXPECT_NE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(Target::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(ExportTarget::kGltf, 32)), "");
   EXPECT_TRUE(fs::is_empty(scratch.folder));
 }
 

@@ -1,5 +1,6 @@
-// Based on: Taubin, "A Signal Processing Approach to Fair Surface Design", SIGGRAPH 1995 (two steps, the second back).
-// Differs: along the normal alone, so that threads keep their lengths in what is flat.
+// Smooths waves of the length of a grid cell out of a simulated cloth.
+// Based on: Taubin, "A Signal Processing Approach to Fair Surface Design", SIGGRAPH 1995 (two steps, the second one
+// negative). Differs: along the normal only, so that threads keep their lengths in flat areas.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ std::vector<Edge> edges_of(const Pattern& pattern) {
   for (size_t t = 0; t < pattern.index.size(); ++t) {
     const uint32_t v = pattern.index[t], w = pattern.index[t % 3 == 2 ? t - 2 : t + 1];
     const auto [a, b] = std::minmax(pattern.particle[v], pattern.particle[w]);
-    all.push_back({a, b, 1 / std::max(apart(pattern, v, w), 1e-3f), true});
+    all.push_back({a, b, 1 / std::max(pattern_distance(pattern, v, w), 1e-3f), true});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
@@ -47,31 +48,31 @@ std::vector<Vec3> particle_normals(const Pattern& pattern) {
   return normals;
 }
 
-void step(Pattern& pattern, const std::vector<Edge>& edges, const std::vector<bool>& on_border, float share) {
+void step(Pattern& pattern, const std::vector<Edge>& edges, const std::vector<bool>& on_border, float fraction) {
   std::vector<Vec3> to(pattern.position_mm.size(), Vec3{});
   std::vector<float> sum(to.size(), 0);
   const auto pull = [&](uint32_t at, uint32_t from, const Edge& edge) {
-    if (on_border[at] && !edge.border) return;  // an edge is smoothed along itself
+    if (on_border[at] && !edge.border) return;  // a border is smoothed along itself only
     to[at] += edge.weight * (pattern.position_mm[from] - pattern.position_mm[at]);
     sum[at] += edge.weight;
   };
   for (const Edge& edge : edges) pull(edge.a, edge.b, edge), pull(edge.b, edge.a, edge);
   const std::vector<Vec3> normals = particle_normals(pattern);
   for (size_t i = 0; i < to.size(); ++i)
-    if (sum[i] > 0) pattern.position_mm[i] += normals[i] * (share * dot(to[i], normals[i]) / sum[i]);
+    if (sum[i] > 0) pattern.position_mm[i] += normals[i] * (fraction * dot(to[i], normals[i]) / sum[i]);
 }
 
 }  // namespace
 
-void iron(Pattern& pattern, int passes) {
-  // Of a wave eight cells long it leaves 99 %, of one of two cells a third and less.
+void smooth_cell_waves(Pattern& pattern, int passes) {
+  // Keeps 99% of a wave of eight cells, and a third or less of one of two cells.
   constexpr float kThere = 0.5f, kBack = -0.526f;
   const std::vector<Edge> edges = edges_of(pattern);
   std::vector<bool> on_border(pattern.position_mm.size(), false);
   for (const Edge& edge : edges)
     if (edge.border) on_border[edge.a] = on_border[edge.b] = true;
   for (int pass = 0; pass < passes; ++pass)
-    for (const float share : {kThere, kBack}) step(pattern, edges, on_border, share);
+    for (const float fraction : {kThere, kBack}) step(pattern, edges, on_border, fraction);
 }
 
 }  // namespace weftlight::drape

@@ -36,7 +36,7 @@ class DrapeTest : public OnDisplay {
 TEST_F(DrapeTest, ItFallsIsStoppedBegunAgainAndTakenBack) {
   Window w(display_, folder_, draft_);
   ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Cloth"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "scene.own_drape:As itself"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "scene.simulated_drape:Simulated"));
   ASSERT_TRUE(comes_true([&] { return w.has("drape.progress") && is_own(w); }));
   ASSERT_NO_FATAL_FAILURE(press(w, "drape.stop"));
   ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress") && w.has("drape.again"); }));
@@ -48,7 +48,7 @@ TEST_F(DrapeTest, ItFallsIsStoppedBegunAgainAndTakenBack) {
   ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress") && !w.has("drape.again") && !is_own(w); }));
   display_.key("ctrl+shift+z");
   ASSERT_TRUE(comes_true([&] { return w.has("drape.progress") && is_own(w); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "scene.own_drape:As its kind"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "scene.simulated_drape:Generic"));
   ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress") && !is_own(w); }));
 }
 
@@ -60,7 +60,7 @@ TEST_F(DrapeTest, WhatWasDrapedIsThereWhenTheDraftIsOpenedAgain) {
   put(draft_, wif::write_new_wif(design_));
   Window w(display_, folder_, draft_);
   ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Cloth"));
-  ASSERT_TRUE(comes_true([&] { return w.has("scene.own_drape:As itself"); }));
+  ASSERT_TRUE(comes_true([&] { return w.has("scene.simulated_drape:Simulated"); }));
   ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress"); })) << "it is kept, and need not fall again";
   EXPECT_FALSE(w.has("drape.again"));
   EXPECT_EQ(fs::last_write_time(kept_), before);

@@ -158,7 +158,7 @@ TEST_F(LibraryTest, ThreadsArePutTogetherFromSections) {
   ASSERT_NO_FATAL_FAILURE(press(w, "sections.out:1"));
   ASSERT_TRUE(comes_true([&] { return design_of(w.live()).warp_assembly.order == "(B A) 3x"; }));
   EXPECT_EQ(design_of(w.live()).draft.ends(), 33);
-  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Keep"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Apply"));
   ASSERT_TRUE(comes_true([&] { return !w.has("sections.order"); }));
   display_.key("ctrl+z");
   EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "one step of undo";

@@ -168,9 +168,9 @@ void LookTest::shoot_dialogs(const Window& w) {
   shoot("sections");
   ASSERT_NO_FATAL_FAILURE(leave(w, "sections.take"));
   display_.key("w");
-  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Keep"); }));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Apply"); }));
   shoot("weave_over");
-  ASSERT_NO_FATAL_FAILURE(leave(w, "dialog:Keep"));
+  ASSERT_NO_FATAL_FAILURE(leave(w, "dialog:Apply"));
   display_.key("ctrl+e");
   ASSERT_TRUE(comes_true([&] { return w.has("export.ready"); }));
   display_.click(w.middle_of("export.folder"));

@@ -476,7 +476,7 @@ TEST_F(WindowTest, ShowsLongFloatsAndWeavesOverTheDraft) {
   ASSERT_TRUE(comes_true([&] { return w.has("weave:satin"); }));
   display_.click(w.middle_of("weave:satin"));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.shafts == 8; })) << "the draft did not follow";
-  display_.click(w.middle_of("dialog:Keep"));
+  display_.click(w.middle_of("dialog:Apply"));
   ASSERT_TRUE(comes_true([&] { return w.has("float:1"); })) << "the floats of a satin were not found";
   display_.click(w.middle_of("float:1"));
   display_.key("ctrl+z");

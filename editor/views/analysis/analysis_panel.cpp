@@ -6,14 +6,21 @@
 #include <cstdio>
 
 #include "analysis/difference.h"
+#include "base/text.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 using namespace analysis;
 
-void find(const PanelContext& c, AnalysisState& s) {
+void analyse(const PanelContext& c, AnalysisState& s) {
   s.revision = c.revision;
   s.layers = weave_layers(c.cells);
   s.loom = loom_use(c.design.draft);
@@ -29,47 +36,72 @@ void fact(const PanelContext& c, const char* label, const std::string& value, co
   ImGui::PopTextWrapPos();
 }
 
+/// "one connected cloth", "2 separate layers", "1 layer, 3 loose threads".
+std::string layers_text(const std::vector<WeaveLayer>& layers) {
+  if (layers.size() <= 1) return tr("one connected cloth");
+  const auto loose =
+      static_cast<int>(std::count_if(layers.begin(), layers.end(), [](const WeaveLayer& l) { return l.loose(); }));
+  const int bound = static_cast<int>(layers.size()) - loose;
+  const std::string threads = fill(tr_n("{count} loose thread", "{count} loose threads", loose), arg("count", loose));
+  if (bound == 0) return threads;
+  const std::string text = fill(tr_n("{count} layer", "{count} separate layers", bound), arg("count", bound));
+  return loose == 0 ? text : fill(tr("{layers}, {threads}"), arg("layers", text), arg("threads", threads));
+}
+
+/// "ends 1-4; picks 2, 3".
+std::string threads_text(const WeaveLayer& layer) {
+  if (layer.picks.empty()) return fill(tr("ends {ends}"), arg("ends", thread_list(layer.ends)));
+  if (layer.ends.empty()) return fill(tr("picks {picks}"), arg("picks", thread_list(layer.picks)));
+  return fill(tr("ends {ends}; picks {picks}"), arg("ends", thread_list(layer.ends)), arg("picks", thread_list(layer.picks)));
+}
+
 void draw_layers(const PanelContext& c, const AnalysisState& s) {
-  if (s.layers.size() <= 1) return fact(c, "Hangs together", "yes", "No thread can be lifted off the others");
-  int loose = 0;
-  for (const WeaveLayer& layer : s.layers) loose += layer.loose();
-  fact(c, "Comes apart", "into " + std::to_string(s.layers.size()) + " layers",
-       "Layers and loose threads that nothing binds to the rest, front to back");
+  if (s.layers.size() <= 1)
+    return fact(c, tr("Layers"), layers_text(s.layers), tr("No thread can be lifted off the others"));
+  fact(c, tr("Layers"), layers_text(s.layers),
+       tr("Layers and loose threads that nothing binds to the rest, front to back"));
   constexpr int kMax = 6;
   int shown = 0;
   for (const WeaveLayer& layer : s.layers) {
-    if (++shown > kMax) return fact(c, "", "and more");
-    std::string text;
-    if (!layer.ends.empty()) text += "ends " + thread_list(layer.ends);
-    if (!layer.picks.empty()) text.append(text.empty() ? "" : "; ").append("picks ").append(thread_list(layer.picks));
-    fact(c, layer.loose() ? "Loose" : "Layer", fitted(text, ImGui::GetContentRegionAvail().x * 2));
+    if (++shown > kMax) return fact(c, "", tr("and more"));
+    fact(c, layer.loose() ? tr("Loose") : tr("Layer"),
+         fitted(threads_text(layer), ImGui::GetContentRegionAvail().x * 2));
   }
 }
 
 void draw_loom(const PanelContext& c, const AnalysisState& s) {
-  fact(c, "Fewest", std::to_string(s.fewest.shafts) + " shafts, " + std::to_string(s.fewest.treadles) + " treadles",
-       "That this drawdown can be woven with, one treadle a pick");
-  if (s.loom.unthreaded_ends > 0) fact(c, "On no shaft", std::to_string(s.loom.unthreaded_ends) + " ends");
-  if (s.loom.empty_picks > 0) fact(c, "Lift nothing", std::to_string(s.loom.empty_picks) + " picks");
+  const int shafts = s.fewest.shafts, treadles = s.fewest.treadles, ends = s.loom.unthreaded_ends,
+            picks = s.loom.empty_picks;
+  fact(c, tr("Minimum"),
+       fill(tr("{shafts}, {treadles}"),
+            arg("shafts", fill(tr_n("{count} shaft", "{count} shafts", shafts), arg("count", shafts))),
+            arg("treadles", fill(tr_n("{count} treadle", "{count} treadles", treadles), arg("count", treadles)))),
+       tr("The smallest loom that weaves this drawdown with one treadle per pick"));
+  if (ends > 0) fact(c, tr("Unthreaded"), fill(tr_n("{count} end", "{count} ends", ends), arg("count", ends)));
+  if (picks > 0) fact(c, tr("Empty sheds"), fill(tr_n("{count} pick", "{count} picks", picks), arg("count", picks)));
 }
 
 void draw_yarn_use(const PanelContext& c, const AnalysisState& s) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.1f ends, %.1f picks a cm", s.yarn.ends_per_cm, s.yarn.picks_per_cm);
-  fact(c, "Sett", text);
+  fact(c, tr("Sett"),
+       fill(tr("{ends:.1f} ends, {picks:.1f} picks per cm"), arg("ends", s.yarn.ends_per_cm),
+            arg("picks", s.yarn.picks_per_cm)));
   const double wraps = wraps_per_cm(c.design.yarns.front().diameter_mm);
-  std::snprintf(text, sizeof text, "%.1f a cm (%.1f wraps)", sett_per_cm(wraps, s.interlacings.weft), wraps);
-  fact(c, "From wraps", text, "Ends a cm on the loom for a firm cloth of the first yarn in this weave (Ashenhurst)");
+  fact(c, tr("Firm sett"),
+       fill(tr("{sett:.1f} per cm ({wraps:.1f} wraps)"), arg("sett", sett_per_cm(wraps, s.interlacings.weft)),
+            arg("wraps", wraps)),
+       tr("Ends per cm on the loom for a firm cloth of the first yarn in this weave, from its wraps per cm "
+          "(Ashenhurst)"));
 }
 
 }  // namespace
 
 void draw_analysis(PanelContext& c, AnalysisState& s) {
-  if (!section(c, "section.analysis", "Loom and yarn")) return;
+  if (!section(c, "section.analysis", tr("Loom and sett"))) return;
   const Draft& d = c.design.draft;
   if (s.revision != c.revision) {
     const bool live = int64_t{d.ends()} * d.picks() <= kLiveCrossings;
-    if (live || text_button(c, "analysis.find", "Analyse", "Layers, loom and yarn of this large draft")) find(c, s);
+    if (live || text_button(c, "analysis.find", tr("Analyse"), tr("Large drafts are analysed on request")))
+      analyse(c, s);
   }
   if (s.revision == 0) return;
   draw_layers(c, s);

@@ -1,5 +1,5 @@
 #pragma once
-// What the draft is as a weave and on a loom: layers, fewest shafts and treadles, sett, yarn.
+// The draft as a weave and on a loom: layers, fewest shafts and treadles, sett.
 
 #include "analysis/threads.h"
 #include "analysis/weave_layers.h"
@@ -8,9 +8,9 @@
 
 namespace weftlight::views {
 
-/// Derived from one revision of the design; found anew when that changes and the section is open.
+/// Results for one revision of the design. Computed again when it changes while the section is open.
 struct AnalysisState {
-  uint64_t revision = 0;  // 0: nothing was found yet
+  uint64_t revision = 0;  // 0: not computed yet
   std::vector<analysis::WeaveLayer> layers;
   analysis::LoomUse loom;
   LoomSize fewest;
@@ -18,7 +18,7 @@ struct AnalysisState {
   analysis::YarnReport yarn;
 };
 
-/// Drafts of up to kLiveCrossings are analysed at every edit, larger ones when asked.
+/// Drafts of up to kLiveCrossings are analysed after every edit, larger ones on request.
 inline constexpr int64_t kLiveCrossings = int64_t{1} << 22;
 
 void draw_analysis(PanelContext& c, AnalysisState& state);

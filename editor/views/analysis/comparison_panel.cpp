@@ -5,24 +5,30 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
 
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 using namespace analysis;
 
 std::string difference_text(const Difference& d) {
   if (!d.threads.empty()) return thread_list(d.threads);
-  const auto said = [](const std::string& text) { return text.empty() ? std::string("none") : text; };
-  return d.a.empty() && d.b.empty() ? "" : said(d.a) + " \xE2\x86\x92 " + said(d.b);
+  const auto shown = [](const std::string& text) { return text.empty() ? std::string(tr("none")) : text; };
+  return d.a.empty() && d.b.empty() ? "" : shown(d.a) + " \xE2\x86\x92 " + shown(d.b);
 }
 
 namespace {
 
 constexpr int kShownPlaces = 5;
 
-/// Of which threads a difference counts; null: of none that the draft shows by number.
+/// The threads that a difference lists; null if it lists no threads.
 const System* system_of(const Difference& d) {
   static constexpr System kWarpThreads = System::kWarp, kWeftThreads = System::kWeft;
   if (d.what == "threading" || d.what.starts_with("warp ")) return &kWarpThreads;
@@ -30,7 +36,7 @@ const System* system_of(const Difference& d) {
   return nullptr;
 }
 
-/// Chooses the threads and brings the first into sight.
+/// Selects the threads and scrolls to the first.
 void show_threads(PanelContext& c, System system, const std::vector<int>& threads) {
   c.wanted.change_view([=](DocumentView& v) {
     v.chosen = {system, threads, threads.front(), {}, false, false};
@@ -49,20 +55,22 @@ void draw_difference(PanelContext& c, const Difference& d) {
   if (text.size() > 24) tooltip(c, text.c_str());
   if (pressed && !d.threads.empty()) show_threads(c, *system, d.threads);
   ImGui::SetCursorPos(at);
-  muted_text(c, d.what);
+  muted_text(c, tr(d.what.c_str()));
   ImGui::SameLine(label);
   ImGui::TextUnformatted(fitted(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopID();
 }
 
-/// The crossings that differ, place by place. False where none do.
+/// The list of differing areas of the drawdown. False if there are none.
 bool draw_places(PanelContext& c, const Report& r) {
-  row_label(c, "Crossings", "That are others in the drawdown, in the part both have; tinted there");
+  row_label(c, tr("Crossings"),
+            tr("Crossings that differ, in the part of the drawdown that both drafts have. They are tinted there"));
   if (r.comparison.crossings == 0) {
-    ImGui::TextUnformatted("all the same");
+    ImGui::TextUnformatted(tr("all the same"));
     return false;
   }
-  ImGui::TextUnformatted((std::to_string(r.comparison.crossings) + " differ").c_str());
+  const int64_t differing = r.comparison.crossings;
+  ImGui::TextUnformatted(fill(tr_n("{count} differs", "{count} differ", differing), arg("count", differing)).c_str());
   c.map.add_item("difference.crossings");
   const auto places = static_cast<int>(r.places.size());
   const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -75,29 +83,28 @@ bool draw_places(PanelContext& c, const Report& r) {
     c.map.add_item("place:" + std::to_string(i + 1));
   }
   ImGui::EndChild();
-  if (text_button(c, "difference.back", "Previous", "Shift+F3")) c.wanted.add_action("previous_difference");
+  if (text_button(c, "difference.back", tr("Previous"), "Shift+F3")) c.wanted.add_action("previous_difference");
   ImGui::SameLine();
-  if (text_button(c, "difference.next", "Next", "F3")) c.wanted.add_action("next_difference");
+  if (text_button(c, "difference.next", tr("Next"), "F3")) c.wanted.add_action("next_difference");
   return true;
 }
 
 }  // namespace
 
 void draw_comparison(PanelContext& c, const Report* r) {
-  if (!c.view.other || !section(c, "section.comparison", "Compared")) return;
-  row_label(c, "With", nullptr);
+  if (!c.view.other || !section(c, "section.comparison", tr("Comparison"))) return;
+  row_label(c, tr("Compared to"), nullptr);
   ImGui::TextUnformatted(fitted(c.view.other->name, ImGui::GetContentRegionAvail().x).c_str());
   tooltip(c, c.view.other->name.c_str());
-  if (r == nullptr || r->other != c.view.other) return muted_text(c, "Comparing\xE2\x80\xA6");
-  row_label(c, "Cloth", nullptr);
-  ImGui::TextUnformatted(r->comparison.differences.empty() ? "the drafts are the same"
-                         : r->comparison.same_cloth        ? "the same"
-                                                           : "another");
+  if (r == nullptr || r->other != c.view.other) return muted_text(c, tr("Comparing\xE2\x80\xA6"));
+  row_label(c, tr("Cloth"), nullptr);
+  ImGui::TextUnformatted(r->comparison.differences.empty() ? tr("the drafts are the same")
+                         : r->comparison.same_cloth        ? tr("the same")
+                                                           : tr("different"));
   c.map.add_item(r->comparison.same_cloth ? "difference.same" : "difference.other");
   for (const Difference& d : r->comparison.differences) draw_difference(c, d);
   if (draw_places(c, *r)) ImGui::SameLine();
-  if (text_button(c, "difference.done", "Done", "Hold it against no other draft any more"))
-    c.wanted.add_action("compare_done");
+  if (text_button(c, "difference.done", tr("Done"), tr("Stop comparing"))) c.wanted.add_action("compare_done");
 }
 
 }  // namespace weftlight::views

@@ -1,5 +1,5 @@
 #pragma once
-// What the open draft and the one that it is held against differ in: a list whose rows show where.
+// The differences between the open draft and the one it is compared to: a list whose rows show where they are.
 
 #include "session/report.h"
 #include "views/common/names.h"
@@ -7,10 +7,10 @@
 
 namespace weftlight::views {
 
-/// Nothing where the draft is held against none. `report`: null until the first is done.
+/// Draws nothing unless two drafts are compared. `report`: null until the first is done.
 void draw_comparison(PanelContext& c, const Report* report);
 
-/// "1-4, 7 (6 ends)", "4 → 8 shafts": a row's right side. The first is the other draft's.
+/// The right side of a row: "1-4, 7 (6 ends)", "4 → 8 shafts". The first value is that of the other draft.
 std::string difference_text(const analysis::Difference& difference);
 
 }  // namespace weftlight::views

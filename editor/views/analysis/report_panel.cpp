@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "session/selection_state.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 constexpr float kListHeight = 168;  // pixels at 96 dpi
@@ -20,10 +27,6 @@ void fact(const PanelContext& c, const char* label, const std::string& text, con
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
-}
-
-std::string plural(int64_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 /// Scrolls to a float and selects its crossings.
@@ -62,32 +65,37 @@ void draw_float_list(PanelContext& c, const Report& r) {
 
 void draw_floats(PanelContext& c, const Report* r) {
   float limit = static_cast<float>(c.view.float_limit);
-  if (slider(c, {"floats.limit", "Allowed", 1, 30, "%.0f", "How many threads a float may cross"}, limit))
+  if (slider(c, {"floats.limit", tr("Maximum"), 1, 30, "%.0f", tr("Longest float allowed, in threads crossed")}, limit))
     c.wanted.change_view(
-        [most = std::clamp(static_cast<int>(std::lround(limit)), 1, 30)](DocumentView& v) { v.float_limit = most; });
-  row_label(c, "Show", "Tints what floats too far in the drawdown");
+        [max = std::clamp(static_cast<int>(std::lround(limit)), 1, 30)](DocumentView& v) { v.float_limit = max; });
+  row_label(c, tr("Highlight"), tr("Tint floats over the maximum in the drawdown"));
   bool show = c.view.show_floats;
   if (ImGui::Checkbox("##show", &show)) c.wanted.change_view([show](DocumentView& v) { v.show_floats = show; });
   c.map.add_item("floats.show");
-  if (r == nullptr) return muted_text(c, "Counting\xE2\x80\xA6");
+  if (r == nullptr) return muted_text(c, tr("Counting\xE2\x80\xA6"));
   const auto& l = r->longest;
-  fact(c, "Longest", "warp " + std::to_string(l.warp_front) + " front, " + std::to_string(l.warp_back) + " back",
-       "Threads crossed, the cloth taken to repeat");
-  fact(c, "", "weft " + std::to_string(l.weft_front) + " front, " + std::to_string(l.weft_back) + " back", nullptr);
-  fact(c, "Too long", r->floats.count == 0 ? std::string("none") : plural(r->floats.count, "float", "floats"),
-       "Beyond what is allowed; the longest first. A click shows one");
+  fact(c, tr("Longest"),
+       fill(tr("warp {front} front, {back} back"), arg("front", l.warp_front), arg("back", l.warp_back)),
+       tr("Threads crossed. The cloth repeats, so floats run on over its edges"));
+  fact(c, "", fill(tr("weft {front} front, {back} back"), arg("front", l.weft_front), arg("back", l.weft_back)),
+       nullptr);
+  const int64_t count = r->floats.count;
+  fact(c, tr("Too long"),
+       count == 0 ? std::string(tr("none")) : fill(tr_n("{count} float", "{count} floats", count), arg("count", count)),
+       tr("Floats over the maximum, longest first. Click one to show it"));
   c.map.add_item("floats.count");
   draw_float_list(c, *r);
 }
 
 void draw_heddles(PanelContext& c, const analysis::LoomUse& use) {
-  const int most = use.heddles.empty() ? 1 : std::max(1, *std::max_element(use.heddles.begin(), use.heddles.end()));
+  const int max_heddles =
+      use.heddles.empty() ? 1 : std::max(1, *std::max_element(use.heddles.begin(), use.heddles.end()));
   const float height = ImGui::GetTextLineHeight();
   for (size_t shaft = 0; shaft < std::min(kShownHeddles, use.heddles.size()); ++shaft) {
-    row_label(c, ("Shaft " + std::to_string(shaft + 1)).c_str(), nullptr);
+    row_label(c, fill(tr("Shaft {number}"), arg("number", shaft + 1)).c_str(), nullptr);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float figure = c.style.px(52), room = std::max(1.0f, ImGui::GetContentRegionAvail().x - figure);
-    const float length = room * static_cast<float>(use.heddles[shaft]) / static_cast<float>(most);
+    const float length = room * static_cast<float>(use.heddles[shaft]) / static_cast<float>(max_heddles);
     const float top = at.y + ImGui::GetStyle().FramePadding.y;
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, top + 2}, {at.x + std::max(1.0f, length), top + height - 2},
                                               blend(c.style.color.panel, c.style.color.accent, 0.6f), c.style.px(3));
@@ -95,8 +103,11 @@ void draw_heddles(PanelContext& c, const analysis::LoomUse& use) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(std::to_string(use.heddles[shaft]).c_str());
   }
-  if (use.unthreaded_ends > 0) muted_text(c, plural(use.unthreaded_ends, "end is", "ends are") + " on no shaft");
-  if (use.empty_picks > 0) muted_text(c, plural(use.empty_picks, "pick lifts", "picks lift") + " nothing");
+  const int ends = use.unthreaded_ends, picks = use.empty_picks;
+  if (ends > 0)
+    muted_text(c, fill(tr_n("{count} end is not threaded", "{count} ends are not threaded", ends), arg("count", ends)));
+  if (picks > 0)
+    muted_text(c, fill(tr_n("{count} pick lifts no shaft", "{count} picks lift no shaft", picks), arg("count", picks)));
 }
 
 }  // namespace
@@ -104,19 +115,27 @@ void draw_heddles(PanelContext& c, const analysis::LoomUse& use) {
 std::string float_text(const analysis::Float& f, int threads) {
   const bool warp = f.system == System::kWarp;
   const int last = (f.first + f.length - 1) % std::max(1, threads);
-  return std::string(warp ? "End " : "Pick ") + std::to_string(f.thread + 1) +
-         (f.face == Face::kFront ? " over " : " under ") + (warp ? "picks " : "ends ") + std::to_string(f.first + 1) +
-         "\xE2\x80\x93" + std::to_string(last + 1) + ": " + std::to_string(f.length);
+  const bool over = f.face == Face::kFront;
+  const char* text = warp   ? over ? tr("End {thread} over picks {first}\xE2\x80\x93{last}: {length}")
+                                   : tr("End {thread} under picks {first}\xE2\x80\x93{last}: {length}")
+                       : over ? tr("Pick {thread} over ends {first}\xE2\x80\x93{last}: {length}")
+                            : tr("Pick {thread} under ends {first}\xE2\x80\x93{last}: {length}");
+  return fill(text, arg("thread", f.thread + 1), arg("first", f.first + 1), arg("last", last + 1),
+              arg("length", f.length));
 }
 
 void draw_report(PanelContext& c, const Report* r) {
-  if (section(c, "section.floats", "Floats")) draw_floats(c, r);
+  if (section(c, "section.floats", tr("Floats"))) draw_floats(c, r);
   if (r == nullptr) return;
-  if (section(c, "section.weave", "Weave")) {
-    fact(c, "Repeat", plural(r->repeat.ends, "end", "ends") + " \xC3\x97 " + plural(r->repeat.picks, "pick", "picks"),
-         "After which everything begins again, colours too");
+  if (section(c, "section.weave", tr("Weave"))) {
+    const int ends = r->repeat.ends, picks = r->repeat.picks;
+    fact(c, tr("Repeat"),
+         fill(tr("{ends} \xC3\x97 {picks}"),
+              arg("ends", fill(tr_n("{count} end", "{count} ends", ends), arg("count", ends))),
+              arg("picks", fill(tr_n("{count} pick", "{count} picks", picks), arg("count", picks)))),
+         tr("The smallest repeat of weave and colours"));
   }
-  if (section(c, "section.heddles", "Heddles")) draw_heddles(c, r->loom);
+  if (section(c, "section.heddles", tr("Heddles"))) draw_heddles(c, r->loom);
 }
 
 }  // namespace weftlight::views

@@ -1,6 +1,5 @@
 #pragma once
-// What the weave is like: how far its threads float, where it repeats, how many heddles it takes. A click on a float
-// shows it in the draft.
+// Facts about the weave: floats, repeat, heddles. A click on a float shows it in the draft.
 
 #include "session/report.h"
 #include "views/common/names.h"
@@ -11,7 +10,7 @@ namespace weftlight::views {
 /// `report`: null until the first is done.
 void draw_report(PanelContext& c, const Report* report);
 
-/// "End 12 over picks 3-9: 7, on the front".
+/// "End 12 over picks 3-9: 7", or "under" for a float on the back.
 std::string float_text(const analysis::Float& f, int threads);
 
 }  // namespace weftlight::views

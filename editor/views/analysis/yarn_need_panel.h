@@ -1,6 +1,5 @@
 #pragma once
-// The yarn that a cloth needs: warp and weft by yarn and colour, with length, weight and cost, for a cloth of a size
-// that is planned.
+// Yarn requirements of a cloth of a planned size: length, weight and cost of warp and weft, by yarn and colour.
 
 #include "analysis/threads.h"
 #include "views/common/names.h"
@@ -8,7 +7,7 @@
 
 namespace weftlight::views {
 
-/// What is planned, from the view and the settings.
+/// The plan, from the view and the settings.
 analysis::ClothPlan plan_of(const Design& design, const DocumentView& view, const Settings& settings);
 
 /// Its section of the inspector.

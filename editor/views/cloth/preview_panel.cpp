@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "cloth/cloth.h"
 #include "draft/methods.h"
 #include "light/formulas.h"
@@ -12,21 +13,28 @@
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
 constexpr const char* kHint =
-    "Drag to turn the cloth, Shift+drag to move it, wheel to come nearer, right drag (or L) to move the light";
+    mark("Drag: turn the cloth; Shift+drag: move it; wheel: zoom; right drag (or L): move the light");
 constexpr float kDegreesAPixel = 0.35f;
 
 Edit move_light(ImVec2 by, float degrees_a_px) {
-  return {"Move light", [=](Design d) {
+  return {tr("Move light"), [=](Design d) {
             d.scene.light_azimuth = wrapped_degrees(d.scene.light_azimuth + by.x * degrees_a_px);
             d.scene.light_elevation = std::clamp(d.scene.light_elevation - by.y * degrees_a_px, 0.0f, 90.0f);
             return d;
           }};
 }
 
-/// The hand takes the light that is seen, whose place is then the design's.
+/// Leaves grazing light, so that the light that moves is the one shown.
 void move_the_light(PanelContext& c, ImVec2 by, float degrees_a_px) {
   if (c.view.flat && c.view.grazing) c.wanted.change_view([](DocumentView& v) { v.grazing = false; });
   c.wanted.add(move_light(by, degrees_a_px));
@@ -66,47 +74,52 @@ std::string note_that_fits(const PanelContext& c, const std::string& text, float
 }
 
 /// "yarn 80%, cell 20%".
-std::string shares_text(const std::array<float, 4>& shares) {
+std::string weights_text(const std::array<float, 4>& weights) {
   std::string text;
-  for (size_t i = 0; i < shares.size(); ++i) {
-    if (shares[i] < 0.005f) continue;
+  for (size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] < 0.005f) continue;
     text.append(text.empty() ? "" : ", ")
-        .append(method_name(kShadedMethods[i]))
-        .append(" ")
-        .append(fixed(100 * shares[i], 0))
-        .append("%");
+        .append(fill(tr("{method} {percent:.0f}%"), arg("method", tr(method_facts(kShadedMethods[i]).label)),
+                     arg("percent", 100 * weights[i])));
   }
   return text;
 }
 
+std::string error_text(const PreviewPicture& p) {
+  const float error = 100 * p.stats.estimated_error;
+  if (p.stats.method != Method::kAuto || p.tolerance <= 0)
+    return fill(tr("error about {error:.0f}%"), arg("error", error));
+  if (p.budget_ms > 0)
+    return fill(tr("error about {error:.0f}% in {limit:.0f} ms"), arg("error", error), arg("limit", p.budget_ms));
+  return fill(tr("error about {error:.0f}%, limit {limit:.0f}%"), arg("error", error), arg("limit", 100 * p.tolerance));
+}
+
 std::string stats_line(const PreviewPicture& p) {
-  std::string line = method_facts(p.stats.method).label;
+  std::string line = tr(method_facts(p.stats.method).label);
   const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
-  if (p.stats.method == Method::kAuto) say(shares_text(p.stats.method_weights));
-  if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
+  if (p.stats.method == Method::kAuto) say(weights_text(p.stats.method_weights));
+  if (p.stats.gpu_ms > 0)
+    say(fill(tr("{time} ms"), arg("time", fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0))));
   if (p.stats.yarns_per_pixel > 0) {
-    const bool near_by = p.stats.yarns_per_pixel < 1;
-    say(near_by ? fixed(1 / p.stats.yarns_per_pixel, 1) + " px a yarn"
-                : fixed(p.stats.yarns_per_pixel, 1) + " yarns a px");
+    const float yarns = p.stats.yarns_per_pixel;
+    say(yarns < 1 ? fill(tr("{count:.1f} px per yarn"), arg("count", 1 / yarns))
+                  : fill(tr("{count:.1f} yarns per px"), arg("count", yarns)));
   }
-  if (p.stats.estimated_error > 0) {
-    std::string error = "error about " + fixed(100 * p.stats.estimated_error, 0) + "%";
-    if (p.stats.method == Method::kAuto && p.tolerance > 0)
-      error +=
-          p.budget_ms > 0 ? ", for " + fixed(p.budget_ms, 0) + " ms" : ", " + fixed(100 * p.tolerance, 0) + "% allowed";
-    say(error);
-  }
-  if (p.busy) say("weaving\xE2\x80\xA6");
+  if (p.stats.estimated_error > 0) say(error_text(p));
+  if (p.busy) say(tr("updating\xE2\x80\xA6"));
   return line;
 }
 
-/// Which colour is which row, under each other.
+/// The legend of the methods in false colours.
 void draw_method_legend(const PanelContext& c, ImVec2 at, Method method) {
-  if (method != Method::kAuto) return draw_note(c, at, "Only the automatic method mixes others");
+  if (method != Method::kAuto) return draw_note(c, at, tr("Only the automatic method mixes several"));
   ImFont* font = c.style.font.small;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float line = font_size(font) + c.style.px(4), box = c.style.px(10), pad = c.style.px(8);
-  const float width = box + c.style.px(6) + font->CalcTextSizeA(font_size(font), FLT_MAX, 0, "repeat").x;
+  float width = 0;
+  for (const Method m : kShadedMethods)
+    width = std::max(width, font->CalcTextSizeA(font_size(font), FLT_MAX, 0, tr(method_facts(m).label)).x);
+  width += box + c.style.px(6);
   dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
                     with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
   for (size_t row = 0; row < kShadedMethods.size(); ++row) {
@@ -114,23 +127,25 @@ void draw_method_legend(const PanelContext& c, ImVec2 at, Method method) {
     const glm::vec3 k = formulas::method_color(static_cast<int>(row));
     dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, to_u32(srgb_from_linear({k.r, k.g, k.b})), 2);
     dl->AddText(font, font_size(font), {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
-                method_facts(kShadedMethods[row]).label);
+                tr(method_facts(kShadedMethods[row]).label));
     at.y += line;
   }
 }
 
 std::string reference_line(const ReferencePicture& r, Compare compare) {
   if (!r.problem.empty()) return r.problem;
-  if (r.texture == 0) return "Tracing the threads\xE2\x80\xA6";
-  std::string line = compare == Compare::kSplit ? "ray traced" : "difference \xC3\x97 " + fixed(kDifferenceScale, 0);
-  line += r.samples == 0   ? "   coarse"
-          : r.samples == 1 ? "   1 sample a pixel"
-                           : "   " + std::to_string(r.samples) + " samples a pixel";
-  if (r.samples > 0) line += "   apart by " + fixed(100 * r.difference, 1) + "%";
+  if (r.texture == 0) return tr("Ray tracing\xE2\x80\xA6");
+  std::string line = compare == Compare::kSplit
+                         ? std::string(tr("ray traced"))
+                         : fill(tr("difference \xC3\x97 {factor:.0f}"), arg("factor", kDifferenceScale));
+  const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
+  if (r.samples == 0) say(tr("coarse"));
+  else say(fill(tr_n("{count} sample per pixel", "{count} samples per pixel", r.samples), arg("count", r.samples)));
+  if (r.samples > 0) say(fill(tr("error {percent:.1f}%"), arg("percent", 100 * r.difference)));
   return r.tracing ? line + "\xE2\x80\xA6" : line;
 }
 
-/// The handle of the comparison, before the view below it, so that it takes the pointer first.
+/// The handle of the comparison. Called before the view below it, so that it gets the pointer first.
 void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
   const float half = c.style.px(7), x = a.x + pane.x * c.settings.compare_split;
   ImGui::SetCursorScreenPos({x - half, a.y});
@@ -138,7 +153,7 @@ void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
   c.map.add_item("view.compare");
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    c.frame.hint = "Drag: the preview is on the left, the ray-traced threads on the right";
+    c.frame.hint = tr("Drag: preview on the left, ray traced on the right");
   }
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated())
     c.wanted.change_settings([to = std::clamp((ImGui::GetIO().MousePos.x - a.x) / pane.x, 0.02f, 0.98f)](Settings& s) {
@@ -181,24 +196,24 @@ void draw_views_menu(PanelContext& c) {
     if (ImGui::MenuItem(label.c_str(), key)) c.wanted.add_action(id);
     c.map.add_item("views." + id);
   };
-  for (const ShippedView& view : kShippedViews) item(view.label, std::string("view.") + view.id);
+  for (const ShippedView& view : kShippedViews) item(tr(view.label), std::string("view.") + view.id);
   if (!c.design.views.empty()) ImGui::Separator();
   for (const NamedView& view : c.design.views) item(view.name, "view.kept:" + view.name);
   ImGui::Separator();
-  item("Keep this view as\xE2\x80\xA6", "view_keep_as");
-  if (!c.design.views.empty()) item("Rename or drop views\xE2\x80\xA6", "views_change");
+  item(tr("Save view as\xE2\x80\xA6"), "view_keep_as");
+  if (!c.design.views.empty()) item(tr("Rename or delete views\xE2\x80\xA6"), "views_change");
 }
 
-/// Left of `at`, where Drape or Flat begin.
+/// Left of `at`, where the Drape and Flat buttons begin.
 void draw_views_button(PanelContext& c, ImVec2 at) {
   constexpr float kWidth = 64, kGap = 8;  // pixels at 96 dpi
   const Colors& k = c.style.color;
   ImGui::SetCursorScreenPos({at.x - c.style.px(kWidth + kGap), at.y});
   ImGui::PushStyleColor(ImGuiCol_Button, blend(k.panel, k.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(k.panel, k.text, 0.14f));
-  if (ImGui::Button("Views", {c.style.px(kWidth), 0})) ImGui::OpenPopup("views");
+  if (ImGui::Button(tr("Views"), {c.style.px(kWidth), 0})) ImGui::OpenPopup("views");
   c.map.add_item("views");
-  tooltip(c, "Head on, grazing, near by: views of the cloth, and those that you keep with the draft");
+  tooltip(c, tr("Views of the cloth, and your own, which are saved with the draft"));
   ImGui::PopStyleColor(2);
   ImGui::SetNextWindowPos({at.x - c.style.px(kWidth + kGap), at.y + ImGui::GetFrameHeight() + c.style.px(4)});
   if (ImGui::BeginPopup("views")) {
@@ -208,29 +223,29 @@ void draw_views_button(PanelContext& c, ImVec2 at) {
   ImGui::SetCursorScreenPos(at);
 }
 
-/// Left of the views, while the swatch is flat.
+/// Left of the Views button, while the swatch is flat.
 void draw_grazing_button(PanelContext& c, ImVec2 at, float width) {
   const Colors& k = c.style.color;
   const bool on = c.view.grazing;
   ImGui::SetCursorScreenPos(at);
   ImGui::PushStyleColor(ImGuiCol_Button, on ? k.accent_soft : blend(k.panel, k.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? k.accent_soft : blend(k.panel, k.text, 0.14f));
-  if (ImGui::Button("Grazing", {width, 0})) c.wanted.add_action("grazing");
+  if (ImGui::Button(tr("Grazing"), {width, 0})) c.wanted.add_action("grazing");
   c.map.add_item(on ? "grazing.on" : "grazing");
-  tooltip(c, "The light low from the side, which shows the relief of every thread");
+  tooltip(c, tr("Light low from the side, which shows the relief of every thread"));
   ImGui::PopStyleColor(2);
 }
 
-/// Drape or flat swatch, over the picture's corner; before the view below it, so that it takes the pointer first.
-void draw_hanging(PanelContext& c, ImVec2 a, ImVec2 pane) {
-  constexpr const char* kWays[] = {"Drape", "Flat"};
+/// Draped or flat, over the corner of the picture. Called before the view below it, so that it gets the pointer first.
+void draw_view_buttons(PanelContext& c, ImVec2 a, ImVec2 pane) {
+  constexpr const char* kWays[] = {mark("Drape"), mark("Flat")};
   constexpr float kWidth = 120, kMinPane = 330;  // pixels at 96 dpi
   if (pane.x < c.style.px(kMinPane)) return;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSetCurrent(1);
   ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
   draw_views_button(c, {a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
-  constexpr float kViews = 72, kGrazing = 72, kMinForGrazing = 330;  // the button of the views with its gap
+  constexpr float kViews = 72, kGrazing = 72, kMinForGrazing = 330;  // the Views button with its gap
   if (c.view.flat && pane.x >= c.style.px(kMinForGrazing))
     draw_grazing_button(c, {a.x + pane.x - c.style.px(kWidth + 14 + kViews + 8 + kGrazing), a.y + c.style.px(12)},
                         c.style.px(kGrazing));
@@ -248,13 +263,13 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
   if (pane.x < 8 || pane.y < 8) return;
   const bool comparing = c.settings.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
-  draw_hanging(c, a, pane);
+  draw_view_buttons(c, a, pane);
   hit_area("view", pane,
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) drag(c, pane);
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = kHint;
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = tr(kHint);
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
     c.wanted.change_view([steps = io.MouseWheel, x = (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
                           y = ((a.y + b.y) / 2 - io.MousePos.y) / pane.x](DocumentView& v) {
@@ -271,7 +286,7 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
     draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, note_that_fits(c, stats_line(picture), pane.x));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
-    // Until the first picture is there, what it will stand before; what goes wrong is read on the window's own ground.
+    // Before the first picture: its background. A problem is shown on the colour of the panel.
     dl->AddRectFilled(a, b, picture.problem.empty() ? to_u32(c.design.scene.background) : c.style.color.panel);
   }
   if (picture.busy) c.map.add("view.busy", a.x, a.y, pane.x, pane.y);

@@ -1,5 +1,5 @@
 #pragma once
-// The lit cloth: shows the renderer's last picture and turns drags into a view, or a light.
+// The cloth preview: shows the renderer's latest picture; drags change the view or the light.
 
 #include <array>
 #include <string>
@@ -10,27 +10,27 @@
 
 namespace weftlight::views {
 
-/// What stands behind the slider of the comparison.
+/// The ray-traced reference of the comparison.
 struct ReferencePicture {
-  unsigned texture = 0;  // of Compare::kSplit or kDifference, row 0 on top; 0: none yet
-  int samples = 0;       // a pixel; 0: a coarse first picture
+  unsigned texture = 0;  // the reference or the difference, row 0 on top; 0 if there is none yet
+  int samples = 0;       // per pixel; 0: a coarse first picture
   float difference = 0;  // relative RMSE of the preview against it, over the cloth
-  bool tracing = false;  // a better one is on its way
+  bool tracing = false;  // a better one is being traced
   std::string problem;
 };
 
-/// What there is to show.
+/// The picture to show.
 struct PreviewPicture {
-  unsigned texture = 0;  // 0: none yet
+  unsigned texture = 0;  // 0 if there is none yet
   FrameStats stats;
-  float tolerance = 0, budget_ms = 0;  // it was drawn with; 0: not by time
-  std::string problem;                 // why there is none, or what is wrong with the mesh
-  bool busy = false;                   // the newest edit is still being worked on
-  bool refining = false;               // a finer one of the same is on its way
+  float tolerance = 0, budget_ms = 0;  // limits it was drawn with; budget 0: no time limit
+  std::string problem;                 // why there is no picture, or what is wrong with the mesh
+  bool busy = false;                   // the latest edit is not in the picture yet
+  bool refining = false;               // a finer picture of the same design is being drawn
   ReferencePicture reference;
 };
 
-/// Fills the rest of the current window. `pane` receives the size of the picture in pixels of the window.
+/// Fills the rest of the current window. `pane` receives the size of the picture in window pixels.
 void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane);
 
 }  // namespace weftlight::views

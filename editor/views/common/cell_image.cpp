@@ -7,9 +7,9 @@
 namespace weftlight::views {
 namespace {
 
-constexpr int kSamples = 4;  // along each side of a pixel that covers several cells
+constexpr int kSamples = 4;  // per axis, in a pixel that covers several cells
 
-/// Red, green, blue and one more of each sample, side by side: sums of up to 256 colours in one addition.
+/// Red, green, blue and a count, 16 bits each: one addition sums all four, for up to 256 colours.
 using Lanes = uint64_t;
 
 Lanes lanes_of(ImU32 c) {
@@ -32,7 +32,7 @@ std::vector<Lanes> lanes_of(const std::vector<ImU32>& colors) {
 
 using Samples = std::array<int, kSamples>;
 
-/// Cells sampled by each pixel along an axis; -1: none. One sample where a pixel lies within a cell.
+/// Cells sampled by each pixel along an axis, -1 for none. One sample if cells are at least as large as pixels.
 std::vector<Samples> samples_along(const Axis& axis, int pixels, bool tiled) {
   std::vector<Samples> all(static_cast<size_t>(pixels));
   const int n = axis.pitch >= 1 ? 1 : kSamples;
@@ -58,18 +58,18 @@ std::vector<ImU32> thread_colors(const Draft& draft, System system) {
   return out;
 }
 
-CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle look, const Colors& colors,
+CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle style, const Colors& colors,
                      const Axis& ends, const Axis& picks, bool tiled) {
   CellImage image{static_cast<int>(ends.length), static_cast<int>(picks.length), {}};
   image.pixels.resize(static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
-  const bool structure = look == DrawdownStyle::kStructure;
+  const bool structure = style == DrawdownStyle::kStructure;
   const auto warp = structure ? std::vector<ImU32>(static_cast<size_t>(draft.ends()), colors.ink)
                               : thread_colors(draft, System::kWarp);
   const auto weft = structure ? std::vector<ImU32>(static_cast<size_t>(draft.picks()), colors.paper)
                               : thread_colors(draft, System::kWeft);
   const auto across = samples_along(ends, image.width, tiled), down = samples_along(picks, image.height, tiled);
   const std::vector<Lanes> warp_lanes = lanes_of(warp), weft_lanes = lanes_of(weft);
-  const uint64_t turned = face == Face::kBack ? 1 : 0;
+  const uint64_t flip = face == Face::kBack ? 1 : 0;
   size_t at = 0;
   for (const Samples& rows : down)
     for (const Samples& columns : across) {
@@ -80,7 +80,7 @@ CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, Draw
         const Lanes below = weft_lanes[static_cast<size_t>(pick)];
         for (const int end : columns) {
           if (end < 0) continue;
-          const uint64_t up = (row[end >> 6] >> (end & 63) & 1) ^ turned;
+          const uint64_t up = (row[end >> 6] >> (end & 63) & 1) ^ flip;
           sum += up ? warp_lanes[static_cast<size_t>(end)] : below;
         }
       }

@@ -1,6 +1,6 @@
 #pragma once
-// The folders whose names the views use without saying whose they are; what those use comes with them. Of gl the name
-// alone: only the views of the cloth see its headers.
+// Namespaces that the views use unqualified, with what those use themselves. Of gl only the name: just the cloth view
+// includes its headers.
 
 #include "session/names.h"
 #include "ui/names.h"

@@ -12,11 +12,11 @@ namespace weftlight::views {
 namespace {
 
 constexpr int kWord = 64;
-constexpr int kPlanes = 18;  // binary digits of a count of picks
+constexpr int kPlanes = 18;  // bits of a count of picks
 
-/// The first of `count` threads that pixel `p` of `pixels` stands for.
+/// First thread, of `count`, of pixel `p`, of `pixels`.
 int first_of(int p, int pixels, int count) { return static_cast<int>(int64_t{p} * count / pixels); }
-/// The pixel of a thread.
+/// Pixel of a thread.
 int pixel_of(int thread, int pixels, int count) {
   return static_cast<int>((int64_t{thread} * pixels + pixels - 1) / count);
 }
@@ -35,7 +35,7 @@ struct Sum {
   }
 };
 
-/// How often each of 64 ends is up: a binary counter for all of them at once, digit by digit.
+/// Counts how often each of 64 ends is up, in bit planes: all 64 counters are incremented at once.
 class Counter {
  public:
   void add(uint64_t bits) {
@@ -57,8 +57,8 @@ class Counter {
   size_t digits_ = 0;
 };
 
-/// The half-open range of threads whose colour is another by now.
-std::pair<int, int> take_colors(std::vector<ImU32>& before, const std::vector<ImU32>& now) {
+/// Stores the colours and returns the half-open range of threads whose colour changed.
+std::pair<int, int> update_colors(std::vector<ImU32>& before, const std::vector<ImU32>& now) {
   const auto first = std::mismatch(before.begin(), before.end(), now.begin(), now.end()).second;
   const auto last = std::mismatch(before.rbegin(), before.rend(), now.rbegin(), now.rend()).second.base();
   const std::pair range{static_cast<int>(first - now.begin()), static_cast<int>(last - now.begin())};
@@ -68,33 +68,34 @@ std::pair<int, int> take_colors(std::vector<ImU32>& before, const std::vector<Im
 
 }  // namespace
 
-bool OverviewImage::follow(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp,
+bool OverviewImage::update(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp,
                            const std::vector<ImU32>& weft, int width, int height) {
   width = std::min(width, cells.cols());
   height = std::min(height, cells.rows());
-  made_ = 0;
+  computed_ = 0;
   if (width <= 0 || height <= 0) return false;
-  const bool anew = image_.width != width || image_.height != height || cells_.rows() != cells.rows() ||
-                    cells_.cols() != cells.cols() || front_ != front;
-  if (anew) {
+  const bool rebuild = image_.width != width || image_.height != height || cells_.rows() != cells.rows() ||
+                       cells_.cols() != cells.cols() || front_ != front;
+  if (rebuild) {
     image_ = {width, height, std::vector<ImU32>(static_cast<size_t>(width) * static_cast<size_t>(height))};
     cells_ = cells;
     front_ = front;
     warp_ = warp;
     weft_ = weft;
-    make(whole());
+    compute(whole());
     return true;
   }
-  const auto [end0, end1] = take_colors(warp_, warp);
-  const auto [pick0, pick1] = take_colors(weft_, weft);
-  make(take_changes(cells));
-  if (end0 < end1) make({pixel_of(end0, width, cells.cols()), pixel_of(end1 - 1, width, cells.cols()) + 1, 0, height});
+  const auto [end0, end1] = update_colors(warp_, warp);
+  const auto [pick0, pick1] = update_colors(weft_, weft);
+  compute(update_cells(cells));
+  if (end0 < end1)
+    compute({pixel_of(end0, width, cells.cols()), pixel_of(end1 - 1, width, cells.cols()) + 1, 0, height});
   if (pick0 < pick1)
-    make({0, width, pixel_of(pick0, height, cells.rows()), pixel_of(pick1 - 1, height, cells.rows()) + 1});
-  return made_ > 0;
+    compute({0, width, pixel_of(pick0, height, cells.rows()), pixel_of(pick1 - 1, height, cells.rows()) + 1});
+  return computed_ > 0;
 }
 
-OverviewImage::Area OverviewImage::take_changes(const BitMatrix& cells) {
+OverviewImage::Area OverviewImage::update_cells(const BitMatrix& cells) {
   int first_row = cells.rows(), end_row = 0, first_word = cells.words(), end_word = 0;
   for (int r = 0; r < cells.rows(); ++r) {
     const std::span<const uint64_t> now = cells.row(r), before = cells_.row(r);
@@ -112,21 +113,21 @@ OverviewImage::Area OverviewImage::take_changes(const BitMatrix& cells) {
           pixel_of(first_row, image_.height, cells.rows()), pixel_of(end_row - 1, image_.height, cells.rows()) + 1};
 }
 
-void OverviewImage::make(const Area& area) {
+void OverviewImage::compute(const Area& area) {
   if (area.empty()) return;
-  made_ += int64_t{area.x1 - area.x0} * (area.y1 - area.y0);
-  for_each_job(area.y1 - area.y0, [&](int i) { make_row(area.y0 + i, area.x0, area.x1); });
+  computed_ += int64_t{area.x1 - area.x0} * (area.y1 - area.y0);
+  for_each_job(area.y1 - area.y0, [&](int i) { compute_row(area.y0 + i, area.x0, area.x1); });
 }
 
-/// Sums of thread colours: of the warp by how often each end is up, of the weft by how many ends are not.
-void OverviewImage::make_row(int y, int x0, int x1) {
+/// Sums thread colours: an end counts once per crossing where it is on top, a pick where the end is not.
+void OverviewImage::compute_row(int y, int x0, int x1) {
   const int ends = cells_.cols();
   const int pick0 = first_of(y, image_.height, cells_.rows()), pick1 = first_of(y + 1, image_.height, cells_.rows());
   const int end0 = first_of(x0, image_.width, ends), end1 = first_of(x1, image_.width, ends);
   std::vector<Sum> sums(static_cast<size_t>(x1 - x0));
   int x = x0;
   for (int end = end0; end < end1;) {
-    // As many as lie in one word and in one pixel.
+    // All ends within one word and one pixel.
     while (first_of(x + 1, image_.width, ends) <= end) ++x;
     Sum& sum = sums[static_cast<size_t>(x - x0)];
     const int word = end / kWord, stop = std::min({end1, (word + 1) * kWord, first_of(x + 1, image_.width, ends)});
@@ -135,9 +136,9 @@ void OverviewImage::make_row(int y, int x0, int x1) {
     Counter up;
     for (int pick = pick0; pick < pick1; ++pick) {
       const uint64_t bits = cells_.row(pick)[static_cast<size_t>(word)] & mask;
-      const uint64_t seen = front_ ? bits : ~bits & mask;
-      up.add(seen);
-      sum.add(weft_[static_cast<size_t>(pick)], width - std::popcount(seen));
+      const uint64_t visible = front_ ? bits : ~bits & mask;
+      up.add(visible);
+      sum.add(weft_[static_cast<size_t>(pick)], width - std::popcount(visible));
     }
     for (int e = end; e < stop; ++e) sum.add(warp_[static_cast<size_t>(e)], up.of(e % kWord));
     end = stop;

@@ -1,6 +1,6 @@
 #pragma once
-// The whole drawdown in a small picture: every pixel is the mean colour of all crossings that it stands for. After an
-// edit only those pixels are made again whose crossings, or whose threads' colours, are others.
+// The whole drawdown as a small image. Each pixel is the mean colour of its crossings. After an edit only the pixels
+// whose crossings or thread colours changed are computed again.
 
 #include <vector>
 
@@ -11,13 +11,13 @@ namespace weftlight::views {
 
 class OverviewImage {
  public:
-  /// Of width x height pixels, at most as many as there are ends and picks; end 1 at the left, pick 1 on top. True when
-  /// a pixel may have changed. `warp`, `weft`: colours of the threads.
-  bool follow(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp, const std::vector<ImU32>& weft,
+  /// An image of width x height pixels, at most the number of ends and picks; end 1 at the left, pick 1 on top. True if
+  /// a pixel may have changed. `warp`, `weft`: thread colours.
+  bool update(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp, const std::vector<ImU32>& weft,
               int width, int height);
   const CellImage& image() const { return image_; }
-  /// Pixels made by the last follow().
-  int64_t made() const { return made_; }
+  /// Number of pixels computed by the last update().
+  int64_t computed() const { return computed_; }
 
  private:
   /// Half-open, in pixels.
@@ -26,16 +26,16 @@ class OverviewImage {
     bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
   Area whole() const { return {0, image_.width, 0, image_.height}; }
-  /// What differs from the drawdown that was followed last, which becomes `cells`.
-  Area take_changes(const BitMatrix& cells);
-  void make(const Area& area);
-  void make_row(int y, int x0, int x1);
+  /// The pixels that changed since the last drawdown; stores `cells`.
+  Area update_cells(const BitMatrix& cells);
+  void compute(const Area& area);
+  void compute_row(int y, int x0, int x1);
 
   CellImage image_;
   BitMatrix cells_;
   bool front_ = true;
   std::vector<ImU32> warp_, weft_;
-  int64_t made_ = 0;
+  int64_t computed_ = 0;
 };
 
 }  // namespace weftlight::views

@@ -1,6 +1,6 @@
 #pragma once
-// What every panel gets and gives: it draws one view of the design and says what the weaver asked for, as an edit that
-// it returns or among `wanted`. Panels never touch files, and change neither the design nor its view themselves.
+// The input and output of a panel. A panel draws one view of the design and returns an edit, or adds requests to
+// `wanted`. It never touches files, and changes neither the design nor its view itself.
 
 #include <cstdint>
 
@@ -16,25 +16,25 @@
 
 namespace weftlight::views {
 
-/// What the panels of one frame tell each other and the window; begun anew with every frame.
+/// What the panels of one frame tell each other and the window. Reset for every frame.
 struct FrameNotes {
   Hover hover;
-  const char* hint = "";        // how to use what the pointer is over, for the status line
-  bool crosshair = false;       // the pointer draws a rectangle here
-  bool selection_menu = false;  // a right click: the menu opens in this frame
-  bool again = false;           // something moves on by itself: another frame
+  const char* hint = "";        // how to use what is under the pointer, for the status bar; translated
+  bool crosshair = false;       // the cursor is a crosshair
+  bool selection_menu = false;  // open the context menu in this frame
+  bool again = false;           // draw another frame, because something moves by itself
 };
 
 struct PanelContext : Context {
   const Design& design;
-  const BitMatrix& cells;  // drawdown of the design, front face
-  uint64_t revision;       // grows whenever the design changes
+  const BitMatrix& cells;  // drawdown of the front face
+  uint64_t revision;       // increases with every change of the design
   const DocumentView& view;
   const Settings& settings;
   FrameNotes& frame;
   Intents& wanted;
-  const Report* report = nullptr;  // the last one made, of this design or one before; null: none
-  DrapeState drape{};              // of the cloth's own drape
+  const Report* report = nullptr;  // the latest report, perhaps of an earlier design; null if there is none
+  DrapeState drape{};              // of the drape simulation
 };
 
 /// A colour of the design as ImGui packs it.

@@ -1,5 +1,5 @@
 #pragma once
-// A GL texture that holds the drawdown's pixels and is made again only when what it shows has changed.
+// A GL texture of the drawdown, drawn again only when its input changes.
 
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
@@ -9,14 +9,14 @@ namespace weftlight::views {
 
 class CellTexture {
  public:
-  /// `tiled`: the drawdown goes on beyond its edges.
+  /// `tiled`: the drawdown repeats beyond its edges.
   ImTextureID of(const PanelContext& c, const GridPane& drawdown, bool tiled = false);
 
  private:
   struct Key {
     uint64_t revision = 0;
     Face face = Face::kFront;
-    DrawdownStyle look = DrawdownStyle::kColor;
+    DrawdownStyle style = DrawdownStyle::kColor;
     bool dark = false, reversed_ends = false, reversed_picks = false, tiled = false;
     float pitch = 0, scroll_x = 0, scroll_y = 0, width = 0, height = 0;
     bool operator==(const Key&) const = default;

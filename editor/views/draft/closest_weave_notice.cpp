@@ -1,31 +1,41 @@
+#include "views/draft/closest_weave_notice.h"
+
 #include <cctype>
 #include <string>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/draft/closest_weave_notice.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
-std::string sentence(std::string words) {
-  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words + ".";
+std::string sentence(std::string clause) {
+  if (!clause.empty()) clause[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(clause[0])));
+  return fill(tr("{sentence}."), arg("sentence", clause));
 }
 
 std::string offer(const ClosestWeave& n) {
-  if (n.is_there) return "Nothing that it weaves comes nearer than what is there.";
-  if (n.wrong == 0) return "It weaves it all with other numbers of shafts and treadles.";
-  const std::string crossings = std::to_string(n.wrong) + (n.wrong == 1 ? " crossing" : " crossings");
-  return "The nearest that it weaves differs in " + crossings + ".";
+  if (n.is_there) return tr("The draft already is the closest weave.");
+  if (n.wrong == 0) return tr("It can be woven with another number of shafts and treadles.");
+  return fill(tr_n("The closest weave differs in {count} crossing.", "The closest weave differs in {count} crossings.",
+                   n.wrong),
+              arg("count", n.wrong));
 }
 
-/// "Take 9 shafts"; empty where no loom is larger in one thing alone.
+/// "Use 9 shafts". Empty if one larger number is not enough.
 std::string larger(const PanelContext& c) {
   const Draft &requested = c.view.rejected_edit->requested->draft, &d = c.design.draft;
-  const auto take = [](int n, const char* what) { return "Take " + std::to_string(n) + " " + what; };
-  if (requested.shafts > d.shafts) return take(requested.shafts, "shafts");
-  return requested.treadles > d.treadles ? take(requested.treadles, "treadles") : std::string();
+  const int shafts = requested.shafts, treadles = requested.treadles;
+  if (shafts > d.shafts) return fill(tr_n("Use {count} shaft", "Use {count} shafts", shafts), arg("count", shafts));
+  if (treadles <= d.treadles) return {};
+  return fill(tr_n("Use {count} treadle", "Use {count} treadles", treadles), arg("count", treadles));
 }
 
 void draw_card(PanelContext& c, const ClosestWeave& n) {
@@ -35,17 +45,18 @@ void draw_card(PanelContext& c, const ClosestWeave& n) {
   muted_text(c, offer(n));
   ImGui::Dummy({0, c.style.px(2)});
   if (!n.is_there) {
-    if (text_button(c, "nearest.see", "See the nearest", "It is shown in the draft, and can be taken or left"))
+    if (text_button(c, "nearest.see", tr("Show closest weave"),
+                    tr("It is shown in the draft first; then use it or cancel")))
       c.wanted.add_action("nearest");
     ImGui::SameLine();
   }
   if (const std::string words = larger(c); !words.empty()) {
-    if (text_button(c, "nearest.larger", words.c_str(), "What was painted, on a larger loom"))
+    if (text_button(c, "nearest.larger", words.c_str(), tr("Your edit, on a larger loom")))
       c.wanted.add_action("larger_loom");
     ImGui::SameLine();
   }
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  if (text_button(c, "nearest.leave", "Leave it", "The draft stays as it is"))
+  if (text_button(c, "nearest.leave", tr("Dismiss"), tr("Leave the draft as it is")))
     c.wanted.change_view([](DocumentView& v) { v.rejected_edit.reset(); });
   ImGui::PopStyleColor();
 }

@@ -1,12 +1,12 @@
 #pragma once
-// What was painted and the loom cannot weave: says why over the draft, and what can be done about it.
+// The notice of an edit beyond the loom limits: the reason, and what can be done.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
 
-/// Below the middle of a pane, while something is refused; drawn after the pane.
+/// At the bottom of a pane, while there is a rejected edit. Draw it after the pane.
 void draw_closest_weave_notice(PanelContext& c, ImVec2 min, ImVec2 max);
 
 }  // namespace weftlight::views

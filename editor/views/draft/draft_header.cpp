@@ -3,27 +3,33 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/draft/tool_icons.h"
 
 namespace weftlight::views {
+
+using base::mark;
+using base::tr;
+
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kMargin = 14, kGap = 10, kIconCell = 28, kIcon = 14, kLooks = 214, kToolList = 92, kLookList = 96,
+constexpr float kMargin = 14, kGap = 10, kIconCell = 28, kIcon = 14, kStyles = 214, kToolList = 92, kStyleList = 96,
                 kMinTitle = 60;
-constexpr std::array<const char*, 3> kLookWords = {"Threads", "Colour", "Structure"};
+constexpr std::array<const char*, 3> kStyleNames = {mark("Threads"), mark("Colour"), mark("Structure")};
 
 struct ToolButton {
-  const char *word, *action;
+  const char *name, *action;  // a marked text, also the name in the map
 };
 /// In the order of the tools.
-constexpr std::array kTools = {ToolButton{"Paint", "tool_paint"},   ToolButton{"Select", "tool_select"},
-                               ToolButton{"Line", "tool_line"},     ToolButton{"Rectangle", "tool_rectangle"},
-                               ToolButton{"Filled", "tool_filled"}, ToolButton{"Fill", "tool_fill"},
-                               ToolButton{"Type", "tool_type"}};
-constexpr std::array kMirrors = {ToolButton{"Ends", "mirror_ends"}, ToolButton{"Picks", "mirror_picks"}};
+constexpr std::array kTools = {
+    ToolButton{mark("Paint"), "tool_paint"},   ToolButton{mark("Select"), "tool_select"},
+    ToolButton{mark("Line"), "tool_line"},     ToolButton{mark("Rectangle"), "tool_rectangle"},
+    ToolButton{mark("Filled"), "tool_filled"}, ToolButton{mark("Fill"), "tool_fill"},
+    ToolButton{mark("Type"), "tool_type"}};
+constexpr std::array kMirrors = {ToolButton{mark("Ends"), "mirror_ends"}, ToolButton{mark("Picks"), "mirror_picks"}};
 
 const ActionItem* item_of(std::span<const ActionItem> items, const char* id) {
   for (const ActionItem& item : items)
@@ -35,7 +41,7 @@ std::string tip_of(const ActionItem& item) {
   return item.shortcut.empty() ? item.label : item.label + "   " + item.shortcut;
 }
 
-/// Buttons side by side on one ground, each an action with a picture.
+/// Buttons side by side on one background, each an action with an icon.
 template <class Draw>
 void draw_buttons(PanelContext& c, const char* id, std::span<const ToolButton> buttons,
                   std::span<const ActionItem> items, Draw draw_icon) {
@@ -51,8 +57,8 @@ void draw_buttons(PanelContext& c, const char* id, std::span<const ToolButton> b
     if (item == nullptr) continue;
     const ImVec2 a{at.x + w * static_cast<float>(i), at.y}, b{a.x + w, a.y + h};
     ImGui::SetCursorScreenPos(a);
-    if (hit_area(buttons[i].word, {w, h})) c.wanted.add_action(item->id);
-    c.map.add_item(std::string(id) + ":" + buttons[i].word);
+    if (hit_area(buttons[i].name, {w, h})) c.wanted.add_action(item->id);
+    c.map.add_item(std::string(id) + ":" + buttons[i].name);
     if (item->checked) {
       dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, s.color.raised, r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, s.color.line, r - 1);
@@ -75,14 +81,14 @@ void draw_tool_buttons(PanelContext& c, std::span<const ActionItem> items) {
   });
 }
 
-/// The same in a list.
+/// The same as a drop-down list.
 void draw_tool_list(PanelContext& c, std::span<const ActionItem> items) {
   ImGui::SetNextItemWidth(c.style.px(kToolList));
-  if (!begin_combo(c, "tool", kTools[static_cast<size_t>(c.view.select.tool)].word)) return;
+  if (!begin_combo(c, "tool", tr(kTools[static_cast<size_t>(c.view.select.tool)].name))) return;
   const auto draw = [&](const char* id, const ToolButton& button) {
     const ActionItem* item = item_of(items, button.action);
     if (item != nullptr && ImGui::Selectable(item->label.c_str(), item->checked)) c.wanted.add_action(item->id);
-    c.map.add_item(std::string(id) + ":" + button.word);
+    c.map.add_item(std::string(id) + ":" + button.name);
   };
   for (const ToolButton& tool : kTools) draw("tool", tool);
   ImGui::Separator();
@@ -90,22 +96,22 @@ void draw_tool_list(PanelContext& c, std::span<const ActionItem> items) {
   end_combo();
 }
 
-/// Side by side, or in a list where there is no room for that.
-void draw_properties(PanelContext& c, bool listed) {
-  int look = static_cast<int>(c.settings.drawdown_style);
+/// Drawdown styles side by side, or as a drop-down list if `listed`.
+void draw_styles(PanelContext& c, bool listed) {
+  int style = static_cast<int>(c.settings.drawdown_style);
   if (!listed) {
-    segmented(c, "look", kLookWords, look, c.style.px(kLooks));
+    segmented(c, "look", kStyleNames, style, c.style.px(kStyles));
   } else {
-    ImGui::SetNextItemWidth(c.style.px(kLookList));
-    if (begin_combo(c, "look", kLookWords[static_cast<size_t>(look)])) {
-      for (size_t i = 0; i < kLookWords.size(); ++i) {
-        if (ImGui::Selectable(kLookWords[i], static_cast<int>(i) == look)) look = static_cast<int>(i);
-        c.map.add_item(std::string("look:") + kLookWords[i]);
+    ImGui::SetNextItemWidth(c.style.px(kStyleList));
+    if (begin_combo(c, "look", tr(kStyleNames[static_cast<size_t>(style)]))) {
+      for (size_t i = 0; i < kStyleNames.size(); ++i) {
+        if (ImGui::Selectable(tr(kStyleNames[i]), static_cast<int>(i) == style)) style = static_cast<int>(i);
+        c.map.add_item(std::string("look:") + kStyleNames[i]);
       }
       end_combo();
     }
   }
-  const auto chosen = static_cast<DrawdownStyle>(look);
+  const auto chosen = static_cast<DrawdownStyle>(style);
   if (chosen != c.settings.drawdown_style)
     c.wanted.change_settings([chosen](Settings& s) { s.drawdown_style = chosen; });
 }
@@ -126,10 +132,10 @@ void draw_draft_header(PanelContext& c, const std::string& name, std::span<const
   const ImVec2 at = ImGui::GetCursorPos();
   const float gap = s.px(kGap), margin = s.px(kMargin), room = ImGui::GetWindowWidth() - 2 * margin;
   const float buttons = s.px(kIconCell) * (kTools.size() + kMirrors.size()) + gap, title = s.px(kMinTitle) + gap;
-  const bool list_properties = room < title + buttons + gap + s.px(kLooks);
-  const bool list_tools = room < buttons + gap + s.px(kLookList);
-  const float tools = list_tools ? s.px(kToolList) : buttons, looks = s.px(list_properties ? kLookList : kLooks);
-  const float tools_x = std::max(margin, margin + room - looks - tools - gap);
+  const bool list_styles = room < title + buttons + gap + s.px(kStyles);
+  const bool list_tools = room < buttons + gap + s.px(kStyleList);
+  const float tools = list_tools ? s.px(kToolList) : buttons, styles = s.px(list_styles ? kStyleList : kStyles);
+  const float tools_x = std::max(margin, margin + room - styles - tools - gap);
   const float title_room = tools_x - margin - gap;
   ImGui::SetCursorPos({at.x + margin, at.y + gap});
   if (title_room >= s.px(kMinTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
@@ -137,7 +143,7 @@ void draw_draft_header(PanelContext& c, const std::string& name, std::span<const
   if (list_tools) draw_tool_list(c, items);
   else draw_tool_buttons(c, items);
   ImGui::SetCursorPos({at.x + tools_x + tools + gap, at.y + gap});
-  draw_properties(c, list_properties);
+  draw_styles(c, list_styles);
   ImGui::SetCursorPos({at.x, at.y + gap + ImGui::GetFrameHeight() + s.px(8)});
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The row above the draft: its title, the tool in hand and what it is mirrored about, how the drawdown looks. In a
-// narrow pane the title goes first, then look and tool become drop-down lists.
+// The row above the draft: title, active tool, symmetry, drawdown style. In a narrow pane the title is dropped first,
+// then the style and the tools become drop-down lists.
 
 #include <span>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace weftlight::views {
 
-/// `name`: of the file, where the draft has no title. `items`: whose keys the tips tell.
+/// `name`: of the file, shown if the draft has no title. `items`: the actions, for tips and shortcuts.
 void draw_draft_header(PanelContext& c, const std::string& name, std::span<const ActionItem> items);
 
 }  // namespace weftlight::views

@@ -9,12 +9,12 @@ namespace {
 // Pixels at 96 dpi.
 constexpr float kMargin = 14, kBar = 16, kGap = 8, kShaftNumbers = 26, kEndRuler = 18, kPickRuler = 38,
                 kTreadleNumbers = 16, kScrollbar = 12;
-constexpr float kSmallestLoomPitch = 9, kLargestLoomPitch = 28;  // shafts and treadles stay clickable
-constexpr float kLargestFit = 28, kSmallestFit = 4;              // a first pitch lies between
-constexpr float kThreadingShare = 0.42f, kLiftShare = 0.38f;     // of the pane, at most
+constexpr float kSmallestLoomPitch = 9, kLargestLoomPitch = 28;  // shafts and treadles stay easy to click
+constexpr float kLargestFit = 28, kSmallestFit = 4;              // range of the fitted pitch
+constexpr float kThreadingShare = 0.42f, kLiftShare = 0.38f;     // at most this fraction of the pane
 
 struct Room {
-  float width, height;  // for the drawdown and what is beside and above it
+  float width, height;  // for the grids, without margins, bars and numbers
 };
 
 Room room_of(const Style& s, ImVec2 min, ImVec2 max) {
@@ -28,19 +28,19 @@ float loom_pitch(const Style& s, float pitch) {
 
 int lift_columns(const Draft& d) { return d.shed_control == ShedControl::kLiftplan ? d.shafts : d.treadles; }
 
-/// What the draft takes of a room at a pitch, where the shafts and treadles have all the room they want.
-Room taken(const Draft& d, const Style& s, float pitch, Room room) {
+/// The space that the draft needs at a pitch.
+Room needed(const Draft& d, const Style& s, float pitch, Room room) {
   const float loom = loom_pitch(s, pitch);
   const float lift = std::min(static_cast<float>(lift_columns(d)) * loom, room.width * kLiftShare);
   const float shafts = std::min(static_cast<float>(d.shafts) * loom, room.height * kThreadingShare);
   return {pitch * static_cast<float>(d.ends()) + lift, pitch * static_cast<float>(d.picks()) + shafts};
 }
 
-/// Whole pixels. Below the smallest, cells would be hard to see: the draft is scrolled instead.
+/// In whole pixels. Smaller cells would be hard to see: the draft scrolls instead.
 float fitting_pitch(const Draft& d, const Style& s, Room room) {
   float pitch = s.px(kLargestFit);
   const auto fits = [&] {
-    const Room t = taken(d, s, pitch, room);
+    const Room t = needed(d, s, pitch, room);
     return t.width <= room.width && t.height <= room.height;
   };
   while (pitch > s.px(kSmallestFit) && !fits()) pitch -= 1;
@@ -64,30 +64,30 @@ std::vector<const GridPane*> DraftLayout::panes() const {
   return all;
 }
 
-float fitting_width(const Draft& d, const Style& s, float least, float most, float height) {
-  const Room room = room_of(s, {0, 0}, {most, height});
-  const float width = taken(d, s, fitting_pitch(d, s, room), room).width + most - room.width;
-  return std::clamp(width, least, most);
+float fitting_width(const Draft& d, const Style& s, float min_width, float max_width, float height) {
+  const Room room = room_of(s, {0, 0}, {max_width, height});
+  const float width = needed(d, s, fitting_pitch(d, s, room), room).width + max_width - room.width;
+  return std::clamp(width, min_width, max_width);
 }
 
 namespace {
 
-/// Where things stand from top to bottom.
+/// The vertical layout.
 struct Rows {
-  float heads, bar, threading, drawdown;  // their upper edges
+  float labels, bar, threading, drawdown;  // upper edges
 };
 
-/// Numbers, bar, threading, drawdown; or the other way round, below the bar that scrolls the ends. `lift`: height that
-/// the drawdown takes, `shafts`: that the threading takes.
+/// Numbers, bar, threading, drawdown; or the reverse, below the scroll bar of the ends. `lift`: height of the drawdown,
+/// `shafts`: height of the threading.
 Rows rows_of(const Style& s, float top, float shafts, float lift, bool below) {
-  const float heads = s.px(kEndRuler), bar = s.px(kBar), gap = s.px(kGap);
-  if (!below) return {top, top + heads, top + heads + bar + gap, top + heads + bar + gap + shafts + gap};
+  const float labels = s.px(kEndRuler), bar = s.px(kBar), gap = s.px(kGap);
+  if (!below) return {top, top + labels, top + labels + bar + gap, top + labels + bar + gap + shafts + gap};
   const float drawdown = top + s.px(kScrollbar) + gap, threading = drawdown + lift + gap;
   return {threading + shafts + gap + bar, threading + shafts + gap, threading, drawdown};
 }
 
-/// The axis over a longer stretch, its cells where they are: beyond its ends they go on.
-Axis widened(Axis a, float start, float length) {
+/// The axis over a longer range, with its cells in the same positions.
+Axis extended(Axis a, float start, float length) {
   const float before = a.reversed ? start + length - a.start - a.length : a.start - start;
   a.scroll -= before / a.pitch;
   a.start = start;
@@ -129,10 +129,10 @@ DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings&
   l.threading = {GridId::kThreading, ends, shafts};
   l.tieup = {GridId::kTieup, treadles, shafts};
   l.drawdown = {GridId::kDrawdown, ends, picks};
-  l.beyond = {GridId::kDrawdown, widened(ends, x0, wide), widened(picks, y.drawdown, high)};
+  l.tiled_drawdown = {GridId::kDrawdown, extended(ends, x0, wide), extended(picks, y.drawdown, high)};
   l.lift = {plan ? GridId::kLiftplan : GridId::kTreadling, treadles, picks};
   l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
-  l.warp_labels = {GridId::kWarpColors, ends, single(y.heads, s.px(kEndRuler))};
+  l.warp_labels = {GridId::kWarpColors, ends, single(y.labels, s.px(kEndRuler))};
   l.weft_labels = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
   l.scroll_shafts = shafts.extent() > shafts.length + 1;
   l.scroll_treadles = treadles.extent() > treadles.length + 1;

@@ -1,6 +1,6 @@
 #pragma once
-// Where the grids of a draft lie in their pane: threading above the drawdown or, as the weaver likes, below it, tie-up
-// in the corner, treadling or liftplan at the side, colour bars along the outer edges.
+// The layout of a draft in its pane: threading above or below the drawdown, tie-up in the corner, treadling or liftplan
+// at the side, colour bars along the outer edges.
 
 #include <vector>
 
@@ -23,29 +23,29 @@ struct GridPane {
 
 struct DraftLayout {
   GridPane warp_bar, threading, tieup, drawdown, lift, weft_bar;  // lift: treadling or liftplan
-  GridPane warp_labels, weft_labels;                              // the numbers of ends and picks, beside their bars
+  GridPane warp_labels, weft_labels;                              // thread numbers beside the colour bars
   ImVec2 min, max;                                                // of the whole pane
-  GridPane beyond;  // the drawdown's room, where it goes on over its edges
-  float pitch = 0;  // pixels a thread
+  GridPane tiled_drawdown;  // the space in which the tiled view repeats the drawdown
+  float pitch = 0;          // pixels a thread
   bool threading_below = false;
-  bool scroll_ends = false, scroll_picks = false, scroll_shafts = false, scroll_treadles = false;  // not all in sight
+  bool scroll_ends = false, scroll_picks = false, scroll_shafts = false, scroll_treadles = false;  // not all visible
 
-  /// All grids; the tie-up is left out of a draft driven by its liftplan.
+  /// All grids. A draft with a liftplan has no tie-up.
   std::vector<const GridPane*> panes() const;
 };
 
-/// Width of a pane, `least` to `most`, that a draft fills best when its pitch is chosen to fit.
-float fitting_width(const Draft& draft, const Style& style, float least, float most, float height);
+/// The width, between `min_width` and `max_width`, of the pane that fits the draft best.
+float fitting_width(const Draft& draft, const Style& style, float min_width, float max_width, float height);
 
-/// With a pitch that fits where the view has none, and its scroll brought into range.
+/// Chooses a fitting pitch if the view has none, and clamps its scroll.
 DraftLayout lay_out_draft(const Draft& draft, const DocumentView& view, const Settings& settings, const Style& style,
                           ImVec2 min, ImVec2 max);
-/// The view becomes what the layout shows of it.
+/// Stores pitch, scroll and visible ranges of the layout in the view.
 void settle(DocumentView& view, const DraftLayout& layout);
-/// It is that already.
+/// True if the view has those values already.
 bool is_settled(const DocumentView& view, const DraftLayout& layout);
 
-/// The grid as the --ui-map tells it.
+/// The grid for the --ui-map.
 UiGrid map_of(const GridPane& pane);
 
 }  // namespace weftlight::views

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "session/paint.h"
 #include "session/typing.h"
 #include "ui/widgets.h"
@@ -16,6 +17,9 @@
 #include "views/draft/tiled_draw.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
@@ -30,14 +34,14 @@ Edit stroke_edit(const PanelContext& c, const Stroke& stroke, Cell to) {
   return paint_edit(stroke.grid, stroke.last, to, stroke.on, !ImGui::GetIO().KeyShift, mirror);
 }
 
-/// Paints from where the stroke is to a cell.
+/// Paints from the last cell of the stroke to a cell.
 void paint_to(PanelContext& c, Stroke stroke, Cell to) {
   c.wanted.add(stroke_edit(c, stroke, to));
   stroke.last = to;
   c.wanted.change_view([stroke](DocumentView& v) { v.stroke = stroke; });
 }
 
-/// Takes colour (or yarn) of a thread as the one to paint with.
+/// Makes colour and yarn of a thread the active ones.
 void pick_up(PanelContext& c, GridId id, Cell at) {
   const Threads& t = c.design.draft.threads(id == GridId::kWarpColors ? System::kWarp : System::kWeft);
   const auto thread = static_cast<size_t>(id == GridId::kWarpColors ? at.a : at.b);
@@ -54,23 +58,23 @@ void begin_stroke(PanelContext& c, GridId id, Cell at) {
   paint_to(c, {id, !erase && !is_on(c.design.draft, c.cells, id, at), at}, at);
 }
 
-void go_on_with_stroke(PanelContext& c, const GridPane& pane) {
+void continue_stroke(PanelContext& c, const GridPane& pane) {
   const Cell at = pane.nearest(ImGui::GetIO().MousePos);
   if (at.valid() && at != c.view.stroke.last) paint_to(c, c.view.stroke, at);
 }
 
-/// What the hand can do there, beside what the cell is.
+/// How to paint there, for the status bar.
 const char* paint_hint(GridId id) {
   switch (id) {
     case GridId::kThreading:
-      return "Drag: paint; Shift: keep the end's other shafts; right: clear; Ctrl+drag: select";
+      return tr("Drag: paint; Shift: keep the end's other shafts; right: clear; Ctrl+drag: select");
     case GridId::kTreadling:
-      return "Drag: paint; Shift: keep the pick's other treadles; right: clear; Ctrl+drag: select";
+      return tr("Drag: paint; Shift: keep the pick's other treadles; right: clear; Ctrl+drag: select");
     case GridId::kWarpColors:
     case GridId::kWeftColors:
-      return "Drag: colour threads; Alt+click: take the colour; Shift or Ctrl: choose threads";
+      return tr("Drag: colour threads; Alt+click: pick the colour; Shift or Ctrl: select threads");
     default:
-      return "Drag: paint; right: clear; Ctrl+drag: select";
+      return tr("Drag: paint; right: clear; Ctrl+drag: select");
   }
 }
 
@@ -98,7 +102,7 @@ void grid_input(PanelContext& c, const GridPane& pane) {
   if (draws_shapes(c, pane)) return draw_with_tool(c, pane);
   if (c.view.select.tool == Tool::kType && !is_bar(pane.id)) return place_cursor(c, pane);
   if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
-  if (active && c.view.stroke.grid == pane.id) return go_on_with_stroke(c, pane);
+  if (active && c.view.stroke.grid == pane.id) return continue_stroke(c, pane);
   if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
 }
 
@@ -120,7 +124,7 @@ void scroll_by(PanelContext& c, Scroll scroll, const Axis& axis, float threads) 
   if (threads != 0) c.wanted.change_view([=](DocumentView& v) { v.*scroll = clamp_scroll(axis, v.*scroll + threads); });
 }
 
-/// Moves what the pane shows by pixels to the right and down.
+/// Scrolls the pane's content by pixels to the right and down.
 void pan(PanelContext& c, const DraftLayout& l, float dx, float dy) {
   const bool over_shafts = c.frame.hover.grid == GridId::kThreading || c.frame.hover.grid == GridId::kTieup;
   const bool over_lift = c.frame.hover.grid == GridId::kTieup || c.frame.hover.grid == l.lift.id;
@@ -144,7 +148,7 @@ void navigate(PanelContext& c, const DraftLayout& l) {
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle)) pan(c, l, io.MouseDelta.x, io.MouseDelta.y);
 }
 
-/// A thin bar that shows and moves the part in sight.
+/// A thin scroll bar.
 void scrollbar(PanelContext& c, const char* id, const Axis& axis, Scroll scroll, ImVec2 min, ImVec2 max, bool across) {
   ImGui::SetCursorScreenPos(min);
   hit_area(id, {max.x - min.x, max.y - min.y});
@@ -206,7 +210,7 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
 }
 
 void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, DraftPictures& pictures) {
-  if (c.settings.tiled) draw_tiled(dl, c, l, pictures.beyond);
+  if (c.settings.tiled) draw_tiled(dl, c, l, pictures.tiled);
   draw_color_bar(dl, c, l.warp_bar, System::kWarp);
   draw_color_bar(dl, c, l.weft_bar, System::kWeft);
   draw_bits(dl, c, l.threading);
@@ -244,7 +248,7 @@ void draw_draft(PanelContext& c, DraftPictures& pictures) {
   draw_selection(dl, c, l);
   draw_mirrors(dl, c, l);
   draw_type_cursor(dl, c, l);
-  draw_block_in_hand(dl, c, l);
+  draw_active_block(dl, c, l);
   draw_hover(dl, c, l);
   pictures.minimap.draw(dl, c, l);
   if (!ImGui::IsAnyMouseDown() && c.view.select.drag != SelectDrag::kNone)

@@ -1,5 +1,5 @@
 #pragma once
-// The draft: threading, tie-up, drawdown, treadling or liftplan and the colour bars, painted by dragging.
+// The draft panel: threading, tie-up, drawdown, treadling or liftplan, and the colour bars.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -8,13 +8,13 @@
 
 namespace weftlight::views {
 
-/// Fills what is left of the current ImGui window.
-/// What is kept of the drawdown between frames.
+/// Textures of the drawdown, kept between frames.
 struct DraftPictures {
-  CellTexture cells, beyond;
+  CellTexture cells, tiled;
   Minimap minimap;
 };
 
+/// Fills the rest of the current ImGui window.
 void draw_draft(PanelContext& c, DraftPictures& pictures);
 
 }  // namespace weftlight::views

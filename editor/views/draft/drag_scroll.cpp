@@ -9,11 +9,11 @@
 namespace weftlight::views {
 namespace {
 
-// Pixels a second, and those more for each pixel that the pointer is out.
+// Pixels per second, and the increase per pixel of distance.
 constexpr float kSlowest = 160, kFaster = 14, kFastest = 4000;
 constexpr float kLongestFrameS = 0.05f;
 
-/// The grid that the hand is busy with.
+/// The grid of the active drag.
 GridId dragged_grid(const DocumentView& v) {
   if (v.stroke.grid != GridId::kNone) return v.stroke.grid;
   if (v.shape) return v.shape->grid;
@@ -23,7 +23,7 @@ GridId dragged_grid(const DocumentView& v) {
 }
 
 void follow(PanelContext& c, float DocumentView::*scroll, const Axis& axis, float pixel) {
-  if (axis.count < 2) return;  // across a colour bar
+  if (axis.count < 2) return;  // the short axis of a colour bar
   const float to = dragged_scroll(axis, pixel, std::min(ImGui::GetIO().DeltaTime, kLongestFrameS));
   if (to == axis.scroll) return;
   c.wanted.change_view([scroll, to](DocumentView& v) { v.*scroll = to; });
@@ -36,9 +36,9 @@ float dragged_scroll(const Axis& axis, float pixel, float seconds) {
   const float end = axis.start + axis.length;
   const float out = pixel < axis.start ? pixel - axis.start : pixel >= end ? pixel - end + 1 : 0;
   if (out == 0) return axis.scroll;
-  const float way = (out < 0) != axis.reversed ? -1.0f : 1.0f;
+  const float direction = (out < 0) != axis.reversed ? -1.0f : 1.0f;
   const float speed = std::min(kSlowest + kFaster * std::abs(out), kFastest);
-  return clamp_scroll(axis, axis.scroll + way * speed * seconds / axis.pitch);
+  return clamp_scroll(axis, axis.scroll + direction * speed * seconds / axis.pitch);
 }
 
 void scroll_with_drag(PanelContext& c, const DraftLayout& l) {

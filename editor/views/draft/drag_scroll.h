@@ -1,6 +1,5 @@
 #pragma once
-// A drag that leaves its grid takes the grid along: what lies beyond the edge comes into sight, the faster the further
-// the pointer is out.
+// A drag beyond the edge of its grid scrolls the grid, faster with the distance of the pointer.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -8,10 +7,10 @@
 
 namespace weftlight::views {
 
-/// While something is painted, drawn, selected, moved or chosen. Asks for another frame where it scrolled.
+/// During any drag in a grid. Requests another frame after a scroll.
 void scroll_with_drag(PanelContext& c, const DraftLayout& layout);
 
-/// Where an axis is scrolled to after `seconds` of a pointer at `pixel`; as it is while that is inside.
+/// The scroll of an axis after `seconds` with the pointer at `pixel`; unchanged while the pointer is inside.
 float dragged_scroll(const Axis& axis, float pixel, float seconds);
 
 }  // namespace weftlight::views

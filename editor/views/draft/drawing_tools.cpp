@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "session/mirror.h"
 #include "session/paint.h"
 #include "session/selection_state.h"
@@ -10,9 +11,12 @@
 #include "ui/imgui_compat.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
-// Pixels a cell from which the cells of a ghost are drawn one by one; those of a filled rectangle are many.
+// Pixels per cell from which a preview is drawn cell by cell; a filled rectangle has many cells.
 constexpr float kCellsFrom = 2, kFilledFrom = 4;
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
@@ -23,7 +27,7 @@ void begin_shape(PanelContext& c, GridId grid, Cell at) {
   c.wanted.change_view([s = ActiveShape{c.view.select.tool, grid, at, at, on}](DocumentView& v) { v.shape = s; });
 }
 
-void go_on_with_shape(PanelContext& c, const GridPane& pane) {
+void continue_shape(PanelContext& c, const GridPane& pane) {
   const ActiveShape& s = *c.view.shape;
   Cell to = pane.nearest(ImGui::GetIO().MousePos);
   if (!to.valid()) return;
@@ -34,7 +38,7 @@ void go_on_with_shape(PanelContext& c, const GridPane& pane) {
   });
 }
 
-void fill(PanelContext& c, GridId grid, Cell at) {
+void flood_fill(PanelContext& c, GridId grid, Cell at) {
   if (!at.valid()) return;
   const DocumentView& v = c.view;
   if (is_bar(grid))
@@ -53,37 +57,38 @@ const GridPane* pane_of(const DraftLayout& l, GridId grid) {
   return nullptr;
 }
 
-struct Box {
+struct PixelRect {
   ImVec2 min, max;
 };
 
-/// The pixels from one cell to another, both included.
-Box box_between(const GridPane& p, Cell one, Cell other) {
+/// The pixels from one cell to another, inclusive.
+PixelRect rect_between(const GridPane& p, Cell one, Cell other) {
   const auto low = [](const Axis& x, int i, int j) { return std::min(x.low(i), x.low(j)); };
   const auto high = [](const Axis& x, int i, int j) { return std::max(x.high(i), x.high(j)); };
   return {{low(p.x, one.a, other.a), low(p.y, one.b, other.b)}, {high(p.x, one.a, other.a), high(p.y, one.b, other.b)}};
 }
 
-struct Ghost {
-  ImU32 mark, edge, leaves;  // cells of the shape and their border; what a line takes its threads off
+/// Colours of the preview of a shape.
+struct Preview {
+  ImU32 cell, edge, cleared;  // cells and their border; what a line clears on its threads
 };
 
-Ghost ghost_of(const PanelContext& c, const ActiveShape& s) {
+Preview preview_of(const PanelContext& c, const ActiveShape& s) {
   const Colors& k = c.style.color;
-  const bool turned = s.grid == GridId::kDrawdown && c.view.face == Face::kBack;  // the back shows the other threads
-  const bool filled = s.on != turned;
+  const bool inverted = s.grid == GridId::kDrawdown && c.view.face == Face::kBack;  // the back shows the other system
+  const bool filled = s.on != inverted;
   return {filled ? blend(k.accent, k.ink, 0.25f) : k.paper, filled ? k.paper : k.accent, with_alpha(k.paper, 0.7f)};
 }
 
-void draw_cell(ImDrawList* dl, const GridPane& p, const Ghost& g, Cell at) {
+void draw_cell(ImDrawList* dl, const GridPane& p, const Preview& g, Cell at) {
   const float gap = std::min(p.x.pitch, p.y.pitch) >= 5 ? 1.0f : 0.0f;
   const ImVec2 a{p.x.low(at.a) + gap, p.y.low(at.b) + gap}, b{p.x.high(at.a), p.y.high(at.b)};
-  dl->AddRectFilled(a, b, g.mark);
-  // A line around each stands out from threads of any colour.
+  dl->AddRectFilled(a, b, g.cell);
+  // The outline is visible on threads of any colour.
   if (gap > 0) dl->AddRect(a, b, with_alpha(g.edge, 0.8f));
 }
 
-void draw_cells(ImDrawList* dl, const GridPane& p, const CellMask& mask, const Ghost& g) {
+void draw_cells(ImDrawList* dl, const GridPane& p, const CellMask& mask, const Preview& g) {
   const int a0 = std::max(mask.at.a, p.x.first_visible()), b0 = std::max(mask.at.b, p.y.first_visible());
   const int a1 = std::min(mask.at.a + mask.cells.cols(), p.x.end_visible()),
             b1 = std::min(mask.at.b + mask.cells.rows(), p.y.end_visible());
@@ -92,9 +97,9 @@ void draw_cells(ImDrawList* dl, const GridPane& p, const CellMask& mask, const G
       if (mask.cells.get(b - mask.at.b, a - mask.at.a)) draw_cell(dl, p, g, {a, b});
 }
 
-/// From afar: the outline of what it takes.
+/// For small cells: the outline of the shape.
 void draw_far(ImDrawList* dl, const GridPane& p, const ActiveShape& s, Cell from, Cell to, ImU32 color) {
-  const Box box = box_between(p, from, to);
+  const PixelRect box = rect_between(p, from, to);
   const ImVec2 b{std::max(box.max.x, box.min.x + 1), std::max(box.max.y, box.min.y + 1)};
   if (s.tool == Tool::kFilledRectangle) return dl->AddRectFilled(box.min, b, with_alpha(color, 0.8f));
   const float thick = std::max(1.5f, p.x.pitch);
@@ -103,21 +108,21 @@ void draw_far(ImDrawList* dl, const GridPane& p, const ActiveShape& s, Cell from
   dl->AddLine({middle(p.x, from.a), middle(p.y, from.b)}, {middle(p.x, to.a), middle(p.y, to.b)}, color, thick);
 }
 
-/// The threads that a line moves lose what else they had.
+/// Fades the other cells of the threads that a line sets, because it clears them.
 void fade_threads(ImDrawList* dl, const GridPane& p, Cell from, Cell to, ImU32 color) {
-  const Box box = box_between(p, from, to);
+  const PixelRect box = rect_between(p, from, to);
   const ImVec2 a = p.min(), b = p.max();
   if (p.id == GridId::kThreading) dl->AddRectFilled({box.min.x, a.y}, {box.max.x, b.y}, color);
   else dl->AddRectFilled({a.x, box.min.y}, {b.x, box.max.y}, color);
 }
 
-/// Pixel of the axis that cells are mirrored about.
+/// Pixel of a mirror axis.
 float axis_pixel(const Axis& axis, int sum) {
   const auto middle = [&](int i) { return (axis.low(i) + axis.high(i)) / 2; };
   return std::round((middle(sum / 2) + middle(sum - sum / 2)) / 2) - 1;
 }
 
-/// Dashes on a line of paper: they stand out from threads of any colour.
+/// Dashes on a line in the paper colour are visible on threads of any colour.
 void draw_axis(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
   const bool upright = a.x == b.x;
   const float dash = c.style.px(6), gap = c.style.px(4), length = upright ? b.y - a.y : b.x - a.x;
@@ -141,7 +146,7 @@ void draw_axes(ImDrawList* dl, const PanelContext& c, const GridPane& p, const M
   }
 }
 
-/// While a tool that is mirrored is in hand.
+/// True while the active tool is mirrored.
 bool pen_is_mirrored(const PanelContext& c) {
   const Tool tool = c.view.select.tool;
   return (c.view.mirror_ends || c.view.mirror_picks) && (tool == Tool::kPaint || is_shape(tool));
@@ -159,11 +164,11 @@ void draw_with_tool(PanelContext& c, const GridPane& pane) {
   if (ImGui::IsItemHovered() || active) c.frame.crosshair = true;
   const Cell at = pane.at(ImGui::GetIO().MousePos);
   if (c.view.select.tool == Tool::kFill) {
-    if (ImGui::IsItemActivated()) fill(c, pane.id, at);
+    if (ImGui::IsItemActivated()) flood_fill(c, pane.id, at);
   } else if (ImGui::IsItemActivated()) {
     begin_shape(c, pane.id, at);
   } else if (active && mine) {
-    go_on_with_shape(c, pane);
+    continue_shape(c, pane);
   } else if (mine) {
     c.wanted.gesture([](DocumentView& v, const Design& design) { return finish_shape(v, design); });
   }
@@ -172,14 +177,14 @@ void draw_with_tool(PanelContext& c, const GridPane& pane) {
 const char* tool_hint(Tool tool) {
   switch (tool) {
     case Tool::kLine:
-      return "Drag: a line; Shift: straight or at 45 degrees; from a filled cell or right: clear; Esc gives up";
+      return tr("Drag: draw a line; Shift: straight or at 45 degrees; from a filled cell or right: clear; Esc: cancel");
     case Tool::kRectangle:
     case Tool::kFilledRectangle:
-      return "Drag: a rectangle; Shift: a square; from a filled cell or right: clear; Esc gives up";
+      return tr("Drag: draw a rectangle; Shift: square; from a filled cell or right: clear; Esc: cancel");
     case Tool::kFill:
-      return "Click: turn over all cells like this one that hang together; right: clear them";
+      return tr("Click: invert all connected cells like this one; right: clear them");
     case Tool::kType:
-      return "Click: type here";
+      return tr("Click: type numbers from here");
     default:
       return "";
   }
@@ -190,14 +195,14 @@ void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   if (pane == nullptr) return;
   const ActiveShape& s = *c.view.shape;
   const Mirror mirror = mirror_of(c.view, c.design.draft);
-  const Ghost ghost = ghost_of(c, s);
+  const Preview preview = preview_of(c, s);
   const float from_pitch = s.tool == Tool::kFilledRectangle ? kFilledFrom : kCellsFrom;
   const std::vector<Cell> from = images_of(mirror, s.grid, s.from), to = images_of(mirror, s.grid, s.to);
   dl->PushClipRect(pane->min(), {pane->max().x + 1, pane->max().y + 1}, true);
   for (size_t i = 0; i < from.size(); ++i) {
-    if (leaves_others(s)) fade_threads(dl, *pane, from[i], to[i], ghost.leaves);
-    if (std::min(pane->x.pitch, pane->y.pitch) < from_pitch) draw_far(dl, *pane, s, from[i], to[i], ghost.mark);
-    else draw_cells(dl, *pane, cells_of_shape(s.tool, s.grid, from[i], to[i]), ghost);
+    if (leaves_others(s)) fade_threads(dl, *pane, from[i], to[i], preview.cleared);
+    if (std::min(pane->x.pitch, pane->y.pitch) < from_pitch) draw_far(dl, *pane, s, from[i], to[i], preview.cell);
+    else draw_cells(dl, *pane, cells_of_shape(s.tool, s.grid, from[i], to[i]), preview);
   }
   dl->PopClipRect();
 }
@@ -211,7 +216,7 @@ void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   dl->PushClipRect(over->min(), {over->max().x + 1, over->max().y + 1}, true);
   const std::vector<Cell> images = images_of(mirror, over->id, c.frame.hover.cell);
   for (size_t i = 1; i < images.size(); ++i) {
-    const Box box = box_between(*over, images[i], images[i]);
+    const PixelRect box = rect_between(*over, images[i], images[i]);
     dl->AddRect(box.min, {box.max.x + 1, box.max.y + 1}, with_alpha(c.style.color.accent, 0.75f), 0, 0, 1.5f);
   }
   dl->PopClipRect();
@@ -222,7 +227,7 @@ void draw_type_cursor(ImDrawList* dl, PanelContext& c, const DraftLayout& l) {
   const GridPane* pane = c.view.select.tool == Tool::kType ? pane_of(l, cursor.grid) : nullptr;
   if (pane == nullptr) return;
   const Style& s = c.style;
-  const Box cell = box_between(*pane, cursor.at, cursor.at);
+  const PixelRect cell = rect_between(*pane, cursor.at, cursor.at);
   const ImVec2 min = pane->min(), max = pane->max();
   const float thick = s.px(2);
   dl->PushClipRect({min.x - thick, min.y - thick}, {max.x + 1 + thick, max.y + 1 + thick}, true);
@@ -234,7 +239,7 @@ void draw_type_cursor(ImDrawList* dl, PanelContext& c, const DraftLayout& l) {
   dl->PopClipRect();
   c.map.add("type.cursor", cell.min.x, cell.min.y, cell.max.x - cell.min.x, cell.max.y - cell.min.y);
   if (cursor.typed == 0) return;
-  // Above all else, beside the cell.
+  // The typed digits, on top of everything, above the cell.
   const std::string text = std::to_string(cursor.typed) + "\xE2\x80\xA6";
   const ImVec2 size = s.font.bold->CalcTextSizeA(font_size(s.font.bold), FLT_MAX, 0, text.c_str());
   const ImVec2 at{std::round((cell.min.x + cell.max.x - size.x) / 2), std::round(cell.min.y - size.y - s.px(9))};

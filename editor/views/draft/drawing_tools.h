@@ -1,5 +1,5 @@
 #pragma once
-// Line, rectangle and fill under the mouse, their ghost before they are let go, and the axes of the symmetric pen.
+// Mouse input of the line, rectangle and fill tools, the preview of a shape, and the axes of the symmetric pen.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -7,19 +7,19 @@
 
 namespace weftlight::views {
 
-/// True when the mouse over this grid draws a shape or fills, and does not paint.
+/// True if the mouse over this grid draws a shape or fills, rather than paints.
 bool draws_shapes(const PanelContext& c, const GridPane& pane);
-/// To be called right after the grid's ImGui item.
+/// Call right after the grid's ImGui item.
 void draw_with_tool(PanelContext& c, const GridPane& pane);
-/// How to use the tool there, for the status line.
+/// How to use the tool, for the status bar; translated.
 const char* tool_hint(Tool tool);
 
-/// The shape as it would lie, with its images.
+/// The preview of the shape, with its mirror images.
 void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
-/// Where the pen is mirrored, and the images of the cell under the pointer.
+/// The mirror axes, and the mirror images of the cell under the pointer.
 void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
-/// Where numbers are typed, with what was typed so far.
+/// The cursor for typed numbers, with the digits so far.
 void draw_type_cursor(ImDrawList* dl, PanelContext& c, const DraftLayout& layout);
 
 }  // namespace weftlight::views

@@ -12,9 +12,10 @@
 namespace weftlight::views {
 namespace {
 
-constexpr float kLinesFrom = 5;     // pixels a cell from which hairlines help rather than hide
+// Pixels per cell.
+constexpr float kLinesFrom = 5;     // from which grid lines do not hide the cells
 constexpr float kNumbersFrom = 15;  // from which a number fits
-constexpr float kGapsFrom = 8;      // from which a gap parts threads without darkening them
+constexpr float kGapsFrom = 8;      // from which gaps between threads do not darken the drawdown
 
 void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
   const Colors& k = c.style.color;
@@ -42,25 +43,25 @@ void draw_centered(ImDrawList* dl, ImFont* font, ImVec2 middle, ImU32 color, con
               color, text.c_str());
 }
 
-struct Box {
+struct PixelRect {
   ImVec2 min, max;
   ImVec2 middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
 };
 
-/// Low and high pixel of cells in a row, `first` to `end` exclusively, whichever way they run.
+/// Low and high pixel of the cells `first` to `end`, exclusive, in either direction of the axis.
 float low_of(const Axis& axis, int first, int end) { return std::min(axis.low(first), axis.low(end - 1)); }
 float high_of(const Axis& axis, int first, int end) { return std::max(axis.high(first), axis.high(end - 1)); }
 
-/// The inside of a cell, at least a pixel wide.
-Box box_of(const GridPane& p, int a, int b) {
+/// The inside of a cell, at least one pixel wide.
+PixelRect rect_of(const GridPane& p, int a, int b) {
   const float gap_x = p.x.pitch >= kLinesFrom ? 1.0f : 0.0f, gap_y = p.y.pitch >= kLinesFrom ? 1.0f : 0.0f;
-  Box box{{p.x.low(a) + gap_x, p.y.low(b) + gap_y}, {p.x.high(a), p.y.high(b)}};
+  PixelRect box{{p.x.low(a) + gap_x, p.y.low(b) + gap_y}, {p.x.high(a), p.y.high(b)}};
   box.max.x = std::max(box.max.x, box.min.x + 1);
   box.max.y = std::max(box.max.y, box.min.y + 1);
   return box;
 }
 
-void draw_tie(ImDrawList* dl, const PanelContext& c, const Box& box) {
+void draw_tie(ImDrawList* dl, const PanelContext& c, const PixelRect& box) {
   const ImVec2 m = box.middle();
   const float r = (box.max.x - box.min.x) * 0.30f, thick = std::max(1.5f, r * 0.42f);
   if (c.design.draft.rising) {
@@ -72,7 +73,7 @@ void draw_tie(ImDrawList* dl, const PanelContext& c, const Box& box) {
 }
 
 void draw_bit(ImDrawList* dl, const PanelContext& c, const GridPane& p, int a, int b) {
-  const Box box = box_of(p, a, b);
+  const PixelRect box = rect_of(p, a, b);
   if (p.id == GridId::kTieup) return draw_tie(dl, c, box);
   dl->AddRectFilled(box.min, box.max, c.style.color.ink);
   if (std::min(p.x.pitch, p.y.pitch) >= c.style.px(kNumbersFrom)) {
@@ -81,8 +82,8 @@ void draw_bit(ImDrawList* dl, const PanelContext& c, const GridPane& p, int a, i
   }
 }
 
-/// A thread seen from above: body, and the darker flanks that part it from its neighbour.
-void draw_thread(ImDrawList* dl, Box box, ImU32 color, bool upright) {
+/// A thread from above, with a light and a dark edge that separate it from its neighbours.
+void draw_thread(ImDrawList* dl, PixelRect box, ImU32 color, bool upright) {
   const float width = upright ? box.max.x - box.min.x : box.max.y - box.min.y;
   dl->AddRectFilled(box.min, box.max, color);
   if (width < 7) return;
@@ -98,40 +99,40 @@ void draw_thread(ImDrawList* dl, Box box, ImU32 color, bool upright) {
   }
 }
 
-/// The first, then every step-th, but none crowding the first.
+/// The first, then every step-th, but none too close to the first.
 bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4 >= step * 3); }
 
 struct ThreadStyle {
   std::vector<ImU32> warp, weft;
   float gap;                                  // pixels between threads
-  std::vector<float> warp_inset, weft_inset;  // pixels that a thinner thread leaves free at each side; none: 0
+  std::vector<float> warp_inset, weft_inset;  // pixels left free on each side of a thinner thread; empty: 0
   float inset(System s, int thread) const {
     const auto& all = s == System::kWarp ? warp_inset : weft_inset;
     return all.empty() ? 0.0f : all[static_cast<size_t>(thread)];
   }
 };
 
-/// Beside the thickest thread of its system, a thread of no thickness would keep this much of its cell.
-constexpr float kThinnest = 0.3f;
+/// Fraction of its cell that the thinnest imaginable thread fills; the thickest fills all of it.
+constexpr float kMinWidth = 0.3f;
 
-/// Empty where all threads are equally thick.
+/// Empty if all threads are equally thick.
 std::vector<float> insets(const Design& d, System system, float pitch) {
   const Threads& t = d.draft.threads(system);
   std::vector<float> thickness, out;
-  float most = 0, least = 1e9f;
+  float thickest = 0, thinnest = 1e9f;
   for (size_t i = 0; i < t.color.size(); ++i) {
     thickness.push_back(t.thickness_mm[i] >= 0 ? t.thickness_mm[i]
                                                : d.yarns[static_cast<size_t>(t.yarn[i])].diameter_mm);
-    most = std::max(most, thickness.back());
-    least = std::min(least, thickness.back());
+    thickest = std::max(thickest, thickness.back());
+    thinnest = std::min(thinnest, thickness.back());
   }
-  if (!(least < most)) return out;
+  if (!(thinnest < thickest)) return out;
   for (const float mm : thickness)
-    out.push_back(static_cast<float>(static_cast<int>(0.5f * pitch * (1 - kThinnest) * (1 - mm / most) + 0.5f)));
+    out.push_back(static_cast<float>(static_cast<int>(0.5f * pitch * (1 - kMinWidth) * (1 - mm / thickest) + 0.5f)));
   return out;
 }
 
-ThreadStyle thread_look(const PanelContext& c, const GridPane& p) {
+ThreadStyle thread_style(const PanelContext& c, const GridPane& p) {
   const Draft& d = c.design.draft;
   if (c.settings.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
@@ -145,40 +146,39 @@ ThreadStyle thread_look(const PanelContext& c, const GridPane& p) {
           insets(c.design, System::kWarp, p.x.pitch), insets(c.design, System::kWeft, p.y.pitch)};
 }
 
-/// Each end's warp floats, drawn as one piece each over the picks.
-void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadStyle& look, int end) {
+/// The warp floats of an end, each drawn as one rectangle.
+void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadStyle& style, int end) {
   const int last = p.y.end_visible();
-  const float inset = look.inset(System::kWarp, end);
+  const float inset = style.inset(System::kWarp, end);
   for (int pick = p.y.first_visible(); pick < last;) {
     int stop = pick;
     while (stop < last && warp_on_top(c.cells, c.view.face, end, stop)) ++stop;
     if (stop > pick) {
-      const Box box{{p.x.low(end) + look.gap + inset, low_of(p.y, pick, stop)},
-                    {p.x.high(end) - inset, high_of(p.y, pick, stop)}};
-      const ImU32 color = look.warp[static_cast<size_t>(end)];
-      look.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
+      const PixelRect box{{p.x.low(end) + style.gap + inset, low_of(p.y, pick, stop)},
+                          {p.x.high(end) - inset, high_of(p.y, pick, stop)}};
+      const ImU32 color = style.warp[static_cast<size_t>(end)];
+      style.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
     }
     pick = stop + 1;
   }
 }
 
-constexpr int kSampledThreads = 8;  // of those that fall into one pixel
+constexpr int kSampledThreads = 8;  // per pixel
 
-/// Threads narrower than a pixel: each pixel as dark as the share of its threads that hang there, so that a threading
-/// seen from afar is a tint and not a bar.
+/// For threads narrower than a pixel: each pixel is as dark as the fraction of its threads on that shaft or treadle.
 void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, bool along_x) {
   const Axis& threads = along_x ? p.x : p.y;
   const Axis& loom = along_x ? p.y : p.x;
   const int pixels = static_cast<int>(threads.length);
-  // The same for each shaft or treadle.
+  // The same threads for every shaft or treadle.
   std::vector<int> sampled(static_cast<size_t>(pixels) * kSampledThreads);
   for (int i = 0; i < pixels * kSampledThreads; ++i)
     sampled[static_cast<size_t>(i)] =
         threads.at(threads.start + (static_cast<float>(i) + 0.5f) / static_cast<float>(kSampledThreads));
   for (int j = loom.first_visible(); j < loom.end_visible(); ++j) {
-    const auto draw = [&](int from, int to, float share) {
-      if (share <= 0) return;
-      const ImU32 color = blend(c.style.color.paper, c.style.color.ink, share);
+    const auto draw = [&](int from, int to, float coverage) {
+      if (coverage <= 0) return;
+      const ImU32 color = blend(c.style.color.paper, c.style.color.ink, coverage);
       const float a = threads.start + static_cast<float>(from), b = threads.start + static_cast<float>(to);
       const float low = loom.low(j) + 1, high = loom.high(j);
       if (along_x) dl->AddRectFilled({a, low}, {b, high}, color);
@@ -194,10 +194,10 @@ void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, boo
         on += is_on(c.design.draft, c.cells, p.id, along_x ? Cell{thread, j} : Cell{j, thread});
         ++all;
       }
-      const float share = all == 0 ? 0 : static_cast<float>(on) / static_cast<float>(all);
-      if (share == before) continue;
+      const float coverage = all == 0 ? 0 : static_cast<float>(on) / static_cast<float>(all);
+      if (coverage == before) continue;
       if (before >= 0) draw(begun, pixel, before);
-      before = share;
+      before = coverage;
       begun = pixel;
     }
     if (before >= 0) draw(begun, pixels, before);
@@ -232,7 +232,7 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
     if (axis.low(i) == drawn && axis.pitch < 1) continue;
     drawn = axis.low(i);
     const ImU32 color = to_u32(c.design.draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(i)])]);
-    const Box box = warp ? box_of(p, i, 0) : box_of(p, 0, i);
+    const PixelRect box = warp ? rect_of(p, i, 0) : rect_of(p, 0, i);
     dl->AddRectFilled(box.min, box.max, color);
     if (c.view.bar_paint == BarPaint::kYarn && axis.pitch >= c.style.px(10))
       draw_centered(dl, c.style.font.mono_small, box.middle(), reading_color(color),
@@ -245,7 +245,7 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
 void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   if (!c.view.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
   const BitMatrix& marks = c.view.face == Face::kFront ? c.report->front : c.report->back;
-  constexpr float kMinPitch = 1;  // pixels a cell; from further away they would cover everything
+  constexpr float kMinPitch = 1;  // pixels per cell; below, the tint would cover everything
   if (p.x.pitch < kMinPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.error, 0.55f);
   for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
@@ -261,12 +261,12 @@ void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) 
 
 namespace {
 
-/// Crossings tinted and, from afar, where they are; the place that was gone to is outlined.
+/// Tints the crossings; if cells are small, outlines their areas instead. The area shown last is always outlined.
 void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BitMatrix& differing,
                 std::span<const CellRect> places) {
   if (differing.cols() != p.x.count || differing.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.warn, 0.6f);
-  constexpr float kMinPitch = 1;  // pixels a cell; from further away the places are shown, not each crossing
+  constexpr float kMinPitch = 1;  // pixels per cell; below, areas are shown, not crossings
   dl->PushClipRect(p.min(), p.max(), true);
   for (int pick = p.y.first_visible(); pick < p.y.end_visible() && p.x.pitch >= kMinPitch; ++pick)
     for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
@@ -297,16 +297,16 @@ bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >=
 
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   const ImVec2 a = p.min(), b = p.max();
-  const ThreadStyle look = thread_look(c, p);
+  const ThreadStyle style = thread_style(c, p);
   dl->PushClipRect(a, b, true);
   dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
   for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {
-    const float inset = look.inset(System::kWeft, pick);
-    const Box box{{a.x, p.y.low(pick) + look.gap + inset}, {b.x, p.y.high(pick) - inset}};
-    const ImU32 color = look.weft[static_cast<size_t>(pick)];
-    look.gap > 0 ? draw_thread(dl, box, color, false) : dl->AddRectFilled(box.min, box.max, color);
+    const float inset = style.inset(System::kWeft, pick);
+    const PixelRect box{{a.x, p.y.low(pick) + style.gap + inset}, {b.x, p.y.high(pick) - inset}};
+    const ImU32 color = style.weft[static_cast<size_t>(pick)];
+    style.gap > 0 ? draw_thread(dl, box, color, false) : dl->AddRectFilled(box.min, box.max, color);
   }
-  for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) draw_warp_floats(dl, c, p, look, end);
+  for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) draw_warp_floats(dl, c, p, style, end);
   dl->PopClipRect();
   if (c.settings.drawdown_style == DrawdownStyle::kStructure) draw_lines(dl, c, p);
   dl->AddRect({a.x - 1, a.y - 1}, {b.x + 1, b.y + 1}, c.style.color.line_strong);

@@ -1,5 +1,5 @@
 #pragma once
-// Drawing of the grids with ImDrawList: only what is in sight, on whole pixels.
+// Draws the visible part of the grids with ImDrawList, on whole pixels.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -9,21 +9,21 @@ namespace weftlight::views {
 
 /// Threading, treadling, liftplan: filled cells. Tie-up: a ring for a rising shaft, a cross for a sinking.
 void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
-/// A thread's colour a cell; in yarn mode the yarn's number on it.
+/// One cell per thread in its colour; in yarn mode with the number of its yarn.
 void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& pane, System system);
-/// The drawdown, cell by cell, while cells are large enough (draws_cells).
+/// The drawdown, cell by cell, if cells are large enough (draws_cells).
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
-/// What floats further than is allowed, tinted.
+/// Tints floats over the maximum.
 void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
-/// What is another crossing in the draft that this one is held against.
+/// Marks crossings that differ from the draft it is compared to, or from the closest weave.
 void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& pane);
 bool draws_cells(const PanelContext& c, const GridPane& pane);
 
-/// Numbers and ticks along a grid; `pane.x` for a ruler above, `pane.y` for one at its right.
+/// Numbers along a grid: the axis `pane.x` for a ruler above, `pane.y` for one at the right. `lit`: the hovered one.
 void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, float top, float height, int lit);
 void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, int lit);
 
-/// The row and the column of the pointer, on every grid that shares the thread, shaft or treadle.
+/// The row and the column under the pointer, on every grid that has that thread, shaft or treadle.
 void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
 }  // namespace weftlight::views

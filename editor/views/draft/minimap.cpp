@@ -4,27 +4,32 @@
 #include <cmath>
 #include <optional>
 
+#include "base/text.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 // Pixels at 96 dpi.
 constexpr float kLongest = 150, kShortest = 26, kMargin = 10, kPad = 4, kMinPane = 150;
-constexpr float kMaxOfPane = 0.42f;  // along each side
+constexpr float kMaxOfPane = 0.42f;  // at most this fraction of each side of the pane
 
-struct Place {
+struct PixelRect {
   ImVec2 min, max;
   float width() const { return max.x - min.x; }
   float height() const { return max.y - min.y; }
 };
 
-/// Of its picture; none where the draft is in sight, or the pane too small. In the corner far from end 1 and pick 1.
-std::optional<Place> place_of(const PanelContext& c, const DraftLayout& l) {
+/// The rectangle of the minimap's image, in the corner opposite to end 1 and pick 1. None if the whole draft is visible
+/// or the pane is too small.
+std::optional<PixelRect> image_rect(const PanelContext& c, const DraftLayout& l) {
   const GridPane& pane = l.drawdown;
-  const float least = c.style.px(kMinPane);
+  const float min_pane = c.style.px(kMinPane);
   if (!c.settings.minimap || !(l.scroll_ends || l.scroll_picks)) return {};
-  if (pane.x.length < least || pane.y.length < least) return {};
+  if (pane.x.length < min_pane || pane.y.length < min_pane) return {};
   const float ends = static_cast<float>(pane.x.count), picks = static_cast<float>(pane.y.count);
   const float scale = std::min({c.style.px(kLongest) / std::max(ends, picks), kMaxOfPane * pane.x.length / ends,
                                 kMaxOfPane * pane.y.length / picks});
@@ -34,33 +39,33 @@ std::optional<Place> place_of(const PanelContext& c, const DraftLayout& l) {
   const float margin = c.style.px(kMargin + kPad);
   const float y = pane.y.reversed ? pane.min().y + margin : std::floor(pane.max().y - margin - h);
   const float x = pane.x.reversed ? pane.min().x + margin : std::floor(pane.max().x - margin - w);
-  return Place{{x, y}, {x + w, y + h}};
+  return PixelRect{{x, y}, {x + w, y + h}};
 }
 
-/// Pixels of a stretch of threads.
-std::pair<float, float> stretch(const Axis& axis, float low, float length) {
+/// Pixel range of the visible threads.
+std::pair<float, float> visible_range(const Axis& axis, float low, float length) {
   const float all = static_cast<float>(axis.count), seen = std::min(all, axis.length / axis.pitch);
   const float first = axis.scroll / all * length, wide = std::max(3.0f, seen / all * length);
   const float begins = axis.reversed ? length - first - wide : first;
   return {std::round(low + std::max(0.0f, begins)), std::round(low + std::min(length, begins + wide))};
 }
 
-/// Scroll that brings the thread under a pixel into the middle.
-float scroll_at(const Axis& axis, float share) {
+/// The scroll that centres the thread at `t` of the axis, 0..1.
+float scroll_at(const Axis& axis, float t) {
   const float all = static_cast<float>(axis.count);
-  return clamp_scroll(axis, (axis.reversed ? 1 - share : share) * all - axis.length / axis.pitch / 2);
+  return clamp_scroll(axis, (axis.reversed ? 1 - t : t) * all - axis.length / axis.pitch / 2);
 }
 
 }  // namespace
 
 void Minimap::apply_input(PanelContext& c, const DraftLayout& l) {
-  const std::optional<Place> at = place_of(c, l);
+  const std::optional<PixelRect> at = image_rect(c, l);
   if (!at) return;
   const float pad = c.style.px(kPad);
   ImGui::SetCursorScreenPos({at->min.x - pad, at->min.y - pad});
   hit_area("minimap", {at->width() + 2 * pad, at->height() + 2 * pad});
   c.map.add_item("minimap");
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = "The whole drawdown: click or drag to go there";
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = tr("Whole drawdown: click or drag to go there");
   if (!ImGui::IsItemActive()) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float end = scroll_at(l.drawdown.x, (mouse.x - at->min.x) / at->width());
@@ -72,7 +77,7 @@ void Minimap::apply_input(PanelContext& c, const DraftLayout& l) {
   });
 }
 
-void Minimap::follow(const PanelContext& c, int width, int height) {
+void Minimap::update(const PanelContext& c, int width, int height) {
   const bool structure = c.settings.drawdown_style == DrawdownStyle::kStructure;
   const Key key{c.revision, c.view.face, structure, c.style.dark, width, height};
   if (key == key_) return;
@@ -82,15 +87,15 @@ void Minimap::follow(const PanelContext& c, int width, int height) {
                               : thread_colors(d, System::kWarp);
   const auto weft = structure ? std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper)
                               : thread_colors(d, System::kWeft);
-  if (!overview_.follow(c.cells, c.view.face == Face::kFront, warp, weft, width, height)) return;
+  if (!overview_.update(c.cells, c.view.face == Face::kFront, warp, weft, width, height)) return;
   const CellImage& image = overview_.image();
   texture_.set(image.width, image.height, image.pixels);
 }
 
 void Minimap::draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const std::optional<Place> at = place_of(c, l);
+  const std::optional<PixelRect> at = image_rect(c, l);
   if (!at) return;
-  follow(c, static_cast<int>(at->width()), static_cast<int>(at->height()));
+  update(c, static_cast<int>(at->width()), static_cast<int>(at->height()));
   if (texture_.empty()) return;
   const Colors& k = c.style.color;
   const float pad = c.style.px(kPad), r = c.style.px(5);
@@ -100,9 +105,9 @@ void Minimap::draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) 
   dl->AddRect(a, b, k.line_strong, r);
   const float u = l.drawdown.x.reversed ? 1.0f : 0.0f, v = l.drawdown.y.reversed ? 1.0f : 0.0f;
   dl->AddImage(texture_.id(), at->min, at->max, {u, v}, {1 - u, 1 - v});
-  const auto [x0, x1] = stretch(l.drawdown.x, at->min.x, at->width());
-  const auto [y0, y1] = stretch(l.drawdown.y, at->min.y, at->height());
-  // What is out of sight steps back.
+  const auto [x0, x1] = visible_range(l.drawdown.x, at->min.x, at->width());
+  const auto [y0, y1] = visible_range(l.drawdown.y, at->min.y, at->height());
+  // What is not visible is dimmed.
   const ImU32 veil = with_alpha(k.raised, 0.3f);
   dl->AddRectFilled(at->min, {at->max.x, y0}, veil);
   dl->AddRectFilled({at->min.x, y1}, at->max, veil);

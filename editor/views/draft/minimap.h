@@ -1,6 +1,6 @@
 #pragma once
-// The whole drawdown small in a corner of its pane, while the pane shows only a part: a frame stands about that part,
-// a click or drag moves it.
+// The minimap: the whole drawdown in a corner of its pane, while the pane shows only a part. A frame marks that part;
+// click or drag moves it.
 
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
@@ -12,13 +12,13 @@ namespace weftlight::views {
 
 class Minimap {
  public:
-  /// To be called before the grids take the mouse: it lies above them.
+  /// Call before the grids handle the mouse, because it lies above them.
   void apply_input(PanelContext& c, const DraftLayout& layout);
-  /// To be called after the grids are drawn.
+  /// Call after the grids are drawn.
   void draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
  private:
-  void follow(const PanelContext& c, int width, int height);
+  void update(const PanelContext& c, int width, int height);
 
   OverviewImage overview_;
   PixelTexture texture_;

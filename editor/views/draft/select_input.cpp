@@ -5,7 +5,7 @@
 namespace weftlight::views {
 namespace {
 
-/// What the hand does in one frame; carried out once all is drawn.
+/// A press of a mouse button, handled after all panels are drawn.
 struct Press {
   BitGrid grid;
   Cell at;
@@ -22,7 +22,7 @@ void begin_band(SelectState& s, const Press& p) {
 void begin_move(SelectState& s, const Design& design, const Press& p) {
   s.drag = SelectDrag::kMove;
   s.grip = {p.at.a - s.selected.a0, p.at.b - s.selected.b0};
-  // A copy leaves now: what it left stays, however the drag goes on.
+  // Copying starts now, so that the original stays wherever the drag goes.
   if (p.ctrl) move_selection(s, design, s.selected.a0, s.selected.b0, true);
 }
 
@@ -44,7 +44,7 @@ MaybeEdit press(SelectState& s, const Design& design, const Press& p) {
   return {};
 }
 
-MaybeEdit go_on(SelectState& s, const Design& design, BitGrid grid, Cell at) {
+MaybeEdit continue_drag(SelectState& s, const Design& design, BitGrid grid, Cell at) {
   if (s.drag == SelectDrag::kBand) {
     if (const Selection next = selection_between(grid, s.anchor, at); next != s.selected) select_cells(s, next);
   } else if (s.drag == SelectDrag::kMove &&
@@ -62,7 +62,7 @@ void show_cursor(PanelContext& c, BitGrid grid, Cell at) {
   else c.frame.crosshair = true;
 }
 
-void take_press(PanelContext& c, BitGrid grid, Cell at) {
+void handle_press(PanelContext& c, BitGrid grid, Cell at) {
   const ImGuiIO& io = ImGui::GetIO();
   const Press p{grid, at, io.KeyShift, io.KeyCtrl, ImGui::IsMouseDown(ImGuiMouseButton_Right)};
   c.frame.selection_menu = p.right && at.valid() && !c.view.select.held;
@@ -81,14 +81,15 @@ void select_input(PanelContext& c, const GridPane& pane) {
   const SelectState& s = c.view.select;
   const BitGrid grid = *bit_grid_of(pane.id);
   const ImGuiIO& io = ImGui::GetIO();
-  const Cell at = pane.at(io.MousePos), near_by = pane.nearest(io.MousePos);
+  const Cell at = pane.at(io.MousePos), closest = pane.nearest(io.MousePos);
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   if (!active && !hovered) return;
   if (s.held && hovered && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsItemActivated()))
     c.wanted.change_view([=](DocumentView& v) { hold_block_over(v.select, grid, at); });
-  if (ImGui::IsItemActivated()) take_press(c, grid, at);
-  else if (active && s.drag != SelectDrag::kNone && s.selected.grid == grid && near_by.valid())
-    c.wanted.gesture([=](DocumentView& v, const Design& design) { return go_on(v.select, design, grid, near_by); });
+  if (ImGui::IsItemActivated()) handle_press(c, grid, at);
+  else if (active && s.drag != SelectDrag::kNone && s.selected.grid == grid && closest.valid())
+    c.wanted.gesture(
+        [=](DocumentView& v, const Design& design) { return continue_drag(v.select, design, grid, closest); });
   show_cursor(c, grid, at);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The mouse of the select tool over one grid: draw a rectangle, move it, put a block down, ask for the menu.
+// Mouse input of the select tool over one grid: select a rectangle, move it, drop a block, open the menu.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -7,10 +7,10 @@
 
 namespace weftlight::views {
 
-/// True when the mouse over this grid selects rather than paints: with the tool, with Ctrl held, or with a
-/// block in hand.
+/// True if the mouse over this grid selects rather than paints: with the tool, with Ctrl held, or while a block is
+/// active.
 bool selects(const PanelContext& c, const GridPane& pane);
-/// To be called right after the grid's ImGui item.
+/// Call right after the grid's ImGui item.
 void select_input(PanelContext& c, const GridPane& pane);
 
 }  // namespace weftlight::views

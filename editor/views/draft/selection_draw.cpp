@@ -7,9 +7,9 @@
 namespace weftlight::views {
 namespace {
 
-constexpr float kDash = 5;        // pixels
-constexpr float kCellsFrom = 2;   // pixels a cell from which the marks of a block are drawn
-constexpr float kOutOfSight = 8;  // pixels past the pane: edges further off are not drawn
+constexpr float kDash = 5;       // pixels
+constexpr float kCellsFrom = 2;  // pixels per cell from which the cells of a block are drawn
+constexpr float kOverhang = 8;   // pixels: rectangles are clipped this far outside the pane
 
 const GridPane* pane_of(const DraftLayout& l, BitGrid grid) {
   for (const GridPane* pane : l.panes())
@@ -17,18 +17,18 @@ const GridPane* pane_of(const DraftLayout& l, BitGrid grid) {
   return nullptr;
 }
 
-struct Box {
+struct PixelRect {
   ImVec2 min, max;
 };
 
-/// The pixels of a range of cells, which may reach beyond the grid.
-Box box_of(const GridPane& p, int a0, int a1, int b0, int b1) {
+/// The pixels of a range of cells, which may extend beyond the grid.
+PixelRect rect_of(const GridPane& p, int a0, int a1, int b0, int b1) {
   const auto low = [](const Axis& x, int first, int end) { return std::min(x.low(first), x.low(end - 1)); };
   const auto high = [](const Axis& x, int first, int end) { return std::max(x.high(first), x.high(end - 1)); };
-  Box box{{low(p.x, a0, a1), low(p.y, b0, b1)}, {high(p.x, a0, a1) + 1, high(p.y, b0, b1) + 1}};
+  PixelRect box{{low(p.x, a0, a1), low(p.y, b0, b1)}, {high(p.x, a0, a1) + 1, high(p.y, b0, b1) + 1}};
   const ImVec2 min = p.min(), max = p.max();
-  box.min = {std::max(box.min.x, min.x - kOutOfSight), std::max(box.min.y, min.y - kOutOfSight)};
-  box.max = {std::min(box.max.x, max.x + kOutOfSight), std::min(box.max.y, max.y + kOutOfSight)};
+  box.min = {std::max(box.min.x, min.x - kOverhang), std::max(box.min.y, min.y - kOverhang)};
+  box.max = {std::min(box.max.x, max.x + kOverhang), std::min(box.max.y, max.y + kOverhang)};
   return box;
 }
 
@@ -42,8 +42,8 @@ void draw_dashes(ImDrawList* dl, ImVec2 a, ImVec2 b, float dash, float thick) {
   }
 }
 
-/// White dashes in the accent's dark line: one of the two stands out from whatever lies below.
-void draw_outline(ImDrawList* dl, const PanelContext& c, Box box) {
+/// White dashes on a dark line: one of the two is visible on any background.
+void draw_outline(ImDrawList* dl, const PanelContext& c, PixelRect box) {
   if (box.min.x >= box.max.x || box.min.y >= box.max.y) return;
   const float t = c.style.px(2), dash = c.style.px(kDash);
   const ImU32 dark = IM_COL32(18, 24, 40, 255);
@@ -64,17 +64,17 @@ void push_clip(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   dl->PushClipRect({a.x - room, a.y - room}, {b.x + 1 + room, b.y + 1 + room}, true);
 }
 
-void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ActiveBlock& held,
+void draw_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ActiveBlock& held,
                 const BitMatrix& cells) {
   const bool crossings = held.grid == BitGrid::kDrawdown;
-  const bool turned = crossings && c.view.face == Face::kBack;  // the back shows the other threads
+  const bool inverted = crossings && c.view.face == Face::kBack;  // the back shows the other system
   const ImU32 mark = blend(c.style.color.accent, c.style.color.ink, 0.25f),
               empty = with_alpha(c.style.color.paper, 0.8f);
   const int a1 = std::min(held.at.a + cells.cols(), p.x.end_visible()),
             b1 = std::min(held.at.b + cells.rows(), p.y.end_visible());
   for (int b = std::max(held.at.b, p.y.first_visible()); b < b1; ++b)
     for (int a = std::max(held.at.a, p.x.first_visible()); a < a1; ++a) {
-      const bool on = cells.get(b - held.at.b, a - held.at.a) != turned;
+      const bool on = cells.get(b - held.at.b, a - held.at.a) != inverted;
       if (!on && held.add) continue;
       const float gap = p.x.pitch >= 5 ? 1.0f : 0.0f;
       dl->AddRectFilled({p.x.low(a) + gap, p.y.low(b) + gap}, {p.x.high(a), p.y.high(b)}, on ? mark : empty);
@@ -87,14 +87,14 @@ void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& l)
   const Selection& s = c.view.select.selected;
   const GridPane* pane = s.empty() ? nullptr : pane_of(l, s.grid);
   if (pane == nullptr) return;
-  const Box box = box_of(*pane, s.a0, s.a1, s.b0, s.b1);
+  const PixelRect box = rect_of(*pane, s.a0, s.a1, s.b0, s.b1);
   push_clip(dl, c, *pane);
   dl->AddRectFilled(box.min, box.max, with_alpha(c.style.color.accent, 0.26f));
   draw_outline(dl, c, box);
   dl->PopClipRect();
 }
 
-void draw_block_in_hand(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+void draw_active_block(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   if (!c.view.select.held) return;
   const ActiveBlock& held = *c.view.select.held;
   const GridPane* pane = pane_of(l, held.grid);
@@ -102,8 +102,8 @@ void draw_block_in_hand(ImDrawList* dl, const PanelContext& c, const DraftLayout
   const BitMatrix cells = turned_for(held.block, held.grid);
   const Cell at = held.at;
   push_clip(dl, c, *pane);
-  const Box box = box_of(*pane, at.a, at.a + cells.cols(), at.b, at.b + cells.rows());
-  if (std::min(pane->x.pitch, pane->y.pitch) >= kCellsFrom) draw_marks(dl, c, *pane, held, cells);
+  const PixelRect box = rect_of(*pane, at.a, at.a + cells.cols(), at.b, at.b + cells.rows());
+  if (std::min(pane->x.pitch, pane->y.pitch) >= kCellsFrom) draw_cells(dl, c, *pane, held, cells);
   else dl->AddRectFilled(box.min, box.max, with_alpha(c.style.color.accent, 0.5f));
   draw_outline(dl, c, box);
   const ImVec2 first{(pane->x.low(at.a) + pane->x.high(at.a)) / 2, (pane->y.low(at.b) + pane->y.high(at.b)) / 2};

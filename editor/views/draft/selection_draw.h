@@ -1,5 +1,5 @@
 #pragma once
-// The selection and the block in hand, over the grids of the draft.
+// Draws the selection and the active block over the grids of the draft.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -7,9 +7,9 @@
 
 namespace weftlight::views {
 
-/// A tint, and a dashed line that reads on dark and on light cells.
+/// A tint, and a dashed outline that is visible on dark and light cells.
 void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
-/// The block as it would lie, with a dot at its first cell.
-void draw_block_in_hand(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
+/// The block at the place where it would be dropped, with a dot at its first cell.
+void draw_active_block(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
 }  // namespace weftlight::views

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 System system_of(const GridPane& pane) { return pane.id == GridId::kWarpColors ? System::kWarp : System::kWeft; }
@@ -18,7 +22,7 @@ int thread_at(const GridPane& pane) {
 }
 
 /// The ImGui item drawn last lies over `pane`.
-void take_gesture(PanelContext& c, const GridPane& pane) {
+void handle_gesture(PanelContext& c, const GridPane& pane) {
   const ImGuiIO& io = ImGui::GetIO();
   const int thread = thread_at(pane);
   if (thread < 0) return;
@@ -35,28 +39,26 @@ void take_gesture(PanelContext& c, const GridPane& pane) {
     });
 }
 
-void head_input(PanelContext& c, const GridPane& heads, const char* name) {
-  const ImVec2 a = heads.min(), b = heads.max();
+void label_input(PanelContext& c, const GridPane& labels, const char* name) {
+  const ImVec2 a = labels.min(), b = labels.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return;
   ImGui::SetCursorScreenPos(a);
   hit_area(name, {b.x - a.x, b.y - a.y});
-  take_gesture(c, heads);
+  handle_gesture(c, labels);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-    const bool warp = system_of(heads) == System::kWarp;
-    c.frame.hover = {heads.id, warp ? Cell{thread_at(heads), 0} : Cell{0, thread_at(heads)}};
+    const bool warp = system_of(labels) == System::kWarp;
+    c.frame.hover = {labels.id, warp ? Cell{thread_at(labels), 0} : Cell{0, thread_at(labels)}};
   }
-  // Once something is chosen, it would only cover the bars.
+  // With a selection the tip would only cover the bars.
   if (c.view.chosen.threads.empty())
-    tooltip(c,
-            "Click or drag along the numbers to choose threads for the Threads panel. Shift: up to here. "
-            "Ctrl: this "
-            "one too. Double-click: all of the same colour and yarn. Esc: none");
-  UiGrid grid = map_of(heads);
+    tooltip(c, tr("Click or drag along the numbers to select threads for the Threads panel. Shift: extend. Ctrl: add. "
+                  "Double-click: all with the same colour and yarn. Esc: none"));
+  UiGrid grid = map_of(labels);
   grid.name = name;
   c.map.grids.push_back(std::move(grid));
 }
 
-/// Calls use(low, high) with the pixels of each row of neighbours that are chosen and in sight.
+/// Calls use(low, high) with the pixels of each run of visible selected neighbours.
 template <class Use>
 void each_run(const ThreadChoice& choice, const Axis& axis, Use use) {
   const auto& all = choice.threads;
@@ -69,7 +71,7 @@ void each_run(const ThreadChoice& choice, const Axis& axis, Use use) {
   }
 }
 
-/// A frame that shows on any colour: the accent, and paper within.
+/// A frame that is visible on any colour: accent outside, paper inside.
 void draw_frame(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
   const float thick = c.style.px(2), half = thick / 2;
   dl->AddRect({a.x - half, a.y - half}, {b.x + 1 + half, b.y + 1 + half}, c.style.color.accent, 0, 0, thick);
@@ -85,12 +87,12 @@ bool chooses_on_bar(const PanelContext& c, GridId bar) {
          (c.view.stroke.grid == GridId::kNone && (c.view.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
 }
 
-void choose_on_bar(PanelContext& c, const GridPane& bar) { take_gesture(c, bar); }
+void choose_on_bar(PanelContext& c, const GridPane& bar) { handle_gesture(c, bar); }
 
 void choose_by_labels(PanelContext& c, const DraftLayout& l) {
   const ThreadChoice& choice = c.view.chosen;
-  head_input(c, l.warp_labels, "warp_numbers");
-  head_input(c, l.weft_labels, "weft_numbers");
+  label_input(c, l.warp_labels, "warp_numbers");
+  label_input(c, l.weft_labels, "weft_numbers");
   if (!ImGui::IsAnyMouseDown() && choice.dragging)
     c.wanted.change_view([](DocumentView& v) { v.chosen.dragging = false; });
   const bool busy = ImGui::GetIO().WantTextInput ||
@@ -101,21 +103,21 @@ void choose_by_labels(PanelContext& c, const DraftLayout& l) {
 
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const bool warp = c.view.chosen.system == System::kWarp;
-  const GridPane& heads = warp ? l.warp_labels : l.weft_labels;
+  const GridPane& labels = warp ? l.warp_labels : l.weft_labels;
   const GridPane& bar = warp ? l.warp_bar : l.weft_bar;
   const GridPane& marks = warp ? l.threading : l.lift;
   const ImU32 soft = c.style.color.accent_soft, band = with_alpha(c.style.color.accent, 0.13f);
   const float r = c.style.px(3), thick = c.style.px(2);
-  const ImVec2 a{std::min(heads.min().x, bar.min().x), std::min(heads.min().y, bar.min().y)};
-  const ImVec2 b{std::max(heads.max().x, bar.max().x), std::max(heads.max().y, bar.max().y)};
+  const ImVec2 a{std::min(labels.min().x, bar.min().x), std::min(labels.min().y, bar.min().y)};
+  const ImVec2 b{std::max(labels.max().x, bar.max().x), std::max(labels.max().y, bar.max().y)};
   const ImDrawFlags outer = l.threading_below ? ImDrawFlags_RoundCornersBottom : ImDrawFlags_RoundCornersTop;
   dl->PushClipRect({a.x - thick, a.y - thick}, {b.x + thick + 1, b.y + thick + 1}, true);
   each_run(c.view.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) {
-      dl->AddRectFilled({low, heads.min().y}, {high + 1, heads.max().y}, soft, r, outer);
+      dl->AddRectFilled({low, labels.min().y}, {high + 1, labels.max().y}, soft, r, outer);
       draw_frame(dl, c, {low, bar.min().y}, {high, bar.max().y});
     } else {
-      dl->AddRectFilled({heads.min().x, low}, {heads.max().x, high + 1}, soft, r, ImDrawFlags_RoundCornersRight);
+      dl->AddRectFilled({labels.min().x, low}, {labels.max().x, high + 1}, soft, r, ImDrawFlags_RoundCornersRight);
       draw_frame(dl, c, {bar.min().x, low}, {bar.max().x, high});
     }
   });

@@ -1,7 +1,6 @@
 #pragma once
-// The numbers above the warp's colour bar and beside the weft's are the heads of the threads: a press on them
-// chooses ends or picks, as the headings of a table choose its columns. On the bars the Select tool does the
-// same, and Shift and Ctrl with any tool.
+// Selecting threads by their numbers beside the colour bars, as the headers of a table select columns. On the bars
+// themselves the Select tool does the same, and Shift and Ctrl with any tool.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -9,13 +8,13 @@
 
 namespace weftlight::views {
 
-/// True while a press on a colour bar chooses rather than paints.
+/// True while a press on a colour bar selects threads rather than paints.
 bool chooses_on_bar(const PanelContext& c, GridId bar);
-/// Choosing on a bar, whose ImGui item was drawn last.
+/// Selects threads on a bar, whose ImGui item was drawn last.
 void choose_on_bar(PanelContext& c, const GridPane& bar);
-/// Choosing by the numbers; Escape takes every choice back.
+/// Selects threads by their numbers; Escape clears the selection.
 void choose_by_labels(PanelContext& c, const DraftLayout& layout);
-/// What is chosen, on numbers and bars.
+/// Highlights the selected threads on numbers and bars.
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 
 }  // namespace weftlight::views

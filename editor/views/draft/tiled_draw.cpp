@@ -8,29 +8,29 @@
 namespace weftlight::views {
 namespace {
 
-constexpr float kDimmed = 0.38f;  // opacity of what is beyond
-constexpr float kLinesFrom = 14;  // pixels a repeat from which those after the first are parted by lines
-constexpr float kLabelFrom = 52;  // pixels at 96 dpi of the first from which its size stands in it
+constexpr float kDimmed = 0.38f;  // opacity
+constexpr float kLinesFrom = 14;  // pixels per repeat from which lines separate the repeats
+constexpr float kLabelFrom = 52;  // width of the first repeat, pixels at 96 dpi, from which its size is shown
 
-/// A part of the picture of `pane`.
+/// Draws a part of the picture of `pane`.
 void draw_part(ImDrawList* dl, ImTextureID picture, const GridPane& pane, ImVec2 a, ImVec2 b) {
   if (a.x >= b.x || a.y >= b.y) return;
-  const auto share = [&](ImVec2 p) {
+  const auto uv = [&](ImVec2 p) {
     return ImVec2{(p.x - pane.x.start) / pane.x.length, (p.y - pane.y.start) / pane.y.length};
   };
-  dl->AddImage(picture, a, b, share(a), share(b), IM_COL32(255, 255, 255, static_cast<int>(kDimmed * 255)));
+  dl->AddImage(picture, a, b, uv(a), uv(b), IM_COL32(255, 255, 255, static_cast<int>(kDimmed * 255)));
 }
 
-/// The frame of a range of cells, the drawn line inside of it.
-struct Box {
+/// The pixels of the first cells.
+struct PixelRect {
   ImVec2 min, max;
 };
-Box box_of(const GridPane& p, int ends, int picks) {
+PixelRect rect_of(const GridPane& p, int ends, int picks) {
   return {{std::min(p.x.low(0), p.x.low(ends - 1)), std::min(p.y.low(0), p.y.low(picks - 1))},
           {std::max(p.x.high(0), p.x.high(ends - 1)), std::max(p.y.high(0), p.y.high(picks - 1))}};
 }
 
-/// Where the second and the further repeats begin.
+/// Lines where the second and later repeats begin.
 void draw_starts(ImDrawList* dl, const PanelContext& c, const GridPane& p, const Repeat& r) {
   const ImVec2 a = p.min(), b = p.max();
   const ImU32 color = with_alpha(c.style.color.accent, 0.55f), halo = with_alpha(c.style.color.paper, 0.45f);
@@ -49,14 +49,14 @@ void draw_starts(ImDrawList* dl, const PanelContext& c, const GridPane& p, const
     }
 }
 
-void draw_size(ImDrawList* dl, const PanelContext& c, const GridPane& p, Box box, const Repeat& r) {
+void draw_size(ImDrawList* dl, const PanelContext& c, const GridPane& p, PixelRect box, const Repeat& r) {
   const std::string text = std::to_string(r.ends) + " \xC3\x97 " + std::to_string(r.picks);
   ImFont* font = c.style.font.small;
   const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
   if (box.max.x - box.min.x < c.style.px(kLabelFrom) || box.max.y - box.min.y < size.y * 2) return;
   const float pad = c.style.px(5), gap = c.style.px(4);
   if (box.min.x < p.min().x || box.max.x > p.max().x || box.min.y < p.min().y || box.max.y > p.max().y) return;
-  // In the corner away from the first crossing.
+  // In the corner opposite to the first crossing.
   const float x = p.x.reversed ? box.min.x + gap : box.max.x - gap - size.x - 2 * pad;
   const float y = p.y.reversed ? box.min.y + gap : box.max.y - gap - size.y - pad;
   dl->AddRectFilled({x, y}, {x + size.x + 2 * pad, y + size.y + pad}, c.style.color.accent, c.style.px(4));
@@ -66,7 +66,7 @@ void draw_size(ImDrawList* dl, const PanelContext& c, const GridPane& p, Box box
 }  // namespace
 
 void draw_tiled(ImDrawList* dl, const PanelContext& c, const DraftLayout& l, CellTexture& texture) {
-  const GridPane& all = l.beyond;
+  const GridPane& all = l.tiled_drawdown;
   const ImVec2 a = all.min(), b = all.max(), p = l.drawdown.min(), q = l.drawdown.max();
   if (all.x.length < 1 || all.y.length < 1 || (p.x <= a.x && p.y <= a.y && q.x >= b.x && q.y >= b.y)) return;
   const ImTextureID picture = texture.of(c, all, true);
@@ -82,7 +82,7 @@ void draw_repeat(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   if (r.ends < 1 || r.picks < 1 || r.ends > p.x.count || r.picks > p.y.count) return;
   dl->PushClipRect({p.min().x - 3, p.min().y - 3}, {p.max().x + 3, p.max().y + 3}, true);
   draw_starts(dl, c, p, r);
-  const Box box = box_of(p, r.ends, r.picks);
+  const PixelRect box = rect_of(p, r.ends, r.picks);
   const float thick = c.style.px(2);
   dl->AddRect({box.min.x - 2, box.min.y - 2}, {box.max.x + 3, box.max.y + 3}, c.style.color.paper, 0, 0, thick + 2);
   dl->AddRect({box.min.x - 1, box.min.y - 1}, {box.max.x + 2, box.max.y + 2}, c.style.color.accent, 0, 0, thick);

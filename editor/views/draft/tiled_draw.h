@@ -1,5 +1,5 @@
 #pragma once
-// The drawdown beyond its edges, as cloth goes on, and its repeat outlined.
+// The tiled view: the drawdown repeated beyond its edges, and the outline of its repeat.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
@@ -8,9 +8,9 @@
 
 namespace weftlight::views {
 
-/// Dimmed, wherever the pane has room that the drawdown leaves.
+/// The repeated drawdown, dimmed, in the space around the drawdown.
 void draw_tiled(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout, CellTexture& texture);
-/// The first repeat that the last report found, and lines where the others begin.
+/// Outlines the first repeat, from the latest report, and draws lines where the others begin.
 void draw_repeat(ImDrawList* dl, const PanelContext& c, const GridPane& drawdown);
 
 }  // namespace weftlight::views

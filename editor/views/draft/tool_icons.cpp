@@ -14,12 +14,12 @@ struct Pen {
   ImU32 color;
   float thick;
 
-  /// From -1 to 1, y down.
+  /// Coordinates from -1 to 1, y down.
   ImVec2 at(float x, float y) const { return {middle.x + x * half, middle.y + y * half}; }
   void line(ImVec2 a, ImVec2 b) const { dl->AddLine(a, b, color, thick); }
 };
 
-/// Its point at the lower left.
+/// Points to the lower left.
 void draw_pencil(const Pen& p) {
   const ImVec2 body[] = {p.at(-0.62f, 0.22f), p.at(0.42f, -0.82f), p.at(0.82f, -0.42f), p.at(-0.22f, 0.62f)};
   p.dl->AddConvexPolyFilled(body, 4, p.color);

@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of the drawing tools, as lines of the window's own: sharp at any size, with no font needed.
+// Icons of the drawing tools, drawn as vectors: sharp at any size, and they need no font.
 
 #include <imgui.h>
 
@@ -8,9 +8,9 @@
 
 namespace weftlight::views {
 
-/// About `middle`, some `size` pixels wide.
+/// Centred on `middle`, about `size` pixels wide.
 void draw_tool_icon(ImDrawList* dl, Tool tool, ImVec2 middle, float size, ImU32 color);
-/// Two triangles that face each other across an axis; `across`: an upright one.
+/// Two triangles mirrored about an axis; `across`: about a vertical one.
 void draw_mirror_icon(ImDrawList* dl, bool across, ImVec2 middle, float size, ImU32 color);
 
 }  // namespace weftlight::views

@@ -1,13 +1,13 @@
 #pragma once
-// How near the truth the automatic method draws: by the error that is allowed, which the draft keeps, or by the time
-// that a picture may take on this machine, which the settings keep.
+// The accuracy of the automatic method: limited by the error, which is saved with the draft, or by the time per picture
+// on this machine, which is saved with the settings.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
 
-/// Nothing where the method is not the automatic one.
+/// Draws nothing for another method.
 MaybeEdit draw_accuracy(PanelContext& c);
 
 }  // namespace weftlight::views

@@ -1,5 +1,5 @@
 #pragma once
-// A yarn's count in its panel: typed as it is sold, told in the units of the trade.
+// The yarn count: typed in any unit of the trade, shown in the others.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace weftlight::views {
 
-/// "Ne 40, Nm 67.7, 133 den", and below "follows the thickness"; of a count that is set, how much of it is fibre.
+/// "Ne 40, Nm 67.7, 133 den", and in a second line how the count is known; for a typed one, the fibre fraction.
 std::string count_in_words(const Yarn& yarn);
 
 /// True while it changes the yarn.

@@ -1,5 +1,5 @@
 #pragma once
-// How the cloth hangs: limp or stiff, by which figures, and whether by its own or by those of its kind.
+// The drape: generic or simulated, the stiffness of the cloth, and the progress of the simulation.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace weftlight::views {
 
-/// "Medium: bends over 19 mm, weighs 135 g/m²"; of a draft without threads empty.
+/// "Medium: bending length 19 mm, 135 g/m²". Empty for a draft without threads.
 std::string stiffness_in_words(const Design& design);
-/// Nothing where the cloth lies flat, or over a mesh of the user's.
+/// Draws nothing if the cloth is flat or on the user's own mesh.
 MaybeEdit draw_drape_stiffness(PanelContext& c);
 
 }  // namespace weftlight::views

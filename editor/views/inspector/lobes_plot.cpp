@@ -1,5 +1,4 @@
-// Based on: the formulas of shaders/lobes.glsl, each part alone: what is added for one part is what the whole
-// gains by it.
+// Based on: the formulas of shaders/lobes.glsl. Each curve is the contribution of one lobe to the whole.
 
 #include "views/inspector/lobes_plot.h"
 
@@ -9,11 +8,15 @@
 #include <cmath>
 #include <span>
 
+#include "base/text.h"
 #include "light/yarn_lobes.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 using formulas::YarnLobes;
@@ -21,8 +24,8 @@ using formulas::YarnLobes;
 constexpr float kDegree = 0.017453293f;
 constexpr float kPi = 3.14159265f;
 constexpr float kMargin = 7, kMaxRadius = 128;  // pixels at 96 dpi
-constexpr float kBelow = 0.42f;                 // height of the lower half, in radii
-// Nearer to the horizon the formulas divide by next to nothing.
+constexpr float kLowerHeight = 0.42f;           // of the transmitted half, in radii
+// Closer to the horizon the formulas divide by almost zero.
 constexpr float kLastDegree = 89.5f;
 
 float luminance(glm::vec3 c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -32,7 +35,7 @@ glm::vec3 direction(float degrees, bool across) {
   return across ? glm::vec3(0, s, z) : glm::vec3(s, 0, z);
 }
 
-/// Of the light from `light_deg` in the plane along or across the fibre.
+/// The curve for light from `light_deg`, in the plane along or across the fibre.
 template <class Formula>
 LobeCurves::Curve curve(float light_deg, bool across, Formula formula) {
   LobeCurves::Curve out;
@@ -46,8 +49,8 @@ LobeCurves::Curve curve(float light_deg, bool across, Formula formula) {
 struct Plot {
   ImVec2 middle;
   float radius, rim;
-  ImVec2 at(float degrees, float share, bool below) const {
-    const float a = degrees * kDegree, r = radius * share;
+  ImVec2 at(float degrees, float fraction, bool below) const {
+    const float a = degrees * kDegree, r = radius * fraction;
     return {middle.x + r * std::sin(a), middle.y + (below ? r : -r) * std::cos(a)};
   }
 };
@@ -61,9 +64,9 @@ float legend_height(const PanelContext& c) { return font_size(c.style.font.small
 std::vector<ImVec2> points_of(const Plot& plot, const LobeCurves::Curve& curve, bool below) {
   std::vector<ImVec2> points;
   for (int i = 0; i < LobeCurves::kCount; ++i) {
-    const float limit = below ? kBelow : 1.0f;
-    const float share = std::min(plotted_radius(curve[static_cast<size_t>(i)], plot.rim), limit);
-    points.push_back(plot.at(LobeCurves::angle_deg(i), share, below));
+    const float limit = below ? kLowerHeight : 1.0f;
+    const float fraction = std::min(plotted_radius(curve[static_cast<size_t>(i)], plot.rim), limit);
+    points.push_back(plot.at(LobeCurves::angle_deg(i), fraction, below));
   }
   return points;
 }
@@ -81,8 +84,8 @@ void draw_small(const PanelContext& c, ImVec2 at, ImU32 color, const char* text)
   ImGui::GetWindowDrawList()->AddText(c.style.font.small, font_size(c.style.font.small), at, color, text);
 }
 
-/// Circles of equal brightness, the thread's surface and the normal.
-void draw_paper(const PanelContext& c, const Plot& plot) {
+/// Circles of equal brightness, and the surface of the thread.
+void draw_axes(const PanelContext& c, const Plot& plot) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& color = c.style.color;
   for (float brightness : {0.01f, 0.1f, 1.0f, plot.rim}) {
@@ -91,24 +94,24 @@ void draw_paper(const PanelContext& c, const Plot& plot) {
     dl->PathArcTo(plot.middle, r, kPi, 2 * kPi, 64);
     dl->PathStroke(white ? color.line_strong : color.line, 0, 1);
   }
-  const float white = plotted_radius(1, plot.rim) * plot.radius, most = plot.radius;
-  dl->AddLine({plot.middle.x - most, plot.middle.y}, {plot.middle.x + most, plot.middle.y}, color.line_strong);
+  const float white = plotted_radius(1, plot.rim) * plot.radius, radius = plot.radius;
+  dl->AddLine({plot.middle.x - radius, plot.middle.y}, {plot.middle.x + radius, plot.middle.y}, color.line_strong);
   const float line = font_size(c.style.font.small) + 1;
   if (plot.rim > 1)
-    draw_small(c, {plot.middle.x - most, plot.middle.y + c.style.px(2)}, color.muted, fixed(plot.rim, 0).c_str());
+    draw_small(c, {plot.middle.x - radius, plot.middle.y + c.style.px(2)}, color.muted, fixed(plot.rim, 0).c_str());
   draw_small(c, {plot.middle.x - white - c.style.px(3), plot.middle.y + c.style.px(2)}, color.muted, "1");
-  draw_small(c, {plot.middle.x - most, plot.middle.y + kBelow * most - line}, color.muted, "behind");
+  draw_small(c, {plot.middle.x - radius, plot.middle.y + kLowerHeight * radius - line}, color.muted, tr("transmitted"));
 }
 
-/// The sun on the rim and its ray.
-void draw_light(const PanelContext& c, const Plot& plot, bool lit) {
+/// The light on the rim, and its ray.
+void draw_light(const PanelContext& c, const Plot& plot, bool highlighted) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const ImVec2 at = plot.at(c.settings.lobe_light_deg, 1, false),
-               near_by = plot.at(c.settings.lobe_light_deg, 0.06f, false);
-  const ImU32 color = lit ? c.style.color.accent : c.style.color.text;
-  dl->AddLine(at, near_by, with_alpha(color, 0.45f), 1);
-  dl->AddCircleFilled(at, c.style.px(lit ? 6 : 5), c.style.color.panel);
-  dl->AddCircleFilled(at, c.style.px(lit ? 4.5f : 3.5f), color);
+               inner = plot.at(c.settings.lobe_light_deg, 0.06f, false);
+  const ImU32 color = highlighted ? c.style.color.accent : c.style.color.text;
+  dl->AddLine(at, inner, with_alpha(color, 0.45f), 1);
+  dl->AddCircleFilled(at, c.style.px(highlighted ? 6 : 5), c.style.color.panel);
+  dl->AddCircleFilled(at, c.style.px(highlighted ? 4.5f : 3.5f), color);
 }
 
 struct LegendRow {
@@ -152,19 +155,19 @@ float plotted_radius(float brightness, float rim) { return std::cbrt(std::clamp(
 
 LobeCurves lobe_curves(const Lobes& lobes, Linear colour, float light_deg) {
   const YarnLobes whole = yarn_lobes(lobes, colour);
-  YarnLobes bare = whole, mirror = whole, hair = whole;
-  bare.fuzz = mirror.fuzz = 0;
-  mirror.body = mirror.through = glm::vec3(0);
-  hair.f0 = hair.body = hair.through = glm::vec3(0);
-  hair.f90 = 0;
-  const auto mirrored = [&](glm::vec3 wi, glm::vec3 wo) { return formulas::yarn_reflect(mirror, wi, wo); };
+  YarnLobes no_fuzz = whole, specular = whole, fuzz = whole;
+  no_fuzz.fuzz = specular.fuzz = 0;
+  specular.body = specular.through = glm::vec3(0);
+  fuzz.f0 = fuzz.body = fuzz.through = glm::vec3(0);
+  fuzz.f90 = 0;
+  const auto reflect_specular = [&](glm::vec3 wi, glm::vec3 wo) { return formulas::yarn_reflect(specular, wi, wo); };
   LobeCurves out;
-  out.along = curve(light_deg, false, mirrored);
-  out.across = curve(light_deg, true, mirrored);
+  out.along = curve(light_deg, false, reflect_specular);
+  out.across = curve(light_deg, true, reflect_specular);
   out.body = curve(light_deg, false, [&](glm::vec3 wi, glm::vec3 wo) {
-    return formulas::yarn_reflect(bare, wi, wo) - formulas::yarn_reflect(mirror, wi, wo);
+    return formulas::yarn_reflect(no_fuzz, wi, wo) - formulas::yarn_reflect(specular, wi, wo);
   });
-  out.fuzz = curve(light_deg, false, [&](glm::vec3 wi, glm::vec3 wo) { return formulas::yarn_reflect(hair, wi, wo); });
+  out.fuzz = curve(light_deg, false, [&](glm::vec3 wi, glm::vec3 wo) { return formulas::yarn_reflect(fuzz, wi, wo); });
   out.through = curve(light_deg, false, [&](glm::vec3 wi, glm::vec3 wo) {
     return formulas::yarn_transmit(whole, {wi.x, wi.y, -wi.z}, wo);
   });
@@ -172,7 +175,7 @@ LobeCurves lobe_curves(const Lobes& lobes, Linear colour, float light_deg) {
 }
 
 float lobes_plot_height(const PanelContext& c, float width) {
-  return 2 * c.style.px(kMargin) + radius_for(c, width) * (1 + kBelow) + legend_height(c);
+  return 2 * c.style.px(kMargin) + radius_for(c, width) * (1 + kLowerHeight) + legend_height(c);
 }
 
 void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour) {
@@ -180,34 +183,35 @@ void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour) {
   const float width = ImGui::GetContentRegionAvail().x, margin = c.style.px(kMargin);
   Plot plot{{}, radius_for(c, width), 1};
   plot.middle = {at.x + width / 2, at.y + margin + plot.radius};
-  hit_area("lobes", {width, 2 * margin + plot.radius * (1 + kBelow)});
+  hit_area("lobes", {width, 2 * margin + plot.radius * (1 + kLowerHeight)});
   c.map.add_item("yarn.lobes");
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (ImGui::IsItemActive()) {
     const float degrees = std::atan2(mouse.x - plot.middle.x, std::max(plot.middle.y - mouse.y, 0.0f)) / kDegree;
     c.wanted.change_settings([light = std::clamp(degrees, -88.0f, 88.0f)](Settings& s) { s.lobe_light_deg = light; });
   }
-  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  if (lit) c.frame.hint = "Drag the light around the thread. Radius: cube root of the brightness, 1 is white paper";
+  const bool highlighted = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  if (highlighted)
+    c.frame.hint = tr("Drag: turn the light. The radius is the cube root of the brightness; 1 is white paper");
 
   const LobeCurves curves = lobe_curves(lobes, linear_from_srgb(colour), c.settings.lobe_light_deg);
   plot.rim = rim_brightness(curves);
   const Colors& color = c.style.color;
-  const ImU32 own = blend(to_u32(colour), color.muted, 0.15f);
-  draw_paper(c, plot);
+  const ImU32 body_color = blend(to_u32(colour), color.muted, 0.15f);
+  draw_axes(c, plot);
   const auto body = points_of(plot, curves.body, false), through = points_of(plot, curves.through, true);
-  draw_filled(body, plot.middle, with_alpha(own, 0.5f));
-  draw_filled(through, plot.middle, with_alpha(own, 0.5f));
-  draw_line(body, own, 1.5f);
-  draw_line(through, own, 1.5f);
+  draw_filled(body, plot.middle, with_alpha(body_color, 0.5f));
+  draw_filled(through, plot.middle, with_alpha(body_color, 0.5f));
+  draw_line(body, body_color, 1.5f);
+  draw_line(through, body_color, 1.5f);
   draw_line(points_of(plot, curves.fuzz, false), color.muted, 1.5f);
   draw_line(points_of(plot, curves.across, false), color.warn, 1.8f);
   draw_line(points_of(plot, curves.along, false), color.accent, 1.8f);
-  draw_light(c, plot, lit);
-  const LegendRow rows[] = {{"shine along", color.accent, false},
-                            {"across", color.warn, false},
-                            {"fuzz", color.muted, false},
-                            {"body", own, true}};
+  draw_light(c, plot, highlighted);
+  const LegendRow rows[] = {{tr("specular along"), color.accent, false},
+                            {tr("across"), color.warn, false},
+                            {tr("fuzz"), color.muted, false},
+                            {tr("body"), body_color, true}};
   draw_legend(c, rows);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How a yarn throws light back, as curves around a point of the thread, for one direction of the light.
+// Polar plot of the light scattered by a yarn, for one light direction.
 
 #include <array>
 #include <vector>
@@ -10,28 +10,28 @@
 
 namespace weftlight::views {
 
-/// Brightness beside white paper that faces the light, seen from -90 to 90 degrees off the normal in steps of
-/// half a degree; the light is on the positive side. Body, fuzz and through: in the plane along the fibre.
+/// Radiance relative to white paper that faces the light, for view angles from -90 to 90 degrees off the normal in
+/// steps of half a degree. The light is on the positive side. Body, fuzz and through: in the plane along the fibre.
 struct LobeCurves {
   static constexpr int kCount = 361;
   using Curve = std::array<float, kCount>;
-  Curve along{}, across{};  // mirrored, in the plane along the fibre and in that across it
+  Curve along{}, across{};  // specular, in the planes along and across the fibre
   Curve body{}, fuzz{};
-  Curve through{};  // seen from behind, the normal turned over
+  Curve through{};  // transmitted; angles off the reversed normal
 
   static float angle_deg(int i) { return -90 + 0.5f * static_cast<float>(i); }
 };
 LobeCurves lobe_curves(const Lobes& lobes, Linear colour, float light_deg);
 
-/// Brightness of the plot's rim: the least of 1, 3, 10, 30 ... 1000 that holds the curves.
+/// Brightness at the rim of the plot: the smallest of 1, 3, 10, 30 ... 1000 that contains the curves.
 float rim_brightness(const LobeCurves& curves);
-/// Share of the plot's radius for a brightness: the cube root, so that a dull body and a sharp highlight both
-/// show; held at 1 beyond the rim.
+/// Radius for a brightness, as a fraction of the plot's: the cube root, so that both the diffuse body and a sharp
+/// highlight show; clamped to 1.
 float plotted_radius(float brightness, float rim);
 
-/// Height of what draw_lobes_plot draws over a width.
+/// Height of the plot for a width.
 float lobes_plot_height(const PanelContext& c, float width);
-/// Draws the plot over the width that there is. Dragging in it turns the light (Settings::lobe_light_deg).
+/// Draws the plot over the available width. Dragging in it turns the light (Settings::lobe_light_deg).
 void draw_lobes_plot(PanelContext& c, const Lobes& lobes, Rgb colour);
 
 }  // namespace weftlight::views

@@ -2,15 +2,22 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "session/paint.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
-/// All swatches in rows; a click takes a colour in hand. Large palettes scroll.
+/// All swatches in rows. A click makes a colour active. Large palettes scroll.
 void draw_swatches(PanelContext& c) {
   const auto& palette = c.design.draft.palette;
   const float side = c.style.px(24), gap = c.style.px(6);
@@ -33,18 +40,18 @@ void draw_swatches(PanelContext& c) {
     if (!ImGui::IsItemVisible()) continue;
     const std::string name = "palette:" + std::to_string(i + 1);
     c.map.add_item(name);
-    tooltip(c, ("Colour " + std::to_string(i + 1)).c_str());
+    tooltip(c, fill(tr("Colour {number}"), arg("number", i + 1)).c_str());
     draw_swatch(c, a, {a.x + side, a.y + side}, to_u32(palette[static_cast<size_t>(i)]), i == c.view.color);
   }
   ImGui::EndChild();
 }
 
-MaybeEdit draw_color_in_hand(PanelContext& c) {
+MaybeEdit draw_active_color(PanelContext& c) {
   const int index = c.view.color;
   Rgb color = c.design.draft.palette[static_cast<size_t>(index)];
   float rgb[3] = {color.r, color.g, color.b};
-  row_label(c, ("Colour " + std::to_string(index + 1)).c_str(),
-            "The colour in hand: click the swatch to mix it, or type its hex value");
+  row_label(c, fill(tr("Colour {number}"), arg("number", index + 1)).c_str(),
+            tr("The active colour: click the swatch to edit it, or type its hex value"));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - c.style.px(8));
   push_font(c.style.font.mono);
   const bool changed =
@@ -52,23 +59,23 @@ MaybeEdit draw_color_in_hand(PanelContext& c) {
   ImGui::PopFont();
   c.map.add_item("palette.color");
   ImGui::SameLine();
-  if (icon_button(c, "palette.add", icon::kPlus, "+", "Add a colour like this one to the palette")) {
+  if (icon_button(c, "palette.add", icon::kPlus, "+", tr("Add a copy of this colour to the palette"))) {
     c.wanted.change_view([next = static_cast<int>(c.design.draft.palette.size())](DocumentView& v) { v.color = next; });
-    return Edit{"Add colour", [color](Design d) { return with_new_palette_color(std::move(d), color); }};
+    return Edit{tr("Add colour"), [color](Design d) { return with_new_palette_color(std::move(d), color); }};
   }
   if (!changed) return {};
   const Rgb next{rgb[0], rgb[1], rgb[2]};
-  return Edit{"Mix colour", [=](Design d) { return with_palette_color(std::move(d), index, next); }};
+  return Edit{tr("Edit colour"), [=](Design d) { return with_palette_color(std::move(d), index, next); }};
 }
 
 MaybeEdit paint_all(PanelContext& c) {
   const bool color = c.view.bar_paint == BarPaint::kColor;
   const int index = color ? c.view.color : c.view.yarn;
   const Draft& d = c.design.draft;
-  if (text_button(c, "paint.warp", "Whole warp", "Every end takes the colour, or the yarn, in hand"))
+  if (text_button(c, "paint.warp", tr("Whole warp"), tr("Give every end the active colour or yarn")))
     return bar_edit(GridId::kWarpColors, {0, 0}, {d.ends() - 1, 0}, c.view.bar_paint, index);
   ImGui::SameLine();
-  if (text_button(c, "paint.weft", "Whole weft", "Every pick takes the colour, or the yarn, in hand"))
+  if (text_button(c, "paint.weft", tr("Whole weft"), tr("Give every pick the active colour or yarn")))
     return bar_edit(GridId::kWeftColors, {0, 0}, {0, d.picks() - 1}, c.view.bar_paint, index);
   return {};
 }
@@ -76,11 +83,12 @@ MaybeEdit paint_all(PanelContext& c) {
 }  // namespace
 
 MaybeEdit draw_palette(PanelContext& c) {
-  if (!section(c, "section.palette", "Colours")) return {};
+  if (!section(c, "section.palette", tr("Colours"))) return {};
   draw_swatches(c);
-  MaybeEdit edit = draw_color_in_hand(c);
-  row_label(c, "Bars paint", "What a drag along the colour bars of warp and weft sets: a thread's colour, or its yarn");
-  constexpr const char* kWhat[] = {"Colour", "Yarn"};
+  MaybeEdit edit = draw_active_color(c);
+  row_label(c, tr("Bars paint"),
+            tr("What a drag along the colour bars of warp and weft sets: the colour of threads, or their yarn"));
+  constexpr const char* kWhat[] = {mark("Colour"), mark("Yarn")};
   int what = static_cast<int>(c.view.bar_paint);
   if (segmented(c, "bars", kWhat, what))
     c.wanted.change_view([what](DocumentView& v) { v.bar_paint = static_cast<BarPaint>(what); });

@@ -1,5 +1,5 @@
 #pragma once
-// The draft's colours: swatches, the colour in hand, and what the colour bars are painted with.
+// The colours of the draft: swatches, the active colour, and what the colour bars are painted with.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"

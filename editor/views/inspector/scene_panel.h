@@ -1,5 +1,5 @@
 #pragma once
-// The scene the cloth hangs in: drape, method of shading, exposure, light and sky.
+// The scene: shape and drape of the cloth, light, shading method and exposure.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"

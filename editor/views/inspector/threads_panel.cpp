@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.h"
 #include "draft/edits.h"
 #include "draft/yarn_presets.h"
 #include "ui/icons.h"
@@ -15,12 +16,19 @@
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
-constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link to the yarn
+constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link button
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
-/// What the rows of the panel speak of.
+/// The threads that the panel shows and edits.
 struct Subject {
   System system;
   std::vector<int> threads;
@@ -29,34 +37,40 @@ struct Subject {
 
 struct LengthSpec {
   SliderSpec slider;
-  const char* what;  // in the label of undo
-  const char* link;  // control that gives it back to the yarn
+  const char* what;  // for the undo label
+  const char* link;  // control that resets it to the yarn's
   SharedLength SharedThreads::*shared;
   Design (*set)(Design, System, std::span<const int>, float);
 };
 const LengthSpec kThickness = {
-    {"threads.thickness", "Thickness", 0.02f, 10, "%.2f mm", "Diameter of the threads", true},
-    "Thickness",
+    {"threads.thickness", mark("Thickness"), 0.02f, 10, "%.2f mm", mark("Diameter of the threads"), true},
+    mark("Thickness"),
     "threads.thickness:yarn",
     &SharedThreads::thickness,
     with_thread_thickness};
-const LengthSpec kSpacing = {
-    {"threads.spacing", "Spacing", 0.05f, 20, "%.2f mm", "From the middle of a thread to the middle of the next", true},
-    "Spacing",
-    "threads.spacing:yarn",
-    &SharedThreads::spacing,
-    with_thread_spacing};
+const LengthSpec kSpacing = {{"threads.spacing", mark("Spacing"), 0.05f, 20, "%.2f mm",
+                              mark("Distance between the centres of neighbouring threads"), true},
+                             mark("Spacing"),
+                             "threads.spacing:yarn",
+                             &SharedThreads::spacing,
+                             with_thread_spacing};
 
 template <class Apply>
 Edit edit_of(const Subject& s, const char* what, Apply apply) {
-  return {thread_label(what, s.system, s.threads.size()),
+  return {thread_label(tr(what), s.system, s.threads.size()),
           [apply, system = s.system, threads = s.threads](Design d) { return apply(std::move(d), system, threads); }};
 }
 
-/// How many are chosen, at the end of the field drawn last, where its text leaves room.
+std::string counted(System system, size_t count) {
+  const auto n = static_cast<long long>(count);
+  return fill(
+      system == System::kWarp ? tr_n("{count} end", "{count} ends", n) : tr_n("{count} pick", "{count} picks", n),
+      arg("count", n));
+}
+
+/// The number of selected threads, at the end of the field drawn last, if its text leaves room.
 void draw_count(const PanelContext& c, const ThreadChoice& choice, const std::string& words) {
-  const std::string count =
-      std::to_string(choice.threads.size()) + " " + thread_word(choice.system, choice.threads.size());
+  const std::string count = counted(choice.system, choice.threads.size());
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), padding = ImGui::GetStyle().FramePadding;
   const float x = b.x - padding.x - ImGui::CalcTextSize(count.c_str()).x;
   if (x < a.x + 2 * padding.x + ImGui::CalcTextSize(words.c_str()).x) return;
@@ -67,12 +81,12 @@ void choose(PanelContext& c, std::vector<int> threads) {
   c.wanted.change_view([threads = std::move(threads)](DocumentView& v) { v.chosen.threads = threads; });
 }
 
-/// Which threads: a text that names them, at its end how many they are.
+/// The field that names the threads, with their number at its end.
 void draw_which(PanelContext& c, const Draft& d, std::string& words) {
   const ThreadChoice& choice = c.view.chosen;
   const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(10);
-  const std::string all =
-      "all " + std::to_string(d.threads(choice.system).size()) + " " + thread_word(choice.system, 2);
+  const std::string all = fill(choice.system == System::kWarp ? tr("all {count} ends") : tr("all {count} picks"),
+                               arg("count", d.threads(choice.system).size()));
   const bool typing = ImGui::GetActiveID() == ImGui::GetID("##which");
   if (!typing) words = words_of_threads(choice.threads);
   take_focus(c, "threads.which");
@@ -83,21 +97,20 @@ void draw_which(PanelContext& c, const Draft& d, std::string& words) {
   if (!named) ImGui::PopStyleColor();
   c.map.add_item("threads.which");
   if (!typing && !choice.threads.empty()) draw_count(c, choice, words);
-  tooltip(c,
-          "Which threads: 3-7, 12, 20-40/2 for every other one, odd or even; empty for all. Or drag along "
-          "the numbers beside the colour bars");
+  tooltip(c, tr("Which threads: 3-7, 12, 20-40/2 for every other one, odd or even; empty for all. Or drag along the "
+                "thread numbers beside the colour bars"));
   if (typed) named = threads_of_words(words, d.threads(choice.system).size());
   if (typed && named) choose(c, std::move(*named));
   if (clear <= 0) return;
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  if (icon_button(c, "threads.none", icon::kClear, "x", "Choose none: the panel then speaks of all threads   Esc"))
+  if (icon_button(c, "threads.none", icon::kClear, "x", tr("Select none: the panel then sets all threads   Esc")))
     choose(c, {});
   ImGui::PopStyleColor();
 }
 
-void draw_whose(PanelContext& c, std::string& typed) {
-  constexpr const char* kSystems[] = {"Warp", "Weft"};
+void draw_choice(PanelContext& c, std::string& typed) {
+  constexpr const char* kSystems[] = {mark("Warp"), mark("Weft")};
   int system = c.view.chosen.system == System::kWarp ? 0 : 1;
   const ImVec2 at = ImGui::GetCursorPos();
   if (segmented(c, "threads.system", kSystems, system, c.style.px(96)))
@@ -113,47 +126,49 @@ std::string yarn_title(const Design& d, int index) {
   return std::to_string(index + 1).append("  ").append(d.yarns[static_cast<size_t>(index)].name);
 }
 
-/// "S, 97 turns a metre".
+/// "S twist, 97 turns per metre".
 std::string twist_words(const Yarn& yarn) {
-  if (yarn.twist == Twist::kNone) return "no twist";
-  return (yarn.twist == Twist::kS ? "S twist, " : "Z twist, ") + fixed(yarn.turns_per_m, 0) + " turns a metre";
+  if (yarn.twist == Twist::kNone) return tr("no twist");
+  return fill(
+      yarn.twist == Twist::kS ? tr("S twist, {turns:.0f} turns per metre") : tr("Z twist, {turns:.0f} turns per metre"),
+      arg("turns", yarn.turns_per_m));
 }
 
 /// "S 97/m".
 std::string twist_mark(const Yarn& yarn) {
   if (yarn.twist == Twist::kNone) return {};
-  return (yarn.twist == Twist::kS ? "S " : "Z ") + fixed(yarn.turns_per_m, 0) + "/m";
+  return fill(yarn.twist == Twist::kS ? tr("S {turns:.0f}/m") : tr("Z {turns:.0f}/m"), arg("turns", yarn.turns_per_m));
 }
 
-void take_yarn(PanelContext& c, int yarn) {
+void activate_yarn(PanelContext& c, int yarn) {
   c.wanted.change_view([yarn](DocumentView& v) { v.yarn = yarn; });
 }
 
-void take_color(PanelContext& c, int color) {
+void activate_color(PanelContext& c, int color) {
   c.wanted.change_view([color](DocumentView& v) { v.color = color; });
 }
 
 Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
-  take_yarn(c, yarn);
-  return edit_of(s, "Yarn", [yarn](Design d, System system, const std::vector<int>& threads) {
+  activate_yarn(c, yarn);
+  return edit_of(s, mark("Yarn"), [yarn](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(std::move(d), system, threads, yarn);
   });
 }
 
-/// A yarn that is not yet in the draft, for these threads alone.
+/// Adds a yarn to the draft, for these threads only.
 Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
   const auto index = static_cast<int>(c.design.yarns.size());
-  take_yarn(c, index);
-  return edit_of(s, "Yarn", [yarn, index](Design d, System system, const std::vector<int>& threads) {
+  activate_yarn(c, index);
+  return edit_of(s, mark("Yarn"), [yarn, index](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
   });
 }
 
 MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
-  row_label(c, "Yarn", "What the threads are spun from, and how they are twisted. Its twist and light are set below");
+  row_label(c, tr("Yarn"), tr("The yarn of the threads: its fibre, count and twist, which are set under Yarns"));
   ImGui::SetNextItemWidth(-FLT_MIN);
   const SharedIndex& yarn = s.shared.yarn;
-  const std::string shown = yarn.mixed() ? "mixed" : yarn_title(c.design, yarn.value);
+  const std::string shown = yarn.mixed() ? tr("mixed") : yarn_title(c.design, yarn.value);
   if (!begin_combo(c, "threads.yarn", shown.c_str())) {
     if (!yarn.mixed()) tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(yarn.value)]).c_str());
     return {};
@@ -168,19 +183,20 @@ MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
     tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(i)]).c_str());
   }
   ImGui::Separator();
-  const Yarn& like = c.design.yarns[static_cast<size_t>(yarn.value)];
-  if (ImGui::Selectable("A yarn of their own, like this one")) edit = give_new_yarn(c, s, like);
+  const Yarn& source = c.design.yarns[static_cast<size_t>(yarn.value)];
+  if (ImGui::Selectable(tr("New: copy of this yarn"))) edit = give_new_yarn(c, s, source);
   c.map.add_item("threads.yarn:own");
-  tooltip(c, "A copy for these threads alone, so that their twist can be changed");
-  for (const Yarn& ready : yarn_presets()) {
-    if (ImGui::Selectable(("New: " + ready.name).c_str())) edit = give_new_yarn(c, s, ready);
-    c.map.add_item("threads.yarn:" + ready.name);
+  tooltip(c, tr("A copy for these threads only, so that their twist can be changed"));
+  for (const Yarn& preset : yarn_presets()) {
+    if (ImGui::Selectable(fill(tr("New: {yarn}"), arg("yarn", preset.name)).c_str()))
+      edit = give_new_yarn(c, s, preset);
+    c.map.add_item("threads.yarn:" + preset.name);
   }
   end_combo();
   return edit;
 }
 
-/// The colours that the threads have, over a drop-down's frame from `a` to `b`.
+/// The colours of the threads, over the frame of a drop-down list from `a` to `b`.
 void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 a, ImVec2 b) {
   const float side = c.style.px(18), step = c.style.px(21),
               top = static_cast<float>(static_cast<int>((a.y + b.y - side) / 2));
@@ -192,7 +208,7 @@ void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 
   swatch(color.value);
   for (size_t i = 0; i < color.others.size() && x + step < b.x - c.style.px(24); ++i) swatch(color.others[i]);
   if (color.mixed()) return;
-  const std::string name = "Colour " + std::to_string(color.value + 1);
+  const std::string name = fill(tr("Colour {number}"), arg("number", color.value + 1));
   ImGui::GetWindowDrawList()->AddText({x + c.style.px(5), a.y + ImGui::GetStyle().FramePadding.y}, c.style.color.text,
                                       name.c_str());
 }
@@ -206,10 +222,10 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     const ImVec2 a = ImGui::GetCursorScreenPos();
     ImGui::PushID(i);
     if (hit_area("color", {side, side})) {
-      edit = edit_of(s, "Colour", [i](Design d, System system, const std::vector<int>& threads) {
+      edit = edit_of(s, mark("Colour"), [i](Design d, System system, const std::vector<int>& threads) {
         return with_thread_color(std::move(d), system, threads, i);
       });
-      take_color(c, i);
+      activate_color(c, i);
       ImGui::CloseCurrentPopup();
     }
     ImGui::PopID();
@@ -217,24 +233,24 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     if (ImGui::IsItemVisible())
       draw_swatch(c, a, {a.x + side, a.y + side}, to_u32(palette[static_cast<size_t>(i)]),
                   !s.shared.color.mixed() && i == s.shared.color.value);
-    tooltip(c, ("Colour " + std::to_string(i + 1)).c_str());
+    tooltip(c, fill(tr("Colour {number}"), arg("number", i + 1)).c_str());
   }
   ImGui::Dummy({0, c.style.px(2)});
-  if (ImGui::Selectable("A new colour")) {
+  if (ImGui::Selectable(tr("New colour"))) {
     const auto index = static_cast<int>(palette.size());
-    const Rgb like = palette[static_cast<size_t>(s.shared.color.value)];
-    edit = edit_of(s, "Colour", [like, index](Design d, System system, const std::vector<int>& threads) {
-      return with_thread_color(with_new_palette_color(std::move(d), like), system, threads, index);
+    const Rgb copy = palette[static_cast<size_t>(s.shared.color.value)];
+    edit = edit_of(s, mark("Colour"), [copy, index](Design d, System system, const std::vector<int>& threads) {
+      return with_thread_color(with_new_palette_color(std::move(d), copy), system, threads, index);
     });
-    take_color(c, index);
+    activate_color(c, index);
   }
   c.map.add_item("threads.color:new");
-  tooltip(c, "Added to the palette for these threads, and in hand above to be mixed");
+  tooltip(c, tr("Added to the palette for these threads, and made active so that it can be edited above"));
   return edit;
 }
 
 MaybeEdit draw_color(PanelContext& c, const Subject& s) {
-  row_label(c, "Colour", "The threads' colour from the palette");
+  row_label(c, tr("Colour"), tr("The colour of the threads, from the palette"));
   ImGui::SetNextItemWidth(-FLT_MIN);
   const ImVec2 a = ImGui::GetCursorScreenPos(),
                b{a.x + ImGui::GetContentRegionAvail().x, a.y + ImGui::GetFrameHeight()};
@@ -248,24 +264,24 @@ MaybeEdit draw_color(PanelContext& c, const Subject& s) {
   return edit;
 }
 
-/// A hundredth of a millimetre is finer than any yarn is known.
+/// To a hundredth of a millimetre, which is finer than yarns are specified.
 float rounded(float mm) { return std::round(mm * 100) / 100; }
 
-/// Shows whether the yarn decides, and gives it back to the yarn.
+/// Shows whether the value comes from the yarn, and resets it to the yarn's. True if pressed.
 bool draw_link(PanelContext& c, const LengthSpec& spec, const SharedLength& length) {
   ImGui::SameLine(0, c.style.px(4));
   const bool own = length.own > 0;
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  const bool pressed =
-      icon_button(c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? "own" : "yarn",
-                  own ? "Set for these threads. Click to leave it to their yarn again" : "Follows the yarn", own);
+  const bool pressed = icon_button(
+      c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? tr("own") : tr("yarn"),
+      own ? tr("Set for these threads. Click to use the value of the yarn again") : tr("From the yarn"), own);
   ImGui::PopStyleColor();
   return pressed;
 }
 
 MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec) {
   const SharedLength& length = s.shared.*spec.shared;
-  // Of several, a figure that nobody types: whatever is typed is then a change.
+  // For mixed values, a number that nobody types, so that any typed one is a change.
   float mm = length.mixed() ? (length.low + length.high) / 2 * 1.0001f : length.low;
   MaybeEdit edit;
   if (span_slider(c, spec.slider, {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)}, mm))
@@ -280,19 +296,18 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   return edit;
 }
 
-/// In a file of centimetres also from now on; another's own unit is no habit of the weaver.
-void count_in(PanelContext& c, bool inches) {
+/// Also changes the default, unless the file has a unit of its own.
+void set_sett_unit(PanelContext& c, bool inches) {
   if (c.view.warp_unit.mm == static_cast<double>(kMmPerCm))
     c.wanted.change_settings([inches](Settings& s) { s.per_inch = inches; });
   c.wanted.change_view([inches](DocumentView& v) { v.per_inch = inches; });
 }
 
-/// The spacing as weavers count it: threads in a centimetre or an inch.
+/// The spacing as sett: threads per centimetre or inch.
 MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   const bool warp = s.system == System::kWarp;
-  const char* tip = warp ? "The sett: how many ends there are in a centimetre or an inch"
-                         : "How many picks there are in a centimetre or an inch";
-  row_label(c, warp ? "Ends" : "Picks", tip);
+  const char* tip = warp ? tr("Sett: ends per centimetre or inch") : tr("Sett: picks per centimetre or inch");
+  row_label(c, warp ? tr("Ends") : tr("Picks"), tip);
   const float unit = c.view.per_inch ? kMmPerInch : kMmPerCm;
   const SharedLength& spacing = s.shared.spacing;
   float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
@@ -300,37 +315,37 @@ MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
-    edit = edit_of(s, "Spacing", [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
+    edit = edit_of(s, mark("Spacing"), [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
       return with_thread_spacing(std::move(d), system, threads, mm);
     });
   ImGui::SameLine();
-  muted_text(c, "per");
+  muted_text(c, tr("per"));
   ImGui::SameLine();
-  constexpr const char* kUnits[] = {"cm", "inch"};
+  constexpr const char* kUnits[] = {mark("cm"), mark("inch")};
   int chosen = c.view.per_inch ? 1 : 0;
-  if (segmented(c, "threads.per", kUnits, chosen)) count_in(c, chosen == 1);
+  if (segmented(c, "threads.per", kUnits, chosen)) set_sett_unit(c, chosen == 1);
   return edit;
 }
 
 std::string in_unit(const SharedLength& length, double unit_mm) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", static_cast<double>(length.low) / unit_mm);
-  return length.mixed() ? "mixed" : text;
+  return length.mixed() ? tr("mixed") : text;
 }
 
-/// The measures as a file says them that counts neither in centimetres nor in millimetres.
+/// Thickness and spacing in the unit of the file, if that is not the centimetre.
 void draw_file_words(const PanelContext& c, const Subject& s) {
   const WifUnit& unit = s.system == System::kWarp ? c.view.warp_unit : c.view.weft_unit;
   if (unit.mm == static_cast<double>(kMmPerCm)) return;
-  std::string text;
-  const auto add = [&](const char* what, const SharedLength& length) {
-    if (length.own > 0) text += (text.empty() ? "" : ", ") + std::string(what) + " " + in_unit(length, unit.mm);
-  };
-  add("thickness", s.shared.thickness);
-  add("spacing", s.shared.spacing);
-  if (text.empty()) return;
+  const SharedLength &thickness = s.shared.thickness, &spacing = s.shared.spacing;
+  if (thickness.own <= 0 && spacing.own <= 0) return;
+  const char* pattern = spacing.own <= 0     ? tr("thickness {thickness}")
+                        : thickness.own <= 0 ? tr("spacing {spacing}")
+                                             : tr("thickness {thickness}, spacing {spacing}");
+  const std::string text =
+      fill(pattern, arg("thickness", in_unit(thickness, unit.mm)), arg("spacing", in_unit(spacing, unit.mm)));
   push_font(c.style.font.small);
-  row_label(c, unit.name.c_str(), "The measures in the file's own unit, in which they are saved again");
+  row_label(c, unit.name.c_str(), tr("The values in the unit of the file, in which they are saved"));
   muted_text(c, text);
   ImGui::PopFont();
 }
@@ -339,8 +354,8 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
 
 MaybeEdit draw_threads(PanelContext& c, std::string& typed) {
   if (c.focus.starts_with("threads.")) open_section("section.threads");
-  if (!section(c, "section.threads", "Threads")) return {};
-  draw_whose(c, typed);
+  if (!section(c, "section.threads", tr("Threads"))) return {};
+  draw_choice(c, typed);
   Subject s{c.view.chosen.system, concerned(c.view.chosen, c.design.draft), {}};
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);

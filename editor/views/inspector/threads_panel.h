@@ -1,5 +1,5 @@
 #pragma once
-// The threads that are chosen, or the whole warp or weft: their yarn, colour, thickness and spacing.
+// Yarn, colour, thickness and spacing of the selected threads, or of the whole warp or weft.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace weftlight::views {
 
-/// `typed`: the words that name the threads, as they are being typed.
+/// `typed`: the text that names the threads while it is typed.
 MaybeEdit draw_threads(PanelContext& c, std::string& typed);
 
 }  // namespace weftlight::views

@@ -1,5 +1,5 @@
 #pragma once
-// Words beside the labels' column of the inspector, below the row that they are about.
+// Text beside the label column of the inspector, below the row that it is about.
 
 #include <imgui.h>
 
@@ -9,7 +9,7 @@
 
 namespace weftlight::views {
 
-/// As much as fits in each line. tip: shown over them.
+/// Wraps the text. `tip`: its tooltip.
 void draw_words(const PanelContext& c, const std::string& text, ImU32 color, const char* tip);
 
 }  // namespace weftlight::views

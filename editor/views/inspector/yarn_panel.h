@@ -1,5 +1,5 @@
 #pragma once
-// The design's yarns: which there are, and the body and the light of the one in hand.
+// The yarns of the design: the list, and the properties and optics of the active one.
 
 #include "views/common/names.h"
 #include "views/common/panel.h"

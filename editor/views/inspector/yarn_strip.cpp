@@ -10,10 +10,10 @@ namespace weftlight::views {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kFill = 0.84f;        // of the height that the thread takes
-constexpr float kKey = 2.6f;          // irradiance at right angles; white paper then has 0.83
-constexpr float kSky = 0.28f;         // radiance of the soft light all around
-constexpr float kLightAbove = 0.55f;  // the light's rise, as a share of its height over the surface
+constexpr float kFill = 0.84f;        // thread diameter, as a fraction of the strip's height
+constexpr float kKey = 2.6f;          // irradiance at normal incidence; white paper then has radiance 0.83
+constexpr float kSky = 0.28f;         // radiance of the uniform environment
+constexpr float kLightAbove = 0.55f;  // y of the light direction, relative to its z
 
 /// A round thread along x, seen from +z; lengths in radii, y up.
 struct Thread {
@@ -43,13 +43,13 @@ Thread thread_of(const Yarn& yarn, Rgb colour, float light_deg, int width, int h
   return t;
 }
 
-/// As the ray tracer reads it (core/reference/trace.cpp), faded where a pixel spans several grooves.
+/// Texture look-up as in the ray tracer (core/reference/trace.cpp), filtered over the pixel's footprint.
 Texel texel_at(const Thread& t, float x, glm::vec3 normal) {
   const ThreadTexture& texture = t.texture;
-  const float turn = 0.25f - std::atan2(normal.z, normal.y) / (2 * kPi), share = x / t.length;
+  const float turn = 0.25f - std::atan2(normal.z, normal.y) / (2 * kPi), u = x / t.length;
   const float down = texture.fibres * t.pixel / (2 * kPi * std::max(normal.z, 0.05f));
   const float along = static_cast<float>(std::abs(texture.advance)) * t.pixel / t.length;
-  return texture_at(texture, thread_formulas::texture_point(texture, share, turn, std::hypot(down, along), 1));
+  return texture_at(texture, thread_formulas::texture_point(texture, u, turn, std::hypot(down, along), 1));
 }
 
 glm::vec3 radiance(const Thread& t, float x, float y) {
@@ -74,8 +74,8 @@ glm::vec3 radiance(const Thread& t, float x, float y) {
   return lit * thread_formulas::fibre_tint(texel, t.colour) * texel.groove;
 }
 
-ImU32 shown(glm::vec3 light, float alpha) {
-  const glm::vec3 mapped = formulas::tone_map(light);
+ImU32 encoded(glm::vec3 radiance, float alpha) {
+  const glm::vec3 mapped = formulas::tone_map(radiance);
   return to_u32(srgb_from_linear({mapped.r, mapped.g, mapped.b}), alpha);
 }
 
@@ -90,7 +90,7 @@ std::vector<ImU32> yarn_strip(const Yarn& yarn, Rgb colour, float light_deg, int
     const float alpha = std::clamp((1 - std::abs(y)) / t.pixel + 0.5f, 0.0f, 1.0f);
     for (int column = 0; column < width; ++column) {
       const float x = (static_cast<float>(column) + 0.5f) * t.pixel;
-      pixels.push_back(alpha > 0 ? shown(radiance(t, x, std::clamp(y, -0.999f, 0.999f)), alpha) : 0);
+      pixels.push_back(alpha > 0 ? encoded(radiance(t, x, std::clamp(y, -0.999f, 0.999f)), alpha) : 0);
     }
   }
   return pixels;

@@ -1,6 +1,6 @@
 #pragma once
-// A piece of thread in the light: a round thread with its twist, grooves and stray fibres, shaded on the CPU
-// by the formulas of the cloth.
+// A picture of a round thread with its twist, grooves and flyaway fibres, shaded on the CPU by the formulas of the
+// cloth.
 
 #include <vector>
 
@@ -10,11 +10,11 @@
 
 namespace weftlight::views {
 
-/// width x height pixels, row 0 on top, transparent beside the thread. The light is `light_deg` off the
-/// normal, towards the right, and a little above.
+/// width x height pixels, row 0 on top, transparent beside the thread. The light is `light_deg` to the right of the
+/// normal and a little above.
 std::vector<ImU32> yarn_strip(const Yarn& yarn, Rgb colour, float light_deg, int width, int height);
 
-/// The strip as a texture, shaded again only when what it shows has changed.
+/// The strip as a texture, shaded again only when its input changes.
 class YarnStrip {
  public:
   ImTextureID of(const Yarn& yarn, Rgb colour, float light_deg, int width, int height);

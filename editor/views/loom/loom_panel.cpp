@@ -8,28 +8,36 @@
 #include <iterator>
 #include <vector>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/common/cell_image.h"
 
 namespace weftlight::views {
 
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
 std::string press_text(const Draft& draft, int pick) {
   const std::vector<int> marks = to_press(draft, pick);
-  const char* one = draft.shed_control == ShedControl::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
-  if (marks.empty()) return draft.shed_control == ShedControl::kLiftplan ? "Lift nothing" : "No treadle";
-  std::string text = one;
-  for (size_t i = 0; i < marks.size(); ++i) text.append(i == 0 ? "" : " + ").append(std::to_string(marks[i] + 1));
-  return text;
+  const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
+  if (marks.empty()) return liftplan ? tr("Lift nothing") : tr("No treadle");
+  std::string numbers;
+  for (const int mark : marks) numbers.append(numbers.empty() ? "" : " + ").append(std::to_string(mark + 1));
+  const char* text = !liftplan ? tr("Treadle {numbers}") : draft.rising ? tr("Lift {numbers}") : tr("Lower {numbers}");
+  return fill(text, arg("numbers", numbers));
 }
 
 namespace {
 
 // Pixels at 96 dpi.
 constexpr float kMargin = 28, kFoot = 150, kLargestShaft = 64, kMinForStrip = 900;
-constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // of the strip, before the pick
+constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // fraction of the strip before the current pick
 
-struct Box {
+struct PixelRect {
   ImVec2 min, max;
   float width() const { return max.x - min.x; }
   float height() const { return max.y - min.y; }
@@ -43,8 +51,8 @@ float width_of(ImFont* font, float size, const std::string& text) {
   return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
 }
 
-/// Shafts that are up in the pick, numbered, from the first at the left.
-void draw_shafts(const PanelContext& c, const BitMatrix& up, int pick, Box room) {
+/// The shafts, numbered from the left; those that are up in the pick are filled.
+void draw_shafts(const PanelContext& c, const BitMatrix& up, int pick, PixelRect room) {
   const int shafts = c.design.draft.shafts;
   const float gap = c.style.px(shafts > 16 ? 3 : 6);
   const float side =
@@ -66,20 +74,21 @@ void draw_shafts(const PanelContext& c, const BitMatrix& up, int pick, Box room)
   }
 }
 
-/// The cloth about the pick: what is woven above it, what comes below it, or the other way round for who reads upwards.
-void draw_strip(const PanelContext& c, int pick, Box room) {
+/// The drawdown around the pick, with woven picks above it and later ones below, or reversed if pick 1 is at the
+/// bottom.
+void draw_strip(const PanelContext& c, int pick, PixelRect room) {
   const Draft& d = c.design.draft;
   const float pitch = c.style.px(kStripPitch);
   const int rows = std::max(1, static_cast<int>(room.height() / pitch));
   const int woven = static_cast<int>(static_cast<float>(rows) * kWovenShare);
   const bool up = c.settings.pick1_bottom;
-  const int here = up ? rows - 1 - woven : woven;  // the row of the pick
+  const int pick_row = up ? rows - 1 - woven : woven;  // the row of the pick
   const int columns = std::min(d.ends(), static_cast<int>(room.width() / pitch));
   const auto warp = thread_colors(d, System::kWarp), weft = thread_colors(d, System::kWeft);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float width = static_cast<float>(columns) * pitch;
   for (int row = 0; row < rows; ++row) {
-    const int p = up ? pick + here - row : pick - here + row;
+    const int p = up ? pick + pick_row - row : pick - pick_row + row;
     if (p < 0 || p >= d.picks()) continue;
     const float y = room.min.y + static_cast<float>(row) * pitch;
     const float alpha = p > pick ? 0.35f : 1.0f;
@@ -93,11 +102,11 @@ void draw_strip(const PanelContext& c, int pick, Box room) {
               {room.min.x + width + c.style.px(8), y + (pitch - font_size(c.style.font.mono_small)) / 2},
               p == pick ? c.style.color.accent : c.style.color.muted, std::to_string(p + 1));
   }
-  const float y = room.min.y + static_cast<float>(here) * pitch;
+  const float y = room.min.y + static_cast<float>(pick_row) * pitch;
   dl->AddRect({room.min.x - 3, y - 2}, {room.min.x + width + 2, y + pitch + 1}, c.style.color.accent, 2, 0, 2);
 }
 
-/// The colour that the shuttle holds, and the one after it where that is another.
+/// The colour of this pick, and the next colour or how long this one lasts.
 void draw_colors(const PanelContext& c, int pick, int next, ImVec2 at, float room) {
   const Draft& d = c.design.draft;
   const auto color = [&](int p) { return d.weft.color[static_cast<size_t>(p)]; };
@@ -108,30 +117,32 @@ void draw_colors(const PanelContext& c, int pick, int next, ImVec2 at, float roo
   draw_swatch(c, at, {at.x + side, at.y + side}, to_u32(d.palette[static_cast<size_t>(color(pick))]));
   const float x = at.x + side + c.style.px(12);
   draw_text(c.style.font.text, size, {x, at.y + c.style.px(2)}, c.style.color.text,
-            fitted("Colour " + std::to_string(color(pick) + 1) + ", " + yarn(pick), room - side));
+            fitted(fill(tr("Colour {number}, {yarn}"), arg("number", color(pick) + 1), arg("yarn", yarn(pick))),
+                   room - side));
   if (color(next) == color(pick)) {
     int same = 0;
     while (pick + same < d.picks() && color(pick + same) == color(pick)) ++same;
     return draw_text(c.style.font.text, size, {x, at.y + side / 2}, c.style.color.muted,
-                     same > 1 ? "for " + std::to_string(same) + " picks" : "");
+                     same > 1 ? fill(tr_n("for {count} pick", "for {count} picks", same), arg("count", same)) : "");
   }
-  draw_text(c.style.font.text, size, {x, at.y + side / 2}, c.style.color.muted, "then");
-  const float then = x + c.style.px(40);
+  draw_text(c.style.font.text, size, {x, at.y + side / 2}, c.style.color.muted, tr("then"));
+  const float then = x + width_of(c.style.font.text, size, tr("then")) + c.style.px(10);
   draw_swatch(c, {then, at.y + side / 2}, {then + c.style.px(18), at.y + side / 2 + c.style.px(18)},
               to_u32(d.palette[static_cast<size_t>(color(next))]));
 }
 
-void draw_pick(PanelContext& c, const BitMatrix& up, const loom::WeavingState& place, Box room) {
+void draw_pick(PanelContext& c, const BitMatrix& up, const loom::WeavingState& place, PixelRect room) {
   const Draft& d = c.design.draft;
   const int pick = place.next_pick;
   ImFont *big = c.style.font.big, *title = c.style.font.title;
   const float tall = std::min(font_size(big), room.height() * 0.38f), line = font_size(title);
   const std::string number = std::to_string(pick + 1);
-  draw_text(title, line * 0.6f, room.min, c.style.color.muted, "Pick");
+  draw_text(title, line * 0.6f, room.min, c.style.color.muted, tr("Pick"));
   float y = room.min.y + line * 0.6f;
   draw_text(big, tall, {room.min.x, y}, c.style.color.text, number);
   const float beside = room.min.x + width_of(big, tall, number) + c.style.px(16);
-  draw_text(title, line * 0.6f, {beside, y + tall * 0.64f}, c.style.color.muted, "of " + std::to_string(d.picks()));
+  draw_text(title, line * 0.6f, {beside, y + tall * 0.64f}, c.style.color.muted,
+            fill(tr("of {count}"), arg("count", d.picks())));
   c.map.add("loom.pick:" + number, room.min.x, y, beside - room.min.x, tall);
   y += tall + c.style.px(14);
   const std::string press = press_text(d, pick);
@@ -147,20 +158,22 @@ void draw_pick(PanelContext& c, const BitMatrix& up, const loom::WeavingState& p
 std::string line_text(const LoomLine& line, loom::Protocol protocol) {
   switch (line.state) {
     case LoomLink::State::kOff:
-      return "By hand: Space or a click for the next pick, Backspace for the one before";
+      return tr("Not connected. Space or a click: next pick; Backspace: previous pick");
     case LoomLink::State::kConnecting:
-      return line.why.empty() ? "Looking for the loom\xE2\x80\xA6" : "Trying again: " + line.why;
+      return line.why.empty() ? tr("Connecting to the loom\xE2\x80\xA6")
+                              : fill(tr("Trying again: {reason}"), arg("reason", line.why));
     case LoomLink::State::kConnected:
       break;
   }
-  return protocol == loom::Protocol::kToikaEs ? "Connected; this loom says nothing: Space for the next pick"
-                                              : "Connected: the loom asks for each pick";
+  return protocol == loom::Protocol::kToikaEs
+             ? tr("Connected. This loom does not ask for picks; press Space for the next one")
+             : tr("Connected. The loom asks for each pick");
 }
 
 void draw_line(PanelContext& c, const LoomLine& line, std::string& address) {
-  constexpr const char* kProtocols[] = {"Plain", "S\xC3\xA9guin", "Toika ES"};
+  constexpr const char* kProtocols[] = {mark("Plain"), "S\xC3\xA9guin", "Toika ES"};
   int protocol = static_cast<int>(c.view.at_loom.protocol);
-  row_label(c, "Send to loom", "tcp:HOST:PORT, or serial:/dev/ttyUSB0, with :BAUD after it where it is not 9600");
+  row_label(c, tr("Loom address"), tr("tcp:HOST:PORT or serial:/dev/ttyUSB0, followed by :BAUD if it is not 9600"));
   ImGui::SetNextItemWidth(c.style.px(220));
   const bool enter =
       ImGui::InputTextWithHint("##address", "tcp:HOST:PORT", &address, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -172,7 +185,7 @@ void draw_line(PanelContext& c, const LoomLine& line, std::string& address) {
     c.wanted.change_view([protocol](DocumentView& v) { v.at_loom.protocol = static_cast<loom::Protocol>(protocol); });
   ImGui::SameLine();
   const bool off = line.state == LoomLink::State::kOff;
-  if (text_button(c, off ? "loom.connect" : "loom.disconnect", off ? "Connect" : "Disconnect", nullptr) ||
+  if (text_button(c, off ? "loom.connect" : "loom.disconnect", off ? tr("Connect") : tr("Disconnect"), nullptr) ||
       (enter && off))
     c.wanted.add_action(off ? "loom_connect" : "loom_disconnect");
   const bool bad = !line.why.empty() || !c.view.at_loom.remark.empty();
@@ -186,51 +199,52 @@ void draw_line(PanelContext& c, const LoomLine& line, std::string& address) {
   c.map.add_item(line.state == LoomLink::State::kConnected ? "loom.connected" : "loom.line");
 }
 
-/// From and to, both counted from 1; true when another number was given.
+/// First and last pick of the section, counted from 1.
 void draw_section(PanelContext& c) {
   const int picks = c.design.draft.picks();
   const loom::PickRange now = c.view.at_loom.section;
   int first = now.first < now.end ? now.first + 1 : 1, last = now.first < now.end ? now.end : picks;
-  row_label(c, "Section", "These picks are woven over and over");
+  row_label(c, tr("Section"), tr("Picks to weave again and again"));
   push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(110));
-  bool other = ImGui::InputInt("##first", &first);
+  bool changed = ImGui::InputInt("##first", &first);
   c.map.add_item("loom.first");
   ImGui::SameLine();
   ImGui::TextUnformatted("\xE2\x80\x93");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(c.style.px(110));
-  other |= ImGui::InputInt("##last", &last);
+  changed |= ImGui::InputInt("##last", &last);
   c.map.add_item("loom.last");
   ImGui::PopFont();
-  if (other)
+  if (changed)
     c.wanted.gesture([first, last, picks](DocumentView& v, const Design& d) {
       const int from = std::clamp(first, 1, picks) - 1, to = std::clamp(last, from + 1, picks);
       return keep_to_section(v.at_loom, d, from == 0 && to == picks ? loom::PickRange{} : loom::PickRange{from, to})
           .edit;
     });
   ImGui::SameLine();
-  if (text_button(c, "loom.whole", "Whole draft", nullptr))
+  if (text_button(c, "loom.whole", tr("Whole draft"), nullptr))
     c.wanted.gesture([](DocumentView& v, const Design& d) { return keep_to_section(v.at_loom, d, {}).edit; });
   ImGui::SameLine(0, c.style.px(20));
   ImGui::AlignTextToFramePadding();
-  muted_text(c, "Woven: " + std::to_string(c.view.at_loom.place.woven) + " picks");
+  const auto woven = c.view.at_loom.place.woven;
+  muted_text(c, fill(tr_n("Woven: {count} pick", "Woven: {count} picks", woven), arg("count", woven)));
 }
 
 void draw_steps(PanelContext& c) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(22), c.style.px(10)});
-  if (text_button(c, "loom.back", "Back", "Backspace: the pick before")) c.wanted.add_action("loom_back");
+  if (text_button(c, "loom.back", tr("Back"), tr("Previous pick   Backspace"))) c.wanted.add_action("loom_back");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.paper);
-  if (text_button(c, "loom.next", "Next pick", "Space: the next pick")) c.wanted.add_action("loom_next");
+  if (text_button(c, "loom.next", tr("Next pick"), tr("Next pick   Space"))) c.wanted.add_action("loom_next");
   ImGui::PopStyleColor(3);
   ImGui::SameLine();
-  if (text_button(c, "loom.first_pick", "To the first", "Begins the section again"))
+  if (text_button(c, "loom.first_pick", tr("First pick"), tr("Start the section again")))
     c.wanted.gesture([](DocumentView& v, const Design& d) { return go_to_pick(v.at_loom, d, 0).edit; });
   ImGui::SameLine();
-  if (text_button(c, "loom.done", "Leave the loom", "F9; the place is kept with the draft"))
+  if (text_button(c, "loom.done", tr("Leave loom"), tr("Back to the draft, which keeps your place   F9")))
     c.wanted.add_action("loom");
   ImGui::PopStyleVar();
 }
@@ -240,7 +254,7 @@ void draw_steps(PanelContext& c) {
 void draw_loom(PanelContext& c, const LoomLine& line, std::string& address) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   const float margin = c.style.px(kMargin), foot = c.style.px(kFoot);
-  Box room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
+  PixelRect room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
   const loom::WeavingState place = place_of(c.view.at_loom, c.design);
   const bool strip = size.x >= c.style.px(kMinForStrip);
   if (place.next_pick < c.design.draft.picks() && room.height() > 40) {

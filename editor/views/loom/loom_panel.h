@@ -1,5 +1,5 @@
 #pragma once
-// The loom: which pick is woven, what to press or to lift for it, in type that is read from across the room.
+// The loom view: the current pick and what to press or lift for it, in type that can be read from across the room.
 
 #include <string>
 
@@ -10,16 +10,16 @@
 
 namespace weftlight::views {
 
-/// What the window knows of the line to the loom.
+/// State of the connection to the loom.
 struct LoomLine {
   LoomLink::State state = LoomLink::State::kOff;
-  std::string why;  // it is not there
+  std::string why;  // why it failed
 };
 
-/// Fills what is left of the current ImGui window. `address`: as it is being typed.
+/// Fills the rest of the current ImGui window. `address`: the text that is being typed.
 void draw_loom(PanelContext& c, const LoomLine& line, std::string& address);
 
-/// "Treadles 3 + 5", "Shafts 1 + 2 + 4", "Nothing": what the feet or hands do for a pick.
+/// What to press or lift for a pick: "Treadle 3 + 5", "Lift 1 + 2 + 4", "Lift nothing".
 std::string press_text(const Draft& draft, int pick);
 
 }  // namespace weftlight::views

@@ -1,6 +1,7 @@
 #pragma once
-// The actions as menu, toolbar and command palette show them. All three only name the action that was
-// chosen; the editor's one table runs it.
+// Menu bar, toolbar, context menus, command palette and the window of shortcuts. They return the id of the chosen
+// action; the editor's action table runs it. Menus and submenus of an ActionItem are marked texts, its label is already
+// translated.
 
 #include <span>
 #include <string>
@@ -12,27 +13,26 @@
 
 namespace weftlight::views {
 
-/// The row at the top: menus, then the toolbar's icons, the title in the middle. Id of the action or "".
+/// The row at the top: menus, toolbar, and the title in the middle. Returns the id of the chosen action or "".
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title);
 
-/// The items one below the other, submenus too; for an open menu. Named `prefix` + id in the map.
+/// The items of an open menu, with submenus. Named `prefix` + id in the map.
 std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);
-/// What a right click offers: the items that belong there, when the menu is due or stands open. Named `name` + "." + id
-/// in the map.
+/// A context menu of the items that belong there, if it is `due` or open. Named `name` + "." + id in the map.
 std::string draw_context_menu(const PanelContext& c, std::span<const ActionItem> items, bool ActionItem::*belongs,
                               const char* name, bool due);
 
-/// What the mouse does, and the key of every action, in a window of their own. A click on a key waits for another.
+/// The window of mouse gestures and of the shortcuts of all actions. A click on a shortcut waits for a new one.
 struct KeysWindow {
   bool open = false;
-  std::string typed;    // what is looked for
-  std::string waiting;  // action that the next key is for
-  std::string pressed;  // that key, when it came
-  std::string wanted;   // a key that another action has
+  std::string typed;      // search text
+  std::string waiting;    // id of the action that waits for a key
+  std::string pressed;    // the key that was pressed for it
+  std::string requested;  // a key that another action has
 };
 void draw_keys_window(PanelContext& c, std::span<const ActionItem> items, KeysWindow& window);
-/// The action that has the key, other than `but`; null: none.
-const ActionItem* holder_of(std::span<const ActionItem> items, const std::string& key, const std::string& but);
+/// The action with that shortcut, except `except`; null if there is none.
+const ActionItem* action_with_key(std::span<const ActionItem> items, const std::string& key, const std::string& except);
 
 struct CommandPalette {
   bool open = false;
@@ -40,11 +40,11 @@ struct CommandPalette {
   std::string typed;
   int chosen = 0;
 };
-/// A list over the window, narrowed by typing; Enter runs the chosen one. Id of the action or "".
+/// A list of all actions, filtered by typing; Enter runs the chosen one. Returns the id of the action or "".
 std::string draw_command_palette(const PanelContext& c, std::span<const ActionItem> items, CommandPalette& palette);
 
-/// True when every letter of `typed` occurs in `label` in order, whatever the case; a better match scores
-/// higher (runs and starts of words count more).
+/// True if every letter of `typed` occurs in `label` in that order, ignoring case. A better match scores higher: runs
+/// and starts of words count more.
 bool matches(const std::string& label, const std::string& typed, int& score);
 
 }  // namespace weftlight::views

@@ -5,16 +5,20 @@
 #include <cctype>
 #include <vector>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 char lower(char ch) { return static_cast<char>(std::tolower(static_cast<unsigned char>(ch))); }
 
-constexpr const char* kIn = "  \xE2\x80\xBA  ";
+constexpr const char* kSeparator = "  \xE2\x80\xBA  ";
 
 struct Match {
   const ActionItem* item;
@@ -45,9 +49,9 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
     const ActionItem& item = *found[static_cast<size_t>(i)].item;
     ImGui::PushID(item.id.c_str());
     ImGui::BeginDisabled(!item.enabled);
-    const std::string where = item.menu.empty()
-                                  ? item.label
-                                  : item.menu + kIn + (item.submenu.empty() ? "" : item.submenu + kIn) + item.label;
+    std::string where = item.label;
+    if (!item.submenu.empty()) where = tr(item.submenu.c_str()) + (kSeparator + where);
+    if (!item.menu.empty()) where = tr(item.menu.c_str()) + (kSeparator + where);
     if (ImGui::Selectable(where.c_str(), i == palette.chosen)) run = item.id;
     ImGui::EndDisabled();
     c.map.add_item("command:" + item.id);
@@ -96,7 +100,7 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
   if (palette.appearing) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
   const bool enter =
-      ImGui::InputTextWithHint("##typed", "Type a command", &palette.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint("##typed", tr("Type a command"), &palette.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("commands.typed");
   if (ImGui::IsItemEdited()) palette.chosen = 0;
   const std::vector<Match> found = narrowed(items, palette.typed);

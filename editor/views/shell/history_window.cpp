@@ -3,54 +3,60 @@
 #include <algorithm>
 #include <string>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 constexpr float kWidth = 264, kHeight = 380, kRow = 26, kMargin = 22;  // pixels at 96 dpi
 
-/// A line through the steps with a knot at each, filled up to where the draft stands.
+/// The mark of a step on the timeline, filled up to the current step.
 void draw_knot(const PanelContext& c, ImVec2 at, float height, const History& h, size_t step) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& k = c.style.color;
-  const bool here = step == h.position(), done = step <= h.position();
+  const bool current = step == h.position(), done = step <= h.position();
   const ImVec2 middle{at.x + c.style.px(10), at.y + height / 2};
   const ImU32 line = done ? with_alpha(k.accent, 0.55f) : k.line_strong;
   if (step > 0) dl->AddLine({middle.x, at.y}, middle, line, 1.5f);
   const ImU32 next = step < h.position() ? with_alpha(k.accent, 0.55f) : k.line_strong;
   if (step + 1 < h.steps()) dl->AddLine(middle, {middle.x, at.y + height}, next, 1.5f);
-  const float r = c.style.px(here ? 5 : 3.5f);
+  const float r = c.style.px(current ? 5 : 3.5f);
   dl->AddCircleFilled(middle, r, done ? k.accent : k.raised);
   if (!done) dl->AddCircle(middle, r, k.line_strong, 0, 1.4f);
 }
 
 void draw_step(PanelContext& c, const Document& document, size_t step) {
   const History& h = document.history();
-  const bool here = step == h.position();
+  const bool current = step == h.position();
   const float height = c.style.px(kRow), width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(step));
-  if (hit_area("step", {width, height}) && !here) c.wanted.go_to(step);
+  if (hit_area("step", {width, height}) && !current) c.wanted.go_to(step);
   const bool hovered = ImGui::IsItemHovered();
   ImGui::PopID();
   c.map.add_item("history:" + std::to_string(step));
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& k = c.style.color;
-  if (here || hovered)
-    dl->AddRectFilled(at, {at.x + width, at.y + height}, with_alpha(k.accent, here ? 0.16f : 0.08f), c.style.px(5));
+  if (current || hovered)
+    dl->AddRectFilled(at, {at.x + width, at.y + height}, with_alpha(k.accent, current ? 0.16f : 0.08f), c.style.px(5));
   draw_knot(c, at, height, h, step);
-  const char* saved = !document.path().empty() && h.is_saved(step) ? "saved" : "";
+  const char* saved = !document.path().empty() && h.is_saved(step) ? tr("saved") : "";
   const float note = ImGui::CalcTextSize(saved).x, left = c.style.px(kMargin), y = (height - ImGui::GetFontSize()) / 2;
-  const std::string label = step == 0 ? "Beginning" : h.label(step);
+  const std::string label = step == 0 ? tr("Start") : h.label(step);
   const std::string shown = fitted(label, width - left - note - c.style.px(16));
-  const ImU32 color = step > h.position() ? with_alpha(k.muted, 0.75f) : here ? k.text : blend(k.text, k.muted, 0.35f);
+  const ImU32 color = step > h.position() ? with_alpha(k.muted, 0.75f)
+                      : current           ? k.text
+                                          : blend(k.text, k.muted, 0.35f);
   dl->AddText({at.x + left, at.y + y}, color, shown.c_str());
   dl->AddText({at.x + width - note - c.style.px(8), at.y + y}, k.muted, saved);
 }
 
-/// The step that the draft stands at is kept in sight as it changes.
+/// Keeps the current step visible when it changes.
 void follow(const PanelContext& c, const History& h, HistoryWindow& window) {
   if (window.steps == h.steps() && window.position == h.position() && !ImGui::IsWindowAppearing()) return;
   window = {h.steps(), h.position()};
@@ -84,7 +90,7 @@ void draw_history(PanelContext& c, const Document& document, HistoryWindow& wind
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
   bool open = true;
-  if (ImGui::Begin("History", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::Begin(tr("History"), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_steps(c, document, window);
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && key_pressed(ImGuiKey_Escape)) open = false;
   }

@@ -1,6 +1,5 @@
 #pragma once
-// The steps of undo by their names, in a window of their own: a click goes there, and nothing of what lies ahead is
-// lost until something else is done.
+// The history window: the undo steps by name. A click goes to a step; later steps stay until the next edit.
 
 #include "session/document.h"
 #include "views/common/names.h"
@@ -8,12 +7,12 @@
 
 namespace weftlight::views {
 
-/// Which step was brought into sight last.
+/// The step that was scrolled to last.
 struct HistoryWindow {
   size_t steps = 0, position = 0;
 };
 
-/// While Settings::show_history.
+/// Draws the window while Settings::show_history is set.
 void draw_history(PanelContext& c, const Document& document, HistoryWindow& window);
 
 }  // namespace weftlight::views

@@ -5,38 +5,47 @@
 #include <string>
 #include <utility>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
 namespace weftlight::views {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
 struct MouseHint {
-  const char *what, *does;
+  const char *input, *effect;  // marked texts
 };
-constexpr MouseHint kPaintHints[] = {{"Drag", "paint; from a filled cell: clear"},
-                                     {"Shift+drag", "keep the thread's other shafts or treadles"},
-                                     {"Right drag", "clear"},
-                                     {"Ctrl+drag", "select, without changing the tool"},
-                                     {"Alt+click on a colour bar", "take that thread's colour and yarn in hand"}};
-constexpr MouseHint kShapeHints[] = {{"Drag", "a line or rectangle; from a filled cell: clear"},
-                                     {"Shift+drag", "straight or at 45 degrees; a square"},
-                                     {"Right drag", "clear"},
-                                     {"Escape", "give up what is being drawn"}};
-constexpr MouseHint kTypeHints[] = {{"Digits", "a shaft or treadle; then the next thread"},
-                                    {"Enter, comma, a second", "take a number that could go on"},
-                                    {"0, Delete", "clear the thread and go on; clear and stay"},
-                                    {"Space", "turn the cell over, in any grid"},
-                                    {"Arrows, Home, End, Tab", "move the cursor; to the next grid"},
-                                    {"Escape", "drop the number; done"}};
-constexpr MouseHint kSelectHints[] = {{"Drag", "select a rectangle"},
-                                      {"Shift+click", "extend it to there"},
-                                      {"Drag inside", "move the marks"},
-                                      {"Ctrl+drag inside", "copy them"},
-                                      {"Right click", "everything that can be done with it"}};
-constexpr MouseHint kViewHints[] = {{"Wheel, middle drag", "scroll the draft"},
-                                    {"Ctrl+wheel", "larger or smaller cells"}};
+constexpr MouseHint kPaintHints[] = {
+    {mark("Drag"), mark("paint; from a filled cell: clear")},
+    {mark("Shift+drag"), mark("keep the thread's other shafts or treadles")},
+    {mark("Right drag"), mark("clear")},
+    {mark("Ctrl+drag"), mark("select, without changing the tool")},
+    {mark("Alt+click on a colour bar"), mark("pick the colour and yarn of that thread")}};
+constexpr MouseHint kShapeHints[] = {{mark("Drag"), mark("draw a line or rectangle; from a filled cell: clear")},
+                                     {mark("Shift+drag"), mark("straight or at 45 degrees; square")},
+                                     {mark("Right drag"), mark("clear")},
+                                     {mark("Escape"), mark("cancel the shape")}};
+constexpr MouseHint kTypeHints[] = {
+    {mark("Digits"), mark("set a shaft or treadle; then the next thread")},
+    {mark("Enter, comma, a pause"), mark("finish a number that could have more digits")},
+    {mark("0, Delete"), mark("clear the thread and go on; clear and stay")},
+    {mark("Space"), mark("invert the cell, in any grid")},
+    {mark("Arrows, Home, End, Tab"), mark("move the cursor; to the next grid")},
+    {mark("Escape"), mark("discard the number; leave the tool")}};
+constexpr MouseHint kSelectHints[] = {{mark("Drag"), mark("select a rectangle")},
+                                      {mark("Shift+click"), mark("extend the selection")},
+                                      {mark("Drag inside"), mark("move the selected cells")},
+                                      {mark("Ctrl+drag inside"), mark("copy them")},
+                                      {mark("Right click"), mark("menu of the selection")}};
+constexpr MouseHint kViewHints[] = {{mark("Wheel, middle drag"), mark("scroll the draft")},
+                                    {mark("Ctrl+wheel"), mark("zoom the draft")}};
 
 constexpr float kKeyColumn = 150;  // pixels at 96 dpi
 
@@ -53,8 +62,8 @@ void heading(const PanelContext& c, const char* text) {
   ImGui::PopFont();
 }
 
-/// As the table ships it, it is no choice of the weaver's.
-void give_key(PanelContext& c, const ActionItem& item, const std::string& key) {
+/// Only shortcuts that differ from the default are saved.
+void assign_key(PanelContext& c, const ActionItem& item, const std::string& key) {
   c.wanted.change_settings([id = item.id, shipped = item.shipped, key](Settings& s) {
     if (key == shipped) s.keys.erase(id);
     else s.keys[id] = key;
@@ -70,60 +79,66 @@ bool quiet_button(PanelContext& c, const std::string& id, const char* label, con
   return pressed;
 }
 
-/// The key, as a button that waits for another.
+/// The shortcut, as a button that waits for a new one.
 void draw_key(PanelContext& c, const ActionItem& item, bool taken, KeysWindow& w) {
   const bool waits = w.waiting == item.id;
-  const std::string label = waits ? "Press keys\xE2\x80\xA6" : item.shortcut.empty() ? "none" : item.shortcut;
+  const std::string label = waits ? tr("Press keys\xE2\x80\xA6") : item.shortcut.empty() ? tr("none") : item.shortcut;
   const Colors& k = c.style.color;
   ImGui::PushStyleColor(ImGuiCol_Text, waits ? k.accent : taken ? k.warn : item.shortcut.empty() ? k.muted : k.text);
   ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(waits ? k.accent : k.text, waits ? 0.14f : 0.06f));
   const bool pressed = text_button(c, ("key:" + item.id).c_str(), label.c_str(), nullptr);
   ImGui::PopStyleColor(2);
   if (!waits)
-    tooltip(c, taken ? "Another command has the same key; the first in the menus gets it"
-                     : "Click, then press the keys that shall run it");
+    tooltip(c, taken ? tr("Another command has the same shortcut; the first one in the menus gets it")
+                     : tr("Click, then press the new shortcut"));
   if (!pressed) return;
   w.waiting = waits ? "" : item.id;
-  w.wanted.clear();
+  w.requested.clear();
 }
 
-/// What can be done besides pressing keys.
+/// The buttons beside a shortcut that waits for a key.
 void draw_choices(PanelContext& c, std::span<const ActionItem> items, const ActionItem& item, KeysWindow& w) {
-  if (const ActionItem* holder = w.wanted.empty() ? nullptr : holder_of(items, w.wanted, item.id)) {
+  if (const ActionItem* holder = w.requested.empty() ? nullptr : action_with_key(items, w.requested, item.id)) {
     ImGui::Dummy({c.style.px(12), 0});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
-    ImGui::TextUnformatted(fitted(w.wanted + " runs " + holder->label, c.style.px(280)).c_str());
+    ImGui::TextUnformatted(
+        fitted(fill(tr("{key} is used by {command}"), arg("key", w.requested), arg("command", holder->label)),
+               c.style.px(280))
+            .c_str());
     ImGui::PopStyleColor();
-    if (quiet_button(c, "key.take", "Take it", "It then runs this command, and the other has no key")) {
-      give_key(c, *holder, "");
-      give_key(c, item, w.wanted);
+    if (quiet_button(c, "key.take", tr("Reassign"), tr("Assign it to this command; the other one has none then"))) {
+      assign_key(c, *holder, "");
+      assign_key(c, item, w.requested);
       w.waiting.clear();
     }
-    if (quiet_button(c, "key.leave", "Leave it", "Press other keys")) w.wanted.clear();
+    if (quiet_button(c, "key.leave", tr("Cancel"), tr("Press other keys"))) w.requested.clear();
     return;
   }
-  if (!item.shortcut.empty() && quiet_button(c, "key.none", "None", "Leave it without a key"))
-    give_key(c, item, ""), w.waiting.clear();
-  if (item.shortcut != item.shipped && quiet_button(c, "key.shipped", "As it was", "The key that it came with"))
-    give_key(c, item, item.shipped), w.waiting.clear();
+  if (!item.shortcut.empty() && quiet_button(c, "key.none", tr("Clear"), tr("Remove the shortcut")))
+    assign_key(c, item, ""), w.waiting.clear();
+  if (item.shortcut != item.shipped &&
+      quiet_button(c, "key.shipped", tr("Default"), tr("Restore the default shortcut")))
+    assign_key(c, item, item.shipped), w.waiting.clear();
 }
 
 void draw_action(PanelContext& c, std::span<const ActionItem> items, const ActionItem& item, KeysWindow& w) {
   ImGui::AlignTextToFramePadding();
   const float column = c.style.px(kKeyColumn);
   const ImVec2 at = ImGui::GetCursorPos();
-  draw_key(c, item, holder_of(items, item.shortcut, item.id) != nullptr, w);
+  draw_key(c, item, action_with_key(items, item.shortcut, item.id) != nullptr, w);
   ImGui::SetCursorPos({at.x + column, at.y});
   ImGui::AlignTextToFramePadding();
-  const std::string where = item.submenu.empty() ? item.label : item.submenu + ": " + item.label;
+  const std::string where = item.submenu.empty() ? item.label
+                                                 : fill(tr("{menu}: {command}"), arg("menu", tr(item.submenu.c_str())),
+                                                        arg("command", item.label));
   const float room = content_right() - at.x - column - c.style.px(w.waiting == item.id ? 150 : 0);
   ImGui::TextUnformatted(fitted(where, std::max(1.0f, room)).c_str());
   if (w.waiting == item.id) draw_choices(c, items, item, w);
 }
 
-/// Without a word those that have a key; else all that match it by name or key.
+/// Without a search text, the actions with a shortcut; otherwise all whose name or shortcut matches.
 bool is_listed(const ActionItem& item, const std::string& typed) {
   if (item.id.starts_with("recent:") || item.id.starts_with("view.kept:") || item.menu == "Library") return false;
   int score = 0;
@@ -136,59 +151,60 @@ void draw_keys(PanelContext& c, std::span<const ActionItem> items, KeysWindow& w
   bool any = false;
   for (const ActionItem& item : items) {
     if (!is_listed(item, w.typed)) continue;
-    const std::string own = item.menu.empty() ? "Selection" : item.menu;
-    if (own != menu) heading(c, own.c_str());
+    const std::string own = item.menu.empty() ? mark("Selection") : item.menu;
+    if (own != menu) heading(c, tr(own.c_str()));
     menu = own;
     any = true;
     draw_action(c, items, item, w);
   }
-  if (!any) muted_text(c, "No command is called that");
+  if (!any) muted_text(c, tr("No command matches."));
 }
 
 void draw_mouse(const PanelContext& c) {
-  heading(c, "Mouse, paint tool");
-  for (const MouseHint& hint : kPaintHints) row(c, hint.what, hint.does);
-  heading(c, "Mouse, line and rectangle tools");
-  for (const MouseHint& hint : kShapeHints) row(c, hint.what, hint.does);
-  heading(c, "Keys, typing numbers");
-  for (const MouseHint& hint : kTypeHints) row(c, hint.what, hint.does);
-  heading(c, "Mouse, select tool");
-  for (const MouseHint& hint : kSelectHints) row(c, hint.what, hint.does);
-  heading(c, "Mouse, view");
-  for (const MouseHint& hint : kViewHints) row(c, hint.what, hint.does);
+  const auto group = [&c](const char* title, std::span<const MouseHint> hints) {
+    heading(c, title);
+    for (const MouseHint& hint : hints) row(c, tr(hint.input), tr(hint.effect));
+  };
+  group(tr("Mouse: paint tool"), kPaintHints);
+  group(tr("Mouse: line and rectangle tools"), kShapeHints);
+  group(tr("Keys: typing numbers"), kTypeHints);
+  group(tr("Mouse: select tool"), kSelectHints);
+  group(tr("Mouse: view"), kViewHints);
 }
 
-/// The key that was waited for has come. True when it was Escape, which only ends the waiting.
-bool take_pressed(PanelContext& c, std::span<const ActionItem> items, KeysWindow& w) {
+/// Handles the key that was pressed for a waiting action. True if it was Escape, which only cancels.
+bool handle_pressed(PanelContext& c, std::span<const ActionItem> items, KeysWindow& w) {
   const std::string key = std::exchange(w.pressed, {});
   if (key.empty() || w.waiting.empty()) return false;
   if (key == "Escape") {
     w.waiting.clear();
-    w.wanted.clear();
+    w.requested.clear();
     return true;
   }
-  w.wanted = key;
-  if (holder_of(items, key, w.waiting) != nullptr) return false;
+  w.requested = key;
+  if (action_with_key(items, key, w.waiting) != nullptr) return false;
   for (const ActionItem& item : items)
-    if (item.id == w.waiting) give_key(c, item, key);
+    if (item.id == w.waiting) assign_key(c, item, key);
   w.waiting.clear();
   return false;
 }
 
 void draw_search(PanelContext& c, KeysWindow& w, bool any_own) {
   ImGui::SetNextItemWidth(c.style.px(any_own ? 330 : 500));
-  ImGui::InputTextWithHint("##typed", "Look for a command or a key", &w.typed);
+  ImGui::InputTextWithHint("##typed", tr("Search commands and shortcuts"), &w.typed);
   c.map.add_item("keys.typed");
-  if (any_own && quiet_button(c, "keys.shipped", "All as they were", "Every command gets back the key it came with"))
+  if (any_own &&
+      quiet_button(c, "keys.shipped", tr("Restore all"), tr("Restore the default shortcut of every command")))
     c.wanted.change_settings([](Settings& s) { s.keys.clear(); });
 }
 
 }  // namespace
 
-const ActionItem* holder_of(std::span<const ActionItem> items, const std::string& key, const std::string& but) {
+const ActionItem* action_with_key(std::span<const ActionItem> items, const std::string& key,
+                                  const std::string& except) {
   if (key.empty()) return nullptr;
   for (const ActionItem& item : items)
-    if (item.shortcut == key && item.id != but) return &item;
+    if (item.shortcut == key && item.id != except) return &item;
   return nullptr;
 }
 
@@ -197,7 +213,7 @@ void draw_keys_window(PanelContext& c, std::span<const ActionItem> items, KeysWi
     w = {};
     return;
   }
-  const bool left_waiting = take_pressed(c, items, w);
+  const bool left_waiting = handle_pressed(c, items, w);
   const ImGuiViewport* view = ImGui::GetMainViewport();
   ImGui::SetNextWindowSize({c.style.px(560), c.style.px(600)}, ImGuiCond_Appearing);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y / 2},
@@ -206,7 +222,7 @@ void draw_keys_window(PanelContext& c, std::span<const ActionItem> items, KeysWi
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
   ImGui::PushStyleColor(ImGuiCol_FrameBg, blend(c.style.color.raised, c.style.color.text, 0.06f));
-  if (ImGui::Begin("Keys and mouse", &w.open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::Begin(tr("Keyboard and mouse"), &w.open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_search(c, w, !c.settings.keys.empty());
     ImGui::BeginChild("keys");
     draw_keys(c, items, w);

@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/text.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 std::vector<std::string> menus_of(std::span<const ActionItem> items) {
@@ -23,7 +27,7 @@ bool draw_menu_item(const PanelContext& c, const ActionItem& item, const std::st
 
 std::string draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu) {
   std::string chosen;
-  const bool open = ImGui::BeginMenu(menu.c_str());
+  const bool open = ImGui::BeginMenu(tr(menu.c_str()));
   c.map.add_item("menu:" + menu);
   if (!open) return chosen;
   std::vector<ActionItem> own;
@@ -55,7 +59,7 @@ void draw_title(const PanelContext& c, const std::string& title, float left) {
   const float width = ImGui::GetWindowWidth();
   const ImVec2 size = ImGui::CalcTextSize(title.c_str());
   const float x = std::max(left + c.style.px(24), (width - size.x) / 2);
-  if (x + size.x > width) return;  // the window's own title says it
+  if (x + size.x > width) return;  // the title of the window shows it as well
   const ImVec2 at = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddText(
       {at.x + static_cast<float>(static_cast<int>(x)),
@@ -70,7 +74,7 @@ std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> i
   for (size_t i = 0; i < items.size();) {
     const std::string& submenu = items[i].submenu;
     if (items[i].group && i > 0) ImGui::Separator();
-    const bool open = submenu.empty() || ImGui::BeginMenu(submenu.c_str());
+    const bool open = submenu.empty() || ImGui::BeginMenu(tr(submenu.c_str()));
     if (!submenu.empty()) c.map.add_item(prefix + submenu);
     size_t end = i + 1;
     while (!submenu.empty() && end < items.size() && items[end].submenu == submenu) ++end;

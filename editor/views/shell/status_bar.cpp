@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "session/paint.h"
 #include "session/selection_state.h"
 #include "session/shapes.h"
@@ -11,9 +12,13 @@
 #include "ui/widgets.h"
 
 namespace weftlight::views {
-namespace {
 
-std::string count(int n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); }
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
+namespace {
 
 ImU32 severity_color(const PanelContext& c, Severity s) {
   return s == Severity::kError     ? c.style.color.error
@@ -24,13 +29,14 @@ ImU32 severity_color(const PanelContext& c, Severity s) {
 bool draw_remark_button(const PanelContext& c, std::span<const Diagnostic> remarks) {
   const bool bad =
       std::any_of(remarks.begin(), remarks.end(), [](const Diagnostic& d) { return d.severity != Severity::kNote; });
+  const auto count = static_cast<int>(remarks.size());
   const std::string label = (c.style.font.icons ? std::string(bad ? icon::kWarning : icon::kInfo) + " " : "") +
-                            count(static_cast<int>(remarks.size()), "remark", "remarks");
+                            fill(tr_n("{count} message", "{count} messages", count), arg("count", count));
   ImGui::PushStyleColor(ImGuiCol_Text, bad ? c.style.color.warn : c.style.color.muted);
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(6), c.style.px(1)});
   const bool pressed =
-      text_button(c, "remarks", label.c_str(), "What was odd in the opened file, and what was done about it");
+      text_button(c, "remarks", label.c_str(), tr("Problems found in the opened file, and how they were handled"));
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);
   return pressed;
@@ -39,7 +45,7 @@ bool draw_remark_button(const PanelContext& c, std::span<const Diagnostic> remar
 void draw_remark(const PanelContext& c, const Diagnostic& d) {
   push_font(c.style.font.mono_small);
   ImGui::PushStyleColor(ImGuiCol_Text, severity_color(c, d.severity));
-  ImGui::TextUnformatted(d.line > 0 ? ("line " + std::to_string(d.line)).c_str() : "file");
+  ImGui::TextUnformatted(d.line > 0 ? fill(tr("line {number}"), arg("number", d.line)).c_str() : tr("file"));
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::SameLine(c.style.px(96));
@@ -52,8 +58,8 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
-/// A shape, a block in hand and a drag speak first; with the select tool news come before the selection, and that
-/// before the cell under the pointer.
+/// By priority: the shape being drawn, the active block or drag; with the select tool the message, then the selection;
+/// then the cell under the pointer.
 std::string status_text(const PanelContext& c, const std::string& message) {
   const SelectState& s = c.view.select;
   const std::string selected = selection_text(s),
@@ -78,10 +84,16 @@ void draw_trouble(const PanelContext& c, const std::string& trouble, float room)
 }  // namespace
 
 std::string summary(const Draft& d) {
-  std::string text = count(d.ends(), "end", "ends") + " \xC3\x97 " + count(d.picks(), "pick", "picks") + "   " +
-                     count(d.shafts, "shaft", "shafts") + "   ";
-  text += d.shed_control == ShedControl::kLiftplan ? "liftplan" : count(d.treadles, "treadle", "treadles");
-  return text + "   " + (d.rising ? "rising" : "sinking") + " shed";
+  const bool liftplan = d.shed_control == ShedControl::kLiftplan;
+  const std::string ends = fill(tr_n("{count} end", "{count} ends", d.ends()), arg("count", d.ends()));
+  const std::string picks = fill(tr_n("{count} pick", "{count} picks", d.picks()), arg("count", d.picks()));
+  const std::string shafts = fill(tr_n("{count} shaft", "{count} shafts", d.shafts), arg("count", d.shafts));
+  const std::string control =
+      liftplan ? std::string(tr("liftplan"))
+               : fill(tr_n("{count} treadle", "{count} treadles", d.treadles), arg("count", d.treadles));
+  return fill(tr("{ends} \xC3\x97 {picks}   {shafts}   {treadles}   {shed}"), arg("ends", ends), arg("picks", picks),
+              arg("shafts", shafts), arg("treadles", control),
+              arg("shed", d.rising ? tr("rising shed") : tr("sinking shed")));
 }
 
 bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
@@ -90,7 +102,7 @@ bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::str
   const float remark_room = remarks.empty() ? 0 : c.style.px(110), gap = c.style.px(16);
   const float right = content_right() - remark_room, room = std::max(0.0f, right - ImGui::GetCursorPosX());
   const std::string facts = summary(c.design.draft);
-  // What is said comes first; the figures of the draft take what room is left.
+  // The message comes first; the size of the draft is shown if there is room left.
   if (trouble.empty()) ImGui::TextUnformatted(fitted(status_text(c, message), room).c_str());
   else draw_trouble(c, trouble, room);
   const float facts_x = right - ImGui::CalcTextSize(facts.c_str()).x;
@@ -117,7 +129,8 @@ void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& op
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
-  if (ImGui::Begin("Remarks on the file", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
+  if (ImGui::Begin(tr("Messages about the file"), &open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
     for (const Diagnostic& d : remarks) draw_remark(c, d);
   ImGui::End();
   ImGui::PopStyleColor();

@@ -1,5 +1,5 @@
 #pragma once
-// The line at the bottom: what is under the pointer, the draft in numbers, the remarks on the file.
+// The status bar: what is under the pointer, the size of the draft, the messages about the file.
 
 #include <span>
 
@@ -9,14 +9,14 @@
 
 namespace weftlight::views {
 
-/// `trouble` (empty: none) is what could not be written, and stands before all else; `message` is shown for a while
-/// after something was done ("Saved"). True when the remarks were clicked.
+/// `trouble`: what could not be written, or empty; it replaces all else. `message`: what was just done ("Saved"). True
+/// if the button of the messages was clicked.
 bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
                      std::span<const Diagnostic> remarks);
-/// "48 ends x 60 picks, 4 shafts, 6 treadles, rising".
+/// "48 ends x 60 picks 4 shafts 6 treadles rising shed".
 std::string summary(const Draft& draft);
 
-/// The remarks on the opened file in a window of their own, quiet: line, what, what to do.
+/// The window of messages about the opened file: line, problem, remedy.
 void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& open);
 
 }  // namespace weftlight::views

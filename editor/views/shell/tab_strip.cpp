@@ -5,39 +5,43 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
 namespace weftlight::views {
+
+using base::tr;
+
 namespace {
 
 // Pixels at 96 dpi.
 constexpr float kHeight = 34, kLead = 14, kCross = 22, kMin = 84, kMax = 230, kRound = 7, kNew = 34, kAbove = 4;
 
-float wanted_width(const PanelContext& c, const Tab& tab) {
+float preferred_width(const PanelContext& c, const Tab& tab) {
   const float text = ImGui::CalcTextSize(tab.name.c_str()).x;
   return std::clamp(text + c.style.px(2 * kLead + kCross), c.style.px(kMin), c.style.px(kMax));
 }
 
-/// A cross, or a dot while there is something to save and the pointer is elsewhere.
-void draw_mark(const PanelContext& c, ImVec2 middle, bool dot, bool lit) {
+/// A cross, or a dot for unsaved changes while the pointer is elsewhere.
+void draw_mark(const PanelContext& c, ImVec2 middle, bool dot, bool highlighted) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& k = c.style.color;
   if (dot) return dl->AddCircleFilled(middle, c.style.px(4), k.accent);
   const float r = c.style.px(4);
-  if (lit)
+  if (highlighted)
     dl->AddRectFilled({middle.x - 2 * r, middle.y - 2 * r}, {middle.x + 2 * r, middle.y + 2 * r},
                       with_alpha(k.text, 0.12f), c.style.px(4));
-  const ImU32 color = lit ? k.text : k.muted;
+  const ImU32 color = highlighted ? k.text : k.muted;
   const ImVec2 m{middle.x - 0.5f, middle.y - 0.5f};
   dl->AddLine({m.x - r, m.y - r}, {m.x + r, m.y + r}, color, 1.4f);
   dl->AddLine({m.x - r, m.y + r}, {m.x + r, m.y - r}, color, 1.4f);
 }
 
-/// The ground of a tab: the one that is shown runs into the pane below.
-void draw_ground(const PanelContext& c, ImVec2 a, ImVec2 b, bool shown, bool hovered) {
+/// The background of a tab; that of the shown tab merges with the pane below.
+void draw_background(const PanelContext& c, ImVec2 a, ImVec2 b, bool shown, bool hovered) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& k = c.style.color;
   const float r = c.style.px(kRound), gap = c.style.px(3);
@@ -49,34 +53,34 @@ void draw_ground(const PanelContext& c, ImVec2 a, ImVec2 b, bool shown, bool hov
   }
 }
 
-struct Place {
+struct TabRect {
   ImVec2 a, b;
-  size_t number;
+  size_t index;
 };
 
-/// Its neighbour's place, once it would lie under the pointer there.
-TabRequest dragged(const Tab& tab, const Place& p, std::span<const float> edges, float left) {
+/// A move to the neighbour's position, once the moved tab would be under the pointer there.
+TabRequest dragged(const Tab& tab, const TabRect& p, std::span<const float> edges, float left) {
   const float x = ImGui::GetIO().MousePos.x - left, width = p.b.x - p.a.x;
-  const size_t n = p.number;
+  const size_t n = p.index;
   if (n + 2 < edges.size() && x > edges[n] + edges[n + 2] - edges[n + 1])
     return {TabRequest::Kind::kMove, tab.id, n + 1};
   if (n > 0 && x < edges[n - 1] + width) return {TabRequest::Kind::kMove, tab.id, n - 1};
   return {};
 }
 
-TabRequest draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown, std::span<const float> edges,
+TabRequest draw_tab(PanelContext& c, const Tab& tab, const TabRect& p, bool shown, std::span<const float> edges,
                     float left) {
-  const std::string number = std::to_string(p.number + 1);
+  const std::string number = std::to_string(p.index + 1);
   const float cross = c.style.px(kCross), height = p.b.y - p.a.y;
   const ImVec2 mark{p.b.x - cross / 2 - c.style.px(6), (p.a.y + p.b.y) / 2};
   TabRequest requested;
   ImGui::PushID(static_cast<int>(tab.id));
-  // Before the tab below it, so that it takes the pointer first.
+  // Drawn before the tab below it, so that it gets the pointer first.
   ImGui::SetCursorScreenPos({mark.x - cross / 2, mark.y - cross / 2});
   if (hit_area("close", {cross, cross})) requested = {TabRequest::Kind::kClose, tab.id, 0};
   c.map.add_item("tab.close:" + number);
   const bool on_cross = ImGui::IsItemHovered();
-  tooltip(c, tab.unsaved ? "Close; it asks what is to become of the changes   Ctrl+W" : "Close   Ctrl+W");
+  tooltip(c, tab.unsaved ? tr("Close; asks whether to save the changes   Ctrl+W") : tr("Close   Ctrl+W"));
   ImGui::SetCursorScreenPos(p.a);
   hit_area("tab", {p.b.x - p.a.x, height},
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
@@ -92,7 +96,7 @@ TabRequest draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown,
     requested = {TabRequest::Kind::kMenu, tab.id, 0};
   tooltip(c, tab.tip.c_str());
   ImGui::PopID();
-  draw_ground(c, p.a, p.b, shown, hovered);
+  draw_background(c, p.a, p.b, shown, hovered);
   const std::string name = fitted(tab.name, mark.x - cross / 2 - p.a.x - c.style.px(kLead));
   ImGui::GetWindowDrawList()->AddText(
       {p.a.x + c.style.px(kLead), static_cast<float>(static_cast<int>((p.a.y + p.b.y - ImGui::GetFontSize()) / 2))},
@@ -103,7 +107,7 @@ TabRequest draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown,
   return requested;
 }
 
-/// The tab that is shown is brought into sight once; the wheel then leads where it will.
+/// Scrolls to the shown tab once when it changes; the wheel scrolls freely.
 void follow(TabStrip& strip, std::span<const Tab> tabs, uint64_t shown, std::span<const float> edges, float room) {
   if (ImGui::IsWindowHovered()) strip.scroll -= (ImGui::GetIO().MouseWheel + ImGui::GetIO().MouseWheelH) * 60;
   if (strip.shown != shown || strip.count != tabs.size()) {
@@ -119,18 +123,18 @@ void follow(TabStrip& strip, std::span<const Tab> tabs, uint64_t shown, std::spa
 
 float tab_strip_height(const Style& style, size_t tabs) { return tabs > 1 ? style.px(kHeight) : 0; }
 
-std::vector<float> tab_edges(std::span<const float> wanted, float room, float least) {
-  const float all = std::accumulate(wanted.begin(), wanted.end(), 0.0f);
-  // As wide as they like up to a width that all share.
-  float most = all <= room ? all : least;
+std::vector<float> tab_edges(std::span<const float> preferred, float room, float min_width) {
+  const float all = std::accumulate(preferred.begin(), preferred.end(), 0.0f);
+  // Preferred widths up to one maximum for all.
+  float max_width = all <= room ? all : min_width;
   for (float step = room; all > room && step > 0.5f; step /= 2) {
-    const float sum = std::accumulate(wanted.begin(), wanted.end(), 0.0f,
-                                      [&](float s, float w) { return s + std::min(w, most + step); });
-    if (sum <= room) most += step;
+    const float sum = std::accumulate(preferred.begin(), preferred.end(), 0.0f,
+                                      [&](float s, float w) { return s + std::min(w, max_width + step); });
+    if (sum <= room) max_width += step;
   }
   std::vector<float> edges{0};
-  for (const float w : wanted)
-    edges.push_back(edges.back() + static_cast<float>(static_cast<int>(std::max(least, std::min(w, most)))));
+  for (const float w : preferred)
+    edges.push_back(edges.back() + static_cast<float>(static_cast<int>(std::max(min_width, std::min(w, max_width)))));
   return edges;
 }
 
@@ -138,16 +142,16 @@ TabRequest draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t s
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->AddRectFilled(at, {at.x + size.x, at.y + size.y}, c.style.color.window);
-  std::vector<float> wanted;
-  for (const Tab& tab : tabs) wanted.push_back(wanted_width(c, tab));
+  std::vector<float> preferred;
+  for (const Tab& tab : tabs) preferred.push_back(preferred_width(c, tab));
   const float room = std::max(1.0f, size.x - c.style.px(kNew + kLead)), start = at.x + c.style.px(6);
-  const std::vector<float> edges = tab_edges(wanted, room, c.style.px(kMin));
+  const std::vector<float> edges = tab_edges(preferred, room, c.style.px(kMin));
   follow(strip, tabs, shown, edges, room);
   const float left = start - strip.scroll, top = at.y + c.style.px(kAbove);
   TabRequest requested;
   ImGui::PushClipRect({start, at.y}, {start + room, at.y + size.y}, true);
   for (size_t i = 0; i < tabs.size(); ++i) {
-    const Place place{{left + edges[i], top}, {left + edges[i + 1], at.y + size.y}, i};
+    const TabRect place{{left + edges[i], top}, {left + edges[i + 1], at.y + size.y}, i};
     if (place.b.x < start || place.a.x > start + room) continue;
     const TabRequest own = draw_tab(c, tabs[i], place, tabs[i].id == shown, edges, left);
     if (own.kind != TabRequest::Kind::kNone) requested = own;
@@ -156,7 +160,7 @@ TabRequest draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t s
   const float side = ImGui::GetFrameHeight();
   ImGui::SetCursorScreenPos({std::min(left + edges.back(), start + room) + c.style.px(4), at.y + (size.y - side) / 2});
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  if (icon_button(c, "tab.new", icon::kPlus, "+", "New draft   Ctrl+N")) c.wanted.add_action("new");
+  if (icon_button(c, "tab.new", icon::kPlus, "+", tr("New draft   Ctrl+N"))) c.wanted.add_action("new");
   ImGui::PopStyleColor();
   return requested;
 }

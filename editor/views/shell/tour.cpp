@@ -5,40 +5,47 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
+
+using base::mark;
+using base::tr;
+
 namespace {
 
 constexpr float kWidth = 300, kGap = 14;  // pixels at 96 dpi
 
 struct Step {
-  const char* control;       // or grid, of the map
-  const char *title, *text;  // {id}: the key of an action
+  const char* control;       // name of a control or grid in the map
+  const char *title, *text;  // marked texts; {id}: the shortcut of an action
 };
 constexpr Step kSteps[kTourSteps] = {
-    {"threading", "Paint the draft",
-     "Click or drag in the threading, the tie-up, the treadling or the drawdown itself: the cloth follows at once. "
-     "From a filled cell a drag clears; the right button always does. {undo} takes back any step."},
-    {"view", "See it as cloth",
-     "Drag to turn it, the wheel comes nearer until single yarns are seen, the right button moves the light."},
-    {"palette:1", "Colours and yarns",
-     "Take a colour in hand, then drag along the colour bars of warp and weft. The tabs above hold the yarns, what the "
-     "cloth hangs over, and what the weave is like on the loom."},
-    {"tool:Select", "Rework what is there",
-     "The select tool ({tool_select}) takes any rectangle: copy, mirror, turn, repeat it; a right click shows "
-     "everything. Drag along the numbers of the ends or picks to choose whole threads."},
-    {"menu:Library", "Where to begin",
-     "The library has drafts and whole cloths; {new} begins from a weave. {commands} finds every command by its name, "
-     "and {keys} lists the keys."},
+    {"threading", mark("Paint the draft"),
+     mark("Click or drag in the threading, the tie-up, the treadling or the drawdown itself: the cloth follows at "
+          "once. A drag from a filled cell clears cells, and so does the right button. {undo} undoes any step.")},
+    {"view", mark("See it as cloth"),
+     mark("Drag to turn the cloth, use the wheel to zoom in down to single yarns, and drag with the right button to "
+          "move the light.")},
+    {"palette:1", mark("Colours and yarns"),
+     mark("Choose a colour, then drag along the colour bars of warp and weft. The tabs above have the yarns, the drape "
+          "and light of the cloth, and the analysis of the weave.")},
+    {"tool:Select", mark("Edit selections"),
+     mark("The select tool ({tool_select}) selects any rectangle: copy, mirror, rotate or repeat it; a right click "
+          "shows all commands. Drag along the thread numbers to select whole ends or picks.")},
+    {"menu:Library", mark("Where to start"),
+     mark("The library has drafts and complete cloths; {new} starts from a weave. {commands} finds any command by its "
+          "name, and {keys} lists the shortcuts.")},
 };
 
-/// Its key; without one, where it stands: "Edit, Undo".
-std::string way_to(std::span<const ActionItem> items, std::string_view id) {
+/// The shortcut, or the place in the menus: "Edit, Undo".
+std::string shortcut_or_menu(std::span<const ActionItem> items, std::string_view id) {
   for (const ActionItem& item : items) {
     if (item.id != id) continue;
-    return item.shortcut.empty() ? item.menu + ", " + item.label.substr(0, item.label.find(':')) : item.shortcut;
+    return item.shortcut.empty() ? tr(item.menu.c_str()) + (", " + item.label.substr(0, item.label.find(':')))
+                                 : item.shortcut;
   }
   return std::string(id);
 }
@@ -60,7 +67,7 @@ std::optional<Rect> place_of(const UiMap& map, const std::string& control) {
   return {};
 }
 
-/// Beside what it is about, within the window: below, else to the left, else over its middle.
+/// Position beside the control, within the window: below it, to its left, or over its middle.
 ImVec2 card_at(const PanelContext& c, const Rect& r, ImVec2 size) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const float gap = c.style.px(kGap);
@@ -92,10 +99,10 @@ void draw_dots(const PanelContext& c, int step) {
 void draw_card(PanelContext& c, std::span<const ActionItem> items, int step) {
   const Step& s = kSteps[step];
   push_font(c.style.font.bold);
-  ImGui::TextUnformatted(s.title);
+  ImGui::TextUnformatted(tr(s.title));
   ImGui::PopFont();
   ImGui::PushTextWrapPos(c.style.px(kWidth - 16));
-  ImGui::TextUnformatted(with_keys(s.text, items).c_str());
+  ImGui::TextUnformatted(with_keys(tr(s.text), items).c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy({c.style.px(kWidth - 32), c.style.px(2)});
   draw_dots(c, step);
@@ -103,11 +110,11 @@ void draw_card(PanelContext& c, std::span<const ActionItem> items, int step) {
   ImGui::SetCursorPosX(c.style.px(last ? 226 : 166));
   if (!last) {
     ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-    if (text_button(c, "tour.leave", "Leave", nullptr)) go_to(c, kTourSteps);
+    if (text_button(c, "tour.leave", tr("Skip"), nullptr)) go_to(c, kTourSteps);
     ImGui::PopStyleColor();
     ImGui::SameLine();
   }
-  if (text_button(c, "tour.next", last ? "Done" : "Next", nullptr)) go_to(c, step + 1);
+  if (text_button(c, "tour.next", last ? tr("Done") : tr("Next"), nullptr)) go_to(c, step + 1);
 }
 
 }  // namespace
@@ -118,7 +125,7 @@ std::string with_keys(std::string_view words, std::span<const ActionItem> items)
     const size_t open = std::min(words.find('{', at), words.size()), close = words.find('}', open);
     text += words.substr(at, open - at);
     if (close == std::string_view::npos) break;
-    text += way_to(items, words.substr(open + 1, close - open - 1));
+    text += shortcut_or_menu(items, words.substr(open + 1, close - open - 1));
     at = close + 1;
   }
   return text;

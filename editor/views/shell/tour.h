@@ -1,5 +1,5 @@
 #pragma once
-// Five things to know, each beside the control that it is about, while everything goes on working.
+// The tour: five short notes, each beside its control, while the window stays usable.
 
 #include <span>
 #include <string>
@@ -13,11 +13,11 @@ namespace weftlight::views {
 
 inline constexpr int kTourSteps = 5;
 
-/// While Settings::tour is a step; drawn last, since it points at what stands in the map.
-/// `items`: the actions, of which the steps name keys.
+/// Draws the step of Settings::tour. Call it last, because it looks up positions in the map. `items`: the actions whose
+/// shortcuts the steps name.
 void draw_tour(PanelContext& c, std::span<const ActionItem> items);
 
-/// Words in which {id} stands for the key that runs an action, or for where it stands in the menus.
+/// The text with each {id} replaced by the shortcut of that action, or by its place in the menus.
 std::string with_keys(std::string_view words, std::span<const ActionItem> items);
 
 }  // namespace weftlight::views

@@ -1,6 +1,6 @@
 #pragma once
-// Where the panes stand in the window: the draft and the cloth side by side, the inspector at the right, the status
-// line below. Of any size down to nothing; what has no room is left out.
+// The layout of the window: draft and cloth side by side, the inspector at the right, the status bar below. Works for
+// any window size; panes without room are left out.
 
 #include <imgui.h>
 
@@ -16,12 +16,12 @@ struct PaneRect {
 
 struct WindowLayout {
   PaneRect draft, splitter, cloth, inspector, status;
-  float room = 1;  // width that the draft and the cloth share
+  float room = 1;  // total width of draft and cloth
 };
 
-/// Width that the draft and the cloth share in a window so wide.
+/// Total width of draft and cloth in a window of that width.
 float shared_width(const Style& style, float width, bool inspector);
-/// `split`: share of the room that the draft takes. `inspector`: it is wanted.
+/// `split`: fraction of that width for the draft. `inspector`: whether the inspector is shown.
 WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, bool inspector);
 
 }  // namespace weftlight::views

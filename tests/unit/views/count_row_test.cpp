@@ -12,16 +12,16 @@ namespace {
 
 TEST(CountRow, SaysTheUnitsOfTheTradeAndWhereTheCountIsFrom) {
   const Yarn cotton = *with_count(yarn_preset("Cotton"), "Ne 40");
-  EXPECT_EQ(count_in_words(cotton), "Ne 40.0, Nm 67.7, 133 den\n61 % of it is fibre");
+  EXPECT_EQ(count_in_words(cotton), "Ne 40.0, Nm 67.7, 133 den\n61% of the yarn is fibre");
   Yarn yarn = cotton;
   yarn.diameter_mm *= 2;
-  EXPECT_EQ(count_in_words(yarn), "Ne 40.0, Nm 67.7, 133 den\n15 % of it is fibre");
+  EXPECT_EQ(count_in_words(yarn), "Ne 40.0, Nm 67.7, 133 den\n15% of the yarn is fibre");
   yarn.diameter_mm /= 4;
-  EXPECT_EQ(count_in_words(yarn), "Ne 40.0, Nm 67.7, 133 den\nmore than fits in its thickness");
+  EXPECT_EQ(count_in_words(yarn), "Ne 40.0, Nm 67.7, 133 den\nmore fibre than fits the thickness");
   yarn = *with_count(cotton, "");
-  EXPECT_NE(count_in_words(yarn).find("\nfollows the thickness"), std::string::npos);
+  EXPECT_NE(count_in_words(yarn).find("\ncomputed from the thickness"), std::string::npos);
   yarn.diameter_mm = 0;
-  EXPECT_EQ(count_in_words(yarn), "as thick as the draft says");
+  EXPECT_EQ(count_in_words(yarn), "thickness set by the draft");
 }
 
 }  // namespace

@@ -87,9 +87,9 @@ TEST(Layout, ThreadingBelowEnd1LeftAndPick1AtTheBottomTurnAllThatFollows) {
             }
         }
         // What goes on beyond the edges agrees with the drawdown where it is.
-        EXPECT_EQ(cell_at(l.beyond.x, l.drawdown.x.low(2) + 1), 2);
-        EXPECT_EQ(cell_at(l.beyond.y, l.drawdown.y.low(3) + 1), 3);
-        EXPECT_EQ(l.beyond.x.length > l.drawdown.x.length, tiled);
+        EXPECT_EQ(cell_at(l.tiled_drawdown.x, l.drawdown.x.low(2) + 1), 2);
+        EXPECT_EQ(cell_at(l.tiled_drawdown.y, l.drawdown.y.low(3) + 1), 3);
+        EXPECT_EQ(l.tiled_drawdown.x.length > l.drawdown.x.length, tiled);
       }
 }
 

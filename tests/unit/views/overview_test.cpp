@@ -42,7 +42,7 @@ TEST(Overview, EveryPixelIsTheMeanOfAllItsCrossings) {
   const Cloth c = random_cloth(333, 275);
   for (const bool front : {true, false}) {
     OverviewImage overview;
-    EXPECT_TRUE(overview.follow(c.cells, front, c.warp, c.weft, 50, 41));
+    EXPECT_TRUE(overview.update(c.cells, front, c.warp, c.weft, 50, 41));
     for (int y = 0; y < 41; ++y)
       for (int x = 0; x < 50; ++x)
         ASSERT_EQ(overview.image().pixels[static_cast<size_t>(50 * y + x)], mean_of(c, front, 50, 41, x, y))
@@ -53,31 +53,31 @@ TEST(Overview, EveryPixelIsTheMeanOfAllItsCrossings) {
 TEST(Overview, AnEditMakesOnlyThePixelsThatItTouches) {
   Cloth c = random_cloth(2000, 1500);
   OverviewImage overview;
-  overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
-  EXPECT_EQ(overview.made(), 150 * 112);
-  EXPECT_FALSE(overview.follow(c.cells, true, c.warp, c.weft, 150, 112)) << "nothing changed";
+  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  EXPECT_EQ(overview.computed(), 150 * 112);
+  EXPECT_FALSE(overview.update(c.cells, true, c.warp, c.weft, 150, 112)) << "nothing changed";
   c.cells.set(700, 1000, !c.cells.get(700, 1000));
-  EXPECT_TRUE(overview.follow(c.cells, true, c.warp, c.weft, 150, 112));
-  EXPECT_LE(overview.made(), 8) << "one word of ends";
+  EXPECT_TRUE(overview.update(c.cells, true, c.warp, c.weft, 150, 112));
+  EXPECT_LE(overview.computed(), 8) << "one word of ends";
   for (int p = 0; p < 1500; ++p) c.cells.set(p, 1999, true);
-  overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
-  EXPECT_LE(overview.made(), 8 * 112);
+  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  EXPECT_LE(overview.computed(), 8 * 112);
   c.warp[600] = IM_COL32(1, 2, 3, 255);
-  overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
-  EXPECT_EQ(overview.made(), 112) << "one end's column";
+  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  EXPECT_EQ(overview.computed(), 112) << "one end's column";
   c.weft[900] = IM_COL32(1, 2, 3, 255);
   c.cells.set(3, 3, !c.cells.get(3, 3));
-  overview.follow(c.cells, true, c.warp, c.weft, 150, 112);
-  EXPECT_LE(overview.made(), 150 + 8) << "one pick's row, and a crossing";
+  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  EXPECT_LE(overview.computed(), 150 + 8) << "one pick's row, and a crossing";
   OverviewImage anew;
-  anew.follow(c.cells, true, c.warp, c.weft, 150, 112);
+  anew.update(c.cells, true, c.warp, c.weft, 150, 112);
   EXPECT_EQ(overview.image().pixels, anew.image().pixels);
 }
 
 TEST(Overview, SmallDraftsHaveAPixelACrossingAtMost) {
   const Cloth c = random_cloth(20, 3);
   OverviewImage overview;
-  overview.follow(c.cells, true, c.warp, c.weft, 150, 30);
+  overview.update(c.cells, true, c.warp, c.weft, 150, 30);
   EXPECT_EQ(overview.image().width, 20);
   EXPECT_EQ(overview.image().height, 3);
 }

@@ -39,6 +39,10 @@ Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize mo
 /// The same cloth on a loom of that size. The weaver's numbers stay where all of them fit.
 Factored within_loom(const Draft& like, LoomSize most);
 
+/// Without the treadles and shafts that went out of use since `before`: that no pick (no end) needs, and that tie and
+/// lift nothing. Only of those beyond `given`, which painting added; what comes after them moves up. Same drawdown.
+Draft without_spare(Draft draft, const Draft& before, LoomSize given);
+
 /// The fewest shafts and treadles (one a pick) of any draft with this drawdown: the distinct columns, and the
 /// distinct rows with a thread to lift.
 LoomSize fewest_for(const BitMatrix& cells);

@@ -4,17 +4,19 @@
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/draft/cell_texture.h"
+#include "views/draft/held_layout.h"
 #include "views/draft/minimap.h"
 
 namespace weftlight::views {
 
-/// Fills what is left of the current ImGui window.
-/// What is kept of the drawdown between frames.
+/// What is kept of the draft between frames.
 struct DraftPictures {
   CellTexture cells, beyond;
   Minimap minimap;
+  HeldLayout held;
 };
 
+/// Fills what is left of the current ImGui window.
 void draw_draft(PanelContext& c, DraftPictures& pictures);
 
 }  // namespace weftlight::views

@@ -8,8 +8,8 @@
 
 namespace weftlight::views {
 
-/// While something is painted, drawn, selected, moved or chosen. Asks for another frame where it scrolled.
-void scroll_with_drag(PanelContext& c, const DraftLayout& layout);
+/// While something is painted, drawn, selected, moved or chosen. True where it scrolled: it asks for another frame.
+bool scroll_with_drag(PanelContext& c, const DraftLayout& layout);
 
 /// Where an axis is scrolled to after `seconds` of a pointer at `pixel`; as it is while that is inside.
 float dragged_scroll(const Axis& axis, float pixel, float seconds);

@@ -4,6 +4,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/draft/held_layout.h"
 
 namespace weftlight::views {
 namespace {
@@ -12,15 +13,15 @@ System system_of(const GridPane& pane) { return pane.id == GridId::kWarpColors ?
 
 const Axis& threads_along(const GridPane& pane) { return pane.id == GridId::kWarpColors ? pane.x : pane.y; }
 
-int thread_at(const GridPane& pane) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return threads_along(pane).nearest(system_of(pane) == System::kWarp ? mouse.x : mouse.y);
+int thread_at(const PanelContext& c, const GridPane& pane) {
+  const ImVec2 hand = hand_at(c.style);
+  return threads_along(pane).nearest(system_of(pane) == System::kWarp ? hand.x : hand.y);
 }
 
 /// The ImGui item drawn last lies over `pane`.
 void take_gesture(PanelContext& c, const GridPane& pane) {
   const ImGuiIO& io = ImGui::GetIO();
-  const int thread = thread_at(pane);
+  const int thread = thread_at(c, pane);
   if (thread < 0) return;
   const System system = system_of(pane);
   const Choose how = io.KeyShift ? Choose::kRange : io.KeyCtrl ? Choose::kAlso : Choose::kOnly;
@@ -35,15 +36,17 @@ void take_gesture(PanelContext& c, const GridPane& pane) {
     });
 }
 
-void head_input(PanelContext& c, const GridPane& heads, const char* name) {
+/// True while a button that went down on the numbers is down.
+bool head_input(PanelContext& c, const GridPane& heads, const char* name) {
   const ImVec2 a = heads.min(), b = heads.max();
-  if (b.x - a.x < 1 || b.y - a.y < 1) return;
+  if (b.x - a.x < 1 || b.y - a.y < 1) return false;
   ImGui::SetCursorScreenPos(a);
   hit_area(name, {b.x - a.x, b.y - a.y});
+  const bool active = ImGui::IsItemActive();
   take_gesture(c, heads);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     const bool warp = system_of(heads) == System::kWarp;
-    c.frame.hover = {heads.id, warp ? Cell{thread_at(heads), 0} : Cell{0, thread_at(heads)}};
+    c.frame.hover = {heads.id, warp ? Cell{thread_at(c, heads), 0} : Cell{0, thread_at(c, heads)}};
   }
   // Once something is chosen, it would only cover the bars.
   if (c.view.chosen.threads.empty())
@@ -54,6 +57,7 @@ void head_input(PanelContext& c, const GridPane& heads, const char* name) {
   UiGrid grid = map_of(heads);
   grid.name = name;
   c.map.grids.push_back(std::move(grid));
+  return active;
 }
 
 /// Calls use(low, high) with the pixels of each row of neighbours that are chosen and in sight.
@@ -87,16 +91,17 @@ bool chooses_on_bar(const PanelContext& c, GridId bar) {
 
 void choose_on_bar(PanelContext& c, const GridPane& bar) { take_gesture(c, bar); }
 
-void choose_by_heads(PanelContext& c, const DraftLayout& l) {
+bool choose_by_heads(PanelContext& c, const DraftLayout& l) {
   const ThreadChoice& choice = c.view.chosen;
-  head_input(c, l.warp_heads, "warp_numbers");
-  head_input(c, l.weft_heads, "weft_numbers");
+  bool pressed = head_input(c, l.warp_heads, "warp_numbers");
+  pressed |= head_input(c, l.weft_heads, "weft_numbers");
   if (!ImGui::IsAnyMouseDown() && choice.dragging)
     c.wanted.change_view([](DocumentView& v) { v.chosen.dragging = false; });
   const bool busy = ImGui::GetIO().WantTextInput ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (!busy && key_pressed(ImGuiKey_Escape, false))
     c.wanted.change_view([](DocumentView& v) { v.chosen.threads.clear(); });
+  return pressed;
 }
 
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {

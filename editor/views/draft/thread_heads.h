@@ -14,7 +14,7 @@ bool chooses_on_bar(const PanelContext& c, GridId bar);
 /// Choosing on a bar, whose ImGui item was drawn last.
 void choose_on_bar(PanelContext& c, const GridPane& bar);
 /// Choosing by the numbers; Escape takes every choice back.
-void choose_by_heads(PanelContext& c, const DraftLayout& layout);
+bool choose_by_heads(PanelContext& c, const DraftLayout& layout);
 /// What is chosen, on numbers and bars.
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 

@@ -13,18 +13,18 @@
 namespace weftlight::gui {
 namespace {
 
-using draft::Authority;
+using draft::Leading;
 
 /// Where the grids begin, and what leads.
 struct Way {
   const char* name;
-  Authority authority;
+  Leading leading;
   bool end1_right, pick1_bottom, threading_below;
 };
 
 void PrintTo(const Way& way, std::ostream* out) { *out << way.name; }
 
-draft::Design twill(Authority authority) {
+draft::Design twill(Leading leading) {
   draft::Design d;
   d.draft = draft::blank_draft(48, 48, 4, 4);
   for (int i = 0; i < 48; ++i) {
@@ -36,7 +36,7 @@ draft::Design twill(Authority authority) {
   d.draft.palette = {{0.2f, 0.3f, 0.25f}, {0.7f, 0.65f, 0.5f}, {1, 0, 0}};
   d.draft.warp.color[6] = 2;
   d.scene.mesh = "plane";
-  return draft::with_authority(std::move(d), authority);
+  return draft::with_leading(std::move(d), leading);
 }
 
 class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
@@ -48,7 +48,7 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     std::ofstream(folder_ / "config/weftlight/settings.json")
         << R"({"width": 1280, "height": 800, "end1_right": )" << word(GetParam().end1_right) << R"(, "pick1_bottom": )"
         << word(GetParam().pick1_bottom) << R"(, "threading_below": )" << word(GetParam().threading_below) << "}";
-    put(draft_, wif::write_new_wif(twill(GetParam().authority)));
+    put(draft_, wif::write_new_wif(twill(GetParam().leading)));
   }
 
   /// Middle of a cell, once the window has drawn the draft that it exports.
@@ -56,7 +56,7 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     const draft::Draft d = design_of(w.live()).draft;
     EXPECT_TRUE(comes_true([&] {
       return w.size_of("threading").second == d.shafts &&
-             (d.drive == draft::Drive::kLiftplan || w.size_of("tieup").first == d.treadles);
+             (d.drive == draft::ShedControl::kLiftplan || w.size_of("tieup").first == d.treadles);
     }));
     return w.cell(grid, a, b);
   }
@@ -133,7 +133,7 @@ TEST_P(ClickTest, IsOneCellOnEveryOtherGrid) {
   };
   expect("threading", 3, 1, draft::with_threading(now, 2, 0, true));
   expect("threading", 47, 4, draft::with_threading(now, 46, 3, true));
-  if (GetParam().authority == Authority::kLiftplan) {
+  if (GetParam().leading == Leading::kLiftplan) {
     expect("liftplan", 2, 5, draft::with_liftplan(now, 4, 1, !now.draft.liftplan.get(4, 1)));
   } else {
     expect("tieup", 1, 4, draft::with_tieup(now, 0, 3, true));
@@ -184,16 +184,16 @@ TEST_P(PressTest, AStrokeLeavesNoTreadleAndNoShaftThatItAddedOnItsWay) {
 std::string name_of(const testing::TestParamInfo<Way>& way) { return way.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Ways, ClickTest,
-                         testing::Values(Way{"threading_from_the_right", Authority::kThreading, true, false, false},
-                                         Way{"threading_from_below", Authority::kThreading, false, true, true},
-                                         Way{"liftplan_from_the_right", Authority::kLiftplan, true, true, false},
-                                         Way{"liftplan_from_the_left", Authority::kLiftplan, false, false, true},
-                                         Way{"drawdown_from_the_right", Authority::kDrawdown, true, false, true},
-                                         Way{"drawdown_from_the_left", Authority::kDrawdown, false, true, false}),
+                         testing::Values(Way{"threading_from_the_right", Leading::kThreading, true, false, false},
+                                         Way{"threading_from_below", Leading::kThreading, false, true, true},
+                                         Way{"liftplan_from_the_right", Leading::kLiftplan, true, true, false},
+                                         Way{"liftplan_from_the_left", Leading::kLiftplan, false, false, true},
+                                         Way{"drawdown_from_the_right", Leading::kDrawdown, true, false, true},
+                                         Way{"drawdown_from_the_left", Leading::kDrawdown, false, true, false}),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Ways, PressTest,
-                         testing::Values(Way{"threading", Authority::kThreading, true, false, false},
-                                         Way{"drawdown", Authority::kDrawdown, false, true, true}),
+                         testing::Values(Way{"threading", Leading::kThreading, true, false, false},
+                                         Way{"drawdown", Leading::kDrawdown, false, true, true}),
                          name_of);
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "session/mirror.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "views/draft/held_layout.h"
 
 namespace weftlight::views {

@@ -19,9 +19,10 @@ void put(GridPane& now, const GridPane& held) {
   put(now.y, held.y);
 }
 
-constexpr GridPane DraftLayout::*kPanes[] = {&DraftLayout::warp_bar,   &DraftLayout::threading,  &DraftLayout::tieup,
-                                             &DraftLayout::drawdown,   &DraftLayout::lift,       &DraftLayout::weft_bar,
-                                             &DraftLayout::warp_heads, &DraftLayout::weft_heads, &DraftLayout::beyond};
+constexpr GridPane DraftLayout::*kPanes[] = {
+    &DraftLayout::warp_bar,    &DraftLayout::threading,   &DraftLayout::tieup,
+    &DraftLayout::drawdown,    &DraftLayout::lift,        &DraftLayout::weft_bar,
+    &DraftLayout::warp_labels, &DraftLayout::weft_labels, &DraftLayout::beyond};
 
 /// Scrolled to where the view is, as far as there are cells.
 void scroll(DraftLayout& l, const DocumentView& v) {
@@ -31,8 +32,8 @@ void scroll(DraftLayout& l, const DocumentView& v) {
     for (GridPane DraftLayout::*const pane : {panes...}) ((l.*pane).*along).scroll += by;
   };
   using L = DraftLayout;
-  scrolled(ends, v.scroll_end, &GridPane::x, &L::warp_bar, &L::threading, &L::drawdown, &L::warp_heads, &L::beyond);
-  scrolled(picks, v.scroll_pick, &GridPane::y, &L::weft_bar, &L::lift, &L::drawdown, &L::weft_heads, &L::beyond);
+  scrolled(ends, v.scroll_end, &GridPane::x, &L::warp_bar, &L::threading, &L::drawdown, &L::warp_labels, &L::beyond);
+  scrolled(picks, v.scroll_pick, &GridPane::y, &L::weft_bar, &L::lift, &L::drawdown, &L::weft_labels, &L::beyond);
   scrolled(shafts, v.scroll_shaft, &GridPane::y, &L::threading, &L::tieup);
   scrolled(treadles, v.scroll_treadle, &GridPane::x, &L::lift, &L::tieup);
 }

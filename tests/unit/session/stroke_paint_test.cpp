@@ -16,7 +16,7 @@
 namespace weftlight::session {
 namespace {
 
-Design twill(Authority authority) {
+Design twill(Leading leading) {
   Design d;
   d.draft = blank_draft(48, 48, 4, 4);
   for (int i = 0; i < 48; ++i) {
@@ -25,13 +25,13 @@ Design twill(Authority authority) {
   }
   for (int t = 0; t < 4; ++t)
     for (int s = 0; s < 4; ++s) d.draft.tieup.set(t, s, (s - t + 4) % 4 < 2);
-  return with_authority(std::move(d), authority);
+  return with_leading(std::move(d), leading);
 }
 
 /// Where painting has left something that nothing needs, or nothing where something is needed; empty: nowhere.
 std::string fault_of(const Draft& d, LoomSize given) {
   const BitMatrix lift = lifts(d), by_shaft = transposed(d.threading), by_treadle = transposed(d.treadling);
-  for (int p = 0; d.drive == Drive::kTreadling && p < d.picks(); ++p)
+  for (int p = 0; d.drive == ShedControl::kTreadling && p < d.picks(); ++p)
     if (lift.first(p) >= 0 && d.treadling.first(p) < 0) return "pick " + std::to_string(p + 1) + " has no treadle";
   for (int t = given.treadles; t < d.treadles; ++t)
     if (d.tieup.first(t) < 0 && by_treadle.first(t) < 0) return "treadle " + std::to_string(t + 1) + " is of no use";
@@ -59,12 +59,12 @@ class StrokeTest : public testing::Test {
   }
 
   Scratch scratch_{"strokes"};
-  Session session_{scratch_ / "recovery", Document(twill(Authority::kThreading)), false};
+  Session session_{scratch_ / "recovery", Document(twill(Leading::kThreading)), false};
   uint64_t stroke_ = 0;
 };
 
 TEST_F(StrokeTest, OverTheWholeShedOfAPickLeavesNoTreadleThatItAddedOnItsWay) {
-  open(twill(Authority::kThreading));
+  open(twill(Leading::kThreading));
   paint({{2, 1}, {1, 1}});
   EXPECT_EQ(now().draft.treadles, 4) << "the fifth was for the first of the two crossings";
   EXPECT_LT(now().draft.treadling.first(1), 0) << "all of the row was cleared";
@@ -72,24 +72,24 @@ TEST_F(StrokeTest, OverTheWholeShedOfAPickLeavesNoTreadleThatItAddedOnItsWay) {
 }
 
 TEST_F(StrokeTest, AClickAndAnotherAreNothing) {
-  for (const Authority authority : {Authority::kThreading, Authority::kLiftplan, Authority::kDrawdown}) {
-    open(twill(authority));
+  for (const Leading leading : {Leading::kThreading, Leading::kLiftplan, Leading::kDrawdown}) {
+    open(twill(leading));
     const Design first = now();
     paint({{2, 1}});
     EXPECT_NE(now(), first);
     paint({{2, 1}});
-    EXPECT_EQ(now(), first) << static_cast<int>(authority);
+    EXPECT_EQ(now(), first) << static_cast<int>(leading);
     paint({{39, 39}});
     paint({{30, 5}});
     paint({{39, 39}});
     EXPECT_EQ(fault_of(now().draft, {4, 4}), "") << "what was added first is no longer needed, what came second is";
     paint({{30, 5}});
-    EXPECT_EQ(now(), first) << static_cast<int>(authority);
+    EXPECT_EQ(now(), first) << static_cast<int>(leading);
   }
 }
 
 TEST_F(StrokeTest, WhatTheWeaverAddedStays) {
-  open(twill(Authority::kThreading));
+  open(twill(Leading::kThreading));
   session_.commit({"Size", [](Design d) { return with_size(std::move(d), 48, 48, 4, 6); }}, 0);
   const Design first = now();
   paint({{2, 1}});
@@ -106,7 +106,7 @@ TEST_F(StrokeTest, WhatTheWeaverAddedStays) {
 }
 
 TEST_F(StrokeTest, AnUndoWhileTheButtonIsDownIsNotPaintedOver) {
-  open(twill(Authority::kDrawdown));
+  open(twill(Leading::kDrawdown));
   const Design first = now();
   ++stroke_;
   commit(begin_stroke(view(), now(), GridId::kDrawdown, {2, 1}, false, true));
@@ -117,7 +117,7 @@ TEST_F(StrokeTest, AnUndoWhileTheButtonIsDownIsNotPaintedOver) {
 }
 
 TEST_F(StrokeTest, GoesOnOnlyInAnotherCell) {
-  open(twill(Authority::kDrawdown));
+  open(twill(Leading::kDrawdown));
   EXPECT_TRUE(begin_stroke(view(), now(), GridId::kDrawdown, {2, 1}, false, true));
   EXPECT_FALSE(go_on_with_stroke(view(), now(), {2, 1}, true));
   EXPECT_FALSE(go_on_with_stroke(view(), now(), {}, true));
@@ -130,7 +130,7 @@ TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
     design.draft.rising = roll(4) != 0;
-    design = with_authority(std::move(design), static_cast<Authority>(roll(3)));
+    design = with_leading(std::move(design), static_cast<Leading>(roll(3)));
     open(design);
     view().mirror_ends = roll(4) == 0;
     view().mirror_picks = roll(4) == 0;
@@ -166,12 +166,12 @@ TEST_F(StrokeTest, AShapeWithItsImagesLeavesNothingThatNothingNeeds) {
   for (int round = 0; round < 200; ++round) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
-    open(with_authority(std::move(design), static_cast<Authority>(roll(3))));
+    open(with_leading(std::move(design), static_cast<Leading>(roll(3))));
     const LoomSize given = view().given;
     view().mirror_ends = view().mirror_picks = true;
     constexpr Tool kTools[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
     view().shape =
-        ShapeInHand{kTools[roll(3)], GridId::kDrawdown, {roll(14), roll(12)}, {roll(14), roll(12)}, roll(2) == 0};
+        ActiveShape{kTools[roll(3)], GridId::kDrawdown, {roll(14), roll(12)}, {roll(14), roll(12)}, roll(2) == 0};
     ++stroke_;
     commit(finish_shape(view(), now()));
     ASSERT_EQ(fault_of(now().draft, given), "") << round;
@@ -184,7 +184,7 @@ TEST_F(StrokeTest, AMovedBlockLeavesNothingThatNothingNeeds) {
   for (int round = 0; round < 300; ++round) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
-    open(with_authority(std::move(design), static_cast<Authority>(roll(3))));
+    open(with_leading(std::move(design), static_cast<Leading>(roll(3))));
     const LoomSize given = view().given;
     const int a = roll(10), b = roll(8);
     const Selection s{BitGrid::kDrawdown, a, a + 1 + roll(4), b, b + 1 + roll(4)};

@@ -23,7 +23,7 @@ class HeldLayoutTest : public testing::Test {
 
   void begin() {
     design_.draft = random_draft(dice_, kEnds, kPicks, 4, 4);
-    design_ = with_authority(std::move(design_), static_cast<Authority>(roll(3)));
+    design_ = with_leading(std::move(design_), static_cast<Leading>(roll(3)));
     design_.loom.shafts = design_.loom.treadles = kEnds + kPicks;  // it weaves whatever is asked
     view_ = {};
     view_.given = {design_.draft.shafts, design_.draft.treadles};
@@ -80,8 +80,8 @@ ImVec2 middle_of(const GridPane& pane, Cell at) {
 
 std::vector<float> places_of(const DraftLayout& l) {
   std::vector<float> all;
-  for (const GridPane* p : {&l.warp_bar, &l.threading, &l.tieup, &l.drawdown, &l.lift, &l.weft_bar, &l.warp_heads,
-                            &l.weft_heads, &l.beyond})
+  for (const GridPane* p : {&l.warp_bar, &l.threading, &l.tieup, &l.drawdown, &l.lift, &l.weft_bar, &l.warp_labels,
+                            &l.weft_labels, &l.beyond})
     for (const Axis* a : {&p->x, &p->y})
       for (const float value : {a->start, a->length, a->pitch, a->scroll}) all.push_back(value);
   return all;
@@ -138,11 +138,11 @@ TEST_F(HeldLayoutTest, TheHandItselfMayScroll) {
     held_.let_scroll();
     const DraftLayout l = frame(true);
     EXPECT_EQ(l.drawdown.x.scroll, clamp_scroll(pressed.drawdown.x, pressed.drawdown.x.scroll + 2));
-    for (const GridPane* pane : {&l.threading, &l.warp_bar, &l.warp_heads}) {
+    for (const GridPane* pane : {&l.threading, &l.warp_bar, &l.warp_labels}) {
       EXPECT_EQ(pane->x.scroll, l.drawdown.x.scroll);
       EXPECT_EQ(pane->x.start, pressed.drawdown.x.start);
     }
-    for (const GridPane* pane : {&l.lift, &l.weft_bar, &l.weft_heads}) EXPECT_EQ(pane->y.scroll, l.drawdown.y.scroll);
+    for (const GridPane* pane : {&l.lift, &l.weft_bar, &l.weft_labels}) EXPECT_EQ(pane->y.scroll, l.drawdown.y.scroll);
     // What goes on beyond the edges goes along.
     EXPECT_EQ(cell_at(l.beyond.x, l.drawdown.x.low(12) + 1), 12);
     EXPECT_EQ(places_of(frame(true)), places_of(l));

@@ -331,7 +331,7 @@ Factored within_loom(const Draft& base, LoomSize most) {
 }
 
 Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
-  const Factored exact = with_drawdown(base, cells, most);
+  Factored exact = with_drawdown(base, cells, most);
   if (exact.done() && fits(exact.draft, most)) return exact;
   // The weaver's numbering may not fit: try without it.
   const Draft bare = without_numbering(base);
@@ -350,6 +350,61 @@ Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize mo
   out.shafts = exact.shafts;
   out.treadles = exact.treadles;
   return out;
+}
+
+namespace {
+
+/// Shafts with an end, or that something lifts.
+std::vector<char> shafts_in_use(const Draft& d) {
+  std::vector<char> used = used_columns(d.threading);
+  for (const BitMatrix* by_shaft : {&d.tieup, &d.liftplan})
+    for (int row = 0; row < by_shaft->rows(); ++row)
+      for_each_bit(by_shaft->row(row), [&](int shaft) { used[shaft] = 1; });
+  return used;
+}
+
+/// Treadles of a pick, or with a tie.
+std::vector<char> treadles_in_use(const Draft& d) {
+  std::vector<char> used = used_columns(d.treadling);
+  for (int t = 0; t < d.treadles; ++t) used[t] |= static_cast<char>(d.tieup.first(t) >= 0);
+  return used;
+}
+
+// All but those from `given` on that are in use no more, or never were.
+std::vector<int> staying(const std::vector<char>& before, const std::vector<char>& now, int given) {
+  std::vector<int> stay;
+  for (int i = 0; i < static_cast<int>(now.size()); ++i) {
+    const bool was_spare = i < static_cast<int>(before.size()) && !before[i];
+    if (now[i] || i < given || was_spare) stay.push_back(i);
+  }
+  return stay;
+}
+
+BitMatrix chosen_rows(const BitMatrix& m, const std::vector<int>& rows) {
+  BitMatrix out(static_cast<int>(rows.size()), m.cols());
+  for (int row = 0; row < out.rows(); ++row) std::ranges::copy(m.row(rows[row]), out.row(row).begin());
+  return out;
+}
+
+BitMatrix chosen_columns(const BitMatrix& m, const std::vector<int>& columns) {
+  return transposed(chosen_rows(transposed(m), columns));
+}
+
+}  // namespace
+
+Draft without_spare(Draft d, const Draft& before, LoomSize given) {
+  const std::vector<int> shafts = staying(shafts_in_use(before), shafts_in_use(d), given.shafts);
+  const std::vector<int> treadles = staying(treadles_in_use(before), treadles_in_use(d), given.treadles);
+  if (static_cast<int>(shafts.size()) < d.shafts) {
+    for (BitMatrix* by_shaft : {&d.threading, &d.tieup, &d.liftplan}) *by_shaft = chosen_columns(*by_shaft, shafts);
+    d.shafts = static_cast<int>(shafts.size());
+  }
+  if (static_cast<int>(treadles.size()) < d.treadles) {
+    d.tieup = chosen_rows(d.tieup, treadles);
+    d.treadling = chosen_columns(d.treadling, treadles);
+    d.treadles = static_cast<int>(treadles.size());
+  }
+  return d;
 }
 
 LoomSize fewest_for(const BitMatrix& cells) {

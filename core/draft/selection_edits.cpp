@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "draft/factor.h"
+
 namespace weftlight::draft {
 namespace {
 
@@ -105,8 +107,13 @@ Design with_moved(Design design, const Selection& selection, int a, int b, bool 
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   const BitMatrix block = cells_of(design.draft, s);
-  if (!copy) design = with_cleared(std::move(design), s);
-  return with_block(std::move(design), s.grid, a, b, block, Write::kThreads);
+  if (copy) return with_block(std::move(design), s.grid, a, b, block, Write::kThreads);
+  const Draft before = design.draft;
+  design = with_block(with_cleared(std::move(design), s), s.grid, a, b, block, Write::kThreads);
+  // What the cleared crossings asked of the loom may no longer be needed.
+  if (s.grid == BitGrid::kDrawdown)
+    design.draft = without_spare(std::move(design.draft), before, {before.shafts, before.treadles});
+  return design;
 }
 
 Design with_mirrored_across(Design design, const Selection& selection, bool with_properties) {

@@ -1,8 +1,7 @@
-#include "render_data/named_views.h"
-
 #include <algorithm>
 
 #include "render_data/camera.h"
+#include "render_data/views.h"
 
 namespace weftlight::render_data {
 namespace {

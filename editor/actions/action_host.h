@@ -93,7 +93,7 @@ class ActionHost {
   virtual void toggle_theme() = 0;
   virtual void keep_view() = 0;
   virtual void reset_view() = 0;
-  /// A view of the cloth by its name (render_data/named_views.h).
+  /// A view of the cloth by its name (render_data/views.h).
   virtual void go_to_view(const std::string& name) = 0;
   virtual void keep_view_as() = 0;
   virtual void change_views() = 0;

@@ -14,12 +14,19 @@ namespace {
 constexpr float kSmallestPitch = 0.02f;  // 100,000 threads in 2,000 pixels
 constexpr float kLargestPitch = 48.0f;
 
+bool has_mark(const BitMatrix& m, int column) {
+  for (int row = 0; row < m.rows(); ++row)
+    if (m.get(row, column)) return true;
+  return false;
+}
+
 }  // namespace
 
 DocumentView view_of(const Document& document, bool per_inch) {
   constexpr double kMmPerCm = 10;
   DocumentView v;
   v.camera = orbit_of(document.now().scene);
+  v.given = {document.now().draft.shafts, document.now().draft.treadles};
   v.warp_unit = document.unit(System::kWarp);
   v.weft_unit = document.unit(System::kWeft);
   v.per_inch = per_inch || v.warp_unit.mm != kMmPerCm;
@@ -34,6 +41,18 @@ void follow_document(DocumentView& v, const Document& document) {
   if (v.shape && !is_shown(d.draft, *bit_grid_of(v.shape->grid))) v.shape.reset();
   v.color = std::clamp(v.color, 0, static_cast<int>(d.draft.palette.size()) - 1);
   v.yarn = std::clamp(v.yarn, 0, static_cast<int>(d.yarns.size()) - 1);
+}
+
+void follow_given(LoomSize& given, const Draft& before, const Draft& now, bool by_painting) {
+  // What painting adds is in use: something new that is not was asked for, also where it comes back by redo.
+  const auto follow = [by_painting](int& own, int was, int is, bool last_in_use) {
+    const bool asked = is != was && !(by_painting && (last_in_use || is < was));
+    own = asked ? is : std::min(own, is);
+  };
+  const int shaft = now.shafts - 1, treadle = now.treadles - 1;
+  follow(given.shafts, before.shafts, now.shafts, shaft < 0 || has_mark(now.threading, shaft));
+  follow(given.treadles, before.treadles, now.treadles,
+         treadle < 0 || now.tieup.first(treadle) >= 0 || has_mark(now.treadling, treadle));
 }
 
 float zoomed_pitch(float pitch, float steps) {

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "draft/design.h"
 #include "draft/drawdown.h"
+#include "draft/factor.h"
 #include "session/at_loom.h"
 #include "session/names.h"
 #include "session/orbit.h"
@@ -38,6 +40,10 @@ struct Stroke {
   GridId grid = GridId::kNone;
   bool on = true;
   Cell last;
+  // In the drawdown all crossings of the stroke are painted at once, time and again, on the design before it: what
+  // those on the way would have asked of the loom is not left behind.
+  std::shared_ptr<const Design> base, reached;  // that design, and what the stroke made of it
+  std::vector<Cell> cells;                      // images included
 };
 
 /// A line or rectangle on its way: drawn as a ghost until it is let go.
@@ -76,6 +82,7 @@ struct DocumentView {
   int place = -1;                                 // of those that differ, last shown
   std::optional<RejectedEdit> rejected_edit;      // what was painted last and could not be woven
   std::shared_ptr<const ClosestWeave> nearest;    // that is looked at, its wrong crossings marked; null: none
+  LoomSize given;                                 // shafts and treadles but for those that painting added
   Stroke stroke;
   std::optional<ActiveShape> shape;
   TypeCursor cursor;
@@ -92,6 +99,9 @@ struct DocumentView {
 DocumentView view_of(const Document& document, bool per_inch);
 /// After every change of the design: what is no longer there is neither selected nor in hand.
 void follow_document(DocumentView& view, const Document& document);
+/// After an edit of the draft. `by_painting`: shafts and treadles that it brought into use are none of those given, nor
+/// are those that undo and redo bring back.
+void follow_given(LoomSize& given, const Draft& before, const Draft& now, bool by_painting);
 
 /// The next pitch of the zoom: `steps` > 0 is nearer. Whole pixels from 2 up; 0.02 to 48.
 float zoomed_pitch(float pitch, float steps);

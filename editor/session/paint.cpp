@@ -77,19 +77,42 @@ std::string thread_facts(const Design& design, System system, int thread) {
               arg("yarn", yarn.name), arg("thickness", given < 0 ? yarn.diameter_mm : given));
 }
 
-/// The crossings of a line and its images, all of them or, where the loom cannot weave them, none.
-Painted painted_line(Design design, Cell from, Cell to, bool on, const Mirror& mirror) {
+std::vector<Cell> with_images(const std::vector<Cell>& cells, GridId grid, const Mirror& mirror) {
   std::vector<Cell> all;
-  for (const Cell& at : line_of_cells(from, to))
-    for (const Cell& image : images_of(mirror, GridId::kDrawdown, at)) all.push_back(image);
+  for (const Cell& at : cells)
+    for (const Cell& image : images_of(mirror, grid, at)) all.push_back(image);
+  return all;
+}
+
+/// Crossings, all of them or, where the loom cannot weave them, none.
+Painted painted_cells(const Design& design, const std::vector<Cell>& all, bool on, LoomSize given) {
   const auto [left, right] = std::ranges::minmax(all, {}, &Cell::a);
   const auto [top, bottom] = std::ranges::minmax(all, {}, &Cell::b);
   const Selection s = clipped({BitGrid::kDrawdown, left.a, right.a + 1, top.b, bottom.b + 1}, design.draft);
-  if (s.empty()) return {std::move(design), {}};
+  if (s.empty()) return {design, {}};
   BitMatrix cells(s.rows(), s.columns());
   for (const Cell& at : all)
     if (holds(s, BitGrid::kDrawdown, at)) cells.set(at.b - s.b0, at.a - s.a0, true);
-  return painted_crossings(std::move(design), s, s.a0, s.b0, cells, on ? Write::kAdd : Write::kErase);
+  Painted painted = painted_crossings(design, s, s.a0, s.b0, cells, on ? Write::kAdd : Write::kErase);
+  painted.design.draft = without_spare(std::move(painted.design.draft), design.draft, given);
+  return painted;
+}
+
+/// All crossings of the stroke, painted on what was there before it. What the loom cannot weave is left out of it: then
+/// `step`, of the last crossings alone, says why, or changes what the stroke begins with anew.
+Edit crossings_edit(Stroke& s, const Design& design, LoomSize given, const std::vector<Cell>& cells, Edit step) {
+  if (!s.reached || *s.reached != design) {
+    s.base = s.reached = std::make_shared<const Design>(design);
+    s.cells.clear();
+  }
+  std::vector<Cell> all = s.cells;
+  all.insert(all.end(), cells.begin(), cells.end());
+  Painted painted = painted_cells(*s.base, all, s.on, given);
+  if (!painted.why.empty()) return step;
+  s.cells = std::move(all);
+  s.reached = std::make_shared<const Design>(std::move(painted.design));
+  step.anew = std::exchange(step.apply, [next = s.reached](const Design&) { return *next; });
+  return step;
 }
 
 }  // namespace
@@ -149,7 +172,7 @@ Design with_cell(Design design, GridId grid, Cell at, bool on, bool only) {
   }
 }
 
-Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror) {
+Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror, LoomSize given) {
   constexpr const char* kLabels[] = {"",
                                      mark("Paint threading"),
                                      mark("Paint tie-up"),
@@ -158,21 +181,43 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirro
                                      mark("Paint drawdown"),
                                      "",
                                      ""};
-  Edit edit{tr(kLabels[static_cast<int>(grid)]), [=](Design design) {
-              if (grid == GridId::kDrawdown) return painted_line(std::move(design), from, to, on, mirror).design;
-              for (const Cell& at : line_of_cells(from, to))
-                for (const Cell& image : images_of(mirror, grid, at))
-                  design = with_cell(std::move(design), grid, image, on, only);
+  const bool crossings = grid == GridId::kDrawdown;
+  Edit edit{tr(kLabels[static_cast<int>(grid)]),
+            [=, all = with_images(line_of_cells(from, to), grid, mirror)](Design design) {
+              if (crossings) return painted_cells(design, all, on, given).design;
+              for (const Cell& at : all) design = with_cell(std::move(design), grid, at, on, only);
               return design;
             }};
-  edit.why = [=](const Design& design) {
+  edit.by_painting = crossings;
+  edit.why = [=, all = with_images(line_of_cells(from, to), grid, mirror)](const Design& design) {
     constexpr BitGrid kGrids[] = {BitGrid::kThreading, BitGrid::kThreading, BitGrid::kTieup,
                                   BitGrid::kTreadling, BitGrid::kLiftplan,  BitGrid::kDrawdown};
-    if (grid == GridId::kDrawdown) return painted_line(design, from, to, on, mirror).why;
+    if (crossings) return painted_cells(design, all, on, given).why;
     if (grid == GridId::kNone || grid > GridId::kDrawdown) return std::string();
     return why_locked(design, kGrids[static_cast<int>(grid)]);
   };
   return edit;
+}
+
+MaybeEdit begin_stroke(DocumentView& v, const Design& design, GridId grid, Cell at, bool on, bool only) {
+  v.stroke = {grid, on, {}, {}, {}, {}};
+  return go_on_with_stroke(v, design, at, only);
+}
+
+MaybeEdit go_on_with_stroke(DocumentView& v, const Design& design, Cell to, bool only) {
+  Stroke& s = v.stroke;
+  if (s.grid == GridId::kNone || !to.valid() || to == s.last) return {};
+  const Cell from = s.last.valid() ? s.last : to;
+  s.last = to;
+  const Mirror mirror = mirror_of(v, design.draft);
+  if (s.grid == GridId::kWarpColors || s.grid == GridId::kWeftColors)
+    return bar_edit(s.grid, from, to, v.bar_paint, v.bar_paint == BarPaint::kColor ? v.color : v.yarn, mirror);
+  Edit step = paint_edit(s.grid, from, to, s.on, only, mirror, v.given);
+  if (s.grid != GridId::kDrawdown) return step;
+  // Where it comes from is painted already, or was refused or taken back.
+  std::vector<Cell> line = line_of_cells(from, to);
+  if (line.size() > 1) line.erase(line.begin());
+  return crossings_edit(s, design, v.given, with_images(line, s.grid, mirror), std::move(step));
 }
 
 Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror) {

@@ -21,8 +21,13 @@ bool is_on(const Draft& draft, const BitMatrix& cells, GridId grid, Cell at);
 /// One cell of a grid set. `only`: a thread keeps no other shaft or treadle.
 Design with_cell(Design design, GridId grid, Cell at, bool on, bool only);
 
-/// The edit of a stroke that moved from one cell to the next, and of its images.
-Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror = {});
+/// A stroke begins at a cell. `only`: a thread keeps no other shaft or treadle.
+MaybeEdit begin_stroke(DocumentView& view, const Design& design, GridId grid, Cell at, bool on, bool only);
+/// The stroke has come to a cell: all crossings on its way, or marks, or threads. Nothing while it stays in its cell.
+MaybeEdit go_on_with_stroke(DocumentView& view, const Design& design, Cell to, bool only);
+
+/// The edit of a stroke that moved from one cell to the next, and of its images. `given`: DocumentView::given.
+Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirror& mirror = {}, LoomSize given = {});
 /// The same on a colour bar: every thread passed takes the colour (or the yarn).
 Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror = {});
 

@@ -111,13 +111,30 @@ bool Session::commit(const Edit& edit, uint64_t stroke) {
   const bool changed = open.document.commit(edit, stroke);
   std::optional<RejectedEdit> rejected_edit =
       refusal_after(std::move(open.view.rejected_edit), *before, edit, stroke, changed);
+  if (changed) follow_given(open.view.given, before->draft, open.document.now().draft, edit.by_painting);
   followed(changed);
   open.view.rejected_edit = std::move(rejected_edit);
   return changed;
 }
-bool Session::undo() { return followed(active().document.undo()); }
-bool Session::redo() { return followed(active().document.redo()); }
-bool Session::go_to(size_t step) { return followed(active().document.go_to(step)); }
+
+template <class Go>
+bool Session::gone(Go go) {
+  OpenDocument& open = active();
+  const std::shared_ptr<const Design> before = open.document.snapshot();
+  if (!followed(go(open.document))) return false;
+  follow_given(open.view.given, before->draft, open.document.now().draft, true);
+  return true;
+}
+
+bool Session::undo() {
+  return gone([](Document& d) { return d.undo(); });
+}
+bool Session::redo() {
+  return gone([](Document& d) { return d.redo(); });
+}
+bool Session::go_to(size_t step) {
+  return gone([step](Document& d) { return d.go_to(step); });
+}
 
 std::string Session::save(uint64_t id, const std::string& path) {
   OpenDocument* open = find(id);

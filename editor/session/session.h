@@ -93,6 +93,9 @@ class Session {
   std::unique_ptr<OpenDocument> made(Document document, Origin origin, bool per_inch);
   bool gives_way(const OpenDocument& open, Origin to) const;
   bool followed(bool changed);
+  /// To another step of the history.
+  template <class Go>
+  bool gone(Go go);
   size_t place_of(uint64_t id) const;
 
   Recovery recovery_;

@@ -145,8 +145,10 @@ struct Drawing {
 MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, const std::vector<CellMask>& masks) {
   const auto bits = bit_grid_of(what.grid);
   if (!bits) return {};
-  const auto drawn_on = [bits = *bits, write = what.write, masks](Design d) {
+  const auto drawn_on = [bits = *bits, write = what.write, masks, given = view.given](const Design& before) {
+    Design d = before;
     for (const CellMask& m : masks) d = with_block(std::move(d), bits, m.at.a, m.at.b, m.cells, write);
+    if (bits == BitGrid::kDrawdown) d.draft = without_spare(std::move(d.draft), before.draft, given);
     return d;
   };
   Design next = drawn_on(design);
@@ -157,6 +159,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   if (missed > 0 && design.loom.leading == Leading::kDrawdown) next = design;
   else if (missed > 0) view.select.notice = what.name + missed_text(missed);
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+  edit.by_painting = *bits == BitGrid::kDrawdown;
   edit.anew = drawn_on;
   edit.why = [bits](const Design& d) { return why_locked(d, *bits); };
   return edit;

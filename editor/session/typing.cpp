@@ -134,7 +134,7 @@ std::vector<Edit> type_digit(DocumentView& v, const Design& design, int digit, d
 MaybeEdit turn_cell(DocumentView& v, const Design& design) {
   const TypeCursor& c = v.cursor;
   const BitMatrix cells = c.grid == GridId::kDrawdown ? drawdown(design.draft) : BitMatrix();
-  return paint_edit(c.grid, c.at, c.at, !is_on(design.draft, cells, c.grid, c.at), true);
+  return paint_edit(c.grid, c.at, c.at, !is_on(design.draft, cells, c.grid, c.at), true, {}, v.given);
 }
 
 /// To the next grid that is shown, its cursor on the same thread where it shares one.

@@ -204,6 +204,14 @@ Point Window::cell(const std::string& name, int a, int b) const {
   return {-1, -1};
 }
 
+std::pair<int, int> Window::size_of(const std::string& name) const {
+  const nlohmann::json now = map();
+  if (now.is_object())
+    for (const auto& grid : now["grids"])
+      if (grid["name"] == name) return {grid["count_a"].get<int>(), grid["count_b"].get<int>()};
+  return {};
+}
+
 bool Window::has(const std::string& control) const { return place_of(control).second.x > 0; }
 
 std::pair<Point, Point> Window::place_of(const std::string& name) const {

@@ -82,6 +82,8 @@ class Window {
   bool is_ready() const;
   /// Middle of a cell of a grid; both from 1.
   Point cell(const std::string& grid, int a, int b) const;
+  /// Columns and rows of a grid, as they were last drawn.
+  std::pair<int, int> size_of(const std::string& grid) const;
   bool has(const std::string& control) const;
   Point middle_of(const std::string& control) const;
   /// Position and size of a control.

@@ -24,23 +24,6 @@ namespace {
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
 
-Edit stroke_edit(const PanelContext& c, const Stroke& stroke, Cell to) {
-  const DocumentView& v = c.view;
-  const bool colors = v.bar_paint == BarPaint::kColor;
-  const Mirror mirror = mirror_of(v, c.design.draft);
-  if (is_bar(stroke.grid))
-    return bar_edit(stroke.grid, stroke.last, to, v.bar_paint, colors ? v.color : v.yarn, mirror);
-  // Shift keeps the thread's other shafts or treadles.
-  return paint_edit(stroke.grid, stroke.last, to, stroke.on, !ImGui::GetIO().KeyShift, mirror);
-}
-
-/// Paints from the last cell of the stroke to a cell.
-void paint_to(PanelContext& c, Stroke stroke, Cell to) {
-  c.wanted.add(stroke_edit(c, stroke, to));
-  stroke.last = to;
-  c.wanted.change_view([stroke](DocumentView& v) { v.stroke = stroke; });
-}
-
 /// Makes colour and yarn of a thread the active ones.
 void pick_up(PanelContext& c, GridId id, Cell at) {
   const Threads& t = c.design.draft.threads(id == GridId::kWarpColors ? System::kWarp : System::kWeft);
@@ -51,16 +34,22 @@ void pick_up(PanelContext& c, GridId id, Cell at) {
   });
 }
 
-void begin_stroke(PanelContext& c, GridId id, Cell at) {
+/// Shift keeps the thread's other shafts or treadles.
+bool takes_off_others() { return !ImGui::GetIO().KeyShift; }
+
+void press(PanelContext& c, GridId id, Cell at) {
   if (!at.valid()) return;
   if (is_bar(id) && ImGui::GetIO().KeyAlt) return pick_up(c, id, at);
   const bool erase = ImGui::IsMouseDown(ImGuiMouseButton_Right);
-  paint_to(c, {id, !erase && !is_on(c.design.draft, c.cells, id, at), at}, at);
+  const bool on = !erase && !is_on(c.design.draft, c.cells, id, at), only = takes_off_others();
+  c.wanted.gesture([=](DocumentView& v, const Design& design) { return begin_stroke(v, design, id, at, on, only); });
 }
 
-void continue_stroke(PanelContext& c, const GridPane& pane) {
-  const Cell at = pane.nearest(ImGui::GetIO().MousePos);
-  if (at.valid() && at != c.view.stroke.last) paint_to(c, c.view.stroke, at);
+void paint_on(PanelContext& c, Cell to) {
+  if (to.valid() && to != c.view.stroke.last)
+    c.wanted.gesture([to, only = takes_off_others()](DocumentView& v, const Design& design) {
+      return go_on_with_stroke(v, design, to, only);
+    });
 }
 
 /// How to paint there, for the status bar.
@@ -79,31 +68,37 @@ const char* paint_hint(GridId id) {
 }
 
 /// A click with the tool that types numbers.
-void place_cursor(PanelContext& c, const GridPane& pane) {
-  const Cell at = pane.at(ImGui::GetIO().MousePos);
+void place_cursor(PanelContext& c, const GridPane& pane, Cell at) {
   if (ImGui::IsItemActivated() && at.valid())
     c.wanted.change_view([grid = pane.id, at](DocumentView& v) { put_cursor(v, grid, at); });
 }
 
-void grid_input(PanelContext& c, const GridPane& pane) {
+void use_tool(PanelContext& c, const GridPane& pane, ImVec2 hand) {
+  const bool active = ImGui::IsItemActive();
+  if (selects(c, pane)) return select_input(c, pane);
+  if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);
+  if (draws_shapes(c, pane)) return draw_with_tool(c, pane);
+  if (c.view.select.tool == Tool::kType && !is_bar(pane.id)) return place_cursor(c, pane, pane.at(hand));
+  if (ImGui::IsItemActivated()) return press(c, pane.id, pane.at(hand));
+  if (active && c.view.stroke.grid == pane.id) return paint_on(c, pane.nearest(hand));
+  if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
+}
+
+/// True while a button that went down on the grid is down.
+bool grid_input(PanelContext& c, const GridPane& pane) {
   const ImVec2 a = pane.min(), b = pane.max();
-  if (b.x - a.x < 1 || b.y - a.y < 1) return;
+  if (b.x - a.x < 1 || b.y - a.y < 1) return false;
   ImGui::SetCursorScreenPos(a);
   hit_area(grid_name(pane.id), {b.x - a.x, b.y - a.y},
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool active = ImGui::IsItemActive();
+  const ImVec2 hand = hand_at(c.style);
   if (ImGui::IsItemHovered() || active) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    c.frame.hover = {pane.id, active ? pane.nearest(mouse) : pane.at(mouse)};
+    c.frame.hover = {pane.id, active ? pane.nearest(hand) : pane.at(hand)};
     c.frame.hint = c.view.select.tool == Tool::kPaint ? paint_hint(pane.id) : tool_hint(c.view.select.tool);
   }
-  if (selects(c, pane)) return select_input(c, pane);
-  if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);
-  if (draws_shapes(c, pane)) return draw_with_tool(c, pane);
-  if (c.view.select.tool == Tool::kType && !is_bar(pane.id)) return place_cursor(c, pane);
-  if (ImGui::IsItemActivated()) return begin_stroke(c, pane.id, pane.at(ImGui::GetIO().MousePos));
-  if (active && c.view.stroke.grid == pane.id) return continue_stroke(c, pane);
-  if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
+  use_tool(c, pane, hand);
+  return active;
 }
 
 void zoom(PanelContext& c, const DraftLayout& l, float steps) {
@@ -138,14 +133,22 @@ void pan(PanelContext& c, const DraftLayout& l, float dx, float dy) {
   else move(&DocumentView::scroll_end, l.drawdown.x, dx);
 }
 
-void navigate(PanelContext& c, const DraftLayout& l) {
+void navigate(PanelContext& c, const DraftLayout& l, HeldLayout& held) {
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) return;
   const ImGuiIO& io = ImGui::GetIO();
   constexpr float kWheelPixels = 48;
-  if (io.KeyCtrl && io.MouseWheel != 0) zoom(c, l, io.MouseWheel);
-  else if (io.KeyShift) pan(c, l, io.MouseWheel * c.style.px(kWheelPixels), 0);
-  else pan(c, l, io.MouseWheelH * c.style.px(kWheelPixels), io.MouseWheel * c.style.px(kWheelPixels));
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Middle)) pan(c, l, io.MouseDelta.x, io.MouseDelta.y);
+  // What is drawn, selected or chosen may go on where the wheel leads; a stroke would paint all on the way.
+  const bool holds = held.is_held(), pans = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+  if (holds && c.view.stroke.grid != GridId::kNone) return;
+  if (pans || io.MouseWheel != 0 || io.MouseWheelH != 0) held.let_scroll();
+  if (io.KeyCtrl && io.MouseWheel != 0) {
+    if (!holds) zoom(c, l, io.MouseWheel);
+  } else if (io.KeyShift) {
+    pan(c, l, io.MouseWheel * c.style.px(kWheelPixels), 0);
+  } else {
+    pan(c, l, io.MouseWheelH * c.style.px(kWheelPixels), io.MouseWheel * c.style.px(kWheelPixels));
+  }
+  if (pans) pan(c, l, io.MouseDelta.x, io.MouseDelta.y);
 }
 
 /// A thin scroll bar.
@@ -227,18 +230,21 @@ void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, DraftPict
 
 void draw_draft(PanelContext& c, DraftPictures& pictures) {
   const ImVec2 min = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const DraftLayout l =
-      lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y});
+  const DraftLayout l = pictures.held.of(
+      lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y}), c.view,
+      ImGui::IsAnyMouseDown());
   if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v, l); });
   pictures.minimap.apply_input(c, l);
+  bool pressed = false;
   for (const GridPane* pane : l.panes()) {
-    grid_input(c, *pane);
+    pressed |= grid_input(c, *pane);
     c.map.grids.push_back(map_of(*pane));
   }
-  choose_by_labels(c, l);
+  pressed |= choose_by_labels(c, l);
+  if (pressed) pictures.held.hold(l, c.view);
   scrollbars(c, l);
-  navigate(c, l);
-  scroll_with_drag(c, l);
+  navigate(c, l, pictures.held);
+  if (scroll_with_drag(c, l)) pictures.held.let_scroll();
   ImDrawList* dl = ImGui::GetWindowDrawList();
   draw_grids(dl, c, l, pictures);
   draw_chosen(dl, c, l);

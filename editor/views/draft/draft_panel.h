@@ -4,14 +4,16 @@
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/draft/cell_texture.h"
+#include "views/draft/held_layout.h"
 #include "views/draft/minimap.h"
 
 namespace weftlight::views {
 
-/// Textures of the drawdown, kept between frames.
+/// Textures and the held layout, kept between frames.
 struct DraftPictures {
   CellTexture cells, tiled;
   Minimap minimap;
+  HeldLayout held;
 };
 
 /// Fills the rest of the current ImGui window.

@@ -5,6 +5,7 @@
 
 #include "session/mirror.h"
 #include "session/selection_state.h"
+#include "views/draft/held_layout.h"
 
 namespace weftlight::views {
 namespace {
@@ -22,12 +23,13 @@ GridId dragged_grid(const DocumentView& v) {
   return v.chosen.system == System::kWarp ? GridId::kWarpColors : GridId::kWeftColors;
 }
 
-void follow(PanelContext& c, float DocumentView::*scroll, const Axis& axis, float pixel) {
-  if (axis.count < 2) return;  // the short axis of a colour bar
+bool follow(PanelContext& c, float DocumentView::*scroll, const Axis& axis, float pixel) {
+  if (axis.count < 2) return false;  // across a colour bar
   const float to = dragged_scroll(axis, pixel, std::min(ImGui::GetIO().DeltaTime, kLongestFrameS));
-  if (to == axis.scroll) return;
+  if (to == axis.scroll) return false;
   c.wanted.change_view([scroll, to](DocumentView& v) { v.*scroll = to; });
   c.frame.again = true;
+  return true;
 }
 
 }  // namespace
@@ -41,15 +43,17 @@ float dragged_scroll(const Axis& axis, float pixel, float seconds) {
   return clamp_scroll(axis, axis.scroll + direction * speed * seconds / axis.pitch);
 }
 
-void scroll_with_drag(PanelContext& c, const DraftLayout& l) {
+bool scroll_with_drag(PanelContext& c, const DraftLayout& l) {
   const GridId grid = ImGui::IsAnyMouseDown() ? dragged_grid(c.view) : GridId::kNone;
-  if (grid == GridId::kNone) return;
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (grid == GridId::kNone) return false;
+  const ImVec2 hand = hand_at(c.style);
+  bool scrolled = false;
   for (const GridPane* pane : l.panes()) {
     if (pane->id != grid) continue;
-    follow(c, has_ends(grid) ? &DocumentView::scroll_end : &DocumentView::scroll_treadle, pane->x, mouse.x);
-    follow(c, has_picks(grid) ? &DocumentView::scroll_pick : &DocumentView::scroll_shaft, pane->y, mouse.y);
+    scrolled |= follow(c, has_ends(grid) ? &DocumentView::scroll_end : &DocumentView::scroll_treadle, pane->x, hand.x);
+    scrolled |= follow(c, has_picks(grid) ? &DocumentView::scroll_pick : &DocumentView::scroll_shaft, pane->y, hand.y);
   }
+  return scrolled;
 }
 
 }  // namespace weftlight::views

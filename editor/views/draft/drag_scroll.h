@@ -7,8 +7,8 @@
 
 namespace weftlight::views {
 
-/// During any drag in a grid. Requests another frame after a scroll.
-void scroll_with_drag(PanelContext& c, const DraftLayout& layout);
+/// During any drag in a grid. True if it scrolled; it then requests another frame.
+bool scroll_with_drag(PanelContext& c, const DraftLayout& layout);
 
 /// The scroll of an axis after `seconds` with the pointer at `pixel`; unchanged while the pointer is inside.
 float dragged_scroll(const Axis& axis, float pixel, float seconds);

@@ -9,6 +9,7 @@
 #include "session/selection_state.h"
 #include "session/shapes.h"
 #include "ui/imgui_compat.h"
+#include "views/draft/held_layout.h"
 
 namespace weftlight::views {
 
@@ -29,7 +30,7 @@ void begin_shape(PanelContext& c, GridId grid, Cell at) {
 
 void continue_shape(PanelContext& c, const GridPane& pane) {
   const ActiveShape& s = *c.view.shape;
-  Cell to = pane.nearest(ImGui::GetIO().MousePos);
+  Cell to = pane.nearest(hand_at(c.style));
   if (!to.valid()) return;
   if (ImGui::GetIO().KeyShift) to = constrained(s.tool, s.from, to, pane.x.count, pane.y.count);
   if (to == s.to) return;
@@ -131,7 +132,11 @@ void draw_axis(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
     else dl->AddRectFilled({a.x + from, a.y - halo}, {a.x + to, a.y + 2 + halo}, color);
   };
   stroke(0, length, 1, with_alpha(c.style.color.paper, 0.8f));
-  for (float t = 0; t < length; t += dash + gap) stroke(t, std::min(t + dash, length), 0, c.style.color.accent);
+  const int dashes = static_cast<int>(std::ceil(length / (dash + gap)));
+  for (int i = 0; i < dashes; ++i) {
+    const float from = static_cast<float>(i) * (dash + gap);
+    stroke(from, std::min(from + dash, length), 0, c.style.color.accent);
+  }
 }
 
 void draw_axes(ImDrawList* dl, const PanelContext& c, const GridPane& p, const Mirror& m) {
@@ -162,7 +167,7 @@ bool draws_shapes(const PanelContext& c, const GridPane& pane) {
 void draw_with_tool(PanelContext& c, const GridPane& pane) {
   const bool active = ImGui::IsItemActive(), mine = c.view.shape && c.view.shape->grid == pane.id;
   if (ImGui::IsItemHovered() || active) c.frame.crosshair = true;
-  const Cell at = pane.at(ImGui::GetIO().MousePos);
+  const Cell at = pane.at(hand_at(c.style));
   if (c.view.select.tool == Tool::kFill) {
     if (ImGui::IsItemActivated()) flood_fill(c, pane.id, at);
   } else if (ImGui::IsItemActivated()) {

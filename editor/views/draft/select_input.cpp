@@ -1,6 +1,7 @@
 #include "views/draft/select_input.h"
 
 #include "session/selection_state.h"
+#include "views/draft/held_layout.h"
 
 namespace weftlight::views {
 namespace {
@@ -81,7 +82,8 @@ void select_input(PanelContext& c, const GridPane& pane) {
   const SelectState& s = c.view.select;
   const BitGrid grid = *bit_grid_of(pane.id);
   const ImGuiIO& io = ImGui::GetIO();
-  const Cell at = pane.at(io.MousePos), closest = pane.nearest(io.MousePos);
+  const ImVec2 hand = hand_at(c.style);
+  const Cell at = pane.at(hand), closest = pane.nearest(hand);
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   if (!active && !hovered) return;
   if (s.held && hovered && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsItemActivated()))

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/draft/held_layout.h"
 
 namespace weftlight::views {
 
@@ -16,15 +17,15 @@ System system_of(const GridPane& pane) { return pane.id == GridId::kWarpColors ?
 
 const Axis& threads_along(const GridPane& pane) { return pane.id == GridId::kWarpColors ? pane.x : pane.y; }
 
-int thread_at(const GridPane& pane) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return threads_along(pane).nearest(system_of(pane) == System::kWarp ? mouse.x : mouse.y);
+int thread_at(const PanelContext& c, const GridPane& pane) {
+  const ImVec2 hand = hand_at(c.style);
+  return threads_along(pane).nearest(system_of(pane) == System::kWarp ? hand.x : hand.y);
 }
 
 /// The ImGui item drawn last lies over `pane`.
 void handle_gesture(PanelContext& c, const GridPane& pane) {
   const ImGuiIO& io = ImGui::GetIO();
-  const int thread = thread_at(pane);
+  const int thread = thread_at(c, pane);
   if (thread < 0) return;
   const System system = system_of(pane);
   const Choose how = io.KeyShift ? Choose::kRange : io.KeyCtrl ? Choose::kAlso : Choose::kOnly;
@@ -39,15 +40,17 @@ void handle_gesture(PanelContext& c, const GridPane& pane) {
     });
 }
 
-void label_input(PanelContext& c, const GridPane& labels, const char* name) {
+/// True while a button that went down on the numbers is down.
+bool label_input(PanelContext& c, const GridPane& labels, const char* name) {
   const ImVec2 a = labels.min(), b = labels.max();
-  if (b.x - a.x < 1 || b.y - a.y < 1) return;
+  if (b.x - a.x < 1 || b.y - a.y < 1) return false;
   ImGui::SetCursorScreenPos(a);
   hit_area(name, {b.x - a.x, b.y - a.y});
+  const bool active = ImGui::IsItemActive();
   handle_gesture(c, labels);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     const bool warp = system_of(labels) == System::kWarp;
-    c.frame.hover = {labels.id, warp ? Cell{thread_at(labels), 0} : Cell{0, thread_at(labels)}};
+    c.frame.hover = {labels.id, warp ? Cell{thread_at(c, labels), 0} : Cell{0, thread_at(c, labels)}};
   }
   // With a selection the tip would only cover the bars.
   if (c.view.chosen.threads.empty())
@@ -56,6 +59,7 @@ void label_input(PanelContext& c, const GridPane& labels, const char* name) {
   UiGrid grid = map_of(labels);
   grid.name = name;
   c.map.grids.push_back(std::move(grid));
+  return active;
 }
 
 /// Calls use(low, high) with the pixels of each run of visible selected neighbours.
@@ -89,16 +93,17 @@ bool chooses_on_bar(const PanelContext& c, GridId bar) {
 
 void choose_on_bar(PanelContext& c, const GridPane& bar) { handle_gesture(c, bar); }
 
-void choose_by_labels(PanelContext& c, const DraftLayout& l) {
+bool choose_by_labels(PanelContext& c, const DraftLayout& l) {
   const ThreadChoice& choice = c.view.chosen;
-  label_input(c, l.warp_labels, "warp_numbers");
-  label_input(c, l.weft_labels, "weft_numbers");
+  bool pressed = label_input(c, l.warp_labels, "warp_numbers");
+  pressed |= label_input(c, l.weft_labels, "weft_numbers");
   if (!ImGui::IsAnyMouseDown() && choice.dragging)
     c.wanted.change_view([](DocumentView& v) { v.chosen.dragging = false; });
   const bool busy = ImGui::GetIO().WantTextInput ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (!busy && key_pressed(ImGuiKey_Escape, false))
     c.wanted.change_view([](DocumentView& v) { v.chosen.threads.clear(); });
+  return pressed;
 }
 
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {

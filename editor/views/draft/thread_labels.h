@@ -12,8 +12,8 @@ namespace weftlight::views {
 bool chooses_on_bar(const PanelContext& c, GridId bar);
 /// Selects threads on a bar, whose ImGui item was drawn last.
 void choose_on_bar(PanelContext& c, const GridPane& bar);
-/// Selects threads by their numbers; Escape clears the selection.
-void choose_by_labels(PanelContext& c, const DraftLayout& layout);
+/// Selects threads by their numbers; Escape clears the selection. True while a button pressed there is down.
+bool choose_by_labels(PanelContext& c, const DraftLayout& layout);
 /// Highlights the selected threads on numbers and bars.
 void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 

@@ -242,6 +242,33 @@ TEST(PaintedDrawdown, OfAnyDraftShowsWhatWasPainted) {
   }
 }
 
+TEST(WithoutSpare, TakesBackWhatPaintingAddedAndNothingElse) {
+  const Design first = two_two_twill(8, 8);
+  const int shafts = first.draft.shafts, treadles = first.draft.treadles;
+  const bool up = drawdown(first.draft).get(1, 2);
+  const Design grown = with_drawdown_cell(first, 2, 1, !up);
+  ASSERT_GT(grown.draft.treadles + grown.draft.shafts, treadles + shafts);
+  const Draft back = with_drawdown_cell(grown, 2, 1, up).draft;
+  EXPECT_EQ(without_spare(back, grown.draft, {shafts, treadles}), first.draft);
+  EXPECT_EQ(without_spare(back, grown.draft, {}), back) << "all were given";
+  EXPECT_EQ(without_spare(back, back, {shafts, treadles}), back) << "it was out of use before";
+  EXPECT_EQ(without_spare(grown.draft, first.draft, {1, 1}), grown.draft) << "all are in use";
+}
+
+TEST(WithoutSpare, WhatComesAfterMovesUp) {
+  const Draft before = treadled({"100", "010", "001"}, {"100", "010", "001"}, {"100", "010", "001"});
+  Draft after = treadled({"100", "001", "001"}, {"100", "000", "001"}, {"100", "001", "001"});
+  const Draft less = without_spare(after, before, {1, 1});
+  EXPECT_EQ(text_of(less.threading), (Rows{"10", "01", "01"}));
+  EXPECT_EQ(text_of(less.tieup), (Rows{"10", "01"}));
+  EXPECT_EQ(text_of(less.treadling), (Rows{"10", "01", "01"}));
+  EXPECT_EQ(drawdown(less), drawdown(after));
+  EXPECT_TRUE(is_consistent(less));
+  after.tieup.set(1, 2, true);
+  EXPECT_EQ(without_spare(after, before, {1, 1}).treadles, 3) << "a tie is a use";
+  EXPECT_EQ(without_spare(after, before, {1, 1}).shafts, 2);
+}
+
 TEST(ShedControl, GoingToTheLiftplanAndBackKeepsTheTreadles) {
   Design d = two_two_twill(8, 8);
   // The weaver's own order: tabby on treadles 1 and 2, the twill on 3 to 6.

@@ -1,12 +1,11 @@
 // A picture of the light from all around, split into lights and the rest: no light is lost or made.
 
-#include "render_data/environment_light.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "render_data/environment.h"
 #include "render_data/light_rig.h"
 
 namespace weftlight::render_data {

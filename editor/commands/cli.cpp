@@ -492,7 +492,7 @@ CommandLine run_command_line(int argc, char** argv) {
 
   ExportOptions texture;
   auto* export_verb = app.add_subcommand("export", "A seamless texture set of one repeat");
-  export_verb->add_option("files", texture.files, "Drafts (.wif), or folders of them")->required();
+  export_verb->add_option("files", texture.files, "Drafts (.wif, .dtx, .wpo), or folders of them")->required();
   export_verb->add_option("--target", texture.targets, "What reads the sets; several with commas")
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft

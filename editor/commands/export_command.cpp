@@ -19,6 +19,7 @@
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
+#include "wif/other_formats.h"
 
 namespace weftlight::commands {
 namespace {
@@ -45,7 +46,7 @@ struct Run {
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
-/// Files as they are; of folders every .wif within, in the order of their names.
+/// Files as they are; of folders every draft within, in the order of their names.
 std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
   std::vector<std::string> out;
   std::error_code ec;
@@ -56,10 +57,7 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
     }
     std::vector<std::string> within;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, ec)) {
-      std::string extension = entry.path().extension().string();
-      for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      if ((extension == ".wif" || extension == ".wifw") && entry.is_regular_file(ec))
-        within.push_back(entry.path().string());
+      if (is_draft_name(entry.path().string()) && entry.is_regular_file(ec)) within.push_back(entry.path().string());
     }
     std::sort(within.begin(), within.end());
     out.insert(out.end(), within.begin(), within.end());
@@ -96,19 +94,34 @@ std::string folder_of(const std::string& out, const std::string& form, const Tex
   return (fs::path(out) / folder_name(form, o.name, o.target, o.size)).string();
 }
 
-/// One folder a draft and target; drafts of the same name are numbered.
+/// A name for each draft's set. Of drafts that differ in their format alone the WIF has the name, and the others say
+/// their format, whichever are there; what is left of the same name is numbered.
+std::vector<std::string> set_names(const std::vector<std::string>& files) {
+  std::vector<std::string> names(files.size());
+  std::set<std::string> taken;
+  for (const bool wif : {true, false})
+    for (size_t i = 0; i < files.size(); ++i) {
+      const fs::path path(files[i]);
+      if (is_wif_name(files[i]) != wif) continue;
+      std::string stem = file_name_of(path.stem().string());
+      if (!wif && taken.contains(stem) && path.has_extension())
+        stem += "-" + file_name_of(path.extension().string().substr(1));
+      names[i] = stem;
+      for (int n = 2; !taken.insert(names[i]).second; ++n) names[i] = stem + "-" + std::to_string(n);
+    }
+  return names;
+}
+
+/// One folder a draft and target.
 std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<Target>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
-  std::set<std::string> taken;
-  for (const std::string& file : drafts_of(options.files)) {
-    const fs::path path(file);
-    const std::string stem = file_name_of(path.stem().string());
-    std::string name = stem;
-    for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
+  const std::vector<std::string> files = drafts_of(options.files), names = set_names(files);
+  for (size_t i = 0; i < files.size(); ++i) {
+    const std::string &file = files[i], &name = names[i];
     for (const Target target : targets) {
       TextureSetOptions o;
-      o.target = target, o.name = name, o.source = path.filename().string(), o.draft_path = file;
+      o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
       o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
@@ -231,7 +244,8 @@ int export_command(const ExportOptions& options) {
   }
   const std::vector<Job> jobs = jobs_of(options, targets);
   if (jobs.empty()) {
-    std::fprintf(stderr, "%s: there is no .wif in it; give drafts or a folder of drafts\n", options.files[0].c_str());
+    std::fprintf(stderr, "%s: there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts\n",
+                 options.files[0].c_str());
     return kBadInput;
   }
   const int code = run_all(jobs, options, *mesh.mesh);

@@ -155,6 +155,7 @@ TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
 }
 
 TEST_F(Export, watch_exports_again_what_changes) {
+  write_file_atomically(path("drafts/c.dtx"), dtx());
   const pid_t child = fork();
   if (child == 0) {
     execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts").c_str(), "-o", path("sets").c_str(), "--target",
@@ -171,6 +172,11 @@ TEST_F(Export, watch_exports_again_what_changes) {
   const auto ends = [&] { return list("a")["repeat"]["ends"].get<int>(); };
   const int before = ends();
   EXPECT_TRUE(comes([&] { return ends() != before; })) << before;
+  ASSERT_TRUE(comes([&] { return has("c/texture_set.json"); }));
+  const auto picks = [&] { return list("c")["repeat"]["picks"].get<int>(); };
+  const int picks_before = picks();
+  write_file_atomically(path("drafts/c.dtx"), dtx("1 1 2"));
+  EXPECT_TRUE(comes([&] { return picks() != picks_before; })) << picks_before;
   kill(child, SIGTERM);
   waitpid(child, nullptr, 0);
 }

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/loops.h"
-#include "cloth/layers.h"
+#include "cloth/layer_plan.h"
 #include "print/page.h"
 
 namespace weftlight::print {

@@ -5,14 +5,14 @@
 
 #include "command.h"
 #include "commands/picture_setup.h"
-#include "upload/camera.h"
-#include "upload/views.h"
+#include "render_data/camera.h"
+#include "render_data/views.h"
 
 namespace weftlight::orientation {
 namespace {
 
 using namespace commands;
-using namespace upload;
+using namespace render_data;
 
 constexpr int kWidth = 240, kHeight = 180;
 constexpr float kYarnsPerPixel = 0.08f;

@@ -146,7 +146,7 @@ void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, c
   constexpr double kPixelsPerMm = 11.8;  // 300 dots an inch
   const double width = o.paper.width_mm - 2 * kMargin;
   const int w = static_cast<int>(width * kPixelsPerMm), h = static_cast<int>(kSwatchHeight * kPixelsPerMm);
-  std::vector<uint32_t> pixels = swatch_pixels(design, cells, w, h, kPixelsPerMm);
+  std::vector<uint32_t> pixels = swatch_pixels(design, cells, o, w, h, kPixelsPerMm);
   cairo_surface_t* image = cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()),
                                                                CAIRO_FORMAT_RGB24, w, h, w * 4);
   cairo_t* c = pen.context();

@@ -46,8 +46,9 @@ std::vector<Sheet> draft_sheets(const Design& design, const PrintOptions& option
 /// Lists, heddles, yarn and swatch.
 std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options);
 
-/// The front of the cloth, head on, each thread shaded round: RGB24 of cairo, `width` x `height` pixels.
-std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells, int width, int height,
-                                    double pixels_per_mm);
+/// The front of the cloth, head on, each thread shaded round, with end 1 and pick 1 at the sides that the options say:
+/// RGB24 of cairo, `width` x `height` pixels.
+std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells, const PrintOptions& options,
+                                    int width, int height, double pixels_per_mm);
 
 }  // namespace weftlight::print

@@ -1,37 +1,42 @@
+// The cloth as it is laid out for every other picture (cloth/cloth.h), threads, gaps and layers, seen head on.
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
+#include "base/loops.h"
+#include "cloth/layer_plan.h"
 #include "print/page.h"
 
 namespace weftlight::print {
 namespace {
 
-/// Where each thread of a system begins, in mm; one more than there are threads.
-std::vector<double> edges(const Design& design, const Threads& threads) {
-  std::vector<double> at{0};
-  for (size_t i = 0; i < threads.color.size(); ++i) {
-    const float own = threads.thickness_mm[i];
-    const float thick = own >= 0 ? own : design.yarns[static_cast<size_t>(threads.yarn[i])].diameter_mm;
-    const float spacing = threads.spacing_mm[i] >= 0 ? threads.spacing_mm[i] : thick;
-    at.push_back(at.back() + std::max(static_cast<double>(spacing), 0.01));
-  }
-  return at;
-}
+constexpr uint32_t kPaper = 0xffffff;
 
-/// The thread at each of `count` pixels and how far from its middle, -1..1.
+/// The thread whose room holds a point, and how far the point is from its middle, in half widths: beyond 1 in the gap.
 struct Place {
   int thread = 0;
   double off = 0;
 };
-std::vector<Place> places(const std::vector<double>& edge, int count, double pixels_per_mm) {
-  std::vector<Place> out;
-  for (int i = 0; i < count; ++i) {
-    const double mm = std::fmod((i + 0.5) / pixels_per_mm, edge.back());
-    const auto next = std::upper_bound(edge.begin(), edge.end(), mm);
-    const auto thread = std::min(static_cast<size_t>(next - edge.begin()), edge.size() - 1) - 1;
-    const double width = edge[thread + 1] - edge[thread];
-    out.push_back({static_cast<int>(thread), (mm - edge[thread]) / width * 2 - 1});
-  }
+
+/// Of the threads `first` and on, side by side from 0 to the period.
+Place place_of(const std::vector<ThreadBody>& all, int first, int count, double mm) {
+  const std::span threads = std::span(all).subspan(static_cast<size_t>(first), static_cast<size_t>(count));
+  const auto edge = [](const ThreadBody& t) { return static_cast<double>(t.centre_mm + 0.5f * t.spacing_mm); };
+  const auto at = std::ranges::upper_bound(threads, mm, {}, edge);
+  const auto i = std::min(static_cast<int>(at - threads.begin()), count - 1);
+  const ThreadBody& t = threads[static_cast<size_t>(i)];
+  const double half = 0.5 * static_cast<double>(t.width_mm);
+  return {first + i, half > 0 ? (mm - static_cast<double>(t.centre_mm)) / half : std::numeric_limits<double>::max()};
+}
+
+/// Millimetres from the corner of end 1 or pick 1, within the period, of each pixel; `reversed`: the last is next to
+/// it.
+std::vector<double> distances(int count, double pixels_per_mm, bool reversed, double period_mm) {
+  std::vector<double> out;
+  for (int i = 0; i < count; ++i)
+    out.push_back(std::fmod(((reversed ? count - 1 - i : i) + 0.5) / pixels_per_mm, period_mm));
   return out;
 }
 
@@ -43,24 +48,63 @@ uint32_t shaded(const Rgb& c, double off) {
   return byte(c.r) << 16 | byte(c.g) << 8 | byte(c.b);
 }
 
+/// A cloth and what of each of its layers lies at the pixels.
+class Swatch {
+ public:
+  Swatch(const Cloth& cloth, const std::vector<double>& across_mm, const std::vector<double>& down_mm) : cloth_(cloth) {
+    for (const ThreadBody& t : cloth.ends) end_color_.push_back(srgb_from_linear(t.colour));
+    for (const ThreadBody& t : cloth.picks) pick_color_.push_back(srgb_from_linear(t.colour));
+    for (int i = 0; i < layer_count(cloth); ++i) {
+      const auto l = cloth.layers.empty() ? cloth::Layer{0, cloth.up.cols(), 0, cloth.up.rows()}
+                                          : cloth.layers[static_cast<size_t>(i)];
+      Places& places = layers_.emplace_back();
+      for (const double mm : across_mm) places.across.push_back(place_of(cloth.ends, l.first_end, l.ends, mm));
+      for (const double mm : down_mm) places.down.push_back(place_of(cloth.picks, l.first_pick, l.picks, mm));
+    }
+  }
+
+  /// The highest thread's colour; paper where there is none.
+  uint32_t pixel(size_t x, size_t y) const {
+    float highest = std::numeric_limits<float>::lowest();
+    uint32_t color = kPaper;
+    for (const Places& layer : layers_) {
+      const Place &end = layer.across[x], &pick = layer.down[y];
+      const auto e = static_cast<size_t>(end.thread), p = static_cast<size_t>(pick.thread);
+      const size_t crossing = p * static_cast<size_t>(cloth_.up.cols()) + e;
+      const auto level = [&](const std::vector<float>& mm) { return mm.empty() ? 0.0f : mm[crossing]; };
+      const float apart = 0.25f * (cloth_.ends[e].height_mm + cloth_.picks[p].height_mm);
+      const float up = cloth_.up.get(pick.thread, end.thread) ? apart : -apart;
+      const auto take = [&](const Place& at, float height, const Rgb& c) {
+        if (std::abs(at.off) <= 1 && height > highest) highest = height, color = shaded(c, at.off);
+      };
+      take(end, level(cloth_.warp_level_mm) + up, end_color_[e]);
+      take(pick, level(cloth_.weft_level_mm) - up, pick_color_[p]);
+    }
+    return color;
+  }
+
+ private:
+  struct Places {
+    std::vector<Place> across, down;
+  };
+  const Cloth& cloth_;
+  std::vector<Rgb> end_color_, pick_color_;
+  std::vector<Places> layers_;
+};
+
 }  // namespace
 
-std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells, int width, int height,
-                                    double pixels_per_mm) {
-  const Draft& d = design.draft;
-  std::vector<uint32_t> out(static_cast<size_t>(width) * static_cast<size_t>(height), 0xffffff);
-  if (d.ends() == 0 || d.picks() == 0) return out;
-  const auto across = places(edges(design, d.warp), width, pixels_per_mm);
-  const auto down = places(edges(design, d.weft), height, pixels_per_mm);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const Place &end = across[static_cast<size_t>(x)], &pick = down[static_cast<size_t>(y)];
-      const bool up = cells.get(pick.thread, end.thread);
-      const int color =
-          up ? d.warp.color[static_cast<size_t>(end.thread)] : d.weft.color[static_cast<size_t>(pick.thread)];
-      out[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] =
-          shaded(d.palette[static_cast<size_t>(color)], up ? end.off : pick.off);
-    }
+std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells, const PrintOptions& options,
+                                    int width, int height, double pixels_per_mm) {
+  std::vector<uint32_t> out(static_cast<size_t>(width) * static_cast<size_t>(height), kPaper);
+  const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kWholeDraft);
+  if (!(cloth.width_mm > 0) || !(cloth.depth_mm > 0)) return out;
+  const Swatch swatch(cloth, distances(width, pixels_per_mm, options.end1_right, static_cast<double>(cloth.width_mm)),
+                      distances(height, pixels_per_mm, options.pick1_bottom, static_cast<double>(cloth.depth_mm)));
+  for_each_job(height, [&](int y) {
+    for (size_t x = 0; x < static_cast<size_t>(width); ++x)
+      out[static_cast<size_t>(y) * static_cast<size_t>(width) + x] = swatch.pixel(x, static_cast<size_t>(y));
+  });
   return out;
 }
 

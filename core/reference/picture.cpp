@@ -64,8 +64,8 @@ struct DrapeTrace {
   const DrapePicture& picture;
   float thickness;
 
-  /// Turning the cloth over: u stays, z and v change sign (a half turn about the weft).
-  glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, -l.y, -l.z); }
+  /// The back is seen in the front's (u, v), each thread at its own place: only z changes sign.
+  glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, l.y, -l.z); }
 
   Surroundings around(const MeshHit& hit, const LightSample& light) const {
     const LocalFrame frame{hit};
@@ -102,7 +102,7 @@ struct DrapeTrace {
       lean_to(hit, direction);
       const LocalFrame frame{hit};
       const glm::vec3 local = face(frame.to(direction));
-      const glm::vec3 at = picture.front ? glm::vec3(hit.uv_mm, 0) : glm::vec3(hit.uv_mm.x, -hit.uv_mm.y, 0);
+      const glm::vec3 at(hit.uv_mm, 0);
       // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
       const PathSample traced = tracer.trace(at - local * (kEnterThicknesses * thickness), local, 0, around(hit, light),
                                              sampler, picture.bounces);

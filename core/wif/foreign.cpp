@@ -49,6 +49,22 @@ DraftFormat format_of(std::string_view bytes) {
   return bytes.starts_with("@@") ? DraftFormat::kDtx : DraftFormat::kWif;
 }
 
+namespace {
+
+bool ends_in(std::string_view path, std::initializer_list<std::string_view> endings) {
+  const auto same = [](char c, char wanted) {
+    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == wanted;
+  };
+  return std::ranges::any_of(endings, [&](std::string_view ending) {
+    return path.size() >= ending.size() && std::ranges::equal(path.substr(path.size() - ending.size()), ending, same);
+  });
+}
+
+}  // namespace
+
+bool is_wif_name(std::string_view path) { return ends_in(path, {".wif", ".wifw"}); }
+bool is_draft_name(std::string_view path) { return is_wif_name(path) || ends_in(path, {".dtx", ".wpo"}); }
+
 WifRead read_draft(std::string_view bytes) {
   switch (format_of(bytes)) {
     case DraftFormat::kDtx:

@@ -14,6 +14,10 @@ enum class DraftFormat { kWif, kDtx, kWpo };
 /// By the first bytes; what is neither .dtx nor .wpo is taken for WIF.
 DraftFormat format_of(std::string_view bytes);
 
+/// By the ending of a file's name, whatever its case: .wif, .wifw; and .dtx, .wpo.
+bool is_wif_name(std::string_view path);
+bool is_draft_name(std::string_view path);
+
 WifRead read_dtx(std::string_view bytes);
 WifRead read_wpo(std::string_view bytes);
 /// Whichever it is.

@@ -177,7 +177,7 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
 RunVerb add_export(CLI::App& verb) {
   const auto options = std::make_shared<ExportOptions>();
   ExportOptions& o = *options;
-  verb.add_option("files", o.files, tr("Drafts, or folders of drafts"))->required();
+  verb.add_option("files", o.files, tr("Drafts (.wif, .dtx, .wpo), or folders of drafts"))->required();
   verb.add_option("--target", o.targets, tr("ExportTarget programs, separated by commas; default: gltf"))
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft

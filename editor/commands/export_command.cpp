@@ -20,6 +20,7 @@
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
+#include "wif/other_formats.h"
 
 namespace weftlight::commands {
 namespace {
@@ -49,7 +50,7 @@ struct ExportRun {
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
-/// The files themselves, and every .wif below the folders, sorted by name.
+/// The files themselves, and every draft below the folders, sorted by name.
 std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
   std::vector<std::string> out;
   std::error_code ec;
@@ -60,10 +61,7 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
     }
     std::vector<std::string> within;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, ec)) {
-      std::string extension = entry.path().extension().string();
-      for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      if ((extension == ".wif" || extension == ".wifw") && entry.is_regular_file(ec))
-        within.push_back(entry.path().string());
+      if (is_draft_name(entry.path().string()) && entry.is_regular_file(ec)) within.push_back(entry.path().string());
     }
     std::sort(within.begin(), within.end());
     out.insert(out.end(), within.begin(), within.end());
@@ -100,19 +98,34 @@ std::string folder_of(const std::string& out, const std::string& form, const Tex
   return (fs::path(out) / folder_name(form, o.name, o.target, o.size)).string();
 }
 
-/// One folder for each draft and target; drafts of the same name are numbered.
+/// A name for each draft's set. Of drafts that differ only in their format, the WIF takes the name and the others
+/// append their format. Remaining equal names are numbered.
+std::vector<std::string> set_names(const std::vector<std::string>& files) {
+  std::vector<std::string> names(files.size());
+  std::set<std::string> taken;
+  for (const bool wif : {true, false})
+    for (size_t i = 0; i < files.size(); ++i) {
+      const fs::path path(files[i]);
+      if (is_wif_name(files[i]) != wif) continue;
+      std::string stem = file_name_of(path.stem().string());
+      if (!wif && taken.contains(stem) && path.has_extension())
+        stem += "-" + file_name_of(path.extension().string().substr(1));
+      names[i] = stem;
+      for (int n = 2; !taken.insert(names[i]).second; ++n) names[i] = stem + "-" + std::to_string(n);
+    }
+  return names;
+}
+
+/// One folder for each draft and target.
 std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<ExportTarget>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
-  std::set<std::string> taken;
-  for (const std::string& file : drafts_of(options.files)) {
-    const fs::path path(file);
-    const std::string stem = file_name_of(path.stem().string());
-    std::string name = stem;
-    for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
+  const std::vector<std::string> files = drafts_of(options.files), names = set_names(files);
+  for (size_t i = 0; i < files.size(); ++i) {
+    const std::string &file = files[i], &name = names[i];
     for (const ExportTarget target : targets) {
       TextureSetOptions o;
-      o.target = target, o.name = name, o.source = path.filename().string(), o.draft_path = file;
+      o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
       o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
@@ -235,7 +248,8 @@ int export_command(const ExportOptions& options) {
   const std::vector<Job> jobs = jobs_of(options, targets);
   if (jobs.empty()) {
     const std::string line =
-        fill(tr("{file}: there is no .wif in it; give drafts or a folder of drafts"), arg("file", options.files[0]));
+        fill(tr("{file}: there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts"),
+             arg("file", options.files[0]));
     std::fprintf(stderr, "%s\n", line.c_str());
     return kBadInput;
   }

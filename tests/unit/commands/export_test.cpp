@@ -97,7 +97,65 @@ TEST_F(Export, resume_makes_what_is_missing_or_of_another_draft) {
   EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "another draft";
 }
 
+/// Four ends of plain weave, in Fiberworks' format; `treadling` may make it another.
+std::string dtx(const std::string& treadling = "1 2") {
+  return "@@StartDTX\n@@Info\n%%shafts 2\n@@Threading\n1 2 1 2\n@@Tieup\n01\n10\n@@Treadling\n" + treadling +
+         "\n@@EndDTX\n";
+}
+
+/// Two ends and three picks, in WeavePoint's.
+std::string wpo() {
+  std::string bytes{123, 7, 100, 10, 2, 2, 0, 0, 1, 10, 5, 0, 0, 0, 2, 0, 3};
+  bytes.append(7, '\0');
+  bytes += std::string{0, 2, 1, 2, 0, 3, 0, 1, 1, 0, 3, 1, 1, 0, 0, 3, 1, 2, 3};
+  bytes.append(66, '\0');
+  return bytes + std::string{2, static_cast<char>(255), 0, 0, 0, 0, static_cast<char>(255)};
+}
+
+TEST_F(Export, a_folder_gives_every_draft_that_opens) {
+  write_file_atomically(path("drafts/c.dtx"), dtx());
+  write_file_atomically(path("drafts/deep/D.WPO"), wpo());
+  write_file_atomically(path("drafts/notes.txt"), "no draft");
+  const Ran ran = exported({"--target", "raw", "--size", "16", "--jobs", "2"});
+  EXPECT_EQ(ran.code, kDone) << ran.said;
+  for (const char* set : {"a", "b", "c", "D"}) EXPECT_TRUE(has(std::string(set) + "/texture_set.json")) << set;
+  EXPECT_NE(ran.said.find("4 sets written"), std::string::npos) << ran.said;
+  EXPECT_NE(exported({"--target", "raw", "--size", "16", "--resume"}).said.find("0 sets written, 4 were complete"),
+            std::string::npos);
+  write_file_atomically(path("drafts/c.dtx"), dtx("1 1 2"));
+  EXPECT_NE(exported({"--target", "raw", "--size", "16", "--resume"}).said.find("1 sets written, 3 were complete"),
+            std::string::npos);
+}
+
+TEST_F(Export, drafts_of_one_name_and_several_formats_have_a_set_each) {
+  write_file_atomically(path("drafts/a.dtx"), dtx());
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16"}).code, kDone);
+  EXPECT_EQ(list("a")["source"], "a.wif") << "as before there was the other";
+  EXPECT_EQ(list("a-dtx")["source"], "a.dtx");
+}
+
+TEST_F(Export, a_wif_that_comes_beside_a_draft_of_its_name_takes_no_set) {
+  fs::remove(path("drafts/a.wif"));
+  write_file_atomically(path("drafts/a.dtx"), dtx());
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16"}).code, kDone);
+  fs::copy_file(fixture_path("twill.wif"), path("drafts/a.wif"));
+  const Ran ran = exported({"--target", "raw", "--size", "16"});
+  EXPECT_EQ(ran.code, kNotWritten);
+  EXPECT_NE(ran.said.find("choose another folder"), std::string::npos) << ran.said;
+  EXPECT_EQ(list("a")["source"], "a.dtx");
+}
+
+TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
+  fs::remove_all(path("drafts"));
+  fs::create_directories(path("drafts"));
+  write_file_atomically(path("drafts/notes.txt"), "no draft");
+  const Ran ran = exported({"--target", "raw"});
+  EXPECT_EQ(ran.code, kBadInput);
+  EXPECT_NE(ran.said.find("no draft in it (.wif, .dtx, .wpo)"), std::string::npos) << ran.said;
+}
+
 TEST_F(Export, watch_exports_again_what_changes) {
+  write_file_atomically(path("drafts/c.dtx"), dtx());
   const pid_t child = fork();
   if (child == 0) {
     execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts").c_str(), "-o", path("sets").c_str(), "--target",
@@ -114,6 +172,11 @@ TEST_F(Export, watch_exports_again_what_changes) {
   const auto ends = [&] { return list("a")["repeat"]["ends"].get<int>(); };
   const int before = ends();
   EXPECT_TRUE(comes([&] { return ends() != before; })) << before;
+  ASSERT_TRUE(comes([&] { return has("c/texture_set.json"); }));
+  const auto picks = [&] { return list("c")["repeat"]["picks"].get<int>(); };
+  const int picks_before = picks();
+  write_file_atomically(path("drafts/c.dtx"), dtx("1 1 2"));
+  EXPECT_TRUE(comes([&] { return picks() != picks_before; })) << picks_before;
   kill(child, SIGTERM);
   waitpid(child, nullptr, 0);
 }

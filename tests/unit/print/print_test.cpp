@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "draft/edits.h"
 #include "draft/generators.h"
@@ -165,6 +166,51 @@ TEST(Print, TheGridsStandWhereTheWindowHasThem) {
   EXPECT_NEAR(same_y, above_y, 2);
   o.threading_below = true;
   EXPECT_GT(marks(o).second, above_y + 30) << "threading and tie-up under the drawdown";
+}
+
+/// Shares of red, green and blue among the pixels of the swatch.
+std::array<double, 3> swatch_shares(const Design& design) {
+  PrintOptions o;
+  o.parts = {false, false, false, false, true};
+  const SheetPicture s = picture_of_sheet(design, o, 0, 10);
+  std::array<double, 3> count{};
+  for (int y = 220; y < 780; ++y)  // the swatch lies from 20 mm to 80 mm
+    for (int x = 150; x < 1950; ++x) {
+      const uint32_t c = s.pixels[static_cast<size_t>(y) * static_cast<size_t>(s.width) + static_cast<size_t>(x)];
+      const std::array<uint32_t, 3> rgb{c & 255, c >> 8 & 255, c >> 16 & 255};
+      for (size_t i = 0; i < 3; ++i) count[i] += rgb[i] > 90 && rgb[(i + 1) % 3] < 60 && rgb[(i + 2) % 3] < 60 ? 1 : 0;
+    }
+  for (double& n : count) n /= 560.0 * 1800.0;
+  return count;
+}
+
+TEST(Print, TheSwatchOfADoubleWeaveShowsItsFace) {
+  // Two layers of plain weave, thread by thread in turn: the upper one red over green, the lower one blue.
+  Design d = with_size(Design{}, 8, 8, 8, 8);
+  d.draft.drive = ShedControl::kLiftplan;
+  d.draft.threading = BitMatrix(8, 8), d.draft.liftplan = BitMatrix(8, 8);
+  d.draft.palette = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = 0; i < 8; ++i) {
+    d.draft.threading.set(i, i, true);
+    d.draft.warp.color[static_cast<size_t>(i)] = i % 2 == 0 ? 0 : 2;
+    d.draft.weft.color[static_cast<size_t>(i)] = i % 2 == 0 ? 1 : 2;
+    for (int e = 0; e < 8; ++e) d.draft.liftplan.set(i, e, e % 2 != i % 2 ? e % 2 == 0 : (e / 2 + i / 2) % 2 == 0);
+  }
+  const auto [red, green, blue] = swatch_shares(d);
+  EXPECT_LT(blue, 0.03) << "the lower layer";
+  EXPECT_GT(red, 0.35);
+  EXPECT_GT(green, 0.35);
+}
+
+TEST(Print, TheSwatchOfAnOpenClothShowsThePaper) {
+  Design d = with_size(Design{}, 4, 4, 2, 2);
+  d.draft.palette = {{1, 0, 0}, {0, 0, 1}};
+  d.draft.warp.color.assign(4, 0), d.draft.weft.color.assign(4, 1);
+  for (Threads* threads : {&d.draft.warp, &d.draft.weft})
+    threads->spacing_mm.assign(4, 1.5f), threads->thickness_mm.assign(4, 0.5f);
+  const auto [red, green, blue] = swatch_shares(d);
+  EXPECT_GT(red + blue, 0.3);
+  EXPECT_LT(red + blue, 0.75) << "half the room of a thread and more is a gap";
 }
 
 TEST(Print, SheetsOfSeveralFilesAreNumbered) {

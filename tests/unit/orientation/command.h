@@ -1,0 +1,28 @@
+#pragma once
+// The whole command line.
+
+#include "commands/commands.h"
+#include "makers.h"
+
+namespace weftlight::orientation {
+
+inline void run(std::vector<std::string> args) {
+  args.insert(args.begin(), "weftlight");
+  std::vector<char*> argv;
+  for (std::string& arg : args) argv.push_back(arg.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int code = commands::run_command_line(static_cast<int>(argv.size()), argv.data()).exit_code;
+  testing::internal::GetCapturedStdout();
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(code, 0) << said;
+}
+
+/// Empty, with a failure, where there is none.
+inline Image picture(const std::string& path) {
+  files::ReadImage read = files::read_image(path);
+  EXPECT_TRUE(read.image) << path << ": " << read.error;
+  return read.image ? std::move(*read.image) : Image{};
+}
+
+}  // namespace weftlight::orientation

@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -12,6 +11,10 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
+
+#include "platform/file_lock.h"
+#include "platform/unique_name.h"
 
 namespace weftlight::base {
 namespace fs = std::filesystem;
@@ -103,6 +106,32 @@ int put_in_place(const std::string& beside, const fs::path& target, std::optiona
   if (!file.close() || ::rename(beside.c_str(), target.c_str()) != 0) return errno;
   flush_folder_of(target);
   return 0;
+}
+
+/// What a temporary's name begins and ends with.
+std::pair<std::string, std::string> around_mark(const fs::path& target) {
+  return {target.stem().string().substr(0, kLongestStem) + ".part-",
+          target.extension().string().substr(0, kLongestEnding)};
+}
+
+/// An empty file beside `target` and its lock.
+struct Beside {
+  std::string path;
+  platform::FileLock lock;
+  int failed = 0;  // errno
+};
+Beside make_beside(const std::string& target) {
+  using platform::LockAnswer;
+  constexpr int kMaxTries = 10;
+  for (int i = 0; i < kMaxTries; ++i) {
+    Beside made{temporary_beside(target), {}, 0};
+    made.lock = platform::FileLock::make(made.path);
+    made.failed = made.lock.answer() == LockAnswer::kNoFile ? made.lock.cause() : 0;
+    if (made.failed != 0 && made.failed != EEXIST) return made;
+    // Who removes leftovers may come between a file and its lock.
+    if (made.lock.answer() == LockAnswer::kNoLocks || (made.lock.held() && made.lock.stands_at(made.path))) return made;
+  }
+  return {{}, {}, EBUSY};
 }
 
 std::string written_by(const WriteFile& write, const std::string& beside) {
@@ -203,12 +232,15 @@ FileBytes read_file(const std::string& path, uint64_t most) {
 }
 
 std::string temporary_beside(const std::string& path) {
-  static std::atomic<unsigned> count{0};  // two threads of one process may write the same target
-  const fs::path target(path);
-  std::string name = target.stem().string().substr(0, kLongestStem);
-  name.append(".part-").append(std::to_string(::getpid()));
-  name.append("-").append(std::to_string(count++)).append(target.extension().string().substr(0, kLongestEnding));
-  return (target.parent_path() / name).string();
+  const auto [start, ending] = around_mark(path);
+  return (fs::path(path).parent_path() / (start + platform::unique_name() + ending)).string();
+}
+
+bool is_temporary_of(const std::string& path, const std::string& name) {
+  const auto [start, ending] = around_mark(path);
+  if (name.size() < start.size() + ending.size() || !name.starts_with(start) || !name.ends_with(ending)) return false;
+  const std::string_view mark(name);
+  return platform::is_unique_name(mark.substr(start.size(), name.size() - start.size() - ending.size()));
 }
 
 std::string why_not_writable(const std::string& path) {
@@ -224,7 +256,9 @@ std::string write_through(const std::string& path, const WriteFile& write) {
   const Target target = target_at(path);
   if (!target.error.empty()) return target.error;
   if (target.special) return write_special(path, write);
-  const std::string beside = temporary_beside(target.path.string());
+  const Beside made = make_beside(target.path.string());
+  if (made.failed != 0) return not_written(path, cause_of(made.failed));
+  const std::string& beside = made.path;
   std::string problem = written_by(write, beside);
   if (problem.empty()) {
     if (const int failed = put_in_place(beside, target.path, target.mode); failed != 0) problem = cause_of(failed);
@@ -240,7 +274,7 @@ std::string write_file_atomically(const std::string& path, std::string_view byte
     return write_in_place(path, bytes);
   }
   return write_through(path, [bytes](const std::string& beside) -> std::string {
-    Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    Descriptor file(::open(beside.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
     if (!file.ok()) return cause_of(errno);
     if (const int failed = write_all(file.get(), bytes); failed != 0) return cause_of(failed);
     return file.close() ? "" : cause_of(errno);

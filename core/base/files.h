@@ -28,8 +28,11 @@ std::string write_through(const std::string& path, const WriteFile& write);
 /// Why `path` cannot be written, as those who write it would say, or empty: asked before work that takes long.
 std::string why_not_writable(const std::string& path);
 
-/// A name beside `path` that nobody else uses, with the same extension: "STEM.part-PROCESS-COUNT.EXT".
+/// A name beside `path` that nobody else uses, on no machine, with the same extension: "STEM.part-RANDOM.EXT". What is
+/// made there is locked (platform/file_lock.h) for as long as its owner lives: that alone tells what a dead one left.
 std::string temporary_beside(const std::string& path);
+/// Whether `name`, without its folder, is one that temporary_beside(path) gives.
+bool is_temporary_of(const std::string& path, const std::string& name);
 /// What errno says, in the words of one who saves a file ("the disk is full").
 std::string cause_of(int error_number);
 

@@ -1,10 +1,6 @@
 #include "texture_set/set_folder.h"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,12 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using platform::FileLock;
+using platform::LockAnswer;
 
 constexpr const char* kList = "texture_set.json";
 constexpr const char* kFormat = "weftlight texture set";
-constexpr const char* kPart = ".part-";                    // then the process and a number: base/files.h
 constexpr uintmax_t kLongestList = uintmax_t{16} << 20;    // bytes
-constexpr const char* kStaged = ".weftlight_texture_set";  // marks a folder that is being written
+constexpr const char* kStaged = ".weftlight_texture_set";  // in a folder that is being written; its owner locks it
+constexpr const char* kPlaceLock = ".part-lock";           // beside a folder into which a set is being put
 
 /// What an earlier set says of itself. `files` are plain names within its folder.
 struct Listed {
@@ -69,23 +67,39 @@ bool same(const SetIdentity& a, const SetIdentity& b) {
 
 std::string words(const SetIdentity& of) { return "a set of " + of.source + " for " + of.target; }
 
-/// The process is gone. One of another user still lives.
-bool dead(const std::string& process) {
-  const long id = std::atol(process.c_str());
-  return id > 0 && ::kill(static_cast<pid_t>(id), 0) != 0 && errno == ESRCH;
+/// The mark goes last, so that what is left of a removal that was cut short is known again.
+void remove_staged(const fs::path& made) {
+  std::error_code ec;
+  std::vector<fs::path> within;
+  for (const fs::directory_entry& entry : fs::directory_iterator(made, ec))
+    if (entry.path().filename() != kStaged) within.push_back(entry.path());
+  for (const fs::path& path : within) fs::remove_all(path, ec);
+  fs::remove_all(made, ec);
 }
 
 void remove_stale_files(const fs::path& folder) {
   std::error_code ec;
   const fs::path beside = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
-  const std::string start = folder.stem().string() + kPart;
-  std::vector<fs::path> gone;
+  std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(beside, ec)) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(start) || !entry.is_directory(ec) || entry.is_symlink(ec)) continue;
-    if (fs::exists(entry.path() / kStaged, ec) && dead(name.substr(start.size()))) gone.push_back(entry.path());
+    if (is_temporary_of(folder.string(), name) && entry.is_directory(ec) && !entry.is_symlink(ec))
+      found.push_back(entry.path());
   }
-  for (const fs::path& path : gone) fs::remove_all(path, ec);
+  for (const fs::path& made : found) {
+    const std::string mark = (made / kStaged).string();
+    const FileLock lock = FileLock::take_existing(mark);
+    // Not where it was put in place meanwhile.
+    if (lock.held() && lock.stands_at(mark)) remove_staged(made);
+  }
+}
+
+/// Held by who puts a set into a folder; it is removed with the lock still held.
+FileLock lock_place(const std::string& path) {
+  for (;;) {
+    FileLock lock = FileLock::wait_for(path);
+    if (!lock.held() || lock.stands_at(path)) return lock;
+  }
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -153,21 +167,40 @@ std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
          "; choose another folder, or --force to write among them";
 }
 
-fs::path make_staging(const fs::path& folder, std::string& problem) {
+Staging make_staging(const fs::path& folder, std::string& problem) {
+  constexpr int kMaxTries = 10;
   std::error_code ec;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), ec);
   remove_stale_files(folder);
-  const fs::path made = temporary_beside(folder.string());
-  if (!fs::create_directory(made, ec)) {
-    problem = folder.string() + ": cannot be made: " + ec.message();
-    return {};
+  for (int i = 0; i < kMaxTries; ++i) {
+    Staging made{temporary_beside(folder.string()), {}};
+    if (!fs::create_directory(made.folder, ec)) {
+      problem = folder.string() + ": cannot be made: " + ec.message();
+      return {};
+    }
+    const std::string mark = (made.folder / kStaged).string();
+    made.lock = FileLock::take(mark);
+    if (made.lock.held() && made.lock.stands_at(mark)) return made;
+    // Without its mark nobody takes it for a dead one's.
+    if (made.lock.answer() == LockAnswer::kNoLocks) fs::remove(mark, ec);
+    if (made.lock.answer() == LockAnswer::kNoLocks) return made;
+    if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec)) {
+      problem = mark + ": cannot be made: " + std::generic_category().message(made.lock.cause());
+      fs::remove(made.folder, ec);
+      return {};
+    }
+    // Who removes leftovers came between the mark and its lock.
   }
-  std::ofstream(made / kStaged).flush();
-  return made;
+  problem = folder.string() + ": cannot be made: others remove what is in it";
+  return {};
 }
 
-std::string put_in_place(const fs::path& made, const fs::path& folder, const SetIdentity& identity, bool force) {
+namespace {
+
+std::string put(const fs::path& made, const fs::path& folder, const SetIdentity& identity, bool force) {
   std::error_code ec;
+  // Another's may have come since it was asked first.
+  if (std::string problem = force ? std::string{} : in_the_way(folder, identity); !problem.empty()) return problem;
   fs::remove(made / kStaged, ec);
   if (!fs::exists(folder, ec) || fs::is_empty(folder, ec)) return moved(made, folder);
   const std::optional<Listed> there = listed_in(folder);
@@ -181,6 +214,17 @@ std::string put_in_place(const fs::path& made, const fs::path& folder, const Set
   }
   std::string problem = merge(made, folder, old);
   fs::remove_all(made, ec);
+  return problem;
+}
+
+}  // namespace
+
+std::string put_in_place(Staging made, const fs::path& folder, const SetIdentity& identity, bool force) {
+  const std::string path = folder.string() + kPlaceLock;
+  const FileLock one_by_one = lock_place(path);
+  std::string problem = put(made.folder, folder, identity, force);
+  std::error_code ec;
+  if (one_by_one.held()) fs::remove(path, ec);
   return problem;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/file_lock.h"
 #include "texture_set/names.h"
 
 namespace weftlight::texture_set {
@@ -20,15 +21,20 @@ std::string draft_from(const std::filesystem::path& folder, const std::string& d
 /// one and one that holds a set of the same identity are free.
 std::string in_the_way(const std::filesystem::path& folder, const SetIdentity& identity);
 
-/// A new, empty folder beside `folder`; those that killed programs left there for the same set go. Empty path:
-/// `problem` says why there is none.
-std::filesystem::path make_staging(const std::filesystem::path& folder, std::string& problem);
+/// A folder that is being filled. Its lock says that its owner lives.
+struct Staging {
+  std::filesystem::path folder;
+  platform::FileLock lock;
+};
+/// A new, empty folder beside `folder`. Those of the same set whose owner is no more go: those alone whose lock can be
+/// had. Where there are no locks all stay, however old, and none is ever taken for a dead one's. No folder: `problem`
+/// says why.
+Staging make_staging(const std::filesystem::path& folder, std::string& problem);
 
 /// Moves the files of `made` into `folder` and removes `made`; texture_set.json, which lists them all, last. Files that
 /// the set there listed and this one lacks go. A file of another's with the name of a new one is refused, unless
-/// `force`. Empty: done; else what went wrong.
-std::string put_in_place(const std::filesystem::path& made, const std::filesystem::path& folder,
-                         const SetIdentity& identity, bool force);
+/// `force`. Sets that are finished at once come one after the other, each whole. Empty: done; else what went wrong.
+std::string put_in_place(Staging made, const std::filesystem::path& folder, const SetIdentity& identity, bool force);
 
 /// True where a set made of the same stands whole.
 bool is_complete(const std::filesystem::path& folder, const std::string& key);

@@ -376,14 +376,15 @@ std::string write_texture_set(const std::string& folder, const Design& design, c
                               const TextureSetOptions& options, const Progress& progress) {
   std::string problem = options.force ? std::string{} : who_is_there(folder, options);
   if (!problem.empty()) return problem;
-  const fs::path made = make_staging(folder, problem);
+  Staging staging = make_staging(folder, problem);
   if (!problem.empty()) return problem;
+  const fs::path made = staging.folder;
   try {
     problem = write_into(made.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
     problem = "not enough memory; export a smaller --size";
   }
-  if (problem.empty()) problem = put_in_place(made, folder, identity_of(folder, options), options.force);
+  if (problem.empty()) problem = put_in_place(std::move(staging), folder, identity_of(folder, options), options.force);
   std::error_code ec;
   fs::remove_all(made, ec);
   return problem;

@@ -1,43 +1,27 @@
 #include "session/recovery.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <random>
 #include <utility>
 
+#include "platform/unique_name.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
+using platform::FileLock;
 constexpr const char* kLock = "lock";
 constexpr const char* kJournal = ".journal";
-
-/// 64 random bits as 16 hexadecimal digits: no two sessions draw the same.
-std::string random_name() {
-  std::random_device random;
-  std::string name;
-  for (int digit = 0; digit < 16; ++digit) name += "0123456789abcdef"[random() % 16];
-  return name;
-}
-
-bool is_session_name(const std::string& name) {
-  return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
 
 std::vector<fs::path> sessions_in(const fs::path& root) {
   std::vector<fs::path> found;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(root, error))
-    if (is_session_name(entry.path().filename().string()) && entry.is_directory(error)) found.push_back(entry.path());
+    if (platform::is_unique_name(entry.path().filename().string()) && entry.is_directory(error))
+      found.push_back(entry.path());
   return found;
 }
 
@@ -83,40 +67,8 @@ void remove_session(const fs::path& folder) {
 
 }  // namespace
 
-FileLock::~FileLock() {
-  if (file_ >= 0) ::close(file_);
-}
-
-FileLock::FileLock(FileLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(file_, other.file_);
-  return *this;
-}
-
-FileLock FileLock::take(const std::string& path, int how) {
-  FileLock lock;
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (file < 0) return lock;
-  int result = 0;
-  while ((result = ::flock(file, how)) != 0 && errno == EINTR) {
-  }
-  if (result == 0) lock.file_ = file;
-  else ::close(file);
-  return lock;
-}
-
-FileLock FileLock::take(const std::string& path) { return take(path, LOCK_EX | LOCK_NB); }
-FileLock FileLock::wait_for(const std::string& path) { return take(path, LOCK_EX); }
-
-bool FileLock::stands_at(const std::string& path) const {
-  struct stat held {
-  }, there{};
-  return file_ >= 0 && ::fstat(file_, &held) == 0 && ::stat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
-         held.st_ino == there.st_ino;
-}
-
-Recovery::Recovery(std::string root) : root_(std::move(root)), folder_((fs::path(root_) / random_name()).string()) {}
+Recovery::Recovery(std::string root)
+    : root_(std::move(root)), folder_((fs::path(root_) / platform::unique_name()).string()) {}
 
 Recovery::~Recovery() {
   if (lock_.held()) remove_session(folder_);
@@ -133,7 +85,7 @@ std::string Recovery::open() {
   if (!error) fs::create_directories(folder_, error);
   if (error) return folder_ + ": " + error.message();
   lock_ = FileLock::take(path);
-  return lock_.held() ? std::string() : path + ": " + std::strerror(errno);
+  return lock_.held() ? std::string() : path + ": " + std::strerror(lock_.cause());
 }
 
 std::string Recovery::journal_path(uint64_t document) const {

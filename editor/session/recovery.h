@@ -1,7 +1,8 @@
 #pragma once
 // The folder of unsaved work: a folder of its own for each session, with a journal of each document. The session's
 // folder holds a lock for as long as the session lives, so that a crashed one is told from one that runs by nothing
-// that could repeat, as the numbers of processes do.
+// that could repeat, as the numbers of processes do. Where there are no locks no recovery copy is kept, which is said:
+// nobody could tell whose it is.
 
 #include <cstdint>
 #include <map>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/file_lock.h"
 #include "session/journal_format.h"
 #include "session/names.h"
 
@@ -20,26 +22,6 @@ struct LeftWork {
   DocumentNote note;
   int64_t written_ns = 0;  // when its last entry was, since 1970
   std::string problem{};   // why it cannot be read, and then it says nothing of its document; empty: it can
-};
-
-/// An open file with a lock that ends with the process, however it ends.
-class FileLock {
- public:
-  FileLock() = default;
-  ~FileLock();
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-  /// Makes the file where it is not there. Not held: another has it, or it cannot be made.
-  static FileLock take(const std::string& path);
-  /// The same, waiting for it.
-  static FileLock wait_for(const std::string& path);
-  bool held() const { return file_ >= 0; }
-  /// Whether `path` still leads to the locked file.
-  bool stands_at(const std::string& path) const;
-
- private:
-  static FileLock take(const std::string& path, int how);
-  int file_ = -1;
 };
 
 /// For any thread.
@@ -64,9 +46,9 @@ class Recovery {
 
  private:
   std::string root_, folder_;
-  FileLock lock_;
+  platform::FileLock lock_;
   std::mutex mutex_;
-  std::map<std::string, FileLock> crashed_;  // by folder
+  std::map<std::string, platform::FileLock> crashed_;  // by folder
 };
 
 /// The last whole entry of a journal that was left; none: it cannot be read.

@@ -7,8 +7,8 @@
 
 namespace weftlight::session {
 
-/// Removes the temporary files "STEM.part-PROCESS-COUNT.EXT" beside `path` whose process is no more; those of other
-/// files stay.
+/// Removes the temporary files of `path` (base::temporary_beside) whose owner is no more: those alone whose lock can be
+/// had. Where there are no locks all stay, however old: a slow owner on another machine is no dead one.
 void remove_stale_files(const std::string& path);
 
 }  // namespace weftlight::session

@@ -164,26 +164,6 @@ TEST(TextureSet, SetsOfOthersAreNotReplaced) {
   EXPECT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
 }
 
-TEST(TextureSet, WhatAKilledExportLeftGoes) {
-  const Scratch scratch("killed");
-  const pid_t child = fork();
-  if (child == 0) _exit(0);
-  ASSERT_GT(child, 0);
-  waitpid(child, nullptr, 0);  // now no process has its number
-  const std::string left = scratch / ("set.part-" + std::to_string(child) + "-0");
-  fs::create_directories(left);
-  std::ofstream(left + "/.weftlight_texture_set") << "";
-  std::ofstream(left + "/sample_orm.png") << "half";
-  fs::create_directories(scratch / "set.part-time");
-  const std::string living = scratch / ("set.part-" + std::to_string(getpid()) + "-77");
-  fs::create_directories(living);
-  std::ofstream(living + "/.weftlight_texture_set") << "";
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
-  EXPECT_FALSE(fs::exists(left));
-  EXPECT_TRUE(fs::exists(living));
-  EXPECT_TRUE(fs::exists(scratch / "set.part-time"));
-}
-
 TEST(TextureSet, FailureLeavesTheOldSet) {
   const Scratch scratch("failure");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");

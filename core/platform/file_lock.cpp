@@ -1,0 +1,79 @@
+#include "platform/file_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <utility>
+
+namespace weftlight::platform {
+namespace {
+
+/// 0, or errno. A lock of the open file, as flock's: locks of the process would go when any part of the program closed
+/// the same file. Of one byte that no file reaches: some servers keep others from reading and writing what is locked.
+int lock_of(int file, bool wait) {
+  int result = 0;
+#ifdef F_OFD_SETLK
+  struct flock byte {};
+  byte.l_type = F_WRLCK;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = static_cast<off_t>(INT64_MAX / 2);
+  byte.l_len = 1;
+  while ((result = ::fcntl(file, wait ? F_OFD_SETLKW : F_OFD_SETLK, &byte)) != 0 && errno == EINTR) {
+  }
+  if (result == 0) return 0;
+  if (errno != EINVAL) return errno;
+#endif
+  // Systems without the former.
+  while ((result = ::flock(file, wait ? LOCK_EX : LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
+  }
+  return result == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+FileLock::~FileLock() {
+  if (file_ >= 0) ::close(file_);
+}
+
+FileLock::FileLock(FileLock&& other) noexcept
+    : file_(std::exchange(other.file_, -1)),
+      answer_(std::exchange(other.answer_, LockAnswer::kNoFile)),
+      cause_(other.cause_) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(answer_, other.answer_);
+  std::swap(cause_, other.cause_);
+  return *this;
+}
+
+FileLock FileLock::open(const std::string& path, int flags, unsigned mode, bool wait) {
+  FileLock lock;
+  lock.file_ = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC | O_NONBLOCK, mode);
+  if (lock.file_ < 0) {
+    lock.cause_ = errno;
+    return lock;
+  }
+  lock.cause_ = lock_of(lock.file_, wait);
+  const bool taken = lock.cause_ == EAGAIN || lock.cause_ == EACCES || lock.cause_ == EWOULDBLOCK;
+  lock.answer_ = lock.cause_ == 0 ? LockAnswer::kHeld : taken ? LockAnswer::kTaken : LockAnswer::kNoLocks;
+  return lock;
+}
+
+FileLock FileLock::take(const std::string& path) { return open(path, O_CREAT, 0600, false); }
+FileLock FileLock::wait_for(const std::string& path) { return open(path, O_CREAT, 0600, true); }
+FileLock FileLock::take_existing(const std::string& path) { return open(path, O_NOFOLLOW, 0, false); }
+FileLock FileLock::make(const std::string& path) { return open(path, O_CREAT | O_EXCL, 0666, false); }
+
+bool FileLock::stands_at(const std::string& path) const {
+  struct stat held {
+  }, there{};
+  return file_ >= 0 && ::fstat(file_, &held) == 0 && ::stat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
+         held.st_ino == there.st_ino;
+}
+
+}  // namespace weftlight::platform

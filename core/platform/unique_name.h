@@ -1,0 +1,13 @@
+#pragma once
+// Names for what is made beside files of others, on disks that several machines may share.
+
+#include <string>
+#include <string_view>
+
+namespace weftlight::platform {
+
+/// 64 random bits as 16 hexadecimal digits: nobody draws the same.
+std::string unique_name();
+bool is_unique_name(std::string_view name);
+
+}  // namespace weftlight::platform

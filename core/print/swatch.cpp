@@ -6,7 +6,7 @@
 namespace weftlight::print {
 namespace {
 
-/// Where each thread of a system begins, in mm; one more than there are threads.
+/// Edges of the threads of a system, mm: one more than threads.
 std::vector<double> edges(const Design& design, const Threads& threads) {
   std::vector<double> at{0};
   for (size_t i = 0; i < threads.color.size(); ++i) {
@@ -18,13 +18,13 @@ std::vector<double> edges(const Design& design, const Threads& threads) {
   return at;
 }
 
-/// The thread at each of `count` pixels and how far from its middle, -1..1.
-struct Place {
+/// The thread at a pixel, and the distance from its middle, -1..1.
+struct ThreadAt {
   int thread = 0;
   double off = 0;
 };
-std::vector<Place> places(const std::vector<double>& edge, int count, double pixels_per_mm) {
-  std::vector<Place> out;
+std::vector<ThreadAt> threads_at(const std::vector<double>& edge, int count, double pixels_per_mm) {
+  std::vector<ThreadAt> out;
   for (int i = 0; i < count; ++i) {
     const double mm = std::fmod((i + 0.5) / pixels_per_mm, edge.back());
     const auto next = std::upper_bound(edge.begin(), edge.end(), mm);
@@ -50,11 +50,11 @@ std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells
   const Draft& d = design.draft;
   std::vector<uint32_t> out(static_cast<size_t>(width) * static_cast<size_t>(height), 0xffffff);
   if (d.ends() == 0 || d.picks() == 0) return out;
-  const auto across = places(edges(design, d.warp), width, pixels_per_mm);
-  const auto down = places(edges(design, d.weft), height, pixels_per_mm);
+  const auto across = threads_at(edges(design, d.warp), width, pixels_per_mm);
+  const auto down = threads_at(edges(design, d.weft), height, pixels_per_mm);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const Place &end = across[static_cast<size_t>(x)], &pick = down[static_cast<size_t>(y)];
+      const ThreadAt &end = across[static_cast<size_t>(x)], &pick = down[static_cast<size_t>(y)];
       const bool up = cells.get(pick.thread, end.thread);
       const int color =
           up ? d.warp.color[static_cast<size_t>(end.thread)] : d.weft.color[static_cast<size_t>(pick.thread)];

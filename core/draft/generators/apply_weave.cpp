@@ -14,6 +14,7 @@ namespace weftlight::draft {
 using base::arg;
 using base::fill;
 using base::tr;
+
 namespace {
 
 bool overlaps(const WeaveUse& a, const WeaveUse& b) {

@@ -13,6 +13,7 @@ using base::arg;
 using base::fill;
 using base::mark;
 using base::tr;
+
 namespace {
 
 constexpr std::array kTemplates = {

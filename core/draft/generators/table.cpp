@@ -13,6 +13,7 @@
 namespace weftlight::draft {
 
 using base::mark;
+
 namespace {
 
 // ---- parameters of several weaves

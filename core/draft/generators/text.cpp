@@ -13,6 +13,7 @@ namespace weftlight::draft {
 using base::arg;
 using base::fill;
 using base::tr;
+
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -144,7 +144,7 @@ void draw_scale(PanelContext& c, PrintPrompt& p, float width) {
 void draw_parts(PanelContext& c, PrintPrompt& p) {
   for (const NamedPart& part : kParts) {
     row_label(c, &part == &kParts[0] ? "On paper" : "", nullptr);
-    ImGui::Checkbox(part.words, &(p.options.parts.*part.on));
+    ImGui::Checkbox(part.label, &(p.options.parts.*part.on));
     c.map.add_item(std::string("print.") + part.name);
   }
 }

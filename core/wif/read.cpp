@@ -386,7 +386,7 @@ WifRead read_wif(std::string_view bytes) {
     file.design = std::move(parsed->design);
     result.file = std::move(file);
   }
-  result.diagnostics = diagnostics.take();
+  result.diagnostics = diagnostics.release();
   return result;
 }
 

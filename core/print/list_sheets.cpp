@@ -1,26 +1,32 @@
-// Lists for the loom: what to thread, what to tread, how many heddles, how much yarn; and a swatch true to size.
+// Lists for the loom: threading, treadling, heddles, yarn; and a swatch at actual size.
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
 #include "analysis/threads.h"
+#include "base/text.h"
 #include "print/page.h"
 
 namespace weftlight::print {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
+
 namespace {
 
-constexpr double kLine = 4.4, kSize = 3;  // mm
-constexpr int kMaxLines = 4000;           // of one list; a longer one is cut, and says so
+constexpr double kLine = 4.4, kSize = 3;  // line spacing and font size, mm
+constexpr int kMaxLines = 4000;           // of one list; a longer one is cut, with a remark
 
-/// One line of a list: where it stands, then words, each with a chip of colour or none.
+/// One entry of a line, with a colour chip if it has a colour.
 struct Word {
   std::string text;
-  int color = -1;  // of the palette
+  int color = -1;  // in the palette; -1: none
 };
 struct Line {
-  std::string head;  // bold at the left; alone: a heading
+  std::string head;  // at the left; a heading if there are no words
   std::vector<Word> words;
   bool heading() const { return words.empty() && !head.empty(); }
 };
@@ -32,11 +38,11 @@ std::string marks_of(const BitMatrix& m, int row) {
   return text.empty() ? "\xE2\x80\x93" : text;
 }
 
-/// Threads in rows of `group`, each the shafts (treadles, lifts) of a thread.
+/// The shafts or treadles of each thread, `group` threads per line.
 void list_rows(std::vector<Line>& out, const char* title, const BitMatrix& rows, int group) {
   out.push_back({title, {}});
   for (int first = 0; first < rows.rows(); first += group) {
-    if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{"and so on", -1}}});
+    if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{tr("and so on"), -1}}});
     const int last = std::min(first + group, rows.rows());
     Line line{std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(last), {}};
     for (int i = first; i < last; ++i) line.words.push_back({marks_of(rows, i), -1});
@@ -44,7 +50,7 @@ void list_rows(std::vector<Line>& out, const char* title, const BitMatrix& rows,
   }
 }
 
-/// Runs of one colour: how many threads of it.
+/// Runs of one colour, with their numbers of threads.
 void list_colors(std::vector<Line>& out, const char* title, const Threads& threads) {
   out.push_back({title, {}});
   Line line;
@@ -60,40 +66,36 @@ void list_colors(std::vector<Line>& out, const char* title, const Threads& threa
     if (line.words.size() < 8 && i < threads.size()) continue;
     line.head = std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(i);
     out.push_back(std::exchange(line, {}));
-    if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{"and so on", -1}}});
+    if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{tr("and so on"), -1}}});
   }
 }
 
-std::string number(const char* form, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
-
 void list_heddles(std::vector<Line>& out, const LoomUse& use) {
-  out.push_back({"Heddles", {}});
+  out.push_back({tr("Heddles"), {}});
   for (size_t s = 0; s < use.heddles.size(); ++s)
-    out.push_back({"Shaft " + std::to_string(s + 1), {{std::to_string(use.heddles[s]), -1}}});
+    out.push_back({fill(tr("Shaft {number}"), arg("number", s + 1)), {{std::to_string(use.heddles[s]), -1}}});
   int sum = 0;
   for (const int heddles : use.heddles) sum += heddles;
-  out.push_back({"Together", {{std::to_string(sum), -1}}});
-  if (use.unthreaded_ends > 0) out.push_back({"On no shaft", {{std::to_string(use.unthreaded_ends), -1}}});
+  out.push_back({tr("Total"), {{std::to_string(sum), -1}}});
+  if (use.unthreaded_ends > 0) out.push_back({tr("On no shaft"), {{std::to_string(use.unthreaded_ends), -1}}});
 }
 
 void list_yarn(std::vector<Line>& out, const Design& design, const ClothPlan& plan) {
   const YarnReport r = yarn_report(design, plan);
-  out.push_back({"Yarn", {}});
+  out.push_back({tr("Yarn"), {}});
   for (const YarnNeed& need : r.needs)
-    out.push_back({need.system == System::kWarp ? "Warp" : "Weft",
-                   {{number("%.1f m", need.length_m), need.color},
-                    {number("%.1f g", need.weight_g), -1},
+    out.push_back({need.system == System::kWarp ? tr("Warp") : tr("Weft"),
+                   {{fill(tr("{length:.1f} m"), arg("length", need.length_m)), need.color},
+                    {fill(tr("{weight:.1f} g"), arg("weight", need.weight_g)), -1},
                     {design.yarns[static_cast<size_t>(need.yarn)].name, -1}}});
-  if (r.cost >= 0) out.push_back({"Cost", {{number("%.2f", r.cost), -1}}});
-  out.push_back({"On the loom",
-                 {{std::to_string(r.ends) + " ends", -1},
-                  {number("%.1f cm wide", r.loom_width_mm / 10), -1},
-                  {number("warp %.2f m long", r.warp_length_mm / 1000), -1}}});
-  out.push_back({"Sett", {{number("%.1f ends/cm", r.ends_per_cm), -1}, {number("%.1f picks/cm", r.picks_per_cm), -1}}});
+  if (r.cost >= 0) out.push_back({tr("Cost"), {{fill("{cost:.2f}", arg("cost", r.cost)), -1}}});
+  out.push_back({tr("On the loom"),
+                 {{fill(tr_n("{count} end", "{count} ends", r.ends), arg("count", r.ends)), -1},
+                  {fill(tr("{width:.1f} cm wide"), arg("width", r.loom_width_mm / 10)), -1},
+                  {fill(tr("warp {length:.2f} m long"), arg("length", r.warp_length_mm / 1000)), -1}}});
+  out.push_back({tr("Sett"),
+                 {{fill(tr("{sett:.1f} ends/cm"), arg("sett", r.ends_per_cm)), -1},
+                  {fill(tr("{sett:.1f} picks/cm"), arg("sett", r.picks_per_cm)), -1}}});
 }
 
 std::vector<Line> lines_of(const Design& design, const PrintOptions& options) {
@@ -104,15 +106,15 @@ std::vector<Line> lines_of(const Design& design, const PrintOptions& options) {
   if (parts.heddles) list_heddles(out, loom_use(d));
   if (parts.yarn) list_yarn(out, design, options.plan);
   if (!parts.lists) return out;
-  list_rows(out, "Threading, shaft of each end", d.threading, kGroup);
-  list_colors(out, "Warp colours", d.warp);
+  list_rows(out, tr("Threading, shaft of each end"), d.threading, kGroup);
+  list_colors(out, tr("Warp colours"), d.warp);
   if (d.shed_control == ShedControl::kTreadling) {
-    list_rows(out, "Tie-up, shafts of each treadle", d.tieup, 2);
-    list_rows(out, "Treadling, treadle of each pick", d.treadling, kGroup);
+    list_rows(out, tr("Tie-up, shafts of each treadle"), d.tieup, 2);
+    list_rows(out, tr("Treadling, treadle of each pick"), d.treadling, kGroup);
   } else {
-    list_rows(out, "Liftplan, shafts of each pick", d.liftplan, 2);
+    list_rows(out, tr("Liftplan, shafts of each pick"), d.liftplan, 2);
   }
-  list_colors(out, "Weft colours", d.weft);
+  list_colors(out, tr("Weft colours"), d.weft);
   return out;
 }
 
@@ -134,7 +136,7 @@ void draw_line(const Pen& pen, const Design& design, const Line& line, double x,
   }
 }
 
-/// In two columns; the swatch above them on the first sheet.
+/// One of the two columns of a sheet; on the first sheet the swatch is above them.
 struct Column {
   double x, y, width;
   std::vector<Line> lines;
@@ -143,7 +145,7 @@ struct Column {
 constexpr double kSwatchHeight = 60;
 
 void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, const PrintOptions& o) {
-  constexpr double kPixelsPerMm = 11.8;  // 300 dots an inch
+  constexpr double kPixelsPerMm = 11.8;  // 300 dpi
   const double width = o.paper.width_mm - 2 * kMargin;
   const int w = static_cast<int>(width * kPixelsPerMm), h = static_cast<int>(kSwatchHeight * kPixelsPerMm);
   std::vector<uint32_t> pixels = swatch_pixels(design, cells, o, w, h, kPixelsPerMm);
@@ -156,11 +158,11 @@ void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, c
   cairo_set_source_surface(c, image, 0, 0);
   cairo_paint(c);
   cairo_restore(c);
-  // The pixels leave with this function; a PDF or SVG keeps what it needs of them now.
+  // The pixels are freed at the end of this function: flush, so that a PDF or SVG copies them now.
   cairo_surface_flush(cairo_get_target(c));
   cairo_surface_finish(image);
   cairo_surface_destroy(image);
-  pen.text(kMargin, kMargin + 4, 3.4, "Swatch, true to size", kInk, true);
+  pen.text(kMargin, kMargin + 4, 3.4, tr("Swatch, actual size"), kInk, true);
 }
 
 }  // namespace
@@ -179,9 +181,9 @@ std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options
       Column column{kMargin + i * (width + 8), top, width, {}};
       double y = top;
       while (next < lines.size()) {
-        // A heading stands with at least two of its lines.
-        const double takes = lines[next].heading() ? (column.lines.empty() ? kLine : 2 * kLine) + 2 * kLine : kLine;
-        if (y + takes > bottom) break;
+        // A heading is kept together with at least two of its lines.
+        const double height = lines[next].heading() ? (column.lines.empty() ? kLine : 2 * kLine) + 2 * kLine : kLine;
+        if (y + height > bottom) break;
         y += lines[next].heading() && !column.lines.empty() ? 2 * kLine : kLine;
         column.lines.push_back(lines[next++]);
       }
@@ -196,10 +198,10 @@ std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options
       if (first) draw_swatch(pen, design, *cells, options);
       for (const Column& column : columns) {
         double y = column.y;
-        bool begun = false;
+        bool started = false;
         for (const Line& line : column.lines) {
-          y += line.heading() && begun ? 2 * kLine : kLine;
-          begun = true;
+          y += line.heading() && started ? 2 * kLine : kLine;
+          started = true;
           draw_line(pen, design, line, column.x, y, column.width);
         }
       }

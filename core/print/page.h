@@ -1,5 +1,5 @@
 #pragma once
-// Inside of printing: one sheet as a pen in millimetres, from the upper left corner.
+// Internal to printing: drawing on a sheet, in millimetres from the upper left corner.
 
 #include <cairo.h>
 
@@ -14,40 +14,40 @@
 
 namespace weftlight::print {
 
-inline constexpr double kMargin = 14;  // mm of white paper round a sheet
+inline constexpr double kMargin = 14;  // mm
 inline constexpr Rgb kInk{0.13f, 0.14f, 0.17f}, kFaint{0.78f, 0.78f, 0.79f}, kMuted{0.45f, 0.46f, 0.5f};
 
-/// Draws with a context whose unit is a millimetre.
+/// The unit of the Cairo context is a millimetre.
 class Pen {
  public:
   explicit Pen(cairo_t* context) : context_(context) {}
   cairo_t* context() const { return context_; }
   void fill(double x, double y, double width, double height, const Rgb& color) const;
-  /// `cover` 0..1: how much of what is below it hides.
-  void line(double x0, double y0, double x1, double y1, double width, const Rgb& color, double cover = 1) const;
+  /// `opacity`: 0..1.
+  void line(double x0, double y0, double x1, double y1, double width, const Rgb& color, double opacity = 1) const;
   void frame(double x, double y, double width, double height, double line, const Rgb& color) const;
-  /// Baseline at y; `size` is the height of the letters' body in mm. Returns the width.
-  double text(double x, double y, double size, const std::string& words, const Rgb& color = kInk,
+  /// Baseline at y; `size` is the font size in mm. Returns the width.
+  double text(double x, double y, double size, const std::string& text, const Rgb& color = kInk,
               bool bold = false) const;
-  /// Ends at x.
-  void text_right(double x, double y, double size, const std::string& words, const Rgb& color = kInk) const;
-  double width_of(double size, const std::string& words, bool bold = false) const;
+  /// Right-aligned at x.
+  void text_right(double x, double y, double size, const std::string& text, const Rgb& color = kInk) const;
+  double width_of(double size, const std::string& text, bool bold = false) const;
 
  private:
   void font(double size, bool bold) const;
   cairo_t* context_;
 };
 
-/// What a sheet shows.
+/// Draws one sheet.
 using Sheet = std::function<void(const Pen&)>;
 
-/// The sheets with the grids of the draft; empty with `why` when there are too many.
+/// The sheets with the grids of the draft; if there are too many, none and `why`.
 std::vector<Sheet> draft_sheets(const Design& design, const PrintOptions& options, std::string& why);
 /// Lists, heddles, yarn and swatch.
 std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options);
 
-/// The front of the cloth, head on, each thread shaded round, with end 1 and pick 1 at the sides that the options say:
-/// RGB24 of cairo, `width` x `height` pixels.
+/// The front of the cloth, seen perpendicularly, each thread shaded as a cylinder, end 1 and pick 1 where the options say:
+/// Cairo RGB24, `width` x `height` pixels.
 std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells, const PrintOptions& options,
                                     int width, int height, double pixels_per_mm);
 

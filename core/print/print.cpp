@@ -1,4 +1,4 @@
-// The sheets onto paper: PDF, SVG or PNG through Cairo, into memory.
+// Writes the sheets as PDF, SVG or PNG into memory, with Cairo.
 
 #include "print/print.h"
 
@@ -11,18 +11,23 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/text.h"
 #include "print/page.h"
 
 namespace weftlight::print {
+
+using base::mark;
+using base::tr;
+
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
 
-struct Surface {
-  explicit Surface(cairo_surface_t* s) : surface(s), context(cairo_create(s)) {}
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-  ~Surface() {
+struct CairoSurface {
+  explicit CairoSurface(cairo_surface_t* s) : surface(s), context(cairo_create(s)) {}
+  CairoSurface(const CairoSurface&) = delete;
+  CairoSurface& operator=(const CairoSurface&) = delete;
+  ~CairoSurface() {
     cairo_destroy(context);
     cairo_surface_destroy(surface);
   }
@@ -45,8 +50,8 @@ void draw(const Sheet& sheet, cairo_t* context, double units_per_mm) {
 std::string pdf_of(const std::vector<Sheet>& sheets, const PrintOptions& o) {
   std::string bytes;
   {
-    Surface to(cairo_pdf_surface_create_for_stream(append, &bytes, o.paper.width_mm * kPointsPerMm,
-                                                   o.paper.height_mm * kPointsPerMm));
+    CairoSurface to(cairo_pdf_surface_create_for_stream(append, &bytes, o.paper.width_mm * kPointsPerMm,
+                                                        o.paper.height_mm * kPointsPerMm));
     cairo_pdf_surface_set_metadata(to.surface, CAIRO_PDF_METADATA_CREATOR, "Weftlight");
     for (const Sheet& sheet : sheets) {
       draw(sheet, to.context, kPointsPerMm);
@@ -61,7 +66,7 @@ std::string pdf_of(const std::vector<Sheet>& sheets, const PrintOptions& o) {
 std::string svg_of(const Sheet& sheet, const PrintOptions& o) {
   std::string bytes;
   {
-    Surface to(cairo_svg_surface_create_for_stream(append, &bytes, o.paper.width_mm, o.paper.height_mm));
+    CairoSurface to(cairo_svg_surface_create_for_stream(append, &bytes, o.paper.width_mm, o.paper.height_mm));
     cairo_svg_surface_set_document_unit(to.surface, CAIRO_SVG_UNIT_MM);
     draw(sheet, to.context, 1);
     cairo_surface_finish(to.surface);
@@ -84,21 +89,21 @@ void paint_picture(const Sheet& sheet, cairo_t* context, double pixels_per_mm) {
 
 std::string png_of(const Sheet& sheet, const PrintOptions& o) {
   const double pixels_per_mm = std::clamp(o.png_dpi, 30.0, 1200.0) / 25.4;
-  Surface to(blank_picture(o.paper, pixels_per_mm));
+  CairoSurface to(blank_picture(o.paper, pixels_per_mm));
   paint_picture(sheet, to.context, pixels_per_mm);
   std::string bytes;
   return cairo_surface_write_to_png_stream(to.surface, append, &bytes) == CAIRO_STATUS_SUCCESS ? bytes : std::string();
 }
 
-constexpr const char* kRefused = "the drawing library refused; there may be too little memory";
+constexpr const char* kDrawingFailed = mark("the drawing library failed; there may be too little memory");
 
-/// Empty with `why`.
+/// All sheets; empty, with `why`, if there are none.
 std::vector<Sheet> all_sheets(const Design& design, const PrintOptions& options, std::string& why) {
   std::vector<Sheet> sheets;
   if (options.parts.grids) sheets = draft_sheets(design, options, why);
   if (!why.empty()) return {};
   for (Sheet& sheet : list_sheets(design, options)) sheets.push_back(std::move(sheet));
-  if (sheets.empty()) why = "nothing was chosen to be printed";
+  if (sheets.empty()) why = tr("nothing was selected for printing");
   return sheets;
 }
 
@@ -110,12 +115,12 @@ SheetPicture picture_of_sheet(const Design& design, const PrintOptions& options,
   if (!out.why.empty()) return out;
   out.sheets = static_cast<int>(sheets.size());
   out.sheet = std::clamp(sheet, 0, out.sheets - 1);
-  Surface to(blank_picture(options.paper, std::clamp(pixels_per_mm, 0.1, 50.0)));
+  CairoSurface to(blank_picture(options.paper, std::clamp(pixels_per_mm, 0.1, 50.0)));
   paint_picture(sheets[static_cast<size_t>(out.sheet)], to.context, pixels_per_mm);
   cairo_surface_flush(to.surface);
   const unsigned char* bytes = cairo_image_surface_get_data(to.surface);
   if (bytes == nullptr) {
-    out.why = kRefused;
+    out.why = tr(kDrawingFailed);
     return out;
   }
   out.width = cairo_image_surface_get_width(to.surface);
@@ -150,7 +155,7 @@ Printed printed(const Design& design, PrintFormat format, const PrintOptions& op
   }
   if (std::ranges::any_of(out.files, [](const std::string& file) { return file.empty(); })) {
     out.files.clear();
-    out.why = kRefused;
+    out.why = tr(kDrawingFailed);
   }
   return out;
 }

@@ -1,12 +1,13 @@
 #pragma once
 // A draft on paper: title, threading, tie-up, treadling and drawdown over as many sheets as the scale takes, then
-// lists for the loom (ends, picks, heddles), yarn, and a swatch true to size.
+// lists for the loom (threading, treadling, heddles), yarn, and a swatch at actual size.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "analysis/threads.h"
+#include "base/mark.h"
 #include "draft/design.h"
 #include "print/names.h"
 
@@ -19,67 +20,67 @@ struct Paper {
 inline constexpr Paper kA4{210, 297}, kLetter{215.9, 279.4};
 struct NamedPaper {
   const char* name;
-  Paper paper;  // upright
+  Paper paper;  // portrait
 };
 inline constexpr NamedPaper kPapers[] = {
     {"A4", kA4}, {"A3", {297, 420}}, {"A5", {148, 210}}, {"Letter", kLetter}, {"Legal", {215.9, 355.6}}};
 
 enum class PrintFormat { kPdf, kSvg, kPng };
 
-/// What is printed.
+/// The parts that are printed.
 struct PrintParts {
   bool grids = true;    // threading, tie-up, treadling or liftplan, drawdown
-  bool lists = true;    // what to thread and to tread, and in which colours
-  bool heddles = true;  // on each shaft
+  bool lists = true;    // threading, treadling and colours as numbers
+  bool heddles = true;  // per shaft
   bool yarn = true;     // lengths, weights, sett
-  bool swatch = true;   // true to size
+  bool swatch = true;   // at actual size
   bool operator==(const PrintParts&) const = default;
 };
 
-/// Each under the name that a command gives it, with the words of the window.
+/// Each with its name for commands and its label; show tr(label).
 struct NamedPart {
-  const char *name, *words;
+  const char *name, *label;
   bool PrintParts::*on;
 };
-inline constexpr NamedPart kParts[] = {{"draft", "Draft and drawdown", &PrintParts::grids},
-                                       {"lists", "Threading and treadling lists", &PrintParts::lists},
-                                       {"heddles", "Heddles on each shaft", &PrintParts::heddles},
-                                       {"yarn", "Yarn: lengths, weights, sett", &PrintParts::yarn},
-                                       {"swatch", "Swatch, true to size", &PrintParts::swatch}};
+inline constexpr NamedPart kParts[] = {{"draft", base::mark("Draft and drawdown"), &PrintParts::grids},
+                                       {"lists", base::mark("Threading and treadling lists"), &PrintParts::lists},
+                                       {"heddles", base::mark("Heddles on each shaft"), &PrintParts::heddles},
+                                       {"yarn", base::mark("Yarn: lengths, weights, sett"), &PrintParts::yarn},
+                                       {"swatch", base::mark("Swatch, actual size"), &PrintParts::swatch}};
 
 struct PrintOptions {
   Paper paper = kA4;
-  double cell_mm = 0;            // side of a cell, 0.5..20; 0: what fits, at least kSmallestCell
-  int heavy_lines = 4;           // a heavier line every so many threads; 0: none
-  bool end1_right = true;        // which side end 1 is drawn on
-  bool pick1_bottom = false;     // picks are read upwards
-  bool threading_below = false;  // the drawdown
+  double cell_mm = 0;            // side of a cell, 0.5..20; 0: fitted to the sheet, at least kMinCell_mm
+  int heavy_lines = 4;           // a heavier line every n threads; 0: none
+  bool end1_right = true;        // end 1 on the right
+  bool pick1_bottom = false;     // pick 1 at the bottom
+  bool threading_below = false;  // below the drawdown
   double png_dpi = 150;
   PrintParts parts{};
-  ClothPlan plan{};    // of the cloth that the yarn is for
-  std::string name{};  // stands over a draft without a title; empty: "Draft"
+  ClothPlan plan{};    // of the cloth, for the yarn list
+  std::string name{};  // title of a draft without one; empty: "Draft"
   bool operator==(const PrintOptions&) const = default;
 };
-inline constexpr double kSmallestCell = 1.6;  // mm, where the scale is not said
+inline constexpr double kMinCell_mm = 1.6;  // of a fitted scale
 inline constexpr int kMaxSheets = 400;
 
 struct Printed {
-  std::vector<std::string> files;  // PDF: one; SVG and PNG: one a sheet
+  std::vector<std::string> files;  // PDF: one; SVG and PNG: one per sheet
   int sheets = 0;
-  std::string why;  // why there are none
+  std::string why;  // why there are none; in the user's language
 };
 Printed printed(const Design& design, PrintFormat format, const PrintOptions& options);
 
-/// One sheet as it will be, for looking at before it is printed.
+/// Print preview of one sheet.
 struct SheetPicture {
   int width = 0, height = 0;
   std::vector<uint32_t> pixels;  // bytes R, G, B, 255; row 0 on top
-  int sheet = 0, sheets = 0;     // which of how many; the last where there are fewer than were asked for
+  int sheet = 0, sheets = 0;     // clamped to the number of sheets
   std::string why;               // why there is none
 };
 SheetPicture picture_of_sheet(const Design& design, const PrintOptions& options, int sheet, double pixels_per_mm);
 
-/// OUT.svg of one sheet; of several OUT-1.svg, OUT-2.svg ...; `sheet` from 0.
+/// File name of a sheet: OUT.svg if there is only one, otherwise OUT-1.svg, OUT-2.svg ...; `sheet` counts from 0.
 std::string sheet_file(const std::string& out, size_t sheet, size_t sheets);
 
 }  // namespace weftlight::print

@@ -1,26 +1,34 @@
 #include <algorithm>
 
+#include "base/text.h"
 #include "base/utf8.h"
 #include "wif/parse.h"
 
 namespace weftlight::wif {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
 namespace {
 
-constexpr size_t kMaxLinesNamed = 8;
-constexpr size_t kLongest = 300;  // bytes of a text: a quoted name may be as long as a file
+constexpr size_t kMaxListedLines = 8;
+constexpr size_t kMaxTextBytes = 300;  // a quoted name may be as long as a file
 
-/// "lines 4, 7 and 12", "lines 4, 7, 8 and on".
+/// "line 4", "lines 4, 7 and 12", "lines 4, 7, 8 and on".
 std::string line_list(const std::vector<int>& lines, bool all) {
-  std::string text = lines.size() == 1 && all ? "line" : "lines";
-  for (size_t i = 0; i < lines.size(); ++i)
-    text += (i == 0 ? " " : all && i + 1 == lines.size() ? " and " : ", ") + std::to_string(lines[i]);
-  return all ? text : text + " and on";
+  std::string list;
+  const size_t separated = all && lines.size() > 1 ? lines.size() - 1 : lines.size();
+  for (size_t i = 0; i < separated; ++i) list.append(i == 0 ? "" : ", ").append(std::to_string(lines[i]));
+  if (!all) return fill(tr("lines {list} and on"), arg("list", list));
+  if (lines.size() == 1) return fill(tr("line {line}"), arg("line", list));
+  return fill(tr("lines {list} and {last}"), arg("list", list), arg("last", lines.back()));
 }
 
-/// A line for JSON and for a terminal: bytes that are no UTF-8 are those of a Latin-1 file.
+/// One line of UTF-8, for JSON and the terminal. Other bytes come from a Latin-1 file.
 std::string plain(const std::string& text) {
   const std::string line = one_line(is_utf8(text) ? text : to_utf8(text, Encoding::kLatin1));
-  return line.size() <= kLongest ? line : std::string(cut_utf8(line, kLongest)) + "...";
+  return line.size() <= kMaxTextBytes ? line : std::string(cut_utf8(line, kMaxTextBytes)) + "...";
 }
 
 }  // namespace
@@ -33,21 +41,27 @@ void Diagnostics::add(Severity severity, int line_index, std::string_view kind, 
     if (!is_new) {
       Item& item = items_[at->second];
       ++item.more;
-      if (line_index >= 0 && item.lines.size() < kMaxLinesNamed) item.lines.push_back(line_index + 1);
+      if (line_index >= 0 && item.lines.size() < kMaxListedLines) item.lines.push_back(line_index + 1);
       return;
     }
   }
   items_.push_back({{severity, line_index + 1, plain(text), plain(remedy)}, 0, {}});
 }
 
-std::vector<Diagnostic> Diagnostics::take() {
+std::vector<Diagnostic> Diagnostics::release() {
   std::vector<Diagnostic> result;
   for (Item& item : items_) {
     if (item.more > 0) {
       const bool all = item.lines.size() == static_cast<size_t>(item.more);
-      item.diagnostic.text += " (and " + std::to_string(item.more) + " more like it";
-      if (!item.lines.empty()) item.diagnostic.text += ": " + line_list(item.lines, all);
-      item.diagnostic.text += ")";
+      const auto text = [&](const char* pattern) {
+        return fill(pattern, arg("text", item.diagnostic.text), arg("count", item.more),
+                    arg("lines", item.lines.empty() ? std::string() : line_list(item.lines, all)));
+      };
+      item.diagnostic.text =
+          item.lines.empty()
+              ? text(tr_n("{text} (and {count} more like it)", "{text} (and {count} more like it)", item.more))
+              : text(tr_n("{text} (and {count} more like it: {lines})", "{text} (and {count} more like it: {lines})",
+                          item.more));
     }
     result.push_back(std::move(item.diagnostic));
   }

@@ -9,13 +9,13 @@
 namespace weftlight::wif {
 namespace {
 
-/// Code points of bytes 0x80..0x9F; the five unassigned ones keep their own number.
+/// Code points of bytes 0x80..0x9F; the five unassigned bytes map to themselves.
 constexpr std::array<uint16_t, 32> kHigh = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
                                             0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
                                             0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
                                             0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
 
-/// Letters that U+00C0..U+00FF lose their accents to.
+/// U+00C0..U+00FF without accents.
 constexpr std::string_view kPlainLetters = "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
 
 void append_utf8(std::string& out, uint32_t code) {
@@ -79,7 +79,7 @@ std::optional<std::string> from_utf8(std::string_view text, Encoding to) {
   return out;
 }
 
-/// write(out, code, bytes) of each character; '?' for bytes that are none.
+/// Calls write(out, code, bytes) for each character; invalid bytes become '?'.
 template <class Write>
 static std::string rewritten(std::string_view text, const Write& write) {
   std::string out;

@@ -12,16 +12,16 @@ namespace weftlight::wif {
 
 enum class Encoding { kUtf8, kLatin1 };
 
-/// Bytes of the given encoding to UTF-8.
+/// Converts bytes of the given encoding to UTF-8.
 std::string to_utf8(std::string_view bytes, Encoding from);
-/// UTF-8 to the given encoding; empty when it has no such character.
+/// Converts UTF-8 to the given encoding; empty if a character is missing in it.
 std::optional<std::string> from_utf8(std::string_view text, Encoding to);
-/// UTF-8 to ASCII: accents dropped, quotes and dashes made plain, the rest '?'.
+/// Converts UTF-8 to ASCII: drops accents, simplifies quotes and dashes; other characters become '?'.
 std::string to_ascii(std::string_view text);
-/// Anything that is not one line of plain UTF-8 text as \n, \\ or \xNN; and back.
+/// Escapes line ends, backslashes, controls and invalid UTF-8 as \n, \\ and \xNN; and back.
 std::string escaped(std::string_view text);
 std::string unescaped(std::string_view text);
-/// The one-line form of a text: controls become blanks, ends trimmed, valid UTF-8.
+/// One trimmed line of valid UTF-8; control characters become blanks.
 std::string one_line(std::string_view text);
 
 }  // namespace weftlight::wif

@@ -34,7 +34,7 @@ WifRead foreign_file(std::optional<WifFile> file, const char* format, Diagnostic
     file->rising_stated = true;
     out.file = std::move(file);
   }
-  out.diagnostics = diagnostics.take();
+  out.diagnostics = diagnostics.release();
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of other programs' files share.
+// Shared by the readers of other programs' formats.
 
 #include <string>
 
@@ -12,9 +12,9 @@ inline constexpr size_t kMaxForeignBytes = size_t{1} << 26;
 
 std::string quoted(std::string_view text);
 Rgb color_of_bytes(int r, int g, int b, int most);
-/// UTF-8 of text that is UTF-8 or Latin-1, cut to a line of 1,000 bytes.
+/// Text in UTF-8 or Latin-1 as one line of UTF-8 of at most 1,000 bytes.
 std::string text_of_foreign(std::string_view text);
-/// The file as if it had been a WIF, with what was found.
+/// The result of a reader: the file, with the bytes of a new WIF of its design, and the diagnostics.
 WifRead foreign_file(std::optional<WifFile> file, const char* format, Diagnostics& diagnostics);
 
 }  // namespace weftlight::wif

@@ -1,5 +1,5 @@
-// Changing lines in place. A changed value keeps its line's spacing, comment and line end; a new key goes
-// where its number belongs; a new section goes to the end and into [CONTENTS].
+// Edits lines in place. A changed value keeps the spacing, comment and line end of its line; a new key goes where its
+// number belongs; a new section is appended and listed in [CONTENTS].
 
 #include "wif/line_edits.h"
 
@@ -11,7 +11,7 @@
 namespace weftlight::wif {
 namespace {
 
-/// A change of one line, or lines put behind it (line -1: before the first).
+/// Changes or removes a line, or inserts one after it (line -1: before the first).
 struct LineEdit {
   int line = 0;
   bool insert = false;
@@ -27,23 +27,23 @@ class Patch {
   void remove_line(int line) { edits_.push_back({line, false, true, {}}); }
   void insert_after(int line, std::string text) { edits_.push_back({line, true, false, std::move(text)}); }
   void append(std::string text) { appended_.push_back(std::move(text)); }
-  std::string new_line(const WifEntry& entry, const WifKey* like) const;
+  std::string new_line(const WifEntry& entry, const WifKey* neighbour) const;
   const WifText& text() const { return text_; }
-  /// The bytes with all edits; empty when a text does not fit the encoding.
+  /// The bytes with all edits; empty if the encoding cannot represent a text.
   std::optional<std::string> bytes();
 
  private:
   void find_style();
-  void end_line(std::string& out, int like) const;
+  void end_line(std::string& out, int neighbour) const;
   const WifText& text_;
-  std::string eol_ = "\r\n", around_equals_ = "=";
+  std::string eol_ = "\r\n", separator_ = "=";
   std::vector<LineEdit> edits_;
   std::vector<std::string> appended_;
   bool unencodable_ = false;
 };
 
-/// What stands between key and value on a line: "=", " = " ...
-std::string_view between(const WifKey& key) {
+/// The text between key and value of a line: "=", " = " ...
+std::string_view separator_of(const WifKey& key) {
   const char* begin = key.key.data() + key.key.size();
   const char* end = key.value.data();
   return end > begin ? std::string_view(begin, static_cast<size_t>(end - begin)) : "=";
@@ -58,22 +58,22 @@ void Patch::find_style() {
   for (const WifSection& section : text_.sections) {
     for (const WifKey& key : section.keys) {
       if (key.value.empty()) continue;
-      around_equals_ = between(key);
+      separator_ = separator_of(key);
       return;
     }
   }
 }
 
-/// true/false, yes/no, on/off or 1/0: the pair that `like` is of.
-std::string bool_word(bool on, std::string_view like) {
+/// true/false, yes/no, on/off or 1/0, in the style of `example`.
+std::string bool_word(bool on, std::string_view example) {
   constexpr const char* kPairs[][2] = {{"true", "false"}, {"yes", "no"}, {"on", "off"}, {"1", "0"}};
   for (const auto& pair : kPairs) {
-    if (same_word(like, pair[0]) || same_word(like, pair[1])) return pair[on ? 0 : 1];
+    if (same_word(example, pair[0]) || same_word(example, pair[1])) return pair[on ? 0 : 1];
   }
   return on ? "true" : "false";
 }
 
-/// How much of a value is the value: a comment may follow numbers and words, but not text.
+/// Size of the value without a comment; a comment may follow numbers and words, but not text.
 size_t value_size(const WifKey& key, const WifEntry& entry) {
   if (entry.is_text) return key.value.size();
   const size_t comment = std::min(key.value.find(';'), key.value.size());
@@ -86,7 +86,7 @@ void Patch::set_value(const WifKey& key, const WifEntry& entry) {
   const std::string_view line = text_.line(key.line);
   const bool had_value = !key.value.empty();
   const size_t size = had_value ? value_size(key, entry) : 0;
-  // An empty value points behind the blanks that follow the "=".
+  // An empty value starts after the "=" and one blank.
   size_t at = had_value ? static_cast<size_t>(key.value.data() - line.data()) : line.find('=') + 1;
   if (!had_value && at < line.size() && is_blank(line[at])) ++at;
   std::string value = entry.value;
@@ -100,15 +100,15 @@ void Patch::set_value(const WifKey& key, const WifEntry& entry) {
   edits_.push_back({key.line, false, false, std::move(out)});
 }
 
-std::string Patch::new_line(const WifEntry& entry, const WifKey* like) const {
+std::string Patch::new_line(const WifEntry& entry, const WifKey* neighbour) const {
   std::string out = entry.number >= 0 ? std::to_string(entry.number) : entry.key;
-  out += like && !like->value.empty() ? std::string(between(*like)) : around_equals_;
+  out += neighbour && !neighbour->value.empty() ? std::string(separator_of(*neighbour)) : separator_;
   return out + entry.value;
 }
 
-void Patch::end_line(std::string& out, int like) const {
-  const bool known = like >= 0 && text_.lines[static_cast<size_t>(like)].eol_size > 0;
-  out += known ? std::string(text_.eol(like)) : eol_;
+void Patch::end_line(std::string& out, int neighbour) const {
+  const bool known = neighbour >= 0 && text_.lines[static_cast<size_t>(neighbour)].eol_size > 0;
+  out += known ? std::string(text_.eol(neighbour)) : eol_;
 }
 
 std::optional<std::string> Patch::bytes() {
@@ -120,13 +120,13 @@ std::optional<std::string> Patch::bytes() {
   std::string out(text_.bytes.substr(0, text_.bom ? 3 : 0));
   out.reserve(text_.bytes.size() + 64 * (edits_.size() + appended_.size()));
   size_t next = 0;
-  bool open = false;  // the last line put out lacks its line end
-  const auto put = [&](const std::string& utf8, int like) {
+  bool open = false;  // the last written line has no line end yet
+  const auto put = [&](const std::string& utf8, int neighbour) {
     if (open) end_line(out, -1);
     const std::optional<std::string> encoded = from_utf8(utf8, text_.encoding);
     if (!encoded) unencodable_ = true;
     out += encoded.value_or("");
-    end_line(out, like);
+    end_line(out, neighbour);
     open = false;
   };
   for (int line = -1; line < count; ++line) {
@@ -153,7 +153,7 @@ std::optional<std::string> Patch::bytes() {
     open = text_.eol(line).empty();
   }
   for (const std::string& line : appended_) put(line, -1);
-  // A file whose last line had no end keeps that habit.
+  // If the last line of the file had no line end, it still has none.
   if (!ended && !open && out.ends_with(eol_)) out.resize(out.size() - eol_.size());
   if (unencodable_) return std::nullopt;
   return out;
@@ -166,7 +166,7 @@ const WifEntries* find(const std::vector<WifEntries>& all, std::string_view name
   return nullptr;
 }
 
-/// Lines of a section by key, every duplicate of it.
+/// The lines of a section by key, duplicates included.
 class KeyLines {
  public:
   explicit KeyLines(const WifSection& section) : section_(section) {
@@ -194,7 +194,7 @@ class KeyLines {
     }
     return found;
   }
-  /// The key a new row goes behind (`before` false) or in front of.
+  /// The key after which (if `before`, before which) a new row is inserted.
   const WifKey* neighbour(int number, bool& before) const {
     auto it = at(number);
     before = it == numbered_.begin();
@@ -229,7 +229,7 @@ void insert_entry(Patch& patch, const KeyLines& lines, const WifEntry& entry) {
 
 using Values = std::unordered_map<std::string_view, std::string_view>;
 
-/// Whether an entry's value is new, by section entries in the same order (numbers ascending, few names).
+/// Whether the value of an entry changed. Entries are passed in ascending order of their numbers.
 class Changes {
  public:
   explicit Changes(const WifEntries* before) : before_(before) {
@@ -255,7 +255,7 @@ class Changes {
   size_t at_ = 0;
 };
 
-bool says(const WifKey& key, const WifEntry& entry) {
+bool has_value(const WifKey& key, const WifEntry& entry) {
   return key.value.substr(0, value_size(key, entry)) == entry.value;
 }
 
@@ -285,9 +285,9 @@ void change_section(Patch& patch, const WifSection& section, const WifEntries* b
   for (const WifEntry& entry : now.entries) {
     bool set = changes.is_new(entry);
     if (all && !set) {
-      bool said = true;
-      const bool there = lines.each(entry, [&](const WifKey& key) { said = said && says(key, entry); });
-      set = !there || !said;
+      bool same = true;
+      const bool there = lines.each(entry, [&](const WifKey& key) { same = same && has_value(key, entry); });
+      set = !there || !same;
     }
     if (set) set_entry(patch, lines, entry);
   }
@@ -297,8 +297,8 @@ void change_section(Patch& patch, const WifSection& section, const WifEntries* b
   }
 }
 
-/// The section's headings, keys and blank lines; comments stay. Where it holds lines that were not understood, its keys
-/// alone.
+/// Removes headings, keys and blank lines of a section, but not its comments. If the section has lines that were not
+/// understood, only its keys are removed.
 void remove_section(Patch& patch, const WifSection& section) {
   if (!section.other_lines.empty()) {
     for (const WifKey& key : section.keys) patch.remove_line(key.line);
@@ -327,16 +327,16 @@ void list_in_contents(Patch& patch, const std::string& name) {
   const WifSection* contents = patch.text().find("CONTENTS");
   if (!contents) return;
   const KeyLines lines(*contents);
-  const WifKey* like = lines.last();
+  const WifKey* last = lines.last();
   WifEntry entry{-1, name, "true", false};
-  if (like) entry.value = bool_word(true, like->value.substr(0, value_size(*like, entry)));
+  if (last) entry.value = bool_word(true, last->value.substr(0, value_size(*last, entry)));
   const bool there = lines.each(entry, [&](const WifKey& key) {
     if (word_as_bool(key.value) != true) patch.set_value(key, entry);
   });
   if (!there) insert_entry(patch, lines, entry);
 }
 
-void strike_from_contents(Patch& patch, const std::string& name) {
+void remove_from_contents(Patch& patch, const std::string& name) {
   const WifSection* contents = patch.text().find("CONTENTS");
   if (!contents) return;
   KeyLines(*contents).each({-1, name, {}, false}, [&](const WifKey& key) { patch.remove_line(key.line); });
@@ -347,7 +347,7 @@ int count_of(const std::vector<WifEntries>& all, const char* system) {
   return head ? leading_int(head->entries.front().value).value_or(0) : 0;
 }
 
-/// Rows of tables that are not edited go with the threads they were for.
+/// Removes rows of other tables that belong to removed threads.
 void trim_tables(Patch& patch, const char* system, const std::vector<WifEntries>& before,
                  const std::vector<WifEntries>& now) {
   const int count = count_of(now, system);
@@ -378,7 +378,7 @@ std::optional<std::string> patched(const WifText& text, const std::vector<WifEnt
     if (find(now, section.name)) continue;
     const WifSection* lines = text.find(section.name);
     if (lines) remove_section(patch, *lines);
-    if (!lines || lines->other_lines.empty()) strike_from_contents(patch, section.name);
+    if (!lines || lines->other_lines.empty()) remove_from_contents(patch, section.name);
   }
   trim_tables(patch, "WARP", before, now);
   trim_tables(patch, "WEFT", before, now);

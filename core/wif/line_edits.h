@@ -1,5 +1,5 @@
 #pragma once
-// Changing a file's lines: only those that differ between two sets of entries.
+// Edits only those lines of a file that differ between two sets of entries.
 
 #include <optional>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace weftlight::wif {
 
-/// How much is put in the file: what differs; also every count and every section the file lacks; or every
-/// entry that its line does not say word for word.
+/// What is written: entries that differ; also every count, and sections that the file lacks; or every entry whose line
+/// does not have exactly its value.
 enum class EditScope { kChanged, kCounts, kAll };
 
-/// The bytes of `text` with the entries of `now` where they differ from those of `before`. Empty when the
-/// file's encoding cannot hold them.
+/// The bytes of `text` with the entries of `now` where they differ from `before`. Empty if the encoding of the file
+/// cannot represent them.
 std::optional<std::string> patched(const WifText& text, const std::vector<WifEntries>& before,
                                    const std::vector<WifEntries>& now, EditScope scope);
 

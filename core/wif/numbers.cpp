@@ -40,8 +40,8 @@ size_t skip_blanks(std::string_view text, size_t at) {
   return at;
 }
 
-/// Reads an integer at `at`; on success moves `at` behind it.
-bool take_int(std::string_view text, size_t& at, int& out) {
+/// Reads an integer at `at`; on success moves `at` past it.
+bool read_int(std::string_view text, size_t& at, int& out) {
   size_t i = skip_blanks(text, at);
   const bool negative = i < text.size() && text[i] == '-';
   if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
@@ -61,7 +61,7 @@ bool take_int(std::string_view text, size_t& at, int& out) {
 std::optional<int> leading_int(std::string_view value) {
   size_t at = 0;
   int result = 0;
-  if (!take_int(value, at, result)) return std::nullopt;
+  if (!read_int(value, at, result)) return std::nullopt;
   return result;
 }
 
@@ -91,7 +91,7 @@ void leading_ints(std::string_view value, std::vector<int>& out) {
   out.clear();
   size_t at = 0;
   int number = 0;
-  while (take_int(value, at, number)) {
+  while (read_int(value, at, number)) {
     out.push_back(number);
     const size_t comma = skip_blanks(value, at);
     if (comma >= value.size() || value[comma] != ',') break;
@@ -136,7 +136,7 @@ std::string in_units(float mm, double unit_mm) {
   const double units = static_cast<double>(mm) / unit_mm;
   char buffer[512];
   for (int digits = 1; digits < 17; ++digits) {
-    // Significant digits first, then the same number without an exponent.
+    // Rounded to significant digits, then written without an exponent.
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, units, std::chars_format::scientific, digits - 1);
     double rounded = 0;
     std::from_chars(buffer, end.ptr, rounded);

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and words of WIF values, the same in every locale.
+// Parses and writes numbers and words of WIF values, independent of the locale.
 
 #include <optional>
 #include <string>
@@ -17,19 +17,19 @@ std::string uppercase(std::string_view text);
 /// Ignoring the case of ASCII letters.
 bool same_word(std::string_view a, std::string_view b);
 
-/// The integer a value starts with; what follows it is a comment. Too large: INT_MAX.
+/// The integer at the start of a value; the rest is a comment. INT_MAX if it is larger.
 std::optional<int> leading_int(std::string_view value);
-/// The real a value starts with (".212" too). A decimal comma is taken and reported.
+/// The real number at the start of a value (".212" too). A decimal comma is accepted and reported.
 std::optional<double> leading_real(std::string_view value, bool* decimal_comma = nullptr);
-/// The comma-separated integers a value starts with, into `out`.
+/// The comma-separated integers at the start of a value.
 void leading_ints(std::string_view value, std::vector<int>& out);
-/// How many bytes of a value its leading list of numbers takes.
+/// Size in bytes of the list of numbers at the start of a value.
 size_t leading_numbers_size(std::string_view value);
 std::optional<bool> word_as_bool(std::string_view value);
 
-/// The shortest decimal that reads back as the same float; never an exponent.
+/// The shortest decimal, without exponent, that reads back as the same float.
 std::string shortest(float value);
-/// The shortest decimal v for which float(v * unit_mm) is `mm`.
+/// The shortest decimal v such that float(v * unit_mm) == mm.
 std::string in_units(float mm, double unit_mm);
 
 }  // namespace weftlight::wif

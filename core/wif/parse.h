@@ -1,6 +1,6 @@
 #pragma once
-// Inside of the reader: what is found out about a file beside its design, so that an edit can be
-// written in the file's own terms.
+// Internal to the reader: what it learns of a file besides the design (its dialect), so that an edit is written in the
+// same form.
 
 #include <string>
 #include <vector>
@@ -11,34 +11,35 @@
 
 namespace weftlight::wif {
 
-/// A diagnostic for each kind of finding, with the further lines it concerns, or their number. Its texts are lines of
-/// UTF-8, whatever of the file they quote.
+/// Collects diagnostics, one for each kind, with the other lines that it concerns or their number. Texts are single
+/// lines of UTF-8, whatever they quote from the file; they are in the user's language.
 class Diagnostics {
  public:
-  /// Diagnostics of the same non-empty `kind` are joined.
+  /// Diagnostics of the same non-empty `kind` are merged.
   void add(Severity severity, int line_index, std::string_view kind, const std::string& text,
            const std::string& remedy);
   void warn(int line_index, std::string_view kind, const std::string& text, const std::string& remedy) {
     add(Severity::kWarning, line_index, kind, text, remedy);
   }
   bool has_error() const { return error_; }
-  std::vector<Diagnostic> take();
+  /// All diagnostics by line; the collection is empty afterwards.
+  std::vector<Diagnostic> release();
 
  private:
   struct Item {
     Diagnostic diagnostic;
     int more = 0;
-    std::vector<int> lines;  // of those more, the first few, from 1
+    std::vector<int> lines;  // the first of the other lines, counted from 1
   };
   std::vector<Item> items_;
-  NameIndex by_kind_;  // of items_
+  NameIndex by_kind_;  // index into items_
   bool error_ = false;
 };
 
-/// How one table of a thread system is kept: rows listed, or one value for all.
+/// How a file stores one table of a system: rows listed, or one value for all threads.
 struct ColumnDialect {
-  bool list_all = false;  // rows are in the file
-  double fallback = -1;   // what a row not listed means: palette index or millimetres
+  bool list_all = false;  // the file lists rows
+  double fallback = -1;   // value of rows that are not listed: palette index or mm
 };
 
 struct SystemDialect {
@@ -46,14 +47,14 @@ struct SystemDialect {
   WifUnit unit;
 };
 
-/// The file's own way of saying things.
+/// The dialect of a file: its variants of the format.
 struct WifDialect {
   int range_low = 0, range_high = 255;
   int palette_base = 1;        // number of the first row of [COLOR TABLE]
   int default_color_base = 1;  // of Color= in [WARP] and [WEFT] (Luminescence: 0)
   SystemDialect warp, weft;
-  int treadle_base = 1;                 // number that [TREADLING] gives the first treadle
-  bool has_liftplan = false;            // a liftplan is kept beside the treadling
+  int treadle_base = 1;                 // number of the first treadle in [TREADLING]
+  bool has_liftplan = false;            // the file has a liftplan besides the treadling
   std::vector<std::string> zero_based;  // sections whose rows count from 0
 
   int base_of(std::string_view section) const;
@@ -65,11 +66,11 @@ struct ParsedWif {
   Design design;
 };
 
-/// Everything of [PRIVATE WEFTLIGHT ...], once the drive is known: yarns, thread yarns, look, scene, exact
-/// values, and the grids of the drive that sleeps.
+/// Reads the sections [PRIVATE WEFTLIGHT ...], after the shed control is known: yarns, yarns of the threads, look,
+/// scene, exact values, and the grid of the inactive shed control.
 void read_private_sections(const WifText& text, const WifDialect& dialect, Diagnostics& diagnostics, Design& design);
 
-/// Reads a file; nothing but findings when it cannot be used. `info` is given the facts for the user.
+/// Reads a file; empty if it cannot be used. Fills `info` with the facts that are shown to the user.
 std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnostics, WifFile* info = nullptr);
 
 }  // namespace weftlight::wif

@@ -1,6 +1,5 @@
 #pragma once
-// What WIF has no place for, in sections [PRIVATE WEFTLIGHT ...]: the tables that reading and writing
-// share.
+// Sections [PRIVATE WEFTLIGHT ...], for data that WIF has no keys for: tables shared by reading and writing.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,7 @@ namespace weftlight::wif {
 
 inline constexpr std::string_view kPrivate = "PRIVATE WEFTLIGHT ";
 
-/// A number kept under a key; reading clamps it to low..high. Those of yarns are in draft/yarn_fields.h.
+/// A number with its key; reading clamps it to low..high. For yarns see draft/yarn_fields.h.
 template <class T>
 struct FloatField {
   const char* key;
@@ -41,11 +40,11 @@ inline constexpr FloatField<Look> kLookFloats[] = {
     {"Tolerance", &Look::tolerance, -kAny, kAny},
     {"Exposure", &Look::exposure_ev, -kAny, kAny},
 };
-/// Views that a file may keep, a section each: "VIEW 1", "VIEW 2" ...
+/// Limit of named views; each has a section "VIEW 1", "VIEW 2" ...
 inline constexpr int kMaxViews = 200;
-/// Sections of threads that a file may keep for each system, and what their rows may take together.
+/// Limit of thread sections of each system.
 inline constexpr int kMaxSections = 500;
-/// Generated weaves that a file may name, and what stands before the id of each of their numbers.
+/// Limit of generated weaves, and the prefix of the keys of their parameters.
 inline constexpr int kMaxWeaveUses = 1000;
 inline constexpr std::string_view kWeaveNumber = "Number ";
 
@@ -54,8 +53,8 @@ inline constexpr const char* kLeadingNames[] = {"threading", "liftplan", "drawdo
 
 /// A channel as WIF holds it: a whole number of low..high, rounded half up.
 inline int channel_number(float channel, int low, int high) {
-  const double share = channel > 0 ? std::min(static_cast<double>(channel), 1.0) : 0.0;
-  return low + static_cast<int>(std::floor(share * (static_cast<double>(high) - low) + 0.5));
+  const double clamped_channel = channel > 0 ? std::min(static_cast<double>(channel), 1.0) : 0.0;
+  return low + static_cast<int>(std::floor(clamped_channel * (static_cast<double>(high) - low) + 0.5));
 }
 
 }  // namespace weftlight::wif

@@ -1,13 +1,18 @@
-// Reading: from the index of lines to a Design, leniently, with findings. Rules and the habits of other
-// programs: WIF 1.1 (20 April 1997) and files as they are met.
+// Reads the index of lines into a Design, leniently and with diagnostics. Sources: WIF 1.1 (20 April 1997) and the
+// files of other programs.
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "draft/drawdown.h"
 #include "wif/rows.h"
 
 namespace weftlight::wif {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 int row_base(const WifSection& section, int count) {
   bool zero = false;
@@ -32,7 +37,7 @@ struct Reader {
     const WifSection* s = text.find(section);
     return s && !s->blocks.empty() ? s->blocks.front().header : -1;
   }
-  std::string words(const WifKey* key) const { return key ? to_utf8(key->value, text.encoding) : std::string{}; }
+  std::string text_of(const WifKey* key) const { return key ? to_utf8(key->value, text.encoding) : std::string{}; }
   /// [WIF], or the lines before the first header.
   const WifKey* wif(std::string_view key) const {
     const WifKey* found = text.find("WIF", key);
@@ -40,12 +45,13 @@ struct Reader {
   }
 };
 
-/// The number a key holds; warns when it holds something else.
+/// The number of a key; warns if its value is not a number.
 std::optional<int> int_of(const Reader& r, const WifKey* key) {
   if (!key) return std::nullopt;
   const std::optional<int> value = leading_int(key->value);
   if (!value) {
-    r.diagnostics.warn(key->line, {}, std::string(key->key) + " is not a number", "ignored; write a whole number");
+    r.diagnostics.warn(key->line, {}, fill(tr("{key} is not a number"), arg("key", key->key)),
+                       tr("ignored; write a whole number"));
   }
   return value;
 }
@@ -60,15 +66,19 @@ int largest_key(const WifSection* section) {
   return largest;
 }
 
-/// Threads of [WARP] or [WEFT]; 0 after an error.
+/// "at most 4096 can be opened; correct the count"
+std::string limit_remedy(int most) {
+  return fill(tr("at most {most} can be opened; correct the count"), arg("most", most));
+}
+
+/// Number of threads of [WARP] or [WEFT]; 0 after an error.
 int read_thread_count(const Reader& r, const char* system, std::initializer_list<const char*> tables) {
   const WifKey* key = r.text.find(system, "Threads");
-  const std::string place = std::string("[") + system + "] Threads";
-  const char* what = system[1] == 'A' ? "ends" : "picks";
   int count = int_of(r, key).value_or(0);
   if (count > kMaxThreads) {
-    r.diagnostics.add(Severity::kError, key->line, {}, place + " is " + std::to_string(count),
-                      "at most " + std::to_string(kMaxThreads) + " can be opened; correct the count");
+    r.diagnostics.add(Severity::kError, key->line, {},
+                      fill(tr("[{section}] Threads is {count}"), arg("section", system), arg("count", count)),
+                      limit_remedy(kMaxThreads));
     return 0;
   }
   if (count <= 0) {
@@ -76,11 +86,12 @@ int read_thread_count(const Reader& r, const char* system, std::initializer_list
     for (const char* table : tables) count = std::max(count, largest_key(r.text.find(table)));
     const int line = key ? key->line : r.line_of(system);
     if (count == 0) {
-      r.diagnostics.add(Severity::kError, line, {}, std::string("the draft has no ") + what,
-                        "give their number as Threads= in [" + std::string(system) + "]");
+      r.diagnostics.add(Severity::kError, line, {},
+                        system[1] == 'A' ? tr("the draft has no ends") : tr("the draft has no picks"),
+                        fill(tr("give their number as Threads= in [{section}]"), arg("section", system)));
     } else {
-      r.diagnostics.warn(line, {}, place + " is missing",
-                         "taken as " + std::to_string(count) + ", the last line listed");
+      r.diagnostics.warn(line, {}, fill(tr("[{section}] Threads is missing"), arg("section", system)),
+                         fill(tr("taken as {count}, the last line listed"), arg("count", count)));
     }
   }
   return count;
@@ -108,8 +119,8 @@ int read_shaft_count(const Reader& r) {
   const WifKey* key = r.text.find("WEAVING", "Shafts");
   const int stated = int_of(r, key).value_or(0);
   if (stated > kMaxShafts) {
-    r.diagnostics.add(Severity::kError, key->line, {}, "[WEAVING] Shafts is " + std::to_string(stated),
-                      "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
+    r.diagnostics.add(Severity::kError, key->line, {}, fill(tr("[WEAVING] Shafts is {count}"), arg("count", stated)),
+                      limit_remedy(kMaxShafts));
     return 0;
   }
   int used = 0, used_line = -1;
@@ -122,17 +133,18 @@ int read_shaft_count(const Reader& r) {
     }
   }
   if (stated > 0 && used > stated) {
-    r.diagnostics.warn(used_line, {},
-                       "shaft " + std::to_string(used) + " is used but [WEAVING] Shafts is " + std::to_string(stated),
-                       "read with " + std::to_string(used) + " shafts; correct the one or the other");
+    r.diagnostics.warn(
+        used_line, {},
+        fill(tr("shaft {used} is used but [WEAVING] Shafts is {stated}"), arg("used", used), arg("stated", stated)),
+        fill(tr("read with {used} shafts; correct one of the two"), arg("used", used)));
   } else if (stated <= 0) {
-    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Shafts is missing",
-                       "taken as " + std::to_string(std::max(used, 1)) + ", the highest shaft used");
+    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {}, tr("[WEAVING] Shafts is missing"),
+                       fill(tr("taken as {count}, the highest shaft used"), arg("count", std::max(used, 1))));
   }
   return std::max({stated, used, 1});
 }
 
-/// Some programs count treadles from 0, in [TIEUP] alone or in [TREADLING] too: when row 0 ties shafts.
+/// Some programs count treadles from 0 in [TIEUP], some also in [TREADLING]. Recognised by ties in row 0 of [TIEUP].
 void find_treadle_base(const Reader& r, int stated) {
   const WifSection* tieup = r.text.find("TIEUP");
   if (!tieup) return;
@@ -147,15 +159,15 @@ void find_treadle_base(const Reader& r, int stated) {
   r.dialect.zero_based.push_back("TIEUP");
   int line = -1;
   if (largest_value(r, "TREADLING", line) <= last) r.dialect.treadle_base = 0;
-  r.diagnostics.add(Severity::kNote, r.line_of("TIEUP"), {}, "[TIEUP] counts from 0", "read so; nothing to do");
+  r.diagnostics.add(Severity::kNote, r.line_of("TIEUP"), {}, tr("[TIEUP] counts from 0"), tr("read so; nothing to do"));
 }
 
 int read_treadle_count(const Reader& r) {
   const WifKey* key = r.text.find("WEAVING", "Treadles");
   const int stated = int_of(r, key).value_or(0);
   if (stated > kMaxShafts) {
-    r.diagnostics.add(Severity::kError, key->line, {}, "[WEAVING] Treadles is " + std::to_string(stated),
-                      "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
+    r.diagnostics.add(Severity::kError, key->line, {}, fill(tr("[WEAVING] Treadles is {count}"), arg("count", stated)),
+                      limit_remedy(kMaxShafts));
     return 0;
   }
   find_treadle_base(r, stated);
@@ -172,11 +184,12 @@ int read_treadle_count(const Reader& r) {
   }
   if (stated > 0 && used > stated) {
     r.diagnostics.warn(
-        line, {}, "treadle " + std::to_string(used) + " is used but [WEAVING] Treadles is " + std::to_string(stated),
-        "read with " + std::to_string(used) + " treadles; correct the one or the other");
+        line, {},
+        fill(tr("treadle {used} is used but [WEAVING] Treadles is {stated}"), arg("used", used), arg("stated", stated)),
+        fill(tr("read with {used} treadles; correct one of the two"), arg("used", used)));
   } else if (stated <= 0 && (used > 0 || !r.text.find("LIFTPLAN"))) {
-    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Treadles is missing",
-                       "taken as " + std::to_string(std::max(used, 1)) + ", the highest treadle used");
+    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {}, tr("[WEAVING] Treadles is missing"),
+                       fill(tr("taken as {count}, the highest treadle used"), arg("count", std::max(used, 1))));
   }
   return std::max({stated, used, 1});
 }
@@ -186,39 +199,43 @@ void read_rising(const Reader& r, WifFile* info) {
   const std::optional<bool> value = key ? word_as_bool(key->value) : std::nullopt;
   if (!value) {
     r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {},
-                       key ? "Rising Shed is neither true nor false" : "[WEAVING] does not say Rising Shed",
-                       "read as rising; write Rising Shed=true, or false for a sinking shed");
+                       key ? tr("Rising Shed is neither true nor false") : tr("[WEAVING] has no Rising Shed"),
+                       tr("read as rising; write Rising Shed=true, or false for a sinking shed"));
   }
   r.draft().rising = value.value_or(true);
   if (info) info->rising_stated = value.has_value();
 }
 
 /// Rows of lists (threading, tie-up, treadling, liftplan) as bits.
-void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what, int value_base = 1) {
+/// `shafts`: the values are shafts, otherwise treadles.
+void read_lists(Reader& r, const char* name, BitMatrix& bits, bool shafts, int value_base = 1) {
   const WifSection* section = r.text.find(name);
   if (!section) return;
   const bool is_tieup = section->name == "TIEUP";  // its base is known already
   const int base = is_tieup ? r.dialect.base_of(name) : row_base(*section, bits.rows());
   if (base == 0 && !is_tieup) {
     r.dialect.zero_based.push_back(name);
-    r.diagnostics.add(Severity::kNote, r.line_of(name), {}, std::string("[") + name + "] counts from 0",
-                      "read so; nothing to do");
+    r.diagnostics.add(Severity::kNote, r.line_of(name), {}, fill(tr("[{section}] counts from 0"), arg("section", name)),
+                      tr("read so; nothing to do"));
   }
   std::vector<int> list;
   each_row(*section, bits.rows(), base, r.diagnostics, [&](int row, const WifKey& key) {
     leading_ints(key.value, list);
     if (list.empty()) {
-      r.diagnostics.warn(key.line, section->name + " value",
-                         "[" + section->name + "] has a value that is not a list of numbers",
-                         std::string("ignored; write the numbers of its ") + what);
+      r.diagnostics.warn(
+          key.line, section->name + " value",
+          fill(tr("[{section}] has a value that is not a list of numbers"), arg("section", section->name)),
+          shafts ? tr("ignored; write the numbers of its shafts") : tr("ignored; write the numbers of its treadles"));
     }
     for (const int value : list) {
       if (value >= value_base && value - value_base < bits.cols()) {
         bits.set(row, value - value_base, true);
       } else if (value != 0) {
-        r.diagnostics.warn(key.line, section->name + " shaft",
-                           "[" + section->name + "] names " + what + " " + std::to_string(value),
-                           "ignored; there are " + std::to_string(bits.cols()));
+        r.diagnostics.warn(
+            key.line, section->name + " shaft",
+            fill(shafts ? tr("[{section}] names shaft {number}") : tr("[{section}] names treadle {number}"),
+                 arg("section", section->name), arg("number", value)),
+            fill(tr("ignored; there are {count}"), arg("count", bits.cols())));
       }
     }
   });
@@ -228,22 +245,23 @@ void note_differing_liftplan(const Reader& r, const BitMatrix& liftplan) {
   const BitMatrix from_treadles = lifts(r.draft());
   for (int pick = 0; pick < liftplan.rows(); ++pick) {
     if (std::ranges::equal(liftplan.row(pick), from_treadles.row(pick))) continue;
-    r.diagnostics.warn(r.line_of("LIFTPLAN"), {},
-                       "the liftplan differs from tie-up and treadling, first at pick " + std::to_string(pick + 1),
-                       "tie-up and treadling were used; remove one of the two");
+    r.diagnostics.warn(
+        r.line_of("LIFTPLAN"), {},
+        fill(tr("the liftplan differs from tie-up and treadling, first at pick {pick}"), arg("pick", pick + 1)),
+        tr("tie-up and treadling were used; remove one of the two"));
     return;
   }
 }
 
-/// Tie-up with treadling rule where they lift anything; otherwise the liftplan.
-void read_drive(Reader& r, WifFile* info) {
+/// The shed control is tie-up and treadling if they lift anything, otherwise the liftplan.
+void read_shed_control(Reader& r, WifFile* info) {
   Draft& draft = r.draft();
   const bool has_tieup = r.text.find("TIEUP"), has_treadling = r.text.find("TREADLING");
   const bool has_liftplan = r.text.find("LIFTPLAN");
-  read_lists(r, "TIEUP", draft.tieup, "shafts");
-  read_lists(r, "TREADLING", draft.treadling, "treadles", r.dialect.treadle_base);
+  read_lists(r, "TIEUP", draft.tieup, true);
+  read_lists(r, "TREADLING", draft.treadling, false, r.dialect.treadle_base);
   BitMatrix liftplan(draft.picks(), draft.shafts);
-  read_lists(r, "LIFTPLAN", liftplan, "shafts");
+  read_lists(r, "LIFTPLAN", liftplan, true);
   draft.shed_control = ShedControl::kTreadling;
   const bool treadles_lift = has_tieup && has_treadling && lifts(draft).count() > 0;
   if (!treadles_lift && (liftplan.count() > 0 || (has_liftplan && !has_treadling)))
@@ -254,11 +272,11 @@ void read_drive(Reader& r, WifFile* info) {
   } else {
     if (has_liftplan) note_differing_liftplan(r, liftplan);
     if (!has_liftplan && !has_treadling) {
-      r.diagnostics.warn(-1, {}, "there is neither a treadling nor a liftplan",
-                         "every pick is empty; add [TREADLING] or [LIFTPLAN]");
+      r.diagnostics.warn(-1, {}, tr("there is neither a treadling nor a liftplan"),
+                         tr("every pick is empty; add [TREADLING] or [LIFTPLAN]"));
     } else if (!has_tieup) {
-      r.diagnostics.warn(r.line_of("TREADLING"), {}, "there is a treadling but no tie-up",
-                         "no shaft moves; add [TIEUP]");
+      r.diagnostics.warn(r.line_of("TREADLING"), {}, tr("there is a treadling but no tie-up"),
+                         tr("no shaft moves; add [TIEUP]"));
     }
   }
   r.dialect.has_liftplan = has_liftplan;
@@ -269,16 +287,18 @@ void read_drive(Reader& r, WifFile* info) {
   }
 }
 
-/// Some programs write their largest loom around a small draft: a long tail of threads that nothing uses.
-void note_empty_tail(const Reader& r, const BitMatrix& rows, const char* system, const char* what) {
-  constexpr int kLong = 100, kTimes = 4;
+/// Some programs fill a small draft up to their largest size with unused threads.
+void note_empty_tail(const Reader& r, const BitMatrix& rows, System system) {
+  constexpr int kMinThreads = 100, kMinRatio = 4;
   int used = rows.rows();
   while (used > 0 && rows.first(used - 1) < 0) --used;
-  if (used == 0 || rows.rows() < kLong || rows.rows() < used * kTimes) return;
-  r.diagnostics.add(
-      Severity::kNote, r.line_of(system), {},
-      "only the first " + std::to_string(used) + " of " + std::to_string(rows.rows()) + " " + what + " are used",
-      "resize the draft to " + std::to_string(used) + " to see its cloth alone");
+  if (used == 0 || rows.rows() < kMinThreads || rows.rows() < used * kMinRatio) return;
+  const bool warp = system == System::kWarp;
+  const char* text = warp ? tr("only the first {used} of {count} ends are used")
+                          : tr("only the first {used} of {count} picks are used");
+  r.diagnostics.add(Severity::kNote, r.line_of(warp ? "WARP" : "WEFT"), {},
+                    fill(text, arg("used", used), arg("count", rows.rows())),
+                    fill(tr("resize the draft to {used} to see its cloth alone"), arg("used", used)));
 }
 
 void read_notes(const Reader& r) {
@@ -294,23 +314,24 @@ void read_notes(const Reader& r) {
   if (base == 0) r.dialect.zero_based.push_back("NOTES");
   r.design.notes.resize(static_cast<size_t>(last - base + 1));
   each_row(*notes, last - base + 1, base, r.diagnostics,
-           [&](int line, const WifKey& key) { r.design.notes[static_cast<size_t>(line)] = r.words(&key); });
+           [&](int line, const WifKey& key) { r.design.notes[static_cast<size_t>(line)] = r.text_of(&key); });
 }
 
 void read_head(const Reader& r, WifFile* info) {
   if (!r.text.find("WIF")) {
-    r.diagnostics.add(Severity::kNote, 0, {}, "the file does not start with [WIF]",
-                      "read as WIF; \"save for other programs\" writes the heading");
+    r.diagnostics.add(Severity::kNote, 0, {}, tr("the file does not start with [WIF]"),
+                      tr("read as WIF; \"save for other programs\" writes the heading"));
   } else if (!r.wif("Version")) {
-    r.diagnostics.add(Severity::kNote, r.line_of("WIF"), {}, "[WIF] does not give a Version", "read as version 1.1");
+    r.diagnostics.add(Severity::kNote, r.line_of("WIF"), {}, tr("[WIF] does not give a Version"),
+                      tr("read as version 1.1"));
   }
-  r.design.title = r.words(r.text.find("TEXT", "Title"));
-  r.design.author = r.words(r.text.find("TEXT", "Author"));
+  r.design.title = r.text_of(r.text.find("TEXT", "Title"));
+  r.design.author = r.text_of(r.text.find("TEXT", "Author"));
   if (!info) return;
-  info->version = r.words(r.wif("Version"));
-  info->date = r.words(r.wif("Date"));
-  info->source_program = r.words(r.wif("Source Program"));
-  info->source_version = r.words(r.wif("Source Version"));
+  info->version = r.text_of(r.wif("Version"));
+  info->date = r.text_of(r.wif("Date"));
+  info->source_program = r.text_of(r.wif("Source Program"));
+  info->source_version = r.text_of(r.wif("Source Version"));
 }
 
 bool is_usable(const WifText& text, Diagnostics& diagnostics) {
@@ -318,30 +339,30 @@ bool is_usable(const WifText& text, Diagnostics& diagnostics) {
     diagnostics.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, std::move(what), std::move(remedy));
     return false;
   };
-  if (text.lines.empty()) return refuse("the file is empty", "choose a WIF file");
+  if (text.lines.empty()) return refuse(tr("the file is empty"), tr("choose a WIF file"));
   if (text.bytes.starts_with("\xFF\xFE") || text.bytes.starts_with("\xFE\xFF")) {
-    return refuse("the file is UTF-16 text", "save it as UTF-8 or ASCII first");
+    return refuse(tr("the file is UTF-16 text"), tr("save it as UTF-8 or ASCII first"));
   }
-  if (!text.refused.empty()) return refuse("the file has " + text.refused, "choose a draft saved as .wif");
+  if (!text.too_large.empty()) return refuse(text.too_large, tr("choose a draft saved as .wif"));
   for (const char* name : {"WEAVING", "WARP", "WEFT", "THREADING"}) {
     if (text.find(name)) return true;
   }
-  return refuse("this is not a WIF file: it has none of [WEAVING], [WARP], [WEFT] and [THREADING]",
-                "choose a draft saved as .wif");
+  return refuse(tr("this is not a WIF file: it has none of [WEAVING], [WARP], [WEFT] and [THREADING]"),
+                tr("choose a draft saved as .wif"));
 }
 
 }  // namespace
 
-// What is odd about the lines themselves: check_lines.cpp.
+// check_lines.cpp
 void check_lines(const WifText& text, Diagnostics& diagnostics);
 void check_contents(const WifText& text, Diagnostics& diagnostics);
-// Colours and measures of the threads: read_threads.cpp.
+// read_threads.cpp
 void read_threads(const WifText& text, Diagnostics& diagnostics, WifDialect& dialect, Draft& draft, WifFile* info);
 
 std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnostics, WifFile* info) {
   constexpr size_t kMaxBytes = size_t{1} << 28;
   if (bytes.size() > kMaxBytes) {
-    diagnostics.add(Severity::kError, -1, {}, "the file is larger than 256 MB", "choose a WIF file");
+    diagnostics.add(Severity::kError, -1, {}, tr("the file is larger than 256 MB"), tr("choose a WIF file"));
     return std::nullopt;
   }
   ParsedWif parsed{scan_wif(bytes), {}, {}};
@@ -356,8 +377,9 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
   draft.shafts = read_shaft_count(r);
   draft.treadles = read_treadle_count(r);
   if (static_cast<int64_t>(ends) * picks > kMaxCells) {
-    diagnostics.add(Severity::kError, -1, {}, std::to_string(ends) + " ends by " + std::to_string(picks) + " picks",
-                    "this is more than the " + std::to_string(kMaxCells) + " crossings that can be opened");
+    diagnostics.add(Severity::kError, -1, {},
+                    fill(tr("{ends} ends by {picks} picks"), arg("ends", ends), arg("picks", picks)),
+                    fill(tr("this is more than the {most} crossings that can be opened"), arg("most", kMaxCells)));
   }
   if (diagnostics.has_error()) return std::nullopt;
   draft.warp.resize(ends);
@@ -367,10 +389,10 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
   draft.treadling = BitMatrix(picks, draft.treadles);
   draft.liftplan = BitMatrix(picks, draft.shafts);
   read_rising(r, info);
-  read_lists(r, "THREADING", draft.threading, "shafts");
-  read_drive(r, info);
-  note_empty_tail(r, draft.threading, "WARP", "ends");
-  note_empty_tail(r, draft.shed_control == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, "WEFT", "picks");
+  read_lists(r, "THREADING", draft.threading, true);
+  read_shed_control(r, info);
+  note_empty_tail(r, draft.threading, System::kWarp);
+  note_empty_tail(r, draft.shed_control == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, System::kWeft);
   read_threads(r.text, diagnostics, r.dialect, draft, info);
   read_notes(r);
   read_private_sections(r.text, r.dialect, diagnostics, r.design);
@@ -386,7 +408,7 @@ WifRead read_wif(std::string_view bytes) {
     file.design = std::move(parsed->design);
     result.file = std::move(file);
   }
-  result.diagnostics = diagnostics.take();
+  result.diagnostics = diagnostics.release();
   return result;
 }
 

@@ -1,15 +1,21 @@
-// .dtx: lines of text in sections. `@@Name` opens one, `%%key value` says something of it, the rest is its data.
+// .dtx (Fiberworks): text in sections. `@@Name` opens a section, `%%key value` is a property of it, other lines its
+// data.
 
 #include <algorithm>
 #include <bit>
 
+#include "base/text.h"
 #include "wif/foreign.h"
 #include "wif/numbers.h"
 
 namespace weftlight::wif {
+
+using base::arg;
+using base::fill;
+using base::tr;
 namespace {
 
-constexpr double kSpacingMm = 0.53;  // a step of warp and weft spacing
+constexpr double kSpacingStepMm = 0.53;  // of warp and weft spacing
 constexpr int kDefaultSteps = 4;
 
 struct DtxLine {
@@ -61,7 +67,7 @@ struct Dtx {
   }
 };
 
-/// What stands between blanks (and, with `commas`, belongs together across them).
+/// A word between blanks. With `commas`, words joined by commas are one.
 struct Word {
   int line = 0;
   std::string text;
@@ -70,7 +76,7 @@ struct Word {
 std::vector<Word> words_of(const DtxSection& section, bool commas = false) {
   std::vector<Word> words;
   for (const DtxLine& line : section.data) {
-    bool joins = false;
+    bool continues = false;
     for (size_t at = 0; at < line.text.size();) {
       if (is_blank(line.text[at])) {
         ++at;
@@ -80,13 +86,15 @@ std::vector<Word> words_of(const DtxSection& section, bool commas = false) {
       while (end < line.text.size() && !is_blank(line.text[end])) ++end;
       const std::string_view word = line.text.substr(at, end - at);
       at = end;
-      if (commas && (joins || word.front() == ',') && !words.empty()) words.back().text += word;
+      if (commas && (continues || word.front() == ',') && !words.empty()) words.back().text += word;
       else words.push_back({line.line, std::string(word)});
-      joins = commas && word.back() == ',';
+      continues = commas && word.back() == ',';
     }
   }
   return words;
 }
+
+std::string limit_remedy(int most) { return fill(tr("at most {most} can be opened"), arg("most", most)); }
 
 int count_in(const Dtx& dtx, const char* key, int most) {
   const DtxSection* info = dtx.find("INFO");
@@ -95,32 +103,33 @@ int count_in(const Dtx& dtx, const char* key, int most) {
   const size_t blank = line->text.find_first_of(" \t");
   const int count = blank == std::string_view::npos ? 0 : leading_int(trimmed(line->text.substr(blank))).value_or(0);
   if (count <= most) return std::max(count, 0);
-  dtx.refuse(line->line, std::string("there are ") + std::to_string(count) + " " + key,
-             "at most " + std::to_string(most) + " can be opened");
+  dtx.refuse(line->line, fill("%%{key} {count}", arg("key", key), arg("count", count)), limit_remedy(most));
   return 0;
 }
 
 bool read_threading(const Dtx& dtx, Draft& d) {
   const DtxSection* section = dtx.find("THREADING");
-  if (!section) return dtx.refuse(-1, "there is no @@Threading", "save the draft again"), false;
+  if (!section) return dtx.refuse(-1, tr("there is no @@Threading"), tr("save the draft again")), false;
   const std::vector<Word> words = words_of(*section);
   const int stated = count_in(dtx, "ends", kMaxThreads);
   if (words.size() > static_cast<size_t>(kMaxThreads))
-    return dtx.refuse(section->line, "too many ends", "at most " + std::to_string(kMaxThreads) + " can be opened"),
-           false;
-  // What is not listed hangs on no shaft.
+    return dtx.refuse(section->line, tr("too many ends"), limit_remedy(kMaxThreads)), false;
+  // Ends that are not listed are on no shaft.
   const int listed = static_cast<int>(words.size()), ends = std::max(listed, stated);
-  if (ends == 0) return dtx.refuse(section->line, "the threading is empty", "save the draft again"), false;
+  if (ends == 0) return dtx.refuse(section->line, tr("the threading is empty"), tr("save the draft again")), false;
   if (stated > 0 && stated < listed)
-    dtx.diagnostics.warn(section->line, {},
-                         "%%ends is " + std::to_string(stated) + " but the threading has " + std::to_string(listed),
-                         "the threading was taken");
+    dtx.diagnostics.warn(
+        section->line, {},
+        fill(tr("%%ends is {stated} but the threading has {listed}"), arg("stated", stated), arg("listed", listed)),
+        tr("the threading was used"));
   d.shafts = std::max(count_in(dtx, "shafts", kMaxShafts), 1);
   std::vector<int> shaft_of;
   for (const Word& word : words) {
     const int shaft = leading_int(word.text).value_or(-1);
     if (shaft < 0 || shaft > kMaxShafts)
-      return dtx.refuse(word.line, quoted(word.text.substr(0, 20)) + " is not a shaft", "correct the threading"), false;
+      return dtx.refuse(word.line, fill(tr("'{text}' is not a shaft"), arg("text", word.text.substr(0, 20))),
+                        tr("correct the threading")),
+             false;
     shaft_of.push_back(shaft);
     d.shafts = std::max(d.shafts, shaft);
   }
@@ -136,17 +145,20 @@ bool is_bits(std::string_view text) { return text.find_first_not_of("01") == std
 bool read_tieup(const Dtx& dtx, Draft& d) {
   const DtxSection* section = dtx.find("TIEUP");
   if (!section)
-    return dtx.refuse(-1, "there is neither @@Tieup nor @@Liftplan", "save the draft again with one of them"), false;
+    return dtx.refuse(-1, tr("there is neither @@Tieup nor @@Liftplan"), tr("save the draft again with one of them")),
+           false;
   size_t columns = 0;
   for (const DtxLine& line : section->data) {
     if (!is_bits(line.text))
-      return dtx.refuse(line.line, "a line of the tie-up is not of 0 and 1", "correct the line"), false;
+      return dtx.refuse(line.line, tr("a line of the tie-up has other characters than 0 and 1"),
+                        tr("correct the line")),
+             false;
     columns = std::max(columns, line.text.size());
   }
   const size_t rows = section->data.size();
   if (rows > static_cast<size_t>(kMaxShafts) || columns > static_cast<size_t>(kMaxShafts))
-    return dtx.refuse(section->line, "the tie-up is too large",
-                      "at most " + std::to_string(kMaxShafts) + " shafts and treadles can be opened"),
+    return dtx.refuse(section->line, tr("the tie-up is too large"),
+                      fill(tr("at most {most} shafts and treadles can be opened"), arg("most", kMaxShafts))),
            false;
   if (static_cast<int>(rows) > d.shafts) {
     d.shafts = static_cast<int>(rows);
@@ -160,23 +172,26 @@ bool read_tieup(const Dtx& dtx, Draft& d) {
   return true;
 }
 
-/// Picks that are not listed lift nothing.
+/// Sets the number of picks; picks that are not listed lift nothing.
 bool set_picks(const Dtx& dtx, const DtxSection& section, size_t listed, Draft& d) {
   const int stated = count_in(dtx, "picks", kMaxThreads);
   const size_t count = std::max(listed, static_cast<size_t>(stated));
   if (count == 0 || count > static_cast<size_t>(kMaxThreads) || static_cast<int64_t>(count) * d.ends() > kMaxCells)
-    return dtx.refuse(section.line, std::to_string(count) + " picks cannot be opened", "save the draft again"), false;
+    return dtx.refuse(section.line, fill(tr("{count} picks cannot be opened"), arg("count", count)),
+                      tr("save the draft again")),
+           false;
   if (stated > 0 && static_cast<size_t>(stated) < listed)
-    dtx.diagnostics.warn(section.line, {},
-                         "%%picks is " + std::to_string(stated) + " but there are " + std::to_string(listed),
-                         "those that are there were taken");
+    dtx.diagnostics.warn(
+        section.line, {},
+        fill(tr("%%picks is {stated} but there are {listed}"), arg("stated", stated), arg("listed", listed)),
+        tr("the listed picks were used"));
   d.weft.resize(static_cast<int>(count));
   return true;
 }
 
 bool read_treadling(const Dtx& dtx, Draft& d) {
   const DtxSection* section = dtx.find("TREADLING");
-  if (!section) return dtx.refuse(-1, "there is a tie-up but no @@Treadling", "save the draft again"), false;
+  if (!section) return dtx.refuse(-1, tr("there is a tie-up but no @@Treadling"), tr("save the draft again")), false;
   const std::vector<Word> picks = words_of(*section, true);
   if (!set_picks(dtx, *section, picks.size(), d)) return false;
   d.treadling = BitMatrix(d.picks(), d.treadles);
@@ -185,14 +200,15 @@ bool read_treadling(const Dtx& dtx, Draft& d) {
     const Word& word = picks[static_cast<size_t>(p)];
     leading_ints(word.text, list);
     if (list.empty())
-      return dtx.refuse(word.line, quoted(word.text.substr(0, 20)) + " is not a treadle", "correct the treadling"),
+      return dtx.refuse(word.line, fill(tr("'{text}' is not a treadle"), arg("text", word.text.substr(0, 20))),
+                        tr("correct the treadling")),
              false;
     for (const int treadle : list) {
       if (treadle < 0 || treadle > d.treadles)
         return dtx.refuse(word.line,
-                          "pick " + std::to_string(p + 1) + " names treadle " + std::to_string(treadle) +
-                              ", and there are " + std::to_string(d.treadles),
-                          "correct the treadling or the tie-up"),
+                          fill(tr("pick {pick} names treadle {treadle}, and there are {count}"), arg("pick", p + 1),
+                               arg("treadle", treadle), arg("count", d.treadles)),
+                          tr("correct the treadling or the tie-up")),
                false;
       if (treadle > 0) d.treadling.set(p, treadle - 1, true);
     }
@@ -204,7 +220,9 @@ bool read_liftplan(const Dtx& dtx, const DtxSection& section, Draft& d) {
   size_t shafts = static_cast<size_t>(d.shafts);
   for (const DtxLine& line : section.data) {
     if (!is_bits(line.text) || line.text.size() > static_cast<size_t>(kMaxShafts))
-      return dtx.refuse(line.line, "a line of the liftplan is not of 0 and 1", "correct the line"), false;
+      return dtx.refuse(line.line, tr("a line of the liftplan has other characters than 0 and 1"),
+                        tr("correct the line")),
+             false;
     shafts = std::max(shafts, line.text.size());
   }
   if (!set_picks(dtx, section, section.data.size(), d)) return false;
@@ -227,15 +245,16 @@ void read_palette(const Dtx& dtx, Draft& d) {
   const DtxSection* colors = dtx.find("WARP COLORS");
   if (!colors) colors = dtx.find("WEFT COLORS");
   if (!section && colors)
-    dtx.diagnostics.warn(colors->line, {}, "threads have colours, but there is no @@Color Palette",
-                         "black and white were taken");
+    dtx.diagnostics.warn(colors->line, {}, tr("threads have colours, but there is no @@Color Palette"),
+                         tr("black and white were used"));
   if (!section) return;
   d.palette.clear();
   std::vector<int> list;
   for (const DtxLine& line : section->data) {
     leading_ints(line.text, list);
     if (list.size() < 3 || d.palette.size() >= static_cast<size_t>(kMaxColors)) {
-      dtx.diagnostics.warn(line.line, "palette", "a line of the palette is not red, green and blue", "it became black");
+      dtx.diagnostics.warn(line.line, "palette", tr("a line of the palette is not red, green and blue"),
+                           tr("read as black"));
       list.assign(3, 0);
     }
     d.palette.push_back(color_of_bytes(list[0], list[1], list[2], 255));
@@ -249,8 +268,10 @@ void read_colors(const Dtx& dtx, const char* name, Draft& d, Threads& threads) {
   const auto color = [&](const Word& word) {
     const int index = leading_int(word.text).value_or(-1);
     if (index >= 0 && static_cast<size_t>(index) < d.palette.size()) return index;
-    dtx.diagnostics.warn(word.line, name, std::string(name) + ": there is no colour " + word.text.substr(0, 20),
-                         "the first was taken; the palette has " + std::to_string(d.palette.size()));
+    dtx.diagnostics.warn(word.line, name,
+                         fill(tr("{section}: there is no colour {number}"), arg("section", name),
+                              arg("number", word.text.substr(0, 20))),
+                         fill(tr("the first was used; the palette has {count}"), arg("count", d.palette.size())));
     return 0;
   };
   for (size_t i = 0; i < threads.color.size(); ++i)
@@ -262,7 +283,7 @@ void read_spacing(const Dtx& dtx, const char* name, Threads& threads) {
   const std::vector<Word> words = section ? words_of(*section) : std::vector<Word>{};
   for (size_t i = 0; i < threads.spacing_mm.size(); ++i) {
     const int steps = i < words.size() ? leading_int(words[i].text).value_or(kDefaultSteps) : kDefaultSteps;
-    threads.spacing_mm[i] = static_cast<float>(std::clamp(steps, 1, 1000) * kSpacingMm);
+    threads.spacing_mm[i] = static_cast<float>(std::clamp(steps, 1, 1000) * kSpacingStepMm);
   }
 }
 
@@ -274,11 +295,11 @@ void note_unknown(const Dtx& dtx) {
   for (const DtxSection& section : dtx.sections) {
     const bool known = std::ranges::any_of(kKnown, [&](const char* name) { return section.name == name; });
     if (!known)
-      dtx.diagnostics.add(Severity::kNote, section.line, "unknown section", "@@" + section.name + " is not known",
-                          "it was left out");
+      dtx.diagnostics.add(Severity::kNote, section.line, "unknown section",
+                          fill(tr("@@{section} is not known"), arg("section", section.name)), tr("it was ignored"));
     if (section.name == "PRIVATE" && !section.data.empty())
-      dtx.diagnostics.add(Severity::kNote, section.line, {}, "@@Private holds what only Fiberworks knows",
-                          "it was left out");
+      dtx.diagnostics.add(Severity::kNote, section.line, {}, tr("@@Private holds data of Fiberworks alone"),
+                          tr("it was ignored"));
   }
 }
 
@@ -323,9 +344,9 @@ WifRead read_dtx(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const Dtx dtx{sections_of_dtx(bytes), diagnostics};
   std::optional<WifFile> file;
-  if (bytes.size() > kMaxForeignBytes) dtx.refuse(-1, "the file is larger than 64 MB", "choose a .dtx file");
+  if (bytes.size() > kMaxForeignBytes) dtx.refuse(-1, tr("the file is larger than 64 MB"), tr("choose a .dtx file"));
   else if (dtx.sections.empty() || dtx.sections.front().name != "STARTDTX")
-    dtx.refuse(0, "the file does not begin with @@StartDTX", "choose a .dtx file");
+    dtx.refuse(0, tr("the file does not begin with @@StartDTX"), tr("choose a .dtx file"));
   else file = read_sections(dtx);
   return foreign_file(std::move(file), "dtx", diagnostics);
 }

@@ -1,15 +1,18 @@
-// Reading [PRIVATE WEFTLIGHT ...]. A value that restates a public line exactly (a colour between two
-// steps of Range, a title of two lines) counts only while the public line still says the same, so that
-// another program's change is not undone.
+// Reads [PRIVATE WEFTLIGHT ...]. An exact value that repeats a public line (a colour between two steps of Range, a
+// title of two lines) is used only while the public line still agrees with it, so that changes by other programs are
+// kept.
 
 #include <algorithm>
 #include <charconv>
 
+#include "base/text.h"
 #include "draft/lights.h"
 #include "wif/private.h"
 #include "wif/rows.h"
 
 namespace weftlight::wif {
+
+using base::tr;
 namespace {
 
 const WifSection* private_section(const WifText& text, std::string_view name) {
@@ -39,7 +42,8 @@ struct Source {
   Diagnostics& diagnostics;
 
   void unusable(const WifKey& key) const {
-    diagnostics.warn(key.line, "private", "a value of Weftlight's own is not usable", "the default was used");
+    diagnostics.warn(key.line, "private", tr("a value in a private section of Weftlight is not usable"),
+                     tr("the default was used"));
   }
 };
 
@@ -87,11 +91,11 @@ Method as_method(std::string_view value) {
   return Method::kAuto;
 }
 
-std::string words(const Source& s, const WifKey& key) { return unescaped(to_utf8(key.value, s.text.encoding)); }
+std::string text_of(const Source& s, const WifKey& key) { return unescaped(to_utf8(key.value, s.text.encoding)); }
 
 Yarn read_yarn(const Source& s, const WifSection& section, const std::string& prefix) {
   Yarn yarn;
-  if (const WifKey* key = section.find(prefix + "Name")) yarn.name = words(s, *key);
+  if (const WifKey* key = section.find(prefix + "Name")) yarn.name = text_of(s, *key);
   else yarn.name.clear();
   if (const WifKey* key = section.find(prefix + "Twist")) {
     yarn.twist = as_twist(key->value, yarn.twist);
@@ -141,10 +145,10 @@ void read_scene(const Source& s, const WifSection& section, Scene& scene) {
   read_fields(s, section, kSceneFloats, scene);
   read_color(s, section, "Background", scene.background);
   const WifKey* mesh = section.find("Mesh");
-  scene.mesh = mesh ? words(s, *mesh) : std::string{};
+  scene.mesh = mesh ? text_of(s, *mesh) : std::string{};
   if (const WifKey* own = section.find("Own Drape")) scene.simulated_drape = word_as_bool(own->value).value_or(false);
   if (const WifKey* lights = section.find("Lights")) {
-    const std::string name = words(s, *lights);
+    const std::string name = text_of(s, *lights);
     scene.lights = is_environment(name) ? name : lighting_preset(name).id;
     if (name != scene.lights) s.unusable(*lights);
   }
@@ -157,9 +161,9 @@ void read_views(const Source& s, std::vector<NamedView>& views) {
     const WifSection* section = private_section(s.text, "VIEW " + std::to_string(i));
     if (!section) return;
     NamedView& view = views.emplace_back();
-    if (const WifKey* name = section->find("Name")) view.name = words(s, *name);
+    if (const WifKey* name = section->find("Name")) view.name = text_of(s, *name);
     if (const WifKey* flat = section->find("Flat")) view.flat = word_as_bool(flat->value).value_or(false);
-    // Without numbers: the scene of a new draft.
+    // Without these keys: the scene of a new draft.
     if (section->find(kSceneFloats[0].key)) read_scene(s, *section, view.scene);
   }
 }
@@ -202,8 +206,8 @@ void read_weaves(const Source& s, std::vector<WeaveUse>& weaves) {
     if (number < 1 || static_cast<size_t>(number) > weaves.size() || blank == std::string_view::npos) continue;
     WeaveUse& use = weaves[static_cast<size_t>(number) - 1];
     const std::string_view name = key.key.substr(blank + 1);
-    if (same_word(name, "Weave")) use.weave = words(s, key);
-    else if (name.starts_with(kWeaveNumber)) use.values.emplace_back(name.substr(kWeaveNumber.size()), words(s, key));
+    if (same_word(name, "Weave")) use.weave = text_of(s, key);
+    else if (name.starts_with(kWeaveNumber)) use.values.emplace_back(name.substr(kWeaveNumber.size()), text_of(s, key));
     if (!same_word(name, "Place")) continue;
     leading_ints(key.value, place);
     place.resize(4, 0);
@@ -214,7 +218,7 @@ void read_weaves(const Source& s, std::vector<WeaveUse>& weaves) {
   for (WeaveUse& use : weaves) std::ranges::sort(use.values);
 }
 
-/// The next word of a text whose words stand between blanks; empty at the end.
+/// Removes and returns the next word; empty at the end.
 std::string_view next_word(std::string_view& text) {
   text = trimmed(text);
   const size_t end = std::min(text.find(' '), text.size());
@@ -223,7 +227,7 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// "1 2 1+3 0" as rows of bits; what is beyond the columns is left out.
+/// "1 2 1+3 0" as rows of bits; values beyond `columns` are ignored.
 BitMatrix rows_from(std::string_view text, int columns) {
   std::vector<std::string_view> words;
   for (std::string_view word; words.size() < static_cast<size_t>(kMaxThreads) && !(word = next_word(text)).empty();)
@@ -253,7 +257,7 @@ void read_column(const WifSection& section, const std::string& key, std::vector<
 
 ThreadSection read_section(const Source& s, const WifSection& section, const std::string& prefix) {
   ThreadSection out;
-  if (const WifKey* key = section.find(prefix + "Name")) out.name = words(s, *key);
+  if (const WifKey* key = section.find(prefix + "Name")) out.name = text_of(s, *key);
   if (const WifKey* key = section.find(prefix + "Lifts"); key && word_as_bool(key->value) == true)
     out.shed_control = ShedControl::kLiftplan;
   const WifKey* rows = section.find(prefix + "Rows");
@@ -272,8 +276,8 @@ ThreadSection read_section(const Source& s, const WifSection& section, const std
 void read_assembly(const Source& s, const char* name, Assembly& assembly) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
-  constexpr int64_t kMaxBits = int64_t{1} << 28;  // of all its rows
-  if (const WifKey* order = section->find("Order")) assembly.order = words(s, *order);
+  constexpr int64_t kMaxBits = int64_t{1} << 28;  // of all sections
+  if (const WifKey* order = section->find("Order")) assembly.order = text_of(s, *order);
   const int count = count_of(*section, "Sections", kMaxSections);
   int64_t bits = 0;
   for (int i = 1; i <= count && bits < kMaxBits; ++i) {
@@ -286,7 +290,7 @@ void read_assembly(const Source& s, const char* name, Assembly& assembly) {
 void restore_text(const Source& s, const WifSection& section, const std::string& name, std::string& text) {
   const WifKey* key = section.find(name);
   if (!key) return;
-  const std::string exact = words(s, *key);
+  const std::string exact = text_of(s, *key);
   if (one_line(exact) == text) text = exact;
 }
 
@@ -300,7 +304,7 @@ void read_exact_text(const Source& s, Design& design) {
     const int note = leading_int(key.key.substr(5)).value_or(0);
     if (note < 1 || static_cast<size_t>(note) > design.notes.size()) continue;
     std::string& text = design.notes[static_cast<size_t>(note) - 1];
-    const std::string exact = words(s, key);
+    const std::string exact = text_of(s, key);
     if (one_line(exact) == text) text = exact;
   }
 }
@@ -329,7 +333,8 @@ void read_exact_measures(const Source& s, const char* name, std::vector<float>& 
   });
 }
 
-void read_sleeping(const Source& s, const char* name, BitMatrix& bits) {
+/// The grid of the inactive shed control.
+void read_inactive_grid(const Source& s, const char* name, BitMatrix& bits) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
   std::vector<int> list;
@@ -362,9 +367,9 @@ void read_private_sections(const WifText& text, const WifDialect& dialect, Diagn
   read_exact_measures(s, "WARP THICKNESS", design.draft.warp.thickness_mm);
   read_exact_measures(s, "WEFT THICKNESS", design.draft.weft.thickness_mm);
   if (design.draft.shed_control == ShedControl::kLiftplan) {
-    read_sleeping(s, "TREADLING", design.draft.treadling);
+    read_inactive_grid(s, "TREADLING", design.draft.treadling);
   } else {
-    read_sleeping(s, "LIFTPLAN", design.draft.liftplan);
+    read_inactive_grid(s, "LIFTPLAN", design.draft.liftplan);
   }
 }
 

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "wif/rows.h"
 
 namespace weftlight::wif {
+
+using base::arg;
+using base::fill;
+using base::tr;
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kDecipointsPerInch = 720.0;  // by convention; the text of WIF is silent
+constexpr double kDecipointsPerInch = 720.0;  // by convention; WIF does not define it
 
 struct Context {
   const WifText& text;
@@ -47,8 +52,8 @@ void read_range(Context& c, int largest_channel) {
   }
   c.dialect.range_high = largest_channel <= 255 ? 255 : largest_channel <= 999 ? 999 : std::max(65535, largest_channel);
   c.diagnostics.warn(
-      key ? key->line : -1, {}, "[COLOR PALETTE] gives no usable Range",
-      "colours were read as 0," + std::to_string(c.dialect.range_high) + "; write Range= as two numbers");
+      key ? key->line : -1, {}, tr("[COLOR PALETTE] gives no usable Range"),
+      fill(tr("colours were read as 0,{high}; write Range= as two numbers"), arg("high", c.dialect.range_high)));
 }
 
 Rgb color_of(Context& c, const int* channel, int line) {
@@ -56,14 +61,14 @@ Rgb color_of(Context& c, const int* channel, int line) {
   float out[3];
   for (int i = 0; i < 3; ++i) {
     if (channel[i] < low || channel[i] > high) {
-      c.diagnostics.warn(line, "channel", "a colour is outside Range", "taken as the nearest that is inside");
+      c.diagnostics.warn(line, "channel", tr("a colour is outside Range"), tr("taken as the nearest that is inside"));
     }
     out[i] = static_cast<float>((std::clamp<double>(channel[i], low, high) - low) / (high - low));
   }
   return {out[0], out[1], out[2]};
 }
 
-/// False when the file has no table.
+/// False if the file has no colour table.
 bool read_palette(Context& c) {
   const WifSection* table = c.text.find("COLOR TABLE");
   int base = 1, last = -1, largest_channel = 0;
@@ -85,8 +90,8 @@ bool read_palette(Context& c) {
   each_row(*table, last - base + 1, base, c.diagnostics, [&](int index, const WifKey& key) {
     leading_ints(key.value, list);
     if (list.size() < 3) {
-      c.diagnostics.warn(key.line, "rgb", "a colour has fewer than three numbers",
-                         "read as black; write red,green,blue");
+      c.diagnostics.warn(key.line, "rgb", tr("a colour has fewer than three numbers"),
+                         tr("read as black; write red,green,blue"));
       return;
     }
     c.draft.palette[static_cast<size_t>(index)] = color_of(c, list.data(), key.line);
@@ -94,7 +99,7 @@ bool read_palette(Context& c) {
   return true;
 }
 
-/// Color=index,R,G,B of a two-colour draft without a table.
+/// Color=index,R,G,B of a two-colour draft without a colour table.
 std::optional<Rgb> stated_rgb(Context& c, const char* system) {
   const WifKey* key = c.text.find(system, "Color");
   std::vector<int> list;
@@ -112,30 +117,30 @@ void default_palette(Context& c) {
   std::fill(c.draft.weft.color.begin(), c.draft.weft.color.end(), 1);
   c.dialect.warp.color.fallback = 0;
   c.dialect.weft.color.fallback = 1;
-  c.diagnostics.add(Severity::kNote, -1, {}, "there is no color table",
-                    "warp and weft were given two colours; paint them as you like");
+  c.diagnostics.add(Severity::kNote, -1, {}, tr("there is no color table"),
+                    tr("warp and weft were given two colours; paint them as you like"));
 }
 
 int color_index(Context& c, int number, int base, int line) {
   const int count = static_cast<int>(c.draft.palette.size());
   const int index = std::clamp(number, base, base + count - 1) - base;
   if (index != number - base) {
-    c.diagnostics.warn(line, "color index", "color " + std::to_string(number) + " is not in the color table",
-                       "color " + std::to_string(index + base) + " was used; correct one of them");
+    c.diagnostics.warn(line, "color index", fill(tr("color {number} is not in the color table"), arg("number", number)),
+                       fill(tr("color {number} was used; correct one of them"), arg("number", index + base)));
   }
   return index;
 }
 
-void read_colors(Context& c, const char* system, Threads& threads, ColumnDialect& habit, int implied) {
+void read_colors(Context& c, const char* system, Threads& threads, ColumnDialect& column, int implied) {
   const WifKey* key = c.text.find(system, "Color");
   const std::optional<int> stated = key ? leading_int(key->value) : std::nullopt;
   const int fallback = stated ? color_index(c, *stated, c.dialect.default_color_base, key->line)
                               : std::min(implied, static_cast<int>(c.draft.palette.size()) - 1);
   std::fill(threads.color.begin(), threads.color.end(), fallback);
-  habit.fallback = fallback;
+  column.fallback = fallback;
   const WifSection* rows = c.text.find(std::string(system) + " COLORS");
   if (!rows) return;
-  habit.list_all = true;
+  column.list_all = true;
   each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.diagnostics,
            [&](int thread, const WifKey& row) {
              if (const std::optional<int> number = leading_int(row.value)) {
@@ -149,8 +154,8 @@ void read_units(Context& c, const char* system, SystemDialect& dialect) {
   if (!key) {
     for (const char* name : {"Spacing", "Thickness"}) {
       if (const WifKey* measure = c.text.find(system, name)) {
-        c.diagnostics.warn(measure->line, {}, std::string("[") + system + "] gives no Units",
-                           "read as centimeters; write Units=");
+        c.diagnostics.warn(measure->line, {}, fill(tr("[{section}] gives no Units"), arg("section", system)),
+                           tr("read as centimeters; write Units="));
         return;
       }
     }
@@ -165,31 +170,34 @@ void read_units(Context& c, const char* system, SystemDialect& dialect) {
   } else if (unit == "DECIPOINTS" || unit == "DECIPOINT") {
     dialect.unit.mm = kMmPerInch / kDecipointsPerInch;
   } else if (unit != "CENTIMETERS" && unit != "CENTIMETER" && unit != "CENTIMETRES" && unit != "CM") {
-    c.diagnostics.warn(key->line, {}, "Units is neither Inches, Centimeters nor Decipoints", "read as centimeters");
+    c.diagnostics.warn(key->line, {}, tr("Units is neither Inches, Centimeters nor Decipoints"),
+                       tr("read as centimeters"));
   }
   if (unit == "ENGLISH") {
-    c.diagnostics.add(Severity::kNote, key->line, {}, "Units=" + dialect.unit.name + " is not a unit of WIF",
-                      "read as inches");
+    c.diagnostics.add(Severity::kNote, key->line, {},
+                      fill(tr("Units={unit} is not a unit of WIF"), arg("unit", dialect.unit.name)),
+                      tr("read as inches"));
   }
 }
 
-/// Millimetres of a measure; nothing for 0, which leaves it to the yarn.
+/// A measure in mm; kFromYarn for 0, empty if it cannot be read.
 std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
   bool comma = false;
   const std::optional<double> value = leading_real(key.value, &comma);
-  if (comma) c.diagnostics.warn(key.line, "comma", "a measure has a decimal comma", "read as a point; write a point");
+  if (comma)
+    c.diagnostics.warn(key.line, "comma", tr("a measure has a decimal comma"), tr("read as a point; write a point"));
   const float mm = static_cast<float>(value.value_or(-1) * unit_mm);
   if (!value || *value < 0 || !std::isfinite(mm)) {
-    c.diagnostics.warn(key.line, "measure", "a spacing or thickness is not a usable number",
-                       "ignored; write a number of 0 or more");
+    c.diagnostics.warn(key.line, "measure", tr("a spacing or thickness is not a usable number"),
+                       tr("ignored; write a number of 0 or more"));
     return std::nullopt;
   }
   return mm > 0 ? mm : kFromYarn;
 }
 
-/// Spacing or thickness: a row's own measure, or the system's times the row's (or the system's) zoom.
+/// Spacing or thickness: a row's own measure, otherwise that of the system times the zoom of the row or of the system.
 void read_measures(Context& c, const std::string& system, const std::string& name, std::vector<float>& out,
-                   ColumnDialect& habit, double unit_mm) {
+                   ColumnDialect& column, double unit_mm) {
   const WifKey* stated = c.text.find(system, name);
   const float base = stated ? measure(c, *stated, unit_mm).value_or(kFromYarn) : kFromYarn;
   const WifKey* zoom_key = c.text.find(system, name + " Zoom");
@@ -197,24 +205,24 @@ void read_measures(Context& c, const std::string& system, const std::string& nam
   const auto zoomed = [base](int times) { return base > 0 && times > 0 ? base * static_cast<float>(times) : base; };
   const int count = static_cast<int>(out.size());
   std::fill(out.begin(), out.end(), zoomed(zoom));
-  habit.fallback = static_cast<double>(zoomed(zoom));
+  column.fallback = static_cast<double>(zoomed(zoom));
   const std::string table = system + " " + uppercase(name);
   if (const WifSection* rows = c.text.find(table + " ZOOM")) {
-    habit.list_all = true;
+    column.list_all = true;
     each_row(*rows, count, row_base(*rows, count), c.diagnostics, [&](int thread, const WifKey& row) {
       if (const std::optional<int> times = leading_int(row.value)) out[static_cast<size_t>(thread)] = zoomed(*times);
     });
   }
-  habit.list_all = habit.list_all || zoom > 1;
+  column.list_all = column.list_all || zoom > 1;
   if (const WifSection* rows = c.text.find(table)) {
-    habit.list_all = true;
+    column.list_all = true;
     each_row(*rows, count, base_of_rows(c, *rows, count), c.diagnostics, [&](int thread, const WifKey& row) {
       if (const std::optional<float> mm = measure(c, row, unit_mm)) out[static_cast<size_t>(thread)] = *mm;
     });
   }
 }
 
-/// The character a WIF symbol means: X, 'X' or #88.
+/// The character of a WIF symbol, written as X, 'X' or #88.
 std::string symbol_of(std::string_view value, Encoding encoding) {
   if (value.size() >= 3 && value.front() == '\'') return to_utf8(value.substr(1, value.find('\'', 2) - 1), encoding);
   if (value.size() >= 2 && value.front() == '#') {

@@ -1,16 +1,22 @@
-// .wpo: bytes in a fixed order, found out by others than its maker. Integers are big-endian, masks little-endian.
+// .wpo (WeavePoint): fields in a fixed order, without published specification. Integers are big-endian, masks
+// little-endian.
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "wif/foreign.h"
 
 namespace weftlight::wif {
+
+using base::arg;
+using base::fill;
+using base::tr;
 namespace {
 
-constexpr int kLastVersion = 7, kFirstFullColors = 4;
+constexpr int kLastVersion = 7, kFirstByteColors = 4;  // earlier versions have channels of 0..63
 enum Kind : int { kLiftplanKind = 100, kSingleTreadles = 101, kManyTreadles = 102 };
 
-/// Reads on from `at`; past the end it gives zeros and says so.
+/// A cursor over the bytes. Reading beyond the end gives zeros and sets `short_`.
 struct Bytes {
   std::string_view bytes;
   size_t at = 0;
@@ -61,19 +67,19 @@ struct Wpo {
     diagnostics.add(Severity::kError, -1, {}, std::move(what), std::move(remedy));
     return false;
   }
-  bool cut(const char* where) const {
-    return refuse(std::string("the file ends within its ") + where, "save the draft again");
-  }
+  /// `what`: the message.
+  bool truncated(const char* what) const { return refuse(what, tr("save the draft again")); }
 
   bool read_head() {
-    if (in.byte() != 123) return refuse("this is not a .wpo file", "choose one");
+    if (in.byte() != 123) return refuse(tr("this is not a .wpo file"), tr("choose a .wpo file"));
     version = in.byte();
     kind = in.byte();
     if (version > kLastVersion)
-      return refuse("version " + std::to_string(version) + " of .wpo is not known",
-                    "save the draft as WIF in WeavePoint");
+      return refuse(fill(tr("version {version} of .wpo is not known"), arg("version", version)),
+                    tr("save the draft as WIF in WeavePoint"));
     if (kind < kLiftplanKind || kind > kManyTreadles)
-      return refuse("a draft of type " + std::to_string(kind) + " is not known", "save the draft as WIF in WeavePoint");
+      return refuse(fill(tr("a draft of type {type} is not known"), arg("type", kind)),
+                    tr("save the draft as WIF in WeavePoint"));
     in.skip(1);  // zoom
     d.shafts = in.byte();
     d.treadles = std::max(in.byte(), 1);
@@ -81,9 +87,9 @@ struct Wpo {
     d.rising = in.byte() == 0;
     in.skip(1);
     const int ends_per_inch = in.byte(), picks_per_inch = in.byte();
-    in.skip(2 + 2 + 2 + 7);  // unknown, then the ends and picks of the sheet, which may be far more than are used
-    if (in.short_) return cut("head");
-    if (d.shafts < 1) return refuse("the draft has no shafts", "choose another file");
+    in.skip(2 + 2 + 2 + 7);  // unknown, then ends and picks of the sheet, often many more than are used
+    if (in.short_) return truncated(tr("the file ends within its header"));
+    if (d.shafts < 1) return refuse(tr("the draft has no shafts"), tr("choose another file"));
     spacing_mm[0] = ends_per_inch > 0 ? 25.4f / static_cast<float>(ends_per_inch) : kFromYarn;
     spacing_mm[1] = picks_per_inch > 0 ? 25.4f / static_cast<float>(picks_per_inch) : kFromYarn;
     return true;
@@ -93,24 +99,24 @@ struct Wpo {
     const std::vector<int> threading = in.list();
     warp_colors = in.list();
     weft_colors = in.list();
-    if (in.short_) return cut("threading");
-    if (threading.empty()) return refuse("the draft has no ends", "choose another file");
+    if (in.short_) return truncated(tr("the file ends within its threading"));
+    if (threading.empty()) return refuse(tr("the draft has no ends"), tr("choose another file"));
     d.warp.resize(static_cast<int>(threading.size()));
     d.threading = BitMatrix(d.ends(), d.shafts);
     for (int e = 0; e < d.ends(); ++e) {
       const int shaft = threading[static_cast<size_t>(e)];
       if (shaft > d.shafts)
         diagnostics.warn(-1, "shaft",
-                         "end " + std::to_string(e + 1) + " is on shaft " + std::to_string(shaft) + ", and there are " +
-                             std::to_string(d.shafts),
-                         "it was left on none");
+                         fill(tr("end {end} is on shaft {shaft}, and there are {count}"), arg("end", e + 1),
+                              arg("shaft", shaft), arg("count", d.shafts)),
+                         tr("the end was left on no shaft"));
       else if (shaft > 0) d.threading.set(e, shaft - 1, true);
     }
     return true;
   }
 
   bool set_picks(int picks) {
-    if (picks < 1) return refuse("the draft has no picks", "choose another file");
+    if (picks < 1) return refuse(tr("the draft has no picks"), tr("choose another file"));
     d.weft.resize(picks);
     return true;
   }
@@ -119,28 +125,28 @@ struct Wpo {
     if (!set_picks(in.number())) return false;
     d.shed_control = ShedControl::kLiftplan;
     d.liftplan = in.masks(d.picks(), d.shafts);
-    return !in.short_ || cut("liftplan");
+    return !in.short_ || truncated(tr("the file ends within its liftplan"));
   }
 
   bool read_treadles() {
     d.tieup = in.masks(d.treadles, d.shafts);
-    if (in.short_) return cut("tie-up");
+    if (in.short_) return truncated(tr("the file ends within its tie-up"));
     if (kind == kManyTreadles) {
       if (!set_picks(in.number())) return false;
       d.treadling = in.masks(d.picks(), d.treadles);
-      return !in.short_ || cut("treadling");
+      return !in.short_ || truncated(tr("the file ends within its treadling"));
     }
     const std::vector<int> treadles = in.list();
-    if (in.short_) return cut("treadling");
+    if (in.short_) return truncated(tr("the file ends within its treadling"));
     if (!set_picks(static_cast<int>(treadles.size()))) return false;
     d.treadling = BitMatrix(d.picks(), d.treadles);
     for (int p = 0; p < d.picks(); ++p) {
       const int treadle = treadles[static_cast<size_t>(p)];
       if (treadle > d.treadles)
         diagnostics.warn(-1, "treadle",
-                         "pick " + std::to_string(p + 1) + " names treadle " + std::to_string(treadle) +
-                             ", and there are " + std::to_string(d.treadles),
-                         "it was left without");
+                         fill(tr("pick {pick} names treadle {treadle}, and there are {count}"), arg("pick", p + 1),
+                              arg("treadle", treadle), arg("count", d.treadles)),
+                         tr("the pick was left without a treadle"));
       else if (treadle > 0) d.treadling.set(p, treadle - 1, true);
     }
     return true;
@@ -148,25 +154,24 @@ struct Wpo {
 
   void read_palette() {
     in.skip(66);  // translation grids
-    const int colors = in.byte(), most = version >= kFirstFullColors ? 255 : 63;
+    const int colors = in.byte(), most = version >= kFirstByteColors ? 255 : 63;
     for (int i = 0; i < colors && !in.short_; ++i) {
       const int r = in.byte(), g = in.byte(), b = in.byte();
       if (!in.short_) d.palette.push_back(color_of_bytes(r, g, b, most));
     }
     if (!d.palette.empty()) return;
-    diagnostics.warn(-1, {}, "the file has no palette", "the warp became black, the weft white");
+    diagnostics.warn(-1, {}, tr("the file has no palette"), tr("the warp is black, the weft white"));
     d.palette = {{0, 0, 0}, {1, 1, 1}};
   }
 
-  void take_colors(const std::vector<int>& colors, const char* what, Threads& threads) {
+  /// `pattern`: the message for a colour that does not exist.
+  void set_colors(const std::vector<int>& colors, const char* pattern, Threads& threads) {
     for (size_t i = 0; i < threads.color.size(); ++i) {
       const int color = i < colors.size() ? colors[i] : colors.empty() ? 0 : colors.front();
       const bool there = static_cast<size_t>(color) < d.palette.size();
       if (!there)
-        diagnostics.warn(-1, what,
-                         std::string(what) + " names colour " + std::to_string(color + 1) + ", and there are " +
-                             std::to_string(d.palette.size()),
-                         "the first was taken");
+        diagnostics.warn(-1, pattern, fill(pattern, arg("number", color + 1), arg("count", d.palette.size())),
+                         tr("the first was used"));
       threads.color[i] = there ? color : 0;
     }
   }
@@ -176,18 +181,18 @@ struct Wpo {
     if (!read_head() || !read_warp(warp_colors, weft_colors)) return false;
     if (!(kind == kLiftplanKind ? read_liftplan() : read_treadles())) return false;
     if (static_cast<int64_t>(d.ends()) * d.picks() > kMaxCells)
-      return refuse("the draft is too large", "make it smaller");
+      return refuse(tr("the draft is too large"), tr("make it smaller"));
     d.tieup.resize(d.treadles, d.shafts);
     d.treadling.resize(d.picks(), d.treadles);
     d.liftplan.resize(d.picks(), d.shafts);
     read_palette();
-    take_colors(warp_colors, "an end", d.warp);
-    take_colors(weft_colors, "a pick", d.weft);
+    set_colors(warp_colors, tr("an end names colour {number}, and there are {count}"), d.warp);
+    set_colors(weft_colors, tr("a pick names colour {number}, and there are {count}"), d.weft);
     std::ranges::fill(d.warp.spacing_mm, spacing_mm[0]);
     std::ranges::fill(d.weft.spacing_mm, spacing_mm[1]);
     diagnostics.add(Severity::kNote, -1, {},
-                    "thickness and spacing of single threads are kept in a way that is not known",
-                    "all have the spacing of the head; give others by hand");
+                    tr("thickness and spacing of single threads are stored in an unknown form"),
+                    tr("all threads have the spacing of the header; set others by hand"));
     return true;
   }
 };

@@ -35,37 +35,37 @@ bool is_uniform(const std::vector<T>& values) {
   return std::all_of(values.begin(), values.end(), [&](const T& v) { return v == values.front(); });
 }
 
-/// Colours of a system: rows where the file lists rows, otherwise one default and the rows that differ.
-void add_colors(WifEntries& head, WifEntries& rows, const Threads& threads, const ColumnDialect& habit,
+/// Colours of a system: all rows if the file lists rows, otherwise a default and the rows that differ.
+void add_colors(WifEntries& head, WifEntries& rows, const Threads& threads, const ColumnDialect& column,
                 const WifDialect& dialect) {
-  const bool one = !habit.list_all && is_uniform(threads.color);
-  const int fallback = one && threads.size() > 0 ? threads.color.front() : static_cast<int>(habit.fallback);
+  const bool one = !column.list_all && is_uniform(threads.color);
+  const int fallback = one && threads.size() > 0 ? threads.color.front() : static_cast<int>(column.fallback);
   head.entries.push_back({-1, "Color", std::to_string(fallback + dialect.default_color_base), false});
   const int base = dialect.base_of(rows.name);
   for (int i = 0; i < threads.size(); ++i) {
     const int color = threads.color[static_cast<size_t>(i)];
-    if (habit.list_all || color != fallback) {
+    if (column.list_all || color != fallback) {
       rows.entries.push_back({i + base, {}, std::to_string(color + dialect.palette_base), false});
     }
   }
 }
 
-/// A measure that a public line can hold: positive, or left to the yarn.
+/// Whether a public line can hold the measure: positive, or kFromYarn.
 bool is_public_measure(float mm) { return mm == kFromYarn || (mm > 0 && mm < kAny); }
 
 std::string measure_text(float mm, double unit_mm) { return mm > 0 && mm < kAny ? in_units(mm, unit_mm) : "0"; }
 
-/// Spacing or thickness, as the colours; 0 stands for "from the yarn" where a default would speak otherwise.
+/// Spacing or thickness, like the colours. 0 means kFromYarn where a default has another value.
 void add_measures(WifEntries& head, WifEntries& rows, const char* key, const std::vector<float>& mm,
-                  const ColumnDialect& habit, double unit_mm, const WifDialect& dialect) {
-  const float stated = static_cast<float>(habit.fallback);
-  const bool one = !habit.list_all && !mm.empty() && is_uniform(mm) && is_public_measure(mm.front());
+                  const ColumnDialect& column, double unit_mm, const WifDialect& dialect) {
+  const float stated = static_cast<float>(column.fallback);
+  const bool one = !column.list_all && !mm.empty() && is_uniform(mm) && is_public_measure(mm.front());
   const float fallback = one ? mm.front() : stated;
   if (fallback != kFromYarn || stated != kFromYarn)
     head.entries.push_back({-1, key, measure_text(fallback, unit_mm), false});
   const int base = dialect.base_of(rows.name);
   for (size_t i = 0; i < mm.size(); ++i) {
-    if (!habit.list_all && mm[i] == fallback) continue;
+    if (!column.list_all && mm[i] == fallback) continue;
     if (!(mm[i] > 0 && mm[i] < kAny) && fallback == kFromYarn) continue;
     rows.entries.push_back({static_cast<int>(i) + base, {}, measure_text(mm[i], unit_mm), false});
   }
@@ -107,8 +107,8 @@ WifEntries color_table(const Draft& draft, const WifDialect& dialect) {
   return table;
 }
 
-/// Tie-up with treadling, or the liftplan; a treadled draft's liftplan follows its treadles.
-void add_drive(std::vector<WifEntries>& out, const Draft& draft, const WifDialect& dialect) {
+/// Tie-up and treadling, or the liftplan. A liftplan besides a treadling is computed from it.
+void add_shed_control(std::vector<WifEntries>& out, const Draft& draft, const WifDialect& dialect) {
   const bool treadled = draft.shed_control == ShedControl::kTreadling;
   if (treadled || draft.tieup.count() > 0) add_rows(out, "TIEUP", draft.tieup, dialect);
   if (treadled) add_rows(out, "TREADLING", draft.treadling, dialect, dialect.treadle_base);
@@ -147,7 +147,7 @@ std::vector<WifEntries> public_sections_of(const Design& design, const WifDialec
   for (WifEntries* head : {&weaving, &warp, &weft}) out.push_back(std::move(*head));
   out.push_back(color_table(draft, dialect));
   add_rows(out, "THREADING", draft.threading, dialect);
-  add_drive(out, draft, dialect);
+  add_shed_control(out, draft, dialect);
   out.insert(out.end(), std::make_move_iterator(tables.begin()), std::make_move_iterator(tables.end()));
   if (!design.notes.empty()) out.push_back(notes_of(design, dialect));
   return out;

@@ -1,6 +1,5 @@
 #pragma once
-// A design as WIF sections and keys, in the terms of a file: the half of writing that knows the format.
-// The half that knows the lines is patch.h.
+// Converts a design to WIF sections and keys, in the dialect of a file. line_edits.h writes them into lines.
 
 #include <string>
 #include <vector>
@@ -12,9 +11,9 @@ namespace weftlight::wif {
 
 struct WifEntry {
   int number = -1;  // of a numbered row; -1: a named key
-  std::string key;  // the name when number is -1
+  std::string key;  // the name if number is -1
   std::string value;
-  bool is_text = false;  // words, where a ; would be no comment
+  bool is_text = false;  // text, in which ; does not begin a comment
   bool operator==(const WifEntry&) const = default;
 };
 
@@ -23,17 +22,17 @@ struct WifEntries {
   std::vector<WifEntry> entries;  // numbered rows ascend
 };
 
-/// All that a design says, but for [WIF] and [CONTENTS]; in the order one-pass readers want. Weftlight's
-/// private sections come last, each only when it says something that WIF's own do not.
+/// The whole design but for [WIF] and [CONTENTS], in the order for one-pass readers. Private sections come last, and
+/// only if they hold something that the public ones cannot.
 std::vector<WifEntries> sections_of(const Design& design, const WifDialect& dialect);
 
 /// The public sections alone.
 std::vector<WifEntries> public_sections_of(const Design& design, const WifDialect& dialect);
 
-/// Appends Weftlight's private sections (private_sections.cpp).
+/// Appends Weftlight's private sections (write_private.cpp).
 void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifDialect& dialect);
 
-/// "1,3,4" of the set bits of a row, counted from `base`; "0" for none, empty where 0 is a number.
+/// "1,3,4" of the set bits of a row, counted from `base`; "0" if there are none, empty if `base` is 0.
 std::string bit_list(const BitMatrix& bits, int row, int base = 1);
 
 }  // namespace weftlight::wif

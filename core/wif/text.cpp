@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <climits>
 
+#include "base/text.h"
 #include "base/utf8.h"
 #include "wif/numbers.h"
 
 namespace weftlight::wif {
+
+using base::arg;
+using base::fill;
+using base::tr;
 namespace {
 
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
@@ -21,7 +26,7 @@ void split_lines(WifText& text) {
     if (c != '\n' && c != '\r') continue;
     const uint32_t eol = c == '\r' && i + 1 < size && bytes[i + 1] == '\n' ? 2 : 1;
     if (text.lines.size() == kMaxLines) {
-      text.refused = "more than " + std::to_string(kMaxLines) + " lines";
+      text.too_large = fill(tr("the file has more than {most} lines"), arg("most", kMaxLines));
       return;
     }
     text.lines.push_back({begin, i - begin, eol});
@@ -41,7 +46,7 @@ int key_number(std::string_view key) {
   return static_cast<int>(value);
 }
 
-/// Name between the brackets: upper case, runs of blanks made one.
+/// Name between the brackets, in upper case, with single blanks.
 std::string section_name(std::string_view line, bool& closed) {
   const size_t close = line.find(']');
   closed = close != std::string_view::npos;
@@ -62,7 +67,7 @@ WifSection& section_at(WifText& text, const std::string& name) {
   return text.sections[at->second];
 }
 
-/// Luminescence names the weft's colours a second [WARP COLORS]: the block goes by its true name.
+/// Luminescence writes the weft's colours under a second [WARP COLORS]; that block is indexed as [WEFT COLORS].
 void find_sections(WifText& text) {
   int warp_colors = 0;
   bool weft_colors = false;
@@ -86,7 +91,7 @@ void find_sections(WifText& text) {
     const auto& [line, name] = headers[h];
     const int end = h + 1 < headers.size() ? headers[h + 1].first : count;
     if (text.sections.size() == kMaxTextSections) {
-      text.refused = "more than " + std::to_string(kMaxTextSections) + " sections";
+      text.too_large = fill(tr("the file has more than {most} sections"), arg("most", kMaxTextSections));
       return;
     }
     section_at(text, line == text.second_warp_colors ? "WEFT COLORS" : name).blocks.push_back({line, line + 1, end});
@@ -135,7 +140,7 @@ WifText scan_wif(std::string_view bytes) {
   text.bom = bytes.starts_with(kBom);
   text.encoding = is_utf8(bytes) ? Encoding::kUtf8 : Encoding::kLatin1;
   split_lines(text);
-  if (text.refused.empty()) find_sections(text);
+  if (text.too_large.empty()) find_sections(text);
   for (WifSection& section : text.sections) index_keys(text, section);
   return text;
 }

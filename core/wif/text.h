@@ -1,6 +1,5 @@
 #pragma once
-// The lines of a WIF file and the index of its sections and keys. Nothing is changed: everything points
-// into the bytes.
+// The lines of a WIF file, and an index of its sections and keys that points into the bytes.
 
 #include <cstdint>
 #include <string>
@@ -13,10 +12,10 @@
 
 namespace weftlight::wif {
 
-/// More are refused: a draft of the most ends and picks, every table in full, has half of them.
+/// Limits of a file. The largest draft with every table in full has half as many lines.
 inline constexpr size_t kMaxLines = 4'000'000, kMaxTextSections = 100'000;
 
-/// Numbers by name, asked for without a copy of it.
+/// Numbers by name, with lookup by string_view.
 struct NameHash {
   using is_transparent = void;
   size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
@@ -29,10 +28,10 @@ struct WifLine {
   uint32_t begin = 0, size = 0, eol_size = 0;
 };
 
-/// A Key=Value line. Blanks round key and value belong to neither.
+/// A Key=Value line. Key and value are without surrounding blanks.
 struct WifKey {
   int line = 0;     // index into WifText::lines
-  int number = -1;  // the key as a number, -1 when it is a word
+  int number = -1;  // the key as a number; -1: a named key
   std::string_view key, value;
 };
 
@@ -45,9 +44,9 @@ struct WifSection {
   std::string name;  // upper case
   std::vector<Block> blocks;
   std::vector<WifKey> keys;
-  std::vector<int> other_lines;  // neither blank, comment nor key
-  NameIndex words;               // first key with a value of each name that is no number, in upper case
-  /// First key of that name, which is no number, with a value; or nullptr.
+  std::vector<int> other_lines;  // not blank, comment or key
+  NameIndex words;               // first key with a value, by name in upper case; numbered rows are not in it
+  /// First named key of that name with a value, or nullptr.
   const WifKey* find(std::string_view key) const;
 };
 
@@ -59,7 +58,7 @@ struct WifText {
   std::vector<WifSection> sections;   // by first appearance
   NameIndex section_index;            // of `sections`
   std::vector<int> unclosed_headers;  // lines like "[WARP"
-  std::string refused;                // why there are no sections: too many of something
+  std::string too_large;              // why there are no sections; in the user's language
   int second_warp_colors = -1;        // header line of a repeated [WARP COLORS] that holds the weft's (Luminescence)
 
   std::string_view line(int index) const { return bytes.substr(lines[index].begin, lines[index].size); }

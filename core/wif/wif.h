@@ -1,6 +1,6 @@
 #pragma once
-// WIF 1.1, lossless. Reading gives a Design and a list of diagnostics; the bytes are kept. Writing an
-// edited Design changes only the lines that the edit concerns.
+// WIF 1.1, lossless. Reading returns a Design and diagnostics, and keeps the bytes. Writing an edited Design changes
+// only the lines that the edit concerns.
 
 #include <optional>
 #include <string>
@@ -18,42 +18,41 @@ enum class Severity { kNote, kWarning, kError };
 struct Diagnostic {
   Severity severity = Severity::kWarning;
   int line = 0;        // 1-based; 0: the file as a whole
-  std::string text;    // what is wrong
+  std::string text;    // what is wrong; both in the user's language
   std::string remedy;  // what to do, or what was done
 };
 
-/// The unit that a file measures spacing and thickness in.
+/// The unit of spacing and thickness in a file.
 struct WifUnit {
-  std::string name = "Centimeters";  // as the file says it
+  std::string name = "Centimeters";  // as written in the file
   double mm = 10.0;
 };
 
-/// An opened file: its bytes as they were and the design they mean.
+/// An opened file: its original bytes and their design.
 struct WifFile {
   std::string bytes;
   Design design;
-  std::string format = "wif";  // what it was read from: a wif is saved where it was, others as a new wif
-  // What is read but not edited (info shows it).
+  std::string format = "wif";  // "wif", "dtx" or "wpo"; only a wif is saved to its own path
+  // Read but not edited; shown by `info`.
   std::string source_program, source_version, version, date;
   bool rising_stated = false, has_liftplan = false, has_treadling = false, has_tieup = false;
   WifUnit warp_unit, weft_unit;
-  std::vector<std::string> warp_symbols, weft_symbols;  // one a thread, empty when the file has none
+  std::vector<std::string> warp_symbols, weft_symbols;  // one per thread; empty if the file has none
 };
 
 struct WifRead {
-  std::optional<WifFile> file;          // empty when the input cannot be used
-  std::vector<Diagnostic> diagnostics;  // in the order of lines
+  std::optional<WifFile> file;          // empty if the input cannot be used
+  std::vector<Diagnostic> diagnostics;  // by line
 };
 
-/// Reads WIF 1.1 from bytes, leniently. Never throws; counts are capped (draft.h) before memory is taken.
+/// Reads WIF 1.1 leniently. Never throws; counts are limited (draft.h) before memory is allocated.
 WifRead read_wif(std::string_view bytes);
 
-/// The file with `now` in place of `opened.design`. Byte-identical when they are equal. Reading the
-/// result gives `now` again, as long as `now` is consistent, has at least one end, pick, shaft and
-/// treadle, and its yarns are within the ranges of yarn.h.
+/// The file with `now` instead of `opened.design`; byte-identical if they are equal. Reading the result gives `now`
+/// again if `now` is consistent, has at least one end, pick, shaft and treadle, and its yarns are within their ranges.
 std::string write_wif(const WifFile& opened, const Design& now);
 
-/// A new file for a design that was never a file.
+/// A new file.
 std::string write_new_wif(const Design& design);
 
 enum class PlainShedControl { kAsIs, kLiftplan, kTreadling };

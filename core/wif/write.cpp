@@ -1,4 +1,4 @@
-// Writing: an edited file, a new file, and the plain file for other programs.
+// Writes an edited file, a new file, and the plain file for other programs.
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ constexpr std::string_view kEol = "\r\n";
 
 struct Attempt {
   std::string bytes;
-  Design design;  // as it reads again
+  Design design;  // as read back
   bool read = false;
 };
 
@@ -54,7 +54,7 @@ std::string whole_file(const std::vector<WifEntries>& sections) {
   return out;
 }
 
-WifDialect new_habits(const Draft& draft) {
+WifDialect new_dialect(const Draft& draft) {
   WifDialect dialect;
   for (const System system : {System::kWarp, System::kWeft}) {
     const Threads& threads = draft.threads(system);
@@ -65,7 +65,7 @@ WifDialect new_habits(const Draft& draft) {
   return dialect;
 }
 
-/// A liftplan draft's tie-up says nothing: treadle = shaft is what other programs expect beside one.
+/// Other programs expect a straight tie-up besides a liftplan.
 Design with_straight_tieup(Design design) {
   Draft& draft = design.draft;
   draft.treadles = draft.shafts;
@@ -75,7 +75,7 @@ Design with_straight_tieup(Design design) {
   return design;
 }
 
-/// Lines of at most `width` characters, broken at blanks where there are any.
+/// Lines of at most `width` characters, broken at blanks if possible.
 std::vector<std::string> wrapped(const std::string& text, size_t width) {
   std::vector<std::string> lines;
   std::string_view rest = trimmed(text);
@@ -113,7 +113,7 @@ std::string write_wif(const WifFile& opened, const Design& now) {
   if (!parsed) return write_new_wif(now);
   const std::vector<WifEntries> before = sections_of(opened.design, parsed->dialect);
   const std::vector<WifEntries> after = sections_of(now, parsed->dialect);
-  // The fewest lines first; more only where what was left out of the file would make them read otherwise.
+  // Change the fewest lines first, and more only if the result does not read back as `now`.
   std::string fallback;
   const auto try_text = [&](const WifText& text) -> std::optional<std::string> {
     for (const EditScope scope : {EditScope::kChanged, EditScope::kCounts, EditScope::kAll}) {
@@ -132,7 +132,7 @@ std::string write_wif(const WifFile& opened, const Design& now) {
   return fallback.empty() ? write_new_wif(now) : fallback;
 }
 
-std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_habits(design.draft))); }
+std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_dialect(design.draft))); }
 
 std::string write_plain_wif(const Design& design, PlainShedControl shed_control) {
   Design plain = shed_control == PlainShedControl::kLiftplan    ? to_liftplan(design)
@@ -142,7 +142,7 @@ std::string write_plain_wif(const Design& design, PlainShedControl shed_control)
   plain.title = to_ascii(plain.title);
   plain.author = to_ascii(plain.author);
   plain.notes = plain_notes(plain.notes);
-  WifDialect dialect = new_habits(plain.draft);
+  WifDialect dialect = new_dialect(plain.draft);
   dialect.has_liftplan = true;
   return whole_file(public_sections_of(plain, dialect));
 }

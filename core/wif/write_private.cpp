@@ -1,4 +1,4 @@
-// Writing [PRIVATE WEFTLIGHT ...]; read_private.cpp reads it back.
+// Writes [PRIVATE WEFTLIGHT ...]; read by read_private.cpp.
 
 #include <algorithm>
 
@@ -128,7 +128,7 @@ WifEntries weaves_of(const std::vector<WeaveUse>& weaves) {
   return section;
 }
 
-/// "1 2 1+3 0": what each row names, from 1.
+/// "1 2 1+3 0": the set bits of each row, counted from 1.
 std::string rows_text(const BitMatrix& rows) {
   std::string out;
   for (int row = 0; row < rows.rows(); ++row) {
@@ -140,8 +140,8 @@ std::string rows_text(const BitMatrix& rows) {
 }
 
 template <class T, class Text>
-void add_column(WifEntries& section, const std::string& key, const std::vector<T>& values, T usual, Text text) {
-  if (std::ranges::all_of(values, [&](const T& v) { return v == usual; })) return;
+void add_column(WifEntries& section, const std::string& key, const std::vector<T>& values, T default_value, Text text) {
+  if (std::ranges::all_of(values, [&](const T& v) { return v == default_value; })) return;
   std::string out;
   for (const T& value : values) out.append(out.empty() ? "" : " ").append(text(value));
   add(section, key, out);
@@ -183,13 +183,13 @@ WifEntries exact_text_of(const Design& design) {
 WifEntries exact_colors_of(const std::vector<Rgb>& palette, const WifDialect& dialect) {
   WifEntries section{"COLORS", {}};
   const double span = dialect.range_high - static_cast<double>(dialect.range_low);
-  const auto held = [&](float channel) {
+  const auto is_exact = [&](float channel) {
     const int number = channel_number(channel, dialect.range_low, dialect.range_high);
     return static_cast<float>((static_cast<double>(number) - dialect.range_low) / span) == channel;
   };
   for (size_t i = 0; i < palette.size(); ++i) {
     const Rgb& c = palette[i];
-    if (!held(c.r) || !held(c.g) || !held(c.b))
+    if (!is_exact(c.r) || !is_exact(c.g) || !is_exact(c.b))
       section.entries.push_back({static_cast<int>(i) + 1, {}, color_text(c), false});
   }
   return section;
@@ -204,7 +204,7 @@ WifEntries exact_measures_of(const char* name, const std::vector<float>& mm) {
   return section;
 }
 
-WifEntries sleeping(const char* name, const BitMatrix& bits) {
+WifEntries inactive_grid(const char* name, const BitMatrix& bits) {
   WifEntries section{name, {}};
   for (int row = 0; row < bits.rows(); ++row) {
     if (bits.first(row) >= 0) section.entries.push_back({row + 1, {}, bit_list(bits, row), false});
@@ -234,7 +234,7 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   push_if_any(out, exact_measures_of("WARP THICKNESS", draft.warp.thickness_mm));
   push_if_any(out, exact_measures_of("WEFT THICKNESS", draft.weft.thickness_mm));
   const bool treadled = draft.shed_control == ShedControl::kTreadling;
-  push_if_any(out, treadled ? sleeping("LIFTPLAN", draft.liftplan) : sleeping("TREADLING", draft.treadling));
+  push_if_any(out, treadled ? inactive_grid("LIFTPLAN", draft.liftplan) : inactive_grid("TREADLING", draft.treadling));
 }
 
 }  // namespace weftlight::wif

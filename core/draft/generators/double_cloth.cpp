@@ -1,5 +1,5 @@
-// Two layers woven at once. Ends of the upper layer are the odd ones, of the lower the even ones; a pick of the
-// upper layer leaves all lower ends down, a pick of the lower lifts all upper ends out of its way.
+// Double cloth. Odd ends are the upper layer, even ends the lower. A pick of the upper layer leaves all lower ends
+// down; a pick of the lower layer lifts all upper ends.
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace weftlight::draft {
 namespace {
 
-// Which of `n` ends of a layer are up on each of its n picks.
+// picks x ends of one layer: 1 where the end is up.
 BitMatrix layer_weave(const OverUnder& order) {
   const Draft d = twill(order, Lean::kRight, {1, 1}).draft;
   BitMatrix up(d.treadles, d.shafts);
@@ -17,7 +17,7 @@ BitMatrix layer_weave(const OverUnder& order) {
   return up;
 }
 
-// A treadle of the upper or lower layer. The lower layer is seen from below: what is up there is under its weft.
+// The shafts of a treadle of the upper or lower layer. The lower layer is seen from below, so its weave is inverted.
 std::vector<int> treadle(const BitMatrix& weave, int pick, bool upper) {
   std::vector<int> shafts;
   const int n = weave.cols();
@@ -41,13 +41,13 @@ Design double_cloth(DoubleCloth kind, const OverUnder& order, ClothSize size) {
     recipe.tieup.push_back(treadle(weave, p, true));
     recipe.tieup.push_back(treadle(weave, p, false));
   }
-  // The shuttle's way: above and below in turn, or above, below, below, above, so that it turns at one side only
-  // and a fold joins the layers at the other.
+  // Order of the shuttle: upper, lower; for double width upper, lower, lower, upper, so that the layers are joined by a
+  // fold at one selvedge only.
   for (int p = 0; p < 4 * n; ++p) {
     const bool below_first = kind == DoubleCloth::kDoubleWidth && p / 2 % 2 == 1;
     recipe.treadling.push_back(2 * (p / 2 % n) + ((p % 2 == 1) != below_first ? 1 : 0));
   }
-  // Each layer at the sett that it would have alone.
+  // Each layer has the sett that it would have alone.
   const Design alone = twill(ratio, Lean::kRight, {n, n});
   Design design = make_design(recipe, size);
   for (const System system : {System::kWarp, System::kWeft})

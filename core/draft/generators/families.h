@@ -1,5 +1,5 @@
 #pragma once
-// The families of weaves beyond generators.h, one a file. Each tells in `why` what it could not take as written.
+// The families of weaves beyond generators.h, one per file. `why` tells the user what was replaced in the input.
 
 #include <string_view>
 
@@ -7,20 +7,19 @@
 
 namespace weftlight::draft {
 
-// ---- text of weavers (text.cpp)
-std::string quoted(std::string_view text);
-/// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... Empty when there is no such ratio.
+// ---- weavers' notations (text.cpp)
+/// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... Empty if it cannot be read.
 OverUnder read_ratio(std::string_view text);
-/// A profile: letters are blocks, a number after one its length, or the letter again and again: "A4 B2 CC".
+/// A profile: letters are blocks, each with its length or repeated: "A4 B2 CC".
 std::vector<int> read_profile(std::string_view text);
-/// Threads in sections with repeats: "1-4 3x(5 6) 8-5". Numbers from 1; 0-based in the answer. A tree of
-/// sections is written as brackets in brackets.
+/// Threads with ranges and repeats: "1-4 3x(5 6) 8-5". Numbers count from 1 in the text, from 0 in the result. Brackets
+/// may be nested.
 struct SequenceRead {
   std::vector<int> threads;
-  std::string why;  // what could not be read; empty: all was
+  std::string why;  // what could not be read; may be empty
 };
 SequenceRead read_sequence(std::string_view text, int most = kMaxShafts);
-/// A run of threads of one colour each: "R8 K4 G24", "R/8 K4 G/24" (turns back at both ends, each turned once).
+/// A tartan sett, runs of threads of one colour: "R8 K4 G24"; with pivots "R/8 K4 G/24" it reverses at both ends.
 struct SettRead {
   std::vector<Rgb> palette;
   std::vector<Stripe> stripes;
@@ -29,37 +28,36 @@ struct SettRead {
 SettRead read_sett(std::string_view text);
 
 // ---- simple.cpp
-/// Steps that make a satin of so many shafts: neither 1 nor shafts - 1, and no factor in common.
+/// Steps that make a satin on so many shafts: neither 1 nor shafts - 1, and without a common factor.
 std::vector<int> satin_steps(int shafts);
-/// A straight threading and treadling, with half of the shafts tied to each treadle in turn.
+/// A straight threading and treadling, with half of the shafts tied to each treadle, shifted by one.
 Design straight_draw(int shafts, int treadles, ClothSize size);
 
 // ---- network.cpp
-/// A pattern line drawn over a network. Based on: Alice Schlein, Network Drafting: An Introduction, 1994: the
-/// initial is repeated over ends and shafts; each end takes the first shaft of the network at or above the line.
-/// `line`: height of the pattern line at each end, 0-based shafts; the initial's shafts are 0-based.
+/// Network drafting. Based on: Alice Schlein, Network Drafting: An Introduction, 1994: the initial is repeated over
+/// ends and shafts; each end takes the first shaft of this network at or above the pattern line. `line`: height of the
+/// pattern line at each end; shafts are 0-based.
 std::vector<int> network_threading(const std::vector<int>& initial, const std::vector<int>& line, int shafts);
 
 // ---- substitution.cpp
-/// A unit that stands for one block of a profile. Shafts 1..ties are shared by all blocks; a, b, c ... are each
-/// block's own. In a pick small letters name the shafts of the blocks that it marks, capitals those of the others.
+/// The unit that replaces one block of a profile. Shafts 1..ties are shared by all blocks; a, b, c ... belong to each
+/// block. In a pick small letters are shafts of the marked blocks, capitals those of the other blocks.
 struct BlockTemplate {
   const char* id;
-  const char* name;
+  const char* name;  // show tr(name)
   int ties;
   const char* warp;  // "1 a 2 a": the ends of a unit
   const char* weft;  // "1A 12 2A aA": the picks of a unit
 };
 std::span<const BlockTemplate> block_templates();
-/// A profile draft woven by a template: `marks` (picks of the profile x its blocks) says which blocks each pick
-/// weaves as pattern; empty: as drawn in.
+/// A profile draft woven with a template. Each pick weaves the block of `weft_profile` as pattern; empty: as drawn in.
 GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& warp_profile,
                            const std::vector<int>& weft_profile, ClothSize size);
 
 // ---- double_cloth.cpp
-/// Two layers (woven with one shuttle, a tube), or one layer folded at a selvedge, twice as wide as the loom.
+/// Two layers (a tube, if woven with one shuttle), or one layer of double width, folded at a selvedge.
 enum class DoubleCloth { kLayers, kDoubleWidth };
-/// Two layers, each of 2-shaft plain weave or of a straight twill of the ratio.
+/// Each layer weaves a straight twill of the ratio; {1, 1} is plain weave.
 Design double_cloth(DoubleCloth kind, const OverUnder& order, ClothSize size);
 
 // ---- picture.cpp
@@ -69,22 +67,22 @@ struct Pixels {
   std::vector<Rgb> rgb;
 };
 struct PictureWeave {
-  int colors = 2;         // 1..16 that the picture is reduced to
-  int longest_float = 7;  // 1 and up, on both faces
-  int shafts = 8;         // of the satins and twills that fill the regions
+  int colors = 2;         // 1..16, of the reduced picture
+  int longest_float = 7;  // from 1, on both faces
+  int shafts = 8;         // of the satins that fill the regions
 };
-/// A drawdown as large as the picture: each of its colours a weave, the darkest the most warp-faced.
+/// A drawdown of the size of the picture: one weave per colour, the darkest the most warp-faced.
 BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how);
-/// The same colours as a palette, dark to light, and which each pixel has.
+/// The reduced colours, dark to light, and the index of each pixel's colour.
 struct Reduced {
   std::vector<Rgb> palette;
   std::vector<int> index;
 };
 Reduced reduced_colors(const Pixels& picture, int colors);
-/// No float longer than `longest`, on either face and over the edges, for 2 and up; 1 is plain weave. Few crossings are
-/// changed: of a shaded satin of 8, one in nine for floats of 5, one in five for floats of 3.
+/// Changes crossings until no float is longer than `longest`, on either face and over the edges; 1 gives plain weave.
+/// In a shaded satin on 8 shafts one crossing in nine changes for floats of 5, one in five for floats of 3.
 BitMatrix with_bounded_floats(BitMatrix cells, int longest);
-/// A drawdown woven by a Jacquard machine: one shaft an end, the liftplan is the drawdown.
+/// A drawdown for a Jacquard machine: one shaft per end, the liftplan is the drawdown. Empty if it is too large.
 std::optional<Design> jacquard_design(const BitMatrix& cells);
 
 }  // namespace weftlight::draft

@@ -1,17 +1,23 @@
-// The weaves that are made of more than one call of generators.h.
+// Generators of weaves that take more than one call of generators.h.
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "base/text.h"
 #include "draft/generators/families.h"
 #include "draft/generators/weave_values.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
-/// The picks of a twill taken in an order of their own.
+/// A twill with its picks in another order.
 Design broken_twill(const OverUnder& order, const std::vector<int>& breaks, Lean to, ClothSize size) {
   const Draft whole = twill(order, to, {1, 1}).draft;
   Recipe recipe{whole.shafts, {}, {}, {}};
@@ -25,7 +31,7 @@ Design broken_twill(const OverUnder& order, const std::vector<int>& breaks, Lean
   return make_design(recipe, size);
 }
 
-/// A pattern line of `ends` ends that swings `height` shafts up and down.
+/// A pattern line over `ends` ends, from 0 to `height` shafts.
 std::vector<int> pattern_line(std::string_view form, int ends, int height) {
   std::vector<int> line;
   for (int e = 0; e < ends; ++e) {
@@ -56,13 +62,14 @@ GeneratedWeave make_satin(const WeaveValues& v, ClothSize size) {
   const std::vector<int> steps = satin_steps(shafts);
   if (steps.empty())
     return {twill({shafts - 1, 1}, Lean::kRight, size),
-            "there is no satin of " + std::to_string(shafts) + " shafts; the twill stands in its place"};
+            fill(tr("there is no satin on {shafts} shafts; a twill is used instead"), arg("shafts", shafts))};
   const int step = *std::ranges::min_element(steps, {}, [wanted](int s) { return std::abs(s - wanted); });
   GeneratedWeave made{satin(shafts, step, is(v, "face", "weft") ? Face::kBack : Face::kFront, size), {}};
   if (step == wanted) return made;
-  made.why = "a satin of " + std::to_string(shafts) + " has the steps";
-  for (const int s : steps) made.why.append(" ").append(std::to_string(s));
-  made.why += "; " + std::to_string(step) + " was taken";
+  std::string list;
+  for (const int s : steps) list.append(list.empty() ? "" : " ").append(std::to_string(s));
+  made.why = fill(tr("a satin on {shafts} shafts has the steps {steps}; {step} is used"), arg("shafts", shafts),
+                  arg("steps", list), arg("step", step));
   return made;
 }
 
@@ -72,7 +79,8 @@ GeneratedWeave make_network(const WeaveValues& v, ClothSize size) {
   const int shafts = std::accumulate(order.begin(), order.end(), 0);
   SequenceRead initial = read_sequence(text(v, "initial"), 16);
   if (!initial.why.empty() || initial.threads.empty()) {
-    made.why = quoted(text(v, "initial")) + " is not an initial like 1-4; that was taken";
+    made.why =
+        fill(tr("'{text}' is not an initial such as 1-4, which is used instead"), arg("text", text(v, "initial")));
     initial.threads = {0, 1, 2, 3};
   }
   const int rows = *std::ranges::max_element(initial.threads) + 1;
@@ -92,8 +100,8 @@ GeneratedWeave make_network(const WeaveValues& v, ClothSize size) {
   return made;
 }
 
-/// Blocks A 1232, B 2343, C 3414, D 4121; between two blocks the first thread of the old one again, so that no two
-/// ends of one parity stand together. Based on: Mary Snyder, The Crackle Weave, 1961.
+/// Blocks A 1232, B 2343, C 3414, D 4121. Between two blocks the first thread of the old one is repeated, so that no
+/// two adjacent ends are both odd or both even. Based on: Mary Snyder, The Crackle Weave, 1961.
 GeneratedWeave make_crackle(const WeaveValues& v, ClothSize size) {
   GeneratedWeave made;
   const std::vector<int> blocks = profile(v, 4, made.why);
@@ -101,9 +109,9 @@ GeneratedWeave make_crackle(const WeaveValues& v, ClothSize size) {
   for (size_t i = 0; i < blocks.size(); ++i) {
     const int block = blocks[i], next = blocks[(i + 1) % blocks.size()];
     for (const int step : {0, 1, 2, 1}) recipe.threading.push_back((block + step) % 4);
-    // Round the blocks the short way.
-    const int away = (next - block + 4) % 4;
-    for (int k = 0; k < (away == 3 ? 1 : away); ++k) recipe.threading.push_back((block + k) % 4);
+    // The shorter way from block to block.
+    const int distance = (next - block + 4) % 4;
+    for (int k = 0; k < (distance == 3 ? 1 : distance); ++k) recipe.threading.push_back((block + k) % 4);
   }
   for (const int block : blocks)
     for (int i = 0; i < count(v, "picks"); ++i) {
@@ -133,12 +141,13 @@ GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
   GeneratedWeave made;
   const int shafts = count(v, "shafts");
   Recipe recipe{shafts, {}, {}, {}};
-  const auto read = [&](const char* id, int most) {
+  // `problem`: pattern of the message.
+  const auto read = [&](const char* id, const char* problem, int most) {
     SequenceRead r = read_sequence(text(v, id), most);
-    if (!r.why.empty() && made.why.empty()) made.why = std::string(id) + ": " + r.why;
+    if (!r.why.empty() && made.why.empty()) made.why = fill(problem, arg("problem", r.why));
     return r.threads.empty() ? std::vector<int>{0} : std::move(r.threads);
   };
-  recipe.threading = read("threading", shafts);
+  recipe.threading = read("threading", tr("threading: {problem}"), shafts);
   std::string treadle;
   const std::string ties = text(v, "tieup") + "|";
   for (const char c : ties) {
@@ -147,12 +156,12 @@ GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
       continue;
     }
     SequenceRead r = read_sequence(treadle, shafts);
-    if (!r.why.empty() && made.why.empty()) made.why = "tie-up: " + r.why;
+    if (!r.why.empty() && made.why.empty()) made.why = fill(tr("tie-up: {problem}"), arg("problem", r.why));
     recipe.tieup.push_back(std::move(r.threads));
     treadle.clear();
     if (recipe.tieup.size() >= static_cast<size_t>(kMaxShafts)) break;
   }
-  recipe.treadling = read("treadling", static_cast<int>(recipe.tieup.size()));
+  recipe.treadling = read("treadling", tr("treadling: {problem}"), static_cast<int>(recipe.tieup.size()));
   made.design = make_design(recipe, size);
   return made;
 }
@@ -170,9 +179,10 @@ GeneratedWeave make_sett(const WeaveValues& v, ClothSize size) {
 GeneratedWeave make_double(const WeaveValues& v, ClothSize size) {
   GeneratedWeave made;
   OverUnder order = ratio(v, made.why);
-  // Each layer has its shafts.
+  // Each layer has its own shafts.
   if (2 * std::accumulate(order.begin(), order.end(), 0) > kMaxShafts) {
-    made.why = "two layers of so many shafts are more than " + std::to_string(kMaxShafts) + "; 2/2 was taken";
+    made.why =
+        fill(tr("two layers of this twill need more than {most} shafts; 2/2 is used instead"), arg("most", kMaxShafts));
     order = {2, 2};
   }
   const bool wide = is(v, "kind", "double width");

@@ -9,10 +9,10 @@ std::vector<int> network_threading(const std::vector<int>& initial, const std::v
   std::vector<int> threading;
   if (rows == 0 || shafts < 1) return threading;
   for (size_t end = 0; end < line.size(); ++end) {
-    // The network has a shaft every `rows` shafts; the first at or above the line, round the top if need be.
-    const int foot = initial[end % initial.size()] % rows;
+    // For this end the network has every `rows`-th shaft; takes the first at or above the line, cyclically.
+    const int base = initial[end % initial.size()] % rows;
     const int height = std::max(line[end], 0);
-    int shaft = height - height % rows + foot;
+    int shaft = height - height % rows + base;
     if (shaft < height) shaft += rows;
     threading.push_back(shaft % shafts);
   }

@@ -1,11 +1,11 @@
-// From a picture to a drawdown: colours reduced, a weave for each, floats bounded.
+// From a picture to a drawdown: reduce the colours, fill each with a weave, limit the floats.
 //
-// Colours are grouped by k-means over a histogram of 32 steps a channel, begun at even shares of the pixels in order
-// of lightness, so that the same picture always gives the same colours (S. Lloyd, Least squares quantization in PCM,
-// 1982). Regions are filled with shaded satins: the same bindings, with more or fewer ends up beside them.
+// Colours are clustered by k-means over a histogram of 32 steps per channel. The first centres are at equal fractions
+// of the pixels by lightness, so that the result is deterministic (S. Lloyd, Least squares quantization in PCM, 1982).
+// Regions are filled with shaded satins: the same binding points, with more or fewer ends up beside them.
 //
-// Floats are bound one at a time where that makes the fewest others too long, until none is (after B. Selman, H. Kautz,
-// B. Cohen, Noise strategies for improving local search, 1994).
+// Long floats are bound one at a time, where that makes the fewest other floats too long, until none is left (after B.
+// Selman, H. Kautz, B. Cohen, Noise strategies for improving local search, 1994).
 
 #include <algorithm>
 #include <array>
@@ -20,10 +20,10 @@
 namespace weftlight::draft {
 namespace {
 
-constexpr int kSteps = 32;  // of a channel
-// Of floats that are bound, one in so many is bound anywhere, lest two of them push each other to and fro.
-constexpr unsigned kOneByChance = 16, kBindingSeed = 1;
-constexpr int64_t kBindingsACrossing = 8;  // as many are given up; pictures take less than one
+constexpr int kSteps = 32;  // per channel
+// One float in so many is bound at a random cell, so that two floats cannot undo each other for ever.
+constexpr unsigned kRandomBinding = 16, kBindingSeed = 1;
+constexpr int64_t kMaxBindingsPerCrossing = 8;  // then plain weave is used; pictures take less than one
 
 struct Bin {
   std::array<double, 3> sum{};
@@ -83,7 +83,7 @@ std::vector<Center> first_centers(const std::vector<Bin>& bins, int colors) {
   return centers;
 }
 
-std::vector<Center> settled(const std::vector<Bin>& bins, std::vector<Center> centers) {
+std::vector<Center> refined_centers(const std::vector<Bin>& bins, std::vector<Center> centers) {
   constexpr int kRounds = 16;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Bin> sums(centers.size());
@@ -109,7 +109,7 @@ int satin_step(int shafts) {
   return steps.empty() ? 1 : steps[steps.size() / 2];
 }
 
-// Length of the run that a cell is in, along a row or a column (cyclic), counting at most `most`.
+// Length of the run of a cell along its row or column, cyclic, counted up to `most`.
 int run_through(const BitMatrix& m, int row, int col, bool along_row, int most) {
   const bool value = m.get(row, col);
   const int n = along_row ? m.cols() : m.rows();
@@ -124,7 +124,7 @@ int run_through(const BitMatrix& m, int row, int col, bool along_row, int most) 
   return run;
 }
 
-// What changing a crossing costs: how far the floats that it would lie in pass the limit.
+// Cost of changing a crossing: by how much its new floats exceed the limit.
 int cost_of_change(BitMatrix& m, int row, int col, int longest) {
   m.set(row, col, !m.get(row, col));
   const int cost = std::max(0, run_through(m, row, col, true, longest * 2) - longest) +
@@ -133,34 +133,34 @@ int cost_of_change(BitMatrix& m, int row, int col, int longest) {
   return cost;
 }
 
-// A row or a column, and its cells round and round.
+// A row or a column; cell indices are cyclic.
 struct Line {
   bool along_row = false;
   int number = 0;
   int size(const BitMatrix& m) const { return along_row ? m.cols() : m.rows(); }
-  std::pair<int, int> place(const BitMatrix& m, int i) const {
+  std::pair<int, int> cell(const BitMatrix& m, int i) const {
     return along_row ? std::pair{number, i % m.cols()} : std::pair{i % m.rows(), number};
   }
   bool at(const BitMatrix& m, int i) const {
-    const auto [row, col] = place(m, i);
+    const auto [row, col] = cell(m, i);
     return m.get(row, col);
   }
 };
 
-// Where a run of so many cells is bound best: where the fewest other floats pass the limit, and of such places near an
-// even share of it.
+// The best cell to bind a run of `length` cells: where the fewest other floats exceed the limit, then closest to an
+// even division of the run.
 int best_binding(BitMatrix& m, const Line& line, int first, int length, int most) {
-  const int bindings = length / (most + 1), share = (length - bindings) / (bindings + 1);
+  const int bindings = length / (most + 1), even = (length - bindings) / (bindings + 1);
   int best = 0, least = 1 << 30;
   for (int k = 0; k <= most && k < length; ++k) {
-    const auto [row, col] = line.place(m, first + k);
-    const int cost = cost_of_change(m, row, col, most) * 64 + std::abs(share - k);
+    const auto [row, col] = line.cell(m, first + k);
+    const int cost = cost_of_change(m, row, col, most) * 64 + std::abs(even - k);
     if (cost < least) least = cost, best = k;
   }
   return best;
 }
 
-// Once along the line: binds each run that is longer than `most`, and tells `changed` where, as a cell of the line.
+// Binds each run of the line that is longer than `most`; calls changed(cell) for each changed cell.
 template <typename Changed>
 void bind_line(BitMatrix& m, const Line& line, int most, std::mt19937& chance, const Changed& changed) {
   const int n = line.size(m);
@@ -174,9 +174,9 @@ void bind_line(BitMatrix& m, const Line& line, int most, std::mt19937& chance, c
       first = end;
       continue;
     }
-    const int at = chance() % kOneByChance == 0 ? static_cast<int>(chance() % static_cast<unsigned>(end - first))
-                                                : best_binding(m, line, first, end - first, most);
-    const auto [row, col] = line.place(m, first + at);
+    const int at = chance() % kRandomBinding == 0 ? static_cast<int>(chance() % static_cast<unsigned>(end - first))
+                                                  : best_binding(m, line, first, end - first, most);
+    const auto [row, col] = line.cell(m, first + at);
     m.set(row, col, !m.get(row, col));
     changed((first + at) % n);
     first += at + 1;
@@ -196,7 +196,7 @@ Reduced reduced_colors(const Pixels& picture, int colors) {
   Reduced out;
   if (picture.rgb.empty()) return out;
   const std::vector<Bin> bins = histogram(picture);
-  std::vector<Center> centers = settled(bins, first_centers(bins, std::clamp(colors, 1, 16)));
+  std::vector<Center> centers = refined_centers(bins, first_centers(bins, std::clamp(colors, 1, 16)));
   std::ranges::stable_sort(centers, [](const Center& a, const Center& b) { return lightness(a) < lightness(b); });
   for (const Center& c : centers)
     out.palette.push_back({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])});
@@ -213,25 +213,25 @@ Reduced reduced_colors(const Pixels& picture, int colors) {
 BitMatrix with_bounded_floats(BitMatrix cells, int longest) {
   const int most = std::max(longest, 1), rows = cells.rows(), cols = cells.cols();
   if (most == 1) return plain(rows, cols);
-  // Lines to be looked at: a row by its number, a column by its own behind them.
+  // Lines to check: row r as r, column c as rows + c.
   std::deque<int> lines;
-  std::vector<char> waits(static_cast<size_t>(rows + cols), 0);
-  const auto look_at = [&](int line) {
-    if ((line < rows ? cols : rows) > most && !std::exchange(waits[static_cast<size_t>(line)], 1))
+  std::vector<char> queued(static_cast<size_t>(rows + cols), 0);
+  const auto check = [&](int line) {
+    if ((line < rows ? cols : rows) > most && !std::exchange(queued[static_cast<size_t>(line)], 1))
       lines.push_back(line);
   };
-  for (int line = 0; line < rows + cols; ++line) look_at(line);
+  for (int line = 0; line < rows + cols; ++line) check(line);
   std::mt19937 chance(kBindingSeed);
-  int64_t left = kBindingsACrossing * rows * cols;
+  int64_t left = kMaxBindingsPerCrossing * rows * cols;
   while (!lines.empty() && left > 0) {
     const int line = lines.front();
     lines.pop_front();
-    waits[static_cast<size_t>(line)] = 0;
+    queued[static_cast<size_t>(line)] = 0;
     const bool along_row = line < rows;
     bind_line(cells, {along_row, along_row ? line : line - rows}, most, chance, [&](int at) {
       --left;
-      look_at(line);
-      look_at(along_row ? rows + at : at);
+      check(line);
+      check(along_row ? rows + at : at);
     });
   }
   return left > 0 ? cells : plain(rows, cols);
@@ -240,15 +240,15 @@ BitMatrix with_bounded_floats(BitMatrix cells, int longest) {
 BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how) {
   const Reduced reduced = reduced_colors(picture, how.colors);
   const int shafts = std::clamp(how.shafts, 2, 64), step = satin_step(shafts);
-  const int kinds = static_cast<int>(reduced.palette.size());
+  const int colors = static_cast<int>(reduced.palette.size());
   BitMatrix cells(picture.height, picture.width);
   for (int pick = 0; pick < picture.height; ++pick)
     for (int end = 0; end < picture.width; ++end) {
       const size_t at = static_cast<size_t>(pick) * static_cast<size_t>(picture.width) + static_cast<size_t>(end);
-      const int kind = reduced.index[at];
-      const int up = kinds < 2 ? shafts / 2 : 1 + (shafts - 2) * (kinds - 1 - kind) / (kinds - 1);
-      const int place = (((end - pick * step) % shafts) + shafts) % shafts;
-      if (place < up) cells.set(pick, end, true);
+      const int color = reduced.index[at];
+      const int up = colors < 2 ? shafts / 2 : 1 + (shafts - 2) * (colors - 1 - color) / (colors - 1);
+      const int position = (((end - pick * step) % shafts) + shafts) % shafts;
+      if (position < up) cells.set(pick, end, true);
     }
   return with_bounded_floats(std::move(cells), how.longest_float);
 }

@@ -3,18 +3,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "base/utf8.h"
 #include "draft/crossings.h"
 #include "draft/generators/families.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool parts(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; }
-bool ends_word(char c) { return parts(c) || c == '(' || c == ')'; }
+bool separates(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; }
+bool ends_word(char c) { return separates(c) || c == '(' || c == ')'; }
 
-/// "4x", "x4", "4*", "4": how often; -1: no count.
+/// Repeat count of "4x", "x4", "4*" or "4"; -1: not a count.
 int count_of(std::string_view word) {
   const auto is_sign = [](char c) { return c == 'x' || c == 'X' || c == '*'; };
   if (!word.empty() && is_sign(word.back())) word.remove_suffix(1);
@@ -32,13 +38,13 @@ struct OrderReader {
   std::string why{};
 
   void fail(const std::string& what, size_t where) {
-    if (why.empty()) why = what + " at character " + std::to_string(where + 1);
+    if (why.empty()) why = fill(tr("{problem} at character {at}"), arg("problem", what), arg("at", where + 1));
     at = text.size();
   }
-  /// Skips what parts; true when a comma was among it.
+  /// Skips separators; true if there was a comma.
   bool skip() {
     bool comma = false;
-    for (; at < text.size() && parts(text[at]); ++at) comma = comma || text[at] == ',';
+    for (; at < text.size() && separates(text[at]); ++at) comma = comma || text[at] == ',';
     return comma;
   }
   std::string_view word() {
@@ -47,48 +53,48 @@ struct OrderReader {
     return text.substr(begin, at - begin);
   }
   bool set_times(OrderItem& item, int times, size_t where) {
-    if (times < 1) fail("a section is woven once or more", where);
+    if (times < 1) fail(tr("a repeat count below 1"), where);
     item.times = times;
     return times >= 1;
   }
   OrderItem group(int depth) {
     OrderItem item;
     const size_t open = at++;
-    if (depth >= kDeepestOrder) fail("brackets are nested too deep", open);
+    if (depth >= kMaxOrderDepth) fail(tr("brackets nested too deeply"), open);
     else item.items = list(depth + 1);
-    if (why.empty() && at >= text.size()) fail("a bracket is not closed", open);
+    if (why.empty() && at >= text.size()) fail(tr("a bracket is not closed"), open);
     ++at;
     return item;
   }
   /// Until a closing bracket or the end.
   std::vector<OrderItem> list(int depth) {
     std::vector<OrderItem> items;
-    int before = 0;         // a count that waits for what it is of
-    bool may_take = false;  // a count belongs to the item just read
+    int before = 0;           // a count read before its item
+    bool may_follow = false;  // a count now belongs to the item just read
     size_t before_at = 0;
     for (;;) {
-      if (skip()) may_take = false;
+      if (skip()) may_follow = false;
       if (at >= text.size() || text[at] == ')') break;
       const size_t begin = at;
       if (text[at] != '(') {
         const std::string_view name = word();
         if (const int times = count_of(name); times >= 0) {
-          if (may_take) set_times(items.back(), times, begin);
-          else if (before != 0) fail("two counts and nothing between", begin);
+          if (may_follow) set_times(items.back(), times, begin);
+          else if (before != 0) fail(tr("two repeat counts in a row"), begin);
           else before = times == 0 ? -1 : times, before_at = begin;
-          may_take = false;
+          may_follow = false;
           continue;
         }
         items.push_back({std::string(name), {}, 1});
       } else {
         items.push_back(group(depth));
       }
-      if (++read > kMaxOrderItems) fail("too many sections are written", begin);
+      if (++read > kMaxOrderItems) fail(tr("too many sections"), begin);
       if (!why.empty()) return items;
-      may_take = before == 0;
+      may_follow = before == 0;
       if (before != 0) set_times(items.back(), std::exchange(before, 0), before_at);
     }
-    if (before != 0) fail("a count without a section", before_at);
+    if (before != 0) fail(tr("a repeat count without a section"), before_at);
     return items;
   }
 };
@@ -121,7 +127,7 @@ const ThreadSection* find_section(const Assembly& assembly, std::string_view nam
   return found == assembly.sections.end() ? nullptr : &*found;
 }
 
-/// Threads of the items, -1 when too many. `unknown` is given the first name that is no section.
+/// Number of threads of the items; -1: too many. Sets `unknown` to the first name that is not a section.
 int64_t threads_in(const Assembly& assembly, const std::vector<OrderItem>& items, std::string* unknown) {
   int64_t sum = 0;
   for (const OrderItem& item : items) {
@@ -140,7 +146,8 @@ int64_t threads_in(const Assembly& assembly, const std::vector<OrderItem>& items
   return sum;
 }
 
-/// The sections one after the other; those without threads are left out, so that there are no more than threads.
+/// The sections in order, repeats expanded. Empty sections are left out, so that the list is no longer than the
+/// threads.
 std::vector<const ThreadSection*> expanded(const Assembly& assembly, const std::vector<OrderItem>& items) {
   std::vector<const ThreadSection*> out;
   for (const OrderItem& item : items) {
@@ -170,14 +177,16 @@ void copy_rows(BitMatrix& to, int at, const BitMatrix& from) {
     });
 }
 
-std::string why_not(const Design& design, System system, const std::vector<const ThreadSection*>& order) {
+/// Why the sections cannot be assembled; empty if they can.
+std::string why_impossible(const Design& design, System system, const std::vector<const ThreadSection*>& order) {
   const Draft& d = design.draft;
   if (system == System::kWarp) return why_locked(design, BitGrid::kThreading);
   for (const ThreadSection* section : order)
     if (section->shed_control != d.shed_control)
-      return "section " + section->name +
-             (d.shed_control == ShedControl::kLiftplan ? " holds treadles, and the draft has a liftplan; take it again"
-                                                       : " holds lifts, and the draft has treadles; take it again");
+      return fill(d.shed_control == ShedControl::kLiftplan
+                      ? tr("section {name} holds treadles, and the draft has a liftplan; define the section again")
+                      : tr("section {name} holds lifts, and the draft has a treadling; define the section again"),
+                  arg("name", section->name));
   return why_locked(design, d.shed_control == ShedControl::kLiftplan ? BitGrid::kLiftplan : BitGrid::kTreadling);
 }
 
@@ -211,7 +220,7 @@ Design woven(Design design, System system, const std::vector<const ThreadSection
 Order read_order(std::string_view text) {
   OrderReader reader{text};
   Order out{reader.list(0), {}};
-  if (reader.why.empty() && reader.at < text.size()) reader.fail("a bracket is closed that was not opened", reader.at);
+  if (reader.why.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"), reader.at);
   out.why = std::move(reader.why);
   return out;
 }
@@ -242,7 +251,7 @@ OrderItem& item_at(std::vector<OrderItem>& items, std::span<const int> path) {
 std::string section_name(std::string_view typed) {
   std::string name;
   const bool utf8 = base::is_utf8(typed);
-  for (const char c : utf8 ? base::cut_utf8(typed, kLongestSectionName) : typed.substr(0, kLongestSectionName))
+  for (const char c : utf8 ? base::cut_utf8(typed, kMaxSectionNameBytes) : typed.substr(0, kMaxSectionNameBytes))
     name += ends_word(c) ? '_' : c;
   const size_t first = name.find_first_not_of('_'), last = name.find_last_not_of('_');
   name = first == std::string::npos ? "" : name.substr(first, last - first + 1);
@@ -298,13 +307,14 @@ Assembled assembled(Design design, System system, Assembly assembly) {
   std::string unknown;
   const int64_t count = threads_in(assembly, order.items, &unknown);
   std::vector<const ThreadSection*> sections;
-  if (order.why.empty() && !unknown.empty()) order.why = "there is no section " + unknown;
-  if (order.why.empty() && count < 0) order.why = "this is more than " + std::to_string(kMaxThreads) + " threads";
+  if (order.why.empty() && !unknown.empty()) order.why = fill(tr("there is no section {name}"), arg("name", unknown));
+  if (order.why.empty() && count < 0)
+    order.why = fill(tr("this is more than {most} threads"), arg("most", kMaxThreads));
   const int64_t across = system == System::kWarp ? design.draft.picks() : design.draft.ends();
-  if (order.why.empty() && count * across > kMaxCells) order.why = "these are too many crossings";
+  if (order.why.empty() && count * across > kMaxCells) order.why = tr("too many crossings");
   if (order.why.empty() && count > 0) {
     sections = expanded(assembly, order.items);
-    order.why = why_not(design, system, sections);
+    order.why = why_impossible(design, system, sections);
   }
   if (!order.why.empty()) return {std::move(design), std::move(order.why)};
   if (count > 0) design = woven(std::move(design), system, sections, static_cast<int>(count));

@@ -1,6 +1,6 @@
 #pragma once
-// Threading and treadling put together from named sections: a tree of sections with repeat counts, as text ("A 4x,
-// (B C) 3x, A") and as a list of rows. When a section changes, the threads are made anew.
+// Threading and treadling assembled from named sections by an order: a tree of sections with repeat counts, as text
+// ("A 4x, (B C) 3x, A") and as a list of rows. When a section changes, the threads are assembled again.
 
 #include <span>
 #include <string>
@@ -12,11 +12,11 @@
 
 namespace weftlight::draft {
 
-inline constexpr int kDeepestOrder = 32;      // groups in groups
-inline constexpr int kMaxOrderItems = 10000;  // sections and groups of an order as it is written
-inline constexpr size_t kMaxSections = 500, kLongestSectionName = 40;
+inline constexpr int kMaxOrderDepth = 32;     // nested groups
+inline constexpr int kMaxOrderItems = 10000;  // sections and groups of an order, before repeats
+inline constexpr size_t kMaxSections = 500, kMaxSectionNameBytes = 40;
 
-/// A section, or a group of them, some times over.
+/// A section or a group of items, repeated.
 struct OrderItem {
   std::string section;           // its name; empty: a group
   std::vector<OrderItem> items;  // of a group
@@ -25,45 +25,45 @@ struct OrderItem {
 };
 struct Order {
   std::vector<OrderItem> items;
-  std::string why;  // what could not be read, and where; empty: all was
+  std::string why;  // what could not be read, and where; may be empty
 };
 
-/// Names, brackets and counts: "A 4x", "4x A", "x4" alike; a count behind a section or a bracket is its own, also one
-/// before it at the start, after a comma or an opening bracket. Commas and blanks part. Capped, whatever the text.
+/// Names, brackets and counts ("4x", "x4", "4"). A count belongs to the section or bracket before it; at the start,
+/// after a comma or after an opening bracket to the one after it. Commas and blanks separate. Accepts any text.
 Order read_order(std::string_view text);
 /// The order as text that read_order gives back.
 std::string order_text(const std::vector<OrderItem>& items);
 
-/// A line of the list, outermost first; `path`: index at each depth.
+/// A row of the list; `path`: index of the item at each depth, outermost first.
 struct OrderRow {
   std::vector<int> path;
   std::string section;  // empty: a group, whose items follow
   int times = 1;
 };
 std::vector<OrderRow> order_rows(const std::vector<OrderItem>& items);
-/// The item at a path, which must be one of order_rows; its list, to insert beside it.
+/// The item at a path of order_rows, and the list that contains it.
 OrderItem& item_at(std::vector<OrderItem>& items, std::span<const int> path);
 std::vector<OrderItem>& list_of(std::vector<OrderItem>& items, std::span<const int> path);
 
-/// What may be called a section: no blanks, brackets, commas, and nothing that reads as a count ("4x").
+/// A valid section name from typed text: no blanks, brackets or commas, and not a count ("4x").
 std::string section_name(std::string_view typed);
-/// "A", "B" ... "Z", "A2" ...: the first that is not taken.
+/// "A", "B" ... "Z", "A2" ...: the first that is not used.
 std::string free_section_name(const Assembly& assembly);
 
 const Assembly& assembly_of(const Design& design, System system);
-/// The threads as they are now, under a name that section_name made.
+/// A section with the threads of the range. `name`: from section_name.
 ThreadSection section_of(const Design& design, const ThreadRange& range, std::string name);
-/// The section added, or in the place of that of its name.
+/// Adds the section, or replaces the one of its name.
 Assembly with_section(Assembly assembly, ThreadSection section);
-/// Threads that the order makes, without making them; -1: more than kMaxThreads.
+/// Number of threads of the order; -1: more than kMaxThreads.
 int assembled_threads(const Assembly& assembly, const std::vector<OrderItem>& items);
 
 struct Assembled {
-  Design design;    // as it was, where `why` says so
-  std::string why;  // what is wrong with the order; empty: it was woven
+  Design design;    // unchanged if `why` is not empty
+  std::string why;  // what is wrong with the order
 };
-/// The design with the assembly kept in it, and its ends (picks) made by it. An order without sections keeps the
-/// threads as they are.
+/// Stores the assembly in the design and assembles its ends (picks). An order without sections leaves the threads
+/// unchanged.
 Assembled assembled(Design design, System system, Assembly assembly);
 
 }  // namespace weftlight::draft

@@ -1,23 +1,30 @@
-// Block substitution: a profile says which blocks follow one another, a template what a block is made of.
+// Block substitution: a profile gives the order of the blocks, a template the threads of a block.
 
 #include <algorithm>
 #include <array>
 #include <map>
 
+#include "base/text.h"
 #include "draft/generators/families.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
 constexpr std::array kTemplates = {
-    BlockTemplate{"summer_winter", "Summer and winter", 2, "1 a 2 a", "1A 12 2A aA"},
-    BlockTemplate{"summer_winter_pairs", "Summer and winter in pairs", 2, "1 a 2 a", "1A 12 1A aA 2A 12 2A aA"},
-    BlockTemplate{"twill", "1/3 and 3/1 twill", 0, "a b c d", "aBCD bACD cABD dABC"},
-    BlockTemplate{"damask", "Damask, clean cut", 0, "a b c d", "aABC bABD cACD dBCD"},
-    BlockTemplate{"satin", "Satin damask of five", 0, "a b c d e", "aABDE cBCDE eABCE bABCD dACDE"},
-    BlockTemplate{"bronson", "Bronson lace", 2, "1 a 1 a 1 2", "2aA 1 2A 1 2A 1"},
-    BlockTemplate{"turned_twill", "Plain and 3/1 twill", 0, "a b c d", "abcAC abdBD acdAC bcdBD"},
-    BlockTemplate{"double", "Double weave, colours changing", 0, "a b c d", "aACD cBCD bABC dABD"},
+    BlockTemplate{"summer_winter", mark("Summer and winter"), 2, "1 a 2 a", "1A 12 2A aA"},
+    BlockTemplate{"summer_winter_pairs", mark("Summer and winter in pairs"), 2, "1 a 2 a", "1A 12 1A aA 2A 12 2A aA"},
+    BlockTemplate{"twill", mark("1/3 and 3/1 twill"), 0, "a b c d", "aBCD bACD cABD dABC"},
+    BlockTemplate{"damask", mark("Damask, clean cut"), 0, "a b c d", "aABC bABD cACD dBCD"},
+    BlockTemplate{"satin", mark("Damask of 5-shaft satin"), 0, "a b c d e", "aABDE cBCDE eABCE bABCD dACDE"},
+    BlockTemplate{"bronson", mark("Bronson lace"), 2, "1 a 1 a 1 2", "2aA 1 2A 1 2A 1"},
+    BlockTemplate{"turned_twill", mark("Plain and 3/1 twill"), 0, "a b c d", "abcAC abdBD acdAC bcdBD"},
+    BlockTemplate{"double", mark("Double weave, colours exchanged"), 0, "a b c d", "aACD cBCD bABC dABD"},
 };
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
@@ -34,7 +41,7 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
-// The shaft of a token for one block, or -1.
+// The shaft of a token in one block; -1 if there is none.
 int shaft_of(char token, int ties, int own, int block) {
   if (token >= '1' && token <= '9') return token - '1' < ties ? token - '1' : -1;
   const int letter = is_small(token) ? token - 'a' : is_capital(token) ? token - 'A' : own;
@@ -49,7 +56,7 @@ int own_shafts(const BlockTemplate& unit) {
   return own;
 }
 
-// The shafts of a pick that marks one block.
+// The shafts lifted by a pick of the template that marks one block.
 std::vector<int> lift_of(const std::string& pick, int ties, int own, int blocks, int marked) {
   std::vector<int> shafts;
   for (const char token : pick)
@@ -87,7 +94,7 @@ GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& wa
     for (const std::string& end : ends) {
       const int shaft = shaft_of(end[0], ties, own, block);
       if (shaft >= 0 && end.size() == 1) recipe.threading.push_back(shaft);
-      else why = quoted(end) + " is not a shaft of the template";
+      else why = fill(tr("'{text}' is not a shaft of the template"), arg("text", end));
     }
   std::map<std::vector<int>, int> treadle_of;
   for (const int block : weft)
@@ -99,7 +106,7 @@ GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& wa
     }
   if (recipe.shafts < 1 || recipe.shafts > kMaxShafts || recipe.tieup.size() > static_cast<size_t>(kMaxShafts) ||
       recipe.threading.empty() || recipe.treadling.empty())
-    return {plain(size), "the template makes no weave; plain weave stands in its place"};
+    return {plain(size), tr("the template makes no weave; plain weave is used instead")};
   return {make_design(recipe, size), why};
 }
 

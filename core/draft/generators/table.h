@@ -1,7 +1,7 @@
 #pragma once
-// Every weave that can be generated: names, words, numbers with their ranges, and what makes it. A dialog, a palette
-// of commands and the file all read this one table. Numbers are kept as text, so that a ratio, a profile and a
-// count are held alike.
+// The table of weaves: name, description, parameters with their ranges, and generator. Dialogs, commands and files use
+// it. Values of parameters are text, so that a ratio, a profile and a count are stored alike. Names, labels and tips
+// are English; show tr(...) of them.
 
 #include <optional>
 #include <span>
@@ -30,51 +30,52 @@ struct WeaveParameter {
   const char* default_value = "";
   int low = 0, high = 0;
   std::vector<const char*> choices = {};
-  /// The counts that make the weave, of those from low to high, given the numbers before it; null: all.
-  std::vector<int> (*allowed)(const WeaveParameter& number, const WeaveValues& values) = nullptr;
+  /// The values from low to high that make a weave, given the parameters before it; null: all.
+  std::vector<int> (*allowed)(const WeaveParameter& parameter, const WeaveValues& values) = nullptr;
 };
 
-/// A whole draft of the asked size. `why`: what could not be taken as it was written, and what was done.
+/// A whole draft of the requested size. `why`: what could not be used as written, and what was used instead.
 struct GeneratedWeave {
   Design design;
   std::string why;
 };
 
-/// What a new draft of the weave is coloured like.
+/// Colours of a new draft of the weave.
 enum class WeaveColors {
   kTwoTone,  // light warp, dark weft
-  kPattern,  // dark pattern weft, the tabby between its picks as the warp
+  kPattern,  // dark pattern weft, tabby in the warp's colour
   kOwn,      // the colours are part of the weave
 };
 
 struct WeaveKind {
   const char* id;
   const char* name;
-  const char* family;       // under which a menu shows it
-  const char* description;  // what it is, in one sentence
+  const char* family;       // its group in menus
+  const char* description;  // one sentence
   std::vector<WeaveParameter> parameters;
   GeneratedWeave (*make)(const WeaveValues& values, ClothSize size);
   WeaveColors colors = WeaveColors::kTwoTone;
 };
 
-/// In the order of a menu: families stand together.
+/// In menu order, grouped by family.
 std::span<const WeaveKind> weave_kinds();
 const WeaveKind* find_weave(std::string_view id);
-/// Values of every number, those given brought into range.
+/// A value for every parameter; given values are clamped to their ranges.
 WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given);
-/// The same, each count also brought to the nearest that makes the weave.
+/// The same, with each count changed to the nearest allowed one.
 WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given);
-/// The smallest cloth that shows the weave whole, colours too: one repeat. 0 where that is more than 1,024 threads.
+/// One repeat of the weave with its colours. 0 if that is more than 1,024 threads.
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values);
-/// The whole number of repeats that is nearest to `about`, at least one; `about` where there is no repeat.
+/// The whole number of repeats nearest to `about`, at least one; `about` if there is no repeat.
 ClothSize whole_repeats(ClothSize repeat, ClothSize about);
 
-/// A draft of the asked size that is the weave alone, coloured as its kind says; the numbers are kept with it.
+/// A new draft of the requested size with the weave in its colours; the parameters are stored with it.
 GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size);
 
-/// A weave over threads of a draft: over all of them it becomes the draft, which keeps its size, colours (unless
-/// the weave has its own) and yarns; over some, their crossings are woven so and the rest stays (factor.h), within the
-/// loom. `use` is remembered in place of what was there before. Unchanged, with the reason, where it cannot be.
+/// Applies a weave to threads of a draft. Applied to all threads, it replaces threading, tie-up and treadling; size,
+/// yarns and (unless the weave has its own) colours stay. Applied to some, only their crossings change (factor.h),
+/// within the loom's limits. `use` is stored instead of weaves that it overlaps. Unchanged, with the reason, if it is
+/// impossible.
 GeneratedWeave with_weave(Design design, const WeaveUse& use);
 
 }  // namespace weftlight::draft

@@ -1,4 +1,6 @@
-// What weavers write: ratios, profiles, sequences with repeats, setts of tartans.
+// Reads weavers' notations: ratios, profiles, sequences with repeats, tartan setts.
+
+#include "base/text.h"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +9,17 @@
 #include "draft/generators/families.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-// Digits at `at`, at most kMaxThreads; -1 when there are none.
+// The number at `at`, at most kMaxThreads; -1 if there is none.
 int number_at(std::string_view text, size_t& at) {
   if (at >= text.size() || !is_digit(text[at])) return -1;
   int value = 0;
@@ -24,8 +31,7 @@ void skip_blanks(std::string_view text, size_t& at) {
   while (at < text.size() && (text[at] == ' ' || text[at] == ',' || text[at] == '\t' || text[at] == '\n')) ++at;
 }
 
-// A sequence is read by descent; brackets nest no deeper than this.
-constexpr int kDeepest = 32;
+constexpr int kMaxDepth = 32;  // of nested brackets
 
 struct SequenceReader {
   std::string_view text;
@@ -34,17 +40,18 @@ struct SequenceReader {
   std::string why;
 
   void fail(const std::string& what) {
-    if (why.empty()) why = what + " at character " + std::to_string(at + 1);
+    if (why.empty()) why = fill(tr("{problem} at character {at}"), arg("problem", what), arg("at", at + 1));
     at = text.size();
   }
   void append(std::vector<int>& to, const std::vector<int>& part, int times) {
     for (int i = 0; i < times; ++i) {
-      if (to.size() + part.size() > static_cast<size_t>(kMaxThreads)) return fail("too many threads");
+      if (to.size() + part.size() > static_cast<size_t>(kMaxThreads)) return fail(tr("too many threads"));
       to.insert(to.end(), part.begin(), part.end());
     }
   }
   void run(std::vector<int>& to, int from, int last) {
-    if (from < 1 || last < 1 || from > most || last > most) return fail("a number beyond 1.." + std::to_string(most));
+    if (from < 1 || last < 1 || from > most || last > most)
+      return fail(fill(tr("a number outside 1 to {most}"), arg("most", most)));
     const int step = from <= last ? 1 : -1;
     std::vector<int> threads;
     for (int i = from; i != last + step; i += step) threads.push_back(i - 1);
@@ -66,7 +73,7 @@ struct SequenceReader {
         if (at < text.size() && text[at] == '(') {
           times = first;
         } else if (sign) {
-          fail("a bracket is wanted after a number of times");
+          fail(tr("a repeat count without a bracket after it"));
           return out;
         } else {
           int last = first;
@@ -79,15 +86,15 @@ struct SequenceReader {
           continue;
         }
       }
-      if (at >= text.size() || text[at] != '(' || depth >= kDeepest) {
+      if (at >= text.size() || text[at] != '(' || depth >= kMaxDepth) {
         at = begin;
-        fail(depth >= kDeepest ? "too many brackets" : "a number or a bracket is wanted");
+        fail(depth >= kMaxDepth ? tr("brackets nested too deeply") : tr("neither a number nor a bracket"));
         return out;
       }
       ++at;
       const std::vector<int> inside = parts(depth + 1);
       if (at >= text.size()) {
-        if (why.empty()) why = "a bracket is not closed";
+        if (why.empty()) why = tr("a bracket is not closed");
         return out;
       }
       ++at;
@@ -105,7 +112,7 @@ constexpr Rgb bytes(int r, int g, int b) {
   return {static_cast<float>(r) / 255, static_cast<float>(g) / 255, static_cast<float>(b) / 255};
 }
 
-// Letters as registers of tartans use them; L and D before one for light and dark. The shades are our own.
+// Letters of the tartan registers; a prefix L or D means light or dark. The shades are our choice.
 constexpr std::array kTartanColors = {
     NamedColor{"K", bytes(24, 24, 26)},    NamedColor{"R", bytes(190, 30, 38)},  NamedColor{"B", bytes(38, 58, 120)},
     NamedColor{"G", bytes(22, 88, 52)},    NamedColor{"Y", bytes(228, 184, 40)}, NamedColor{"W", bytes(240, 238, 230)},
@@ -114,8 +121,8 @@ constexpr std::array kTartanColors = {
     NamedColor{"M", bytes(112, 24, 46)},   NamedColor{"S", bytes(206, 52, 40)},
 };
 
-Rgb mixed(Rgb a, Rgb b, float share) {
-  return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share};
+Rgb mixed(Rgb a, Rgb b, float weight) {
+  return {a.r + (b.r - a.r) * weight, a.g + (b.g - a.g) * weight, a.b + (b.b - a.b) * weight};
 }
 
 std::optional<Rgb> tartan_color(std::string_view code) {
@@ -150,11 +157,6 @@ int palette_index(std::vector<Rgb>& palette, Rgb color) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
-  std::string out(1, '\'');
-  return out.append(text).append("'");
-}
-
 OverUnder read_ratio(std::string_view text) {
   OverUnder order;
   int sum = 0;
@@ -187,7 +189,7 @@ std::vector<int> read_profile(std::string_view text) {
 SequenceRead read_sequence(std::string_view text, int most) {
   SequenceReader reader{text, most, 0, {}};
   SequenceRead out{reader.parts(0), {}};
-  if (reader.why.empty() && reader.at < text.size()) reader.fail("a bracket is closed that was not opened");
+  if (reader.why.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"));
   out.why = std::move(reader.why);
   return out;
 }
@@ -212,7 +214,7 @@ SettRead read_sett(std::string_view text) {
     }
     const int threads = number_at(text, at);
     if (!color || threads < 0) {
-      out.why = quoted(std::string(text.substr(begin, 12))) + " is not a colour and a number of threads";
+      out.why = fill(tr("'{text}' is not a colour with a number of threads"), arg("text", text.substr(begin, 12)));
       break;
     }
     out.stripes.push_back({palette_index(out.palette, *color), threads});

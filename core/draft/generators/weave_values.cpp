@@ -2,9 +2,15 @@
 
 #include <charconv>
 
+#include "base/text.h"
 #include "draft/generators/families.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
 
 std::string text(const WeaveValues& values, std::string_view id) {
   for (const auto& [key, value] : values)
@@ -24,19 +30,21 @@ bool is(const WeaveValues& values, std::string_view id, std::string_view choice)
 OverUnder ratio(const WeaveValues& values, std::string& why) {
   OverUnder order = read_ratio(text(values, "ratio"));
   if (!order.empty()) return order;
-  why = quoted(text(values, "ratio")) + " is not a ratio like 2/2; that was taken";
+  why = fill(tr("'{text}' is not a ratio such as 2/2, which is used instead"), arg("text", text(values, "ratio")));
   return {2, 2};
 }
 
 std::vector<int> profile(const WeaveValues& values, int blocks, std::string& why, const char* id) {
   std::vector<int> order = read_profile(text(values, id));
   if (order.empty()) {
-    why = quoted(text(values, id)) + " is not a profile like A4 B2; A B was taken";
+    why = fill(tr("'{text}' is not a profile such as A4 B2; A B is used instead"), arg("text", text(values, id)));
     order = {0, 1};
   }
   for (int& block : order) {
     if (block < blocks) continue;
-    why = "this weave has " + std::to_string(blocks) + " blocks; others began again from A";
+    why = fill(tr_n("this weave has {count} block; further letters start again from A",
+                    "this weave has {count} blocks; further letters start again from A", blocks),
+               arg("count", blocks));
     block %= blocks;
   }
   return order;

@@ -153,7 +153,7 @@ void draw_scale(PanelContext& c, PrintPrompt& p, float width) {
 void draw_parts(PanelContext& c, PrintPrompt& p) {
   for (const NamedPart& part : kParts) {
     row_label(c, &part == &kParts[0] ? tr("Include") : "", nullptr);
-    ImGui::Checkbox(tr(part.words), &(p.options.parts.*part.on));
+    ImGui::Checkbox(tr(part.label), &(p.options.parts.*part.on));
     c.map.add_item(std::string("print.") + part.name);
   }
 }

@@ -29,11 +29,11 @@ TEST(Sections, AnOrderIsReadAsItIsSaid) {
 
 TEST(Sections, WhatCannotBeReadIsSaidWithItsPlace) {
   EXPECT_EQ(read_order("A (B").why, "a bracket is not closed at character 3");
-  EXPECT_EQ(read_order("A ) B").why, "a bracket is closed that was not opened at character 3");
-  EXPECT_EQ(read_order("A, 3x").why, "a count without a section at character 4");
-  EXPECT_EQ(read_order("3x 4x A").why, "two counts and nothing between at character 4");
-  EXPECT_EQ(read_order("A 0x").why, "a section is woven once or more at character 3");
-  EXPECT_EQ(read_order("0x A").why, "a section is woven once or more at character 1");
+  EXPECT_EQ(read_order("A ) B").why, "an unmatched closing bracket at character 3");
+  EXPECT_EQ(read_order("A, 3x").why, "a repeat count without a section at character 4");
+  EXPECT_EQ(read_order("3x 4x A").why, "two repeat counts in a row at character 4");
+  EXPECT_EQ(read_order("A 0x").why, "a repeat count below 1 at character 3");
+  EXPECT_EQ(read_order("0x A").why, "a repeat count below 1 at character 1");
   EXPECT_NE(read_order(std::string(1000, '(')).why, "");
   std::string many;
   for (int i = 0; i < 20000; ++i) many += "A ";

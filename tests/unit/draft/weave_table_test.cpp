@@ -129,7 +129,7 @@ TEST(Satin, HasOnlyStepsThatMakeOne) {
   EXPECT_EQ(satin_steps(8), (std::vector<int>{3, 5}));
   EXPECT_TRUE(satin_steps(6).empty());
   const GeneratedWeave made = find_weave("satin")->make({{"shafts", "8"}, {"step", "4"}, {"face", "warp"}}, {8, 8});
-  EXPECT_EQ(made.why, "a satin of 8 has the steps 3 5; 3 was taken");
+  EXPECT_EQ(made.why, "a satin on 8 shafts has the steps 3 5; 3 is used");
 }
 
 TEST(Text, RatiosProfilesAndSequences) {
@@ -140,7 +140,7 @@ TEST(Text, RatiosProfilesAndSequences) {
   EXPECT_EQ(read_profile("A2 b CA"), (std::vector<int>{0, 0, 1, 2, 0}));
   EXPECT_EQ(read_sequence("1-3 2x(5 4) 3-1").threads, (std::vector<int>{0, 1, 2, 4, 3, 4, 3, 2, 1, 0}));
   EXPECT_EQ(read_sequence("2(1 2(3))").threads, (std::vector<int>{0, 2, 2, 0, 2, 2}));
-  EXPECT_EQ(read_sequence("1 9", 8).why, "a number beyond 1..8 at character 4");
+  EXPECT_EQ(read_sequence("1 9", 8).why, "a number outside 1 to 8 at character 4");
   EXPECT_EQ(read_sequence("2(1").why, "a bracket is not closed");
   EXPECT_FALSE(read_sequence("1)").why.empty());
   EXPECT_FALSE(read_sequence("99999(99999(1 2 3))").why.empty()) << "too many threads";

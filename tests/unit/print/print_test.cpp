@@ -47,7 +47,7 @@ TEST(Print, ALargeScaleTakesMoreSheetsAndTooManyAreRefused) {
   large.cell_mm = 20;
   const Printed refused = printed(overshot_design(900, 900), PrintFormat::kPdf, large);
   EXPECT_TRUE(refused.files.empty());
-  EXPECT_NE(refused.why.find("give a smaller scale"), std::string::npos);
+  EXPECT_NE(refused.why.find("choose a smaller scale"), std::string::npos);
 }
 
 TEST(Print, OddDraftsPrintToo) {
@@ -73,7 +73,7 @@ TEST(Print, OnlyWhatWasChosenIsPrinted) {
   o.parts = {false, true, true, true, false};
   EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "");
   o.parts = {false, false, false, false, false};
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "nothing was chosen to be printed");
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "nothing was selected for printing");
 }
 
 TEST(Print, ThePlannedClothAndTheNameAreOnPaper) {

@@ -1,14 +1,20 @@
-// A generated weave as a new draft, over a whole draft, or over some of its threads.
+// A generated weave as a new draft, or applied to all or some threads of a draft.
 
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/crossings.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
 #include "draft/generators/table.h"
 
 namespace weftlight::draft {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 bool overlaps(const WeaveUse& a, const WeaveUse& b) {
@@ -16,13 +22,14 @@ bool overlaps(const WeaveUse& a, const WeaveUse& b) {
          a.first_pick < b.first_pick + b.picks && b.first_pick < a.first_pick + a.picks;
 }
 
-/// What is woven over is not generated any more.
-void remember(Design& design, const WeaveUse& use) {
+/// Stores `use` and forgets the weaves that it overlaps.
+void store_use(Design& design, const WeaveUse& use) {
   std::erase_if(design.weaves, [&](const WeaveUse& old) { return overlaps(old, use); });
   design.weaves.push_back(use);
 }
 
-void take_structure(Draft& d, Draft made) {
+/// Replaces threading, tie-up and treadling or liftplan; keeps shed and shed control.
+void replace_structure(Draft& d, Draft made) {
   d.shafts = made.shafts;
   d.treadles = made.treadles;
   d.threading = std::move(made.threading);
@@ -41,17 +48,17 @@ void take_structure(Draft& d, Draft made) {
 
 }  // namespace
 
-GeneratedWeave with_weave(Design design, const WeaveUse& asked) {
-  const WeaveKind* kind = find_weave(asked.weave);
+GeneratedWeave with_weave(Design design, const WeaveUse& requested) {
+  const WeaveKind* kind = find_weave(requested.weave);
   const Draft& d = design.draft;
-  WeaveUse use = asked;
+  WeaveUse use = requested;
   use.first_end = std::clamp(use.first_end, 0, d.ends());
   use.first_pick = std::clamp(use.first_pick, 0, d.picks());
   use.ends = std::clamp(use.ends, 0, d.ends() - use.first_end);
   use.picks = std::clamp(use.picks, 0, d.picks() - use.first_pick);
-  if (!kind) return {std::move(design), "there is no weave named '" + asked.weave + "'"};
-  if (use.ends == 0 || use.picks == 0) return {std::move(design), "no threads are chosen"};
-  use.values = complete_values(*kind, asked.values);
+  if (!kind) return {std::move(design), fill(tr("there is no weave named '{name}'"), arg("name", requested.weave))};
+  if (use.ends == 0 || use.picks == 0) return {std::move(design), tr("no threads are selected")};
+  use.values = complete_values(*kind, requested.values);
   GeneratedWeave made = kind->make(use.values, {use.ends, use.picks});
   if (use.ends == d.ends() && use.picks == d.picks()) {
     if (kind->colors == WeaveColors::kOwn) {
@@ -59,7 +66,7 @@ GeneratedWeave with_weave(Design design, const WeaveUse& asked) {
       design.draft.warp.color = made.design.draft.warp.color;
       design.draft.weft.color = made.design.draft.weft.color;
     }
-    take_structure(design.draft, std::move(made.design.draft));
+    replace_structure(design.draft, std::move(made.design.draft));
   } else {
     const BitMatrix part = drawdown(made.design.draft);
     BitMatrix cells = drawdown(d);
@@ -69,14 +76,14 @@ GeneratedWeave with_weave(Design design, const WeaveUse& asked) {
     if (!factored.done()) return {std::move(design), std::move(factored.why)};
     design.draft = std::move(factored.draft);
   }
-  remember(design, use);
+  store_use(design, use);
   return {std::move(design), std::move(made.why)};
 }
 
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {
-  // Twice as long shows whether the period was cut: the shortest start that comes again.
-  constexpr int kLongest = 2048;
-  const Design design = kind.make(complete_values(kind, values), {kLongest, kLongest}).design;
+  // Twice the longest repeat that is returned, so that a repeat can be recognised.
+  constexpr int kThreads = 2048;
+  const Design design = kind.make(complete_values(kind, values), {kThreads, kThreads}).design;
   const auto period = [](const std::vector<int>& first) {
     const int n = static_cast<int>(first.size());
     std::vector<int> border(first.size() + 1, 0);
@@ -89,13 +96,13 @@ ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {
     const int found = n - border[first.size()];
     return found <= n / 2 ? found : 0;
   };
-  const auto kinds = [](const BitMatrix& m, const std::vector<int>& colors) {
+  const auto thread_ids = [](const BitMatrix& m, const std::vector<int>& colors) {
     std::vector<int> of = first_equal_rows(m);
     for (size_t i = 0; i < of.size(); ++i) of[i] = of[i] * 4096 + colors[i] % 4096;
     return of;
   };
   const Draft& d = design.draft;
-  return {period(kinds(d.threading, d.warp.color)), period(kinds(lifts(d), d.weft.color))};
+  return {period(thread_ids(d.threading, d.warp.color)), period(thread_ids(lifts(d), d.weft.color))};
 }
 
 ClothSize whole_repeats(ClothSize repeat, ClothSize about) {

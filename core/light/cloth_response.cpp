@@ -1,8 +1,8 @@
-// Sums over points of the surface, for every pair of directions, of what both see.
-// Based on: Westin, Arvo, Torrance 1992, "Predicting reflectance functions from complex surfaces" (a table
-//   measured on small geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
+// Sums what light and eye both see over surface points, for every pair of directions.
+// Based on: Westin, Arvo, Torrance 1992, "Predicting reflectance functions from complex surfaces" (a table measured on
+// small geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
 // Differs: the specular part is measured facet lobe by facet lobe, and stored over its closed form from the measured
-//   slopes, so that the table is smooth.
+// slopes, so that the table is smooth.
 
 #include "light/cloth_response.h"
 
@@ -22,41 +22,41 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr size_t kV = kResponseViews, kL = kResponseLights;
-constexpr float kDark = 1e-4f;           // radiance whose lean is not seen
-constexpr float kEvenWeave = 0.02f;      // relative variance of the cover around that tells nothing
-constexpr int kTransmissionSamples = 4;  // for each of the front: few of them are both seen and lit
-constexpr int kMeanTexels = 512;         // along a side of the map, for plain means
+constexpr float kDark = 1e-4f;           // radiance below which the gradient is ignored
+constexpr float kEvenWeave = 0.02f;      // relative variance of the coverage around below which it says nothing
+constexpr int kTransmissionSamples = 4;  // for each reflection sample: few of them are both visible and lit
+constexpr int kMeanTexels = 512;         // texels a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;
 
-/// What reaches a place from the lights on one side of the cloth: cosine, times what the lobes do on the way in;
-/// shadow: projected area of the micro-facets; the light in the frame of the fibre, mu held above the plane.
+/// Light on a sample from one side of the cloth: cosine times what the lobes do on the way in. shadow: projected area
+/// of the microfacets; along, across, mu: the direction in the fibre's frame, mu clamped above the plane.
 struct LightOnSample {
   PerLight cosine{}, lit{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
-  LightOnSample() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // of lights that do not reach it any will do
+  LightOnSample() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // lights that do not reach the sample: any value
 };
 
-/// One place on a thread: what each view sees of it, and what each light sends to it.
+/// A surface sample with one of its normals: its visibility to each view and its light from each direction.
 struct Point {
   float area = 0;   // over that of the cloth's plane
-  float above = 0;  // of it, in the plane, what is seen from above
+  float above = 0;  // projected area visible from above
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
   PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
   LightOnSample front;
   float height_mm = 0;
-  float around = 0;  // share of the crossings around that its system has on top
+  float around = 0;  // fraction of the crossings around that its system has on top
   FacetMoments facets{};
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
-  float peak = 0;              // density of those slopes at their mean
+  float peak = 0;              // density of the slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
   float f0 = 0, f90 = 0, fibre_layers = 1, fuzz_colour = 0;  // green
-  // Of the colours that the table leaves out, as pictures take them.
+  // Colours that the table leaves out, as the renderer applies them.
   float tone = 0, drawn_f0 = 0, drawn_fuzz = 0;
 };
 
-/// Before the place: cosine of it, times share that is not hidden.
+/// Light from the front; cosine: times the visible fraction.
 void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
   from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
   from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
@@ -64,7 +64,8 @@ void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, co
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
 }
 
-/// With a normal of the place: that between its plies for the views before which it faces, else the section's.
+/// Evaluates a sample with one of its normals: the normal between plies for the views that it faces, else that of the
+/// section.
 Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::array<glm::vec3, kV>& w) {
   Point p;
   const formulas::YarnLobes& lobes = sample.lobes;
@@ -84,7 +85,7 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   std::array<formulas::LobeSide, kV> sides;
   for (size_t v = 0; v < kV; ++v) {
     const float facing = glm::dot(sample.side, w[v]);
-    p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // unseen: any will do
+    p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // not visible: any value
     if (facing <= 0 || sample.open[v] <= 0) continue;
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
@@ -105,7 +106,7 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   return p;
 }
 
-/// Over points, of [view][light]: what leaves by the body, what mirrors, fuzz and what is scattered more than once.
+/// Sums over points, [view][light]: body, mirrored light, fuzz and multiple scattering.
 struct RadianceSums {
   std::vector<float> body, mirror, fuzz;
   RadianceSums() : body(kV * kL), mirror(kV * kL), fuzz(kV * kL) {}
@@ -119,7 +120,7 @@ struct Sums {
   std::array<PerView, kFacetMoments> visible_moments{};
   Sums() : all(kV * kL) { all_moments.fill(all); }
 
-  /// All views from straight above are one.
+  /// All views from straight above are the same.
   void repeat_top() {
     constexpr size_t kTop = kV - kViewAzimuths;
     const auto rows = [](std::vector<float>& of, size_t width) {
@@ -147,17 +148,17 @@ std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
   return out;
 }
 
-/// Of a pile of layers (shaders/lobes.glsl, layered_grazing()).
+/// Fresnel weights of fibre layers (shaders/lobes.glsl, layered_grazing()).
 void rise(PerLight& rising, float fibre_layers, const float* grazing) {
   for (size_t i = 0; i < kL; ++i) rising[i] = fibre_layers * grazing[i] / (1 + (fibre_layers - 1) * grazing[i]);
 }
 
-/// What one point sends one view, of each light.
+/// Radiance of one point towards one view, by light.
 struct ViewRadiance {
   PerLight scattered, mirrored, fuzz;
 };
 
-/// rising: of Fresnel's term towards grazing, of the row of this view.
+/// rising: Fresnel weights of this view's row.
 void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& from, const PerLight& rising,
                      size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
@@ -166,8 +167,7 @@ void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& fr
               once = over_drawn_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
   const float lost = over_drawn_fuzz * p.lost[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
-  // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
-  // then runs on vectors.
+  // Local copies: the compiler then knows that the output does not alias them, and vectorises the loop.
   const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view],
               across = p.across[view], mu = p.mu[view];
   const float xx = -0.5f * p.inverse.x, xy = -p.inverse.y, yy = -0.5f * p.inverse.z;
@@ -175,8 +175,7 @@ void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& fr
   for (size_t i = 0; i < kL; ++i) {
     const float mu_i = from.mu[i], cosine = from.cosine[i], veiled = 1 - clear * from.clear[i],
                 unveiled = 1 - fuzz * veiled;
-    // Beckmann's facets, as lobe_specular() has them (shaders/lobes.glsl), over the Fresnel term that
-    // pictures give them.
+    // Beckmann facets as in lobe_specular() (shaders/lobes.glsl), over the Fresnel term that the renderer applies.
     const float over = 1 / (mu + mu_i), x = (along + from.along[i]) * over, y = (across + from.across[i]) * over;
     const float secant2 = 1 + x * x + y * y;
     const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
@@ -200,7 +199,7 @@ void accumulate(RadianceSums& to, size_t view, const ViewRadiance& sent) {
 
 using Grazing = std::vector<float>;
 
-/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by.
+/// Adds a point to all pairs of one view. Pairs are symmetric except for the caller's divisor.
 void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   if (p.seen[view] <= 0) return;
   const float seen = p.area * p.seen[view];
@@ -218,7 +217,7 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.all_moments[k], view, all, p.facets[k]);
 }
 
-/// Adds all points to the rows of the views of one elevation.
+/// Adds all points to the views of one elevation.
 void add_views(std::array<Sums, 2>& sums, const std::vector<Point>& points, const Grazing& grazing, int elevation) {
   const int azimuths = elevation == kResponseElevations - 1 ? 1 : kViewAzimuths;
   for (const Point& p : points)
@@ -227,7 +226,7 @@ void add_views(std::array<Sums, 2>& sums, const std::vector<Point>& points, cons
 }
 
 #if defined(__x86_64__)
-/// The same on wider vectors; products are not fused with sums, so that the bits are the same.
+/// The same on wider vectors, without fused multiply-add, so that the result is the same bit for bit.
 [[gnu::flatten, gnu::target("avx2")]] void add_views_avx2(std::array<Sums, 2>& sums, const std::vector<Point>& points,
                                                           const Grazing& grazing, int elevation) {
   add_views(sums, points, grazing, elevation);
@@ -261,14 +260,14 @@ void add_slopes(FacetSlopes& slopes, const glm::vec3& n, const glm::vec3& fibre,
   spread_slope(slopes[1], n.y / z, std::sqrt(widths2.x * (1 - c2) + widths2.y * c2), weight);
 }
 
-/// Means over the whole map, which need no directions and so many more texels.
+/// Means over the whole map: without directions many more texels are affordable.
 void measure_means(ClothResponse& out, const Maps& maps) {
   const int step_x = std::max(1, maps.coverage.width / kMeanTexels),
             step_y = std::max(1, maps.coverage.height / kMeanTexels);
   float all = 0;
   for (int j = 0; j < maps.coverage.height / step_y; ++j) {
     for (int i = 0; i < maps.coverage.width / step_x; ++i) {
-      // Every place within a step in turn: the threads are as regular as the texels.
+      // Visits every offset within a step in turn, since threads are as regular as texels.
       const int x = i * step_x + (i + j) % step_x, y = j * step_y + i % step_y;
       const float weight = maps.coverage.at(x, y), shade = weight * maps.groove.at(x, y);
       SystemResponse& s = out.systems[maps.system.at(x, y) ? 1 : 0];
@@ -290,7 +289,7 @@ void measure_means(ClothResponse& out, const Maps& maps) {
   out.sky /= std::max(all, 1e-9f);
 }
 
-/// To a density.
+/// Normalises to a density.
 void finish(FacetSlopes& slopes) {
   for (auto& axis : slopes) {
     float sum = 0;
@@ -301,8 +300,8 @@ void finish(FacetSlopes& slopes) {
 
 using Moments = FacetMoments;
 
-/// Slopes and moments of what is seen from above, and how much of each system. A texel of a map is of one system: where
-/// the slits between threads are narrower than texels, the shares of a map are off by a quarter.
+/// Slopes, moments and fractions of what is visible from above. A texel of a map belongs to one system: where the gaps
+/// between threads are narrower than texels, fractions from the map are off by a quarter.
 std::array<Moments, 2> measure_top(ClothResponse& out, const ThreadSamples& threads) {
   std::array<Moments, 2> sums{};
   std::array<float, 2> seen{};
@@ -320,9 +319,9 @@ std::array<Moments, 2> measure_top(ClothResponse& out, const ThreadSamples& thre
   return sums;
 }
 
-/// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
-/// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
-/// rise, beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
+/// Change of the warp's visible fraction with its fraction of the crossings around. Samples are uniform over all
+/// threads, so the visible part of a system in a region is the mean over its samples there, hidden ones included.
+/// Least squares give the change relative to that from above, which is 1. Warp and weft give two estimates.
 std::vector<float> visible_rises(const std::array<Sums, 2>& sums, const ThreadSamples& threads) {
   std::vector<float> out(kV);
   for (size_t s = 0; s < 2; ++s) {
@@ -340,7 +339,6 @@ std::vector<float> visible_rises(const std::array<Sums, 2>& sums, const ThreadSa
   return out;
 }
 
-/// Of the points of one system.
 template <class Weight>
 FacetRegression regression(const std::vector<Point>& points, int system, Weight weight_of) {
   FacetRegression out;
@@ -350,8 +348,8 @@ FacetRegression regression(const std::vector<Point>& points, int system, Weight 
   return out;
 }
 
-/// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
-/// facets that are seen. Returns what areas of places are multiplied by.
+/// Normalises one system by its fraction of the coverage: reflected light, visible area, and the gradient of the
+/// former by the visible facets. Returns the scale of the sample areas.
 float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
                     const Moments& above) {
   const FacetRegression cover = regression(points, system, [](const Point& p) { return p.above; });
@@ -376,7 +374,7 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
   return scale;
 }
 
-/// Points of the places, with the slopes of those that are seen from above.
+/// Evaluates the samples. A normal between plies that faces away from some view needs a second point.
 std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std::array<glm::vec3, kV>& w) {
   const auto turns_away = [&w](const ThreadSample& p) {
     return p.normal != p.side && std::any_of(w.begin(), w.end(), [&p](const glm::vec3& v) {
@@ -395,8 +393,8 @@ std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std
   return points;
 }
 
-/// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those
-/// of many.
+/// Mirrored light is measured at few samples, so it is divided by the slopes of just these; the shader multiplies by
+/// those of many.
 std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& samples) {
   std::array<FacetSlopes, 2> out{};
   for (const ThreadSample& p : samples) {
@@ -408,7 +406,7 @@ std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& samples) {
   return out;
 }
 
-/// few: slopes of the places that the sums are of.
+/// few: slopes of the samples that the sums are of.
 void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std::array<FacetSlopes, 2>& few,
                   const std::array<glm::vec3, kV>& w) {
   for (size_t v = 0; v < kV; ++v) {

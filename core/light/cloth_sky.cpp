@@ -1,8 +1,7 @@
 // Based on: Heitz, d'Eon 2014, "Importance sampling microfacet-based BSDFs using the distribution of visible normals"
-//   (facets by their projected area towards the view); Heitz 2014 (their masking, as shaders/lobes.glsl).
-// Differs: slopes are Gaussian deviates of a lattice, a few other ones at each place; what they miss at one they find
-// at
-//   the others.
+// (facets by their projected area towards the view); Heitz 2014 (their masking, as shaders/lobes.glsl).
+// Differs: slopes are Gaussian deviates of a lattice, a few different ones at each sample; what they miss at one
+// sample they cover at others.
 
 #include "light/cloth_sky.h"
 
@@ -18,14 +17,14 @@ namespace weftlight::light {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kRings = 20, kTurns = 40;               // lights of equal parts of the hemisphere
+constexpr int kRings = 20, kTurns = 40;               // lights of equal solid angle over the hemisphere
 constexpr float kPart = 2 * kPi / (kRings * kTurns);  // sr
-constexpr size_t kDeviates = 1021;                    // prime: places share no run of them
-constexpr size_t kFacets = 4;                         // of a place, for each view
+constexpr size_t kDeviates = 1021;                    // prime, so that samples do not repeat the same run
+constexpr size_t kFacets = 4;                         // a sample and view
 constexpr float kMinFactor = 0.4f, kMaxFactor = 2.5f;
 
-/// The part of an even sky that each light of the tables stands for, between whose nodes answers run straight: its
-/// directions, summed, and sr.
+/// For each light node of the tables, the part of a uniform sky that it stands for (responses are linear between
+/// nodes): sum of directions, and solid angle in sr.
 std::vector<glm::vec4> sky_parts() {
   std::vector<glm::vec4> out(kResponseLights, glm::vec4(0));
   for (int k = 0; k < kRings * kTurns; ++k) {
@@ -58,7 +57,7 @@ std::vector<glm::vec2> deviates() {
   return out;
 }
 
-/// What of a light from `l` the place sees, between the views.
+/// Visibility of direction `l` at a sample, interpolated between views.
 float open_towards(const ThreadSample& p, const glm::vec3& l) {
   const formulas::vec2 at = formulas::response_coord(l);
   const float x = at.x * kViewAzimuths, across = x - std::floor(x);
@@ -70,11 +69,11 @@ float open_towards(const ThreadSample& p, const glm::vec3& l) {
          (over[low] * (1 - across) + over[high] * across) * above;
 }
 
-/// A place with what all views share.
+/// A sample with what all views share.
 struct Facets {
   const ThreadSample* sample;
   formulas::LobeShared shared;
-  glm::vec3 root{0};  // of the covariance of slopes: lower triangle xx, xy, yy
+  glm::vec3 root{0};  // of the slope covariance: lower triangle xx, xy, yy
 };
 
 std::vector<Facets> facets_of(const std::vector<ThreadSample>& samples) {
@@ -89,18 +88,18 @@ std::vector<Facets> facets_of(const std::vector<ThreadSample>& samples) {
   return out;
 }
 
-/// One system along one view, of an even sky. Directions are times what comes from them.
+/// One system along one view, under a uniform sky. Directions are weighted by their light.
 struct Mirrored {
-  float all = 0, rising = 0;  // without Fresnel's term; times its rise at grazing
+  float all = 0, rising = 0;  // without the Fresnel term; times its rise at grazing
   float light = 0;
   glm::vec3 from{0};
 };
-struct Drawn {  // by rung `yarn`
+struct Drawn {  // as method `yarn` estimates it
   float all = 0, glossy = 0;
   glm::vec3 from{0};
 };
 
-/// What the place mirrors of the sky that it sees. weight: of its area towards the view.
+/// Adds the sky light that a sample mirrors. weight: its area towards the view.
 void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame& frame, const formulas::LobeSide& side,
                   const glm::vec3& wo, const glm::vec2* slopes, float weight) {
   const ThreadSample& p = *facets.sample;
@@ -144,7 +143,7 @@ void add_sample(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const gl
   add_mirrored(mirrored, facets, frame, side, wo, slopes, weight);
 }
 
-/// All that one view is sent: times its direction, and it.
+/// Reflected sky light along one view: xyz directions times light, w light.
 struct SkyRadiance {
   glm::vec4 diffuse{0}, glossy{0};
   Drawn drawn;
@@ -172,7 +171,7 @@ class SkyMeasurer {
   std::array<formulas::YarnLobes, 2> yarns_;
 };
 
-/// Body; fuzz and light scattered more than once.
+/// Body; fuzz and multiple scattering.
 glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& sent) const {
   const float* row = &response_.systems[system].reflected[4 * view * kResponseLights];
   const float body = yarns_[system].body.g, fuzz = formulas::fuzz_tint(yarns_[system]).g;

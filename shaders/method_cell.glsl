@@ -1,14 +1,14 @@
-// SampledMethod `cell`: each system's mean facet in the footprint, its lobe widened by the spread of the normals, under
-// mean and spread of the horizon; shares of the systems by what the eye sees of them. Light from behind as it was measured:
-// mean facets say nothing of the few places that no other thread hides.
+// Method `cell`: each system's mean facet in the footprint, its lobe widened by the spread of the normals, with mean
+// and spread of the horizon; systems are weighted by their visible fraction. Light from behind is the measured
+// far-field response, since mean facets say nothing of the few points where light passes.
 
 Reflected system_reflected(Lights x, System system, SystemData data, vec3 fibre) {
   YarnLobes y = yarn_of(data.yarn, system_color(system.color, data));
   return facet_radiance(y, system.n, system.mean_length, fibre, vec3(system.variance.x, 0.0, system.variance.y), x.l, x.v);
 }
 
-// A system's measured answer to light from behind: between the nodes of the light, of the view the one before or the one
-// after by chance as it lies between them, which is one fetch.
+// A system's measured response to light from behind: interpolated over the light, dithered over the view, which is one
+// fetch.
 vec4 transmission_near(int system, vec3 l, vec3 v) {
   const float views = float(RESPONSE_VIEWS_AROUND);
   vec2 o = response_coord(v) * vec2(views, 1.0);

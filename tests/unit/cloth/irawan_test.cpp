@@ -1,5 +1,4 @@
-// The peer's floats and their stripes: the lengths that a weave gives, light that is never made, and stripes that lie
-// across the thread where the half vector asks for them.
+// Floats and stripes of method irawan: lengths of floats, energy, and the position of the stripes by the half vector.
 
 #include <gtest/gtest.h>
 
@@ -58,12 +57,12 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
       EXPECT_EQ(place.thread, warp ? e : p);
       EXPECT_NEAR(place.size.y, warp ? 3 * kSpacing : kSpacing, 1e-5f);
       EXPECT_NEAR(place.at.x, 0, 1e-5f);
-      // Of a float of three crossings the middle one is at the middle.
+      // The middle crossing of three lies at the centre of the float.
       if (warp) {
         EXPECT_NEAR(place.at.y, static_cast<float>((e + p) % 4 - 2) * kSpacing, 1e-5f);
       }
     }
-  // Between two ends that are on top the pick below is seen; between both systems, nothing.
+  // Between two ends on top the pick below is visible; between both systems nothing is.
   const Place beside = front.irawan_point(g, {kSpacing, 2.5f * kSpacing});
   EXPECT_EQ(beside.system, 1);
   EXPECT_FALSE(beside.above);
@@ -78,7 +77,7 @@ TEST(Irawan, TheBackHasItsOwnFloats) {
   EXPECT_NEAR(place.size.y, 3 * kSpacing, 1e-5f);
 }
 
-/// Radiance, times the view's cosine, over a float, averaged; `count` places each way.
+/// Mean radiance times the view's cosine over a float; `count` samples each way.
 double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const vec3& v, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i)
@@ -104,7 +103,7 @@ TEST(Irawan, MirrorsTheShareThatItIsAskedFor) {
           sent += mean_over(s, p, fibre_tan, l, towards(z, (static_cast<float>(k) + 0.5f) / kTurns * 6.2831853f), 16);
         }
       sent *= 6.2831853 / (kRings * kTurns);
-      // Straight on what it is asked for; at a slant its bend catches light that a plane does not.
+      // At normal incidence the required fraction; at a slant its bend catches light that a plane does not.
       EXPECT_NEAR(sent, 1, cosine > 0.9f ? 0.1 : 0.35) << fibre_tan << " " << cosine;
     }
 }
@@ -126,12 +125,12 @@ TEST(Irawan, ThreadsShineAcrossTheLight) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
   const Place warp = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   ASSERT_EQ(warp.system, 0);
-  // Straight fibres mirror within the bend of the float alone: across the thread from far around, along it no further
-  // than twice its inclination.
+  // Straight fibres mirror only within the bend of the float: across the thread over wide angles, along it at most
+  // twice its inclination.
   const vec3 across{0.9f, 0, std::sqrt(1 - 0.81f)}, along{0, 0.9f, std::sqrt(1 - 0.81f)};
   EXPECT_GT(mean_over(s, warp, 0, across, {0, 0, 1}, 64), 0.1);
   EXPECT_EQ(mean_over(s, warp, 0, along, {0, 0, 1}, 64), 0);
-  // The stripe of a twisted yarn moves around it with the light: to the side that the light is on.
+  // The stripe of a twisted yarn moves around it towards the light.
   const auto middle = [&](const vec3& l) {
     double sum = 0, weight = 0;
     Place p = warp;
@@ -146,7 +145,7 @@ TEST(Irawan, ThreadsShineAcrossTheLight) {
   const double none = middle({0, 0, 1}), right = middle(towards(0.8f, 0)), left = middle(towards(0.8f, 3.1415927f));
   EXPECT_GT(right, none);
   EXPECT_LT(left, none);
-  // And runs along the thread all its length under light that is level with it.
+  // It runs along the whole thread under light level with it.
   Place p = warp;
   for (int k = 0; k < 20; ++k) {
     float most = 0;

@@ -1,4 +1,4 @@
-// Thick and thin along a thread: as uneven as the yarn says, within the thread's room, the same in maps, bodies and
+// Thickness along a thread: unevenness as the yarn has it, within the thread's spacing, the same in maps, bodies and
 // heights.
 
 #include "cloth/thickness.h"
@@ -50,7 +50,7 @@ TEST(Swell, MassVariesAsTheYarnSays) {
 
 TEST(Swell, FilamentAndShortRepeatsAreEven) {
   EXPECT_LT(section_spread(uneven(0, 0.2f)).second, 1e-5);
-  // Two threads are 1 mm of a thread, no room for a slub and a thin place.
+  // Two threads are 1 mm long: too short for a thick and a thin place.
   EXPECT_LT(section_spread(uneven(40, 0.2f, 2)).second, 0.02);
 }
 

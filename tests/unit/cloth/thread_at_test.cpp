@@ -1,4 +1,4 @@
-// Which thread lies at a place (thread_at() of shaders/threads.glsl), however unlike the threads' rooms are.
+// thread_at() of shaders/threads.glsl: which thread is at a position, for threads of very different spacings.
 
 #include <gtest/gtest.h>
 

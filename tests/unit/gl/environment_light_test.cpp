@@ -1,5 +1,4 @@
-// Light from a picture: a white one gives the furnace's answer, a bright texel that of a light far off, several their
-// sum.
+// Environment maps: a white one gives the furnace result, a bright texel that of a distant light, several their sum.
 
 #include "render_data/environment_light.h"
 
@@ -61,10 +60,10 @@ TEST_F(EnvironmentLight, OfOneBrightTexelIsThatOfALightFarOff) {
     put(picture, 40, 40, 6000);  // before the cloth, at the left
     const Mean ours = middle(under(std::move(picture)));
     ASSERT_EQ(lights.size(), 1u);
-    LightRig like;
-    like.key = lights[0].irradiance / kKeyIrradiance;
-    like.key_radius = lights[0].radius;
-    renderer->set_lights(like);
+    LightRig equivalent;
+    equivalent.key = lights[0].irradiance / kKeyIrradiance;
+    equivalent.key_radius = lights[0].radius;
+    renderer->set_lights(equivalent);
     const glm::vec3 d = lights[0].towards;
     scene.light_azimuth = glm::degrees(std::atan2(d.x, d.z)), scene.light_elevation = glm::degrees(std::asin(d.y));
     const Mean theirs = middle(draw());

@@ -115,10 +115,10 @@ Footprint footprint_here() {
 }
 
 // 0 to 1, different in each pixel and very different from its neighbours (Jimenez 2014, interleaved gradient noise).
-float pixel_turn() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
+float pixel_noise() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
 
 // The same, different in each pass.
-float pass_turn() { return fract(pixel_turn() + 0.61803399 * frame.samples.x); }
+float pass_noise() { return fract(pixel_noise() + 0.61803399 * frame.samples.x); }
 
 // One thread system of the footprint.
 struct System {
@@ -164,16 +164,16 @@ vec3 system_color(vec4 color, SystemData data) {
 }
 
 // Mip level of the horizons: one level, dithered between two; lighting changes little between levels.
-float sky_level(Footprint f) { return floor(f.level - 1.0 + pass_turn()); }
+float sky_level(Footprint f) { return floor(f.level - 1.0 + pass_noise()); }
 
 // Sky visibility among the threads around.
-float sky_left(Side s, Footprint f) {
+float thread_sky_visibility(Side s, Footprint f) {
   float layer = cloth.azimuths + float(s.face) * (cloth.azimuths + 1.0);
   return textureLod(horizon_map, vec3(f.at, layer), sky_level(f)).r;
 }
 
 // Visibility of the key light (x) and of the sky (y) among the threads around.
-vec2 thread_light(Side s, Footprint f, vec3 l) {
+vec2 thread_visibility(Side s, Footprint f, vec3 l) {
   int count = int(cloth.azimuths);
   float base = float(s.face * (count + 1));
   HorizonTaps taps = horizon_taps(atan(l.y, l.x), count);
@@ -186,7 +186,7 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), sky_level(f)).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
-  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, current_light().w), sky_left(s, f));
+  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, current_light().w), thread_sky_visibility(s, f));
 }
 
 // Visible fractions and heights of warp and weft along v, over the whole cloth.

@@ -12,7 +12,7 @@ const float kMinFilterCosine = 1.0e-3f;
 
 // Remaining width of a gap of width `gap` between round threads of height `rim`, over its width at normal view,
 // smoothed. At an angle of tangent `slope` their outlines are wider by rim * (secant - 1).
-FORMULA float gap_left(float gap, float rim, float slope) {
+FORMULA float gap_remaining(float gap, float rim, float slope) {
   float g = max(gap, 1.0e-6f);
   float x = 1.0f - rim * (sqrt(1.0f + slope * slope) - 1.0f) / g;
   // Threads are round and irregular: a gap closes over a range of angles, not at once.
@@ -25,7 +25,7 @@ FORMULA float gap_left(float gap, float rim, float slope) {
 // threads at its edge.
 FORMULA float coverage_by_view(float coverage, vec2 gap_mm, float rim_mm, vec3 w) {
   float z = max(abs(w.z), kMinFilterCosine);
-  float open = gap_left(gap_mm.x, rim_mm, abs(w.x) / z) * gap_left(gap_mm.y, rim_mm, abs(w.y) / z);
+  float open = gap_remaining(gap_mm.x, rim_mm, abs(w.x) / z) * gap_remaining(gap_mm.y, rim_mm, abs(w.y) / z);
   return 1.0f - (1.0f - clamp(coverage, 0.0f, 1.0f)) * open;
 }
 

@@ -59,7 +59,7 @@ Fibre fibre_at(float t, vec3 n, float mean_length, float least_length, inout uin
 vec3 dye_beneath(int face, vec2 tile, out vec3 body) {
   float level = max(log2(float(textureSize(color_map, 0).x) * cloth.spacing_mm / cloth.width_mm) - 1.0, 0.0);
   vec3 sum = vec3(0.0);
-  vec3 sent = vec3(0.0);
+  vec3 reflected = vec3(0.0);
   float weight = 0.0;
   float cover = 0.0;
   for (int i = 0; i < 2; ++i) {
@@ -68,10 +68,10 @@ vec3 dye_beneath(int face, vec2 tile, out vec3 body) {
     float fraction = flyaway_fraction(data.yarn.fuzz);
     sum += c.rgb * fraction;
     weight += c.a * fraction;
-    sent += c.rgb * (data.yarn.body * (1.0 - data.yarn.tint.w));
+    reflected += c.rgb * (data.yarn.body * (1.0 - data.yarn.tint.w));
     cover += c.a;
   }
-  body = clamp(sent / max(cover, 1e-4), 0.0, 1.0);
+  body = clamp(reflected / max(cover, 1e-4), 0.0, 1.0);
   return clamp(sum / max(weight, 1e-6), 0.0, 1.0);
 }
 

@@ -154,7 +154,7 @@ FORMULA float irawan_specular(IrawanPoint p, float fibre_tan, vec3 l, vec3 v) {
   vec2 radii;
   radii.x = 0.5f * p.size.x;
   radii.y = max(0.5f * p.size.y / sin(kIrawanBend) - radii.x, 0.0f);
-  float sent = abs(fibre_tan) < kIrawanFilament ? irawan_straight(p, radii, to_light, to_eye)
+  float radiance = abs(fibre_tan) < kIrawanFilament ? irawan_straight(p, radii, to_light, to_eye)
                                                 : irawan_staple(p, -atan(fibre_tan), radii, to_light, to_eye);
-  return kIrawanGain * sent / max(v.z, 0.02f);
+  return kIrawanGain * radiance / max(v.z, 0.02f);
 }

@@ -71,7 +71,7 @@ struct LobeCoords {
 struct LobeSide {
   float mu;            // cosine, held above kMinCosine
   float area;          // projected area of the facets, over that of the plane's unit area
-  float lost;          // 1 - albedo of single scattering
+  float loss;          // 1 - albedo of single scattering
   vec3 enters;         // 1 - albedo of the whole specular part
   float clear;         // transmittance of the fuzz
   vec4 fuzz;           // fuzz_table
@@ -141,15 +141,15 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
   float major = half_sum + root;
   vec2 spread = vec2(spread_coordinate(major), spread_coordinate(det / major));
   vec2 mean = albedo_mean_table(spread.x, spread.y);
-  float lost = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
+  float loss = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
   // Kulla, Conty 2017: facets that light meets again reflect with the mean Fresnel term. Differs: at least a
   // quarter leaves at a time, which keeps a coloured lobe of any roughness from turning black.
   vec3 f_mean = y.f0 + (y.f90 - y.f0) * layered_mean(y.fibre_layers, 1.0f / 21.0f, 0.0f);
-  float stays = min(lost, 0.75f);
+  float stays = min(loss, 0.75f);
   s.recurring = f_mean * f_mean * (1.0f - stays) / (1.0f - f_mean * stays);
-  s.multiple = s.recurring / (kPi * lost);
+  s.multiple = s.recurring / (kPi * loss);
   float mean_rise = layered_mean(y.fibre_layers, mean.y, spread.x + spread.y);
-  vec3 mean_albedo = y.f0 * (1.0f - lost) + (y.f90 - y.f0) * mean_rise + s.recurring * lost;
+  vec3 mean_albedo = y.f0 * (1.0f - loss) + (y.f90 - y.f0) * mean_rise + s.recurring * loss;
   s.mean_enters = max(1.0f - mean_albedo, vec3(2.0e-3f));
   s.body_scale = 1.0f / (kPi * s.mean_enters);
   return s;
@@ -181,11 +181,11 @@ FORMULA LobeSide lobe_finish(YarnLobes y, LobeShared s, LobeCoords p, vec2 store
   LobeSide side;
   side.mu = p.mu;
   side.area = p.area;
-  side.lost = stored.x;
+  side.loss = stored.x;
   float k = max(1.0f - stored.y * p.rim, 0.0f);  // of the visible facets
   float k2 = k * k;
   float rise = layered_over_facets(y.fibre_layers, k2 * k2 * k, p.along * p.along + p.across * p.across);
-  vec3 specular = (y.f0 + (y.f90 - y.f0) * rise) * (1.0f - side.lost) + s.recurring * side.lost;
+  vec3 specular = (y.f0 + (y.f90 - y.f0) * rise) * (1.0f - side.loss) + s.recurring * side.loss;
   side.enters = max(1.0f - specular, vec3(0.0f));
   side.clear = 1.0f;
   side.fuzz = fuzz;
@@ -221,7 +221,7 @@ FORMULA vec3 lobe_specular(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, ve
 
 // Reflection from wi to wo, both above the surface.
 FORMULA vec3 lobe_reflect(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, vec3 wi, vec3 wo) {
-  vec3 base = lobe_specular(y, s, i, o, wi, wo) + s.multiple * (i.lost * o.lost)
+  vec3 base = lobe_specular(y, s, i, o, wi, wo) + s.multiple * (i.loss * o.loss)
             + y.body * s.body_scale * i.enters * o.enters;
   if (y.fuzz <= 0.0f) return base;
   float clear = i.clear * o.clear;

@@ -47,7 +47,7 @@ vec3 mixed_light(Side side, Lights x, Reflected m) {
 }
 
 // One system in the footprint.
-struct Local {
+struct LocalSystem {
   vec4 color;    // premultiplied by coverage
   vec4 facets;   // means of the unit normal's x, y and of their squares
   float around;  // coverage of about eight yarns around
@@ -55,8 +55,8 @@ struct Local {
 
 // Four samples a pixel: two by two in a square pixel, a row in a long one (a zigzag between), each at the mip level of
 // their spacing. at: the centre of the pixel, on the tile.
-Local fetch_local(Side s, Footprint f, int which, vec2 at) {
-  Local y;
+LocalSystem fetch_local(Side s, Footprint f, int which, vec2 at) {
+  LocalSystem y;
   y.color = vec4(0.0);
   vec4 sum = vec4(0.0);
   vec2 texels = vec2(textureSize(color_map, 0).xy);
@@ -84,7 +84,7 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
 }
 
 // A system's radiance, corrected by the facets of the footprint.
-Reflected local_radiance(Side side, Lights x, Local y, int which, vec2 slopes) {
+Reflected local_radiance(Side side, Lights x, LocalSystem y, int which, vec2 slopes) {
   int system = side.face * 2 + which;
   SystemData data = cloth.systems[system];
   Reflected a = far_field_of(side, x, which, slopes, system_color(y.color, data));
@@ -96,8 +96,8 @@ vec3 repeat_light(Side side, Lights x, Footprint f) {
   VisibleSystems seen = visible_systems(side.face, x.v);
   // Points above the middle plane appear nearer to the eye than the pixel's position on it.
   vec2 towards = x.v.xy / (x.v.z * vec2(cloth.width_mm, cloth.depth_mm));
-  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
-  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
+  LocalSystem warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
+  LocalSystem weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
   vec2 fraction = vec2(cloth.systems[side.face * 2].fraction, cloth.systems[side.face * 2 + 1].fraction);
   vec2 cover = vec2(cloth.systems[side.face * 2].coverage, cloth.systems[side.face * 2 + 1].coverage);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(cover, vec2(1e-3));

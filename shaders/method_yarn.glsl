@@ -88,7 +88,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec2 dy = f.dy * g.period;
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   vec4 measured = view_table(side.face, 4, x.v);
-  float own = pixel_turn();
+  float own = pixel_noise();
   // Where a pixel covers much of a yarn, equal samples would hit equal points of the weave in many pixels. So many
   // steps of R2 spread them over the whole pixel instead of along a line.
   float turn = 64.0 * own * clamp(f.yarns * 4.0 - 1.0, 0.0, 1.0);

@@ -173,7 +173,7 @@ Groups groups_of(const BitMatrix& cells, const LayerPlan& plan) {
 }
 
 /// Layer above by agreeing blocks of groups, so that corners stay sharp; 0 where no block agrees.
-std::vector<int8_t> claimed(const Groups& g, int wide, int high) {
+std::vector<int8_t> decided_sides(const Groups& g, int wide, int high) {
   std::vector<int8_t> side(g.all.size());
   std::vector<float> by(g.all.size());
   for (int y = 0; y < g.down; ++y) {
@@ -255,8 +255,8 @@ LayerPlan interleaved(const BitMatrix& cells) {
   plan.end_layer = layers_by(orders.ends, cells.cols()), plan.pick_layer = layers_by(orders.picks, cells.rows());
   plan.group_ends = static_cast<int>(orders.ends.size()), plan.group_picks = static_cast<int>(orders.picks.size());
   const Groups g = groups_of(cells, plan);
-  std::vector<int8_t> side = claimed(g, std::min(side_of(orders.ends) / plan.group_ends, g.across),
-                                     std::min(side_of(orders.picks) / plan.group_picks, g.down));
+  std::vector<int8_t> side = decided_sides(g, std::min(side_of(orders.ends) / plan.group_ends, g.across),
+                                           std::min(side_of(orders.picks) / plan.group_picks, g.down));
   const auto found = std::ranges::count_if(side, [](int8_t s) { return s != 0; });
   if (static_cast<float>(found) < kMinTiles * static_cast<float>(side.size())) return {};
   spread(side, g);
@@ -266,7 +266,7 @@ LayerPlan interleaved(const BitMatrix& cells) {
 }
 
 /// Layers that are not connected to each other; loose threads join the layer before them.
-LayerPlan apart(const BitMatrix& cells) {
+LayerPlan unconnected_layers(const BitMatrix& cells) {
   LayerPlan plan;
   plan.end_layer.resize(static_cast<size_t>(cells.cols())), plan.pick_layer.resize(static_cast<size_t>(cells.rows()));
   int layer = -1;
@@ -353,7 +353,7 @@ bool LayerPlan::above(int a, int b, int end, int pick) const {
 LayerPlan find_layers(const BitMatrix& cells) {
   // Two layers need at least four ends and four picks.
   if (cells.cols() < 4 || cells.rows() < 4 || int64_t{cells.cols()} * cells.rows() > kMaxCrossings) return {};
-  LayerPlan plan = apart(cells);
+  LayerPlan plan = unconnected_layers(cells);
   if (plan.layers > 1 && plan.layers <= kMaxLayers) return plan;
   return interleaved(cells);
 }

@@ -33,7 +33,7 @@ using PerLight = std::array<float, kL>;
 /// Light on a sample from one side of the cloth: cosine times what the lobes do on the way in. shadow: projected area
 /// of the microfacets; along, across, mu: the direction in the fibre's frame, mu clamped above the plane.
 struct LightOnSample {
-  PerLight cosine{}, lit{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
+  PerLight cosine{}, lit{}, loss{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
   LightOnSample() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // lights that do not reach the sample: any value
 };
 
@@ -43,7 +43,7 @@ struct Point {
   float above = 0;  // projected area visible from above
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
-  PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
+  PerView seen{}, enters{}, loss{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
   LightOnSample front;
   float height_mm = 0;
   float around = 0;  // fraction of the crossings around that its system has on top
@@ -53,13 +53,13 @@ struct Point {
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
   float f0 = 0, f90 = 0, fibre_layers = 1, fuzz_colour = 0;  // green
   // Colours that the table leaves out, as the renderer applies them.
-  float tone = 0, drawn_f0 = 0, drawn_fuzz = 0;
+  float tone = 0, rendered_f0 = 0, rendered_fuzz = 0;
 };
 
 /// Light from the front; cosine: times the visible fraction.
 void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
   from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
-  from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
+  from.loss[i] = cosine * side.loss, from.veil[i] = cosine * side.fuzz.y;
   from.clear[i] = side.clear, from.shadow[i] = side.area;
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
 }
@@ -75,8 +75,8 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = sample.groove;
   p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.fibre_layers = lobes.fibre_layers;
-  p.fuzz_colour = lobes.fuzz_colour.g, p.drawn_f0 = sample.drawn.f0.g;
-  p.drawn_fuzz = lobes.fuzz > 0 ? sample.drawn.fuzz_colour.g : p.drawn_f0 / std::max(p.f90, 1e-3f);
+  p.fuzz_colour = lobes.fuzz_colour.g, p.rendered_f0 = sample.rendered.f0.g;
+  p.rendered_fuzz = lobes.fuzz > 0 ? sample.rendered.fuzz_colour.g : p.rendered_f0 / std::max(p.f90, 1e-3f);
   p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
   p.height_mm = sample.height_mm, p.around = sample.around, p.facets = facet_moments(normal);
@@ -90,7 +90,7 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
     if (plain || own == (glm::dot(sample.normal, w[v]) > 0)) p.seen[v] = facing;
-    p.enters[v] = side.enters.g, p.lost[v] = side.lost, p.veil[v] = side.fuzz.y;
+    p.enters[v] = side.enters.g, p.loss[v] = side.loss, p.veil[v] = side.fuzz.y;
     p.clear[v] = side.clear, p.shadow[v] = side.area;
     p.along[v] = local.x, p.across[v] = local.y, p.mu[v] = side.mu;
   }
@@ -149,7 +149,7 @@ std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
 }
 
 /// Fresnel weights of fibre layers (shaders/lobes.glsl, layered_grazing()).
-void rise(PerLight& rising, float fibre_layers, const float* grazing) {
+void set_fresnel_weights(PerLight& rising, float fibre_layers, const float* grazing) {
   for (size_t i = 0; i < kL; ++i) rising[i] = fibre_layers * grazing[i] / (1 + (fibre_layers - 1) * grazing[i]);
 }
 
@@ -159,19 +159,20 @@ struct ViewRadiance {
 };
 
 /// rising: Fresnel weights of this view's row.
-void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& from, const PerLight& rising,
+void evaluate_lights(ViewRadiance& radiance, const Point& p, const LightOnSample& from, const PerLight& rising,
                      size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
-  const float body = seen * p.enters[view] * p.body_scale, over_drawn_fuzz = grooved / std::max(p.drawn_fuzz, 1e-4f);
-  const float veil = over_drawn_fuzz * p.fuzz_colour * p.veil[view] * p.again,
-              once = over_drawn_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
-  const float lost = over_drawn_fuzz * p.lost[view] * p.multiple;
+  const float body = seen * p.enters[view] * p.body_scale,
+              over_rendered_fuzz = grooved / std::max(p.rendered_fuzz, 1e-4f);
+  const float veil = over_rendered_fuzz * p.fuzz_colour * p.veil[view] * p.again,
+              once = over_rendered_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
+  const float loss = over_rendered_fuzz * p.loss[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
   // Local copies: the compiler then knows that the output does not alias them, and vectorises the loop.
   const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view],
               across = p.across[view], mu = p.mu[view];
   const float xx = -0.5f * p.inverse.x, xy = -p.inverse.y, yy = -0.5f * p.inverse.z;
-  const float f0 = p.f0, drawn_f0 = p.drawn_f0, f90 = p.f90;
+  const float f0 = p.f0, rendered_f0 = p.rendered_f0, f90 = p.f90;
   for (size_t i = 0; i < kL; ++i) {
     const float mu_i = from.mu[i], cosine = from.cosine[i], veiled = 1 - clear * from.clear[i],
                 unveiled = 1 - fuzz * veiled;
@@ -179,22 +180,22 @@ void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& fr
     const float over = 1 / (mu + mu_i), x = (along + from.along[i]) * over, y = (across + from.across[i]) * over;
     const float secant2 = 1 + x * x + y * y;
     const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
-    const float fresnel = (f0 + (f90 - f0) * rising[i]) / (drawn_f0 + (f90 - drawn_f0) * rising[i] + 1e-6f);
-    sent.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
-    sent.scattered[i] = body * from.lit[i] * unveiled;
-    sent.fuzz[i] = once * cosine * veiled * over + veil * from.veil[i] + lost * from.lost[i];
+    const float fresnel = (f0 + (f90 - f0) * rising[i]) / (rendered_f0 + (f90 - rendered_f0) * rising[i] + 1e-6f);
+    radiance.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
+    radiance.scattered[i] = body * from.lit[i] * unveiled;
+    radiance.fuzz[i] = once * cosine * veiled * over + veil * from.veil[i] + loss * from.loss[i];
   }
 }
 
-void accumulate(std::vector<float>& to, size_t view, const PerLight& sent, float scale = 1) {
+void accumulate(std::vector<float>& to, size_t view, const PerLight& radiance, float scale = 1) {
   float* row = &to[view * kL];
-  for (size_t i = 0; i < kL; ++i) row[i] += sent[i] * scale;
+  for (size_t i = 0; i < kL; ++i) row[i] += radiance[i] * scale;
 }
 
-void accumulate(RadianceSums& to, size_t view, const ViewRadiance& sent) {
-  accumulate(to.body, view, sent.scattered);
-  accumulate(to.mirror, view, sent.mirrored);
-  accumulate(to.fuzz, view, sent.fuzz);
+void accumulate(RadianceSums& to, size_t view, const ViewRadiance& radiance) {
+  accumulate(to.body, view, radiance.scattered);
+  accumulate(to.mirror, view, radiance.mirrored);
+  accumulate(to.fuzz, view, radiance.fuzz);
 }
 
 using Grazing = std::vector<float>;
@@ -205,14 +206,15 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   const float seen = p.area * p.seen[view];
   sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.visible_around[view] += seen * p.around;
   for (size_t k = 0; k < kFacetMoments; ++k) sums.visible_moments[k][view] += seen * p.facets[k];
-  ViewRadiance sent;
+  ViewRadiance radiance;
   PerLight rising, all;
-  rise(rising, p.fibre_layers, &grazing[view * kL]);
-  evaluate_lights(sent, p, p.front, rising, view);
-  accumulate(sums.front, view, sent);
-  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, drawn_fuzz = p.drawn_fuzz;
+  set_fresnel_weights(rising, p.fibre_layers, &grazing[view * kL]);
+  evaluate_lights(radiance, p, p.front, rising, view);
+  accumulate(sums.front, view, radiance);
+  const float tone = p.tone, f0 = p.rendered_f0, more = p.f90 - f0, rendered_fuzz = p.rendered_fuzz;
   for (size_t i = 0; i < kL; ++i)
-    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.fuzz[i] * drawn_fuzz;
+    all[i] = radiance.scattered[i] * tone + radiance.mirrored[i] * (f0 + more * rising[i]) +
+             radiance.fuzz[i] * rendered_fuzz;
   accumulate(sums.all, view, all);
   for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.all_moments[k], view, all, p.facets[k]);
 }
@@ -413,13 +415,13 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
     const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
     for (size_t s = 0; s < 2; ++s) {
       SystemResponse& system = out.systems[s];
-      const RadianceSums& sent = sums[s].front;
+      const RadianceSums& radiance = sums[s].front;
       for (size_t i = 0; i < kL; ++i) {
         const size_t at = v * kL + i;
         const float density = closed_form(few[s], system.fraction, w[view_of_light(i)], w[v]);
-        system.reflected[4 * at] = sent.body[at] / seen;
-        system.reflected[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
-        system.reflected[4 * at + 2] = sent.fuzz[at] / seen;
+        system.reflected[4 * at] = radiance.body[at] / seen;
+        system.reflected[4 * at + 1] = radiance.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
+        system.reflected[4 * at + 2] = radiance.fuzz[at] / seen;
         system.reflected[4 * at + 3] = sums[s].seen[v] / seen;
       }
     }

@@ -94,7 +94,7 @@ struct Mirrored {
   float light = 0;
   glm::vec3 from{0};
 };
-struct Drawn {  // as method `yarn` estimates it
+struct YarnMethodSky {  // as method `yarn` estimates it
   float all = 0, glossy = 0;
   glm::vec3 from{0};
 };
@@ -120,15 +120,16 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
     const float rising = formulas::layered_grazing(y.fibre_layers, std::max(1 - facing, 0.0f));
     const float fresnel = y.f0.g + (y.f90 - y.f0.g) * rising;
     const float clear = y.fuzz > 0 ? std::exp(-std::min(y.fuzz_depth / mu, 80.0f)) : 1.0f;
-    const float sent = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
-    const float drawn = p.drawn.f0.g + (y.f90 - p.drawn.f0.g) * rising;
-    const float weighted = sent * fresnel / (drawn + 1e-6f);
+    const float radiance = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
+    const float drawn = p.rendered.f0.g + (y.f90 - p.rendered.f0.g) * rising;
+    const float weighted = radiance * fresnel / (drawn + 1e-6f);
     sum.all += weighted, sum.rising += weighted * rising;
-    sum.light += sent * fresnel, sum.from += sent * fresnel * l;
+    sum.light += radiance * fresnel, sum.from += radiance * fresnel * l;
   }
 }
 
-void add_sample(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const glm::vec3& v, const glm::vec2* slopes) {
+void add_sample(Mirrored& mirrored, YarnMethodSky& drawn, const Facets& facets, const glm::vec3& v,
+                const glm::vec2* slopes) {
   const ThreadSample& p = *facets.sample;
   const float weight = p.area * glm::dot(p.side, v) * p.groove;
   const glm::vec3 n = glm::dot(p.normal, v) > 0 ? p.normal : p.side;
@@ -146,7 +147,7 @@ void add_sample(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const gl
 /// Reflected sky light along one view: xyz directions times light, w light.
 struct SkyRadiance {
   glm::vec4 diffuse{0}, glossy{0};
-  Drawn drawn;
+  YarnMethodSky drawn;
 };
 
 class SkyMeasurer {
@@ -162,7 +163,7 @@ class SkyMeasurer {
   void measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
 
  private:
-  glm::vec2 scattered(size_t system, size_t view, SkyRadiance& sent) const;
+  glm::vec2 scattered(size_t system, size_t view, SkyRadiance& radiance) const;
 
   ClothResponse& response_;
   std::vector<glm::vec4> parts_;
@@ -172,46 +173,46 @@ class SkyMeasurer {
 };
 
 /// Body; fuzz and multiple scattering.
-glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& sent) const {
+glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& radiance) const {
   const float* row = &response_.systems[system].reflected[4 * view * kResponseLights];
   const float body = yarns_[system].body.g, fuzz = formulas::fuzz_tint(yarns_[system]).g;
   glm::vec2 sum(0);
   for (size_t i = 0; i < kResponseLights; ++i) {
     const glm::vec2 reflected(row[4 * i], row[4 * i + 2]);
     sum += reflected * parts_[i].w;
-    sent.diffuse += (reflected.x * body + reflected.y * fuzz) * parts_[i];
+    radiance.diffuse += (reflected.x * body + reflected.y * fuzz) * parts_[i];
   }
   return sum;
 }
 
 void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen) {
   std::array<Mirrored, 2> mirrored;
-  std::array<Drawn, 2> drawn;
+  std::array<YarnMethodSky, 2> drawn;
   for (size_t i = 0; i < facets_.size(); ++i) {
     const ThreadSample& p = *facets_[i].sample;
     if (p.open[view] <= 0 || glm::dot(p.side, v) <= 0) continue;
     const size_t s = static_cast<size_t>(p.system);
     add_sample(mirrored[s], drawn[s], facets_[i], v, &deviates_[(i * kFacets + view) % kDeviates]);
   }
-  SkyRadiance sent;
+  SkyRadiance radiance;
   glm::vec4& near_sky = response_.near_sky[view];
   for (size_t s = 0; s < 2; ++s) {
     const float part = scale[s] / std::max(seen, 1e-9f);
-    const glm::vec2 diffuse = scattered(s, view, sent);
+    const glm::vec2 diffuse = scattered(s, view, radiance);
     const glm::vec4 sky(diffuse, mirrored[s].all * part, mirrored[s].rising * part);
     std::copy_n(glm::value_ptr(sky), 4, &response_.systems[s].sky[4 * view]);
     const formulas::YarnLobes& y = yarns_[s];
     const float all = y.body.g * sky.x + formulas::fuzz_tint(y).g * sky.y + y.f0.g * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
     near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
-    sent.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
-    sent.drawn.glossy += part * drawn[s].glossy, sent.drawn.from += part * drawn[s].from;
+    radiance.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
+    radiance.drawn.glossy += part * drawn[s].glossy, radiance.drawn.from += part * drawn[s].from;
   }
-  if (sent.diffuse.w > 0) response_.sky_from[view][0] = glm::vec3(sent.diffuse) / sent.diffuse.w;
-  if (sent.glossy.w <= 0) return;
-  response_.sky_from[view][1] = glm::vec3(sent.glossy) / sent.glossy.w;
-  if (sent.drawn.glossy <= 0) return;
-  const glm::vec3 more = response_.sky_from[view][1] - sent.drawn.from / sent.drawn.glossy;
+  if (radiance.diffuse.w > 0) response_.sky_from[view][0] = glm::vec3(radiance.diffuse) / radiance.diffuse.w;
+  if (radiance.glossy.w <= 0) return;
+  response_.sky_from[view][1] = glm::vec3(radiance.glossy) / radiance.glossy.w;
+  if (radiance.drawn.glossy <= 0) return;
+  const glm::vec3 more = response_.sky_from[view][1] - radiance.drawn.from / radiance.drawn.glossy;
   const glm::vec2 along = glm::vec2(v) / std::max(glm::length(glm::vec2(v)), 1e-6f);
   near_sky.z = glm::dot(glm::vec2(more), along), near_sky.w = more.z;
 }

@@ -156,8 +156,8 @@ struct PairRadiance {
   glm::vec2 gloss{0};
 };
 
-std::vector<PairRadiance> radiance_by(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
-                                      const EngineFit& fit) {
+std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
+                                         const EngineFit& fit) {
   std::vector<PairRadiance> out(problem.pairs.size());
   std::vector<glm::vec3> wi(problem.lights.size()), wo(problem.views.size());
   for (const Shaded& t : shaded(texels, model, fit)) {
@@ -174,8 +174,9 @@ std::vector<PairRadiance> radiance_by(const EngineTexels& texels, const Problem&
   return out;
 }
 
-glm::vec3 whole(const PairRadiance& sent, const EngineFit& fit) {
-  return sent.body * fit.base + glm::vec3(glm::dot(sent.gloss, glm::vec2(fit.f0, fit.f90))) + sent.fuzz * fit.sheen;
+glm::vec3 whole(const PairRadiance& radiance, const EngineFit& fit) {
+  return radiance.body * fit.base + glm::vec3(glm::dot(radiance.gloss, glm::vec2(fit.f0, fit.f90))) +
+         radiance.fuzz * fit.sheen;
 }
 
 /// Bounded least squares by coordinates; an unknown whose bounds meet stays as it is.
@@ -218,19 +219,19 @@ struct Normal {
 };
 
 /// Coefficients of the unknowns for one pair and channel.
-Unknowns row_of(const PairRadiance& sent, int channel) {
-  Unknowns row{0, 0, 0, sent.gloss.x, sent.gloss.y, sent.fuzz[channel]};
-  row[static_cast<size_t>(channel)] = sent.body[channel];
+Unknowns row_of(const PairRadiance& radiance, int channel) {
+  Unknowns row{0, 0, 0, radiance.gloss.x, radiance.gloss.y, radiance.fuzz[channel]};
+  row[static_cast<size_t>(channel)] = radiance.body[channel];
   return row;
 }
 
 /// The mean over the pairs of a view, as one more equation: errors that cancel over lights still conserve the energy
 /// of the cloth.
-void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadiance> sent, int channel) {
+void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadiance> radiance, int channel) {
   Unknowns sum{};
   float wanted = 0, total = 1e-9f, weights = 0;
   for (size_t i = 0; i < pairs.size(); ++i) {
-    const Unknowns row = row_of(sent[i], channel);
+    const Unknowns row = row_of(radiance[i], channel);
     for (size_t k = 0; k < kUnknowns; ++k) sum[k] += pairs[i].fraction * row[k];
     wanted += pairs[i].fraction * pairs[i].wanted[channel], total += pairs[i].fraction, weights += pairs[i].weight;
   }
@@ -238,14 +239,14 @@ void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadia
   to.add(sum, wanted / total, kMeanPull * weights);
 }
 
-Normal normal_of(const Problem& problem, const std::vector<PairRadiance>& sent) {
+Normal normal_of(const Problem& problem, const std::vector<PairRadiance>& radiance) {
   Normal out;
   const size_t lights = problem.lights.size();
   for (int c = 0; c < 3; ++c) {
-    for (size_t i = 0; i < sent.size(); ++i)
-      out.add(row_of(sent[i], c), problem.pairs[i].wanted[c], problem.pairs[i].weight);
-    for (size_t first = 0; first < sent.size(); first += lights)
-      add_mean(out, std::span(problem.pairs).subspan(first, lights), std::span(sent).subspan(first, lights), c);
+    for (size_t i = 0; i < radiance.size(); ++i)
+      out.add(row_of(radiance[i], c), problem.pairs[i].wanted[c], problem.pairs[i].weight);
+    for (size_t first = 0; first < radiance.size(); first += lights)
+      add_mean(out, std::span(problem.pairs).subspan(first, lights), std::span(radiance).subspan(first, lights), c);
   }
   return out;
 }
@@ -268,7 +269,7 @@ Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
 void solve(EngineFit& fit, const EngineTexels& texels, const Problem& problem, const EngineModel& model,
            const Bounds& bounds, int rounds) {
   for (int round = 0; round < rounds; ++round) {
-    const Normal normal = normal_of(problem, radiance_by(texels, problem, model, fit));
+    const Normal normal = normal_of(problem, texel_radiance(texels, problem, model, fit));
     Unknowns x{fit.base.r, fit.base.g, fit.base.b, fit.f0, fit.f90, fit.sheen};
     normal.solve(x, bounds.least, bounds.most);
     fit.base = {x[0], x[1], x[2]}, fit.f0 = x[3], fit.f90 = x[4], fit.sheen = x[5];
@@ -337,11 +338,11 @@ std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& c
     for (size_t v = 0; v < problem.views.size(); ++v)
       problem.pairs.push_back({v, l, cloth_radiance(yarns, response, problem.views[v].index, kLights[l]), 1, 1});
   }
-  const std::vector<PairRadiance> sent = radiance_by(texels, problem, model, fit);
+  const std::vector<PairRadiance> radiance = texel_radiance(texels, problem, model, fit);
   std::vector<EngineCheck> out;
-  for (size_t i = 0; i < sent.size(); ++i) {
+  for (size_t i = 0; i < radiance.size(); ++i) {
     const Pair& pair = problem.pairs[i];
-    out.push_back({problem.views[pair.view].w, problem.lights[pair.light].w, pair.wanted, whole(sent[i], fit)});
+    out.push_back({problem.views[pair.view].w, problem.lights[pair.light].w, pair.wanted, whole(radiance[i], fit)});
   }
   return out;
 }
@@ -350,14 +351,14 @@ std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& c
                                       const EngineModel& model, const EngineFit& fit) {
   constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
   const Problem problem = problem_of(cloth, response, 3, kViewAzimuths / 2, kLightAzimuths);
-  const std::vector<PairRadiance> sent = radiance_by(texels, problem, model, fit);
+  const std::vector<PairRadiance> radiance = texel_radiance(texels, problem, model, fit);
   std::vector<EngineScore> out;
   for (size_t k = kResponseElevations; k-- > 3;) {
     float engine = 0, wanted = 1e-9f, square = 0, squares = 1e-12f;
-    for (size_t i = 0; i < sent.size(); ++i) {
+    for (size_t i = 0; i < radiance.size(); ++i) {
       const Pair& pair = problem.pairs[i];
       if (problem.views[pair.view].index / kViewAzimuths != k) continue;
-      const float a = glm::dot(whole(sent[i], fit), kLuminance), b = glm::dot(pair.wanted, kLuminance);
+      const float a = glm::dot(whole(radiance[i], fit), kLuminance), b = glm::dot(pair.wanted, kLuminance);
       engine += pair.fraction * a, wanted += pair.fraction * b;
       square += pair.fraction * (a - b) * (a - b), squares += pair.fraction * b * b;
     }

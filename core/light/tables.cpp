@@ -188,7 +188,7 @@ glm::vec2 stored_at(const Table& albedo, const Slice& s, float opening) {
 glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
   constexpr int kTurns = 12, kRings = 32;
   const float xx = slope_x * slope_x, yy = slope_y * slope_y;
-  float lost = 0, fresnel = 0;
+  float loss = 0, fresnel = 0;
   for (int j = 0; j < kTurns; ++j) {
     const Slice s = slice_of(xx, yy, (static_cast<float>(j) + 0.5f) * (formulas::kPi / 2 / kTurns));
     const auto cosine2 = [along = std::sqrt(s.along)](float opening) {
@@ -197,7 +197,7 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
     };
     for (int i = 0; i < kRings; ++i) {
       const float x = static_cast<float>(i) / kRings, half = 0.5f / kRings;
-      lost += stored_at(albedo, s, x + half).x * (cosine2(x + 2 * half) - cosine2(x));
+      loss += stored_at(albedo, s, x + half).x * (cosine2(x + 2 * half) - cosine2(x));
       const float mu = x + half;
       const float rim = mu + std::sqrt(1 - mu * mu) * formulas::spread_coordinate(s.along);
       const glm::vec2 t = stored_at(albedo, s, std::sqrt(mu / rim));
@@ -206,7 +206,7 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
     }
   }
   const float v = 0.5f * (xx + yy);
-  return {lost / kTurns * (1 + v) / v, fresnel / kTurns};
+  return {loss / kTurns * (1 + v) / v, fresnel / kTurns};
 }
 
 Table make_albedo_mean(const Table& albedo, int threads) {

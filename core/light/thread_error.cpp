@@ -99,10 +99,10 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   if (glm::dot(n, v) <= 0) n = p.normal;
   const formulas::YarnLobes lobes =
       formulas::yarn_widen(lobes_[system][thread], scene_.slope_spread(p, pattern.fibre_tan, v, side.x, side.y));
-  const float sent =
+  const float radiance =
       formulas::facet_radiance(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key.g;
-  if (sent <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
-  return sent * texel.groove;
+  if (radiance <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
+  return radiance * texel.groove;
 }
 
 using Errors = std::array<float, kErrorLattices>;
@@ -148,7 +148,7 @@ float error_at(const ThreadErrors& errors, int samples, float yarns) {
 }
 
 /// Linear fit in the logarithms of errors and samples, which removes noise.
-Errors evened(const Errors& found) {
+Errors smoothed(const Errors& found) {
   constexpr float kCount = kErrorLattices;
   float x = 0, y = 0, xx = 0, xy = 0;
   for (size_t i = 0; i < kErrorLattices; ++i) {
@@ -190,7 +190,7 @@ ThreadErrors thread_errors(const Cloth& whole) {
   }
   for (size_t f = 0; f < kErrorFootprints.size(); ++f) {
     Errors& errors = out.rel_rmse[f];
-    errors = evened(errors);
+    errors = smoothed(errors);
     for (size_t i = 0; f > 0 && i < kErrorLattices; ++i) errors[i] = std::max(errors[i], out.rel_rmse[f - 1][i]);
   }
   out.measured = true;

@@ -59,17 +59,17 @@ class ThreadSampler {
   /// Sample k of `count` of a system; area 0 if there is none. lit: for light from behind; samples that none reaches
   /// keep only the view from above.
   ThreadSample sample(int system, int k, int count, bool lit);
-  void look_down(int first, int count, ThreadSamples& out);
+  void add_top_samples(int first, int count, ThreadSamples& out);
 
  private:
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
   float warp_around(int layer, int end, int pick) const;
-  glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
-  void dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
-  glm::vec3 bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
+  glm::vec3 ply_normal_of(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
+  void set_shading(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
+  glm::vec3 bend_variance(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
   // Views from straight above only; all but the lowest; all.
   enum class ViewSet { kTopAlone, kHigh, kLow };
-  void look_around(ThreadSample& p, glm::vec3 at, int thread, ViewSet from);
+  void find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from);
   void find_transmission(ThreadSample& p, glm::vec3 at, int thread);
 
   const Cloth& cloth_;
@@ -132,15 +132,15 @@ ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   }
   const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
   p.around = system == 0 ? warp : 1 - warp;
-  dress(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
+  set_shading(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
   if (lit) find_transmission(p, where, s.thread);
-  look_around(p, where, s.thread, !lit ? ViewSet::kLow : p.lights.empty() ? ViewSet::kTopAlone : ViewSet::kHigh);
+  find_visible_views(p, where, s.thread, !lit ? ViewSet::kLow : p.lights.empty() ? ViewSet::kTopAlone : ViewSet::kHigh);
   return p;
 }
 
 /// Normal with the relief of plies, and the pattern there, with the fibres at their mean.
-glm::vec3 ThreadSampler::plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
-                               Texel& texel) {
+glm::vec3 ThreadSampler::ply_normal_of(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
+                                       Texel& texel) {
   const ThreadTexture& t = textures_[static_cast<size_t>(system)][static_cast<size_t>(thread)];
   const float fraction = point.along / length(system);
   texel = texture_at(t, thread_formulas::texture_point(t, fraction - std::floor(fraction), point.turn, 1, 1));
@@ -150,8 +150,8 @@ glm::vec3 ThreadSampler::plied(int system, int thread, const thread_formulas::Th
 /// Variances of the slopes, along the thread, of the surface that a sample represents, as the lobes hold them: along
 /// the fibre, mixed, across it. Otherwise a narrow highlight on a bend would fall on few samples, or on none. step:
 /// between samples, over a repeat.
-glm::vec3 ThreadSampler::bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan,
-                                   float step) const {
+glm::vec3 ThreadSampler::bend_variance(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan,
+                                       float step) const {
   constexpr float kRepeat = 8;  // crossings
   constexpr float kMax = 0.04f;
   const float turned = point.bend.x * kRepeat * grid_.spacing * step, tan2 = fibre_tan * fibre_tan;
@@ -160,11 +160,11 @@ glm::vec3 ThreadSampler::bend_over(const thread_formulas::ThreadScene::ThreadPoi
 }
 
 /// Normals, fibre and lobes, as in core/reference/trace.cpp.
-void ThreadSampler::dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
-                          float step) {
+void ThreadSampler::set_shading(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
+                                float step) {
   Texel texel;
   p.side = point.normal;
-  p.normal = plied(p.system, thread, point, texel);
+  p.normal = ply_normal_of(p.system, thread, point, texel);
   p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
@@ -172,12 +172,12 @@ void ThreadSampler::dress(ThreadSample& p, int thread, const thread_formulas::Th
   const Lobes& lobes = cloth_.yarns[static_cast<size_t>(body.yarn)].lobes;
   p.lobes = yarn_lobes(lobes, {colour.r, colour.g, colour.b});
   p.lobes.slope_cov +=
-      bend_over(point, textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan, step);
-  p.drawn = yarn_lobes(lobes, {p.groove * colour.r, p.groove * colour.g, p.groove * colour.b});
+      bend_variance(point, textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan, step);
+  p.rendered = yarn_lobes(lobes, {p.groove * colour.r, p.groove * colour.g, p.groove * colour.b});
 }
 
 /// Adds samples visible from above, and sums over the crossings around them.
-void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
+void ThreadSampler::add_top_samples(int first, int count, ThreadSamples& out) {
   for (int k = first; k < first + count; ++k) {
     const glm::vec2 at = glm::vec2(part(k, 0.7548776662466927), part(k, 0.5698402909980532)) * grid_.period;
     const auto hit = scene_.first_thread(grid_, at, glm::vec3(0, 0, 1), 0);
@@ -189,7 +189,7 @@ void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
     const auto point = scene_.thread_point(hit.system, hit.strand, hit.at);
     const size_t s = static_cast<size_t>(hit.system), thread = static_cast<size_t>(hit.strand.thread);
     Texel texel;
-    const glm::vec3 normal = plied(hit.system, hit.strand.thread, point, texel);
+    const glm::vec3 normal = ply_normal_of(hit.system, hit.strand.thread, point, texel);
     const Lobes& lobes = cloth_.yarns[static_cast<size_t>((s == 0 ? cloth_.ends : cloth_.picks)[thread].yarn)].lobes;
     out.top.push_back({hit.system,
                        normal,
@@ -198,7 +198,7 @@ void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
   }
 }
 
-void ThreadSampler::look_around(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
+void ThreadSampler::find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
   const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
   Directions open;
   open.reserve(high_views_.size());
@@ -308,7 +308,7 @@ ThreadSamples thread_samples(const Cloth& cloth, int count, int transmission_cou
     ThreadSampler sampler(parts[static_cast<size_t>(w)]);
     spread(out.samples, sampler, w, count, false);
     if (transmission_count > 0) spread(out.transmission, sampler, w, transmission_count, true);
-    sampler.look_down(w * above, above, out);
+    sampler.add_top_samples(w * above, above, out);
   }
   const float scale = 1 / static_cast<float>(windows * above);
   out.around_mean *= scale;

@@ -47,7 +47,7 @@ struct ThreadSample {
   float groove = 1;
   float around = 0;  // fraction of the crossings around that its own system has on top
   formulas::YarnLobes lobes;
-  formulas::YarnLobes drawn;  // as the renderer has them in the far field, with grooves in the colours
+  formulas::YarnLobes rendered;  // as the renderer has them in the far field, with grooves in the colours
   // Visibility by view, 0 or 1: not occluded by other threads; views on the far side may pass through its own thread.
   std::array<float, kResponseViews> open{};
   std::vector<uint16_t> lights;  // lights from behind that are occluded by no other thread

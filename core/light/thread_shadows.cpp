@@ -26,8 +26,8 @@ struct Piece {
 };
 
 /// Clears the directions that meet the piece.
-inline void meet_all(const Piece& p, size_t count, const float* __restrict across, const float* __restrict along,
-                     const float* __restrict up, float* __restrict clear) {
+inline void occlude_all(const Piece& p, size_t count, const float* __restrict across, const float* __restrict along,
+                        const float* __restrict up, float* __restrict clear) {
   constexpr float kFar = 1e9f, kUpright = 1e-6f;
   for (size_t k = 0; k < count; ++k) {
     const float a1 = across[k] * p.over_width, b1 = (up[k] - along[k] * p.slope) * p.over_height;
@@ -47,20 +47,20 @@ inline void meet_all(const Piece& p, size_t count, const float* __restrict acros
 
 #if defined(__x86_64__)
 /// The same on wider vectors, without fused multiply-add, so that the result is the same bit for bit.
-[[gnu::flatten, gnu::target("avx2")]] void meet_avx2(const Piece& p, size_t count, const float* across,
-                                                     const float* along, const float* up, float* clear) {
-  meet_all(p, count, across, along, up, clear);
+[[gnu::flatten, gnu::target("avx2")]] void occlude_avx2(const Piece& p, size_t count, const float* across,
+                                                        const float* along, const float* up, float* clear) {
+  occlude_all(p, count, across, along, up, clear);
 }
 #endif
 
-void meet(const Piece& p, size_t count, const float* across, const float* along, const float* up, float* clear) {
+void occlude(const Piece& p, size_t count, const float* across, const float* along, const float* up, float* clear) {
 #if defined(__x86_64__)
-  if (widest_vectors() == Vectors::kAvx2) return meet_avx2(p, count, across, along, up, clear);
+  if (widest_vectors() == Vectors::kAvx2) return occlude_avx2(p, count, across, along, up, clear);
 #endif
-  meet_all(p, count, across, along, up, clear);
+  occlude_all(p, count, across, along, up, clear);
 }
 
-void keep_clear(Directions& of, const std::vector<float>& clear) {
+void keep_unoccluded(Directions& of, const std::vector<float>& clear) {
   size_t kept = 0;
   for (size_t k = 0; k < of.size(); ++k) {
     if (clear[k] <= 0) continue;
@@ -182,12 +182,13 @@ void ThreadShadows::cast_span(Directions& open, std::vector<float>& clear, const
         around.down ? std::min(low.x, high.x) - reach - around.from.z : around.from.z - std::max(low.x, high.x) - reach;
     if (nearest > 0 || !around.crosses(other, from - reach, from + per_piece * step + reach)) continue;
     const Piece p = piece_of(span, k, pieces, around.from.z, low, high, over);
-    meet(p, open.size(), (warp ? open.x : open.y).data(), (warp ? open.y : open.x).data(), open.z.data(), clear.data());
+    occlude(p, open.size(), (warp ? open.x : open.y).data(), (warp ? open.y : open.x).data(), open.z.data(),
+            clear.data());
   }
 }
 
 /// Moves directions that end before this ring of threads to `through`; `around` gets the bounds of the others.
-void ThreadShadows::leave_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
+void ThreadShadows::split_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
                                  float depth, float away) {
   clear.assign(open.size(), 1.0f);
   around.low = around.high = glm::vec2(0);
@@ -199,7 +200,7 @@ void ThreadShadows::leave_before(Directions& open, Directions& through, std::vec
     const glm::vec2 end = glm::vec2(open.x[k], open.y[k]) * (depth / std::max(std::abs(open.z[k]), 1e-3f));
     around.low = glm::min(around.low, end), around.high = glm::max(around.high, end);
   }
-  keep_clear(open, clear);
+  keep_unoccluded(open, clear);
 }
 
 void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& around) {
@@ -217,7 +218,7 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
         away = std::min(away, static_cast<float>(turn) * (next.centre - around.from[s]) - next.wide);
       }
     }
-    leave_before(open, through, clear, around, depth, away);
+    split_before(open, through, clear, around, depth, away);
     // Threads that cross the point's own first, since they are nearest.
     for (const int system : {1 - around.system, around.system}) {
       clear.assign(open.size(), 1.0f);
@@ -226,7 +227,7 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
         for (int along = -ring - 1; along <= ring; along += rim || along == ring ? 1 : 2 * ring + 1)
           cast_span(open, clear, g, around, system, across, along);
       }
-      keep_clear(open, clear);
+      keep_unoccluded(open, clear);
     }
   }
   for (size_t k = 0; k < open.size(); ++k) through.add_from(open, k);

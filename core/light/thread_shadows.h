@@ -33,7 +33,7 @@ class ThreadShadows {
   using ThreadGrid = ThreadScene::ThreadGrid;
   struct Around;
   void cast_layer(Directions& open, const ThreadGrid& grid, Around& around);
-  static void leave_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
+  static void split_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
                            float depth, float away);
   void cast_span(Directions& open, std::vector<float>& clear, const ThreadGrid& grid, const Around& around, int system,
                  int across, int along);

@@ -97,29 +97,30 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
 }
 
 /// Fresnel term of mirrored light, over the one that the renderer applies.
-float fresnel_over_drawn(const ThreadSample& p, float grazing) {
+float fresnel_over_rendered(const ThreadSample& p, float grazing) {
   const float rising = formulas::layered_grazing(p.lobes.fibre_layers, grazing), f90 = p.lobes.f90;
-  return (p.lobes.f0.g + (f90 - p.lobes.f0.g) * rising) / (p.drawn.f0.g + (f90 - p.drawn.f0.g) * rising + 1e-6f);
+  return (p.lobes.f0.g + (f90 - p.lobes.f0.g) * rising) / (p.rendered.f0.g + (f90 - p.rendered.f0.g) * rising + 1e-6f);
 }
 
 /// Mirrored light and fuzz of a side, without the body.
-glm::vec2 sent_by_side(const TransmissionSample& p, const SideLight& in, const VisibleView& out) {
+glm::vec2 side_radiance(const TransmissionSample& p, const SideLight& in, const VisibleView& out) {
   const formulas::YarnLobes& lobes = p.sample->lobes;
   const float veiled = 1 - in.side.clear * out.side.clear;
   formulas::YarnLobes mirror = lobes;
   mirror.f0 = glm::vec3(1), mirror.f90 = 1;
   const float mirrored = formulas::lobe_specular(mirror, p.shared, in.side, out.side, in.local, out.local).g;
   const float grazing = std::max(1 - 0.5f * glm::length(in.towards + out.towards), 0.0f);
-  float fuzz = p.shared.multiple.g * in.side.lost * out.side.lost;
+  float fuzz = p.shared.multiple.g * in.side.loss * out.side.loss;
   if (lobes.fuzz > 0) {
     const float again = lobes.body.g * p.shared.mean_enters.g * in.side.fuzz.y * out.side.fuzz.y /
                         (kPi * std::max(out.side.fuzz.w, 1e-4f));
     fuzz += lobes.fuzz_colour.g * lobes.fuzz * (veiled / (4 * kPi * (in.side.mu + out.side.mu)) + again);
   }
   const ThreadSample& sample = *p.sample;
-  const float drawn_fuzz = lobes.fuzz > 0 ? sample.drawn.fuzz_colour.g : sample.drawn.f0.g / std::max(lobes.f90, 1e-3f);
-  return glm::vec2(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_drawn(sample, grazing),
-                   fuzz / std::max(drawn_fuzz, 1e-4f)) *
+  const float rendered_fuzz =
+      lobes.fuzz > 0 ? sample.rendered.fuzz_colour.g : sample.rendered.f0.g / std::max(lobes.f90, 1e-3f);
+  return glm::vec2(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_rendered(sample, grazing),
+                   fuzz / std::max(rendered_fuzz, 1e-4f)) *
          (in.local.z * out.seen * sample.groove);
 }
 
@@ -135,7 +136,7 @@ void add_view(Sums& sums, const TransmissionSample& p, const VisibleView& out, f
   add(sums.body, 1);
   for (size_t k = 0; k < kFacetMoments; ++k) add(sums.body_moments[k], p.facets[k]);
   if (sides <= 0) return;
-  for (const SideLight& in : p.in) sums.side[row + in.light] += sides * sent_by_side(p, in, out);
+  for (const SideLight& in : p.in) sums.side[row + in.light] += sides * side_radiance(p, in, out);
 }
 
 /// Body and transmission, sum of the channels.

@@ -137,9 +137,9 @@ glm::vec3 far_field_sky_radiance(const FarField& field, const glm::vec3& view, f
     glm::vec4 sky(0);
     for (size_t k = 0; k < 4; ++k)
       sky += views.weight[k] * glm::make_vec4(&field.response.systems[s].sky[4 * views.at[k]]);
-    const auto sent =
+    const auto radiance =
         formulas::system_radiance(yarn_of(field.numbers.systems[s]), glm::vec4(0), {0, 0}, 0, sky, {0, 0, 1}, view);
-    diffuse += sent.diffuse, glossy += sent.glossy;
+    diffuse += radiance.diffuse, glossy += radiance.glossy;
   }
   return (diffuse * (even + glm::dot(rise, from_diffuse)) + glossy * (even + glm::dot(rise, from_glossy))) *
          cover_along(field.numbers, view);

@@ -41,7 +41,7 @@ Harmonics project(const std::vector<Lamp>& lamps) {
 }
 
 /// Iterates over a text and counts its lines, since the parser does not report line numbers.
-struct Walk {
+struct LineCounter {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
@@ -51,17 +51,17 @@ struct Walk {
   const char* at;
   int* line;
   reference operator*() const { return *at; }
-  Walk& operator++() {
+  LineCounter& operator++() {
     *line += *at++ == '\n';
     return *this;
   }
-  Walk operator++(int) {
-    const Walk before = *this;
+  LineCounter operator++(int) {
+    const LineCounter before = *this;
     ++*this;
     return before;
   }
-  bool operator==(const Walk& other) const { return at == other.at; }
-  bool operator!=(const Walk& other) const { return at != other.at; }
+  bool operator==(const LineCounter& other) const { return at == other.at; }
+  bool operator!=(const LineCounter& other) const { return at != other.at; }
 };
 
 /// Line numbers of the parts of a preset.
@@ -81,29 +81,29 @@ json parse(std::string_view text, Lines& lines) {
     return true;
   };
   const char* end = text.data() + text.size();
-  return json::parse(Walk{text.data(), &lines.now}, Walk{end, &lines.now}, note);
+  return json::parse(LineCounter{text.data(), &lines.now}, LineCounter{end, &lines.now}, note);
 }
 
 /// An invalid value; caught where the file is read.
-struct Impossible {
+struct InvalidValue {
   std::string what;
 };
 
-Impossible missing(const char* name) { return {fill(tr("{name} is missing"), arg("name", name))}; }
+InvalidValue missing(const char* name) { return {fill(tr("{name} is missing"), arg("name", name))}; }
 
-std::string written(double value) {
+std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
 float number(const json& value, const std::string& name, float low, float high) {
-  if (!value.is_number()) throw Impossible{fill(tr("{name} is not a number"), arg("name", name))};
+  if (!value.is_number()) throw InvalidValue{fill(tr("{name} is not a number"), arg("name", name))};
   const double v = value.get<double>();
   if (!(v >= static_cast<double>(low) && v <= static_cast<double>(high)))
-    throw Impossible{fill(tr("{name} is {value}; give {low} to {high}"), arg("name", name), arg("value", written(v)),
-                          arg("low", written(static_cast<double>(low))),
-                          arg("high", written(static_cast<double>(high))))};
+    throw InvalidValue{fill(tr("{name} is {value}; give {low} to {high}"), arg("name", name),
+                            arg("value", number_text(v)), arg("low", number_text(static_cast<double>(low))),
+                            arg("high", number_text(static_cast<double>(high))))};
   return static_cast<float>(v);
 }
 
@@ -116,7 +116,7 @@ glm::vec3 three_of(const json& object, const char* name, float low, float high) 
   if (!object.contains(name)) throw missing(name);
   const json& list = object[name];
   if (!list.is_array() || list.size() != 3)
-    throw Impossible{fill(tr("{name} is not a list of three numbers"), arg("name", name))};
+    throw InvalidValue{fill(tr("{name} is not a list of three numbers"), arg("name", name))};
   return {number(list[0], name, low, high), number(list[1], name, low, high), number(list[2], name, low, high)};
 }
 
@@ -125,10 +125,10 @@ constexpr float kMaxLight = 1e4f;  // far below the limits of sums of lamps and 
 Lamp lamp_of(const json& object) {
   constexpr float kSharpest = 60;  // project() has enough samples for it
   Lamp lamp;
-  if (!object.is_object()) throw Impossible{tr("is not an object")};
+  if (!object.is_object()) throw InvalidValue{tr("is not an object")};
   const glm::vec3 towards = three_of(object, "towards", -kMaxLight, kMaxLight);
   const float length = glm::length(towards);
-  if (!(length > 1e-6f)) throw Impossible{tr("towards is no direction")};
+  if (!(length > 1e-6f)) throw InvalidValue{tr("towards is no direction")};
   lamp.towards = towards / length;
   lamp.sharpness = number_of(object, "sharpness", 0, kSharpest);
   lamp.color = three_of(object, "color", 0, kMaxLight) * number_of(object, "strength", 0, kMaxLight);
@@ -142,14 +142,14 @@ std::vector<Lamp> lamps_of(const json& rig, Lines& lines) {
   const json& list = rig["lamps"];
   lines.now = lines.keys["lamps"];
   if (!list.is_array() || list.size() > kMaxLamps)
-    throw Impossible{fill(tr("lamps is not a list of at most {most} lamps"), arg("most", kMaxLamps))};
+    throw InvalidValue{fill(tr("lamps is not a list of at most {most} lamps"), arg("most", kMaxLamps))};
   std::vector<Lamp> lamps;
   for (const json& object : list) {
     if (object.is_object() && lamps.size() < lines.lamps.size()) lines.now = lines.lamps[lamps.size()];
     try {
       lamps.push_back(lamp_of(object));
-    } catch (const Impossible& problem) {
-      throw Impossible{
+    } catch (const InvalidValue& problem) {
+      throw InvalidValue{
           fill(tr("lamp {number}: {problem}"), arg("number", lamps.size() + 1), arg("problem", problem.what))};
     }
   }
@@ -158,7 +158,7 @@ std::vector<Lamp> lamps_of(const json& rig, Lines& lines) {
 
 LightRig rig_of(const json& object, Lines& lines) {
   lines.now = 1;
-  if (!object.is_object()) throw Impossible{tr("is not an object with key and lamps")};
+  if (!object.is_object()) throw InvalidValue{tr("is not an object with key and lamps")};
   LightRig rig;
   const std::vector<Lamp> lamps = lamps_of(object, lines);
   lines.now = object.contains("key") ? lines.keys["key"] : 1;
@@ -178,7 +178,7 @@ LightRig light_rig_from(std::string_view text, std::string& error) {
   try {
     const json object = parse(text, lines);
     return rig_of(object, lines);
-  } catch (const Impossible& problem) {
+  } catch (const InvalidValue& problem) {
     error = std::to_string(lines.now) + ": " + problem.what;
   } catch (const json::exception&) {
     error = std::to_string(lines.now) + ": " + tr("is not JSON from here on");

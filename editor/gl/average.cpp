@@ -15,7 +15,7 @@ void Average::draw(GLuint from, GLuint to) {
   glUniform1i(glGetUniformLocation(program_.name(), "pass_map"), 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, from);
-  glBindVertexArray(nothing_.get());
+  glBindVertexArray(empty_array_.get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
 }

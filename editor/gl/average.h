@@ -19,7 +19,7 @@ class Average {
  private:
   void draw(GLuint from, GLuint to);
   GlProgram program_;
-  GlVertexArray nothing_;
+  GlVertexArray empty_array_;
   GlTexture mean_;  // linear
   GlFramebuffer target_;
   int width_ = 0, height_ = 0;

@@ -32,8 +32,8 @@ size_t upload_face(const PackedTexture& t, const Format& format, int first_layer
 }
 
 /// Frees uploaded texels, if the caller gave them away.
-void give_up(PackedTexture& uploaded) { uploaded = {}; }
-void give_up(const PackedTexture&) {}
+void free_texels(PackedTexture& uploaded) { uploaded = {}; }
+void free_texels(const PackedTexture&) {}
 
 void filter_as_tile(int levels) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
@@ -91,9 +91,9 @@ void GpuCloth::upload_maps(size_t k, Texture& front, Texture& back) {
   }
   filter_as_tile(static_cast<int>(front.levels.size()));
   bytes_ += upload_face(front, kFormats[k], 0);
-  give_up(front);
+  free_texels(front);
   bytes_ += upload_face(back, kFormats[k], layers_[k]);
-  give_up(back);
+  free_texels(back);
 }
 
 void GpuCloth::upload_rest(const PackedCloth& cloth) {

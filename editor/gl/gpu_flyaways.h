@@ -14,7 +14,7 @@ class GpuFlyaways {
  public:
   bool build(std::string& error);
   /// Call for a new mesh: its hems are computed again.
-  void forget() { known_mesh_ = false; }
+  void invalidate() { known_mesh_ = false; }
   void scatter(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view);
   size_t count() const { return count_; }
   /// Draws over the current target, with the blocks and textures of frame and cloth bound. `pieces`: as in

@@ -22,7 +22,7 @@ class GroundLight {
   GlProgram bake_, program_;
   GlTexture light_;
   GlFramebuffer framebuffer_;
-  GlVertexArray nothing_;
+  GlVertexArray empty_array_;
 };
 
 }  // namespace weftlight::gl

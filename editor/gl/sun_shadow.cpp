@@ -47,7 +47,7 @@ bool SunShadow::build(std::string& error) {
   return true;
 }
 
-void SunShadow::forget() {
+void SunShadow::invalidate() {
   key_.drawn = false;
   for (ShadowView& view : more_) view.drawn = false;
 }

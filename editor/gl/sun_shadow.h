@@ -25,7 +25,7 @@ struct ShadowView {
 class SunShadow {
  public:
   bool build(std::string& error);
-  void forget();
+  void invalidate();
   /// Draws the map if it is not for this light, and returns whether it did. Changes framebuffer and viewport.
   bool update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);
   /// The same for the lights after the first, kMaxLights in total.

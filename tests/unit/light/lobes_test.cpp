@@ -105,7 +105,7 @@ TEST(Furnace, SingleScatteringAloneLosesLight) {
   const glm::vec3 wo = at_degrees(60, 20);
   const double once = scattered_once(y, wo);
   EXPECT_LT(once, 0.85);
-  EXPECT_NEAR(once, 1 - static_cast<double>(formulas::lobe_side(y, formulas::lobe_shared(y), wo).lost), 0.01);
+  EXPECT_NEAR(once, 1 - static_cast<double>(formulas::lobe_side(y, formulas::lobe_shared(y), wo).loss), 0.01);
 }
 
 TEST(Furnace, FuzzOverWhiteBodyReturnsAllLight) {

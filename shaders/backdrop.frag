@@ -10,8 +10,8 @@ out vec4 out_color;
 vec3 surroundings(vec3 d) {
   vec2 turn = vec2(frame.camera_rays[0].w, frame.camera_rays[1].w);
   vec3 p = vec3(d.x * turn.x - d.z * turn.y, d.y, d.z * turn.x + d.x * turn.y);
-  vec2 place = vec2(atan(p.x, -p.z) * 0.15915494 + 0.5, acos(clamp(p.y, -1.0, 1.0)) * 0.31830989);
-  return textureLod(environment_map, place, 0.0).rgb;
+  vec2 uv = vec2(atan(p.x, -p.z) * 0.15915494 + 0.5, acos(clamp(p.y, -1.0, 1.0)) * 0.31830989);
+  return textureLod(environment_map, uv, 0.0).rgb;
 }
 
 void main() {

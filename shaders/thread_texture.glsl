@@ -120,10 +120,10 @@ FORMULA vec2 tuft_at(ThreadTexture x, TexturePoint p) {
   float turn = (p.turn - float(x.advance) * along + x.phase) / kTuft + float(advance) * along;
   int tuft = int(floor(turn));
   // Tufts begin and end at different positions, so that no line goes around the thread.
-  float place = along * float(nodes);
-  int node = min(int(place), nodes - 1);
+  float node_at = along * float(nodes);
+  int node = min(int(node_at), nodes - 1);
   bool wraps = node + 1 == nodes;
-  float b = clamp(place - float(node), 0.0f, 1.0f);
+  float b = clamp(node_at - float(node), 0.0f, 1.0f);
   vec2 here = tuft_values(x.seed ^ 0x1B873593u, tuft, node);
   vec2 next = tuft_values(x.seed ^ 0x1B873593u, wraps ? tuft - advance : tuft, wraps ? 0 : node + 1);
   return mix(here, next, b * b * (3.0f - 2.0f * b));

@@ -31,9 +31,9 @@ FORMULA float slub_of(uint thread, int slub) {
 FORMULA float thickness_factor(float spread, int system, int thread, int crossing, int count, int slubs) {
   uint own = uint(thread) * 0x9E3779B1u + (system == 0 ? 0x51u : 0xA7000000u);
   // Each thread starts at its own phase.
-  float place = (float(crossing) / float(count) + float(own >> 8) * 5.9604644775390625e-8f) * float(slubs);
-  int slub = int(place);
-  float u = place - float(slub);
+  float slub_at = (float(crossing) / float(count) + float(own >> 8) * 5.9604644775390625e-8f) * float(slubs);
+  int slub = int(slub_at);
+  float u = slub_at - float(slub);
   if (slub >= slubs) slub -= slubs;
   float strength = slub_of(own, slub);
   float bump = 4.0f * u * (1.0f - u);

@@ -54,7 +54,7 @@ struct Strand {
 struct Crossing {
   Strand warp;
   Strand weft;
-  vec2 low;         // both strands hold between these places
+  vec2 low;         // both strands are valid between these positions
   vec2 high;
 };
 
@@ -74,17 +74,17 @@ FORMULA vec2 strand_thin(Strand s, float along) {
 // z the section's position along. Sections are perpendicular to the centre line, so over a slope the one that contains
 // a point lies further along: the foot of the perpendicular, by Newton steps.
 FORMULA vec3 section_coords(Strand s, float across, float along, float z) {
-  float place = along;
-  vec3 c = strand_curve(s, place);
+  float foot = along;
+  vec3 c = strand_curve(s, foot);
   for (int k = 0; k < 2; ++k) {
     float square = 1.0f + c.y * c.y;
     // Limited where sections meet inside a bend.
-    place += (along - place + (z - c.x) * c.y) / max(square - (z - c.x) * c.z, 0.5f * square);
-    c = strand_curve(s, place);
+    foot += (along - foot + (z - c.x) * c.y) / max(square - (z - c.x) * c.z, 0.5f * square);
+    c = strand_curve(s, foot);
   }
-  float up = ((z - c.x) - (along - place) * c.y) * inversesqrt(1.0f + c.y * c.y);
-  vec2 thin = strand_thin(s, place);
-  return vec3((across - s.centre) * thin.x, up * thin.y, place);
+  float up = ((z - c.x) - (along - foot) * c.y) * inversesqrt(1.0f + c.y * c.y);
+  vec2 thin = strand_thin(s, foot);
+  return vec3((across - s.centre) * thin.x, up * thin.y, foot);
 }
 
 // Signed distance in mm, negative inside the thread.
@@ -110,23 +110,23 @@ FORMULA float strand_top(Strand s, float across, float along, int steps) {
 // An approximation of strand_distance() for the steps of a ray: one step towards the foot.
 FORMULA float strand_near(Strand s, float across, float along, float z) {
   vec3 c = strand_curve(s, along);
-  float place = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
-  c = strand_curve(s, place);
+  float foot = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
+  c = strand_curve(s, foot);
   vec2 thin = strand_thin(s, along);
   float x = (across - s.centre) * thin.x;
-  float y = ((z - c.x) - (along - place) * c.y) * thin.y;
+  float y = ((z - c.x) - (along - foot) * c.y) * thin.y;
   return (sqrt(x * x + y * y / (1.0f + c.y * c.y)) - 1.0f) * s.half_height;
 }
 
 // The first thread that reaches past a position of 0..period.
-FORMULA int thread_at(ThreadGrid g, int system, float place) {
+FORMULA int thread_at(ThreadGrid g, int system, float at) {
   int first = g.first[system];
 #if defined(EVEN_THREADS)
-  return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
+  return first + clamp(int(at / g.even[system]), 0, g.count[system] - 1);
 #else
-  if (g.even[system] > 0.0f) return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
+  if (g.even[system] > 0.0f) return first + clamp(int(at / g.even[system]), 0, g.count[system] - 1);
   int bins = g.count[system] * kBinsAThread;
-  int bin = clamp(int(place / g.period[system] * float(bins)), 0, bins - 1);
+  int bin = clamp(int(at / g.period[system] * float(bins)), 0, bins - 1);
   int thread = thread_bin(system, first * kBinsAThread + bin);
   int last = bin + 1 < bins ? thread_bin(system, first * kBinsAThread + bin + 1) : first + g.count[system] - 1;
   // Most bins contain one border at most; those of very fine threads among coarse ones contain thousands.
@@ -134,7 +134,7 @@ FORMULA int thread_at(ThreadGrid g, int system, float place) {
   do {
     int middle = (thread + last) / 2;
     ThreadSection body = thread_body(system, middle);
-    if (body.centre + body.half_room > place) last = middle;
+    if (body.centre + body.half_room > at) last = middle;
     else thread = min(middle + 1, last);
     ++k;
   } while (k < kMaxHalvings && thread < last);

@@ -167,14 +167,14 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   const float s = position_in_period(s_mm, period);
   const auto after =
       std::upper_bound(crossed.begin(), crossed.end(), s, [](float x, const ThreadBody& t) { return x < t.centre_mm; });
-  const auto place = [&](int i) {
+  const auto centre_mm_of = [&](int i) {
     const float whole = std::floor(static_cast<float>(i) / static_cast<float>(n));
     return crossed[static_cast<size_t>(wrap(i, n))].centre_mm + whole * period;
   };
   CentreStep step;
   step.crossing = static_cast<int>(after - crossed.begin()) - 1;
-  const float x0 = place(step.crossing - 1), x1 = place(step.crossing);
-  const float x2 = place(step.crossing + 1), x3 = place(step.crossing + 2);
+  const float x0 = centre_mm_of(step.crossing - 1), x1 = centre_mm_of(step.crossing);
+  const float x2 = centre_mm_of(step.crossing + 1), x3 = centre_mm_of(step.crossing + 2);
   const auto gap = [](float a, float b) { return std::max(b - a, 1e-6f); };
   step.h0 = gap(x0, x1), step.h1 = gap(x1, x2), step.h2 = gap(x2, x3);
   step.t = std::clamp((s - x1) / step.h1, 0.0f, 1.0f);

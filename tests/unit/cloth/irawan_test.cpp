@@ -24,7 +24,7 @@ class IrawanScene : public ThreadScene {
 namespace {
 
 using thread_formulas::IrawanScene;
-using Place = IrawanScene::IrawanPoint;
+using Point = IrawanScene::IrawanPoint;
 using glm::vec2;
 using glm::vec3;
 
@@ -51,19 +51,19 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
     for (int p = 0; p < 4; ++p) {
       const vec2 at{(static_cast<float>(e) + 0.5f) * kSpacing, (static_cast<float>(p) + 0.5f) * kSpacing};
       const bool warp = (e + p) % 4 != 0;
-      const Place place = front.irawan_point(g, at);
-      EXPECT_EQ(place.system, warp ? 0 : 1);
-      EXPECT_TRUE(place.above);
-      EXPECT_EQ(place.thread, warp ? e : p);
-      EXPECT_NEAR(place.size.y, warp ? 3 * kSpacing : kSpacing, 1e-5f);
-      EXPECT_NEAR(place.at.x, 0, 1e-5f);
+      const Point point = front.irawan_point(g, at);
+      EXPECT_EQ(point.system, warp ? 0 : 1);
+      EXPECT_TRUE(point.above);
+      EXPECT_EQ(point.thread, warp ? e : p);
+      EXPECT_NEAR(point.size.y, warp ? 3 * kSpacing : kSpacing, 1e-5f);
+      EXPECT_NEAR(point.at.x, 0, 1e-5f);
       // The middle crossing of three lies at the centre of the float.
       if (warp) {
-        EXPECT_NEAR(place.at.y, static_cast<float>((e + p) % 4 - 2) * kSpacing, 1e-5f);
+        EXPECT_NEAR(point.at.y, static_cast<float>((e + p) % 4 - 2) * kSpacing, 1e-5f);
       }
     }
   // Between two ends on top the pick below is visible; between both systems nothing is.
-  const Place beside = front.irawan_point(g, {kSpacing, 2.5f * kSpacing});
+  const Point beside = front.irawan_point(g, {kSpacing, 2.5f * kSpacing});
   EXPECT_EQ(beside.system, 1);
   EXPECT_FALSE(beside.above);
   EXPECT_EQ(front.irawan_specular(beside, 0.4f, {0, 0, 1}, {0, 0, 1}), 0);
@@ -72,13 +72,13 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
 
 TEST(Irawan, TheBackHasItsOwnFloats) {
   IrawanScene back(cloth_of(4, warp_faced_twill()), Face::kBack);
-  const Place place = back.irawan_point(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
-  EXPECT_EQ(place.system, 1);
-  EXPECT_NEAR(place.size.y, 3 * kSpacing, 1e-5f);
+  const Point point = back.irawan_point(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
+  EXPECT_EQ(point.system, 1);
+  EXPECT_NEAR(point.size.y, 3 * kSpacing, 1e-5f);
 }
 
 /// Mean radiance times the view's cosine over a float; `count` samples each way.
-double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const vec3& v, int count) {
+double mean_over(IrawanScene& s, Point p, float fibre_tan, const vec3& l, const vec3& v, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i)
     for (int k = 0; k < count; ++k) {
@@ -91,7 +91,7 @@ double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const 
 
 TEST(Irawan, MirrorsTheShareThatItIsAskedFor) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
-  const Place p = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  const Point p = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   for (const float fibre_tan : {0.0f, 0.15f, 0.5f, -0.5f, 1.0f})
     for (const float cosine : {1.0f, 0.7f, 0.3f}) {
       const vec3 l = towards(cosine, 0.8f);
@@ -113,7 +113,7 @@ TEST(Irawan, IsReciprocal) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<float> u(0, 1);
   for (int k = 0; k < 5000; ++k) {
-    const Place p = s.irawan_point(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
+    const Point p = s.irawan_point(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
     if (p.system < 0) continue;
     const vec3 l = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng)), v = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng));
     const float there = s.irawan_specular(p, 0.4f, l, v) * v.z, back = s.irawan_specular(p, 0.4f, v, l) * l.z;
@@ -123,7 +123,7 @@ TEST(Irawan, IsReciprocal) {
 
 TEST(Irawan, ThreadsShineAcrossTheLight) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
-  const Place warp = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  const Point warp = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   ASSERT_EQ(warp.system, 0);
   // Straight fibres mirror only within the bend of the float: across the thread over wide angles, along it at most
   // twice its inclination.
@@ -133,7 +133,7 @@ TEST(Irawan, ThreadsShineAcrossTheLight) {
   // The stripe of a twisted yarn moves around it towards the light.
   const auto middle = [&](const vec3& l) {
     double sum = 0, weight = 0;
-    Place p = warp;
+    Point p = warp;
     for (int i = 0; i < 400; ++i) {
       p.at = {p.size.x * ((static_cast<float>(i) + 0.5f) / 400 - 0.5f), 0};
       const double w = static_cast<double>(s.irawan_specular(p, 0.5f, l, {0, 0, 1}));
@@ -146,7 +146,7 @@ TEST(Irawan, ThreadsShineAcrossTheLight) {
   EXPECT_GT(right, none);
   EXPECT_LT(left, none);
   // It runs along the whole thread under light level with it.
-  Place p = warp;
+  Point p = warp;
   for (int k = 0; k < 20; ++k) {
     float most = 0;
     for (int i = 0; i < 64; ++i) {

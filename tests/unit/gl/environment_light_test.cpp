@@ -73,12 +73,12 @@ TEST_F(EnvironmentLight, OfOneBrightTexelIsThatOfALightFarOff) {
 }
 
 TEST_F(EnvironmentLight, OfSeveralIsTheirSum) {
-  const int places[][2] = {{20, 45}, {64, 30}, {235, 60}};
+  const int pixels[][2] = {{20, 45}, {64, 30}, {235, 60}};
   for (const Method method : {Method::kYarn, Method::kRepeat}) {
     look.method = method;
     Image all = grey(0);
     Mean sum;
-    for (const auto& [x, y] : places) {
+    for (const auto& [x, y] : pixels) {
       Image one = grey(0);
       put(one, x, y, 5000), put(all, x, y, 5000);
       const Mean alone = middle(under(std::move(one)));

@@ -145,7 +145,7 @@ TEST(Hems, AreWhereTheClothEndsAndNotAtItsSeams) {
 }
 
 /// A tube 300 mm high from 1 m away, `pixel_mm` at the tube.
-std::vector<Flyaway> sown(const FlyawayGrowth& growth, float pixel_mm) {
+std::vector<Flyaway> scattered(const FlyawayGrowth& growth, float pixel_mm) {
   PreparedMesh prepared;
   prepared.mesh = tube(40, 300);
   prepared.fine = prepared.mesh.index;
@@ -166,7 +166,7 @@ TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {
     return std::accumulate(flyaways.begin(), flyaways.end(), 0.0,
                            [](double sum, const Flyaway& h) { return sum + static_cast<double>(h.stands_for); });
   };
-  const std::vector<Flyaway> near = sown(wool, 0.3f), far = sown(wool, 0.6f);
+  const std::vector<Flyaway> near = scattered(wool, 0.3f), far = scattered(wool, 0.6f);
   ASSERT_GT(far.size(), 100u);
   EXPECT_GT(near.size(), far.size());
   EXPECT_NEAR(fibres(near) / fibres(far), 1, 0.1);
@@ -180,9 +180,9 @@ TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {
 }
 
 TEST(Flyaways, AreNoMoreThanCanBeSeenOrDrawn) {
-  EXPECT_TRUE(sown({{20, 20}, {0.6f, 0.6f}, 0.2f}, 2.0f).empty());
-  EXPECT_TRUE(sown({}, 0.1f).empty());
-  const std::vector<Flyaway> many = sown({{5000, 5000}, {3, 3}, 0.2f}, 0.3f);
+  EXPECT_TRUE(scattered({{20, 20}, {0.6f, 0.6f}, 0.2f}, 2.0f).empty());
+  EXPECT_TRUE(scattered({}, 0.1f).empty());
+  const std::vector<Flyaway> many = scattered({{5000, 5000}, {3, 3}, 0.2f}, 0.3f);
   EXPECT_LT(static_cast<float>(many.size()), 1.2f * kMaxFlyaways);
   EXPECT_GT(static_cast<float>(many.size()), 0.2f * kMaxFlyaways);
 }

@@ -151,7 +151,7 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
   EXPECT_EQ(bytes_of(second), bytes_of(fetched));
 }
 
-using RayCase = std::array<vec4, 3>;  // place, side; towards the eye; towards the light, sample's cycles
+using RayCase = std::array<vec4, 3>;  // position, side; towards the eye; towards the light, sample's cycles
 
 constexpr const char* kRayMain = R"(
   ThreadGrid g = thread_grid(given(0).w > 0.0 ? 0 : 1);
@@ -316,11 +316,11 @@ TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
     std::vector<vec4> cpu;
     for (const RayCase& c : cases) {
       PackedThreads& t = c[0].w > 0 ? front : back;
-      const PackedThreads::IrawanPoint place = t.irawan_point(t.grid(), glm::vec2(c[0]));
+      const PackedThreads::IrawanPoint point = t.irawan_point(t.grid(), glm::vec2(c[0]));
       vec4 result(-1);
-      if (place.system >= 0 && row == 0) result = {place.system, place.thread, place.above, 0};
-      if (place.system >= 0 && row == 1) result = {place.at, place.size};
-      if (row == 2) result = vec4(t.irawan_specular(place, c[2].w, vec3(c[2]), vec3(c[1])));
+      if (point.system >= 0 && row == 0) result = {point.system, point.thread, point.above, 0};
+      if (point.system >= 0 && row == 1) result = {point.at, point.size};
+      if (row == 2) result = vec4(t.irawan_specular(point, c[2].w, vec3(c[2]), vec3(c[1])));
       cpu.push_back(result);
     }
     const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());

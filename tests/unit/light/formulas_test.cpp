@@ -77,21 +77,21 @@ TEST(Coverage, GapsCloseWithTheViewAngle) {
 }
 
 TEST(Masking, HigherThreadsHideLowerOnesAtGrazing) {
-  const glm::vec2 share(0.5f, 0.5f), flat(1, 1);
+  const glm::vec2 fraction(0.5f, 0.5f), flat(1, 1);
   for (const float d : {0.0f, 60.0f, 85.0f, 89.9f}) {
-    const glm::vec2 m = formulas::system_masking(share, flat * 0.5f, -0.4f, at_degrees(d, 90));
-    EXPECT_NEAR(share.x * m.x + share.y * m.y, 1, 1e-4f) << d;
+    const glm::vec2 m = formulas::system_masking(fraction, flat * 0.5f, -0.4f, at_degrees(d, 90));
+    EXPECT_NEAR(fraction.x * m.x + fraction.y * m.y, 1, 1e-4f) << d;
     if (d > 80) {
       EXPECT_LT(m.x, 0.3f * m.y) << d;
     }
   }
-  const glm::vec2 front = formulas::system_masking(share, flat, -0.4f, {0, 0, 1});
+  const glm::vec2 front = formulas::system_masking(fraction, flat, -0.4f, {0, 0, 1});
   EXPECT_NEAR(front.x, 1, 1e-5f);
   // Wefts run along x: a view along x looks along the gaps between them.
-  EXPECT_GT(formulas::system_masking(share, flat, -0.4f, at_degrees(80, 0)).x, 0.99f);
+  EXPECT_GT(formulas::system_masking(fraction, flat, -0.4f, at_degrees(80, 0)).x, 0.99f);
 }
 
-TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
+TEST(LodWeights, WeightsSumToOneAndFollowTheFootprint) {
   const glm::vec3 edges(0.25f, 2, 8);
   for (int i = 0; i < 123; ++i) {
     const float yarns = std::pow(1.07f, static_cast<float>(i)) / 64;  // to 64

@@ -37,14 +37,14 @@ constexpr size_t kFromAbove = static_cast<size_t>((kResponseElevations - 1) * kV
 std::array<float, 2> hits(const Cloth& cloth, size_t view) {
   ThreadScene scene(cloth);
   constexpr int kSide = 96, kCells = 48;
-  std::array<float, 2> share{};
+  std::array<float, 2> coverage{};
   for (int i = 0; i < kSide * kSide; ++i) {
     const glm::vec2 at = (glm::vec2(i % kSide, i / kSide) + 0.5f) / static_cast<float>(kSide) *
                          glm::vec2(cloth.width_mm, cloth.depth_mm);
     const auto hit = scene.first_thread(scene.grid(), at, response_views()[view], kCells);
-    if (hit.system >= 0) share[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
+    if (hit.system >= 0) coverage[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
   }
-  return share;
+  return coverage;
 }
 
 /// Two blocks side by side: 3/1 twill, where the warp shows, and 1/3.

@@ -1,4 +1,4 @@
-// One picture on its way into a mean of pictures, or the mean out of it (editor/gl/average.h). The card decodes and
+// Blends one picture into a mean of pictures, or copies the mean back (editor/gl/average.h). The card decodes and
 // encodes sRGB.
 in vec2 at;
 out vec4 out_color;

@@ -1,4 +1,4 @@
-// Matt plaster: quiet beside any cloth.
+// Matt plaster, unobtrusive beside any cloth.
 #include "frame.glsl"
 
 in vec3 position;

@@ -1,4 +1,4 @@
-// What the cloth hangs on.
+// The form under the cloth.
 #include "frame.glsl"
 
 in vec3 in_position;

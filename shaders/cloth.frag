@@ -1,4 +1,4 @@
-// The cloth, by method: METHOD is its name, SHADE its function (the loader puts them there).
+// The cloth. METHOD is the name of the shading method, SHADE its function (the loader defines them).
 #include "frame.glsl"
 #include "cloth_fetch.glsl"
 #include "method_METHOD.glsl"

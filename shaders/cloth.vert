@@ -1,5 +1,5 @@
-// The draped cloth. Texture coordinates become repeats of the tile here: the mesh's uv are millimetres from its
-// own corner, so that a cloth far from the origin of its uv keeps its precision.
+// The draped cloth. Texture coordinates become repeats of the tile here: the mesh's uv are millimetres from its own
+// corner, so that a cloth far from the origin of its uv keeps its precision.
 #include "frame.glsl"
 
 in vec3 in_position;

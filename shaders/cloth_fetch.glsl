@@ -1,4 +1,5 @@
-// GLSL only: what a pixel of the cloth knows: its frame, the lights in it, and the two thread systems.
+// GLSL only: the inputs of a pixel of the cloth: its frame, the lights in it, its footprint, and the two thread
+// systems.
 
 #include "filter.glsl"
 #include "horizon.glsl"
@@ -21,14 +22,14 @@ in vec3 tangent;
 in vec2 tile;
 in vec2 sky_visibility;
 
-// The cloth's frame, on the side that is seen: t along the weft, b along the warp, n to the eye. On the back
-// of the mesh it is left-handed: both faces are mapped in the same (u, v).
+// The cloth's frame on the visible side: t along the weft, b along the warp, n to the eye. On the back of the mesh it
+// is left-handed: both faces are mapped in the same (u, v).
 struct Side {
   vec3 t;
   vec3 b;
   vec3 n;
-  int face;          // 0: the cloth's front
-  float sky;         // share of the sky that the folds leave
+  int face;   // 0: the cloth's front
+  float sky;  // sky visibility among the folds
 };
 
 Side viewed_side() {
@@ -39,7 +40,7 @@ Side viewed_side() {
   s.b = cross(n, s.t);
   s.n = n * turn;
   s.face = turn * frame.eye.w > 0.0 ? 0 : 1;
-  // A pixel's middle may lie outside the triangle, where what is interpolated runs on.
+  // A pixel's centre may lie outside the triangle, where interpolated values extrapolate.
   s.sky = clamp(gl_FrontFacing ? sky_visibility.x : sky_visibility.y, 0.0, 1.0);
   return s;
 }
@@ -49,14 +50,14 @@ vec3 from_side(Side s, vec3 w) { return s.t * w.x + s.b * w.y + s.n * w.z; }
 
 // In the side's frame.
 struct Lights {
-  vec3 l;       // to the key light
-  vec3 v;       // to the eye
-  vec3 key;     // irradiance of the key light at right angles, after the shadows of the folds
+  vec3 l;    // to the key light
+  vec3 v;    // to the eye
+  vec3 key;  // irradiance of the key light at normal incidence, after the shadows of folds
 };
 
-// The eye in the side's frame. A pixel at the silhouette of a fold holds all slants up to edge-on, and only the last
-// hair's breadth of them shines as edge-on cloth does: it takes their mean, where the cosine runs evenly over the pixel.
-// Interpolated normals lean behind the silhouette: as far before it as they would be behind.
+// The view direction in the side's frame. A pixel at the silhouette of a fold covers all slants up to edge-on, and
+// only a thin strip of it shines as edge-on cloth does, so it takes the mean slant, where the cosine is linear over
+// the pixel. Interpolated normals lean behind the silhouette, by as much as pixels before it would lean.
 vec3 view_direction(Side side) {
   vec3 v = to_side(side, normalize(frame.eye.xyz - position));
   float cosine = abs(v.z);
@@ -75,15 +76,15 @@ Lights side_lights(Side side) {
   return x;
 }
 
-// Where a pixel lies on the tile, the level of the maps that it reads, and its size in yarns.
+// Position of a pixel on the tile, mip levels of the maps, and its size in yarns.
 struct Footprint {
   vec2 at;
   vec2 dx;            // one pixel across and down, in tiles
   vec2 dy;
-  vec2 axis;          // its longer axis, in tiles
-  float ratio;        // longer over shorter axis
-  float level;        // for its longer axis
-  float level_near;   // for its shorter axis, as facets show that face the eye
+  vec2 axis;         // its longer axis, in tiles
+  float ratio;       // longer over shorter axis
+  float level;       // mip level for its longer axis
+  float level_near;  // mip level for its shorter axis, for facets that face the eye
   float yarns;
 };
 
@@ -101,30 +102,30 @@ Footprint footprint_here() {
   f.level = 0.5 * log2(major2);
   f.level_near = min(f.level, log2(max(2.0 * area * inversesqrt(major2), 1e-6)));
   f.ratio = clamp(major2 / max(area, 1e-12), 1.0, 16.0);
-  // Of the two eigenvectors of the footprint the longer; the sum of both columns where they are alike.
+  // Of the two eigenvectors of the footprint the longer; the sum of both columns if they are equal.
   float xx = dx.x * dx.x + dy.x * dy.x;
   float xy = dx.x * dx.y + dy.x * dy.y;
   float yy = dx.y * dx.y + dy.y * dy.y;
   vec2 along = abs(major2 - xx) > abs(major2 - yy) ? vec2(xy, major2 - xx) : vec2(major2 - yy, xy);
   f.axis = along * inversesqrt(max(dot(along, along), 1e-20)) * sqrt(major2) / texels;
-  // By area: at grazing views a pixel is long, but as fine as ever across.
-  // Nor does it get finer than its length allows: where the cloth is seen edge-on derivatives are rough.
+  // By area: at grazing views a pixel is long, but still fine across. It is bounded by its length, since derivatives
+  // are noisy where the cloth is seen edge-on.
   f.yarns = sqrt(max(area, major2 / 256.0) / max(texels.x * texels.y, 1.0) * cloth.width_mm * cloth.depth_mm) / cloth.spacing_mm;
   return f;
 }
 
-// 0 to 1, other in each pixel and far from that of its neighbours (Jimenez 2014, interleaved gradient noise).
-float pixel_turn() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
+// 0 to 1, different in each pixel and very different from its neighbours (Jimenez 2014, interleaved gradient noise).
+float pixel_noise() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
 
-// The same, other in each pass.
-float pass_turn() { return fract(pixel_turn() + 0.61803399 * frame.samples.x); }
+// The same, different in each pass.
+float pass_noise() { return fract(pixel_noise() + 0.61803399 * frame.samples.x); }
 
 // One thread system of the footprint.
 struct System {
-  vec4 color;     // premultiplied by coverage
-  vec3 n;         // mean normal
-  float mean_length;   // length of the mean of the normals
-  vec2 variance;  // of the slopes
+  vec4 color;         // premultiplied by coverage
+  vec3 n;             // mean normal
+  float mean_length;  // length of the mean normal
+  vec2 variance;      // of the slopes
 };
 
 vec4 fetch_color(Side s, Footprint f, int which) {
@@ -162,17 +163,17 @@ vec3 system_color(vec4 color, SystemData data) {
   return min((color.rgb + data.color.rgb * 0.004) / (color.a + 0.004), vec3(1.0));
 }
 
-// Of the horizons: one mip, by chance as the level lies between two; light changes little from one to the next.
-float sky_level(Footprint f) { return floor(f.level - 1.0 + pass_turn()); }
+// Mip level of the horizons: one level, dithered between two; lighting changes little between levels.
+float sky_level(Footprint f) { return floor(f.level - 1.0 + pass_noise()); }
 
-// Share of the sky that the threads around leave.
-float sky_left(Side s, Footprint f) {
+// Sky visibility among the threads around.
+float thread_sky_visibility(Side s, Footprint f) {
   float layer = cloth.azimuths + float(s.face) * (cloth.azimuths + 1.0);
   return textureLod(horizon_map, vec3(f.at, layer), sky_level(f)).r;
 }
 
-// Share of the key light (x) and of the sky (y) that the threads around leave.
-vec2 thread_light(Side s, Footprint f, vec3 l) {
+// Visibility of the key light (x) and of the sky (y) among the threads around.
+vec2 thread_visibility(Side s, Footprint f, vec3 l) {
   int count = int(cloth.azimuths);
   float base = float(s.face * (count + 1));
   HorizonTaps taps = horizon_taps(atan(l.y, l.x), count);
@@ -185,18 +186,18 @@ vec2 thread_light(Side s, Footprint f, vec3 l) {
   vec2 after = textureLod(horizon_map, vec3(f.at, base + float(taps.at.w)), sky_level(f)).rg;
   vec2 h = vec2(horizon_mix(taps, vec4(before.x, a.x, b.x, after.x)), horizon_mix(taps, vec4(before.y, a.y, b.y, after.y)));
 #endif
-  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, current_light().w), sky_left(s, f));
+  return vec2(horizon_visibility(abs(l.z), h.x, 0.5 * h.y, current_light().w), thread_sky_visibility(s, f));
 }
 
-// What is seen along v over the whole cloth, of warp and weft.
+// Visible fractions and heights of warp and weft along v, over the whole cloth.
 struct VisibleSystems {
   vec2 fraction;
-  vec2 height;   // mean, mm
-  float rise;    // of the warp's share, with its share of the cover around
+  vec2 height;  // mean, mm
+  float rise;   // of the warp's visible fraction, with its fraction of the coverage around
 };
 
-// Of a face along v: table 0 what is seen, 1 and 2 the answers of warp and weft to an even sky, 3 where from,
-// 4 how much more of it than rung `yarn` would make, and from how much further along.
+// View tables of a face along v: 0 visible fractions, 1 and 2 reflected light of a uniform sky by warp and weft, 3 its
+// mean directions, 4 correction of method `yarn`: factors by system, and shift of the direction.
 vec4 view_table(int face, int table, vec3 v) {
   vec2 c = response_coord(v);
   const float around = float(RESPONSE_VIEWS_AROUND);
@@ -210,7 +211,7 @@ VisibleSystems visible_systems(int face, vec3 v) {
   return VisibleSystems(vec2(s.x, 1.0 - s.x), s.zw, s.y);
 }
 
-// Share of the pixel that threads fill, of the prefiltered rungs.
+// Coverage of the pixel by threads, for the prefiltered methods.
 float cover_of(Side side, Lights x, Footprint f) {
   if (cloth.open < 0.5) return 1.0;
   float coverage = min(fetch_color(side, f, 0).a + fetch_color(side, f, 1).a, 1.0);

@@ -1,4 +1,4 @@
-// What stands in the key light's way.
+// Depth of the key light's occluders.
 #include "frame.glsl"
 
 in vec3 in_position;

@@ -1,12 +1,12 @@
-// What engines make of an exported texture set: Lambert, anisotropic GGX and a sheen of their own kind. The first
-// kind is what three.js r187 does, operation by operation; rung `engine` is it.
+// Shading of an exported texture set in engines: Lambert, anisotropic GGX and a sheen that depends on the engine. The
+// first kind is what three.js r187 does, operation by operation; method `engine` is it.
 // GLSL 3.30 and C++20. Frame: x along the wider axis of the highlight, z the normal.
 //
 // Based on: Walter et al. 2007 and Heitz 2014 (anisotropic GGX); Estevez, Kulla 2017, Neubelt, Pettineo 2013 (Charlie
-//   sheen of glTF and HDRP); Zeltner, Burley, Chiang 2022, by the rational fits of MaterialX 1.39 (fuzz of OpenPBR and
-//   Blender 4); Ashikhmin, Premoze 2007 as in Unreal's cloth model (inverse GGX); Burley 2012 (sheen of U3M's
-//   principled shader, body of that and of Blender 3's); Turquin 2019, "Practical multiple scattering compensation for microfacet
-//   models", by a polynomial through three.js' table (RMS 0.02).
+// sheen of glTF and HDRP); Zeltner, Burley, Chiang 2022, by the rational fits of MaterialX 1.39 (fuzz of OpenPBR and
+// Blender 4); Ashikhmin, Premoze 2007 as in Unreal's cloth model (inverse GGX); Burley 2012 (sheen of U3M's principled
+// shader, body of that and of Blender 3's); Turquin 2019, "Practical multiple scattering compensation for microfacet
+// models", by a polynomial through three.js' table (RMS 0.02).
 
 #ifndef FORMULA
 #define FORMULA
@@ -27,18 +27,18 @@ struct EngineMaterial {
   float metal;
   vec3 sheen;
   float sheen_roughness;
-  vec2 alpha;            // along the frame's x and y
-  float f0;              // reflectance of the dielectric, straight
-  float f90;             // and grazing
+  vec2 alpha;  // along the frame's x and y
+  float f0;    // reflectance of the dielectric at normal incidence
+  float f90;   // at grazing incidence
   float occlusion;
 };
 
-// For a unit of irradiance at right angles.
+// For unit irradiance at normal incidence.
 struct EngineParts {
-  vec3 body;             // scattered, and what metals mirror
-  vec2 gloss;            // mirrored by the dielectric, of f0 = 1 and of f90 = 1
+  vec3 body;   // diffuse, and the specular part of metals
+  vec2 gloss;  // specular part of the dielectric, for f0 = 1 and for f90 = 1
   vec3 fuzz;
-  float kept;            // share of body and gloss that the sheen leaves
+  float kept;            // fraction of body and gloss that the sheen leaves
 };
 
 // Albedo of Charlie sheen by the cosine of the view, three.js' fit.
@@ -87,7 +87,7 @@ FORMULA float inverse_ggx_sheen(float nh, float nl, float nv, float roughness) {
   return density * 0.25f / max(nl + nv - nl * nv, 1.0e-4f);
 }
 
-// What a lobe loses to facets that hide each other, over what it keeps.
+// Energy that a lobe loses to masking, over what it keeps.
 FORMULA float engine_loss(float mu, float roughness) {
   float r = clamp(roughness, 0.0f, 1.0f);
   float a = 2.7166f + mu * (-7.5874f + mu * 5.1539f);
@@ -96,7 +96,7 @@ FORMULA float engine_loss(float mu, float roughness) {
   return max(r * r * (a + r * (b + r * c)), 0.0f);
 }
 
-// Body of Disney's principled shader over Lambert's, which nothing that is mirrored lessens.
+// Diffuse term of Disney's principled shader over Lambert's, without energy conservation.
 FORMULA float disney_body(float nl, float nv, float lh, float roughness) {
   float l = 1.0f - nl;
   float v = 1.0f - nv;
@@ -125,7 +125,7 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float shine = d * 0.5f / max(g_o + g_i, 1.0e-6f);
   float k = 1.0f - clamp(dot(wo, h), 0.0f, 1.0f);
   float k5 = k * k * k * k * k;
-  // Only glTF's kind gives back what rough lobes lose.
+  // Only glTF's kind compensates the loss of rough lobes.
   float loss = sheen == kSheenCharlie ? engine_loss(nv, sqrt(min(ax, ay))) : 0.0f;
   float dielectric = clamp(m.f0 + (m.f90 - m.f0) * k5, 0.0f, 1.0f);
   float body = (1.0f - m.metal) * (1.0f - dielectric) / kPi;
@@ -150,7 +150,8 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   return p;
 }
 
-// Towards wo; f: frame of the material's normal. soft and glossy: shares of the sky, occluded as engines do.
+// Towards wo; f: frame of the material's normal. diffuse and glossy: fractions of the sky, with ambient occlusion as
+// engines apply it.
 FORMULA Reflected engine_radiance(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
   vec3 wo = lobe_local(f, v);
   EngineParts p = engine_parts(m, kSheenCharlie, lobe_local(f, l), wo);

@@ -1,8 +1,8 @@
-// What a pixel's footprint sees of a cloth: gaps and systems of threads by view, rungs by footprint.
+// Filtering over a pixel's footprint: gaps and thread systems by view, methods by footprint.
 // GLSL 3.30 and C++20. Frame: x along the weft, y along the warp, z the cloth's normal; lengths in mm.
 //
-// Based on: Smith 1967 (masking among uncorrelated heights); Castano 2010 (coverage through mips);
-//   Heitz et al. 2016 (visible share of a mixture of slope distributions).
+// Based on: Smith 1967 (masking among uncorrelated heights); Castano 2010 (coverage through mips); Heitz et al. 2016
+// (visible fraction of a mixture of slope distributions).
 
 #ifndef FORMULA
 #define FORMULA
@@ -10,31 +10,30 @@
 
 const float kMinFilterCosine = 1.0e-3f;
 
-// 1 - openness, smooth: what is left of a gap of width `gap` between round threads of height `rim` seen under an
-// angle of tangent `slope`: their outlines are wider by rim * (secant - 1).
-FORMULA float gap_left(float gap, float rim, float slope) {
+// Remaining width of a gap of width `gap` between round threads of height `rim`, over its width at normal view,
+// smoothed. At an angle of tangent `slope` their outlines are wider by rim * (secant - 1).
+FORMULA float gap_remaining(float gap, float rim, float slope) {
   float g = max(gap, 1.0e-6f);
   float x = 1.0f - rim * (sqrt(1.0f + slope * slope) - 1.0f) / g;
-  // Threads are round and lie unevenly: a gap closes over a range, not at once.
+  // Threads are round and irregular: a gap closes over a range of angles, not at once.
   float softness = 0.08f;
   float open = 0.5f * (x + sqrt(x * x + softness * softness));
   return clamp(open / (0.5f * (1.0f + sqrt(1.0f + softness * softness))), 0.0f, 1.0f);
 }
 
-// Coverage seen along w of cloth that covers `coverage` at normal view. gap_mm: mean gap along x and
-// along y; rim_mm: height of the threads at its rim.
+// Coverage along w of a cloth with `coverage` at normal view. gap_mm: mean gap along x and y; rim_mm: height of the
+// threads at its edge.
 FORMULA float coverage_by_view(float coverage, vec2 gap_mm, float rim_mm, vec3 w) {
   float z = max(abs(w.z), kMinFilterCosine);
-  float open = gap_left(gap_mm.x, rim_mm, abs(w.x) / z) * gap_left(gap_mm.y, rim_mm, abs(w.y) / z);
+  float open = gap_remaining(gap_mm.x, rim_mm, abs(w.x) / z) * gap_remaining(gap_mm.y, rim_mm, abs(w.y) / z);
   return 1.0f - (1.0f - clamp(coverage, 0.0f, 1.0f)) * open;
 }
 
-// How much of each system (x warp, y weft) is seen along w, over its area at normal view: the
-// mean over both by area is 1. share: areas at normal view, sum 1; areas: projected areas of their facets
-// along w (gaussian_area of cosine and slope deviation along w); lift: mean height of warp over weft,
-// signed, in units of the spacing of threads.
-// A ray that leaves the lower system climbs `lift` while it runs lift * tangent across the threads of
-// the upper one, and meets one with the chance of their share.
+// Visible area of each system (x warp, y weft) along w, over its area at normal view; its area-weighted mean is 1.
+// fraction: areas at normal view, sum 1; areas: projected areas of their facets along w (gaussian_area of cosine and
+// slope deviation along w); lift: mean height of warp over weft, signed, in units of the thread spacing.
+// A ray that leaves the lower system climbs `lift` while it runs lift * tangent across the threads of the upper one,
+// and meets one with a probability of their fraction.
 FORMULA vec2 system_masking(vec2 fraction, vec2 areas, float lift, vec3 w) {
   float z = max(abs(w.z), kMinFilterCosine);
   float over_warp = exp(-min(max(-lift, 0.0f) * fraction.y * abs(w.y) / z, 40.0f));  // wefts stop moves along y
@@ -44,16 +43,15 @@ FORMULA vec2 system_masking(vec2 fraction, vec2 areas, float lift, vec3 w) {
   return seen / max(total, 1.0e-6f);
 }
 
-// Yarns under a pixel, along the longer axis of its footprint. dx, dy: cloth coordinates' change (mm)
-// over one pixel in x and in y; spacing_mm: mean spacing of yarns.
+// Yarns in a pixel along the longer axis of its footprint. dx, dy: change of the cloth coordinates (mm) over one pixel
+// in x and y; spacing_mm: mean spacing of yarns.
 FORMULA float footprint_yarns(vec2 dx, vec2 dy, float spacing_mm) {
   return sqrt(max(dot(dx, dx), dot(dy, dy))) / max(spacing_mm, 1.0e-6f);
 }
 
-// Weights (sum 1) of the rungs yarn, cell, repeat, cloth at a footprint in yarns a pixel. edges: where
-// one rung has given way to the next, none below the one before (equal: a rung is left out). Each blend takes the half
-// octave before, so that no seam shows: there the next one is a little less true than it must be, but only a part of what
-// is seen, and where it is true enough alone nothing finer is paid for.
+// Weights (sum 1) of the methods yarn, cell, repeat, cloth at a footprint in yarns a pixel. edges: where a method has
+// given way to the next, ascending (equal: a method is skipped). Each blend takes the half octave before the edge, so
+// that there is no seam: the next method is slightly less accurate there than required, but has only partial weight.
 FORMULA vec4 lod_weights(float yarns, vec3 edges) {
   float x = log2(max(yarns, 1.0e-6f));
   float cell = smoothstep(-0.5f, 0.0f, x - log2(max(edges.x, 1.0e-6f)));

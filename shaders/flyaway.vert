@@ -1,6 +1,6 @@
-// One stray fibre an instance: a strip that faces the eye, bent along an arc with a wave in it, in the colour of
-// the yarn beneath. A finer one than the samples
-// of a pixel can tell is drawn wider and as much fainter, so that the mean stays.
+// One flyaway fibre an instance: a strip that faces the eye, bent along an arc with a wave, in the colour of the yarn
+// beneath. A fibre finer than the samples of a pixel is drawn wider and proportionally fainter, so that the mean
+// stays.
 #include "frame.glsl"
 #include "flyaway.glsl"
 
@@ -9,8 +9,8 @@ uniform sampler2DArray color_map;
 in vec3 in_position;   // root
 in vec3 in_normal;     // of the cloth, on the fibre's side
 in vec2 in_uv_mm;
-in vec2 in_sky;        // x: sky seen on its side; y: +1 the mesh's front
-in vec4 in_flyaway;       // x: seed, 0..1; y: fibres that it stands for; z: least length, mm; w: radius of the rim, mm
+in vec2 in_sky;      // x: sky visibility on its side; y: +1 the mesh's front
+in vec4 in_flyaway;  // x: seed, 0..1; y: fibres that it represents; z: minimum length, mm; w: radius of the silhouette, mm
 
 out vec4 strip_color;
 
@@ -31,7 +31,7 @@ struct Fibre {
 };
 
 Fibre fibre_at(float t, vec3 n, float mean_length, float least_length, inout uint state) {
-  // Of exponentially spread lengths, those beyond the least are spread as all are.
+  // Exponentially distributed lengths beyond the minimum have the same distribution.
   float len = least_length - log(1.0 - 0.985 * random(state)) * 1.07 * mean_length;
   float z = mix(0.05, 1.0, random(state));
   float turn = 6.2831853 * random(state);
@@ -55,11 +55,11 @@ Fibre fibre_at(float t, vec3 n, float mean_length, float least_length, inout uin
   return f;
 }
 
-// Dye of the yarn under the root, and what the cloth there sends back.
+// Colour of the yarn under the root, and the albedo of the cloth there.
 vec3 dye_beneath(int face, vec2 tile, out vec3 body) {
   float level = max(log2(float(textureSize(color_map, 0).x) * cloth.spacing_mm / cloth.width_mm) - 1.0, 0.0);
   vec3 sum = vec3(0.0);
-  vec3 sent = vec3(0.0);
+  vec3 reflected = vec3(0.0);
   float weight = 0.0;
   float cover = 0.0;
   for (int i = 0; i < 2; ++i) {
@@ -68,10 +68,10 @@ vec3 dye_beneath(int face, vec2 tile, out vec3 body) {
     float fraction = flyaway_fraction(data.yarn.fuzz);
     sum += c.rgb * fraction;
     weight += c.a * fraction;
-    sent += c.rgb * (data.yarn.body * (1.0 - data.yarn.tint.w));
+    reflected += c.rgb * (data.yarn.body * (1.0 - data.yarn.tint.w));
     cover += c.a;
   }
-  body = clamp(sent / max(cover, 1e-4), 0.0, 1.0);
+  body = clamp(reflected / max(cover, 1e-4), 0.0, 1.0);
   return clamp(sum / max(weight, 1e-6), 0.0, 1.0);
 }
 
@@ -95,8 +95,8 @@ void main() {
   float edge = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
   float drawn = max(pixels, kMinWidth);
   clip.xy += across * (edge * drawn * clip.w) / frame.picture.xy;
-  // Against the cloth that it stands on a fibre is a part of the fuzz lobe: it is drawn where what is behind it is
-  // farther than the edge of its rim.
+  // Against its own cloth a fibre is part of the fuzz lobe, so it is drawn only where the background is further away
+  // than the edge of the silhouette.
   vec3 v = normalize(frame.eye.xyz - p);
   float rim = sqrt(2.0 * in_flyaway.w * (in_flyaway.z + (in_sky.y > 0.0 ? frame.flyaway.z : frame.flyaway.w)));
   vec4 back = frame.world_to_clip * vec4(p - v * rim, 1.0);
@@ -108,7 +108,7 @@ void main() {
   for (light_index = 0; light_index <= last_light(); ++light_index)
     light += flyaway_key(colour, body, f.along, n, current_light().xyz, v) * current_light_color()
            * key_visibility(in_position + n * (0.5 * length(f.at)), n);
-  const float kRootShade = 0.7;   // roots stand in the others' shade
-  const float kTip = 0.5;         // width of the tip over that of the root
+  const float kRootShade = 0.7;  // roots are shaded by the other fibres
+  const float kTip = 0.5;        // width of the tip over that of the root
   strip_color = encoded(light * mix(kRootShade, 1.0, t), pixels / drawn * mix(1.0, kTip, t));
 }

@@ -1,4 +1,4 @@
-// GLSL only: the uniform blocks, the soft sky, the key light's shadow and the way a colour leaves.
+// GLSL only: the uniform blocks, the low-frequency sky, shadows of the lights, and the output encoding.
 
 #include "interop.h"
 #include "tone.glsl"
@@ -9,15 +9,15 @@ layout(std140) uniform ClothBlock { ClothData cloth; };
 uniform sampler2DShadow sun_shadow_map;
 uniform sampler2DArrayShadow more_shadow_map;
 
-// The light that is shaded by: 0 the key light and all that is soft, above it one of the others.
+// Index of the current light: 0 is the key light and the sky, others are more lights of an environment.
 int light_index = 0;
 
 vec4 current_light() { return light_index == 0 ? frame.light : frame.more_light[light_index - 1]; }
 vec3 current_light_color() { return light_index == 0 ? frame.light_color.rgb : frame.more_color[light_index - 1].rgb; }
 int last_light() { return int(frame.picture.w); }
 
-// Radiance of the sky along d, blurred: `one` and `two` scale its bands (1, 1 as it is; 2/3, 1/4 as a
-// Lambertian sees it, times pi for irradiance; Ramamoorthi, Hanrahan 2001).
+// Radiance of the sky along d, blurred: `one` and `two` scale its bands 1 and 2 (1, 1: unchanged; 2/3, 1/4: as seen by
+// a Lambertian surface, times pi for irradiance; Ramamoorthi, Hanrahan 2001).
 vec3 sky_radiance(vec3 d, float one, float two) {
   if (light_index > 0) return vec3(0.0);
   vec3 l1 = frame.sky[1].rgb * d.y + frame.sky[2].rgb * d.z + frame.sky[3].rgb * d.x;
@@ -30,18 +30,18 @@ vec3 sky_radiance(vec3 d, float one, float two) {
 // Mean radiance that a Lambertian surface of normal n sees (irradiance / pi).
 vec3 sky_diffuse(vec3 n) { return sky_radiance(n, 0.666667, 0.25); }
 
-// Mean radiance of a part of the sky whose mean direction is d: the shorter, the wider the part. Of a Lambertian's d is
-// 2/3 long and the second band 1/4, as here but for a tenth.
+// Mean radiance of a part of the sky with mean direction d: the shorter d, the wider the part. A Lambertian surface
+// has a d of length 2/3 and a factor of 1/4 for band 2, as here to within a tenth.
 vec3 sky_about(vec3 d) { return sky_radiance(d, 1.0, min(length(d), 1.0)); }
 
-// How far from a surface it is asked whether light arrives, so that a leaning one does not shade itself where the filter
-// reaches past the texel: that reach on the map times the sine to the light; `lift` on a surface along the light.
+// Normal offset against self-shadowing where the filter reaches past the texel: its reach on the map times the sine to
+// the light; `lift` for a surface parallel to the light.
 vec3 offset_from_surface(vec3 position, vec3 n, vec3 l, float lift) {
   float c = dot(n, l);
   return position + n * (lift * max(sqrt(max(1.0 - c * c, 0.0)), 0.4));
 }
 
-// Share of a light beside the key light that reaches a point.
+// Visibility of a light beside the key light.
 float more_light_visibility(vec3 position, vec3 n) {
   int i = light_index - 1;
   vec3 lifted = offset_from_surface(position, n, frame.more_light[i].xyz, 2.5 * frame.more_color[i].w);
@@ -54,8 +54,8 @@ float more_light_visibility(vec3 position, vec3 n) {
                + texture(more_shadow_map, vec4(at.xy + b, layer, at.z)) + texture(more_shadow_map, vec4(at.xy - b, layer, at.z)));
 }
 
-// Share of the light that reaches a point: a turned grid of taps over the shadow map, softer than its
-// texels. n: normal of the side that is seen.
+// Visibility of the current light: a rotated grid of taps over the shadow map, wider than its texels. n: normal of the
+// visible side.
 float key_visibility(vec3 position, vec3 n) {
   if (light_index > 0) return more_light_visibility(position, n);
   vec3 lifted = offset_from_surface(position, n, frame.light.xyz, frame.shadow.z);
@@ -78,9 +78,9 @@ float key_visibility(vec3 position, vec3 n) {
 #endif
 }
 
-// A scene-linear colour as the target wants it: tone-mapped, or as it is for an .exr.
+// Encodes a scene-linear colour for the target: tone-mapped, or unchanged for an .exr.
 vec4 encoded(vec3 scene, float alpha) {
-  // Within half floats, whatever the light.
+  // Within the range of half floats.
   vec3 c = min(scene * frame.light_color.w, vec3(65000.0));
   return frame.picture.z > 0.5 ? vec4(c * alpha, alpha) : vec4(tone_map(c) * alpha, alpha);
 }

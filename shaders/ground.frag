@@ -1,4 +1,4 @@
-// Darkens the backdrop by the light that the cloth takes from the ground.
+// Darkens the backdrop by the light that the cloth blocks from the ground.
 uniform sampler2D ground_map;
 
 in vec3 position;

@@ -1,4 +1,4 @@
-// The ground: a square about the cloth, seen only by the shadow on it.
+// The ground: a square around the cloth, visible only by its shadow.
 #include "frame.glsl"
 
 out vec3 position;

@@ -1,5 +1,5 @@
-// Share of its light that each point of the ground keeps: the key light with a penumbra that widens with the
-// height of what stands in its way, and the sky from the map of what the ground sees.
+// Fraction of its light that reaches each point of the ground: the key light with a penumbra that widens with the
+// height of the occluder, and the sky by the map of sky visibility.
 //
 // Based on: Fernando 2005, "Percentage-closer soft shadows".
 #include "frame.glsl"
@@ -12,7 +12,7 @@ out vec4 out_color;
 
 const vec3 kGround = vec3(0.0, 1.0, 0.0);
 const int kTaps = 40;
-const float kDarkest = 0.66;   // a studio floor also gets light that no map here knows
+const float kDarkest = 0.66;   // a studio floor also gets indirect light
 
 vec2 spiral(int i) {
   float t = 2.39996323 * float(i);
@@ -22,7 +22,7 @@ vec2 spiral(int i) {
 float key_light_visibility(vec3 p) {
   vec3 here = (frame.world_to_shadow * vec4(p, 1.0)).xyz;
   if (abs(here.x - 0.5) > 0.5 || abs(here.y - 0.5) > 0.5) return 1.0;
-  here.z = min(here.z, 0.998);  // the ground runs on beyond the depths that the map holds
+  here.z = min(here.z, 0.998);  // the ground extends beyond the depth range of the map
   float reach = 2.2 * frame.light.w;  // the map is as deep as it is wide
   float depth = 0.0;
   float blockers = 0.0;

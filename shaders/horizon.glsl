@@ -1,11 +1,11 @@
-// How much of a light a point of the cloth sees over the threads around it.
+// Visibility of a light over the surrounding threads, from horizons.
 // GLSL 3.30 and C++20. Azimuth 0 is +u (along the weft), a quarter turn +v (along the warp).
 //
 //   HorizonTaps t = horizon_taps(azimuth, count): mix four neighbouring bins t.at[] with t.weight,
 //   for the mean and for the spread of the horizon's sine, then horizon_visibility().
 //
-// Based on: Max 1988, "Horizon mapping"; Keys 1981 (cubic convolution). Differs: the horizon of a
-//   footprint is a mean and a spread, so shadows fade with distance where a boolean map would flicker.
+// Based on: Max 1988, "Horizon mapping"; Keys 1981 (cubic convolution). Differs: the horizon of a footprint is a mean
+// and a spread, so shadows fade with distance where a boolean map would flicker.
 
 #ifndef FORMULA
 #define FORMULA
@@ -16,8 +16,7 @@ struct HorizonTaps {
   vec4 weight;    // sum 1
 };
 
-// Cubic in azimuth: a wave of the horizon passes through unchanged to third order, so that a turning
-// light shows no steps and no pulse at the bins.
+// Cubic in azimuth: exact to third order, so that a moving light shows no steps at the bins.
 FORMULA HorizonTaps horizon_taps(float azimuth, int count) {
   float n = float(count);
   float turn = azimuth * 0.15915494f;
@@ -38,9 +37,9 @@ FORMULA float horizon_mix(HorizonTaps taps, vec4 values) {
   return clamp(dot(taps.weight, values), 0.0f, 1.0f);
 }
 
-// Share of a light seen: `elevation_sine` of its middle above the cloth; mean and standard deviation of
-// the horizon's sine over the footprint; `light_radius` in radians (its disc, spread as a Gaussian of
-// the same variance, radius / 2).
+// Visible fraction of a light. elevation_sine: of its centre above the cloth; mean, spread: mean and standard
+// deviation of the horizon's sine over the footprint; light_radius: radians (its disc is taken as a Gaussian of the
+// same variance, radius / 2).
 FORMULA float horizon_visibility(float elevation_sine, float mean, float spread, float light_radius) {
   float softness = 0.5f * light_radius * sqrt(max(1.0f - elevation_sine * elevation_sine, 0.0f));
   float sigma = sqrt(spread * spread + softness * softness + 1.0e-6f);

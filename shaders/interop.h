@@ -1,6 +1,5 @@
-// What C++ and GLSL agree on: sizes, texture slots, and the two uniform blocks. Read by C++ and, through the shader
-// loader, by GLSL. The blocks are std140, made of vec4, mat4 and whole fours of floats alone, so that both sides lay
-// them out alike; the end of the file asserts it.
+// Shared by C++ and GLSL: sizes, texture slots, and the two uniform blocks. The blocks are std140, made only of vec4,
+// mat4 and groups of four floats, so that both sides lay them out alike; the end of the file asserts it.
 #ifdef __cplusplus
 #pragma once
 #include <array>
@@ -19,8 +18,8 @@ using glm::vec4;
 // Lights of an environment beside the key light.
 #define MORE_LIGHTS 3
 
-// Texels of the map of threads (thread_records.glsl): its width, its head, a thread, a yarn. Where in a thread's
-// texels its body, its colour and its pattern begin. Crossings lie in square blocks so many texels wide.
+// Sizes in texels of the map of threads (thread_records.glsl): its width, its head, a thread, a yarn. Offsets of body,
+// colour and pattern within a thread. Crossings are stored in square blocks of this many texels.
 #define THREAD_MAP_WIDTH 1024
 #define THREAD_HEAD_TEXELS 5
 #define THREAD_TEXELS 6
@@ -30,15 +29,15 @@ using glm::vec4;
 #define YARN_TEXELS 4
 #define CROSSING_BLOCK 4096
 
-// Nodes of the answer to light from afar (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
-// lights from behind the cloth; bins of slope angles. Tables of views: of each face what is seen, the sky by warp and
-// by weft, where from, and what rung `yarn` lacks of it.
+// Nodes of the far-field response (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
+// lights from behind the cloth; bins of slope angles. View tables: for each face the visible fractions, the reflected
+// sky by warp and by weft, its directions, and the correction of method `yarn`.
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16
 #define TRANSMISSION_ELEVATIONS 12
 #define TRANSMISSION_LIGHTS_AROUND 32
-// Texels of the answer along one view: answer and lean, and below them the answer to light from behind, and its lean.
+// Texels of the response for one view: reflected light and gradient, and below them those of light from behind.
 #define RESPONSE_WIDTH 34
 #define RESPONSE_HEIGHT 128
 #define RESPONSE_SLOPES 64
@@ -51,17 +50,17 @@ struct FrameData {
   vec4 light;                 // xyz towards the light; w: half angle of its disc as a sine
   vec4 light_color;           // rgb irradiance; w: exposure factor
   vec4 sky[SH_COEFFICIENTS];  // rgb radiance, spherical harmonics, real, bands 0..2
-  vec4 background;            // rgb linear, display-referred; w: 1 where the background is left out
+  vec4 background;            // rgb linear, display-referred; w: 1 for no background
   vec4 picture;               // width, height in pixels; z: 1 writes scene-linear; w: lights beside the key light
-  vec4 samples;               // of rung yarn: x: number of the pass; y: how many at the most
+  vec4 samples;               // of method yarn: x: index of the pass; y: largest number of samples
   vec4 shadow;                // x: texel of the shadow map; y: radius of its filter in texels;
                               // z: normal offset in mm; w: opacity of the cloth to the key light
   vec4 tile;                  // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
   vec4 ground;                // x: height mm; y: radius mm; zw: centre x, z mm
-  vec4 methods;               // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
-  vec4 flyaway;               // stray fibres: x: pieces that each is drawn with; zw: mean length on the
+  vec4 methods;               // xyz: edges between the methods, yarns a pixel; w: 1 for false colours
+  vec4 flyaway;               // flyaway fibres: x: pieces that each is drawn with; zw: mean length on the
                               // mesh's front and back, mm
-  vec4 lattices[2];           // of rung yarn: footprints from which on each finer lattice is needed (lattice.glsl)
+  vec4 lattices[2];           // of method yarn: footprints from which on each finer lattice is needed (lattice.glsl)
   mat4 world_to_more[MORE_LIGHTS];  // as world_to_shadow, light and light_color, of the lights beside the key light
   vec4 more_light[MORE_LIGHTS];
   vec4 more_color[MORE_LIGHTS];  // rgb irradiance; w: texel of its shadow map in mm
@@ -69,29 +68,29 @@ struct FrameData {
                         // by which the environment's picture is turned, and 1 where it shows
 };
 
-// The lobes of a yarn as the shaders take them (yarn_of() of methods.glsl), or means of several yarns.
+// Lobes of a yarn (yarn_of() of methods.glsl), or the mean of several yarns.
 struct YarnData {
   float along_width;  // RMS slopes
   float across_width;
   float specular;
-  float body;  // none of a metal
+  float body;  // 0 for a metal
   float fuzz;
   float fuzz_width;
-  float fuzz_depth;  // optical
+  float fuzz_depth;  // optical depth
   float transmission;
-  vec4 tint;             // rgb of the specular, linear; w: share of it in the thread's colour (metal: all)
+  vec4 tint;             // rgb of the specular, linear; w: fraction of it in the thread's colour (metal: all)
   float reflectance;     // of the clear fibres at normal incidence
   float fibre_layers;    // that over one layer's
-  float inner_halvings;  // how often the way of the dyed share through the dye is halved, -1..2
-  float spare_c;         // for further numbers of a yarn; 0
+  float inner_halvings;  // how often the path of the dyed part through the dye is halved, -1..2
+  float spare_c;         // for further parameters; 0
 };
 
 // One thread system of one face: index face * 2 + system (0 warp, 1 weft).
 struct SystemData {
   YarnData yarn;    // mean over its threads
-  float fibre_tan;  // of the mean angle between fibre and thread
+  float fibre_tan;  // tangent of the mean angle between fibre and thread
   float coverage;   // mean over the maps
-  float fraction;   // of the cover, as rays see it
+  float fraction;   // of the coverage, by rays
   float spare;
   vec4 color;   // rgb: mean
   vec4 facets;  // means of the unit normal's x, y and of their squares
@@ -99,8 +98,8 @@ struct SystemData {
 
 // Material of an exported set of one face (core/light/engine_fit.h).
 struct EngineData {
-  vec4 base;   // rgb factors of base colour; reflectance of dielectrics, straight
-  vec4 sheen;  // factor, roughness; reflectance of dielectrics, grazing
+  vec4 base;   // rgb factors of base colour; w: reflectance of dielectrics at normal incidence
+  vec4 sheen;  // factor, roughness; z: reflectance of dielectrics at grazing incidence
   // Warp, weft.
   vec4 lobes[2];  // direction of the wider axis, roughness of the narrow one, strength of the anisotropy
   vec4 body[2];   // rgb: base colour over the thread's; metal
@@ -114,11 +113,11 @@ struct ClothData {
   float azimuths;    // of the horizon
   float gap_u_mm;    // mean gaps along u and v
   float gap_v_mm;
-  float rim_mm;     // height of the threads at a gap's rim
-  float open;       // 1 where the cloth has gaps at all
-  float front_sky;  // mean share of the sky that threads leave
+  float rim_mm;     // height of the threads at a gap's edge
+  float open;       // 1 if the cloth has gaps
+  float front_sky;  // mean sky visibility among the threads
   float back_sky;
-  float even_yarns;  // yarns a pixel from which on the period's colour is even
+  float even_yarns;  // yarns a pixel from which on the period's colour is uniform
   float spare;
   EngineData engine[2];  // front, back
 };

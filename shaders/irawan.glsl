@@ -1,34 +1,35 @@
-// A woven cloth as Irawan and Marschner draw it: each float is one curved cylinder, and what its fibres mirror is a
-// stripe across it. GLSL 3.30 and C++20; with threads.glsl, whose host it shares. Frame of a float: x across the
-// thread, y along it, z the cloth's normal; millimetres.
+// Cloth after Irawan and Marschner: each float is a curved cylinder, and its fibres mirror light in a stripe across
+// it. GLSL 3.30 and C++20; with threads.glsl, whose host it shares. Frame of a float: x across the thread, y along it,
+// z the cloth's normal; millimetres.
 //
-//   IrawanPoint p = irawan_point(grid, at)    the float that a place lies on, and where on it
-//   irawan_specular(p, tan, l, v)             radiance that it mirrors, for a unit of irradiance at right angles
+//   IrawanPoint p = irawan_point(grid, at)    the float at a position, and the position on it
+//   irawan_specular(p, tan, l, v)             mirrored radiance for unit irradiance at normal incidence
 //
 // Based on: Irawan, Marschner 2012, "Specular reflection from woven cloth", sections 4 and 5 (staple yarns, and
-//   filament yarns without their smoothing; circular bends); Piti Irawan 2008, "Appearance of woven cloth"; Nelson,
-//   McEvoy 2016, ThunderLoom (floats and threads as a WIF has them; its bend and width of the stripe).
-// Differs: a highlight's strength is that of the yarn's own fibres, where the papers fit it to six measured cloths.
+// filament yarns without their smoothing; circular bends); Piti Irawan 2008, "Appearance of woven cloth"; Nelson,
+// McEvoy 2016, ThunderLoom (floats and threads of a WIF; its bend and width of the stripe).
+// Differs: a highlight's strength is that of the yarn's own fibres; the papers fit it to six measured cloths.
 
-// Inclination of a float at its ends, and how much of it the stripe covers: what ThunderLoom takes for any WIF.
+// Inclination of a float at its ends, and the fraction of it that the stripe covers: what ThunderLoom uses for any
+// WIF.
 const float kIrawanBend = 0.5f;
 const float kIrawanStripe = 0.3f;
-// Share of light scattered evenly around a fibre and concentration of the rest, forwards (cotton denim of the paper is
-// 0.01 and 4, its silk 0.02 and 1.5).
+// Fraction of light scattered uniformly around a fibre, and concentration of the rest, forwards (the paper's cotton
+// denim has 0.01 and 4, its silk 0.02 and 1.5).
 const float kIrawanEven = 0.05f;
 const float kIrawanForward = 4.0f;
-// So that a float mirrors, of light straight on it, the share that is asked for: most of what fibres scatter goes on
-// forwards, into the cloth. (Without: 0.037 to 0.043 for twists from none to 45 degrees.)
+// Gain so that a float mirrors the required fraction of normally incident light, since fibres scatter most light
+// forwards, into the cloth. (Without it: 0.037 to 0.043 for twists from none to 45 degrees.)
 const float kIrawanGain = 25.0f;
-const float kIrawanFilament = 0.05f;   // tangent of a twist below which fibres count as straight
-const int kIrawanFloat = 24;           // threads at the most that a float is followed over, each way
+const float kIrawanFilament = 0.05f;  // tangent of the twist below which fibres count as straight
+const int kIrawanFloat = 24;          // largest number of threads that a float is followed over, each way
 
 struct IrawanPoint {
   int system;     // -1: a gap
   int thread;
-  bool above;     // of a float; else of a thread that passes below, seen beside the one above
-  vec2 at;        // from the float's middle: across, along
-  vec2 size;      // width, length
+  bool above;  // of a float; else of a thread below, visible beside the one above
+  vec2 at;     // from the float's middle: across, along
+  vec2 size;   // width, length
 };
 
 FORMULA int irawan_top(ThreadGrid g, ivec2 cell) {
@@ -36,7 +37,7 @@ FORMULA int irawan_top(ThreadGrid g, ivec2 cell) {
   return g.side * (c.x - c.z) >= 0.0f ? 0 : 1;
 }
 
-// How far a float goes on from its crossing with `cell`, beyond the room of that one.
+// Length of a float beyond its crossing at `cell`.
 FORMULA float irawan_reach(ThreadGrid g, int system, ivec2 cell, int way) {
   int other = 1 - system;
   float reach = 0.0f;
@@ -93,12 +94,12 @@ FORMULA float irawan_von_mises(float cosine, float k) {
   return exp(k * (cosine - 1.0f)) / (6.2831853f * scaled);
 }
 
-// What fibres send of the light on them, over their cone: 1 over all directions where the cone is flat.
+// Phase function of the fibres over their cone: 1 over all directions for a flat cone.
 FORMULA float irawan_phase(vec3 l, vec3 v) {
   return (kIrawanEven + irawan_von_mises(-dot(l, v), kIrawanForward)) / (6.2831853f * kIrawanEven + 1.0f);
 }
 
-// A layer of fibres: in under l, out under v (Seeliger's law).
+// A layer of fibres, in along l, out along v (Seeliger's law).
 FORMULA float irawan_layer(vec3 n, vec3 l, vec3 v) {
   float in_cosine = max(dot(n, l), 0.0f);
   float out_cosine = max(dot(n, v), 0.0f);
@@ -107,7 +108,7 @@ FORMULA float irawan_layer(vec3 n, vec3 l, vec3 v) {
 
 FORMULA vec3 irawan_normal(float u, float turn) { return vec3(sin(turn), sin(u) * cos(turn), cos(u) * cos(turn)); }
 
-// The stripe of a twisted yarn: at each place along the float, where around the thread its fibres mirror.
+// Stripe of a twisted yarn: at each position along the float, the angle around the thread at which its fibres mirror.
 // psi: angle of the fibres to the thread; radii: of the thread, of the bend.
 FORMULA float irawan_staple(IrawanPoint p, float psi, vec2 radii, vec3 l, vec3 v) {
   vec3 sum = l + v;
@@ -129,7 +130,8 @@ FORMULA float irawan_staple(IrawanPoint p, float psi, vec2 radii, vec3 l, vec3 v
   return area * irawan_phase(l, v) * irawan_layer(n, l, v) * (2.0f * kIrawanBend / p.size.y) / stripe;
 }
 
-// The stripe of a yarn without twist: where along the float the fibres mirror, the same all around the thread.
+// Stripe of a yarn without twist: the position along the float at which the fibres mirror, the same all around the
+// thread.
 FORMULA float irawan_straight(IrawanPoint p, vec2 radii, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float u = atan(sum.y, sum.z);
@@ -152,7 +154,7 @@ FORMULA float irawan_specular(IrawanPoint p, float fibre_tan, vec3 l, vec3 v) {
   vec2 radii;
   radii.x = 0.5f * p.size.x;
   radii.y = max(0.5f * p.size.y / sin(kIrawanBend) - radii.x, 0.0f);
-  float sent = abs(fibre_tan) < kIrawanFilament ? irawan_straight(p, radii, to_light, to_eye)
+  float radiance = abs(fibre_tan) < kIrawanFilament ? irawan_straight(p, radii, to_light, to_eye)
                                                 : irawan_staple(p, -atan(fibre_tan), radii, to_light, to_eye);
-  return kIrawanGain * sent / max(v.z, 0.02f);
+  return kIrawanGain * radiance / max(v.z, 0.02f);
 }

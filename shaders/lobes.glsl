@@ -36,26 +36,26 @@ struct YarnLobes {
   vec3 slope_cov;      // covariance of the facets' slopes (xx, xy, yy), >= 0; x along the fibre
   vec3 f0;             // reflectance at normal incidence, 0..1
   float f90;           // reflectance at grazing incidence, 0..1
-  float fibre_layers;          // >= 1: reflectance of the layers of fibres over that of one, at normal incidence
-  vec3 body;           // share that comes back out of the body, 0..1
-  vec3 through;        // share that comes out behind; body + through <= 1
-  vec3 fuzz_colour;    // albedo of the fibres that stand off, 0..1
-  float fuzz;          // share of the area they cover, 0..1
+  float fibre_layers;  // >= 1: reflectance of the fibre layers over that of one layer, at normal incidence
+  vec3 body;           // albedo of the body, 0..1
+  vec3 through;        // transmitted fraction; body + through <= 1
+  vec3 fuzz_colour;    // albedo of the standing fibres, 0..1
+  float fuzz;          // fraction of the area that they cover, 0..1
   float fuzz_depth;    // their optical depth along the normal, > 0
 };
 
-// What one set of lobes has for all directions.
+// Direction-independent values of a set of lobes.
 struct LobeShared {
-  vec3 cov;            // slope_cov made safe
-  vec3 inverse;        // inverse of it (xx, xy, yy)
-  float peak;          // density of slopes at its mean
-  vec3 multiple;       // light scattered more than once: / (pi (1 - mean albedo))
-  vec3 recurring;      // its share of what single scattering loses
-  vec3 body_scale;     // 1 / (pi (1 - mean specular albedo))
-  vec3 mean_enters;    // 1 - mean specular albedo
+  vec3 cov;          // slope_cov clamped to a valid range
+  vec3 inverse;      // inverse of it (xx, xy, yy)
+  float peak;        // density of slopes at its mean
+  vec3 multiple;     // multiple scattering: / (pi (1 - mean albedo))
+  vec3 recurring;    // its fraction of the loss of single scattering
+  vec3 body_scale;   // 1 / (pi (1 - mean specular albedo))
+  vec3 mean_enters;  // 1 - mean specular albedo
 };
 
-// Where one direction lies in the tables.
+// Coordinates of a direction in the tables.
 struct LobeCoords {
   float mu;            // cosine, held above kMinCosine
   float area;          // projected area of the facets, over that of the plane's unit area
@@ -67,11 +67,11 @@ struct LobeCoords {
                        // plane seldom holds a principal axis
 };
 
-// What one set of lobes has for one direction.
+// Values of a set of lobes for one direction.
 struct LobeSide {
   float mu;            // cosine, held above kMinCosine
   float area;          // projected area of the facets, over that of the plane's unit area
-  float lost;          // 1 - albedo of single scattering
+  float loss;          // 1 - albedo of single scattering
   vec3 enters;         // 1 - albedo of the whole specular part
   float clear;         // transmittance of the fuzz
   vec4 fuzz;           // fuzz_table
@@ -106,22 +106,23 @@ FORMULA float spread_coordinate(float variance) {
   return s / (1.0f + s);
 }
 
-// Schlick's weight of the grazing reflectance for a pile of layers: of n that each reflect r the whole reflects
-// n r / (1 + (n - 1) r) (Stokes 1862). With Schlick's r that is f0 + (1 - f0) times this, exactly; pile: f0 over one
-// layer's. It rises sooner than one surface's.
+// Schlick's weight of the grazing reflectance for fibre layers: n layers that each reflect r reflect n r / (1 + (n -
+// 1) r) (Stokes 1862). With Schlick's r that is f0 + (1 - f0) times this, exactly; fibre_layers: f0 over one layer's.
+// It rises sooner than that of one surface.
 FORMULA float layered_grazing(float fibre_layers, float k) {
   float k2 = k * k;
   float q = k2 * k2 * k;
   return fibre_layers * q / (1.0f + (fibre_layers - 1.0f) * q);
 }
 
-// Mean of it over facets, of which one layer's mean is q: the weight bends down, so its mean is the less the more the
-// facets differ. spread2: squares of the coordinates of their slopes. Fitted to the white furnace, as are those below.
+// Its mean over facets with a single-layer mean q: the weight is concave, so its mean is smaller for more varied
+// facets. spread2: squared coordinates of their slopes. Fitted to the white furnace, as the next.
 FORMULA float layered_over_facets(float fibre_layers, float q, float spread2) {
   return fibre_layers * q / (1.0f + (fibre_layers - 1.0f) * q * (1.0f + 5.8f * spread2));
 }
 
-// The same over a hemisphere; spread: sum of the coordinates of the slopes, 0..2. Of flat facets exact to 1 percent.
+// Its mean over the hemisphere; spread: sum of the coordinates of the slopes, 0..2. Exact to 1 percent for flat
+// facets.
 FORMULA float layered_mean(float fibre_layers, float mean, float spread) {
   float l = log(fibre_layers);
   return min(mean * (1.0f + l * (0.6815f + 0.1847f * l) / (1.0f - 0.4f * spread)), 1.0f);
@@ -140,15 +141,15 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
   float major = half_sum + root;
   vec2 spread = vec2(spread_coordinate(major), spread_coordinate(det / major));
   vec2 mean = albedo_mean_table(spread.x, spread.y);
-  float lost = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
+  float loss = max(mean.x * half_sum / (1.0f + half_sum), 1.0e-7f);
   // Kulla, Conty 2017: facets that light meets again reflect with the mean Fresnel term. Differs: at least a
   // quarter leaves at a time, which keeps a coloured lobe of any roughness from turning black.
   vec3 f_mean = y.f0 + (y.f90 - y.f0) * layered_mean(y.fibre_layers, 1.0f / 21.0f, 0.0f);
-  float stays = min(lost, 0.75f);
+  float stays = min(loss, 0.75f);
   s.recurring = f_mean * f_mean * (1.0f - stays) / (1.0f - f_mean * stays);
-  s.multiple = s.recurring / (kPi * lost);
+  s.multiple = s.recurring / (kPi * loss);
   float mean_rise = layered_mean(y.fibre_layers, mean.y, spread.x + spread.y);
-  vec3 mean_albedo = y.f0 * (1.0f - lost) + (y.f90 - y.f0) * mean_rise + s.recurring * lost;
+  vec3 mean_albedo = y.f0 * (1.0f - loss) + (y.f90 - y.f0) * mean_rise + s.recurring * loss;
   s.mean_enters = max(1.0f - mean_albedo, vec3(2.0e-3f));
   s.body_scale = 1.0f / (kPi * s.mean_enters);
   return s;
@@ -175,16 +176,16 @@ FORMULA vec2 fuzz_coords(YarnLobes y, float mu) {
   return vec2(mu / (mu + depth), depth / (1.0f + depth));
 }
 
-// From what the tables hold at the place: x of `stored` the loss, y the cosine over the rim.
+// From the table values at the coordinates: x of `stored` is the loss, y the cosine over the rim.
 FORMULA LobeSide lobe_finish(YarnLobes y, LobeShared s, LobeCoords p, vec2 stored, vec4 fuzz) {
   LobeSide side;
   side.mu = p.mu;
   side.area = p.area;
-  side.lost = stored.x;
-  float k = max(1.0f - stored.y * p.rim, 0.0f);  // of the facets that are seen
+  side.loss = stored.x;
+  float k = max(1.0f - stored.y * p.rim, 0.0f);  // of the visible facets
   float k2 = k * k;
   float rise = layered_over_facets(y.fibre_layers, k2 * k2 * k, p.along * p.along + p.across * p.across);
-  vec3 specular = (y.f0 + (y.f90 - y.f0) * rise) * (1.0f - side.lost) + s.recurring * side.lost;
+  vec3 specular = (y.f0 + (y.f90 - y.f0) * rise) * (1.0f - side.loss) + s.recurring * side.loss;
   side.enters = max(1.0f - specular, vec3(0.0f));
   side.clear = 1.0f;
   side.fuzz = fuzz;
@@ -218,9 +219,9 @@ FORMULA vec3 lobe_specular(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, ve
   return (y.f0 + (y.f90 - y.f0) * layered_grazing(y.fibre_layers, k)) * (d * v);
 }
 
-// Light from wi leaves along wo, both above the surface.
+// Reflection from wi to wo, both above the surface.
 FORMULA vec3 lobe_reflect(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, vec3 wi, vec3 wo) {
-  vec3 base = lobe_specular(y, s, i, o, wi, wo) + s.multiple * (i.lost * o.lost)
+  vec3 base = lobe_specular(y, s, i, o, wi, wo) + s.multiple * (i.loss * o.loss)
             + y.body * s.body_scale * i.enters * o.enters;
   if (y.fuzz <= 0.0f) return base;
   float clear = i.clear * o.clear;
@@ -230,7 +231,7 @@ FORMULA vec3 lobe_reflect(YarnLobes y, LobeShared s, LobeSide i, LobeSide o, vec
   return base * (1.0f - y.fuzz * (1.0f - clear)) + fuzz * y.fuzz;
 }
 
-// Light from wi below leaves along wo above: i is the side of wi mirrored to above.
+// Transmission from wi below to wo above: i is the side of wi mirrored to above.
 FORMULA vec3 lobe_transmit(YarnLobes y, LobeShared s, LobeSide i, LobeSide o) {
   float clear = 1.0f - y.fuzz * (1.0f - i.clear * o.clear);
   return y.through * s.body_scale * i.enters * o.enters * clear;
@@ -248,7 +249,7 @@ FORMULA vec3 yarn_transmit(YarnLobes y, vec3 wi, vec3 wo) {
   return lobe_transmit(y, s, lobe_side(y, s, vec3(wi.x, wi.y, -wi.z)), lobe_side(y, s, wo));
 }
 
-// Share of a uniform sky's light that leaves along wo (by reflection).
+// Albedo: fraction of a uniform sky's light that leaves along wo (by reflection).
 FORMULA vec3 lobe_albedo(YarnLobes y, LobeShared s, LobeSide o) {
   vec3 base = 1.0f - o.enters + y.body * o.enters;
   vec3 veiled = base * (o.clear * o.fuzz.z)
@@ -301,7 +302,7 @@ FORMULA YarnLobes yarn_widen(YarnLobes y, vec3 cov) {
   return wide;
 }
 
-// Fits a half float, whatever the lobe and however small the light.
+// Clamps to the range of half floats.
 FORMULA vec3 half_safe(vec3 v) {
   return clamp(v, vec3(0.0f), vec3(65000.0f));
 }

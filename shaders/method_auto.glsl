@@ -1,6 +1,6 @@
-// SampledMethod `auto`: at each pixel the rungs that hold the tolerance at its footprint; two where one gives way to the
-// next. Those of no weight are not evaluated. METHODS: which the picture needs at all, by bits (yarn 1, cell 2,
-// repeat 4, cloth 8).
+// Method `auto`: at each pixel the method that meets the tolerance at its footprint, or two where they blend. Methods
+// without weight are not evaluated. METHODS: bit mask of those that the picture needs (yarn 1, cell 2, repeat 4, cloth
+// 8).
 
 #include "method_cell.glsl"
 #include "method_colors.glsl"
@@ -12,9 +12,9 @@ vec3 methods_color(vec4 weight) {
 }
 
 vec4 shade_auto(Side side, Lights x, Footprint f) {
-  float cover = cover_of(side, x, f);   // of the prefiltered rungs
+  float cover = cover_of(side, x, f);   // of the prefiltered methods
 #if defined(QUICK)
-  // While the view moves: one rung for the whole picture, the nearer of two.
+  // While the view moves: one method for the whole picture.
 #if (METHODS & 1) != 0
   return shade_yarn(side, x, f);
 #elif (METHODS & 2) != 0

@@ -1,18 +1,18 @@
-// SampledMethod `cell`: each system's mean facet in the footprint, its lobe widened by the spread of the normals, under
-// mean and spread of the horizon; shares of the systems by what the eye sees of them. Light from behind as it was measured:
-// mean facets say nothing of the few places that no other thread hides.
+// Method `cell`: each system's mean facet in the footprint, its lobe widened by the spread of the normals, with mean
+// and spread of the horizon; systems are weighted by their visible fraction. Light from behind is the measured
+// far-field response, since mean facets say nothing of the few points where light passes.
 
 Reflected system_reflected(Lights x, System system, SystemData data, vec3 fibre) {
   YarnLobes y = yarn_of(data.yarn, system_color(system.color, data));
   return facet_radiance(y, system.n, system.mean_length, fibre, vec3(system.variance.x, 0.0, system.variance.y), x.l, x.v);
 }
 
-// A system's measured answer to light from behind: between the nodes of the light, of the view the one before or the one
-// after by chance as it lies between them, which is one fetch.
+// A system's measured response to light from behind: interpolated over the light, dithered over the view, which is one
+// fetch.
 vec4 transmission_near(int system, vec3 l, vec3 v) {
   const float views = float(RESPONSE_VIEWS_AROUND);
   vec2 o = response_coord(v) * vec2(views, 1.0);
-  float turn = pass_turn();
+  float turn = pass_noise();
   vec2 node = floor(o + vec2(turn, fract(17.0 * turn)));
   vec2 at = transmission_coord(l) * vec2(float(TRANSMISSION_LIGHTS_AROUND), 1.0) + vec2(0.0, 4.0 * float(RESPONSE_ELEVATIONS) + float(system * TRANSMISSION_ELEVATIONS));
   float layer = node.y * views + (node.x > views - 0.5 ? 0.0 : node.x);
@@ -29,7 +29,7 @@ vec3 cell_light(Side side, Lights x, Footprint f) {
   SystemData weft_data = cloth.systems[side.face * 2 + 1];
   System warp = fetch_system(side, f, 0);
   System weft = fetch_system(side, f, 1);
-  vec2 open = thread_light(side, f, x.l);
+  vec2 open = thread_visibility(side, f, x.l);
   vec2 weight = vec2(warp.color.a, weft.color.a) / max(vec2(warp_data.coverage, weft_data.coverage), 1e-3);
   vec2 seen = visible_systems(side.face, x.v).fraction;
   weight *= 1.0 / (dot(weight, seen) + 1e-5);

@@ -1,2 +1,2 @@
-// SampledMethod `cloth`: the answer of the whole period; it stands beside that of `repeat`, whose tables it reads.
+// Method `cloth`: the far-field reflectance of the whole period. It is in method_repeat.glsl, whose tables it reads.
 #include "method_repeat.glsl"

@@ -1,5 +1,5 @@
-// SampledMethod `engine`: what an engine shows of the exported glTF set, from its mips: one averaged normal, roughness and direction
-// averaged as the images hold them, the fitted colours (core/light/engine_fit.h).
+// Method `engine`: what an engine shows of the exported glTF set, from its mips: one averaged normal, roughness and
+// direction averaged as the images are, the fitted colours (core/light/engine_fit.h).
 
 vec4 shade_engine(Side side, Lights x, Footprint f) {
   SystemData a = cloth.systems[side.face * 2];
@@ -12,7 +12,7 @@ vec4 shade_engine(Side side, Lights x, Footprint f) {
   vec3 n = normalize(warp.n * weight.x + weft.n * weight.y);
   vec4 lobe = fit.lobes[0] * weight.x + fit.lobes[1] * weight.y;
   vec4 body = fit.body[0] * weight.x + fit.body[1] * weight.y;
-  vec2 width = clamp(lobe.zw, vec2(0.0), vec2(1.0));  // of the line through what the images hold
+  vec2 width = clamp(lobe.zw, vec2(0.0), vec2(1.0));  // of the linear fit through the images
   float narrow = width.x * width.x;
   vec3 color = thread_color(side, warp.color, weft.color);
   float gain = 0.98 / max(side.face == 0 ? cloth.front_sky : cloth.back_sky, 0.1);
@@ -28,6 +28,6 @@ vec4 shade_engine(Side side, Lights x, Footprint f) {
   Reflected e = engine_radiance(m, lobe_frame(n, vec3(lobe.xy, 0.0)), x.l, x.v);
   vec3 mirrored = from_side(side, reflect(-x.v, n));
   vec3 light = x.key * e.key + (e.diffuse * sky_diffuse(from_side(side, n)) + e.glossy * sky_radiance(mirrored, 0.8, 0.45)) * side.sky;
-  // Opacity is the images': engines do not close gaps at a slant.
+  // Opacity is that of the images: engines do not close gaps at a slant.
   return vec4(light, cloth.open < 0.5 ? 1.0 : min(warp.color.a + weft.color.a, 1.0));
 }

@@ -1,4 +1,4 @@
-// SampledMethod `flat`: filtered thread colour under Lambert's law.
+// Method `flat`: filtered thread colour under Lambert's law.
 
 vec4 shade_flat(Side side, Lights x, Footprint f) {
   vec3 light = x.key * (max(x.l.z, 0.0) / 3.14159265) + sky_diffuse(side.n) * side.sky;

@@ -1,9 +1,9 @@
-// SampledMethod `irawan`: floats as curved cylinders, drawn from one place a pixel, unfiltered, as ray tracers draw it that
-// leave that to their samples; no thread shades another. A peer to measure by, not a rung of `auto`.
+// Method `irawan`: floats as curved cylinders, one sample a pixel, unfiltered, as ray tracers do that leave filtering
+// to their samples; without shadows between threads. A peer for comparison, not a method of `auto`.
 //
 // Based on: Irawan, Marschner 2012, "Specular reflection from woven cloth" (irawan.glsl).
-// Differs: a thread's fibres lean, and are as wide, as its yarn says; the sky, which the paper has not, lights the
-//   diffuse part alone.
+// Differs: twist and lobe width of a thread's fibres come from its yarn; the sky, which the paper does not have,
+// lights only the diffuse part.
 
 #include "thread_fetch.glsl"
 #include "irawan.glsl"

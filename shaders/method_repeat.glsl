@@ -1,8 +1,8 @@
-// Rungs `repeat` and `cloth`: the measured answer of each system (core/light/cloth_response.h). `repeat` weighs it by
-// the colour and cover of the footprint and leans it with the footprint's facets; `cloth` takes the means of the
-// period and so needs no map at all.
+// Methods `repeat` and `cloth`: the far-field response of each system (core/light/cloth_response.h). `repeat` weights
+// it by the colour and coverage of the footprint and corrects it by the footprint's facets; `cloth` uses the means of
+// the period and so needs no map at all.
 
-// Of the system's answer (table 0) or of how it leans (table 1), between the nodes.
+// The system's response (table 0) or its gradient (table 1), interpolated between nodes.
 vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 o = response_coord(v);
   const float views = float(RESPONSE_VIEWS_AROUND);
@@ -16,7 +16,7 @@ vec4 response_at(int table, int system, vec3 l, vec3 v) {
   vec2 t = o - cell;
   float layer = cell.y * views + cell.x;
   float next = cell.x > views - 1.5 ? cell.y * views : layer + 1.0;
-  // Over the half of the cell that it lies in, by three of its corners.
+  // Linear over the triangle of the cell that it lies in, from three of its corners.
   float corner = t.x + t.y < 1.0 ? layer : next + views;
   vec2 side = t.x + t.y < 1.0 ? t : 1.0 - t.yx;
   return textureLod(response_map, vec3(at, corner), 0.0) * (1.0 - side.x - side.y)
@@ -47,16 +47,16 @@ vec3 mixed_light(Side side, Lights x, Reflected m) {
 }
 
 // One system in the footprint.
-struct Local {
+struct LocalSystem {
   vec4 color;    // premultiplied by coverage
   vec4 facets;   // means of the unit normal's x, y and of their squares
-  float around;  // coverage of some eight yarns about each place, and more
+  float around;  // coverage of about eight yarns around
 };
 
-// Four samples a pixel: two by two in a square one, a row in a long one (zigzag between), each read where the mips are
-// about as wide as they lie apart. at: the pixel's middle, on the tile.
-Local fetch_local(Side s, Footprint f, int which, vec2 at) {
-  Local y;
+// Four samples a pixel: two by two in a square pixel, a row in a long one (a zigzag between), each at the mip level of
+// their spacing. at: the centre of the pixel, on the tile.
+LocalSystem fetch_local(Side s, Footprint f, int which, vec2 at) {
+  LocalSystem y;
   y.color = vec4(0.0);
   vec4 sum = vec4(0.0);
   vec2 texels = vec2(textureSize(color_map, 0).xy);
@@ -65,7 +65,7 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
   float squares = dot(x_side, x_side) / max(dot(y_side, y_side), 1e-12);
   vec2 longer = squares > 1.0 ? f.dx : f.dy;
   vec2 shorter = squares > 1.0 ? f.dy : f.dx;
-  float row = min(0.25 * abs(log2(max(squares, 1e-6))), 1.0);   // 1 where four times as long as wide
+  float row = min(0.25 * abs(log2(max(squares, 1e-6))), 1.0);   // 1 where the pixel is four times as long as wide
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
   float level = f.level - 1.0 - row;
@@ -76,15 +76,15 @@ Local fetch_local(Side s, Footprint f, int which, vec2 at) {
     y.color += 0.25 * textureLod(color_map, p, level);
     sum += 0.25 * textureLod(relief_map, p, level);
   }
-  // Mips of four yarns, read between texels.
+  // Mip level of four yarns, interpolated between texels.
   float wide = log2(4.0 * texels.x * cloth.spacing_mm / cloth.width_mm);
   y.around = wide > level ? textureLod(color_map, vec3(at, float(system)), floor(wide + 0.5)).a : y.color.a;
   y.facets = (sum + cloth.systems[system].facets * 0.004) / (y.color.a + 0.004);
   return y;
 }
 
-// A system's answer where its facets lie otherwise than its mean ones.
-Reflected local_radiance(Side side, Lights x, Local y, int which, vec2 slopes) {
+// A system's radiance, corrected by the facets of the footprint.
+Reflected local_radiance(Side side, Lights x, LocalSystem y, int which, vec2 slopes) {
   int system = side.face * 2 + which;
   SystemData data = cloth.systems[system];
   Reflected a = far_field_of(side, x, which, slopes, system_color(y.color, data));
@@ -94,10 +94,10 @@ Reflected local_radiance(Side side, Lights x, Local y, int which, vec2 slopes) {
 
 vec3 repeat_light(Side side, Lights x, Footprint f) {
   VisibleSystems seen = visible_systems(side.face, x.v);
-  // What stands above the middle plane is seen nearer to the eye than the pixel's place on it.
+  // Points above the middle plane appear nearer to the eye than the pixel's position on it.
   vec2 towards = x.v.xy / (x.v.z * vec2(cloth.width_mm, cloth.depth_mm));
-  Local warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
-  Local weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
+  LocalSystem warp = fetch_local(side, f, 0, f.at + towards * seen.height.x);
+  LocalSystem weft = fetch_local(side, f, 1, f.at + towards * seen.height.y);
   vec2 fraction = vec2(cloth.systems[side.face * 2].fraction, cloth.systems[side.face * 2 + 1].fraction);
   vec2 cover = vec2(cloth.systems[side.face * 2].coverage, cloth.systems[side.face * 2 + 1].coverage);
   vec2 relative = vec2(warp.color.a, weft.color.a) / max(cover, vec2(1e-3));

@@ -1,10 +1,10 @@
-// SampledMethod `vrst03`: thread texture times the average BRDF from two cube maps times the boolean shadow map of the
+// Method `vrst03`: thread texture times the average BRDF from two cube maps times the boolean shadow map of the
 // nearest of a few light directions.
 //
-// Based on: Adabala, Magnenat-Thalmann, Fei 2003, "Real-time rendering of woven clothes", section 3;
-//   Kautz, McCool 1999, "Interactive rendering with arbitrary BRDFs using separable approximations".
-// Differs: the texture enters over its mean, since the BRDF holds the threads' colours already; the sky, which
-//   the paper has not, lights the texture alone.
+// Based on: Adabala, Magnenat-Thalmann, Fei 2003, "Real-time rendering of woven clothes", section 3; Kautz, McCool
+// 1999, "Interactive rendering with arbitrary BRDFs using separable approximations".
+// Differs: the texture is divided by its mean, since the BRDF contains the threads' colours already; the sky, which
+// the paper does not have, lights the texture alone.
 
 #include "vrst03.glsl"
 

@@ -1,8 +1,8 @@
-// SampledMethod `yarn`: the threads themselves. Samples spread over the pixel follow the eye's ray to the thread that it
-// meets, take that thread's own frame, pattern and lobes, and follow a ray to the light; so threads hide and shade
-// each other as bodies do, light from behind comes through the thread alone, and gaps are where no thread is.
+// Method `yarn`: the threads themselves. Samples over the pixel follow the view ray to a thread, shade with its frame,
+// pattern and lobes, and follow a ray to the light; so threads mask and shadow each other, light from behind passes
+// through the thread alone, and gaps are where no thread is.
 //
-// Based on: Vogel 1979 (places on the light's disc); those in the pixel: lattice.glsl.
+// Based on: Vogel 1979 (points on the light's disc); those in the pixel: lattice.glsl.
 
 #include "thread_fetch.glsl"
 
@@ -19,22 +19,23 @@ struct YarnSums {
   vec3 key;
   vec3 diffuse;
   vec3 glossy;
-  vec3 diffuse_from;     // mean direction of the sky's light that each sends, times how much it sends
+  vec3 diffuse_from;     // mean direction of the sky light of each, times its amount
   vec3 glossy_from;
   float cover;
 };
 
-// Towards a point of the light's disc. own: 0 to 1, of the pixel, so that few samples leave grain and no false edge.
+// Direction to a point of the light's disc. own: 0 to 1, by pixel, so that few samples give noise instead of false
+// edges.
 vec3 light_sample(vec3 l, int i, float own) {
-  // Steps that agree with none of the lattices', or each side of the pixel would see one side of the light.
+  // Steps that differ from those of the lattices; otherwise each side of the pixel would see one side of the light.
   float r = sqrt(fract(0.56984029 * float(i) + 5.0 * own)) * current_light().w;
   float turn = 6.2831853 * (0.41421356 * float(i) + own);
   vec3 a = normalize(abs(l.z) < 0.9 ? cross(l, vec3(0.0, 0.0, 1.0)) : cross(l, vec3(1.0, 0.0, 0.0)));
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
 }
 
-// One sample at `at`, dx by dy large, all on the middle plane in mm; l: to a point of the light. It hides and shades by
-// that point alone; what the thread answers is of all the light's disc and of all the surface that the sample covers.
+// One sample at `at`, of size dx by dy, all on the middle plane in mm; l: to a point of the light. Masking and
+// shadowing are by that point alone; shading is over the whole disc of the light and the whole area of the sample.
 void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
@@ -59,8 +60,8 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2
   lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) * covered + vec3(disc, 0.0, disc));
   Reflected a = facet_radiance(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
   a.key *= texel.groove;
-  // Light from behind crosses this thread itself; every other one stops it. Where it falls on a side that hangs over, the
-  // thread may stand before itself, too: from a little above it.
+  // Light from behind first passes through this thread; every other one occludes it. On an overhanging side the thread
+  // may occlude itself, too, so the ray starts a little above it.
   bool side = l.z < 0.0 && dot(p.normal, l) > 0.0;
   vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
   if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread)) a.key = vec3(0.0);
@@ -75,7 +76,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2
   sums.glossy_from += mirrored_sky_direction(mirrored) * (a.glossy.r + a.glossy.g + a.glossy.b);
 }
 
-// Radiance of what is covered, and cover.
+// Radiance of the covered part, and coverage.
 vec4 shade_yarn(Side side, Lights x, Footprint f) {
   ThreadGrid g = thread_grid(side.face);
   int pass = int(frame.samples.x);
@@ -87,9 +88,9 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec2 dy = f.dy * g.period;
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   vec4 measured = view_table(side.face, 4, x.v);
-  float own = pixel_turn();
-  // Where pixels hold a good part of a yarn, equal samples would meet equal places of the weave in many of them. So many
-  // steps of R2 as spread them over the whole pixel, not along one line of it.
+  float own = pixel_noise();
+  // Where a pixel covers much of a yarn, equal samples would hit equal points of the weave in many pixels. So many
+  // steps of R2 spread them over the whole pixel instead of along a line.
   float turn = 64.0 * own * clamp(f.yarns * 4.0 - 1.0, 0.0, 1.0);
   int i = 0;
   do {

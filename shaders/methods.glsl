@@ -1,15 +1,17 @@
-// What a rung of the ladder makes of what was fetched for it: radiance towards the eye for a unit of the key
-// light's irradiance at right angles, and shares of the sky's light. GLSL 3.30 and C++20.
-// Frame: x along the weft, y along the warp, z the cloth's normal on the side that is seen.
+// Shading of the methods from what was fetched: radiance towards the eye for unit irradiance of the key light at
+// normal incidence, and reflected fractions of the sky. GLSL 3.30 and C++20.
+// Frame: x along the weft, y along the warp, z the cloth's normal on the visible side.
 //
 //   yarn    facet_radiance() of the thread on top
-//   cell    facet_radiance() of each system's mean facet, widened by the spread of its normals; key_far_field() from behind
-//   repeat  system_radiance() of each system, leaned with the facets at the place, by colour and share: mixed_radiance()
+//   cell    facet_radiance() of each system's mean facet, widened by the spread of its normals;
+//           key_far_field() for light from behind
+//   repeat  system_radiance() of each system, corrected by the local facets, weighted by colour and coverage:
+//           mixed_radiance()
 //   cloth   system_radiance() of each system with the means of the period
 //   engine  engine_radiance() of the averaged normal (engine.glsl)
 //
-// Based on: Dupuy et al. 2013 (moments of slopes); Westin, Arvo, Torrance 1992 (a table measured on small
-//   geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
+// Based on: Dupuy et al. 2013 (moments of slopes); Westin, Arvo, Torrance 1992 (a table measured on small geometry);
+// Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
 
 #include "interop.h"
 
@@ -18,31 +20,32 @@
 #endif
 
 struct Reflected {
-  vec3 key;      // for a unit of the key light's irradiance at right angles
-  vec3 diffuse;     // share of the sky's diffuse light
-  vec3 glossy;   // share of the sky as it is mirrored
+  vec3 key;      // radiance for unit irradiance of the key light at normal incidence
+  vec3 diffuse;  // diffusely reflected fraction of the sky's light
+  vec3 glossy;   // mirrored fraction of the sky's light
 };
 
-// Lobes of a yarn, or of a mean of yarns, on a thread of that colour.
+// Lobes of a yarn, or of a mean of yarns, on a thread of this colour.
 FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   YarnLobes y;
   vec3 body = color * data.body;
   y.slope_cov = vec3(data.along_width * data.along_width, 0.0f, data.across_width * data.across_width);
   y.f90 = data.specular;
   y.fibre_layers = data.fibre_layers;
-  // Half the way through the dye: the root of its colour; twice: the square. Between, in proportion.
+  // Half the path through the dye gives the square root of its colour, twice the path the square; interpolated
+  // between.
   vec3 root = sqrt(color);
   vec3 inner = color + max(data.inner_halvings, 0.0f) * (root - color) + min(data.inner_halvings, 0.0f) * (color - color * color);
   y.f0 = vec3(data.tint) * data.specular * mix(vec3(data.reflectance), inner, data.tint.w);
   y.body = body * (1.0f - data.transmission);
   y.through = body * data.transmission;
-  y.fuzz_colour = root;   // light leaves a lone fibre after fewer meetings with the dye
+  y.fuzz_colour = root;   // light leaves a single fibre after less absorption
   y.fuzz = data.fuzz;
   y.fuzz_depth = data.fuzz_depth;
   return y;
 }
 
-// Of an even sky all around.
+// Under a uniform sky.
 FORMULA Reflected facet_sky(YarnLobes y, LobeShared s, LobeSide o) {
   Reflected a;
   a.key = vec3(0.0f);
@@ -51,20 +54,20 @@ FORMULA Reflected facet_sky(YarnLobes y, LobeShared s, LobeSide o) {
   return a;
 }
 
-// Share of the sky, as a body sees it, that the threads around leave to a facet of normal n of a thread, and the mean
-// direction of it. Measured on threads of all kinds: what n leans away from above is hidden, wherever it lies.
+// Sky visibility of a facet with normal n among the surrounding threads, as a diffuse surface weights it, and the mean
+// direction of the visible sky. Fitted to threads of all kinds: what n turns away from is hidden.
 FORMULA float facet_sky_visibility(vec3 n) { return clamp(0.12f + 0.88f * n.z, 0.0f, 1.0f); }
 FORMULA vec3 facet_sky_direction(vec3 n) { return vec3(0.5f * n.x, 0.5f * n.y, 0.67f); }
 
-// The same of what is mirrored from around the direction r.
+// The same for light mirrored from around direction r.
 FORMULA float mirrored_sky_visibility(vec3 r) {
   float x = 0.5f + 0.5f * r.z;
   return x * x * (3.0f - 2.0f * x);
 }
 FORMULA vec3 mirrored_sky_direction(vec3 r) { return vec3(0.55f * r.x, 0.55f * r.y, 0.6f + 0.1f * r.z); }
 
-// Facets of mean normal n whose fibres run along `fibre`; cov: covariance of the unresolved slopes about n;
-// gather: length of the mean of their unit normals, by which they catch less light than one facet.
+// Facets with mean normal n whose fibres run along `fibre`; cov: covariance of the unresolved slopes about n;
+// mean_length: length of their mean normal, by which they receive less light than one facet.
 FORMULA Reflected facet_radiance(YarnLobes yarn, vec3 n, float mean_length, vec3 fibre, vec3 cov, vec3 l, vec3 v) {
   LobeFrame f = lobe_frame(n, fibre);
   YarnLobes y = yarn_widen(yarn, lobe_covariance(f, cov));
@@ -86,7 +89,7 @@ FORMULA vec2 response_coord(vec3 w) {
   return vec2(turn - floor(turn), sqrt(clamp(abs(w.z), 0.0f, 1.0f)) * float(RESPONSE_ELEVATIONS - 1));
 }
 
-// The same of light from behind, in the tables of such.
+// The same for light from behind, in its tables.
 FORMULA vec2 transmission_coord(vec3 l) {
   float turn = atan(l.y, l.x) * 0.15915494f;
   return vec2(turn - floor(turn), sqrt(clamp(1.0f - abs(l.z), 0.0f, 1.0f)) * float(TRANSMISSION_ELEVATIONS - 1));
@@ -95,26 +98,26 @@ FORMULA vec2 transmission_coord(vec3 l) {
 // Coordinate 0..1 of a slope in the tables of slopes.
 FORMULA float slope_coord(float slope) { return atan(slope) * 0.31830989f + 0.5f; }
 
-// Half vector's slopes along x and y.
+// Slopes of the half vector along x and y.
 FORMULA vec2 half_slopes(vec3 l, vec3 v) {
   float z = max(l.z + v.z, 1.0e-3f);
   return vec2((l.x + v.x) / z, (l.y + v.y) / z);
 }
 
-// Density of normals (1/sr) of facets whose slopes are h; slopes: densities of the angles of h.x and h.y.
+// Density of normals (1/sr) of facets with slopes h; slopes: densities of the angles of h.x and h.y.
 FORMULA float facet_density(vec2 slopes, vec2 h) {
   float secant2 = 1.0f + h.x * h.x + h.y * h.y;
   return slopes.x * slopes.y / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
 }
 
-// Density of facets that is added to that of a system wherever what it mirrors is held over it, or no number would tell
-// of light that few facets mirror.
+// Added to the density of facets wherever mirrored light is divided by it, so that light which few facets mirror stays
+// finite.
 const float kFacetDensityFloor = 0.01f;
 
-// By what fuzz and light scattered more than once are coloured.
+// Colour of fuzz and multiple scattering.
 FORMULA vec3 fuzz_tint(YarnLobes y) { return y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f); }
 
-// What system_radiance() makes of the key light; mirrors: density of the facets that mirror it, 1 of light from behind.
+// The key light in system_radiance(); mirrors: density of the facets that mirror it, 1 for light from behind.
 FORMULA vec3 key_far_field(YarnLobes y, vec4 reflected, float mirrors, vec3 l, vec3 v) {
   vec3 sum = l + v;
   float length2 = max(dot(sum, sum), 1.0e-6f);
@@ -124,9 +127,9 @@ FORMULA vec3 key_far_field(YarnLobes y, vec4 reflected, float mirrors, vec3 l, v
   return body * reflected.x + fresnel * (mirrors * reflected.y) + fuzz_tint(y) * reflected.z;
 }
 
-// One system of threads from afar. broad: its response (core/light/cloth_response.h); of light from behind
-// `behind` there; slopes: densities of the slope angles at half_slopes(); share: of the cover at normal
-// view; sky: its response to an even sky.
+// One thread system in the far field. reflected: its response (core/light/cloth_response.h), `transmitted` there for
+// light from behind; slopes: densities of the slope angles at half_slopes(); fraction: of the coverage at normal view;
+// sky: its response to a uniform sky.
 FORMULA Reflected system_radiance(YarnLobes y, vec4 reflected, vec2 slopes, float fraction, vec4 sky, vec3 l, vec3 v) {
   float mirrors = l.z > 0.0f ? facet_density(slopes, half_slopes(l, v)) * fraction + kFacetDensityFloor : 1.0f;
   Reflected a;
@@ -136,19 +139,19 @@ FORMULA Reflected system_radiance(YarnLobes y, vec4 reflected, vec2 slopes, floa
   return a;
 }
 
-// How much more than the mean a place sends: `lean` is the measured rise with each moment of its facets.
+// Local factor on the mean radiance from the facets there; gradient: measured by moment.
 FORMULA float gradient_factor(vec4 gradient, vec4 facets, vec4 mean_facets) {
   return max(1.0f + dot(gradient, facets - mean_facets), 0.0f);
 }
 
-// What is seen of a system where the cloth around shows `region` times its mean cover, over that cover: `rise` is
-// measured, of the share of what is seen with that cover, less 1. The fewer threads lie in the dips between the others.
-// Weighed by `region` it is linear, so that no mean changes.
+// Visible fraction of a system where the cloth around has `region` times its mean coverage, over that coverage. rise:
+// measured change of the visible fraction with that coverage, minus 1: the fewer threads lie in the valleys between
+// the others. Weighted by `region` it is linear, so that means stay.
 FORMULA float region_factor(float rise, float region) {
   return max(1.0f + rise * (1.0f - 1.0f / max(region, 0.2f)), 0.0f);
 }
 
-// Both systems, each with its local share of the cover over its mean (relative).
+// Both systems, weighted by their local coverage over the mean (relative) and their visible fraction (seen).
 FORMULA Reflected mixed_radiance(Reflected warp, Reflected weft, vec2 relative, vec2 seen) {
   float scale = 1.0f / max(relative.x * seen.x + relative.y * seen.y, 1.0e-4f);
   Reflected a;

@@ -1,6 +1,5 @@
-// GLSL only: the tables that lobes.glsl asks for, as textures (core/light/tables.h fills them).
-// Linear filter, clamped to the edge; a table of n entries holds coordinate 0 at the middle of its first
-// texel and 1 at the middle of its last.
+// GLSL only: the tables of lobes.glsl as textures (core/light/tables.h fills them). Linear filter, clamped to the
+// edge; a table of n entries has coordinate 0 at the centre of its first texel and 1 at the centre of its last.
 
 uniform sampler3D albedo_texture;       // RGBA float: opening, along, across
 uniform sampler2D albedo_mean_texture;  // RG float: major, minor

@@ -1,4 +1,4 @@
-// GLSL only: the threads as their map holds them (thread_records.glsl), for threads.glsl.
+// GLSL only: fetches the threads from their map (thread_records.glsl) for threads.glsl.
 
 uniform usampler2D thread_map;
 uniform sampler2DArray crossing_map;
@@ -33,7 +33,7 @@ ThreadGrid thread_layer(int layer, float side) { return grid_of(head_at(layer * 
 
 #include "threads.glsl"
 
-// Once a pixel, before all else here.
+// Call once a pixel, before everything else here.
 ThreadGrid thread_grid(int face) {
   threads_head = head_at(0);
   return grid_of(threads_head, face == 0 ? 1.0 : -1.0);
@@ -47,7 +47,7 @@ ThreadTexture thread_pattern(int system, int thread, float side) {
   return pattern_on(record_pattern(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3)), side);
 }
 
-// Lobes of a yarn on a thread of that colour.
+// Lobes of a yarn on a thread of this colour.
 YarnLobes thread_lobes(int yarn, vec3 color) {
   int i = threads_head.yarns + yarn * YARN_TEXELS;
   return yarn_of(record_yarn(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3)), color);

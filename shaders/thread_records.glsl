@@ -1,5 +1,5 @@
-// The threads as texels of four whole numbers each: how the records lie in them, and how each is taken out again.
-// GLSL 3.30 and C++20 (core/render_data/thread_block.h fills them from these same structs; interop.h has their sizes).
+// The threads as texels of four integers each: layout of the records, and unpacking. GLSL 3.30 and C++20
+// (core/render_data/thread_block.h fills them from these same structs; interop.h has their sizes).
 //
 //   a head for each layer; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the
 //   yarns' lobes
@@ -14,17 +14,17 @@
 
 struct ThreadHead {
   ivec2 count;          // ends, picks, of the layer
-  ivec2 first;          // of them
+  ivec2 first;          // index of its first end, first pick
   vec2 period;          // mm
   float spacing;        // mean of both systems, mm
-  float top;            // no thread is higher, mm
+  float top;            // upper bound of the threads, mm
   ivec2 threads;        // first texels of the ends' records, of the picks'
   ivec2 bins;           // of their bins
   int yarns;            // first texel of the yarns
-  int crossing_blocks;  // from one row of blocks of crossings to the next
-  vec2 even;            // the room of each thread where a system's are alike, else 0
-  float bottom;         // no thread is lower, mm
-  float reach;          // as high as the layer's weave is above its own middle plane, mm
+  int crossing_blocks;  // blocks of crossings in a row
+  vec2 even;            // common spacing of the threads of each system, 0 if they differ
+  float bottom;         // lower bound of the threads, mm
+  float reach;          // height of the layer's weave above its own middle plane, mm
   int layers;           // of the cloth
   int spare;
 };
@@ -57,17 +57,17 @@ FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {
 
 // One layer's threads, for rays (threads.glsl).
 struct ThreadGrid {
-  int layers;       // of the cloth
-  ivec2 count;      // ends, picks of the layer
-  ivec2 first;      // of them, among those of the cloth
+  int layers;   // of the cloth
+  ivec2 count;  // ends, picks of the layer
+  ivec2 first;  // index of the first ones in the cloth
   vec2 period;
-  float spacing;    // mean
-  float top;        // no thread is higher
-  float bottom;     // none lower
-  float reach;      // as high as its weave is above its own middle plane
-  float side;       // 1: the front; -1: the back, where heights turn over
-  vec2 even;        // the room of each thread where a system's are alike, else 0
-  ivec2 slubs;      // thick and thin places along an end, along a pick
+  float spacing;  // mean
+  float top;      // upper bound of the threads
+  float bottom;   // lower bound
+  float reach;    // height of its weave above its own middle plane
+  float side;     // 1: the front; -1: the back, where heights change sign
+  vec2 even;      // common spacing of the threads of each system, 0 if they differ
+  ivec2 slubs;    // thick and thin places along an end, along a pick
 };
 
 FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
@@ -88,17 +88,18 @@ FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
 
 // A thread's section; mm.
 struct ThreadSection {
-  float centre;         // across
-  float half_room;
-  float half_width;     // means of what swells
+  float centre;      // across
+  float half_room;   // half of the spacing
+  float half_width;  // means of an uneven thread
   float half_height;
-  float unevenness;          // spread of its thickness along it, over the mean
+  float unevenness;          // standard deviation of its thickness along it, over the mean
 };
 
 const float kRoundnessSteps = 262144.0f;   // of height over width, below 4
 const float kUnevennessSteps = 4095.0f;
 
-// From THREAD_BODY: centre, half its room and half width as they are; height over width and, below it, the swell.
+// From THREAD_BODY: centre, half spacing and half width as floats; height over width and, in the low bits, the
+// unevenness.
 FORMULA ThreadSection record_body(uvec4 a) {
   ThreadSection s;
   s.centre = uintBitsToFloat(a.x);
@@ -143,14 +144,14 @@ FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   return x;
 }
 
-// The same thread on the back: it is mapped as the front and seen mirrored, so its twist runs the other way there to
-// be the same in space. side: 1 front, -1 back.
+// The same thread on the back: that is mapped as the front and seen mirrored, so its twist is reversed, to be the same
+// in space. side: 1 front, -1 back.
 FORMULA ThreadTexture pattern_on(ThreadTexture x, float side) {
-  int hand = side < 0.0f ? -1 : 1;
-  x.advance *= hand;
+  int mirror = side < 0.0f ? -1 : 1;
+  x.advance *= mirror;
   x.fibre_tan *= side;
-  x.ply_advance *= hand;
-  x.stray_advance *= hand;
+  x.ply_advance *= mirror;
+  x.stray_advance *= mirror;
   return x;
 }
 

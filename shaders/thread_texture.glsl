@@ -10,41 +10,41 @@
 #define FORMULA
 #endif
 
-const float kStraySpacing = 2.5f;    // stray fibres are this much sparser than grooves around the thread
-const float kThreadTone = 0.05f;     // a thread is this much lighter or darker than its neighbours
-const float kFibreTone = 0.55f;      // contrasts at hairiness 1
+const float kStraySpacing = 2.5f;  // stray fibres are this much sparser around the thread than grooves
+const float kThreadTone = 0.05f;   // tone contrast between threads
+const float kFibreTone = 0.55f;    // contrasts at hairiness 1
 const float kStrayTone = 0.35f;
 const float kMelangeTone = 1.7f;     // contrasts at melange 1
 const float kMelangeThread = 0.12f;   // of threads and of stretches along them, at melange 1
 const float kTuftTone = 0.62f;       // of tufts, at melange 1
 const float kTuftHue = 1.5f;
-const float kStrayFraction = 0.35f;     // of the places for a stray fibre, at hairiness 1
-const float kWander = 1.3f;          // grooves, at hairiness 1
+const float kStrayFraction = 0.35f;  // of the slots for a stray fibre, at hairiness 1
+const float kWander = 1.3f;          // lateral wander of grooves, in grooves at hairiness 1
 const int kFibresABundle = 4;
 const float kTuft = 5.0f;            // bundles across a tuft of one colour
 const float kTuftNodes = 5.0f;       // nodes of the tone along it
 
-// What the texture of one thread needs, worked out once a thread.
+// Parameters of one thread's texture, computed once a thread.
 struct ThreadTexture {
-  float fibres;          // grooves once around
-  int advance;           // grooves that pass in one period along; sign: the hand of the twist
-  float fibre_tan;       // tangent of the angle from the axis to the fibre, towards +across
+  float fibres;     // grooves once around
+  int advance;      // grooves that pass in one period along; sign: direction of the twist
+  float fibre_tan;  // tangent of the angle from the axis to the fibre, towards +across
   int plies;
   int ply_advance;
   float ply_relief_mm;   // depth of the furrow between plies
   float phase;
   float ply_phase;
-  int singles;           // single fibres that pass in one period along; 0: without twist
-  int stray_advance;     // like advance, of the stray fibres that cross the others
-  int nodes;             // of the tone along one period
+  int singles;        // single fibres that pass in one period along; 0: no twist
+  int stray_advance;  // like advance, of the stray fibres
+  int nodes;          // of the tone along one period
   float depth;
   float hairiness;
   float radius_mm;
   uint seed;
-  float melange;         // how unlike neighbouring fibres are in colour
+  float melange;         // contrast of colour between neighbouring fibres
 };
 
-// Place on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length + wander).
+// Position on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length + wander).
 struct TexturePoint {
   float turn;            // in grooves
   float ply_turn;        // in plies
@@ -56,10 +56,10 @@ struct TexturePoint {
 };
 
 struct Texel {
-  float groove;          // factor, mean over the thread independent of fade
-  float tone;            // factor on the thread's colour, mean 1
-  float ply;             // -1..1 across a ply: 0 at its ridge
-  float hue;             // warmer above 0, cooler below; mean 0
+  float groove;  // factor; its mean over the thread does not depend on fade
+  float tone;    // factor on the thread's colour, mean 1
+  float ply;     // -1..1 across a ply: 0 at its ridge
+  float hue;     // warmer above 0, cooler below; mean 0
 };
 
 FORMULA uint mix_bits(uint a, uint b) {
@@ -78,10 +78,10 @@ FORMULA float fibre_value(uint seed, int fibre, int node) {
   return unit_of(mix_bits(seed + uint(fibre) * 0x632BE5ABu, uint(node)));
 }
 
-// Share of a pattern's contrast that is left when one sample spans `cycles` of it (0: all, 1: none).
+// Remaining contrast of a pattern when one sample spans `cycles` of it (0: full, 1: none).
 FORMULA float contrast_left(float cycles) { return clamp(1.5f - 2.0f * cycles, 0.0f, 1.0f); }
 
-// Grooves do not run quite straight: how far they are off at a place along, in grooves.
+// Lateral offset of a groove at a position along, in grooves.
 FORMULA float wander(ThreadTexture x, int node, float blend) {
   float b = blend * blend * (3.0f - 2.0f * blend);
   float here = unit_of(mix_bits(x.seed ^ 0x5bd1e995u, uint(node))) - 0.5f;
@@ -89,7 +89,7 @@ FORMULA float wander(ThreadTexture x, int node, float blend) {
   return kWander * x.hairiness * (here + b * (next - here));
 }
 
-// The place `share` (0..1) along the period and `turn` around the thread: 0 on its ridge, towards +across.
+// The point `along` (0..1) the period and `turn` around the thread: 0 on its ridge, towards +across.
 FORMULA TexturePoint texture_point(ThreadTexture x, float along, float turn, float cycles, float ply_fade) {
   TexturePoint p;
   float node = along * float(x.nodes);
@@ -103,8 +103,8 @@ FORMULA TexturePoint texture_point(ThreadTexture x, float along, float turn, flo
   return p;
 }
 
-// Fibres of unlike colours are never blended evenly: tufts of one colour lie along the twist, lighter or darker (x)
-// and, in what is dyed, warmer or cooler (y), some of them far more than the rest (neps).
+// Fibres of different colours are never blended uniformly: tufts of one colour lie along the twist, lighter or darker
+// (x) and, if dyed, warmer or cooler (y), some of them far more than the rest (neps).
 FORMULA vec2 tuft_values(uint seed, int tuft, int node) {
   uint h = mix_bits(seed + uint(tuft) * 0x632BE5ABu, uint(node));
   float tone = float(h & 1023u) / 511.5f - 1.0f;
@@ -112,24 +112,24 @@ FORMULA vec2 tuft_values(uint seed, int tuft, int node) {
   return (h >> 20) < 420u ? vec2(1.6f * tone, 2.0f * hue) : vec2(0.6f * tone, 0.35f * hue);
 }
 
-// Tone and hue of the tuft at a place, mean 0.
+// Tone and hue of the tuft at a point, mean 0.
 FORMULA vec2 tuft_at(ThreadTexture x, TexturePoint p) {
   int nodes = max(int(float(x.nodes) / kTuftNodes), 1);
   float along = (float(p.node) + p.blend) / float(x.nodes);
   int advance = int(floor(float(x.advance) / kTuft + 0.5f));
   float turn = (p.turn - float(x.advance) * along + x.phase) / kTuft + float(advance) * along;
   int tuft = int(floor(turn));
-  // Each tuft begins and ends at a place of its own, so that no line goes around the thread.
-  float place = along * float(nodes);
-  int node = min(int(place), nodes - 1);
+  // Tufts begin and end at different positions, so that no line goes around the thread.
+  float node_at = along * float(nodes);
+  int node = min(int(node_at), nodes - 1);
   bool wraps = node + 1 == nodes;
-  float b = clamp(place - float(node), 0.0f, 1.0f);
+  float b = clamp(node_at - float(node), 0.0f, 1.0f);
   vec2 here = tuft_values(x.seed ^ 0x1B873593u, tuft, node);
   vec2 next = tuft_values(x.seed ^ 0x1B873593u, wraps ? tuft - advance : tuft, wraps ? 0 : node + 1);
   return mix(here, next, b * b * (3.0f - 2.0f * b));
 }
 
-// What the pattern makes of the thread's colour: a factor. Grey has no hue to turn.
+// Factor of the pattern on the thread's colour. Grey has no hue to shift.
 FORMULA vec3 fibre_tint(Texel t, vec3 colour) {
   float most = max(colour.x, max(colour.y, colour.z));
   float least = min(colour.x, min(colour.y, colour.z));
@@ -137,7 +137,7 @@ FORMULA vec3 fibre_tint(Texel t, vec3 colour) {
   return t.tone * max(vec3(1.0f) + vec3(0.6f, 0.1f, -0.8f) * turned, vec3(0.1f));
 }
 
-// The colour of a place on a thread of that colour.
+// Colour of a point on a thread of this colour.
 FORMULA vec3 fibre_colour(Texel t, vec3 colour) { return min(colour * fibre_tint(t, colour), vec3(1.0f)); }
 
 FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
@@ -150,7 +150,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
   if (fade > 0.0f) {
     float turn = p.turn + x.phase;
     float fibre = floor(turn);
-    // Blended along; over the tile's border fibre k goes on as k - advance.
+    // Interpolated along; across the tile's border fibre k continues as k - advance.
     int k = int(fibre);
     bool wraps = p.node + 1 == x.nodes;
     float b = p.blend * p.blend * (3.0f - 2.0f * p.blend);
@@ -161,7 +161,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
     float across = 2.0f * (turn - fibre) - 1.0f;
     float groove = across * across * across * across;
     made.groove -= x.depth * fade * (groove * (1.0f + 1.6f * x.hairiness * tone) - 0.2f);
-    // A stray fibre: thin, light, over one node's length, thinning out to both ends.
+    // A stray fibre: thin, light, one node long, tapering to both ends.
     float stray_turn = p.stray_turn + x.phase;
     float stray_fibre = floor(stray_turn);
     float density = kStrayFraction * x.hairiness;
@@ -180,7 +180,7 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
       // The same fibre again after a period, so that the tile closes.
       int own = int(index);
       if (x.singles > 0) own -= int(floor(index / float(x.singles))) * x.singles;
-      float rounded_off = 2.0f * (single - index) - 1.0f;  // darker to its sides; square's mean 1/3
+      float rounded_off = 2.0f * (single - index) - 1.0f;  // darker towards its sides; the square's mean is 1/3
       float own_tone = fibre_value(x.seed ^ 0xC2B2AE35u, own, 0) - 0.5f;
       made.tone += fine * (0.06f + 0.3f * x.hairiness + 0.6f * x.melange) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
     }

@@ -1,52 +1,52 @@
-// Threads as bodies: elliptic sections, swept at right angles along centre lines that climb over each other, and
-// rays among them. GLSL 3.30 and C++20 (core/cloth/thread_scene.h). Cloth space: x along the weft, y along the
-// warp, z out of the face that is seen; millimetres. Systems: 0 warp, 1 weft.
+// Threads as bodies: elliptic sections swept at right angles along centre lines that pass over each other, and rays
+// among them. GLSL 3.30 and C++20 (core/cloth/thread_scene.h). Cloth space: x along the weft, y along the warp, z out
+// of the visible face; millimetres. Systems: 0 warp, 1 weft.
 //
-//   Crossing c = crossing_near(grid, at)           the two strands over and under a place
-//   ThreadHit h = first_thread(grid, at, v, span)  what a ray down against v meets
-//   thread_point(strand, ...)                      normal and axis there, place on the thread
-//   threads_block(grid, from, l, ...)              whether another thread stands before the light
+//   Crossing c = crossing_near(grid, at)           the two strands over and under a position
+//   ThreadHit h = first_thread(grid, at, v, span)  the first thread on a ray down against v
+//   thread_point(strand, ...)                      normal and axis there, position on the thread
+//   threads_block(grid, from, l, ...)              whether another thread occludes the light
 //
-// The host declares what it holds of the cloth:
+// The host declares the data of the cloth:
 //   ThreadSection thread_body(int system, int thread)
 //   int thread_bin(int system, int bin)            the first thread that reaches past the bin's start
 //   vec4 crossing_at(int end, int pick)            height and slope of the warp, of the weft
 //   ThreadGrid thread_layer(int i, float side)     the cloth's layer i: thread_records.glsl's grid_of()
-// and may define, where the cloth is such, so that what it does not need is not there (a renderer on the processor runs
-// both sides of a branch):
-//   EVEN_THREADS   the rooms of each system's threads are alike
+// and may define these where they hold for the cloth, so that unneeded code is left out (a software renderer runs both
+// sides of a branch):
+//   EVEN_THREADS   the threads of each system have the same spacing
 //   ONE_LAYER
-//   SMOOTH_YARNS   none of them swells along its length
+//   SMOOTH_YARNS   no thread is uneven along its length
 //
-// Loops ask at their end whether to go on: there one that asks first runs its body once more.
+// Loops test their condition at the end: a software renderer would run the body of one that tests first once more.
 //
-// Cloth of several layers has a grid for each; a place has one end and one pick of each layer over and under it.
+// A cloth of several layers has a grid for each; at a position each layer has one end and one pick.
 //
-// Based on: F. T. Peirce 1937 (crimp; the heights are core/cloth/centre_line.cpp's); Policarpo, Oliveira, Comba
-//   2005 (linear steps along a ray, then the secant). Differs: the shape is evaluated, not fetched from a map of
-//   heights, so that it is as sharp at any zoom and threads have an underside.
+// Based on: F. T. Peirce 1937 (crimp; the heights are core/cloth/centre_line.cpp's); Policarpo, Oliveira, Comba 2005
+// (linear steps along a ray, then the secant). Differs: the shape is evaluated, not fetched from a height map, so that
+// it is sharp at any zoom and threads have an underside.
 
 #include "thread_curve.glsl"
 
-// Steps of a ray in one crossing's cell: so many for a rise as high as the cloth is above its middle plane.
+// Steps of a ray in one crossing's cell, for a rise of the cloth's height above its middle plane.
 const float kStepsInTop = 5.0f;
 const int kMinStepsInCell = 4;
 const int kMaxStepsInCell = 10;
-// Where the nearest thread is further off than such a step, the ray goes so much of the distance, which strand_near()
-// gives short for a thread wider than high and roughly over a bend.
+// Where the nearest thread is further away than such a step, the ray advances this fraction of the distance.
+// strand_near() underestimates it for a thread wider than high, and is approximate over a bend.
 const float kSafe = 0.8f;
-const int kMaxHalvings = 24;   // among 2^24 threads
+const int kMaxHalvings = 24;   // for up to 2^24 threads
 const int kBinsAThread = 4;
 
 // One thread between two crossings.
 struct Strand {
   int thread;
-  float centre;     // across
-  vec2 thin;        // 1 over half width and half height, at the crossing
-  vec2 thinner;     // what they gain along, 1/mm, up to the next one
-  float half_height;   // mean, by which distances inside a section are measured
-  float start;      // along, at the crossing
-  float low;        // from the nearer of this crossing and the next on this side, along
+  float centre;       // across
+  vec2 thin;          // 1 over half width and half height, at the crossing
+  vec2 thinner;       // their change along, 1/mm, up to the next one
+  float half_height;  // mean: unit of distances inside a section
+  float start;        // along, at the crossing
+  float low;          // bounds of this crossing and the next on this side, along
   float high;
   vec4 curve;       // of the centre line
 };
@@ -54,46 +54,47 @@ struct Strand {
 struct Crossing {
   Strand warp;
   Strand weft;
-  vec2 low;         // both strands hold between these places
+  vec2 low;         // both strands are valid between these positions
   vec2 high;
 };
 
 FORMULA vec3 strand_curve(Strand s, float along) {
-  // Beyond its ends it goes on straight: a cubic would run away there.
+  // Beyond its ends it continues straight: a cubic would diverge there.
   float held = clamp(along, s.low, s.high);
   vec3 c = cubic_at(s.curve, held - s.start);
   return vec3(c.x + c.y * (along - held), c.y, held == along ? c.z : 0.0f);
 }
 
-// 1 over half width and half height at a place along.
+// 1 over half width and half height at a position along.
 FORMULA vec2 strand_thin(Strand s, float along) {
   return s.thin + s.thinner * (clamp(along, s.low, s.high) - s.start);
 }
 
-// Where a point lies in the section of a thread that holds it: x, y on the section, 1 long on the ellipse; z the
-// section's place along. Sections stand at right angles to the centre line, so over a slope the one that holds a
-// point stands further along: the foot of the perpendicular, by Newton's steps.
+// Coordinates of a point in the section of a thread that contains it: x, y on the section, of length 1 on the ellipse;
+// z the section's position along. Sections are perpendicular to the centre line, so over a slope the one that contains
+// a point lies further along: the foot of the perpendicular, by Newton steps.
 FORMULA vec3 section_coords(Strand s, float across, float along, float z) {
-  float place = along;
-  vec3 c = strand_curve(s, place);
+  float foot = along;
+  vec3 c = strand_curve(s, foot);
   for (int k = 0; k < 2; ++k) {
     float square = 1.0f + c.y * c.y;
-    // Held back where sections meet inside a bend.
-    place += (along - place + (z - c.x) * c.y) / max(square - (z - c.x) * c.z, 0.5f * square);
-    c = strand_curve(s, place);
+    // Limited where sections meet inside a bend.
+    foot += (along - foot + (z - c.x) * c.y) / max(square - (z - c.x) * c.z, 0.5f * square);
+    c = strand_curve(s, foot);
   }
-  float up = ((z - c.x) - (along - place) * c.y) * inversesqrt(1.0f + c.y * c.y);
-  vec2 thin = strand_thin(s, place);
-  return vec3((across - s.centre) * thin.x, up * thin.y, place);
+  float up = ((z - c.x) - (along - foot) * c.y) * inversesqrt(1.0f + c.y * c.y);
+  vec2 thin = strand_thin(s, foot);
+  return vec3((across - s.centre) * thin.x, up * thin.y, foot);
 }
 
-// Below 0 inside the thread; a length.
+// Signed distance in mm, negative inside the thread.
 FORMULA float strand_distance(Strand s, float across, float along, float z) {
   vec3 p = section_coords(s, across, along, z);
   return (sqrt(p.x * p.x + p.y * p.y) - 1.0f) * s.half_height;
 }
 
-// Highest point of the thread over a place, `steps` closer than of a straight one; far below where it is not.
+// Highest point of the thread over a position, refined in `steps` from that of a straight one; far below if it is not
+// there.
 FORMULA float strand_top(Strand s, float across, float along, int steps) {
   vec2 thin = strand_thin(s, along);
   float x = (across - s.centre) * thin.x;
@@ -106,34 +107,34 @@ FORMULA float strand_top(Strand s, float across, float along, int steps) {
   return z;
 }
 
-// Much the same, cheaper, for the steps of a ray: one step towards the foot.
+// An approximation of strand_distance() for the steps of a ray: one step towards the foot.
 FORMULA float strand_near(Strand s, float across, float along, float z) {
   vec3 c = strand_curve(s, along);
-  float place = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
-  c = strand_curve(s, place);
+  float foot = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
+  c = strand_curve(s, foot);
   vec2 thin = strand_thin(s, along);
   float x = (across - s.centre) * thin.x;
-  float y = ((z - c.x) - (along - place) * c.y) * thin.y;
+  float y = ((z - c.x) - (along - foot) * c.y) * thin.y;
   return (sqrt(x * x + y * y / (1.0f + c.y * c.y)) - 1.0f) * s.half_height;
 }
 
-// The first thread that reaches past a place of 0..period.
-FORMULA int thread_at(ThreadGrid g, int system, float place) {
+// The first thread that reaches past a position of 0..period.
+FORMULA int thread_at(ThreadGrid g, int system, float at) {
   int first = g.first[system];
 #if defined(EVEN_THREADS)
-  return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
+  return first + clamp(int(at / g.even[system]), 0, g.count[system] - 1);
 #else
-  if (g.even[system] > 0.0f) return first + clamp(int(place / g.even[system]), 0, g.count[system] - 1);
+  if (g.even[system] > 0.0f) return first + clamp(int(at / g.even[system]), 0, g.count[system] - 1);
   int bins = g.count[system] * kBinsAThread;
-  int bin = clamp(int(place / g.period[system] * float(bins)), 0, bins - 1);
+  int bin = clamp(int(at / g.period[system] * float(bins)), 0, bins - 1);
   int thread = thread_bin(system, first * kBinsAThread + bin);
   int last = bin + 1 < bins ? thread_bin(system, first * kBinsAThread + bin + 1) : first + g.count[system] - 1;
-  // Most bins hold one border at most; those of the finest threads among coarse ones, thousands.
+  // Most bins contain one border at most; those of very fine threads among coarse ones contain thousands.
   int k = 0;
   do {
     int middle = (thread + last) / 2;
     ThreadSection body = thread_body(system, middle);
-    if (body.centre + body.half_room > place) last = middle;
+    if (body.centre + body.half_room > at) last = middle;
     else thread = min(middle + 1, last);
     ++k;
   } while (k < kMaxHalvings && thread < last);
@@ -168,7 +169,7 @@ FORMULA Strand strand_of(int thread, ThreadSection body, vec2 thin, vec2 next_th
   return s;
 }
 
-// A thread's neighbour: its index in x; the place of its centre, which may lie in the next period, in y.
+// A thread's neighbour: its index in x; the position of its centre, which may lie in the next period, in y.
 FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
   int n = g.count[system];
   int first = g.first[system];
@@ -240,7 +241,7 @@ FORMULA ThreadHit hit_of(Crossing c, vec3 p, vec2 d) {
   return hit;
 }
 
-// Straight down, or nearly: the higher of both strands over the place.
+// Vertical view, or nearly: the higher of both strands over the position.
 FORMULA ThreadHit thread_below(ThreadGrid g, vec2 at, vec2 lean) {
   Crossing c;
   vec3 p = vec3(at, 0.0f);
@@ -248,7 +249,7 @@ FORMULA ThreadHit thread_below(ThreadGrid g, vec2 at, vec2 lean) {
   float weft = 0.0f;
   for (int k = 0; k < 2; ++k) {
     c = crossing_near(g, vec2(p.x, p.y));
-    // Roughly at first: a ray so steep hardly moves.
+    // Approximate at first: a ray this steep hardly moves.
     warp = strand_top(c.warp, p.x, p.y, 2 * k);
     weft = strand_top(c.weft, p.y, p.x, 2 * k);
     float z = max(max(warp, weft), g.bottom);
@@ -259,8 +260,8 @@ FORMULA ThreadHit thread_below(ThreadGrid g, vec2 at, vec2 lean) {
   return hit;
 }
 
-// A ray in the cloth as heights: at height z it is over at + lean * z. Where it leaves a crossing's cell on its way
-// down (way -1) or up (way 1).
+// A ray parametrised by height: at height z it is over at + lean * z. Returns where it leaves a crossing's cell on its
+// way down (way -1) or up (way 1).
 FORMULA float cell_exit(Crossing c, vec2 at, vec2 lean, float way) {
   vec2 run = lean * way;
   float x = abs(lean.x) < 1.0e-6f ? 1.0e9f : ((run.x < 0.0f ? c.low.x : c.high.x) - at.x) / lean.x * way;
@@ -268,7 +269,7 @@ FORMULA float cell_exit(Crossing c, vec2 at, vec2 lean, float way) {
   return min(x, y) * way;
 }
 
-// The least step of a ray in a cell: a cord's crossing is many times as high as a fine thread over it is thick.
+// Smallest step of a ray in a cell: a cord's crossing is many times as high as a fine thread over it is thick.
 FORMULA float step_in_cell(ThreadGrid g, Crossing c, float rise) {
   float most = float(kMaxStepsInCell);
   if (g.layers > 1) most *= max(0.5f * (g.top - g.bottom) / g.reach, 1.0f);
@@ -287,7 +288,7 @@ FORMULA vec3 surface_between(ThreadHit h, vec2 at, vec2 lean, float high, float 
     float z = low + (high - low) * clamp(-under / max(above - under, 1.0e-6f), 0.02f, 0.98f);
     p = vec3(at + lean * z, z);
     float now = distance_to(h, p);
-    // The side that stays counts half from then on (Illinois), or it would hold the other back.
+    // The end that stays is halved from then on (Illinois), or it would slow down convergence.
     if (now < 0.0f) {
       low = z;
       under = now;
@@ -301,8 +302,8 @@ FORMULA vec3 surface_between(ThreadHit h, vec2 at, vec2 lean, float high, float 
   return p;
 }
 
-// It goes from cell to cell, since fetching a crossing costs more than the steps in it, and looks for the surface
-// last, so that rays side by side do so together.
+// Walks from cell to cell, since fetching a crossing costs more than the steps in it, and refines the hit last, so
+// that neighbouring rays do so together.
 FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   float slant = length(lean);
   if (most == 0 || (g.top - g.bottom) * slant < 0.06f * g.spacing) return thread_below(g, at, lean);
@@ -336,8 +337,8 @@ FORMULA ThreadHit first_in_layer(ThreadGrid g, vec2 at, vec2 lean, int most) {
   return hit;
 }
 
-// First thread on the ray that crosses the middle plane at `at`, coming from v. most: cells at the most; 0 asks
-// for the thread straight below.
+// First thread on the ray that crosses the middle plane at `at`, from direction v. most: largest number of cells; 0
+// asks for the thread straight below.
 FORMULA ThreadHit first_thread(ThreadGrid g, vec2 at, vec3 v, int most) {
   vec2 lean = vec2(v.x, v.y) / max(v.z, 0.04f);   // for a height of 1
   ThreadHit hit = first_in_layer(g, at, lean, most);
@@ -360,7 +361,7 @@ FORMULA bool layer_blocks(ThreadGrid g, vec3 from, vec3 l, int most, int system,
   float safe = kSafe * inversesqrt(1.0f + dot(lean, lean));
   float last = way > 0.0f ? g.top : -g.bottom;
   float z = way * from.z;   // grows towards the light
-  // A layer that the light reaches later.
+  // A layer further along the ray.
   if (g.layers > 1) z = max(z, way > 0.0f ? g.bottom : -g.top);
   bool blocked = false;
   int i = 0;
@@ -382,8 +383,8 @@ FORMULA bool layer_blocks(ThreadGrid g, vec3 from, vec3 l, int most, int system,
   return blocked;
 }
 
-// Whether a thread stands between a point and a light far away, on either side of the cloth; most: cells at the most.
-// The thread that the point is on does not count: it bends too little to stand before itself. system -1: all do.
+// Whether a thread occludes a distant light, on either side of the cloth; most: largest number of cells. The point's
+// own thread does not count, since it bends too little to occlude itself. system -1: all threads count.
 FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system, int thread) {
   bool blocked = layer_blocks(g, from, l, most, system, thread);
 #if !defined(ONE_LAYER)
@@ -394,14 +395,14 @@ FORMULA bool threads_block(ThreadGrid g, vec3 from, vec3 l, int most, int system
   return blocked;
 }
 
-// A place on a thread, in the cloth's axes.
+// A point on a thread, in the cloth's axes.
 struct ThreadPoint {
   vec3 normal;
   vec3 axis;
-  vec3 around;      // along the section, towards +across
-  float turn;       // around the thread: 0 on its ridge, a quarter towards +across
-  float along;      // of the section
-  vec2 bend;        // curvature along the axis and around the thread, 1/mm
+  vec3 around;  // along the section, towards +across
+  float turn;   // around the thread: 0 on its ridge, a quarter towards +across
+  float along;  // position of the section
+  vec2 bend;    // curvature along the axis and around the thread, 1/mm
 };
 
 FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
@@ -432,8 +433,8 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   return t;
 }
 
-// Variances of the slopes of the surface that a sample covers, along the fibre (tan_fibre: its tangent to the axis),
-// between both, across it. dx, dy: sides of the sample on the middle plane, seen along v.
+// Variances of the slopes of the surface within a sample: along the fibre (tan_fibre: its tangent to the axis), mixed,
+// across it. dx, dy: sides of the sample on the middle plane, seen along v.
 FORMULA vec3 slope_spread(ThreadPoint t, float tan_fibre, vec3 v, vec2 dx, vec2 dy) {
   const float kMax = 0.25f;   // all that is seen of a round thread
   float scale = 1.0f / max(dot(t.normal, v), 0.25f);
@@ -441,7 +442,7 @@ FORMULA vec3 slope_spread(ThreadPoint t, float tan_fibre, vec3 v, vec2 dx, vec2 
   vec3 b = vec3(dy, 0.0f) - v * (dot(vec2(t.normal.x, t.normal.y), dy) * scale);
   vec2 along = vec2(dot(a, t.axis), dot(b, t.axis)) * t.bend.x;
   vec2 around = vec2(dot(a, t.around), dot(b, t.around)) * t.bend.y;
-  // Of a box of width 1 the variance is 1/12.
+  // The variance of a box of width 1 is 1/12.
   float x = min(dot(along, along) / 12.0f, kMax);
   float y = min(dot(around, around) / 12.0f, kMax);
   float square = 1.0f / (1.0f + tan_fibre * tan_fibre);
@@ -449,7 +450,7 @@ FORMULA vec3 slope_spread(ThreadPoint t, float tan_fibre, vec3 v, vec2 dx, vec2 
   return vec3(x + turned * y, tan_fibre * (y - x), turned * x + y) * square;
 }
 
-// Normal between plies. ply: Texel.ply; length: the thread's period.
+// Normal with the relief of plies. ply: Texel.ply; length_mm: the thread's period.
 FORMULA vec3 ply_normal(ThreadPoint t, ThreadTexture x, float ply, float length_mm) {
   float slant = 4.0f * x.ply_relief_mm * ply;
   return normalize(t.normal + t.around * (slant * float(x.plies) / (6.2831853f * x.radius_mm))

@@ -1,15 +1,15 @@
 // Tone mapping: scene-linear to display-linear, 0..1. GLSL 3.30 and C++20.
 //
-// Based on: Khronos PBR Neutral tone mapper 2024. Chosen because below its shoulder a colour leaves as it
-// came: the thread that a weaver picked keeps its colour, and only highlights are pressed and paled.
+// Based on: Khronos PBR Neutral tone mapper 2024. Chosen because it keeps colours below its shoulder: a thread has the
+// colour that the weaver picked, and only highlights are compressed and desaturated.
 
 #ifndef FORMULA
 #define FORMULA
 #endif
 
 FORMULA vec3 tone_map(vec3 c) {
-  const float kShoulder = 0.76f;   // display value where the compression begins
-  const float kPaling = 0.15f;     // how fast highlights lose their colour
+  const float kShoulder = 0.76f;  // display value where the compression begins
+  const float kPaling = 0.15f;    // desaturation rate of highlights
   float low = min(c.r, min(c.g, c.b));
   float toe = low < 0.08f ? low - 6.25f * low * low : 0.04f;
   c -= toe;

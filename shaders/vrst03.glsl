@@ -15,7 +15,7 @@
 #endif
 
 struct Vrst03 {
-  float f_warp;        // shares of the surface, f_warp + f_weft = 1
+  float f_warp;        // fractions of the surface, f_warp + f_weft = 1
   float f_weft;
   float sigma_warp;    // width of the Gaussian along the thread
   float sigma_weft;
@@ -39,7 +39,7 @@ FORMULA float vrst03_p(Vrst03 b, vec3 h) {
        + b.f_weft * vrst03_thread(h.x / z, b.sigma_weft, b.c_weft);
 }
 
-// Fresnel reflectance (Schlick 1994) whose colour goes from the warp's to the weft's at grazing.
+// Fresnel reflectance (Schlick 1994); its colour changes from the warp's to the weft's towards grazing.
 FORMULA vec3 vrst03_fresnel(Vrst03 b, vec3 wi, vec3 wo) {
   vec3 sum = wi + wo;
   float k = max(1.0f - 0.5f * length(sum), 0.0f);

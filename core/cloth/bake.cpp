@@ -1,4 +1,4 @@
-// Samples of the surface averaged into the texels of the maps, then horizons and occlusion.
+// Averages surface samples into the texels of the maps, then bakes horizons and occlusion.
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kBandRows = 32;
 constexpr int kLargestMap = 16384, kLargestWhole = 1 << 22, kMaxAzimuths = 64;
-// Threads further away than this many spacings are taken not to stand above nearer ones.
+// Threads further than this many spacings away are taken to cast no shadow over nearer ones.
 constexpr float kShadowReach = 4.0f;
 
-/// Average of the samples of one texel, weighted by what they cover.
+/// Mean of the samples of one texel, weighted by their coverage.
 class TexelSum {
  public:
   void add(const SurfaceSample& s) {
@@ -30,7 +30,7 @@ class TexelSum {
     side.x += w * s.tangent.x, side.y += w * s.tangent.y, side.z += w * s.tangent.z;
     if (w > side.best) side.best = w, side.thread = s.thread;
   }
-  /// Of a texel of so many samples; `ground` is any of them, for a texel that nothing covers.
+  /// Mean over `samples` samples; `ground` is any of them, for a texel without coverage.
   SurfaceSample mean(const SurfaceSample& ground, int samples) const {
     if (cover_ <= 0.0f) return ground;
     const float k = 1.0f / cover_;
@@ -56,7 +56,7 @@ class TexelSum {
   Side sides_[2];
 };
 
-/// All but the height.
+/// Writes everything but the height.
 void put(Maps& m, int x, int y, const SurfaceSample& s) {
   m.coverage.at(x, y) = s.cover;
   m.colour.at(x, y) = s.colour;
@@ -115,7 +115,7 @@ Maps empty_maps(int w, int h, const MapsSize& size) {
   Maps m;
   m.azimuths = std::clamp(size.azimuths, 0, kMaxAzimuths);
   m.horizon.resize(static_cast<size_t>(m.azimuths));
-  // Filling the planes touches more memory than it computes: spread it too.
+  // Filling the planes is bound by memory, so it runs in parallel too.
   const auto make = [&](int i) {
     switch (i) {
       case 0:
@@ -148,7 +148,7 @@ Maps empty_maps(int w, int h, const MapsSize& size) {
   return m;
 }
 
-/// What must be known of the heights for the horizons of a window: cut to one period.
+/// The heights that the horizons of a window depend on, cut to one period.
 TexelRect field_around(const TexelRect& window, const std::vector<Sweep>& sweeps, int w, int h) {
   int x = 0, y = 0;
   for (const Sweep& s : sweeps) {
@@ -162,7 +162,7 @@ TexelRect field_around(const TexelRect& window, const std::vector<Sweep>& sweeps
   return field;
 }
 
-/// A window cut out of a field; both in texels of a period of w x h.
+/// Cuts a window out of a field; both are in texels of a period of w x h.
 template <class T>
 Plane<T> cut_out(Plane<T> field, const TexelRect& at, const TexelRect& window, int w, int h) {
   if (field.width == width_of(window) && field.height == height_of(window) && at.x0 == window.x0 && at.y0 == window.y0)
@@ -176,7 +176,7 @@ Plane<T> cut_out(Plane<T> field, const TexelRect& at, const TexelRect& window, i
   return out;
 }
 
-/// Heights of the field, and all else of the window into `maps`.
+/// Returns the heights of the field and bakes everything else of the window into `maps`.
 Plane<float> bake_field(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& field,
                         const TexelRect& window, int threads) {
   const int w = grid.width, h = grid.height;

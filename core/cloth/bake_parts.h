@@ -1,5 +1,5 @@
 #pragma once
-// What baking the whole and baking again in parts have in common.
+// Shared by baking whole maps and by rebaking parts of them.
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ inline int wrap(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
-/// A run of an axis that may leave 0..n, as pieces inside it.
+/// The range [from, to) of a periodic axis of n, as pieces inside 0..n.
 inline std::vector<std::pair<int, int>> pieces(int from, int to, int n) {
   if (to - from >= n) return {{0, n}};
   const int a = wrap(from, n), b = a + (to - from);
@@ -34,11 +34,11 @@ inline std::vector<TexelRect> pieces(const TexelRect& r, int width, int height) 
   return out;
 }
 
-/// All but horizons and occlusion, at the texels of a rectangle inside the maps of a whole period.
+/// Bakes everything but horizons and occlusion at the texels of a rectangle inside whole-period maps.
 void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r);
-/// Sweep number k over a period of so many texels.
+/// Sweep k of `azimuths`, over a period of width x height texels.
 Sweep sweep_of(const Cloth& cloth, int width, int height, int azimuths, int k);
-/// Cosine-weighted share of the sky above the horizons.
+/// Cosine-weighted fraction of the sky above the horizons.
 void bake_occlusion(Maps& maps, const TexelRect& r);
 
 }  // namespace weftlight::cloth

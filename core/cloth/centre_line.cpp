@@ -19,13 +19,13 @@
 namespace weftlight::cloth {
 namespace {
 
-// A float that nothing holds down rises at most this share of its thickness in an open cloth; touching
-// neighbours hold it (no source; by eye against macro photographs of satin).
+// An unconstrained float rises by at most this fraction of its thickness in an open cloth; touching neighbours hold it
+// down (no source; by eye against macro photographs of satin).
 constexpr float kRise = 0.36f;
 constexpr float kHeldByNeighbours = 0.45f;
-constexpr float kTension = 0.75f;  // 1: Catmull and Rom's; less: a stiffer pull, less bulge
-// Share of the crimp that the stiffer system keeps at least. Small: a thick thread cannot bend about fine ones that
-// lie closer than its own radius.
+constexpr float kTension = 0.75f;  // 1: Catmull and Rom's spline; smaller values bulge less
+// Least fraction of the crimp that the stiffer system takes. Small, since a thick thread cannot bend around fine ones
+// that lie closer than its own radius.
 constexpr float kMinCrimpFraction = 0.02f;
 
 int wrap(int i, int n) {
@@ -33,8 +33,8 @@ int wrap(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
-/// How far a float rises at a crossing with `before` and `after` more crossings to its ends: 0 for a
-/// float of one, 1 far from the ends.
+/// Relative rise of a float at a crossing with `before` and `after` more crossings to its ends: 0 for a float of one,
+/// 1 far from the ends.
 float rise_of(int before, int after) {
   const float a = static_cast<float>(before) + 0.5f, b = static_cast<float>(after) + 0.5f;
   return 1.0f - std::exp(-1.1f * (a * b / (a + b) - 0.25f));
@@ -57,8 +57,8 @@ struct ThreadFacts {
   float height = 0, stiffness = 0, rise = 0;
 };
 
-/// Bending stiffness over span cubed, with stiffness as diameter squared: the fibres of a spun yarn
-/// slide (for a solid rod it would be the fourth power).
+/// Bending stiffness over span cubed. Stiffness goes with the diameter squared, since the fibres of a spun yarn slide;
+/// for a solid rod it would be the fourth power.
 std::vector<ThreadFacts> facts(const std::vector<ThreadBody>& threads, int first, int last, float span_mm) {
   std::vector<ThreadFacts> out;
   for (int i = first; i < last; ++i) {
@@ -70,7 +70,7 @@ std::vector<ThreadFacts> facts(const std::vector<ThreadBody>& threads, int first
   return out;
 }
 
-/// Cells of the window grown by the reach on all sides, one byte each, wrapped.
+/// Cells of the window, padded by kFloatReach on all sides and wrapped, one byte each.
 struct Cells {
   int rows = 0, cols = 0;
   std::vector<uint8_t> up;
@@ -97,7 +97,7 @@ struct Cells {
   }
 };
 
-/// Of a layer among others.
+/// Adds the levels of a layer of a multi-layer cloth.
 void add_levels(CentreLines& lines, const Cloth& cloth) {
   if (cloth.warp_level_mm.empty()) return;
   const int ends = cloth.up.cols(), picks = cloth.up.rows();
@@ -151,7 +151,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
 }
 
 CentreLines centre_lines(const Cloth& cloth) {
-  // Before the first crossing a step begins at -1, and its curve reaches one further.
+  // A step before the first crossing begins at -1, and its curve reads one more.
   return centre_lines(cloth, {-2, cloth.up.cols() + 2, -2, cloth.up.rows() + 2});
 }
 
@@ -167,14 +167,14 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   const float s = position_in_period(s_mm, period);
   const auto after =
       std::upper_bound(crossed.begin(), crossed.end(), s, [](float x, const ThreadBody& t) { return x < t.centre_mm; });
-  const auto place = [&](int i) {
+  const auto centre_mm_of = [&](int i) {
     const float whole = std::floor(static_cast<float>(i) / static_cast<float>(n));
     return crossed[static_cast<size_t>(wrap(i, n))].centre_mm + whole * period;
   };
   CentreStep step;
   step.crossing = static_cast<int>(after - crossed.begin()) - 1;
-  const float x0 = place(step.crossing - 1), x1 = place(step.crossing);
-  const float x2 = place(step.crossing + 1), x3 = place(step.crossing + 2);
+  const float x0 = centre_mm_of(step.crossing - 1), x1 = centre_mm_of(step.crossing);
+  const float x2 = centre_mm_of(step.crossing + 1), x3 = centre_mm_of(step.crossing + 2);
   const auto gap = [](float a, float b) { return std::max(b - a, 1e-6f); };
   step.h0 = gap(x0, x1), step.h1 = gap(x1, x2), step.h2 = gap(x2, x3);
   step.t = std::clamp((s - x1) / step.h1, 0.0f, 1.0f);

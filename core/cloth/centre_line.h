@@ -1,6 +1,6 @@
 #pragma once
-// Centre lines of the threads as smooth periodic curves over and under each other, worked
-// out once for a window of crossings and then read in constant time (maps, tubes of the reference).
+// Centre lines of the threads: smooth periodic curves over and under each other. They are computed once for a window
+// of crossings and then read in constant time (by the maps and the ray-traced tubes).
 
 #include <span>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace weftlight::cloth {
 
-/// A float's height depends on its ends no further away than this many threads: beyond, the bound of
-/// the weave's tightness is reached. It bounds what a changed cell can touch.
+/// A float's height depends on its ends up to this many threads away; further away it has reached the bound of the
+/// weave's tightness. This limits what a changed cell can affect.
 inline constexpr int kFloatReach = 4;
 
 struct CentrePoint {
@@ -20,7 +20,7 @@ struct CentrePoint {
   float bend = 0;   // d slope / d s, 1/mm
 };
 
-/// Heights at the crossings [end0, end1) x [pick0, pick1). Indices may run outside 0..count (they wrap).
+/// Heights at the crossings [end0, end1) x [pick0, pick1). Indices outside 0..count wrap.
 struct CentreLines {
   CellRect window;
   std::vector<float> warp_mm, weft_mm;  // row-major, one row a pick, window's ends a row
@@ -32,16 +32,16 @@ struct CentreLines {
   }
 };
 
-/// Height of the crossings of `window` (8 bytes a crossing). Cloth without threads: empty. Of several layers: of one
-/// of them (layers.h).
+/// Heights of the crossings of `window` (8 bytes a crossing); empty for a cloth without threads. The cloth has one
+/// layer (layer_plan.h, one_layer()).
 CentreLines centre_lines(const Cloth& cloth, const CellRect& window);
-/// The whole period, with the margin that centre_at needs at its borders.
+/// The whole period with the margin that centre_at() needs.
 CentreLines centre_lines(const Cloth& cloth);
 
-/// The same place in 0..period.
+/// Wraps a position into 0..period.
 float position_in_period(float s_mm, float period_mm);
 
-/// Crossing at or before s_mm along a thread of `system`, and where between it and the next s is (0..1).
+/// The crossing at or before s_mm along a thread, and the position t (0..1) between it and the next.
 struct CentreStep {
   int crossing = 0;  // may be -1: before the first crossing of the period
   float t = 0;
@@ -49,13 +49,13 @@ struct CentreStep {
 };
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm);
 
-/// Slope of a centre line at a crossing: from the heights at the crossings before and after, so far apart.
+/// Slope of a centre line at a crossing, from the heights of the crossings before and after and their distance.
 float centre_slope(float before_mm, float after_mm, float distance_mm);
 
-/// Curve through four heights around a step: C1; it may rise above its crossings inside a float.
+/// C1 curve through four heights around a step; inside a float it may rise above the crossings.
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step);
 
-/// Centre line of a thread; the step's crossing -1..+2 must be inside the window.
+/// Centre line of a thread. The window must hold the step's crossings -1..+2.
 CentrePoint centre_at(const CentreLines& lines, System system, int thread, const CentreStep& step);
 
 }  // namespace weftlight::cloth

@@ -1,7 +1,6 @@
 #pragma once
-// Cloth: one period of threads laid out in millimetres, and their centre lines as bodies.
-// Everything that has a shape or meets the light is made from this value: the maps, the
-// ray-traced reference and the numbers of the lobes.
+// Cloth: one period of threads, laid out in millimetres with their centre lines. Maps, the ray-traced reference and
+// the numbers of the lobes are all computed from it.
 
 #include <vector>
 
@@ -21,43 +20,44 @@ Rgb srgb_from_linear(Linear c);
 /// One thread of the period.
 struct ThreadBody {
   float centre_mm = 0;   // across: x of an end, y of a pick
-  float spacing_mm = 0;  // room it has, >= 0
+  float spacing_mm = 0;  // width available to it, >= 0
   float width_mm = 0;    // full width of the flattened cross-section
-  float height_mm = 0;   // full height of it
+  float height_mm = 0;   // full height of the section
   Linear colour;         // linear light
   int yarn = 0;          // index into Cloth::yarns
-  float unevenness = 0;  // spread of its thickness along it, over the mean (thickness.h)
+  float unevenness = 0;  // standard deviation of its thickness along it, over the mean (thickness.h)
 };
 
-/// Threads that lie side by side, in a cloth of several layers: runs of its ends and picks.
+/// One layer of a multi-layer cloth, as ranges of ends and picks.
 struct ClothLayer {
   int first_end = 0, ends = 0, first_pick = 0, picks = 0;
   bool operator==(const ClothLayer&) const = default;
 };
 
-/// One period of one face. Front: up = drawdown; back: its complement, same end order, seen with +z
-/// towards the viewer.
+/// One period of one face. The front has the drawdown, the back its complement in the same order of ends; +z points to
+/// the viewer.
 struct Cloth {
   float width_mm = 0, depth_mm = 0;  // u period (along the weft), v period (along the warp)
   BitMatrix up;                      // picks x ends; 1: warp on top of this face
   std::vector<ThreadBody> ends, picks;
   std::vector<Yarn> yarns;
-  // Double cloth and its like (layers.h); empty: one layer, threads in the draft's order. Else threads stand layer by
-  // layer; those of each layer fill the whole period.
+  // Layers of a multi-layer cloth such as double cloth (layer_plan.h); empty for a single layer, whose threads stand
+  // in the draft's order. Otherwise threads are ordered layer by layer, and those of each layer fill the whole period.
   std::vector<ClothLayer> layers;
-  // Then, as `up`: how far each thread's centre line is moved where it crosses one of its own layer.
+  // Vertical offset of each thread's centre line at its crossings in its own layer, laid out as `up`; only with
+  // several layers.
   std::vector<float> warp_level_mm, weft_level_mm;
-  int first_end = 0, first_pick = 0;  // of one layer alone: where its threads stand in the cloth
+  int first_end = 0, first_pick = 0;  // offset of a single extracted layer in the whole cloth
 };
 
 enum class Period { kWholeDraft, kRepeat };
 
-/// Lays the design out. `cells` is its drawdown. A thickness below zero (kFromYarn) is the yarn's diameter;
-/// a spacing of zero or below is 1.06 of the thread's own flattened width: touching, with slight gaps. A
-/// thread is never wider than its room: jammed, it is narrower and taller.
+/// Lays a design out; `cells` is its drawdown. A negative thickness (kFromYarn) means the yarn's diameter. A spacing
+/// of zero or less means 1.06 of the thread's flattened width: touching, with slight gaps. A thread is never wider
+/// than its spacing; a jammed one becomes narrower and taller.
 Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period);
 
-/// What a thread measures in the cloth, whether the draft gives it or leaves it to the yarn.
+/// Thickness and spacing of a thread in the cloth, from the draft or else from the yarn.
 struct ThreadSize {
   float thickness_mm = 0, spacing_mm = 0;
 };

@@ -5,8 +5,8 @@
 namespace weftlight::cloth {
 namespace {
 
-/// Which thread stands for each group. Its place in the group follows the golden ratio: threads at even distances would
-/// all be alike in a weave that repeats as often.
+/// The thread that represents each group. Its position within the group follows the golden ratio: at equal distances
+/// all would be the same thread of a weave that repeats as often.
 std::vector<int> chosen(int count, int group) {
   constexpr double kGolden = 0.6180339887498949;
   std::vector<int> out;

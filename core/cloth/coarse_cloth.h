@@ -1,13 +1,13 @@
 #pragma once
-// A cloth of fewer, wider threads that looks alike from afar, for maps whose texels hold many threads.
+// A cloth of fewer, wider threads that looks the same in the far field, for maps whose texels hold many threads.
 
 #include "cloth/cloth.h"
 #include "cloth/names.h"
 
 namespace weftlight::cloth {
 
-/// One end for so many of them, and one pick: each as wide as those whose place it takes, woven as one of them is.
-/// Period and yarns stay. A cloth in layers stays as it is.
+/// Merges groups of ends and of picks into one thread each, as wide as the group and woven as one thread of it. Period
+/// and yarns stay; a multi-layer cloth is returned unchanged.
 Cloth coarse_cloth(const Cloth& cloth, int ends_a_thread, int picks_a_thread);
 
 }  // namespace weftlight::cloth

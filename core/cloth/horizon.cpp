@@ -19,13 +19,13 @@ int wrap(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
-/// Where each step of the lines of a block is: texel along the line, texels of shear, and the rest.
+/// Position of each step of the lines of a block: texel along the line, whole texels of shear, and the remainder.
 struct Steps {
   std::vector<int> along, shift;
   std::vector<float> rest;
 };
 
-/// From the far end of the run-up to the near end of the block.
+/// Steps from the far end of the run-up to the near end of the block.
 Steps steps_of(const Sweep& s, int from, int to) {
   const int n = to - from + s.ahead;
   Steps steps;
@@ -42,8 +42,8 @@ Steps steps_of(const Sweep& s, int from, int to) {
   return steps;
 }
 
-// Lines swept side by side: their texels are neighbours in memory, so that reading and writing work on
-// vectors, and their hulls are independent work for the processor.
+// Lines are swept side by side: their texels are neighbours in memory, so reads and writes vectorise, and their hulls
+// are independent.
 constexpr int kLanes = 8;
 static_assert(kLanes + 2 <= kSweepMargin);
 
@@ -56,7 +56,7 @@ struct Bundle {
   std::vector<float> z;
   // Sines, with the line before the first lane in front: [i * (kLanes + 1) + 1 + j].
   std::vector<float> sine;
-  std::vector<HullPoint> hull;  // one stack after the other
+  std::vector<HullPoint> hull;  // one stack a line
 };
 
 void read_lines(const Sweep& s, const Steps& steps, FieldView<const float> z, int line, float* out) {
@@ -80,7 +80,7 @@ void read_lines(const Sweep& s, const Steps& steps, FieldView<const float> z, in
   }
 }
 
-/// Steepest rise, in height a step, from each point to any point before it; for the points from `first` on.
+/// Steepest rise, in height a step, from each point to any point before it, for the points from `first` on.
 void rises(Bundle& b, int n, int first) {
   HullPoint* top[kLanes];
   HullPoint* bottom[kLanes];
@@ -92,7 +92,7 @@ void rises(Bundle& b, int n, int first) {
     float* out = i >= first ? b.sine.data() + static_cast<size_t>(i - first) * (kLanes + 1) + 1 : nullptr;
     for (int j = 0; j < kLanes; ++j) {
       HullPoint* t = top[j];
-      // The first point stands on the stack already.
+      // The first point is already on the stack.
       while (t > bottom[j] && (t[0].z - z[j]) * (k - t[-1].k) <= (t[-1].z - z[j]) * (k - t[0].k)) --t;
       if (out) out[j] = i > 0 ? (t->z - z[j]) / (k - t->k) : 0.0f;
       if (i > 0) *++t = {z[j], k};
@@ -108,7 +108,7 @@ void to_sines(std::vector<float>& rise, float per_step) {
   }
 }
 
-/// A texel lies 1 - rest of the way from the line before to its own.
+/// A texel lies 1 - rest of the way from the previous line to its own.
 void write_lines(const Sweep& s, const Steps& steps, const Bundle& b, int line, int lanes, FieldView<uint8_t> out) {
   const int start = wrap(line, s.lines);
   const float* v = b.sine.data() + 1;
@@ -141,13 +141,13 @@ Sweep sweep_towards(double azimuth_rad, int width, int height, float dx_mm, floa
   s.along_x = std::abs(x) >= std::abs(y);
   const double major = s.along_x ? x : y, minor = s.along_x ? y : x;
   s.forward = major > 0;
-  s.shear = std::round(minor / major * 1e9) * 1e-9;  // axes and diagonals exactly
+  s.shear = std::round(minor / major * 1e9) * 1e-9;  // exact on axes and diagonals
   s.step_mm = static_cast<float>(s.along_x ? std::hypot(dx, s.shear * dy) : std::hypot(dy, s.shear * dx));
   s.length = s.along_x ? width : height;
   s.lines = s.along_x ? height : width;
   const double wanted = std::ceil(static_cast<double>(reach_mm) / static_cast<double>(s.step_mm));
   s.ahead = static_cast<int>(std::clamp(wanted, 1.0 * std::min(kSmallestAhead, s.length), 1.0 * s.length));
-  // Even blocks, each at least twice its run-up where there is more than one.
+  // Equal blocks, each at least twice its run-up if there is more than one.
   const int blocks = std::max(1, s.length / std::max(kSmallestBlock, 2 * s.ahead));
   s.block = (s.length + blocks - 1) / blocks;
   return s;
@@ -163,7 +163,7 @@ void sweep_block(const Sweep& s, FieldView<const float> height, int line0, int l
   b.sine.resize(shown * (kLanes + 1));
   b.hull.resize((n + 1) * kLanes);
   std::vector<float> before(shown);
-  // The first bundle only brings the line before line0, as its last lane.
+  // The first bundle only computes the line before line0, as its last lane.
   for (int line = line0 - kLanes; line < line1; line += kLanes) {
     read_lines(s, steps, height, line, b.z.data());
     rises(b, static_cast<int>(n), s.ahead);
@@ -194,7 +194,7 @@ void sweep_window(const Sweep& s, FieldView<const float> height, const TexelRect
 
 Plane<uint8_t> horizon(const Plane<float>& height_mm, const Plane<float>& turned, const Sweep& s,
                        const TexelRect& window) {
-  // Neighbouring lines are neighbours in memory: along x in the turned field, along y in the field.
+  // Neighbouring lines should be neighbours in memory: sweeps along x use the transposed field.
   const Plane<float>& field = s.along_x ? turned : height_mm;
   Plane<uint8_t> out(field.width, field.height);
   sweep_window(s, {field.row(0), field.width, 1}, window, {out.row(0), out.width, 1});

@@ -1,7 +1,7 @@
-// Lays a design out in millimetres: where each thread lies and how the weave flattens it.
+// Lays a design out in millimetres: the position of each thread and its flattened section.
 //
-// Based on: F. T. Peirce, The Geometry of Cloth Structure, 1937, and A. Kemp, An Extension of
-// Peirce's Cloth Geometry to the Treatment of Non-circular Threads, 1958.
+// Based on: F. T. Peirce, The Geometry of Cloth Structure, 1937, and A. Kemp, An Extension of Peirce's Cloth Geometry
+// to the Treatment of Non-circular Threads, 1958.
 // Differs: Kemp's race-track section is an ellipse of the same area here.
 
 #include <algorithm>
@@ -18,11 +18,11 @@
 namespace weftlight::cloth {
 namespace {
 
-// Centre distance of threads over their width where the draft gives no spacing: a balanced cloth
-// of touching threads has a few percent of air (open share 1 - 1/1.06 a system).
+// Spacing over width where the draft gives no spacing: a balanced cloth of touching threads is a few percent open (1 -
+// 1/1.06 a system).
 constexpr float kTouching = 1.06f;
-// A jammed thread gives way sideways until it is this much taller than wide; beyond, it is packed
-// denser (its fibres fill about 60 % of a spun yarn, so there is air to give).
+// A jammed thread gets taller up to this height over width; beyond it is packed more densely (fibres fill about 60 %
+// of a spun yarn's section).
 const float kTallest = thread_formulas::kTallestSection;
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
@@ -35,7 +35,7 @@ T entry(const std::vector<T>& table, int i, T missing) {
   return i >= 0 && i < static_cast<int>(table.size()) ? table[static_cast<size_t>(i)] : missing;
 }
 
-/// Negative and NaN mean "left to the yarn".
+/// Negative and NaN mean "take the yarn's".
 bool is_given(float mm) { return mm >= 0.0f; }
 
 ThreadBody body_of(float diameter, float spacing, const Yarn& yarn) {
@@ -45,7 +45,7 @@ ThreadBody body_of(float diameter, float spacing, const Yarn& yarn) {
   const float free_width = diameter / std::sqrt(flat);
   body.spacing_mm = spacing > 0.0f ? std::min(spacing, kLargest_mm) : kTouching * free_width;
   body.spacing_mm = std::max(body.spacing_mm, kSmallestSpacing_mm);
-  // Threads that stand apart are pressed less and stay rounder; the area stays.
+  // Threads with gaps between them are pressed less and stay rounder; the area stays.
   const float tightness = std::min(1.0f, diameter * kTouching / body.spacing_mm);
   const float section = 1.0f - (1.0f - flat) * tightness;
   body.width_mm = std::min(diameter / std::sqrt(section), body.spacing_mm);
@@ -63,25 +63,25 @@ float diameter_of(const Design& design, const Threads& threads, int i) {
   return is_given(thickness) ? thickness : std::max(0.0f, yarn_of(design, threads, i).diameter_mm);
 }
 
-/// Spun yarn is thick and thin: a factor for each thread, the same every time, between a third and thrice.
+/// Thickness factor of each thread of an irregular spun yarn, 1/3 to 3; the same for the same thread.
 float irregularity_factor(const Yarn& yarn, System system, int thread) {
   const float spread = std::isnan(yarn.irregularity) ? 0 : std::clamp(yarn.irregularity, 0.0f, 0.6f);
   if (spread <= 0) return 1;
   using thread_formulas::mix_bits, thread_formulas::unit_of;
   const uint32_t seed = mix_bits(static_cast<uint32_t>(thread), system == System::kWarp ? 0x7Bu : 0xC5u);
-  // The sum of three even numbers is nearly normal; its standard deviation is 1/2.
+  // The sum of three uniform numbers is nearly normal, with standard deviation 1/2.
   const float sum = unit_of(mix_bits(seed, 1)) + unit_of(mix_bits(seed, 2)) + unit_of(mix_bits(seed, 3)) - 1.5f;
   return std::clamp(1 + 2 * spread * sum, 1 / 3.0f, 3.0f);
 }
 
-/// Under a nap: fibres bridge from thread to thread, fill the gaps and follow the threads' relief weakly; what stands
-/// for a thread is its share of the nap's upper side.
+/// Raised finish: fibres bridge the gaps between threads and follow their relief only weakly. A thread then represents
+/// its part of the nap's surface.
 void cover_with_nap(ThreadBody& body, float raised) {
   body.width_mm += (body.spacing_mm - body.width_mm) * raised;
   body.height_mm *= 1 - kNapFlattening * raised;
 }
 
-/// Between rollers a thread spreads into the room beside it, however open the cloth; its section keeps its area.
+/// Calendering: a thread spreads into the free space beside it; its section keeps its area.
 void press(ThreadBody& body, float flattening, float calendered) {
   const float area = body.width_mm * body.height_mm;
   const float wide = std::min(std::sqrt(area / std::clamp(flattening, 0.3f, 1.0f)), body.spacing_mm);
@@ -89,14 +89,14 @@ void press(ThreadBody& body, float flattening, float calendered) {
   if (body.width_mm > 0) body.height_mm = std::min(body.height_mm, area / body.width_mm);
 }
 
-/// A design, and what its finish made of its yarns.
+/// A design and its yarns after finishing.
 struct Woven {
   const Design& design;
   std::vector<Yarn> finished;
   bool plain;  // no finish
 };
 
-/// Thread i in so much room; below zero: left to the yarn.
+/// Thread i with the given spacing; below zero the yarn's.
 ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacing) {
   const Design& design = woven.design;
   const Threads& threads = design.draft.threads(system);
@@ -104,8 +104,8 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   const size_t index = static_cast<size_t>(&yarn - design.yarns.data());
   const float even = diameter_of(design, threads, i);
   const float factor = irregularity_factor(yarn, system, i);
-  // A thread has the room that its even yarn would have on the loom: the reed does not know where it is thick, and the
-  // sett is not the finisher's.
+  // The spacing is that of the yarn's mean thickness: the reed does not know where a yarn is thick, and finishing does
+  // not change the sett.
   const float room = body_of(even, spacing, yarn).spacing_mm;
   ThreadBody body = body_of(even * factor, woven.plain ? spacing : room, woven.finished[index]);
   if (factor != 1) body.spacing_mm = room;
@@ -133,7 +133,7 @@ std::vector<ThreadBody> bodies(const Woven& woven, System system, int count, flo
   return out;
 }
 
-/// Threads in an order that goes layer by layer.
+/// Order of the threads that goes layer by layer.
 std::vector<int> layer_order(const std::vector<uint8_t>& layer_of) {
   std::vector<int> order(layer_of.size());
   std::iota(order.begin(), order.end(), 0);
@@ -141,7 +141,7 @@ std::vector<int> layer_order(const std::vector<uint8_t>& layer_of) {
   return order;
 }
 
-/// Ends of the least groups of threads of which each layer has its share of all.
+/// Ends of the smallest groups of threads in which each layer has its overall proportion.
 std::vector<int> balanced_groups(const std::vector<uint8_t>& layer_of, int layers) {
   std::vector<int64_t> all(static_cast<size_t>(layers)), so_far(all);
   for (const uint8_t l : layer_of) ++all[l];
@@ -156,8 +156,8 @@ std::vector<int> balanced_groups(const std::vector<uint8_t>& layer_of, int layer
   return ends;
 }
 
-/// Threads in layers, in the order that goes layer by layer: each layer's own fill the cloth. A group is as wide as the
-/// draft's spacings add up to; where the yarn alone rules, as its widest layer.
+/// Threads ordered layer by layer; those of each layer fill the cloth. A group is as wide as the draft's spacings add
+/// up to, or as its widest layer where the yarns alone decide.
 std::vector<ThreadBody> layered_bodies(const Woven& woven, System system, const std::vector<uint8_t>& layer_of,
                                        int layers, float& period) {
   const Threads& threads = woven.design.draft.threads(system);

@@ -1,6 +1,6 @@
-// Based on: what weavers' books say of double cloth (each layer has its own ends and picks; a pick of the upper layer
-// passes over all ends of the lower one, and the reverse), put as votes: of the crossings between threads of two
-// layers, all say which one is above, but for the stitches.
+// Based on: weaving handbooks on double cloth. Each layer has its own ends and picks; a pick of the upper layer passes
+// over all ends of the lower one, and vice versa. Crossings between two layers therefore vote for which layer is
+// above; only stitches vote otherwise.
 
 #include "cloth/layer_plan.h"
 
@@ -19,17 +19,16 @@ namespace weftlight::cloth {
 namespace {
 
 constexpr int kMaxLayers = 8;
-constexpr int64_t kMaxCrossings = 1 << 22;  // of a cloth that is drawn in layers
-constexpr int kMaxTiles = 64;               // a side, to judge a cloth by
-constexpr float kMinTiles = 0.6f;           // share of them that must be in layers
-constexpr float kAlike = 0.74f;             // share of neighbouring tiles that have the same layer above
-constexpr int kMinPockets = 32;             // threads in which layers change places and back again
-constexpr float kMinWoven = 0.04f;          // of a layer's own crossings, the rarer kind
-constexpr float kClear = 1.02f;             // between what was measured of layers and what was not
-constexpr float kStitchHeld = 0.9f;         // of the sum of the radii: a stitch presses into what it holds
+constexpr int64_t kMaxCrossings = 1 << 22;  // larger cloths are drawn in one layer
+constexpr int kMaxTiles = 64;               // tiles a side that are examined
+constexpr float kMinTiles = 0.6f;           // fraction of the tiles that must be in layers
+constexpr float kAlike = 0.74f;             // fraction of neighbouring tiles that must have the same layer above
+constexpr int kMinPockets = 32;             // least threads in a repeat in which layers change places
+constexpr float kMinWoven = 0.04f;          // least fraction of the rarer kind among a layer's own crossings
+constexpr float kClear = 1.02f;             // margin over the measured heights of the layers
+constexpr float kStitchHeld = 0.9f;         // of the sum of the radii: a stitch presses into the thread that it holds
 
-// How ends and picks of two layers may follow one another. As ends, each stands for itself with its layers swapped,
-// too.
+// Orders in which ends and picks of two layers alternate. Orders of ends are also tried with the layers swapped.
 constexpr std::array<std::string_view, 6> kEndOrders{"AB", "AABB", "ABBA", "AAB", "ABA", "BAA"};
 constexpr std::array<std::string_view, 12> kPickOrders{"AB",  "BA",  "AABB", "ABBA", "BBAA", "BAAB",
                                                        "AAB", "ABA", "BAA",  "ABB",  "BAB",  "BBA"};
@@ -40,7 +39,7 @@ bool fits(std::string_view order, int threads) {
   return threads >= side_of(order) && (threads % n == 0 || threads >= 24);
 }
 
-/// Threads of layer A within a tile, a bit each.
+/// Bit mask of the threads of layer A within a tile.
 unsigned bits_of(std::string_view order) {
   unsigned bits = 0;
   for (int i = 0; i < side_of(order); ++i)
@@ -60,7 +59,7 @@ Tile tile_at(const BitMatrix& cells, int end, int pick, int ends, int picks) {
   return t;
 }
 
-/// Of crossings between the layers: how many there are, and how many have A above. Within: how often the warp is up.
+/// Crossings between the layers, and those with A above. Within each layer: crossings, and those with the warp up.
 struct Votes {
   int64_t all = 0, first = 0;
   std::array<int64_t, 2> own{}, own_up{};
@@ -86,7 +85,8 @@ struct Orders {
   float fraction = 0;  // of the tiles that are in layers
 };
 
-/// Share of the tiles in which all crossings between such layers but one in eight agree; 0 for no layers.
+/// Fraction of the tiles in which at most one in eight crossings between such layers disagrees; 0 if these are no
+/// layers.
 float layered_fraction(const std::vector<Tile>& tiles, std::string_view ends, std::string_view picks) {
   const unsigned a = bits_of(ends), b = bits_of(picks);
   Votes sum;
@@ -95,13 +95,14 @@ float layered_fraction(const std::vector<Tile>& tiles, std::string_view ends, st
     const Votes v = votes_of(t, a, b);
     const int64_t against = std::min(v.first, v.all - v.first);
     if (8 * against <= v.all) ++layered;
-    if (4 * against > v.all) continue;  // where layers change places, or of one cloth
+    if (4 * against > v.all) continue;  // layers change places here, or there is a single cloth
     wrong += against;
     sum.all += v.all;
     for (size_t k = 0; k < 2; ++k) sum.own[k] += v.own[k], sum.own_up[k] += v.own_up[k];
   }
   if (layered == 0) return 0;
-  // Each layer is woven in itself, and more often than the two are stitched: not a weave backed with ends or picks.
+  // Each layer must be woven in itself, more often than the two are stitched; otherwise it is a weave backed with
+  // extra ends or picks.
   const float stitched = static_cast<float>(wrong) / static_cast<float>(sum.all);
   for (size_t k = 0; k < 2; ++k) {
     const float woven = static_cast<float>(std::min(sum.own_up[k], sum.own[k] - sum.own_up[k])) /
@@ -115,7 +116,6 @@ std::vector<Tile> tiles_of(const BitMatrix& cells, int ends, int picks) {
   const int across = cells.cols() / ends, down = cells.rows() / picks;
   const int step_e = (across + kMaxTiles - 1) / kMaxTiles, step_p = (down + kMaxTiles - 1) / kMaxTiles;
   std::vector<Tile> tiles;
-  // A step in whole 12 threads keeps every order in phase.
   for (int p = 0; p < down; p += step_p)
     for (int e = 0; e < across; e += step_e) tiles.push_back(tile_at(cells, e * ends, p * picks, ends, picks));
   return tiles;
@@ -146,7 +146,7 @@ std::vector<uint8_t> layers_by(std::string_view order, int threads) {
   return out;
 }
 
-/// The groups of a cloth and what their crossings say.
+/// Groups of threads and the votes of their crossings.
 struct Groups {
   int across = 0, down = 0;
   std::vector<int> all, first;  // crossings between layers; those with layer 0 above
@@ -172,8 +172,8 @@ Groups groups_of(const BitMatrix& cells, const LayerPlan& plan) {
   return g;
 }
 
-/// Sides claimed by blocks of groups that agree, so that a corner stays a corner; 0 where none does.
-std::vector<int8_t> claimed(const Groups& g, int wide, int high) {
+/// Layer above by agreeing blocks of groups, so that corners stay sharp; 0 where no block agrees.
+std::vector<int8_t> decided_sides(const Groups& g, int wide, int high) {
   std::vector<int8_t> side(g.all.size());
   std::vector<float> by(g.all.size());
   for (int y = 0; y < g.down; ++y) {
@@ -194,7 +194,7 @@ std::vector<int8_t> claimed(const Groups& g, int wide, int high) {
   return side;
 }
 
-/// Groups that no block claims take the side of the nearest that one does.
+/// Undecided groups take the side of the nearest decided one.
 void spread(std::vector<int8_t>& side, const Groups& g) {
   std::vector<std::pair<int, int>> queue;
   for (int y = 0; y < g.down; ++y)
@@ -211,7 +211,7 @@ void spread(std::vector<int8_t>& side, const Groups& g) {
   }
 }
 
-/// Which layer lies above in each tile: 1 or -1; 0 where its crossings do not agree.
+/// Layer above in each tile: 1 or -1; 0 where its crossings do not agree.
 std::vector<int> sides_of(const std::vector<Tile>& tiles, const Orders& orders) {
   const unsigned a = bits_of(orders.ends), b = bits_of(orders.picks);
   std::vector<int> sides;
@@ -222,8 +222,8 @@ std::vector<int> sides_of(const std::vector<Tile>& tiles, const Orders& orders) 
   return sides;
 }
 
-/// Whether one layer lies above over areas of many threads. Ends and picks of a wide twill or of a shaded satin look
-/// like layers, too, that change places every few threads.
+/// Whether one layer lies above over large areas. Wide twills and shaded satins also look like layers that change
+/// places, but every few threads.
 bool in_areas(const BitMatrix& cells, const Orders& orders) {
   const int wide = side_of(orders.ends), high = side_of(orders.picks);
   const int across = cells.cols() / wide, down = cells.rows() / high;
@@ -255,8 +255,8 @@ LayerPlan interleaved(const BitMatrix& cells) {
   plan.end_layer = layers_by(orders.ends, cells.cols()), plan.pick_layer = layers_by(orders.picks, cells.rows());
   plan.group_ends = static_cast<int>(orders.ends.size()), plan.group_picks = static_cast<int>(orders.picks.size());
   const Groups g = groups_of(cells, plan);
-  std::vector<int8_t> side = claimed(g, std::min(side_of(orders.ends) / plan.group_ends, g.across),
-                                     std::min(side_of(orders.picks) / plan.group_picks, g.down));
+  std::vector<int8_t> side = decided_sides(g, std::min(side_of(orders.ends) / plan.group_ends, g.across),
+                                           std::min(side_of(orders.picks) / plan.group_picks, g.down));
   const auto found = std::ranges::count_if(side, [](int8_t s) { return s != 0; });
   if (static_cast<float>(found) < kMinTiles * static_cast<float>(side.size())) return {};
   spread(side, g);
@@ -265,8 +265,8 @@ LayerPlan interleaved(const BitMatrix& cells) {
   return plan;
 }
 
-/// The layers of a cloth that comes apart; loose threads go with the layer before them.
-LayerPlan apart(const BitMatrix& cells) {
+/// Layers that are not connected to each other; loose threads join the layer before them.
+LayerPlan unconnected_layers(const BitMatrix& cells) {
   LayerPlan plan;
   plan.end_layer.resize(static_cast<size_t>(cells.cols())), plan.pick_layer.resize(static_cast<size_t>(cells.rows()));
   int layer = -1;
@@ -288,7 +288,7 @@ BitMatrix ordered(const BitMatrix& cells, const std::vector<int>& ends, const st
   return out;
 }
 
-/// Highest place of a layer that lies at its own middle, either way.
+/// Largest distance of a layer's threads from its own middle plane.
 float highest(const Cloth& one) {
   const CentreLines lines = centre_lines(one);
   float most = 0;
@@ -309,7 +309,7 @@ float highest(const Cloth& one) {
   return most;
 }
 
-/// Puts layers on one another: where each lies, by what they measure.
+/// Levels at which layers touch, from their measured heights.
 class Levels {
  public:
   Levels(const Cloth& cloth, const LayerPlan& plan) : plan_(plan) {
@@ -317,7 +317,7 @@ class Levels {
       half_.push_back(kClear * highest(one_layer(cloth, i)));
     }
   }
-  /// Middle of a layer at a crossing of the draft's threads: as much below all above it as above all below it.
+  /// Level of a layer at a crossing of the draft: below all layers above it and above all below it.
   float at(int layer, int end, int pick) const {
     float level = 0;
     for (int other = 0; other < static_cast<int>(half_.size()); ++other) {
@@ -329,7 +329,7 @@ class Levels {
 
  private:
   const LayerPlan& plan_;
-  std::vector<float> half_;  // height of each above its own middle
+  std::vector<float> half_;  // height of each layer above its own middle
 };
 
 int nearest(const std::vector<ThreadBody>& threads, int first, int count, float mm) {
@@ -351,9 +351,9 @@ bool LayerPlan::above(int a, int b, int end, int pick) const {
 }
 
 LayerPlan find_layers(const BitMatrix& cells) {
-  // The least that two layers can be woven of.
+  // Two layers need at least four ends and four picks.
   if (cells.cols() < 4 || cells.rows() < 4 || int64_t{cells.cols()} * cells.rows() > kMaxCrossings) return {};
-  LayerPlan plan = apart(cells);
+  LayerPlan plan = unconnected_layers(cells);
   if (plan.layers > 1 && plan.layers <= kMaxLayers) return plan;
   return interleaved(cells);
 }
@@ -413,7 +413,8 @@ int layer_of(const Cloth& cloth, System system, int thread) {
 
 namespace {
 
-/// Lifts ends over picks of another layer, or lowers them under, where the weave says otherwise than the layers lie.
+/// Stitches: lifts ends over picks of another layer, or lowers them under, where the weave contradicts the order of
+/// the layers.
 void stitch(Cloth& cloth, const LayerPlan& plan, const Levels& levels, const std::vector<int>& end_order,
             const std::vector<int>& pick_order) {
   std::vector<CentreLines> lines;

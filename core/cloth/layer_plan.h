@@ -1,6 +1,6 @@
 #pragma once
-// Cloth of several layers that lie one on the other: double cloth, pockets, tubes. Which threads of a drawdown are of
-// which layer, which layer lies above where, and how such a cloth is laid out.
+// Multi-layer cloth: double cloth, pockets, tubes. Finds the layer of each thread and which layer lies above where,
+// and lays such a cloth out.
 
 #include <cstdint>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace weftlight::cloth {
 
-/// Which layer each thread is of. Where two layers change places (pockets) a thread keeps its own, and the layer is
-/// above in some groups of threads and below in others.
+/// The layer of each thread. Where two layers change places (pockets) a thread keeps its layer, which is above in some
+/// groups of threads and below in others.
 struct LayerPlan {
   int layers = 1;
   std::vector<uint8_t> end_layer, pick_layer;
-  // Two layers that change places or are stitched: threads in a group, and for each group, a row a pick's, whether
-  // layer 0 lies above. Empty: each layer lies above the next everywhere.
+  // For two layers that change places or are stitched: threads in a group, and for each group (row by row of picks)
+  // whether layer 0 lies above. Empty: each layer lies above the next everywhere.
   int group_ends = 1, group_picks = 1, groups = 0;  // groups: along a row
   std::vector<bool> first_above;
 
@@ -24,30 +24,28 @@ struct LayerPlan {
   bool above(int a, int b, int end, int pick) const;
 };
 
-/// The layers of a drawdown that repeats in both directions; one where it hangs together as a single cloth. Threads
-/// come apart as a whole (analysis/weave_layers.h), or two layers interleave thread by thread (1:1, 2:2, 2:1) and are
-/// stitched to each other, or change places, here and there.
+/// Layers of a drawdown that repeats in both directions; one if it is a single connected cloth. Either the layers are
+/// not connected at all (analysis/weave_layers.h), or two layers interleave thread by thread (1:1, 2:2, 2:1) and are
+/// stitched or change places.
 LayerPlan find_layers(const BitMatrix& cells);
 
-/// Puts a cloth's threads in the order of their layers and finds their levels, so that layers touch and threads do not
-/// cut into each other but where two layers change places. The places of the threads are those in their layers.
-/// `up` has the order of the draft; ends and picks, by layer, are those of the draft's threads in `ends_of`,
-/// `picks_of`.
+/// Orders the threads of a cloth by layer and computes levels at which layers touch without intersecting, except where
+/// two layers change places. On entry `up` is in the draft's order; ends and picks are already ordered by layer, as
+/// `end_order` and `pick_order` say.
 void put_in_layers(Cloth& cloth, const LayerPlan& plan, const std::vector<int>& end_order,
                    const std::vector<int>& pick_order);
 
-/// Layer i as a cloth of its own, at its level; of a cloth in one layer, that.
+/// Layer i as a cloth of its own, at its level; a single-layer cloth is returned as it is.
 Cloth one_layer(const Cloth& cloth, int i);
 
-/// Each layer as a cloth of its own; none where there is one alone.
+/// Each layer as a cloth of its own; empty for a single layer.
 std::vector<Cloth> layers_apart(const Cloth& cloth);
 
 inline int layer_count(const Cloth& cloth) { return cloth.layers.empty() ? 1 : static_cast<int>(cloth.layers.size()); }
 
-/// The layer that is seen most on this face.
+/// The layer that is most visible on this face.
 int front_layer(const Cloth& cloth);
 
-/// The layer that a thread is of.
 int layer_of(const Cloth& cloth, System system, int thread);
 
 }  // namespace weftlight::cloth

@@ -1,6 +1,6 @@
 #pragma once
-// Maps: one period of a face sampled on a grid, seamless. Texel (x, y) is the middle of its
-// square: u = (x + 0.5) / width * width_mm along the weft, v likewise along the warp; row 0 is v = 0.
+// Maps: one period of a face sampled on a seamless grid. Texel (x, y) is the centre of its square: u = (x + 0.5) /
+// width * width_mm along the weft, v likewise along the warp; row 0 is v = 0.
 
 #include <cstdint>
 #include <vector>
@@ -34,19 +34,19 @@ struct TexelRect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// The sharp surface: what is on top at each texel. coverage 0 is a gap.
+/// The unfiltered surface: what is on top at each texel. coverage 0 is a gap.
 struct Maps {
   float width_mm = 0, depth_mm = 0;
-  Plane<float> height_mm;    // above the middle plane; gaps hold the floor of the lowest thread
+  Plane<float> height_mm;    // above the middle plane; gaps have the level of the lowest thread
   Plane<float> coverage;     // 0..1
-  Plane<Linear> colour;      // thread colour times hair noise, linear; not premultiplied
+  Plane<Linear> colour;      // thread colour times the tone of its fibres, linear; not premultiplied
   Plane<float> groove;       // 0..1 factor of the twist's dark grooves (VRST 2003, section 3.2)
   Plane<Slope> slope;        // of the thread's surface
   Plane<Direction> tangent;  // fibre direction at the surface, with twist
-  Plane<uint8_t> system;     // 0 warp, 1 weft (in gaps: that of the nearest thread)
+  Plane<uint8_t> system;     // 0 warp, 1 weft (in gaps: of the nearest thread)
   Plane<uint32_t> thread;    // index in its system
-  Plane<float> occlusion;    // 0..1, share of the cosine-weighted sky that is seen
-  // Horizon: azimuth k points to (cos, sin)(2 pi k / azimuths) in (u, v). Value: sine of the elevation
+  Plane<float> occlusion;    // 0..1, visible fraction of the cosine-weighted sky
+  // Horizons: azimuth k points to (cos, sin)(2 pi k / azimuths) in (u, v). The value is the sine of the elevation
   // below which light is blocked, 0..1.
   int azimuths = 0;
   std::vector<Plane<uint8_t>> horizon;  // unorm8
@@ -55,22 +55,22 @@ struct Maps {
 struct MapsSize {
   int width = 1024, height = 1024;
   int azimuths = 16;
-  int threads = 0;           // to bake with; 0: one a core. The bits do not depend on it
+  int threads = 0;           // worker threads; 0: one a core. The result does not depend on it
   int samples_a_thread = 3;  // where a texel holds several threads
 };
 
-/// Bakes all maps of one period. Sizes are clamped to 1..16384, azimuths to 0..64. Deterministic: the
-/// same bits whatever the number of threads.
+/// Bakes all maps of one period. Sizes are clamped to 1..16384, azimuths to 0..64. The result is the same bit for bit
+/// on any number of threads.
 Maps bake(const Cloth& cloth, const MapsSize& size);
 
-/// A window of the maps that bake(cloth, whole) would give, bit for bit, at the cost of the window: here
-/// `whole` may have up to 2^22 texels a side. The window is in texels of the whole; it may cross the
-/// period's edges and is cut to one period and 16384 texels a side. width_mm and depth_mm are the window's.
+/// A window of the maps that bake(cloth, whole) would give, bit for bit, at the cost of the window; here `whole` may
+/// have up to 2^22 texels a side. The window is in texels of the whole; it may cross the period's edges and is cut to
+/// one period and 16384 texels a side. width_mm and depth_mm are the window's.
 Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window);
 
-/// Re-bakes the part of `maps`, baked as a whole from `before`, that cells changed in `after` can touch; both
-/// have the same layout (threads and their places). Equal to bake(after, size) bit for bit. Returns
-/// rectangles without overlap that hold every texel that changed.
+/// Rebakes the part of `maps` (baked as a whole from `before`) that the changed cells of `after` can affect. Both
+/// cloths must have the same thread positions. The result equals bake(after, size) bit for bit. Returns disjoint
+/// rectangles that hold every changed texel.
 std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& after);
 
 /// Boolean shadow of one light direction (VRST 2003, section 3.4): 1 lit, 0 in shadow.

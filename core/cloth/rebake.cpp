@@ -1,7 +1,7 @@
-// Maps after a change of cells, at the cost of what the change moves: changed cells move the heights of the
-// crossings whose floats they begin, end or split; those move the curves through them; those are seen in
-// texels, whose heights are read by lines of the horizon sweeps. Each step keeps a set of bits, no rectangle
-// around them all, since the cells of one shaft or one lift lie scattered over the cloth.
+// Rebakes maps after a change of cells, at a cost that follows the change. Changed cells move the heights of the
+// crossings whose floats they begin, end or split; those move the curves through them; the curves are visible in
+// texels, whose heights the horizon sweeps read. Each step keeps a bit set instead of a bounding rectangle, since the
+// cells of one shaft or one lift are scattered over the cloth.
 
 #include <bit>
 #include <cmath>
@@ -13,17 +13,17 @@
 namespace weftlight::cloth {
 namespace {
 
-// What a rectangle costs beside its texels, in texels: setting a sampler up; a patch for who reads the result.
+// Overhead of a rectangle in texels: to set up a sampler, and to upload a patch.
 constexpr int kSamplerOverhead = 40, kPatchOverhead = 256;
-constexpr int kLargestPart = 128;        // texels a side: parts are spread over threads
-constexpr int64_t kWorthAThread = 4096;  // texels
+constexpr int kLargestPart = 128;        // texels a side of a part; parts run in parallel
+constexpr int64_t kWorthAThread = 4096;  // texels that are worth a second thread
 
-/// Crossings whose height changed: picks x ends.
+/// Crossings whose height changed, picks x ends.
 struct MovedCrossings {
   BitMatrix warp, weft;
 };
 
-/// The crossings from (pick, end) on in one direction whose float is read up to there.
+/// Marks the crossings from (pick, end) on in one direction whose heights depend on that float.
 void mark_readers(BitMatrix& moved, const BitMatrix& up, int pick, int end, int d_pick, int d_end) {
   const auto at = [&](int n) {
     return std::pair{wrap(pick + n * d_pick, up.rows()), wrap(end + n * d_end, up.cols())};
@@ -69,21 +69,21 @@ std::pair<int, int> texels_of_threads(const SampleAxis& axis, int first, int las
                    axis.per_texel);
 }
 
-/// Texels along an axis whose curves go through a height at the crossings [first, last): curves read one
-/// crossing before their step, and the two after it.
+/// Texels along an axis whose curves depend on the crossings [first, last): a curve reads one crossing before its step
+/// and two after.
 std::vector<std::pair<int, int>> texels_of_curves(const SampleAxis& axis, int first, int last) {
   const int n = static_cast<int>(axis.crossing_from.size()) - 1;
   std::vector<std::pair<int, int>> out;
   for (const auto& [a, b] : pieces(first - 2, last + 1, n)) {
     out.push_back(texels_of(axis.crossing_from[static_cast<size_t>(a)], axis.crossing_from[static_cast<size_t>(b)],
                             axis.per_texel));
-    // Before its first crossing a thread is past the last one of the period before.
+    // Before the first crossing lies the step from the last crossing of the previous period.
     if (b == n) out.push_back(texels_of(0, axis.crossing_from[0], axis.per_texel));
   }
   return out;
 }
 
-/// Calls visit(first, last) for the runs of a row.
+/// Calls visit(first, last) for each run of set bits of a row.
 template <class Visit>
 void for_each_run(std::span<const uint64_t> row, const Visit& visit) {
   int first = -1, last = -1;
@@ -101,7 +101,7 @@ void mark(BitMatrix& texels, std::pair<int, int> columns, std::pair<int, int> ro
   for (int y = rows.first; y < rows.second; ++y) set_run(texels.row(y), columns.first, columns.second);
 }
 
-/// Texels that see a moved curve.
+/// Texels in which a moved curve is visible.
 BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleGrid& grid) {
   BitMatrix texels(grid.height, grid.width);
   const SampleAxis columns = sample_axis(cloth, System::kWarp, grid), rows = sample_axis(cloth, System::kWeft, grid);
@@ -118,7 +118,7 @@ BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleG
   return texels;
 }
 
-/// Rectangles cut into parts of a size worth a thread.
+/// Cuts rectangles into parts of a size worth a thread.
 std::vector<TexelRect> parts_of(const std::vector<TexelRect>& rects) {
   std::vector<TexelRect> parts;
   for (const TexelRect& r : rects)
@@ -161,7 +161,7 @@ BitMatrix lines_through(const Sweep& s, const std::vector<TexelRect>& changed) {
   return lines;
 }
 
-/// Sweeps again what a change of heights can touch; returns where that is, not wrapped.
+/// Sweeps again the lines that the changed heights affect; returns their texels, not wrapped.
 std::vector<TexelRect> resweep(Maps& maps, const Sweep& s, int k, const std::vector<TexelRect>& changed) {
   const int w = maps.height_mm.width;
   const auto height = view_along<const float>(s, maps.height_mm.row(0), w);
@@ -187,7 +187,7 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
   if (is_empty(after) || (before.up == after.up && before.layers == after.layers)) return {};
   const int w = maps.height_mm.width, h = maps.height_mm.height;
   if (!before.layers.empty() || !after.layers.empty()) {
-    // A cell may tie layers that lay apart, or part them.
+    // A cell may connect separate layers, or separate them.
     maps = bake(after, {w, h, maps.azimuths});
     return {{0, 0, w, h}};
   }

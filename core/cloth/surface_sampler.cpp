@@ -1,7 +1,7 @@
-// The top of the union of threads: each an ellipse swept along its centre line, at right angles to it. At a
-// sample at most one end and one pick can be on top, since a thread is never wider than its room.
-// A section leans with its thread: at slope m the vertical cut through it is sqrt(1 + m^2) as high, and the
-// place on top of the cut stems from a section further along (first order in the section's height).
+// The upper surface of the threads, each an ellipse swept at right angles along its centre line. At a sample at most
+// one end and one pick can be on top, since a thread is never wider than its spacing. A section leans with its thread:
+// at slope m the vertical cut through it is sqrt(1 + m^2) as high, and a point on top of the cut belongs to a section
+// further along (to first order in the section's height).
 
 #include "cloth/surface_sampler.h"
 
@@ -17,9 +17,10 @@ namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
-constexpr float kMinCover = 1e-6f;       // rounding of the covers, not a sliver of thread
-constexpr double kMaxSamples = 1 << 24;  // of one map, before threads are sampled more sparsely
-// The square of an ellipse's slope has no mean up to its edge: it is taken to this share of the radius.
+constexpr float kMinCover = 1e-6f;       // below it is rounding
+constexpr double kMaxSamples = 1 << 24;  // of one map; beyond, threads are sampled more sparsely
+// The squared slope of an ellipse has no finite mean up to its edge, so it is integrated to this fraction of the
+// radius.
 constexpr float kSteepest = 0.985f;
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
@@ -43,7 +44,7 @@ float section(float centre_mm, glm::vec2 half, float across_mm) {
   return half.x > 0.0f ? half.y * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
 }
 
-/// Integral of the squared slope of a section between two places on it.
+/// Integral of the squared slope of a section between two positions.
 float squared_slopes(float centre_mm, glm::vec2 half, float from_mm, float to_mm) {
   const float ratio = half.y / half.x;
   const auto integral = [&](float mm) {
@@ -75,7 +76,7 @@ SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid
   const int samples = warp ? grid.samples_x() : grid.samples_y();
   const float period = warp ? cloth.width_mm : cloth.depth_mm, step = period / static_cast<float>(samples);
   SampleAxis axis{warp ? grid.per_texel_x : grid.per_texel_y, {0}, {}};
-  // As the sampler finds them: the thread by the borders, the crossing by the middles.
+  // As the sampler does it: threads by their borders, crossings by their centres.
   for (int i = 0; i < samples; ++i) {
     const float middle = 0.5f * (static_cast<float>(i) * step + static_cast<float>(i + 1) * step);
     while (axis.thread_from.size() < threads.size()) {
@@ -110,7 +111,7 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
     const ThreadBody& body = threads[static_cast<size_t>(i)];
     out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, own + i, length));
     const ThreadTexture& t = out.of.back();
-    // On the ridge, where grooves are seen at their widest.
+    // At the ridge, where the grooves appear widest.
     const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
                                   std::abs(static_cast<float>(t.advance)) * step_along / length);
     out.patterned.push_back(contrast_left(0.99f * cycles) > 0.0f);
@@ -138,7 +139,7 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
   column_steps_.reserve(columns_.size());
   for (int x = x0; x < x1; ++x)
     column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
-  // One crossing more on each side than the curves' steps touch.
+  // One more crossing on each side than the curves read.
   lines_ = centre_lines(cloth, {columns_.front().thread - 2, columns_.back().thread + 4, rows_.front().thread - 2,
                                 rows_.back().thread + 4});
   weft_along_.resize(columns_.size());
@@ -256,7 +257,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   s.cover = cover;
   s.height_mm = l.centre_mm + a.height_mm * l.lengthened;
   if (texture.plies > 1) {
-    // z -= relief ply^2, with the factor 1 / cos of the tube's side left out: it ends at its edge.
+    // z -= relief ply^2. The factor 1 / cos of the tube's side is left out.
     const float slant = 4.0f * texture.ply_relief_mm * texel.ply;
     const float length = warp ? cloth_.depth_mm : cloth_.width_mm;
     s.height_mm -= texture.ply_relief_mm * texel.ply * texel.ply;
@@ -270,7 +271,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   s.thread = static_cast<uint32_t>(a.thread + (warp ? cloth_.first_end : cloth_.first_pick));
   s.system = warp ? 0 : 1;
   s.slope = warp ? Slope{across, along} : Slope{along, across};
-  // Fibre: the axis turned by the helix angle in the surface's tangent plane.
+  // Fibre direction: the axis turned by the helix angle in the tangent plane.
   const float turn = texture.fibre_tan / std::sqrt(1.0f + across * across);
   const float axis = 1.0f / std::sqrt(1.0f + along * along);
   const float ta = turn, tl = axis, tz = -(across * turn + along * axis);
@@ -289,7 +290,7 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     warp_along_[e] = along(System::kWarp, first_end + static_cast<int>(e), step, s_mm);
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
-    // Threads that swell are of another width at each place along.
+    // Uneven threads have another width at each position along them.
     const Across column = uneven_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
                                                  [&](int t) { return half_section(cloth_, System::kWarp, t, step); })
                                      : columns_[i];
@@ -299,7 +300,7 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
                    : even_row;
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
     const Along& pick = weft_along_[i];
-    // Shares of the sample: both systems there and one on top, or one of them alone.
+    // Coverage of each system: where both are present, one is on top.
     const float both = column.cover * across_row.cover;
     const bool over =
         end.centre_mm + column.height_mm * end.lengthened >= pick.centre_mm + across_row.height_mm * pick.lengthened;

@@ -1,6 +1,6 @@
 #pragma once
-// The surface of a cloth, sampled: what is on top at the samples of one row. Shared by the maps and
-// by their moments, which differ only in how they average samples into texels.
+// Samples the surface of a cloth row by row: what is on top at each sample. Used by the maps and by their moments,
+// which differ in how they average samples into texels.
 
 #include <span>
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace weftlight::cloth {
 
-/// Samples of one period; a texel of the maps holds per_texel_x x per_texel_y of them, so that there
-/// are about so many samples a thread where the map has fewer texels.
+/// Sample grid of one period. A texel holds per_texel_x x per_texel_y samples, so that each thread gets about
+/// `samples_a_thread` where the map has fewer texels.
 struct SampleGrid {
   int width = 1, height = 1;  // of the maps, texels
   int per_texel_x = 1, per_texel_y = 1;
@@ -22,15 +22,15 @@ struct SampleGrid {
 };
 SampleGrid sample_grid(const Cloth& cloth, int width, int height, int samples_a_thread = 3);
 
-/// Which samples, in their order across the threads of a system, show which thread, and from which on a
-/// thread of the other system is past which crossing. Both have one entry more: the number of samples.
+/// For each thread the first sample that shows it, and for each crossing the first sample past it, in their order
+/// across the threads of a system. Both have one more entry: the number of samples.
 struct SampleAxis {
   int per_texel = 1;
   std::vector<int> thread_from, crossing_from;
 };
 SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid);
 
-/// What one system shows of a sample; cover is the share of the sample where it is on top.
+/// The surface of one system at a sample; cover is the fraction of the sample where it is on top.
 struct SurfaceSample {
   float height_mm = 0, cover = 0, groove = 1;
   Linear colour;
@@ -41,45 +41,45 @@ struct SurfaceSample {
   uint8_t system = 0;
 };
 
-/// Height of a gap's ground: the underside of the lowest thread, whatever the weave.
+/// Level of the bottom of gaps: the underside of the lowest thread in any weave.
 float floor_mm(const Cloth& cloth);
 
-/// Samples rows of a window of the grid: columns [x0, x1), rows [y0, y1) inside the grid.
+/// Samples rows of a window of the grid, columns [x0, x1) and rows [y0, y1).
 class SurfaceSampler {
  public:
   SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x0, int x1, int y0, int y1);
-  /// At the border of two systems a sample shows both.
+  /// A second system that is visible in the same sample, at a border.
   struct Beside {
     int sample = 0;
     SurfaceSample shows;
   };
-  /// Row y (in samples) of the window: out has x1 - x0 entries, the system that shows most; `beside`
-  /// gets the other one where it shows too. Rows in order are cheapest.
+  /// Samples row y of the window: `out` (x1 - x0 entries) gets the system with more coverage, `beside` the other one
+  /// where it is visible too. Rows in order are cheapest.
   void row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside);
 
  private:
-  /// A sample's place across the threads of one system.
+  /// Position of a sample across the threads of one system.
   struct Across {
     int thread = 0;
-    float cover = 0;         // share of the sample's width that threads cover
+    float cover = 0;         // fraction of the sample's width that threads cover
     float beyond_mm = 0;     // distance from the thread's edge, 0 inside
     float height_mm = 0;     // of the section above the centre line
     float slope = 0;         // -d height / d across, mean over the sample
     float slope_spread = 0;  // its variance inside the sample
     float turn = 0, ply_turn = 0, cycles = 0, ply_fade = 1;
-    int lowest = 0;  // the first thread that shows in the sample
+    int lowest = 0;  // first thread within the sample
   };
-  /// A thread's state at a sample along it.
+  /// State of a thread at a sample along it.
   struct Along {
     float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
-    float lengthened = 1;  // vertical cut of the section over the section, where the thread climbs
-    float bend = 0;        // of the slope for a height of 1 mm above the centre line
+    float lengthened = 1;  // height of the vertical cut over that of the section, where the thread climbs
+    float bend = 0;        // change of the slope for 1 mm above the centre line
     int node = 0;
     float blend = 0;
   };
 
   std::vector<Across> across(System system, int first, int last) const;
-  /// sizes: of a thread, half width and half height (mm) where it is seen.
+  /// sizes: half width and half height (mm) of a thread at this sample.
   template <class Sizes>
   Across across_at(System system, int sample, int lowest, const Sizes& sizes) const;
   Along along(System system, int thread, const CentreStep& step, float s_mm) const;
@@ -90,31 +90,31 @@ class SurfaceSampler {
   SampleGrid grid_;
   int x0_, x1_, y0_, y1_;
   float dx_mm_, dy_mm_, floor_mm_;
-  /// Of the threads that the window shows, from `first` on.
+  /// Textures of the threads in the window, from `first` on.
   struct Textures {
     int first = 0;
     std::vector<ThreadTexture> of;
-    std::vector<bool> patterned;  // false: too fine for the samples, all contrast is gone
+    std::vector<bool> patterned;  // false: too fine for the samples, without contrast
     const ThreadTexture& at(int thread) const { return of[static_cast<size_t>(thread - first)]; }
     bool has_pattern(int thread) const { return patterned[static_cast<size_t>(thread - first)]; }
   };
   static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm, float step, float step_along);
   Textures warp_texture_, weft_texture_;
   std::vector<Across> columns_, rows_;
-  bool uneven_[2];  // whether threads of the system are of uneven thickness
+  bool uneven_[2];  // whether the system has threads of uneven thickness
   std::vector<CentreStep> column_steps_;
   CentreLines lines_;
-  std::vector<Along> warp_along_;  // of this row, by end of the window
-  std::vector<Along> weft_along_;  // of this row's pick, by column
+  std::vector<Along> warp_along_;  // of the current row, by end of the window
+  std::vector<Along> weft_along_;  // of the current row's pick, by column
   int pick_ = -1;
 };
 
-/// The same of all layers of a cloth: what is higher hides what is lower but for its gaps. `beside` may have several
-/// entries a sample.
+/// The same over all layers of a cloth: upper layers hide lower ones except through their gaps. `beside` may have
+/// several entries a sample.
 class LayeredSampler {
  public:
   using Beside = SurfaceSampler::Beside;
-  /// layers: each one of the cloth's (one_layer); empty where it has one alone.
+  /// layers: from layers_apart(); empty for a single layer.
   LayeredSampler(const Cloth& cloth, std::span<const Cloth> layers, const SampleGrid& grid, int x0, int x1, int y0,
                  int y1);
   void row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside);
@@ -124,9 +124,9 @@ class LayeredSampler {
     SurfaceSampler sampler;
     std::vector<SurfaceSample> out;
     std::vector<Beside> beside;
-    size_t next = 0;  // of beside
+    size_t next = 0;  // next entry of beside
   };
-  /// What shows of each layer at a sample, with its share.
+  /// Visible surfaces of all layers at a sample, with their coverage.
   const std::vector<SurfaceSample>& stacked(size_t i);
 
   std::vector<Shown> layers_;

@@ -21,7 +21,7 @@ int next_bit(std::span<const uint64_t> words, int from, bool set) {
   return bits;
 }
 
-/// Runs of set bits; those that lie closer than `gap` are one.
+/// Runs of set bits; runs closer than `gap` are merged.
 void runs_of(std::span<const uint64_t> words, int gap, std::vector<Run>& runs) {
   runs.clear();
   const int bits = static_cast<int>(words.size()) * 64;
@@ -33,7 +33,7 @@ void runs_of(std::span<const uint64_t> words, int gap, std::vector<Run>& runs) {
   }
 }
 
-/// Rows that share one set of runs.
+/// Rows with one common set of runs.
 struct Band {
   int y0 = 0, y1 = 0;
   std::vector<uint64_t> words;

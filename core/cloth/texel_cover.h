@@ -1,5 +1,5 @@
 #pragma once
-// Which texels a change touches, a bit each, and few rectangles that hold them.
+// Bit sets of changed texels, and few rectangles that cover them.
 
 #include <vector>
 
@@ -12,8 +12,7 @@ namespace weftlight::cloth {
 /// Sets the bits [from, to) of a row.
 void set_run(std::span<uint64_t> row, int from, int to);
 
-/// Rectangles that do not overlap and hold every set bit. Greedy: a rectangle costs its area and
-/// `overhead` texels.
+/// Disjoint rectangles that cover every set bit. Greedy: a rectangle costs its area plus `overhead` texels.
 std::vector<TexelRect> cover(const BitMatrix& mask, int overhead);
 
 }  // namespace weftlight::cloth

@@ -30,7 +30,7 @@ glm::vec2 even_section(const ThreadBody& body) {
 
 float unevenness_of(const Yarn& yarn, const Finish& finish) {
   if (std::isnan(yarn.unevenness)) return 0;
-  // Mass goes with the square of the thickness: half of its variation is the thickness's.
+  // Mass goes with the square of the thickness, so the CV of thickness is half the CV of mass.
   return std::clamp(0.005f * yarn.unevenness, 0.0f, 0.5f) *
          (1 - kNapFlattening * std::clamp(finish.raised, 0.0f, 1.0f));
 }
@@ -57,7 +57,7 @@ glm::vec2 half_section(const Cloth& cloth, System system, int thread, const Cent
   const auto& threads = threads_of(cloth, system);
   const ThreadBody& body = threads[static_cast<size_t>(wrap(thread, static_cast<int>(threads.size())))];
   if (body.unevenness <= 0) return even_section(body);
-  // Evenly in one over it, as the shaders do.
+  // Interpolates 1 / size, as the shaders do.
   const glm::vec2 here = 1.0f / half_section(cloth, system, thread, step.crossing),
                   next = 1.0f / half_section(cloth, system, thread, step.crossing + 1);
   return 1.0f / (here + (next - here) * step.t);
@@ -69,7 +69,7 @@ float tallest_half(const Cloth& cloth, System system) {
     const glm::vec2 even = even_section(t);
     most = std::max(most, even.y);
     if (t.unevenness <= 0) continue;
-    // At the top of the strongest thick place that there can be: one in a few hundred comes near.
+    // Top of the strongest possible thick place; about one in a few hundred comes near it.
     const float f = 1 + 2 * spread_in(t, length_of(cloth, system)) * thread_formulas::kSlubGain;
     most = std::max(most, uneven_section(even, 0.5f * t.spacing_mm, f).y);
   }

@@ -33,7 +33,7 @@ void add_bins(std::vector<int>& first, const std::vector<ThreadBody>& threads, s
   }
 }
 
-/// Threads that all have the same room can be found by a division.
+/// Common spacing of all threads, which can then be found by a division; 0 if they differ.
 float even_room(const std::vector<ThreadBody>& threads) {
   const float room = threads.front().spacing_mm;
   const bool even =
@@ -47,7 +47,7 @@ float widest_room(const std::vector<ThreadBody>& threads) {
   return most;
 }
 
-/// Place of thread i of an endless row.
+/// Centre of thread i of the endless periodic row.
 float centre_of(const std::vector<ThreadBody>& threads, float period, int i) {
   const int n = static_cast<int>(threads.size());
   const int turn = i >= 0 ? i / n : -((n - 1 - i) / n);
@@ -64,7 +64,7 @@ std::vector<float> centres_of(const std::vector<ThreadBody>& threads, float peri
 
 namespace {
 
-/// Each layer's crossings in their place among those of all.
+/// Crossings of each layer, at their indices in the whole cloth.
 std::vector<glm::vec4> layered_crossings(const Cloth& cloth) {
   const size_t ends = cloth.ends.size();
   std::vector<glm::vec4> out(ends * cloth.picks.size(), glm::vec4(0));
@@ -106,7 +106,7 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
 
 namespace {
 
-/// Lowest and highest place that threads with such crossings reach; they bulge between them.
+/// Lowest and highest level that threads with these crossings reach.
 glm::vec2 span_of(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
   const float end = tallest_half(cloth, System::kWarp), pick = tallest_half(cloth, System::kWeft);
   const float between_ends = widest_room(cloth.ends), between_picks = widest_room(cloth.picks);
@@ -149,7 +149,7 @@ thread_formulas::ThreadHead head_of(const Cloth& one, int layers) {
   return h;
 }
 
-/// Heights of a layer among others: rays look for it there alone.
+/// Range of heights of a layer: rays look for it only there.
 void set_span(thread_formulas::ThreadHead& h, Cloth one) {
   const CellRect all{0, h.count.x, 0, h.count.y};
   const glm::vec2 span = span_of(one, thread_crossings(one, all));

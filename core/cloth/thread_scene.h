@@ -1,6 +1,6 @@
 #pragma once
-// The threads of one period as shaders/threads.glsl reads them: bodies, bins and crossings; and that file's
-// formulas on them, for whoever wants to ask the cloth itself on the CPU.
+// The threads of one period as shaders/threads.glsl reads them (bodies, bins, crossings), and that file's formulas on
+// the CPU.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -12,26 +12,26 @@
 
 namespace weftlight::cloth {
 
-/// What the formulas fetch. Systems: 0 warp, 1 weft.
+/// The data that the formulas fetch. Systems: 0 warp, 1 weft.
 struct ThreadTables {
-  std::vector<thread_formulas::ThreadHead> layers;  // at least one; without the places of records
-  std::array<std::vector<glm::uvec4>, 2> bodies;    // record_body() of shaders/thread_records.glsl takes them out
-  std::array<std::vector<int>, 2> first;            // of the threads that reach past a bin's start
+  std::vector<thread_formulas::ThreadHead> layers;  // at least one; the texel offsets of records are not set
+  std::array<std::vector<glm::uvec4>, 2> bodies;    // packed; unpacked by record_body() of shaders/thread_records.glsl
+  std::array<std::vector<int>, 2> first;            // first thread that reaches past each bin's start
 };
 
-/// All but the crossings. top_mm: of a cloth in one layer, a bound of its threads' heights.
+/// Everything but the crossings. top_mm: bound of the threads' heights, for a single-layer cloth.
 ThreadTables thread_tables(const Cloth& cloth, float top_mm);
 
-/// Crossings of a window (it may run outside 0..count, where it wraps), row-major, a row a pick: height and slope
-/// of the warp, of the weft, on the front. Of several layers: the whole period alone, 0 where threads of two cross.
+/// Crossings of a window (indices wrap), row-major by pick: height and slope of the warp, then of the weft, on the
+/// front. For several layers only the whole period, with 0 where threads of two layers cross.
 std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& window);
 
-/// Bound of the heights of threads with such crossings, of a cloth in one layer.
+/// Bound of the heights of threads with these crossings, for a single-layer cloth.
 float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings);
 
 namespace thread_formulas {
 
-/// Of a face; the back is seen mirrored, in the front's (u, v).
+/// One face; the back is mirrored, in the front's (u, v).
 class ThreadScene {
  public:
   explicit ThreadScene(const Cloth& cloth, Face face = Face::kFront);

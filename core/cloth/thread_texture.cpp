@@ -8,12 +8,12 @@ namespace weftlight::cloth {
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
-// Tone keeps along a fibre for about this many of its widths before it changes.
+// The tone along a fibre changes after about this many of its widths.
 constexpr float kToneLength = 14.0f;
-// A plied yarn is twisted against its singles, which lays its fibres nearly along the axis.
+// A plied yarn is twisted against its singles, so its fibres lie nearly along the axis.
 constexpr float kFibreTwistInPly = -0.2f;
 constexpr float kPlyRelief = 0.14f;  // of the thread's height
-constexpr int kMaxTurns = 1 << 22;   // keeps phases exact enough in float
+constexpr int kMaxTurns = 1 << 22;   // keeps phases exact in float
 
 int rounded(float x) { return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMaxTurns, 1.0f * kMaxTurns))); }
 
@@ -26,12 +26,12 @@ ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System sys
   t.radius_mm = std::max(0.25f * (body.width_mm + body.height_mm), 1e-5f);
   const float fibre_mm = yarn.fibre_um * 1e-3f;
   t.fibres = std::max(3.0f, std::round(kTwoPi * t.radius_mm / fibre_mm));
-  // Z runs like the stroke of the letter: up and to the right along an end (+x across), which is
-  // against +y along a pick.
-  const float hand = yarn.twist == Twist::kNone                               ? 0.0f
-                     : (yarn.twist == Twist::kZ) == (system == System::kWarp) ? -1.0f
-                                                                              : 1.0f;
-  const float turns = hand * yarn.turns_per_m * 1e-3f * length_mm;
+  // Z twist runs like the stroke of the letter: up and to the right along an end (+x across), which is against +y
+  // along a pick.
+  const float twist_sign = yarn.twist == Twist::kNone                               ? 0.0f
+                           : (yarn.twist == Twist::kZ) == (system == System::kWarp) ? -1.0f
+                                                                                    : 1.0f;
+  const float turns = twist_sign * yarn.turns_per_m * 1e-3f * length_mm;
   t.plies = yarn.plies;
   if (t.plies > 1) {
     t.ply_advance = rounded(turns * static_cast<float>(t.plies));

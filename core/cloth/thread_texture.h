@@ -39,7 +39,7 @@ using thread_formulas::ThreadTexture;
 
 /// `length_mm` is the period along the thread.
 ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm);
-/// Of every end, then of every pick.
+/// Textures of all ends, then of all picks.
 std::array<std::vector<ThreadTexture>, 2> thread_textures(const Cloth& cloth);
 
 }  // namespace weftlight::cloth

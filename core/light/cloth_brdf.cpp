@@ -23,7 +23,7 @@ struct Node {
 };
 using Nodes = std::array<Node, kNodes>;
 
-/// Nodes over a in -90..90 degrees: even in tan a / sigma for narrow Gaussians, even in a for wide.
+/// Nodes over a in -90..90 degrees: uniform in tan a / sigma for narrow Gaussians, uniform in a for wide ones.
 Nodes nodes_of(float sigma) {
   Nodes nodes;
   for (int i = 0; i < kNodes; ++i) {
@@ -43,8 +43,8 @@ Nodes nodes_of(float sigma) {
   return nodes;
 }
 
-/// Integral of (h.w)+ over one thread's Gaussian; `along` and `across` are w's parts on the thread's axis
-/// and across it. Over b: the positive half of R cos(b - c) cos b, (|across| + (pi - |c|) R cos c) / 2.
+/// Integral of (h.w)+ over one thread's Gaussian; `along` and `across` are the components of w along and across the
+/// thread. Over b: the positive half of R cos(b - c) cos b, (|across| + (pi - |c|) R cos c) / 2.
 float thread_area(const Nodes& nodes, float c, float along, float across, float z) {
   float sum = 0;
   const float side = std::abs(across);
@@ -110,8 +110,8 @@ Mean mean_of(const std::vector<ThreadBody>& threads) {
   return {m.spacing / n, m.height / n, m.colour / n};
 }
 
-/// exp(-slope^2 / sigma^2) of a wave that rises by half the crossing thread's and its own height within
-/// half a float: amplitude pi / length is sqrt 2 of the RMS slope.
+/// sigma of exp(-slope^2 / sigma^2) for a wave that rises by half of both threads' heights within half a float: its
+/// amplitude pi / length is sqrt 2 of the RMS slope.
 float sigma_of(float rise_mm, float float_mm) {
   return std::clamp(formulas::kPi * rise_mm / std::max(float_mm, 1e-3f), 0.1f, 1.5f);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The BRDF of a whole cloth from its weave (VRST 2003, section 3.3; shaders/vrst03.glsl): shares,
-// widths and colours from the cloth, its normalisations and the table of g by quadrature.
+// BRDF of a whole cloth from its weave (VRST 2003, section 3.3; shaders/vrst03.glsl): fractions, widths and colours
+// come from the cloth, normalisations and the table of g from quadrature.
 
 #include "cloth/cloth.h"
 #include "light/formulas.h"
@@ -14,11 +14,11 @@ struct ClothBrdf {
   Table g;             // over formulas::vrst03_g_coord
 };
 
-/// From the shares and widths alone. Shares are normalised (both zero: halves), widths clamped to 0.01..4.
+/// From fractions and widths. The fractions are normalised (both zero: halves), widths clamped to 0.01..4.
 ClothBrdf make_cloth_brdf(float f_warp, float f_weft, float sigma_warp, float sigma_weft, Linear warp, Linear weft);
 
-/// From the weave: shares by the cells of this face; the width of a system's Gaussian is the slope of a
-/// thread that climbs over the crossing threads within its mean float, so long floats shine as satin.
+/// From the weave: fractions by the cells of this face. The width of a system's Gaussian is the slope of a thread that
+/// climbs over its crossing threads within its mean float, so that long floats shine like satin.
 ClothBrdf cloth_brdf(const Cloth& cloth);
 
 /// g(w) from the table; w.z >= 0.

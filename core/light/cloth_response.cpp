@@ -1,8 +1,8 @@
-// Sums over points of the surface, for every pair of directions, of what both see.
-// Based on: Westin, Arvo, Torrance 1992, "Predicting reflectance functions from complex surfaces" (a table
-//   measured on small geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
+// Sums what light and eye both see over surface points, for every pair of directions.
+// Based on: Westin, Arvo, Torrance 1992, "Predicting reflectance functions from complex surfaces" (a table measured on
+// small geometry); Ashikhmin, Premoze, Shirley 2000 (facets that mirror, by their normals).
 // Differs: the specular part is measured facet lobe by facet lobe, and stored over its closed form from the measured
-//   slopes, so that the table is smooth.
+// slopes, so that the table is smooth.
 
 #include "light/cloth_response.h"
 
@@ -22,49 +22,50 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr size_t kV = kResponseViews, kL = kResponseLights;
-constexpr float kDark = 1e-4f;           // radiance whose lean is not seen
-constexpr float kEvenWeave = 0.02f;      // relative variance of the cover around that tells nothing
-constexpr int kTransmissionSamples = 4;  // for each of the front: few of them are both seen and lit
-constexpr int kMeanTexels = 512;         // along a side of the map, for plain means
+constexpr float kDark = 1e-4f;           // radiance below which the gradient is ignored
+constexpr float kEvenWeave = 0.02f;      // relative variance of the coverage around below which it says nothing
+constexpr int kTransmissionSamples = 4;  // for each reflection sample: few of them are both visible and lit
+constexpr int kMeanTexels = 512;         // texels a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;
 
-/// What reaches a place from the lights on one side of the cloth: cosine, times what the lobes do on the way in;
-/// shadow: projected area of the micro-facets; the light in the frame of the fibre, mu held above the plane.
+/// Light on a sample from one side of the cloth: cosine times what the lobes do on the way in. shadow: projected area
+/// of the microfacets; along, across, mu: the direction in the fibre's frame, mu clamped above the plane.
 struct LightOnSample {
-  PerLight cosine{}, lit{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
-  LightOnSample() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // of lights that do not reach it any will do
+  PerLight cosine{}, lit{}, loss{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
+  LightOnSample() { clear.fill(1), shadow.fill(1), mu.fill(1); }  // lights that do not reach the sample: any value
 };
 
-/// One place on a thread: what each view sees of it, and what each light sends to it.
+/// A surface sample with one of its normals: its visibility to each view and its light from each direction.
 struct Point {
   float area = 0;   // over that of the cloth's plane
-  float above = 0;  // of it, in the plane, what is seen from above
+  float above = 0;  // projected area visible from above
   int system = 0;
   // Of views: projected area over `area`, and what the lobes do on the way out.
-  PerView seen{}, enters{}, lost{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
+  PerView seen{}, enters{}, loss{}, veil{}, clear{}, shadow{}, along{}, across{}, mu{};
   LightOnSample front;
   float height_mm = 0;
-  float around = 0;  // share of the crossings around that its system has on top
+  float around = 0;  // fraction of the crossings around that its system has on top
   FacetMoments facets{};
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
-  float peak = 0;              // density of those slopes at their mean
+  float peak = 0;              // density of the slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
   float f0 = 0, f90 = 0, fibre_layers = 1, fuzz_colour = 0;  // green
-  // Of the colours that the table leaves out, as pictures take them.
-  float tone = 0, drawn_f0 = 0, drawn_fuzz = 0;
+  // Colours that the table leaves out, as the renderer applies them.
+  float tone = 0, rendered_f0 = 0, rendered_fuzz = 0;
 };
 
-/// Before the place: cosine of it, times share that is not hidden.
+/// Light from the front; cosine: times the visible fraction.
 void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
   from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
-  from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
+  from.loss[i] = cosine * side.loss, from.veil[i] = cosine * side.fuzz.y;
   from.clear[i] = side.clear, from.shadow[i] = side.area;
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
 }
 
-/// With a normal of the place: that between its plies for the views before which it faces, else the section's.
+/// Evaluates a sample with one of its normals: the normal between plies for the views that it faces, else that of the
+/// section.
 Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::array<glm::vec3, kV>& w) {
   Point p;
   const formulas::YarnLobes& lobes = sample.lobes;
@@ -74,8 +75,8 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = sample.groove;
   p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.fibre_layers = lobes.fibre_layers;
-  p.fuzz_colour = lobes.fuzz_colour.g, p.drawn_f0 = sample.drawn.f0.g;
-  p.drawn_fuzz = lobes.fuzz > 0 ? sample.drawn.fuzz_colour.g : p.drawn_f0 / std::max(p.f90, 1e-3f);
+  p.fuzz_colour = lobes.fuzz_colour.g, p.rendered_f0 = sample.rendered.f0.g;
+  p.rendered_fuzz = lobes.fuzz > 0 ? sample.rendered.fuzz_colour.g : p.rendered_f0 / std::max(p.f90, 1e-3f);
   p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
   p.height_mm = sample.height_mm, p.around = sample.around, p.facets = facet_moments(normal);
@@ -84,12 +85,12 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   std::array<formulas::LobeSide, kV> sides;
   for (size_t v = 0; v < kV; ++v) {
     const float facing = glm::dot(sample.side, w[v]);
-    p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // unseen: any will do
+    p.mu[v] = p.clear[v] = p.shadow[v] = 1;  // not visible: any value
     if (facing <= 0 || sample.open[v] <= 0) continue;
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
     if (plain || own == (glm::dot(sample.normal, w[v]) > 0)) p.seen[v] = facing;
-    p.enters[v] = side.enters.g, p.lost[v] = side.lost, p.veil[v] = side.fuzz.y;
+    p.enters[v] = side.enters.g, p.loss[v] = side.loss, p.veil[v] = side.fuzz.y;
     p.clear[v] = side.clear, p.shadow[v] = side.area;
     p.along[v] = local.x, p.across[v] = local.y, p.mu[v] = side.mu;
   }
@@ -105,7 +106,7 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   return p;
 }
 
-/// Over points, of [view][light]: what leaves by the body, what mirrors, fuzz and what is scattered more than once.
+/// Sums over points, [view][light]: body, mirrored light, fuzz and multiple scattering.
 struct RadianceSums {
   std::vector<float> body, mirror, fuzz;
   RadianceSums() : body(kV * kL), mirror(kV * kL), fuzz(kV * kL) {}
@@ -119,7 +120,7 @@ struct Sums {
   std::array<PerView, kFacetMoments> visible_moments{};
   Sums() : all(kV * kL) { all_moments.fill(all); }
 
-  /// All views from straight above are one.
+  /// All views from straight above are the same.
   void repeat_top() {
     constexpr size_t kTop = kV - kViewAzimuths;
     const auto rows = [](std::vector<float>& of, size_t width) {
@@ -147,78 +148,78 @@ std::vector<float> grazing_of(const std::array<glm::vec3, kV>& w) {
   return out;
 }
 
-/// Of a pile of layers (shaders/lobes.glsl, layered_grazing()).
-void rise(PerLight& rising, float fibre_layers, const float* grazing) {
+/// Fresnel weights of fibre layers (shaders/lobes.glsl, layered_grazing()).
+void set_fresnel_weights(PerLight& rising, float fibre_layers, const float* grazing) {
   for (size_t i = 0; i < kL; ++i) rising[i] = fibre_layers * grazing[i] / (1 + (fibre_layers - 1) * grazing[i]);
 }
 
-/// What one point sends one view, of each light.
+/// Radiance of one point towards one view, by light.
 struct ViewRadiance {
   PerLight scattered, mirrored, fuzz;
 };
 
-/// rising: of Fresnel's term towards grazing, of the row of this view.
-void evaluate_lights(ViewRadiance& sent, const Point& p, const LightOnSample& from, const PerLight& rising,
+/// rising: Fresnel weights of this view's row.
+void evaluate_lights(ViewRadiance& radiance, const Point& p, const LightOnSample& from, const PerLight& rising,
                      size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
-  const float body = seen * p.enters[view] * p.body_scale, over_drawn_fuzz = grooved / std::max(p.drawn_fuzz, 1e-4f);
-  const float veil = over_drawn_fuzz * p.fuzz_colour * p.veil[view] * p.again,
-              once = over_drawn_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
-  const float lost = over_drawn_fuzz * p.lost[view] * p.multiple;
+  const float body = seen * p.enters[view] * p.body_scale,
+              over_rendered_fuzz = grooved / std::max(p.rendered_fuzz, 1e-4f);
+  const float veil = over_rendered_fuzz * p.fuzz_colour * p.veil[view] * p.again,
+              once = over_rendered_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
+  const float loss = over_rendered_fuzz * p.loss[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
-  // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
-  // then runs on vectors.
+  // Local copies: the compiler then knows that the output does not alias them, and vectorises the loop.
   const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view],
               across = p.across[view], mu = p.mu[view];
   const float xx = -0.5f * p.inverse.x, xy = -p.inverse.y, yy = -0.5f * p.inverse.z;
-  const float f0 = p.f0, drawn_f0 = p.drawn_f0, f90 = p.f90;
+  const float f0 = p.f0, rendered_f0 = p.rendered_f0, f90 = p.f90;
   for (size_t i = 0; i < kL; ++i) {
     const float mu_i = from.mu[i], cosine = from.cosine[i], veiled = 1 - clear * from.clear[i],
                 unveiled = 1 - fuzz * veiled;
-    // Beckmann's facets, as lobe_specular() has them (shaders/lobes.glsl), over the Fresnel term that
-    // pictures give them.
+    // Beckmann facets as in lobe_specular() (shaders/lobes.glsl), over the Fresnel term that the renderer applies.
     const float over = 1 / (mu + mu_i), x = (along + from.along[i]) * over, y = (across + from.across[i]) * over;
     const float secant2 = 1 + x * x + y * y;
     const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
-    const float fresnel = (f0 + (f90 - f0) * rising[i]) / (drawn_f0 + (f90 - drawn_f0) * rising[i] + 1e-6f);
-    sent.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
-    sent.scattered[i] = body * from.lit[i] * unveiled;
-    sent.fuzz[i] = once * cosine * veiled * over + veil * from.veil[i] + lost * from.lost[i];
+    const float fresnel = (f0 + (f90 - f0) * rising[i]) / (rendered_f0 + (f90 - rendered_f0) * rising[i] + 1e-6f);
+    radiance.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
+    radiance.scattered[i] = body * from.lit[i] * unveiled;
+    radiance.fuzz[i] = once * cosine * veiled * over + veil * from.veil[i] + loss * from.loss[i];
   }
 }
 
-void accumulate(std::vector<float>& to, size_t view, const PerLight& sent, float scale = 1) {
+void accumulate(std::vector<float>& to, size_t view, const PerLight& radiance, float scale = 1) {
   float* row = &to[view * kL];
-  for (size_t i = 0; i < kL; ++i) row[i] += sent[i] * scale;
+  for (size_t i = 0; i < kL; ++i) row[i] += radiance[i] * scale;
 }
 
-void accumulate(RadianceSums& to, size_t view, const ViewRadiance& sent) {
-  accumulate(to.body, view, sent.scattered);
-  accumulate(to.mirror, view, sent.mirrored);
-  accumulate(to.fuzz, view, sent.fuzz);
+void accumulate(RadianceSums& to, size_t view, const ViewRadiance& radiance) {
+  accumulate(to.body, view, radiance.scattered);
+  accumulate(to.mirror, view, radiance.mirrored);
+  accumulate(to.fuzz, view, radiance.fuzz);
 }
 
 using Grazing = std::vector<float>;
 
-/// Adds a point to all pairs of a row of views. Pairs are symmetric but for what the caller divides by.
+/// Adds a point to all pairs of one view. Pairs are symmetric except for the caller's divisor.
 void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   if (p.seen[view] <= 0) return;
   const float seen = p.area * p.seen[view];
   sums.seen[view] += seen, sums.height[view] += seen * p.height_mm, sums.visible_around[view] += seen * p.around;
   for (size_t k = 0; k < kFacetMoments; ++k) sums.visible_moments[k][view] += seen * p.facets[k];
-  ViewRadiance sent;
+  ViewRadiance radiance;
   PerLight rising, all;
-  rise(rising, p.fibre_layers, &grazing[view * kL]);
-  evaluate_lights(sent, p, p.front, rising, view);
-  accumulate(sums.front, view, sent);
-  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, drawn_fuzz = p.drawn_fuzz;
+  set_fresnel_weights(rising, p.fibre_layers, &grazing[view * kL]);
+  evaluate_lights(radiance, p, p.front, rising, view);
+  accumulate(sums.front, view, radiance);
+  const float tone = p.tone, f0 = p.rendered_f0, more = p.f90 - f0, rendered_fuzz = p.rendered_fuzz;
   for (size_t i = 0; i < kL; ++i)
-    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.fuzz[i] * drawn_fuzz;
+    all[i] = radiance.scattered[i] * tone + radiance.mirrored[i] * (f0 + more * rising[i]) +
+             radiance.fuzz[i] * rendered_fuzz;
   accumulate(sums.all, view, all);
   for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.all_moments[k], view, all, p.facets[k]);
 }
 
-/// Adds all points to the rows of the views of one elevation.
+/// Adds all points to the views of one elevation.
 void add_views(std::array<Sums, 2>& sums, const std::vector<Point>& points, const Grazing& grazing, int elevation) {
   const int azimuths = elevation == kResponseElevations - 1 ? 1 : kViewAzimuths;
   for (const Point& p : points)
@@ -227,7 +228,7 @@ void add_views(std::array<Sums, 2>& sums, const std::vector<Point>& points, cons
 }
 
 #if defined(__x86_64__)
-/// The same on wider vectors; products are not fused with sums, so that the bits are the same.
+/// The same on wider vectors, without fused multiply-add, so that the result is the same bit for bit.
 [[gnu::flatten, gnu::target("avx2")]] void add_views_avx2(std::array<Sums, 2>& sums, const std::vector<Point>& points,
                                                           const Grazing& grazing, int elevation) {
   add_views(sums, points, grazing, elevation);
@@ -261,14 +262,14 @@ void add_slopes(FacetSlopes& slopes, const glm::vec3& n, const glm::vec3& fibre,
   spread_slope(slopes[1], n.y / z, std::sqrt(widths2.x * (1 - c2) + widths2.y * c2), weight);
 }
 
-/// Means over the whole map, which need no directions and so many more texels.
+/// Means over the whole map: without directions many more texels are affordable.
 void measure_means(ClothResponse& out, const Maps& maps) {
   const int step_x = std::max(1, maps.coverage.width / kMeanTexels),
             step_y = std::max(1, maps.coverage.height / kMeanTexels);
   float all = 0;
   for (int j = 0; j < maps.coverage.height / step_y; ++j) {
     for (int i = 0; i < maps.coverage.width / step_x; ++i) {
-      // Every place within a step in turn: the threads are as regular as the texels.
+      // Visits every offset within a step in turn, since threads are as regular as texels.
       const int x = i * step_x + (i + j) % step_x, y = j * step_y + i % step_y;
       const float weight = maps.coverage.at(x, y), shade = weight * maps.groove.at(x, y);
       SystemResponse& s = out.systems[maps.system.at(x, y) ? 1 : 0];
@@ -290,7 +291,7 @@ void measure_means(ClothResponse& out, const Maps& maps) {
   out.sky /= std::max(all, 1e-9f);
 }
 
-/// To a density.
+/// Normalises to a density.
 void finish(FacetSlopes& slopes) {
   for (auto& axis : slopes) {
     float sum = 0;
@@ -301,8 +302,8 @@ void finish(FacetSlopes& slopes) {
 
 using Moments = FacetMoments;
 
-/// Slopes and moments of what is seen from above, and how much of each system. A texel of a map is of one system: where
-/// the slits between threads are narrower than texels, the shares of a map are off by a quarter.
+/// Slopes, moments and fractions of what is visible from above. A texel of a map belongs to one system: where the gaps
+/// between threads are narrower than texels, fractions from the map are off by a quarter.
 std::array<Moments, 2> measure_top(ClothResponse& out, const ThreadSamples& threads) {
   std::array<Moments, 2> sums{};
   std::array<float, 2> seen{};
@@ -320,9 +321,9 @@ std::array<Moments, 2> measure_top(ClothResponse& out, const ThreadSamples& thre
   return sums;
 }
 
-/// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
-/// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
-/// rise, beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
+/// Change of the warp's visible fraction with its fraction of the crossings around. Samples are uniform over all
+/// threads, so the visible part of a system in a region is the mean over its samples there, hidden ones included.
+/// Least squares give the change relative to that from above, which is 1. Warp and weft give two estimates.
 std::vector<float> visible_rises(const std::array<Sums, 2>& sums, const ThreadSamples& threads) {
   std::vector<float> out(kV);
   for (size_t s = 0; s < 2; ++s) {
@@ -340,7 +341,6 @@ std::vector<float> visible_rises(const std::array<Sums, 2>& sums, const ThreadSa
   return out;
 }
 
-/// Of the points of one system.
 template <class Weight>
 FacetRegression regression(const std::vector<Point>& points, int system, Weight weight_of) {
   FacetRegression out;
@@ -350,8 +350,8 @@ FacetRegression regression(const std::vector<Point>& points, int system, Weight 
   return out;
 }
 
-/// Of one system, per its share of the cover: what it sends, what is seen of it, and how the first leans with the
-/// facets that are seen. Returns what areas of places are multiplied by.
+/// Normalises one system by its fraction of the coverage: reflected light, visible area, and the gradient of the
+/// former by the visible facets. Returns the scale of the sample areas.
 float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& points, int system,
                     const Moments& above) {
   const FacetRegression cover = regression(points, system, [](const Point& p) { return p.above; });
@@ -376,7 +376,7 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
   return scale;
 }
 
-/// Points of the places, with the slopes of those that are seen from above.
+/// Evaluates the samples. A normal between plies that faces away from some view needs a second point.
 std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std::array<glm::vec3, kV>& w) {
   const auto turns_away = [&w](const ThreadSample& p) {
     return p.normal != p.side && std::any_of(w.begin(), w.end(), [&p](const glm::vec3& v) {
@@ -395,8 +395,8 @@ std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std
   return points;
 }
 
-/// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those
-/// of many.
+/// Mirrored light is measured at few samples, so it is divided by the slopes of just these; the shader multiplies by
+/// those of many.
 std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& samples) {
   std::array<FacetSlopes, 2> out{};
   for (const ThreadSample& p : samples) {
@@ -408,20 +408,20 @@ std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& samples) {
   return out;
 }
 
-/// few: slopes of the places that the sums are of.
+/// few: slopes of the samples that the sums are of.
 void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std::array<FacetSlopes, 2>& few,
                   const std::array<glm::vec3, kV>& w) {
   for (size_t v = 0; v < kV; ++v) {
     const float seen = std::max(sums[0].seen[v] + sums[1].seen[v], 1e-9f);
     for (size_t s = 0; s < 2; ++s) {
       SystemResponse& system = out.systems[s];
-      const RadianceSums& sent = sums[s].front;
+      const RadianceSums& radiance = sums[s].front;
       for (size_t i = 0; i < kL; ++i) {
         const size_t at = v * kL + i;
         const float density = closed_form(few[s], system.fraction, w[view_of_light(i)], w[v]);
-        system.reflected[4 * at] = sent.body[at] / seen;
-        system.reflected[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
-        system.reflected[4 * at + 2] = sent.fuzz[at] / seen;
+        system.reflected[4 * at] = radiance.body[at] / seen;
+        system.reflected[4 * at + 1] = radiance.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
+        system.reflected[4 * at + 2] = radiance.fuzz[at] / seen;
         system.reflected[4 * at + 3] = sums[s].seen[v] / seen;
       }
     }

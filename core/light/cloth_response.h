@@ -1,7 +1,7 @@
 #pragma once
-// How a cloth answers light from afar, measured on its own threads, one system at a time: what of
-// its facets light and eye both see, and how their slopes lie. Rungs `cloth` and `repeat` read it
-// (shaders/methods.glsl says how); it depends on the yarns' lobes, so it is made anew when they change.
+// Far-field reflectance of a cloth, measured on its own threads, for each system: which facets are visible to both
+// light and eye, and the distribution of their slopes. Methods `cloth` and `repeat` read it (shaders/methods.glsl). It
+// depends on the yarns' lobes, so it is measured again when they change.
 
 #include <array>
 #include <vector>
@@ -12,53 +12,54 @@
 
 namespace weftlight::light {
 
-inline constexpr int kResponseSamples = 2048;       // means then hold 4 percent on the charts' cloths
-inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // even in the slope's angle, -90 to 90 degrees
+inline constexpr int kResponseSamples = 2048;       // means are then within 4 percent on the charted cloths
+inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // uniform in the slope's angle, -90 to 90 degrees
 
-// Density of the facets' slope angles along x and along y, micro-slopes in it; integral 1.
+// Density of the facets' slope angles along x and y, including micro-slopes; integral 1.
 using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
 
 struct SystemResponse {
-  // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()
-  // of shaders/methods.glsl times the share, and kFacetDensityFloor), fuzz and light scattered more than once, share of
-  // what is seen. Directions: light/thread_samples.h. Over all the cloth that is seen.
+  // RGBA of [view][light]: body (to be multiplied by the thread's colour); mirrored light over its closed form
+  // (facet_density() of shaders/methods.glsl times the fraction, plus kFacetDensityFloor); fuzz and multiple
+  // scattering; visible fraction. Directions: light/thread_samples.h. Relative to all visible cloth.
   std::vector<float> reflected;
-  // The same of [view][light from behind] (thread_samples.h): through the threads or onto their sides, body times body
-  // and through, what mirrors as it is, no share. Other threads stop most of it.
+  // The same for [view][light from behind] (thread_samples.h), through the threads or onto their sides: body includes
+  // transmission, mirrored light is not divided by a closed form, the visible fraction is left out. Most of this light
+  // is stopped by other threads.
   std::vector<float> transmitted;
-  std::vector<float> transmission_gradient;  // as `lean`, of what comes by the body and through
-  // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
-  // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
+  std::vector<float> transmission_gradient;  // as `gradient`, of body and transmission
+  // [view][light][moment]: relative change of the reflected light with each moment of the local facets, against the
+  // mean facets of the cloth (`facets`). Least squares over the visible samples.
   std::vector<float> gradient;
-  // RGBA of [view], under a sky that is 1 everywhere: body (times the thread's colour), fuzz and light scattered more
-  // than once, mirrored light without Fresnel's term, that times its rise at grazing.
+  // RGBA of [view] under a uniform sky of radiance 1: body (to be multiplied by the thread's colour), fuzz and
+  // multiple scattering, mirrored light without the Fresnel term, that times its rise towards grazing.
   std::vector<float> sky;
-  FacetMoments facets{};         // of the maps, seen from above
-  std::vector<float> height_mm;  // [view]: mean height of what is seen
+  FacetMoments facets{};         // from the maps, visible from above
+  std::vector<float> height_mm;  // [view]: mean height of the visible surface
   FacetSlopes slopes{};
-  float fraction = 0;  // of the cover at normal view, as rays see it; both sum to 1
+  float fraction = 0;  // of the coverage at normal view, by rays; both systems sum to 1
   Linear colour;       // mean of the maps, with grooves
 };
 
-/// Index 0 warp, 1 weft. Means of colours and facets come from the maps; `samples`: places on the threads at
-/// which the rest is measured.
+/// Index 0 warp, 1 weft. Mean colours and facets come from the maps; everything else is measured at `samples` surface
+/// samples of the threads.
 struct ClothResponse {
   std::array<SystemResponse, 2> systems;
-  float sky = 1;  // mean share of the sky that is seen
-  // [view]: mean directions of the sky that is sent, by body and fuzz and as it is mirrored.
+  float sky = 1;  // mean visible fraction of the sky
+  // [view]: mean directions of the sky light that is reflected, by body and fuzz, and mirrored.
   std::vector<std::array<glm::vec3, 2>> sky_from;
-  // [view]: what warp and weft send of an even sky, over what rung `yarn` makes of it place by place
-  // (shaders/methods.glsl, facet_sky_visibility() and on); what the mean direction of the mirrored sky is beyond the
-  // rung's, along the view and up.
+  // [view]: x, y: reflected light of a uniform sky by warp and weft, over what method `yarn` estimates sample by
+  // sample (facet_sky_visibility() etc. of shaders/methods.glsl); z, w: mean direction of the mirrored sky minus that
+  // method's, along the view and up.
   std::vector<glm::vec4> near_sky;
-  // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
-  // slant, where the fewer threads lie hidden between the others.
+  // [view]: change of the warp's visible fraction with its fraction of the crossings around. 1 from above; more at a
+  // slant, where the fewer threads are hidden between the others.
   std::vector<float> visible_rise;
 };
 ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = kResponseSamples);
 
-/// Density (1/sr) of the facets of a system with such a share that mirror light from `l` to `v`, as pictures take it
-/// from the slopes.
+/// Density (1/sr) of the facets of a system that mirror light from `l` to `v`, by the product of slope densities that
+/// the renderer uses. fraction: of the coverage.
 float closed_form(const FacetSlopes& slopes, float fraction, const glm::vec3& l, const glm::vec3& v);
 
 }  // namespace weftlight::light

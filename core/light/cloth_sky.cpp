@@ -1,8 +1,7 @@
 // Based on: Heitz, d'Eon 2014, "Importance sampling microfacet-based BSDFs using the distribution of visible normals"
-//   (facets by their projected area towards the view); Heitz 2014 (their masking, as shaders/lobes.glsl).
-// Differs: slopes are Gaussian deviates of a lattice, a few other ones at each place; what they miss at one they find
-// at
-//   the others.
+// (facets by their projected area towards the view); Heitz 2014 (their masking, as shaders/lobes.glsl).
+// Differs: slopes are Gaussian deviates of a lattice, a few different ones at each sample; what they miss at one
+// sample they cover at others.
 
 #include "light/cloth_sky.h"
 
@@ -18,14 +17,14 @@ namespace weftlight::light {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kRings = 20, kTurns = 40;               // lights of equal parts of the hemisphere
+constexpr int kRings = 20, kTurns = 40;               // lights of equal solid angle over the hemisphere
 constexpr float kPart = 2 * kPi / (kRings * kTurns);  // sr
-constexpr size_t kDeviates = 1021;                    // prime: places share no run of them
-constexpr size_t kFacets = 4;                         // of a place, for each view
+constexpr size_t kDeviates = 1021;                    // prime, so that samples do not repeat the same run
+constexpr size_t kFacets = 4;                         // a sample and view
 constexpr float kMinFactor = 0.4f, kMaxFactor = 2.5f;
 
-/// The part of an even sky that each light of the tables stands for, between whose nodes answers run straight: its
-/// directions, summed, and sr.
+/// For each light node of the tables, the part of a uniform sky that it stands for (responses are linear between
+/// nodes): sum of directions, and solid angle in sr.
 std::vector<glm::vec4> sky_parts() {
   std::vector<glm::vec4> out(kResponseLights, glm::vec4(0));
   for (int k = 0; k < kRings * kTurns; ++k) {
@@ -58,7 +57,7 @@ std::vector<glm::vec2> deviates() {
   return out;
 }
 
-/// What of a light from `l` the place sees, between the views.
+/// Visibility of direction `l` at a sample, interpolated between views.
 float open_towards(const ThreadSample& p, const glm::vec3& l) {
   const formulas::vec2 at = formulas::response_coord(l);
   const float x = at.x * kViewAzimuths, across = x - std::floor(x);
@@ -70,11 +69,11 @@ float open_towards(const ThreadSample& p, const glm::vec3& l) {
          (over[low] * (1 - across) + over[high] * across) * above;
 }
 
-/// A place with what all views share.
+/// A sample with what all views share.
 struct Facets {
   const ThreadSample* sample;
   formulas::LobeShared shared;
-  glm::vec3 root{0};  // of the covariance of slopes: lower triangle xx, xy, yy
+  glm::vec3 root{0};  // of the slope covariance: lower triangle xx, xy, yy
 };
 
 std::vector<Facets> facets_of(const std::vector<ThreadSample>& samples) {
@@ -89,18 +88,18 @@ std::vector<Facets> facets_of(const std::vector<ThreadSample>& samples) {
   return out;
 }
 
-/// One system along one view, of an even sky. Directions are times what comes from them.
+/// One system along one view, under a uniform sky. Directions are weighted by their light.
 struct Mirrored {
-  float all = 0, rising = 0;  // without Fresnel's term; times its rise at grazing
+  float all = 0, rising = 0;  // without the Fresnel term; times its rise at grazing
   float light = 0;
   glm::vec3 from{0};
 };
-struct Drawn {  // by rung `yarn`
+struct YarnMethodSky {  // as method `yarn` estimates it
   float all = 0, glossy = 0;
   glm::vec3 from{0};
 };
 
-/// What the place mirrors of the sky that it sees. weight: of its area towards the view.
+/// Adds the sky light that a sample mirrors. weight: its area towards the view.
 void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame& frame, const formulas::LobeSide& side,
                   const glm::vec3& wo, const glm::vec2* slopes, float weight) {
   const ThreadSample& p = *facets.sample;
@@ -121,15 +120,16 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
     const float rising = formulas::layered_grazing(y.fibre_layers, std::max(1 - facing, 0.0f));
     const float fresnel = y.f0.g + (y.f90 - y.f0.g) * rising;
     const float clear = y.fuzz > 0 ? std::exp(-std::min(y.fuzz_depth / mu, 80.0f)) : 1.0f;
-    const float sent = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
-    const float drawn = p.drawn.f0.g + (y.f90 - p.drawn.f0.g) * rising;
-    const float weighted = sent * fresnel / (drawn + 1e-6f);
+    const float radiance = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
+    const float drawn = p.rendered.f0.g + (y.f90 - p.rendered.f0.g) * rising;
+    const float weighted = radiance * fresnel / (drawn + 1e-6f);
     sum.all += weighted, sum.rising += weighted * rising;
-    sum.light += sent * fresnel, sum.from += sent * fresnel * l;
+    sum.light += radiance * fresnel, sum.from += radiance * fresnel * l;
   }
 }
 
-void add_sample(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const glm::vec3& v, const glm::vec2* slopes) {
+void add_sample(Mirrored& mirrored, YarnMethodSky& drawn, const Facets& facets, const glm::vec3& v,
+                const glm::vec2* slopes) {
   const ThreadSample& p = *facets.sample;
   const float weight = p.area * glm::dot(p.side, v) * p.groove;
   const glm::vec3 n = glm::dot(p.normal, v) > 0 ? p.normal : p.side;
@@ -144,10 +144,10 @@ void add_sample(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const gl
   add_mirrored(mirrored, facets, frame, side, wo, slopes, weight);
 }
 
-/// All that one view is sent: times its direction, and it.
+/// Reflected sky light along one view: xyz directions times light, w light.
 struct SkyRadiance {
   glm::vec4 diffuse{0}, glossy{0};
-  Drawn drawn;
+  YarnMethodSky drawn;
 };
 
 class SkyMeasurer {
@@ -163,7 +163,7 @@ class SkyMeasurer {
   void measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
 
  private:
-  glm::vec2 scattered(size_t system, size_t view, SkyRadiance& sent) const;
+  glm::vec2 scattered(size_t system, size_t view, SkyRadiance& radiance) const;
 
   ClothResponse& response_;
   std::vector<glm::vec4> parts_;
@@ -172,47 +172,47 @@ class SkyMeasurer {
   std::array<formulas::YarnLobes, 2> yarns_;
 };
 
-/// Body; fuzz and light scattered more than once.
-glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& sent) const {
+/// Body; fuzz and multiple scattering.
+glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& radiance) const {
   const float* row = &response_.systems[system].reflected[4 * view * kResponseLights];
   const float body = yarns_[system].body.g, fuzz = formulas::fuzz_tint(yarns_[system]).g;
   glm::vec2 sum(0);
   for (size_t i = 0; i < kResponseLights; ++i) {
     const glm::vec2 reflected(row[4 * i], row[4 * i + 2]);
     sum += reflected * parts_[i].w;
-    sent.diffuse += (reflected.x * body + reflected.y * fuzz) * parts_[i];
+    radiance.diffuse += (reflected.x * body + reflected.y * fuzz) * parts_[i];
   }
   return sum;
 }
 
 void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen) {
   std::array<Mirrored, 2> mirrored;
-  std::array<Drawn, 2> drawn;
+  std::array<YarnMethodSky, 2> drawn;
   for (size_t i = 0; i < facets_.size(); ++i) {
     const ThreadSample& p = *facets_[i].sample;
     if (p.open[view] <= 0 || glm::dot(p.side, v) <= 0) continue;
     const size_t s = static_cast<size_t>(p.system);
     add_sample(mirrored[s], drawn[s], facets_[i], v, &deviates_[(i * kFacets + view) % kDeviates]);
   }
-  SkyRadiance sent;
+  SkyRadiance radiance;
   glm::vec4& near_sky = response_.near_sky[view];
   for (size_t s = 0; s < 2; ++s) {
     const float part = scale[s] / std::max(seen, 1e-9f);
-    const glm::vec2 diffuse = scattered(s, view, sent);
+    const glm::vec2 diffuse = scattered(s, view, radiance);
     const glm::vec4 sky(diffuse, mirrored[s].all * part, mirrored[s].rising * part);
     std::copy_n(glm::value_ptr(sky), 4, &response_.systems[s].sky[4 * view]);
     const formulas::YarnLobes& y = yarns_[s];
     const float all = y.body.g * sky.x + formulas::fuzz_tint(y).g * sky.y + y.f0.g * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
     near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
-    sent.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
-    sent.drawn.glossy += part * drawn[s].glossy, sent.drawn.from += part * drawn[s].from;
+    radiance.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
+    radiance.drawn.glossy += part * drawn[s].glossy, radiance.drawn.from += part * drawn[s].from;
   }
-  if (sent.diffuse.w > 0) response_.sky_from[view][0] = glm::vec3(sent.diffuse) / sent.diffuse.w;
-  if (sent.glossy.w <= 0) return;
-  response_.sky_from[view][1] = glm::vec3(sent.glossy) / sent.glossy.w;
-  if (sent.drawn.glossy <= 0) return;
-  const glm::vec3 more = response_.sky_from[view][1] - sent.drawn.from / sent.drawn.glossy;
+  if (radiance.diffuse.w > 0) response_.sky_from[view][0] = glm::vec3(radiance.diffuse) / radiance.diffuse.w;
+  if (radiance.glossy.w <= 0) return;
+  response_.sky_from[view][1] = glm::vec3(radiance.glossy) / radiance.glossy.w;
+  if (radiance.drawn.glossy <= 0) return;
+  const glm::vec3 more = response_.sky_from[view][1] - radiance.drawn.from / radiance.drawn.glossy;
   const glm::vec2 along = glm::vec2(v) / std::max(glm::length(glm::vec2(v)), 1e-6f);
   near_sky.z = glm::dot(glm::vec2(more), along), near_sky.w = more.z;
 }

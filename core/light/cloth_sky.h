@@ -1,6 +1,6 @@
 #pragma once
-// What a cloth sends from afar of a sky: what scatters from its answers to lights, summed over lights from everywhere
-// above; what mirrors from its places, each by directions that its own facets mirror into the view.
+// Reflected light of a uniform sky: the scattered part is the far-field response summed over lights of the upper
+// hemisphere; the mirrored part is sampled from the facets of each sample.
 
 #include <array>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace weftlight::light {
 
-/// Fills `sky` of both systems, `sky_from` and `near_sky`. places: those of the answers; scale: of a system's areas, as
-/// the answers have it; seen: of both systems so scaled, per view.
+/// Fills `sky` of both systems, `sky_from` and `near_sky`. samples, scale: those of the response and their area scale;
+/// seen: visible area of both systems so scaled, by view.
 void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples,
                  const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen);
 

@@ -1,7 +1,6 @@
-// Linear least squares over pairs of views and lights, relative to what is sent and to the mean of the view, and over
-// those means; the widths
-// of the lobe and the sheen's roughness by a search down the error; what couples the parts (Fresnel, and what sheen
-// leaves) is taken from the round before.
+// Linear least squares over pairs of views and lights, relative to the reflected light and the mean of the view, and
+// over those means. The widths of the lobe and the sheen's roughness are found by descent. Coupling between the parts
+// (Fresnel, and what the sheen leaves) is taken from the previous round.
 
 #include "light/engine_fit.h"
 
@@ -18,28 +17,29 @@ namespace {
 using formulas::EngineMaterial;
 using formulas::EngineParts;
 
-constexpr int kRounds = 3;  // of least squares, for what couples the parts
+constexpr int kRounds = 3;  // rounds of least squares, for the coupling between the parts
 constexpr float kMinBase = 0.25f;
-constexpr float kMaxScale = 4.0f;                            // of base colour and of sheen
+constexpr float kMaxScale = 4.0f;                            // of base colour and sheen
 constexpr size_t kUnknowns = 6;                              // base r, g, b, f0, f90, sheen
-constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;        // of the search, in logarithms
-constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // of the variances, where all of the spread is in them
+constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;        // of the descent, in logarithms
+constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // factors of the variances, at footprint weight 1
 constexpr float kSmoothestSheen = 0.2f, kRoughestSheen = 1.0f;
-constexpr float kHighlightWeight = 0.2f;  // of what is sent in the size of an error; the rest is the mean of the view
-constexpr float kMeanPull = 4.0f;         // weight of the mean of a view, over that of all its pairs
-constexpr float kHue = 0.05f;  // pull of the base colour's factors to their mean: a dark channel tells little
+constexpr float kHighlightWeight =
+    0.2f;  // weight of the pair itself in the scale of an error; the rest is the mean of the view
+constexpr float kMeanPull = 4.0f;  // weight of the mean of a view, over that of all its pairs
+constexpr float kHue = 0.05f;      // pull of the base colour factors to their mean: a dark channel is poorly determined
 constexpr float kSteepView = 0.26f, kSteepViewWeight = 0.3f;  // weight of views past 75 degrees
 
 glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
 
-/// Density of a slope's angle, between the middles of the bins, as a texture unit reads it.
+/// Density of a slope's angle, interpolated between bins as a texture unit does.
 float density_at(const std::array<float, kSlopeBins>& bins, float slope) {
   const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
   const size_t k = static_cast<size_t>(at);
   return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
 }
 
-/// Warp and weft as rung `cloth` takes them.
+/// Mean yarns of warp and weft, as in method `cloth`.
 std::array<formulas::YarnLobes, 2> mean_yarns(const Cloth& cloth, const ClothResponse& response) {
   std::array<formulas::YarnLobes, 2> out;
   for (size_t s = 0; s < 2; ++s) {
@@ -48,7 +48,7 @@ std::array<formulas::YarnLobes, 2> mean_yarns(const Cloth& cloth, const ClothRes
   return out;
 }
 
-/// What the whole cloth sends from light node to view node for a unit of irradiance at right angles.
+/// Radiance of the cloth from light node to view node, for unit irradiance at normal incidence.
 glm::vec3 cloth_radiance(const std::array<formulas::YarnLobes, 2>& yarns, const ClothResponse& response, size_t view,
                          size_t light) {
   static const std::array<glm::vec3, kResponseViews> w = response_views();
@@ -66,14 +66,14 @@ glm::vec3 cloth_radiance(const std::array<formulas::YarnLobes, 2>& yarns, const 
   return sum;
 }
 
-/// A node of the grid of views or of lights, and its share of the hemisphere.
+/// A node of the grid of views or lights, and its fraction of the hemisphere.
 struct Node {
   size_t index = 0;  // view or light
   glm::vec3 w{0, 0, 1};
   float fraction = 0;
 };
 
-/// Down to an elevation node, `azimuths` a ring of the `of` that there are.
+/// Nodes down to elevation `lowest`, `azimuths` of the `of` in each ring.
 std::vector<Node> nodes(size_t lowest, size_t azimuths, size_t of) {
   static const std::array<glm::vec3, kResponseViews> w = response_views();
   std::vector<Node> out;
@@ -94,7 +94,7 @@ std::vector<Node> nodes(size_t lowest, size_t azimuths, size_t of) {
 struct Pair {
   size_t view = 0, light = 0;  // among the nodes
   glm::vec3 wanted{0};
-  float weight = 0;  // of the squares: over what is sent and the mean of the view, so that no highlight rules
+  float weight = 0;  // of the square: over the reflected light and the mean of the view, so that no highlight dominates
   float fraction = 0;
 };
 
@@ -127,7 +127,7 @@ Problem problem_of(const Cloth& cloth, const ClothResponse& response, size_t low
   return out;
 }
 
-/// A pixel of the engine, its lobe made.
+/// A pixel of the engine, with its lobe.
 struct Shaded {
   EngineMaterial material;
   formulas::LobeFrame frame;
@@ -150,14 +150,14 @@ std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model,
   return out;
 }
 
-/// What the texels send for each pair, part by part, for factors of one.
+/// Radiance of the texels for a pair, by part, for factors of one.
 struct PairRadiance {
   glm::vec3 body{0}, fuzz{0};
   glm::vec2 gloss{0};
 };
 
-std::vector<PairRadiance> radiance_by(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
-                                      const EngineFit& fit) {
+std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Problem& problem, const EngineModel& model,
+                                         const EngineFit& fit) {
   std::vector<PairRadiance> out(problem.pairs.size());
   std::vector<glm::vec3> wi(problem.lights.size()), wo(problem.views.size());
   for (const Shaded& t : shaded(texels, model, fit)) {
@@ -174,8 +174,9 @@ std::vector<PairRadiance> radiance_by(const EngineTexels& texels, const Problem&
   return out;
 }
 
-glm::vec3 whole(const PairRadiance& sent, const EngineFit& fit) {
-  return sent.body * fit.base + glm::vec3(glm::dot(sent.gloss, glm::vec2(fit.f0, fit.f90))) + sent.fuzz * fit.sheen;
+glm::vec3 whole(const PairRadiance& radiance, const EngineFit& fit) {
+  return radiance.body * fit.base + glm::vec3(glm::dot(radiance.gloss, glm::vec2(fit.f0, fit.f90))) +
+         radiance.fuzz * fit.sheen;
 }
 
 /// Bounded least squares by coordinates; an unknown whose bounds meet stays as it is.
@@ -201,7 +202,8 @@ struct Normal {
         for (size_t j = 0; j < kUnknowns; ++j) rest -= j == i ? 0.0 : a[i][j] * static_cast<double>(x[j]);
         if (i < 3) rest += pull * mean, own += pull;
         x[i] = std::clamp(static_cast<float>(rest / own), least[i], most[i]);
-        if (i == kF90) x[i] = std::max(x[i], std::min(x[kF0], most[i]));  // grazing facets mirror no less
+        if (i == kF90)
+          x[i] = std::max(x[i], std::min(x[kF0], most[i]));  // Fresnel reflectance does not fall towards grazing
       }
     }
   }
@@ -216,20 +218,20 @@ struct Normal {
   static constexpr size_t kF0 = 3, kF90 = 4;
 };
 
-/// A pair's part of each unknown, in a channel.
-Unknowns row_of(const PairRadiance& sent, int channel) {
-  Unknowns row{0, 0, 0, sent.gloss.x, sent.gloss.y, sent.fuzz[channel]};
-  row[static_cast<size_t>(channel)] = sent.body[channel];
+/// Coefficients of the unknowns for one pair and channel.
+Unknowns row_of(const PairRadiance& radiance, int channel) {
+  Unknowns row{0, 0, 0, radiance.gloss.x, radiance.gloss.y, radiance.fuzz[channel]};
+  row[static_cast<size_t>(channel)] = radiance.body[channel];
   return row;
 }
 
-/// The pairs of a view summed up, as one more of them: what is too bright towards one light and too dark towards
-/// another still sends what the cloth does.
-void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadiance> sent, int channel) {
+/// The mean over the pairs of a view, as one more equation: errors that cancel over lights still conserve the energy
+/// of the cloth.
+void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadiance> radiance, int channel) {
   Unknowns sum{};
   float wanted = 0, total = 1e-9f, weights = 0;
   for (size_t i = 0; i < pairs.size(); ++i) {
-    const Unknowns row = row_of(sent[i], channel);
+    const Unknowns row = row_of(radiance[i], channel);
     for (size_t k = 0; k < kUnknowns; ++k) sum[k] += pairs[i].fraction * row[k];
     wanted += pairs[i].fraction * pairs[i].wanted[channel], total += pairs[i].fraction, weights += pairs[i].weight;
   }
@@ -237,19 +239,19 @@ void add_mean(Normal& to, std::span<const Pair> pairs, std::span<const PairRadia
   to.add(sum, wanted / total, kMeanPull * weights);
 }
 
-Normal normal_of(const Problem& problem, const std::vector<PairRadiance>& sent) {
+Normal normal_of(const Problem& problem, const std::vector<PairRadiance>& radiance) {
   Normal out;
   const size_t lights = problem.lights.size();
   for (int c = 0; c < 3; ++c) {
-    for (size_t i = 0; i < sent.size(); ++i)
-      out.add(row_of(sent[i], c), problem.pairs[i].wanted[c], problem.pairs[i].weight);
-    for (size_t first = 0; first < sent.size(); first += lights)
-      add_mean(out, std::span(problem.pairs).subspan(first, lights), std::span(sent).subspan(first, lights), c);
+    for (size_t i = 0; i < radiance.size(); ++i)
+      out.add(row_of(radiance[i], c), problem.pairs[i].wanted[c], problem.pairs[i].weight);
+    for (size_t first = 0; first < radiance.size(); first += lights)
+      add_mean(out, std::span(problem.pairs).subspan(first, lights), std::span(radiance).subspan(first, lights), c);
   }
   return out;
 }
 
-/// What bounds the unknowns: a base colour that is white, a sheen that is, and what the model has.
+/// Bounds of the unknowns: base colour and sheen up to white, and what the model can do.
 struct Bounds {
   Unknowns least{}, most{};
 };
@@ -263,11 +265,11 @@ Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
           {kMaxScale, kMaxScale, kMaxScale, model.most_f0, 1, plain ? 0 : std::min(kMaxScale, 1 / most_sheen)}};
 }
 
-/// The best for these widths of the lobe and this roughness of the sheen.
+/// Best factors for the given lobe widths and sheen roughness.
 void solve(EngineFit& fit, const EngineTexels& texels, const Problem& problem, const EngineModel& model,
            const Bounds& bounds, int rounds) {
   for (int round = 0; round < rounds; ++round) {
-    const Normal normal = normal_of(problem, radiance_by(texels, problem, model, fit));
+    const Normal normal = normal_of(problem, texel_radiance(texels, problem, model, fit));
     Unknowns x{fit.base.r, fit.base.g, fit.base.b, fit.f0, fit.f90, fit.sheen};
     normal.solve(x, bounds.least, bounds.most);
     fit.base = {x[0], x[1], x[2]}, fit.f0 = x[3], fit.f90 = x[4], fit.sheen = x[5];
@@ -275,12 +277,12 @@ void solve(EngineFit& fit, const EngineTexels& texels, const Problem& problem, c
   }
 }
 
-/// What is searched: the lobe's two factors and the sheen's roughness.
+/// Searched parameters: the lobe's two factors and the sheen's roughness.
 float* searched(EngineFit& fit, int which) {
   return which == 0 ? &fit.lobe.x : which == 1 ? &fit.lobe.y : &fit.sheen_roughness;
 }
 
-/// The sheen's roughness is its own in these models alone.
+/// Only these models have a sheen roughness of their own.
 bool own_roughness(int sheen) { return sheen == formulas::kSheenCharlie || sheen == formulas::kSheenZeltner; }
 
 }  // namespace
@@ -322,7 +324,7 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
 
 std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                       const EngineModel& model, const EngineFit& fit) {
-  // From -v, which is the top of an image, and from u, its left.
+  // From -v, the top of an image, and from u, its left.
   constexpr std::array<size_t, 2> kLights{6 * kLightAzimuths + kLightAzimuths / 4 * 3, 6 * kLightAzimuths};
   const std::array<formulas::YarnLobes, 2> yarns = mean_yarns(cloth, response);
   const std::array<glm::vec3, kResponseViews> w = response_views();
@@ -336,11 +338,11 @@ std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& c
     for (size_t v = 0; v < problem.views.size(); ++v)
       problem.pairs.push_back({v, l, cloth_radiance(yarns, response, problem.views[v].index, kLights[l]), 1, 1});
   }
-  const std::vector<PairRadiance> sent = radiance_by(texels, problem, model, fit);
+  const std::vector<PairRadiance> radiance = texel_radiance(texels, problem, model, fit);
   std::vector<EngineCheck> out;
-  for (size_t i = 0; i < sent.size(); ++i) {
+  for (size_t i = 0; i < radiance.size(); ++i) {
     const Pair& pair = problem.pairs[i];
-    out.push_back({problem.views[pair.view].w, problem.lights[pair.light].w, pair.wanted, whole(sent[i], fit)});
+    out.push_back({problem.views[pair.view].w, problem.lights[pair.light].w, pair.wanted, whole(radiance[i], fit)});
   }
   return out;
 }
@@ -349,14 +351,14 @@ std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& c
                                       const EngineModel& model, const EngineFit& fit) {
   constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
   const Problem problem = problem_of(cloth, response, 3, kViewAzimuths / 2, kLightAzimuths);
-  const std::vector<PairRadiance> sent = radiance_by(texels, problem, model, fit);
+  const std::vector<PairRadiance> radiance = texel_radiance(texels, problem, model, fit);
   std::vector<EngineScore> out;
   for (size_t k = kResponseElevations; k-- > 3;) {
     float engine = 0, wanted = 1e-9f, square = 0, squares = 1e-12f;
-    for (size_t i = 0; i < sent.size(); ++i) {
+    for (size_t i = 0; i < radiance.size(); ++i) {
       const Pair& pair = problem.pairs[i];
       if (problem.views[pair.view].index / kViewAzimuths != k) continue;
-      const float a = glm::dot(whole(sent[i], fit), kLuminance), b = glm::dot(pair.wanted, kLuminance);
+      const float a = glm::dot(whole(radiance[i], fit), kLuminance), b = glm::dot(pair.wanted, kLuminance);
       engine += pair.fraction * a, wanted += pair.fraction * b;
       square += pair.fraction * (a - b) * (a - b), squares += pair.fraction * b * b;
     }

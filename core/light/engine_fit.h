@@ -1,8 +1,7 @@
 #pragma once
-// How an engine's material comes nearest to the measured cloth: base colour, reflectance, the widths of the highlight
-// and the sheen, so that what it sends over views and lights is what the cloth sends. Engines know nothing of threads
-// that hide each other: with the cloth's own colours they come out too bright, the more so the flatter the view, and
-// with the spread of its normals for a roughness they lose the highlight.
+// Fits an engine's material to the far-field reflectance of a cloth: base colour, reflectance, highlight widths and
+// sheen. Engines know nothing of threads that hide each other: with the cloth's own colours they come out too bright,
+// the more so at flat views, and with the spread of its normals as roughness they lose the highlight.
 
 #include <glm/glm.hpp>
 #include <span>
@@ -15,39 +14,39 @@
 
 namespace weftlight::light {
 
-/// Places on the threads at which the answer is measured that sets are fitted to: means then hold 4 percent.
+/// Surface samples for the response that sets are fitted to: means are then within 4 percent.
 inline constexpr int kFitSamples = 512;
 
-/// What an engine's material has.
+/// Capabilities of an engine's material.
 struct EngineModel {
   int sheen = formulas::kSheenCharlie;
-  float most_f0 = 1;    // of its dielectric; kEngineF0: it cannot be changed
-  bool grazing = true;  // the reflectance at grazing angles can be given apart; else it is 1
+  float most_f0 = 1;    // largest reflectance of its dielectric; kEngineF0: fixed
+  bool grazing = true;  // the reflectance at grazing angles can be set; else it is 1
   bool anisotropic = true;
 };
 
 struct EngineFit {
-  glm::vec3 base{1};  // factors of base colour; of sheen's colour
+  glm::vec3 base{1};  // factors of the base colour
   float f0 = formulas::kEngineF0, f90 = 1;
   float sheen = 1;
   float sheen_roughness = 0.5f;
-  glm::vec2 lobe{1, 1};  // factors of the footprint's variances along the fibres and across
-  /// As engines whose Specular is 1/2 for the usual reflectance, and its double.
+  glm::vec2 lobe{1, 1};  // factors of the footprint's variances along and across the fibres
+  /// For engines whose Specular of 1/2 is the usual reflectance and of 1 twice that.
   float specular() const { return 0.5f * f0 / formulas::kEngineF0; }
   float error = 0;  // relative RMSE over views (to 79 degrees) and lights, and over the means of views, which count
                     // four times as much
 };
 
-/// One pair of directions (x along the weft, y along the warp, z out) and what cloth and fitted material send, for a
-/// unit of irradiance at right angles: radiance.
+/// Radiance of cloth and fitted material for one pair of directions (x along the weft, y along the warp, z out), for
+/// unit irradiance at normal incidence.
 struct EngineCheck {
   glm::vec3 view, light, cloth, engine;
 };
-/// Straight on and at 43, 59, 71 and 79 degrees along warp and weft, lit from 43 degrees along warp, then along weft.
+/// At 0, 43, 59, 71 and 79 degrees along warp and weft, lit from 43 degrees along the warp, then along the weft.
 std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                       const EngineModel& model, const EngineFit& fit);
 
-/// How near the material comes from one elevation of the view, over all azimuths and lights to 79 degrees; luminance.
+/// Accuracy of the material at one view elevation, over all azimuths and lights to 79 degrees; luminance.
 struct EngineScore {
   float view_deg = 0;
   float mean = 1;   // over that of the cloth

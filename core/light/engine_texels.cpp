@@ -11,16 +11,16 @@
 namespace weftlight::light {
 namespace {
 
-constexpr float kMaxSlope = 4.0f;  // 76 degrees: one grazing facet is not a wide lobe
-// So many a side:
+constexpr float kMaxSlope = 4.0f;  // 76 degrees, so that one grazing facet does not make a wide lobe
+// Samples a side:
 constexpr int kFacets = 4;       // of a pixel
 constexpr int kLobeFacets = 48;  // of a window of lobes: what shows between floats is a thin strip
 constexpr int kTexels = 8;       // where a pixel is one texel
-constexpr int kMeans = 64;       // places for the means of the whole face
+constexpr int kMeans = 64;       // for the means of the whole face
 
 glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
 
-/// Axes over a normal: the first lies along the texture's x, seen from above.
+/// Tangent frame of a normal: t along the texture's x, seen from above.
 struct Axes {
   glm::vec3 t, b;
 };
@@ -30,7 +30,7 @@ Axes axes_over(const glm::vec3& n) {
   return {t, glm::cross(n, t)};
 }
 
-/// The thread nearest to a place across its system, mm; the maps' own may be gone.
+/// The thread of a system closest to a position, mm; the map of threads may be freed already.
 const ThreadBody& closest_thread(const std::vector<ThreadBody>& threads, float at_mm) {
   const auto after = std::lower_bound(threads.begin(), threads.end(), at_mm,
                                       [](const ThreadBody& t, float at) { return t.centre_mm < at; });
@@ -40,7 +40,7 @@ const ThreadBody& closest_thread(const std::vector<ThreadBody>& threads, float a
   return *after;
 }
 
-/// One texel of the maps: material without alphas, and its facets without the spread.
+/// One texel of the maps: material without alphas, and its facets without the spread of the normals.
 struct Sample {
   formulas::EngineMaterial material{};
   glm::vec3 normal{0, 0, 1};
@@ -83,8 +83,8 @@ Sample sample(const Cloth& cloth, const Maps& maps, int x, int y) {
   return out;
 }
 
-/// One of side x side places, 0..1; rows and columns are set off by the golden ratio, since threads are as regular as a
-/// grid.
+/// Position 0..1 of one of side x side samples. Rows and columns are offset by the golden ratio, since threads are as
+/// regular as a grid.
 glm::vec2 sample_position(int i, int j, int side) {
   const auto along = [side](int a, int b) {
     return (static_cast<float>(a) + std::fmod(0.5f + 0.618034f * static_cast<float>(b), 1.0f)) /
@@ -105,7 +105,7 @@ glm::vec3 mean_normal(const std::vector<Sample>& samples) {
   return glm::normalize(sum);
 }
 
-/// Means of what the images hold.
+/// Means of the images' values.
 EngineTexel pixel_of(const std::vector<Sample>& samples, bool keep_facets) {
   EngineTexel out;
   float total = 1e-9f;
@@ -122,7 +122,7 @@ EngineTexel pixel_of(const std::vector<Sample>& samples, bool keep_facets) {
   return out;
 }
 
-/// Of a box (its sides in periods) of the face.
+/// Samples of a box (sides in periods) of the face.
 std::vector<Sample> samples_in(const Cloth& cloth, const Maps& maps, glm::vec2 middle, glm::vec2 box, int side) {
   std::vector<Sample> out;
   for (int l = 0; l < side; ++l) {
@@ -133,7 +133,7 @@ std::vector<Sample> samples_in(const Cloth& cloth, const Maps& maps, glm::vec2 m
   return out;
 }
 
-/// Lobes as sets have them: of windows that lie side by side over the period, and between their middles.
+/// Lobes as textures hold them: of windows side by side over the period, interpolated between their centres.
 class Windows {
  public:
   /// window: its sides in periods.
@@ -167,7 +167,7 @@ class Windows {
   std::map<std::pair<int, int>, FootprintLobe> windows_;
 };
 
-/// Pixels whose means are those of the whole face, whatever lies in them.
+/// Scales the pixels so that their means are those of the whole face.
 void keep_means(std::vector<EngineTexel>& texels, const Cloth& cloth, const Maps& maps) {
   glm::vec3 base(0), sheen(0), seen_base(1e-6f), seen_sheen(1e-6f);
   float total = 1e-9f, seen = 1e-9f;
@@ -235,7 +235,7 @@ FacetAlphas facet_alphas(const glm::vec3& c) {
   const auto alpha = [](float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); };
   const float middle = 0.5f * (c.x + c.z), half_gap = 0.5f * (c.x - c.z);
   const float root = std::sqrt(half_gap * half_gap + c.y * c.y);
-  // Half of the angle of (half_gap, c.y), without leaving the roots.
+  // Half the angle of (half_gap, c.y), without leaving the roots.
   const float cosine = root > 1e-9f ? std::sqrt(std::max(0.5f + 0.5f * half_gap / root, 0.0f)) : 1.0f;
   const float sine = root > 1e-9f ? std::sqrt(std::max(0.5f - 0.5f * half_gap / root, 0.0f)) : 0.0f;
   return {{alpha(middle + root), alpha(middle - root)}, {cosine, c.y < 0 ? -sine : sine}};
@@ -251,8 +251,8 @@ EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float f
   float total = 1e-9f;
   const auto add = [&](const glm::vec3& covariance, bool weft, float w) {
     const FacetAlphas a = facet_alphas(covariance);
-    // Both senses of an axis mean the same: across a warp it is +x, across a weft +y; of a footprint by the longer
-    // part.
+    // Both directions of an axis are the same: use +x across a warp, +y across a weft; for a footprint the sign of the
+    // longer component.
     const bool up = footprint_weight > 0.5f ? std::abs(a.axis.y) > std::abs(a.axis.x) : weft;
     out.axis += ((up ? a.axis.y : a.axis.x) < 0 ? -w : w) * a.axis, total += w;
     out.roughness += w * std::sqrt(a.alpha.y);
@@ -304,8 +304,8 @@ EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint
 }
 
 std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_fraction) {
-  // A line through what the pixels hold, by how their fibres run.
-  constexpr float kAlike = 1e-3f;  // variance of that which tells nothing
+  // Linear fit over the pixels by the direction of their fibres.
+  constexpr float kAlike = 1e-3f;  // below this variance there is nothing to fit
   glm::vec4 mean(0), both(0);
   float total = 1e-9f, at = 0, square = 0;
   for (const EngineTexel& t : texels.texels) {

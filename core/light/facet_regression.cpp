@@ -5,7 +5,7 @@
 namespace weftlight::light {
 namespace {
 
-constexpr float kStraight = 1e-4f;  // variance of a facet's moments that tells nothing
+constexpr float kStraight = 1e-4f;  // variance of a facet's moments below which there is nothing to fit
 using Matrix = FacetRegression::Matrix;
 
 /// By Gauss and Jordan; the matrix is symmetric and positive.

@@ -1,5 +1,5 @@
 #pragma once
-// Least squares of what places show on the moments of their facets, each place with its weight.
+// Weighted least squares of a quantity on the moments of the local facets.
 
 #include <array>
 
@@ -8,7 +8,7 @@
 
 namespace weftlight::light {
 
-inline constexpr float kMaxGradient = 100.0f;  // rise with a moment, over the mean
+inline constexpr float kMaxGradient = 100.0f;  // relative change with a moment
 
 struct FacetRegression {
   using Matrix = std::array<FacetMoments, kFacetMoments>;
@@ -17,11 +17,11 @@ struct FacetRegression {
   Matrix inverse{};  // of the covariance
 
   void add(float weight_of, const FacetMoments& facets);
-  /// When all are there.
+  /// Call after the last add().
   void finish();
-  /// Rise of a quantity with each moment, from its sum over the places and the sums of its products.
+  /// Gradient of a quantity by the moments, from its sum over the samples and the sums of its products.
   FacetMoments rise(float sum, const FacetMoments& products) const;
-  /// Share by which the quantity is larger over the whole cloth, whose moments are known, than over the places.
+  /// Factor by which the quantity is larger over the whole cloth, whose moments are known, than over the samples.
   float correction(float sum, const FacetMoments& rise, const FacetMoments& whole) const;
 };
 

@@ -7,7 +7,14 @@
 #include <map>
 #include <tuple>
 
+#include "base/text.h"
+
 namespace weftlight::light {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 float error_of(const LodPoint& p) { return std::max(p.filtering_error, p.model_error); }
@@ -41,7 +48,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 constexpr float kMaxSamples = 1e6f;  // far more than any row has
 
-/// What was measured lies far within 1e12; beyond, sums would leave a float's range.
+/// Measured values lie far within 1e12; larger sums would overflow a float.
 std::optional<float> number(std::string_view text) {
   constexpr float kMax = 1e12f;
   float v = 0;
@@ -50,7 +57,7 @@ std::optional<float> number(std::string_view text) {
   return v;
 }
 
-/// Several scenes and views of one method and footprint become one point: worst errors, mean cost.
+/// Merges scenes and views of one method and footprint: worst errors, mean cost.
 struct Merged {
   LodPoint worst;
   int rows = 0;
@@ -70,7 +77,8 @@ void merge(MergedPoints& all, const LodPoint& p) {
 
 }  // namespace
 
-/// `all`: rung yarn, its cost that of one sample, its error that of all. Fewer err by more, as they grow sparser.
+/// `all`: method yarn, with the cost of one sample and the error of the most samples. Fewer samples have a larger
+/// error.
 static void add_lattices(LodTable& lod_table, const LodPoint& all) {
   for (int i = 0; i < formulas::kLattices; ++i) {
     LodPoint p = all;
@@ -83,8 +91,8 @@ static void add_lattices(LodTable& lod_table, const LodPoint& all) {
 }
 
 LodTable default_lod_table() {
-  // Each rung holds its band (1/4, 2, 8 yarns a pixel are the borders) and doubles its error an octave
-  // outside; costs grow with the texels and lobes a pixel takes.
+  // Each method is good within its band (limits at 1/4, 2 and 8 yarns a pixel); its error doubles each octave outside.
+  // Costs grow with the texels and lobes of a pixel.
   struct Band {
     Method method;
     float from, to, cost_ns;
@@ -98,7 +106,7 @@ LodTable default_lod_table() {
     for (int octave = -6; octave <= 6; ++octave) {
       const float yarns = std::exp2(static_cast<float>(octave));
       const float octaves = std::max({std::log2(b.from / yarns), std::log2(yarns / b.to), 0.0f});
-      // The finest rung has no finer one to fall back to; cell is good enough only down to its own band.
+      // There is no finer method than yarn to fall back to; cell is good enough only down to its own band.
       const float below = b.method == Method::kCell ? std::max(std::log2(0.25f / yarns), 0.0f) : 0.0f;
       const float error = 0.04f * std::exp2(octaves + below);
       if (b.method != Method::kYarn) lod_table.push_back({b.method, yarns, b.cost_ns, error, error});
@@ -116,7 +124,7 @@ LodTable read_lod_table(std::string_view csv, std::string& problem) {
   for (size_t c = 0; c < at.size(); ++c) {
     at[c] = static_cast<size_t>(std::find(head.begin(), head.end(), kColumns[c]) - head.begin());
     if (at[c] == head.size()) {
-      problem = "line 1: column " + std::string(kColumns[c]) + " is missing";
+      problem = fill(tr("line {line}: column {column} is missing"), arg("line", 1), arg("column", kColumns[c]));
       return {};
     }
   }
@@ -129,7 +137,7 @@ LodTable read_lod_table(std::string_view csv, std::string& problem) {
     for (size_t c = 0; whole && c < v.size(); ++c) v[c] = number(cells[at[c + 1]]);
     const bool numbers = std::all_of(v.begin(), v.end(), [](const auto& n) { return n.has_value(); });
     if (!numbers || *v[0] < 1 || *v[0] > kMaxSamples || *v[1] <= 0) {
-      problem = "line " + std::to_string(l + 1) + ": not a row of numbers";
+      problem = fill(tr("line {line}: not a row of numbers"), arg("line", l + 1));
       return {};
     }
     if (const std::optional<Method> m = method_from_name(cells[at[0]]))
@@ -153,12 +161,12 @@ float expected_cost(const LodTable& lod_table, Method method, float yarns_per_pi
 
 namespace {
 
-constexpr float kAsGood = 1.1f;  // errors nearer to each other than this are told apart by no eye
-// A quarter more error for a tenth of the cost: at two yarns a pixel threads would be traced at eighty times the cost
-// of `repeat` to bring 0.17 to 0.14, and they flicker more.
+constexpr float kAsGood = 1.1f;  // errors within this ratio count as equal
+// A quarter more error is accepted at a tenth of the cost: at two yarns a pixel, tracing threads would cost eighty
+// times `repeat` to bring 0.17 to 0.14, with more flicker.
 constexpr float kNearlyHeld = 1.25f, kMuchCheaper = 0.1f;
 
-/// All that can be chosen: rung yarn by its lattices, the others.
+/// The candidates: method yarn with each lattice, and the others.
 std::vector<Choice> offered(const LodDemand& demand) {
   std::vector<Choice> all;
   for (int i = 0; i < formulas::kLattices; ++i) {
@@ -194,7 +202,7 @@ float yarns_at(int step) { return std::exp2(kOctaveStep * static_cast<float>(ste
 
 std::array<float, 3> edges_among(const LodTable& lod_table, float tolerance, const std::vector<Choice>& among) {
   std::array<float, 3> edges{1e6f, 1e6f, 1e6f};
-  int rank = 3;  // the finest rung any coarser footprint needs
+  int rank = 3;  // finest method that a coarser footprint needs
   for (int step = kMaxStep; step >= -kMaxStep; --step) {
     const float yarns = yarns_at(step);
     const Method m = cheapest(lod_table, yarns, tolerance, among).method;
@@ -205,8 +213,8 @@ std::array<float, 3> edges_among(const LodTable& lod_table, float tolerance, con
   return edges;
 }
 
-/// Near the threads `cell` may be further off than `repeat`. Where a coarser footprint would have it kept although it
-/// no longer holds there what `repeat` does, it is left out.
+/// Near the threads `cell` may be less accurate than `repeat`. It is left out if a coarser footprint would keep it
+/// where it is worse than `repeat` and out of tolerance.
 std::array<float, 3> method_edges(const LodTable& lod_table, float tolerance, std::vector<Choice> among) {
   const std::array<float, 3> edges = edges_among(lod_table, tolerance, among);
   for (int step = -kMaxStep; step <= kMaxStep; ++step) {
@@ -229,7 +237,7 @@ std::array<float, 8> lattice_edges(const LodTable& lod_table, float tolerance, s
   for (int step = -kMaxStep; step <= kMaxStep; ++step) {
     const float yarns = yarns_at(step);
     const int points = cheapest(lod_table, yarns, tolerance, lattices).samples;
-    // From half a step before: between the two the error grows.
+    // From half a step before, since the error grows between the two.
     while (enough + 1 < lattices.size() && lattices[enough].samples < points)
       edges[enough++] = yarns * std::exp2(-0.5f * kOctaveStep);
   }

@@ -1,6 +1,6 @@
-// Rank-one factorisation of a BRDF's matrix by alternating least squares with weights.
-// Differs: from Kautz and McCool, who take the first pair of a singular value decomposition: pairs
-// of directions that do not exist have no weight, instead of pulling the product towards zero.
+// Rank-one factorisation of a BRDF's matrix by weighted alternating least squares. Differs from Kautz and McCool, who
+// take the first pair of a singular value decomposition: pairs of directions below the horizon have no weight, instead
+// of pulling the product towards zero.
 
 #include "light/separable.h"
 
@@ -12,14 +12,14 @@
 namespace weftlight::light {
 namespace {
 
-constexpr int kRounds = 6;  // the error no longer moves in its third digit
+constexpr int kRounds = 6;  // the error has converged to three digits
 
 struct Texel {
   int face, index;
   glm::vec3 direction;
 };
 
-/// Texels whose middle is above the horizon.
+/// Texels with their centre above the horizon.
 std::vector<Texel> upper_texels(int size) {
   std::vector<Texel> texels;
   for (int face = 0; face < 6; ++face)
@@ -114,7 +114,7 @@ Misfit misfit(const Matrix& m, const std::vector<float>& f, const Product& p) {
   return e;
 }
 
-/// Below the horizon the map mirrors what is above, so that filtering meets no edge.
+/// Mirrors the upper half into the lower, so that filtering has no edge at the horizon.
 void mirror_below(CubeMap& map) {
   const int n = map.size;
   for (int face = 0; face < 6; ++face)

@@ -1,7 +1,6 @@
 #pragma once
-// A BRDF as a product of two cube maps: what VRST 2003 draws through, kept for the comparison.
-// Based on: Kautz, McCool 1999, "Interactive rendering with arbitrary BRDFs using separable
-// approximations".
+// A BRDF as a product of two cube maps, as VRST 2003 renders it; kept for comparison.
+// Based on: Kautz, McCool 1999, "Interactive rendering with arbitrary BRDFs using separable approximations".
 
 #include <array>
 #include <vector>
@@ -17,7 +16,7 @@ struct CubeMap {
   std::array<std::vector<glm::vec3>, 6> faces;
 };
 
-/// Direction of the middle of a texel (not normalised for x, y outside the face).
+/// Direction of the centre of a texel (not normalised, valid outside the face).
 glm::vec3 cube_direction(int face, float x, float y, int size);
 /// Bilinear within a face.
 glm::vec3 sample(const CubeMap& map, const glm::vec3& direction);
@@ -30,11 +29,11 @@ enum class Split {
 struct Separable {
   Split split = Split::kHalfDifference;
   CubeMap first, second;
-  float error = 0;  // relative RMS over the texels' pairs of directions
+  float error = 0;  // relative RMS over all pairs of directions of the texels
 };
 
-/// The best product in least squares over all pairs with both directions above the horizon; pairs
-/// that do not exist have no weight. size: texels along a face's edge, 4..64.
+/// Least-squares product over all pairs with both directions above the horizon; other pairs have no weight. size:
+/// texels along a face's edge, 4..64.
 Separable factorise(const ClothBrdf& brdf, Split split, int size = 16, int threads = 0);
 
 /// BRDF from the cube maps; 0 below the horizon.

@@ -18,7 +18,7 @@ constexpr int kOpenings = 20, kSpreads = 24;  // entries of the albedo table
 constexpr int kFuzzOpenings = 32, kFuzzDepths = 16;
 constexpr float kWidestSlope = 1.0e3f;  // stands for infinity: the albedo no longer changes
 constexpr float kMinSlope = 5.0e-3f;
-constexpr float kGaussianReach = 4.25f;  // deviations; beyond lie 2e-5 of the facets
+constexpr float kGaussianReach = 4.25f;  // standard deviations; beyond lie 2e-5 of the facets
 constexpr int kAlongNodes = 16, kAcrossNodes = 8, kLineNodes = 24;
 
 float coordinate(int i, int n) { return static_cast<float>(i) / static_cast<float>(n - 1); }
@@ -46,13 +46,13 @@ glm::vec4 albedo_at(const Table& t, float opening, float along, float across) {
   return glm::mix(plane_at<glm::vec4>(t, x, y, z.i), plane_at<glm::vec4>(t, x, y, z.i + 1), z.t);
 }
 
-/// A view (sine, 0, mu) of facets with RMS slopes along it and across it.
+/// A view (sine, 0, mu) of facets with RMS slopes along and across it.
 struct FacetView {
   float along, across;  // RMS slopes
   float nu, mu, sine;   // nu: cosine over deviation
   float area;
 };
-/// Of the angle from the normal; the inverse of `opening`.
+/// Cotangent of the view angle from the normal: the inverse of `opening`.
 float cotangent_of(float opening, float along) {
   const float squared = opening * opening;
   return squared / std::max(1.0f - squared, 1.0e-6f) * (along / (1 + along));
@@ -66,14 +66,14 @@ FacetView facet_view(float opening, float along, float across) {
   return v;
 }
 
-/// Sums over one row of facets, lane by lane, so that the compiler may take several at once.
+/// Sums over one row of facets, lane by lane, so that the compiler can vectorise them.
 template <int kCount>
 struct Row {
   std::array<float, kCount> slope, weight, front{}, albedo{}, fresnel{};
 };
 
-/// Node of a slope's Gaussian: even in the slope's angle, since only facets up to about 45 degrees
-/// reflect upwards, however wide the Gaussian.
+/// Quadrature nodes of a slope's Gaussian, uniform in the slope's angle, since only facets up to about 45 degrees
+/// reflect upwards however wide the Gaussian is.
 template <int kCount>
 Row<kCount> slope_row(float first, float last, float rms) {
   Row<kCount> row;
@@ -110,8 +110,8 @@ void add_facets(Row<kCount>& row, const FacetView& v, float kx, float ky, float 
   }
 }
 
-/// The sum of `front` is the projected area, known in closed form: what the nodes miss of a smooth lobe's
-/// they miss of its albedo too. A rough lobe's steep facets count in the area only.
+/// The sum of `front` is the projected area, known in closed form: a smooth lobe's quadrature error is the same in its
+/// albedo. A rough lobe's steep facets count only in the area.
 template <int kCount>
 glm::vec2 total(const Row<kCount>& row, const FacetView& v) {
   glm::vec3 sum(0);
@@ -120,7 +120,7 @@ glm::vec2 total(const Row<kCount>& row, const FacetView& v) {
   return glm::vec2(sum.y, sum.z) * (smooth ? v.area / std::max(sum.x, 1.0e-20f) : 1.0f);
 }
 
-/// Facets with z < -nu turn away from the view.
+/// Facets with z < -nu face away from the view.
 float first_facing(const FacetView& v) { return std::max(-v.nu, -kGaussianReach); }
 
 glm::vec2 independent_albedo(const FacetView& v, const Row<kAcrossNodes>& across) {
@@ -136,7 +136,7 @@ glm::vec2 correlated_albedo(const FacetView& v) {
   return total(row, v);
 }
 
-/// The cosine c of which (1 - c)^5 is the mean, over that of the view.
+/// The cosine c for which (1 - c)^5 is the mean, over that of the view.
 float fresnel_cosine(const FacetView& v, const glm::vec2& albedo) {
   const float ratio = std::clamp(albedo.y / std::max(albedo.x, 1.0e-12f), 0.0f, 1.0f);
   return (1.0f - std::pow(ratio, 0.2f)) / v.mu;
@@ -148,8 +148,8 @@ Table make_albedo(int threads) {
     const int y = row % kSpreads, z = row / kSpreads;
     const auto across = slope_row<kAcrossNodes>(0, kGaussianReach, slope_of(coordinate(z, kSpreads)));
     const float slope_along = slope_of(coordinate(y, kSpreads)), slope_across = slope_of(coordinate(z, kSpreads));
-    // Within 45 degrees of the normal the Fresnel part is next to nothing and its cosine that of the few
-    // steepest facets: holding the one at 45 degrees keeps the entries fit for interpolation.
+    // Within 45 degrees of the normal the Fresnel part is negligible and its cosine is that of the few steepest
+    // facets: clamping it to the one at 45 degrees keeps the entries smooth.
     const FacetView half = facet_view(std::sqrt(1 / (1 + slope_along / (1 + slope_along))), slope_along, slope_across);
     const float hold = fresnel_cosine(half, independent_albedo(half, across));
     const float hold_correlated = fresnel_cosine(half, correlated_albedo(half));
@@ -167,7 +167,7 @@ Table make_albedo(int threads) {
   return t;
 }
 
-/// One azimuth of a lobe with principal variances: what lobe_side() looks up.
+/// One azimuth of a lobe with principal variances, as lobe_side() looks it up.
 struct Slice {
   float along, across, mixed;
 };
@@ -182,13 +182,13 @@ glm::vec2 stored_at(const Table& albedo, const Slice& s, float opening) {
   return glm::mix(glm::vec2(t.x, t.y), glm::vec2(t.z, t.w), s.mixed);
 }
 
-/// Means over the hemisphere, cosine-weighted, of the table as it is looked up: of the loss over rings
-/// even in `opening`, since a smooth lobe loses light at grazing angles only; of the Fresnel part over
-/// rings even in the cosine.
+/// Cosine-weighted means over the hemisphere of the table as it is looked up: of the loss over rings uniform in
+/// `opening`, since a smooth lobe loses light only at grazing angles; of the Fresnel part over rings uniform in the
+/// cosine.
 glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
   constexpr int kTurns = 12, kRings = 32;
   const float xx = slope_x * slope_x, yy = slope_y * slope_y;
-  float lost = 0, fresnel = 0;
+  float loss = 0, fresnel = 0;
   for (int j = 0; j < kTurns; ++j) {
     const Slice s = slice_of(xx, yy, (static_cast<float>(j) + 0.5f) * (formulas::kPi / 2 / kTurns));
     const auto cosine2 = [along = std::sqrt(s.along)](float opening) {
@@ -197,7 +197,7 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
     };
     for (int i = 0; i < kRings; ++i) {
       const float x = static_cast<float>(i) / kRings, half = 0.5f / kRings;
-      lost += stored_at(albedo, s, x + half).x * (cosine2(x + 2 * half) - cosine2(x));
+      loss += stored_at(albedo, s, x + half).x * (cosine2(x + 2 * half) - cosine2(x));
       const float mu = x + half;
       const float rim = mu + std::sqrt(1 - mu * mu) * formulas::spread_coordinate(s.along);
       const glm::vec2 t = stored_at(albedo, s, std::sqrt(mu / rim));
@@ -206,7 +206,7 @@ glm::vec2 mean_of(const Table& albedo, float slope_x, float slope_y) {
     }
   }
   const float v = 0.5f * (xx + yy);
-  return {lost / kTurns * (1 + v) / v, fresnel / kTurns};
+  return {loss / kTurns * (1 + v) / v, fresnel / kTurns};
 }
 
 Table make_albedo_mean(const Table& albedo, int threads) {
@@ -221,7 +221,7 @@ Table make_albedo_mean(const Table& albedo, int threads) {
   return t;
 }
 
-/// Fuzz of optical depth tau: (scattered once, share of a diffuse light that comes through).
+/// Fuzz of optical depth tau: single scattering, and transmittance of diffuse light.
 glm::vec2 fuzz_once(float mu, float tau) {
   constexpr int kRings = 48;
   float once = 0, through = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The tables that the formulas ask for: albedos of Gaussian facets and of the fuzz layer. They depend
-// on no design: computed once, in milliseconds, and uploaded as float textures as they are.
+// The tables that the formulas read: albedos of Gaussian facets and of the fuzz layer. They do not depend on the
+// design; they are computed once, in milliseconds, and uploaded as float textures.
 
 #include <cstddef>
 #include <vector>
@@ -30,8 +30,8 @@ struct Table {
   const float* at(int x, int y, int z = 0) const { return const_cast<Table*>(this)->at(x, y, z); }
 };
 
-/// The entry below a coordinate among n >= 2 entries, 0..n-2, and the share of the next one. Coordinates
-/// beyond 0..1 are held at the ends; what is not a number is 0.
+/// The entry below a coordinate among n >= 2 entries, 0..n-2, and the weight t of the next one. Coordinates are
+/// clamped to 0..1; NaN is 0.
 struct TableCell {
   int i;
   float t;
@@ -47,22 +47,22 @@ inline TableCell cell_of(float coordinate, int n) {
 /// Axes: along, across, major, minor, depth = x / (1 + x) of an RMS slope or an optical depth;
 /// opening = sqrt(mu / rim), rim = mu + sine * along: even where the masking of a view changes.
 struct LightTables {
-  // RGBA over (opening, along, across): share of light that single scattering loses with F = 1, and the
-  // cosine c, over rim, with which (1 - c)^5 is the mean of (1 - wi.h)^5; for slopes along and
-  // across that are independent (RG) and wholly correlated (BA).
+  // RGBA over (opening, along, across): the loss of single scattering with F = 1, and the cosine c over rim for which
+  // (1 - c)^5 is the mean of (1 - wi.h)^5; for slopes along and across that are independent (RG) and fully correlated
+  // (BA).
   Table albedo;
-  // RG over (major, minor): cosine-weighted means of the loss, over v / (1 + v) for the mean variance v,
-  // and of the part times (1 - wi.h)^5.
+  // RG over (major, minor): cosine-weighted means of the loss, over v / (1 + v) for the mean variance v, and of the
+  // albedo times (1 - wi.h)^5.
   Table albedo_mean;
-  // RGBA over (mu / (mu + depth), depth): scattered once; lost by single scattering over a white
-  // body; share of a diffuse light that comes through; mean of the loss.
+  // RGBA over (mu / (mu + depth), depth): single scattering; loss of single scattering over a white body;
+  // transmittance of diffuse light; mean of the loss.
   Table fuzz;
 };
 
-/// Computes them, on `threads` threads (0: one a core); the same bits whatever their number.
+/// Computes the tables on `threads` threads (0: one a core); the result does not depend on it.
 LightTables make_light_tables(int threads = 0);
 
-/// The tables, made at the first call (thread-safe).
+/// The tables, computed at the first call (thread-safe).
 const LightTables& light_tables();
 
 }  // namespace weftlight::light

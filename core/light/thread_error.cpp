@@ -17,12 +17,12 @@ namespace {
 using Scene = thread_formulas::ThreadScene;
 
 constexpr int kPixels = 48;                       // a footprint and view
-constexpr float kFewPixels = 1.25f;               // what so many may leave out
-constexpr glm::ivec2 kFine{89, 34};               // Fibonacci's, as formulas::lattice_of()
+constexpr float kFewPixels = 1.25f;               // safety factor for the few pixels
+constexpr glm::ivec2 kFine{89, 34};               // Fibonacci lattice, as formulas::lattice_of()
 constexpr int kViewCells = 48, kLightCells = 24;  // as method_yarn.glsl
-// Of the threads themselves against the traced truth, without any error of sampling (docs/chart.md).
+// Error of the method against the traced truth without any sampling error (docs/chart.md).
 constexpr float kModelError = 0.05f;
-// Of the error with the samples, and with the footprint beyond the widest that is measured: as the chart's four cloths.
+// Fall of the error with the samples, and rise with footprints wider than measured: as on the four charted cloths.
 constexpr float kFallWithSamples = 0.75f, kRiseBeyond = 0.5f;
 
 glm::vec3 tilted(float azimuth_deg, float degrees) {
@@ -30,7 +30,7 @@ glm::vec3 tilted(float azimuth_deg, float degrees) {
   return {std::cos(a) * std::sin(t), std::sin(a) * std::sin(t), std::cos(t)};
 }
 
-/// A pixel on the middle plane, mm: across the tilt and along it.
+/// Sides of a pixel on the middle plane, mm: across the tilt and along it.
 struct PixelSides {
   glm::vec2 x, y;
 };
@@ -51,7 +51,7 @@ class Sampler {
         lobes_[s].push_back(yarn_lobes(cloth.yarns[static_cast<size_t>(body.yarn)].lobes, body.colour));
     }
   }
-  /// Mean of the points of a lattice, as method_yarn.glsl (shade_yarn) takes them.
+  /// Mean over the points of a lattice, as shade_yarn() in method_yarn.glsl.
   float mean(glm::vec2 middle, const PixelSides& pixel, glm::ivec2 lattice, float turn, const glm::vec3& l,
              const glm::vec3& v) {
     const float part = 1 / std::sqrt(static_cast<float>(lattice.x));
@@ -78,7 +78,7 @@ class Sampler {
   std::array<std::vector<formulas::YarnLobes>, 2> lobes_;
 };
 
-/// Green, of the light alone: add_sample() of method_yarn.glsl without the tones of fibres.
+/// Green channel, direct light only: add_sample() of method_yarn.glsl without the tones of fibres.
 float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, const glm::vec3& v) {
   const auto hit = scene_.first_thread(grid_, at, v, kViewCells);
   if (hit.system < 0) return 0;
@@ -99,10 +99,10 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   if (glm::dot(n, v) <= 0) n = p.normal;
   const formulas::YarnLobes lobes =
       formulas::yarn_widen(lobes_[system][thread], scene_.slope_spread(p, pattern.fibre_tan, v, side.x, side.y));
-  const float sent =
+  const float radiance =
       formulas::facet_radiance(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key.g;
-  if (sent <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
-  return sent * texel.groove;
+  if (radiance <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
+  return radiance * texel.groove;
 }
 
 using Errors = std::array<float, kErrorLattices>;
@@ -130,7 +130,7 @@ Errors errors_at(Sampler& sampler, float yarns, float spacing_mm, const glm::vec
   return out;
 }
 
-/// Of so many samples, at one of the footprints.
+/// Error for a number of samples, at one of the footprints.
 float error_of(const Errors& errors, int samples) {
   size_t k = 0;
   while (k + 1 < kErrorLattices && lattice_of(k + 1).x <= samples) ++k;
@@ -147,8 +147,8 @@ float error_at(const ThreadErrors& errors, int samples, float yarns) {
   return within * std::pow(std::max(yarns / kWidest, 1.0f), kRiseBeyond);
 }
 
-/// A line through the logarithms of errors and samples: what is less or more by chance alone is evened out.
-Errors evened(const Errors& found) {
+/// Linear fit in the logarithms of errors and samples, which removes noise.
+Errors smoothed(const Errors& found) {
   constexpr float kCount = kErrorLattices;
   float x = 0, y = 0, xx = 0, xy = 0;
   for (size_t i = 0; i < kErrorLattices; ++i) {
@@ -190,7 +190,7 @@ ThreadErrors thread_errors(const Cloth& whole) {
   }
   for (size_t f = 0; f < kErrorFootprints.size(); ++f) {
     Errors& errors = out.rel_rmse[f];
-    errors = evened(errors);
+    errors = smoothed(errors);
     for (size_t i = 0; f > 0 && i < kErrorLattices; ++i) errors[i] = std::max(errors[i], out.rel_rmse[f - 1][i]);
   }
   out.measured = true;

@@ -15,17 +15,17 @@ namespace weftlight::light {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kWindow = 64, kWindows = 4;  // threads and windows a side, else
-constexpr int kMaxGridCells = 48;          // of crossings, along a ray
-constexpr int kAbove = 1 << 13;            // places seen from above
-// Of the turns around a thread, denser near its ridge: the underside is hardly seen.
+constexpr int kWindow = 64, kWindows = 4;  // threads a side of a window, and windows a side
+constexpr int kMaxGridCells = 48;          // crossings along a ray
+constexpr int kAbove = 1 << 13;            // samples visible from above
+// Distribution of angles around a thread, denser at its ridge: the underside is hardly visible.
 constexpr float kEvenTurns = 0.55f;
 
-constexpr size_t kHighest = (kResponseElevations - 1) * kViewAzimuths;  // the view from straight above
-constexpr size_t kAlong =
+constexpr size_t kHighest = (kResponseElevations - 1) * kViewAzimuths;  // first view from straight above
+constexpr size_t kAlong =                                               // from here on lights from behind reach nothing
     (kTransmissionElevations - 1) * kTransmissionAzimuths;  // from there on lights from behind reach nothing
 
-/// Coordinate 0..1 of point k of an even spread.
+/// Coordinate 0..1 of point k of a low-discrepancy sequence.
 float part(int k, double step) { return static_cast<float>(std::fmod(step * (k + 1), 1.0)); }
 
 std::vector<Cloth> windows_of(const Cloth& cloth) {
@@ -41,7 +41,7 @@ std::vector<Cloth> windows_of(const Cloth& cloth) {
   return out;
 }
 
-/// Places of one cloth.
+/// Samples one cloth.
 class ThreadSampler {
  public:
   explicit ThreadSampler(const Cloth& cloth)
@@ -56,23 +56,20 @@ class ThreadSampler {
     for (size_t i = 0; i < kAlong; ++i) lights_.add(lights[i], i);
     for (int i = 0; i < grid_.layers; ++i) layers_.push_back(scene_.thread_layer(i, 1));
   }
-  /// Place k of `count` of a system; area 0 where there is none. lit: by light from behind; those that none reaches are
-  /// left out.
+  /// Sample k of `count` of a system; area 0 if there is none. lit: for light from behind; samples that none reaches
+  /// keep only the view from above.
   ThreadSample sample(int system, int k, int count, bool lit);
-  void look_down(int first, int count, ThreadSamples& out);
+  void add_top_samples(int first, int count, ThreadSamples& out);
 
  private:
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
   float warp_around(int layer, int end, int pick) const;
-  glm::vec3 plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
-  void dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
-  glm::vec3 bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
-  enum class ViewSet {
-    kTopAlone,
-    kHigh,
-    kLow
-  };  // views: that from straight above, the high ones, those along the cloth, too
-  void look_around(ThreadSample& p, glm::vec3 at, int thread, ViewSet from);
+  glm::vec3 ply_normal_of(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
+  void set_shading(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
+  glm::vec3 bend_variance(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
+  // Views from straight above only; all but the lowest; all.
+  enum class ViewSet { kTopAlone, kHigh, kLow };
+  void find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from);
   void find_transmission(ThreadSample& p, glm::vec3 at, int thread);
 
   const Cloth& cloth_;
@@ -85,7 +82,8 @@ class ThreadSampler {
   Directions high_views_, lights_;  // behind
 };
 
-/// The warp's share of the crossings around one, by a tent: what mips of four yarns see, read between texels.
+/// The warp's fraction of the crossings around one, by a tent filter: like a mip level of four yarns, interpolated
+/// between texels.
 float ThreadSampler::warp_around(int layer, int end, int pick) const {
   constexpr int kReach = 4, kTop = kReach + 1;
   const auto& grid = layers_[static_cast<size_t>(layer)];
@@ -115,7 +113,7 @@ ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   const float stretch = std::sqrt(1 + c.y * c.y), x = std::sin(turn), y = std::cos(turn);
   const glm::vec2 half = 1.0f / scene_.strand_thin(s, along);
   const float around = std::sqrt(half.x * half.x * y * y + half.y * half.y * x * x);
-  // Sections stand at right angles to a bent line: outside the bend they are further apart.
+  // Sections are perpendicular to the bent centre line, so they are further apart on the outside of the bend.
   const float apart = stretch * (1 - half.y * y * c.z / (stretch * stretch * stretch));
   const float room = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)].spacing_mm;
   ThreadSample p;
@@ -134,39 +132,39 @@ ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   }
   const float warp = warp_around(layer, crossing.warp.thread, crossing.weft.thread);
   p.around = system == 0 ? warp : 1 - warp;
-  dress(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
+  set_shading(p, s.thread, scene_.thread_point(system, s, where), 1 / std::sqrt(static_cast<float>(count)));
   if (lit) find_transmission(p, where, s.thread);
-  look_around(p, where, s.thread, !lit ? ViewSet::kLow : p.lights.empty() ? ViewSet::kTopAlone : ViewSet::kHigh);
+  find_visible_views(p, where, s.thread, !lit ? ViewSet::kLow : p.lights.empty() ? ViewSet::kTopAlone : ViewSet::kHigh);
   return p;
 }
 
-/// The normal between plies, and the pattern there, between fibres at its mean.
-glm::vec3 ThreadSampler::plied(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
-                               Texel& texel) {
+/// Normal with the relief of plies, and the pattern there, with the fibres at their mean.
+glm::vec3 ThreadSampler::ply_normal_of(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
+                                       Texel& texel) {
   const ThreadTexture& t = textures_[static_cast<size_t>(system)][static_cast<size_t>(thread)];
   const float fraction = point.along / length(system);
   texel = texture_at(t, thread_formulas::texture_point(t, fraction - std::floor(fraction), point.turn, 1, 1));
   return t.plies > 1 ? scene_.ply_normal(point, t, texel.ply, length(system)) : point.normal;
 }
 
-/// Variances of the slopes along the thread of the surface that a place stands for, as lobes hold them: along the
-/// fibre, between both, across it. A narrow highlight on a bend would else lie on few places, or on none, by chance.
-/// step: of the places, over a repeat.
-glm::vec3 ThreadSampler::bend_over(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan,
-                                   float step) const {
+/// Variances of the slopes, along the thread, of the surface that a sample represents, as the lobes hold them: along
+/// the fibre, mixed, across it. Otherwise a narrow highlight on a bend would fall on few samples, or on none. step:
+/// between samples, over a repeat.
+glm::vec3 ThreadSampler::bend_variance(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan,
+                                       float step) const {
   constexpr float kRepeat = 8;  // crossings
   constexpr float kMax = 0.04f;
   const float turned = point.bend.x * kRepeat * grid_.spacing * step, tan2 = fibre_tan * fibre_tan;
-  // Places lie evenly, not on a grid: so that neighbours overlap, twice the variance of a box.
+  // Samples are not on a grid, so neighbours overlap: twice the variance of a box.
   return std::min(turned * turned / 6, kMax) / (1 + tan2) * glm::vec3(1, -fibre_tan, tan2);
 }
 
-/// Normals, fibre and lobes, as core/reference/trace.cpp has them.
-void ThreadSampler::dress(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
-                          float step) {
+/// Normals, fibre and lobes, as in core/reference/trace.cpp.
+void ThreadSampler::set_shading(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point,
+                                float step) {
   Texel texel;
   p.side = point.normal;
-  p.normal = plied(p.system, thread, point, texel);
+  p.normal = ply_normal_of(p.system, thread, point, texel);
   p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
@@ -174,12 +172,12 @@ void ThreadSampler::dress(ThreadSample& p, int thread, const thread_formulas::Th
   const Lobes& lobes = cloth_.yarns[static_cast<size_t>(body.yarn)].lobes;
   p.lobes = yarn_lobes(lobes, {colour.r, colour.g, colour.b});
   p.lobes.slope_cov +=
-      bend_over(point, textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan, step);
-  p.drawn = yarn_lobes(lobes, {p.groove * colour.r, p.groove * colour.g, p.groove * colour.b});
+      bend_variance(point, textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan, step);
+  p.rendered = yarn_lobes(lobes, {p.groove * colour.r, p.groove * colour.g, p.groove * colour.b});
 }
 
-/// Adds what is seen from above; of the crossings around it, sums.
-void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
+/// Adds samples visible from above, and sums over the crossings around them.
+void ThreadSampler::add_top_samples(int first, int count, ThreadSamples& out) {
   for (int k = first; k < first + count; ++k) {
     const glm::vec2 at = glm::vec2(part(k, 0.7548776662466927), part(k, 0.5698402909980532)) * grid_.period;
     const auto hit = scene_.first_thread(grid_, at, glm::vec3(0, 0, 1), 0);
@@ -191,7 +189,7 @@ void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
     const auto point = scene_.thread_point(hit.system, hit.strand, hit.at);
     const size_t s = static_cast<size_t>(hit.system), thread = static_cast<size_t>(hit.strand.thread);
     Texel texel;
-    const glm::vec3 normal = plied(hit.system, hit.strand.thread, point, texel);
+    const glm::vec3 normal = ply_normal_of(hit.system, hit.strand.thread, point, texel);
     const Lobes& lobes = cloth_.yarns[static_cast<size_t>((s == 0 ? cloth_.ends : cloth_.picks)[thread].yarn)].lobes;
     out.top.push_back({hit.system,
                        normal,
@@ -200,7 +198,7 @@ void ThreadSampler::look_down(int first, int count, ThreadSamples& out) {
   }
 }
 
-void ThreadSampler::look_around(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
+void ThreadSampler::find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
   const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
   Directions open;
   open.reserve(high_views_.size());
@@ -218,15 +216,15 @@ void ThreadSampler::look_around(ThreadSample& p, glm::vec3 at, int thread, ViewS
   for (const uint16_t v : facing.number) p.open[v] = 1;
   std::fill_n(p.open.begin() + kHighest, kViewAzimuths, p.open[kHighest]);
   if (from != ViewSet::kLow) return;
-  // What might stand before these is far off: one by one. What stands before two elevations stands before the lower
-  // ones.
+  // The lowest views may be occluded from far away, so they are tested one by one. An occluder of two elevations
+  // occludes the lower ones, too.
   for (size_t v = kLowViews; v-- > 0;) {
     if (!can_see(v) || (p.open[v + kViewAzimuths] <= 0 && p.open[v + 2 * kViewAzimuths] <= 0)) continue;
     p.open[v] = scene_.threads_block(grid_, at, views_[v], kMaxGridCells, p.system, thread) ? 0.0f : 1.0f;
   }
 }
 
-/// Through the thread, or onto a side of it.
+/// Light through the thread, or onto a side of it.
 void ThreadSampler::find_transmission(ThreadSample& p, glm::vec3 at, int thread) {
   Directions through, side;
   through.reserve(lights_.size()), side.reserve(lights_.size());
@@ -237,7 +235,7 @@ void ThreadSampler::find_transmission(ThreadSample& p, glm::vec3 at, int thread)
   }
   shadows_.cast(through, at, p.system, thread);
   shadows_.cast(side, at, p.system, thread);
-  // The thread itself may stand before a side, too: from a little above it.
+  // The thread may occlude its own side, so the ray starts a little above it.
   shadows_.cast(side, at + p.side * (0.02f * grid_.top), p.system, thread, true);
   p.lights = through.number;
   p.lights.insert(p.lights.end(), side.number.begin(), side.number.end());
@@ -298,7 +296,7 @@ ThreadSamples thread_samples(const Cloth& cloth, int count, int transmission_cou
   const std::vector<Cloth> parts = large ? windows_of(cloth) : std::vector<Cloth>{cloth};
   out.whole = !large;
   const int windows = static_cast<int>(parts.size()), above = kAbove / windows;
-  // One spread over all windows: each takes the points that the one before left.
+  // One sequence over all windows: each continues after the previous one.
   const auto spread = [&](std::vector<ThreadSample>& to, ThreadSampler& sampler, int w, int wanted, bool lit) {
     const int each = std::max(1, wanted / 2 / windows);
     to.resize(static_cast<size_t>((w + 1) * 2 * each));
@@ -310,7 +308,7 @@ ThreadSamples thread_samples(const Cloth& cloth, int count, int transmission_cou
     ThreadSampler sampler(parts[static_cast<size_t>(w)]);
     spread(out.samples, sampler, w, count, false);
     if (transmission_count > 0) spread(out.transmission, sampler, w, transmission_count, true);
-    sampler.look_down(w * above, above, out);
+    sampler.add_top_samples(w * above, above, out);
   }
   const float scale = 1 / static_cast<float>(windows * above);
   out.around_mean *= scale;

@@ -1,5 +1,5 @@
-// Threads from crossing to crossing as a few straight pieces of elliptic tube, cut by upright planes; rings of threads
-// about the place, the nearest first, until no direction is left that could meet the next one.
+// A thread between two crossings is a few straight pieces of elliptic tube between vertical planes. Rings of threads
+// around the point are tested, the nearest first, until no remaining direction can reach the next ring.
 
 #include "light/thread_shadows.h"
 
@@ -12,26 +12,26 @@
 namespace weftlight::light {
 namespace {
 
-// From crossing to crossing; of the thread that the place is on, which it leaves at a slant, more.
+// Pieces between two crossings; more for the point's own thread, which rays leave at a slant.
 constexpr int kPieces = 6, kOwnPieces = 8;
-constexpr int kMaxRings = 24;  // of threads
+constexpr int kMaxRings = 24;  // rings of threads
 
-/// A straight tube between two sections. Along it s, across it a, z up; from the place.
+/// A straight tube between two sections, relative to the point. Along it s, across it a, z up.
 struct Piece {
-  float low, high;  // of both sections: how far before them the place is, and the slopes of the centre line
+  float low, high;  // of both sections: signed distance from the point, and the slopes of the centre line
   float low_slope, high_slope;
-  float a, over_width;   // of the place, half widths from the axis; 1 over half width
-  float b, over_height;  // of the place, half heights above the axis; 1 over half height, at right angles to it
+  float a, over_width;   // offset of the point in half widths from the axis; 1 over half width
+  float b, over_height;  // offset in half heights above the axis; 1 over half height, perpendicular to it
   float slope;
 };
 
-/// Clears those that meet it before the light.
-inline void meet_all(const Piece& p, size_t count, const float* __restrict across, const float* __restrict along,
-                     const float* __restrict up, float* __restrict clear) {
+/// Clears the directions that meet the piece.
+inline void occlude_all(const Piece& p, size_t count, const float* __restrict across, const float* __restrict along,
+                        const float* __restrict up, float* __restrict clear) {
   constexpr float kFar = 1e9f, kUpright = 1e-6f;
   for (size_t k = 0; k < count; ++k) {
     const float a1 = across[k] * p.over_width, b1 = (up[k] - along[k] * p.slope) * p.over_height;
-    // Of the rays, what lies between the sections, which stand at right angles to the bent line.
+    // The part of each ray between the sections, which are perpendicular to the bent line.
     const float in = along[k] + up[k] * p.low_slope, out = along[k] + up[k] * p.high_slope;
     const float run = std::abs(in) > kUpright ? in : kUpright, leave = std::abs(out) > kUpright ? out : kUpright;
     const float enters = p.low / run, exits = p.high / leave;
@@ -46,21 +46,21 @@ inline void meet_all(const Piece& p, size_t count, const float* __restrict acros
 }
 
 #if defined(__x86_64__)
-/// The same on wider vectors; products are not fused with sums, so that the bits are the same.
-[[gnu::flatten, gnu::target("avx2")]] void meet_avx2(const Piece& p, size_t count, const float* across,
-                                                     const float* along, const float* up, float* clear) {
-  meet_all(p, count, across, along, up, clear);
+/// The same on wider vectors, without fused multiply-add, so that the result is the same bit for bit.
+[[gnu::flatten, gnu::target("avx2")]] void occlude_avx2(const Piece& p, size_t count, const float* across,
+                                                        const float* along, const float* up, float* clear) {
+  occlude_all(p, count, across, along, up, clear);
 }
 #endif
 
-void meet(const Piece& p, size_t count, const float* across, const float* along, const float* up, float* clear) {
+void occlude(const Piece& p, size_t count, const float* across, const float* along, const float* up, float* clear) {
 #if defined(__x86_64__)
-  if (widest_vectors() == Vectors::kAvx2) return meet_avx2(p, count, across, along, up, clear);
+  if (widest_vectors() == Vectors::kAvx2) return occlude_avx2(p, count, across, along, up, clear);
 #endif
-  meet_all(p, count, across, along, up, clear);
+  occlude_all(p, count, across, along, up, clear);
 }
 
-void keep_clear(Directions& of, const std::vector<float>& clear) {
+void keep_unoccluded(Directions& of, const std::vector<float>& clear) {
   size_t kept = 0;
   for (size_t k = 0; k < of.size(); ++k) {
     if (clear[k] <= 0) continue;
@@ -72,23 +72,23 @@ void keep_clear(Directions& of, const std::vector<float>& clear) {
   of.number.resize(kept);
 }
 
-/// One of the threads about the place.
+/// A thread near the point.
 struct Near {
   int thread;
   float centre;
   cloth::thread_formulas::ThreadSection body;
-  float wide;  // half of its room, or of its width where that is more
+  float wide;  // half of its spacing or of its width, whichever is larger
 };
 
 /// A thread from one crossing to the next.
 struct Span {
   glm::vec4 curve;
-  glm::vec2 thin, thinner;  // 1 over half width and half height, at its start; what they gain to its end
-  float start, step;        // along, from the place
-  float aside;              // the place's, from the centre
+  glm::vec2 thin, thinner;  // 1 over half width and half height at its start; their change to its end
+  float start, step;        // along, from the point
+  float aside;              // offset of the point from the centre
 };
 
-/// Piece k of so many, for a place at a height; over: 1 over its half width and half height.
+/// Piece k of `pieces`, for a point at `height`; over: 1 over its half width and half height.
 Piece piece_of(const Span& span, int k, int pieces, float height, const glm::vec3& low, const glm::vec3& high,
                const glm::vec2& over) {
   const float length = span.step / static_cast<float>(pieces), from = span.start + static_cast<float>(k) * length;
@@ -99,7 +99,7 @@ Piece piece_of(const Span& span, int k, int pieces, float height, const glm::vec
   p.slope = (high.x - low.x) / length;
   p.over_width = over.x, p.over_height = over.y / std::sqrt(1 + p.slope * p.slope);
   p.a = span.aside * p.over_width;
-  // As high as the bent line is at the mean.
+  // At the mean height of the bent line.
   p.b = (height - (low.x - bend * length * length / 12 - from * p.slope)) * p.over_height;
   return p;
 }
@@ -123,15 +123,15 @@ void Directions::add_from(const Directions& from, size_t k) {
   number.push_back(from.number[k]);
 }
 
-/// The place, and the threads about it, counted from those over and under it.
+/// The point and the threads around it, counted from those over and under it.
 struct ThreadShadows::Around {
   static constexpr int kMiddle = kMaxRings + 1;
   glm::vec3 from;
   int system, thread;
   bool only_it, down;
-  glm::vec2 low{0}, high{0};  // of all that the directions cross, from the place
-  glm::ivec2 middle{0};       // among those of the layer
-  glm::vec2 base{0};          // where its period begins
+  glm::vec2 low{0}, high{0};  // bounds of what the directions cross, from the point
+  glm::ivec2 middle{0};       // indices in the layer
+  glm::vec2 base{0};          // origin of its period
   std::array<std::array<Near, 2 * kMiddle + 1>, 2> threads;
 
   const Near& near(int of, int step) const {
@@ -153,7 +153,7 @@ ThreadShadows::ThreadShadows(ThreadScene& scene) : scene_(scene) {
   for (int i = 0; i < layers; ++i) layers_.push_back(scene.thread_layer(i, 1));
 }
 
-/// Thread `across` of a system, from thread `along` of the other to the next.
+/// Tests thread `across` of a system between threads `along` and `along + 1` of the other.
 void ThreadShadows::cast_span(Directions& open, std::vector<float>& clear, const ThreadGrid& g, const Around& around,
                               int system, int across, int along) {
   const int other = 1 - system;
@@ -182,12 +182,13 @@ void ThreadShadows::cast_span(Directions& open, std::vector<float>& clear, const
         around.down ? std::min(low.x, high.x) - reach - around.from.z : around.from.z - std::max(low.x, high.x) - reach;
     if (nearest > 0 || !around.crosses(other, from - reach, from + per_piece * step + reach)) continue;
     const Piece p = piece_of(span, k, pieces, around.from.z, low, high, over);
-    meet(p, open.size(), (warp ? open.x : open.y).data(), (warp ? open.y : open.x).data(), open.z.data(), clear.data());
+    occlude(p, open.size(), (warp ? open.x : open.y).data(), (warp ? open.y : open.x).data(), open.z.data(),
+            clear.data());
   }
 }
 
-/// Directions that end before the ring of threads go to `through`; `around` gets what the others cross.
-void ThreadShadows::leave_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
+/// Moves directions that end before this ring of threads to `through`; `around` gets the bounds of the others.
+void ThreadShadows::split_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
                                  float depth, float away) {
   clear.assign(open.size(), 1.0f);
   around.low = around.high = glm::vec2(0);
@@ -199,7 +200,7 @@ void ThreadShadows::leave_before(Directions& open, Directions& through, std::vec
     const glm::vec2 end = glm::vec2(open.x[k], open.y[k]) * (depth / std::max(std::abs(open.z[k]), 1e-3f));
     around.low = glm::min(around.low, end), around.high = glm::max(around.high, end);
   }
-  keep_clear(open, clear);
+  keep_unoccluded(open, clear);
 }
 
 void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& around) {
@@ -209,7 +210,7 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
   through.reserve(open.size());
   for (int s = 0; s < 2; ++s) around.fetch(scene_, g, s, 0);
   for (int ring = 0; ring <= kMaxRings && open.size() > 0; ++ring) {
-    float away = 1e9f;  // from the place to all that is left of the threads
+    float away = 1e9f;  // distance from the point to the remaining threads
     for (int s = 0; s < 2; ++s) {
       for (const int turn : {-1, 1}) {
         around.fetch(scene_, g, s, turn * (ring + 1));
@@ -217,8 +218,8 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
         away = std::min(away, static_cast<float>(turn) * (next.centre - around.from[s]) - next.wide);
       }
     }
-    leave_before(open, through, clear, around, depth, away);
-    // Those that cross the place's own first: they stand nearest.
+    split_before(open, through, clear, around, depth, away);
+    // Threads that cross the point's own first, since they are nearest.
     for (const int system : {1 - around.system, around.system}) {
       clear.assign(open.size(), 1.0f);
       for (int across = -ring; across <= ring; ++across) {
@@ -226,7 +227,7 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
         for (int along = -ring - 1; along <= ring; along += rim || along == ring ? 1 : 2 * ring + 1)
           cast_span(open, clear, g, around, system, across, along);
       }
-      keep_clear(open, clear);
+      keep_unoccluded(open, clear);
     }
   }
   for (size_t k = 0; k < open.size(); ++k) through.add_from(open, k);

@@ -1,6 +1,6 @@
 #pragma once
-// Which of many directions from a place on a thread meet other threads: all of them at once, since the threads near
-// by are the same for all, where rays one by one would fetch them anew for each.
+// Tests many directions from one point on a thread against the other threads at once, since the threads nearby are the
+// same for all of them; rays one by one would fetch them again for each.
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -12,10 +12,10 @@
 
 namespace weftlight::light {
 
-/// Unit vectors, all above the cloth or all below it, in rows for the processor's vectors. Known by their number.
+/// Unit vectors, all above the cloth or all below it, stored by component for vectorisation; identified by number.
 struct Directions {
   std::vector<float> x, y, z;
-  std::vector<float> slant;  // way in the plane for a height of 1
+  std::vector<float> slant;  // distance in the plane for a height of 1
   std::vector<uint16_t> number;
   size_t size() const { return number.size(); }
   void add(const glm::vec3& w, size_t number);
@@ -26,14 +26,14 @@ struct Directions {
 class ThreadShadows {
  public:
   explicit ThreadShadows(ThreadScene& scene);
-  /// Takes out those that meet a thread other than thread `thread` of the system; only_it: that meet just that one.
+  /// Removes directions that are occluded by a thread other than `thread` of the system; only_it: by just that thread.
   void cast(Directions& open, const glm::vec3& from, int system, int thread, bool only_it = false);
 
  private:
   using ThreadGrid = ThreadScene::ThreadGrid;
   struct Around;
   void cast_layer(Directions& open, const ThreadGrid& grid, Around& around);
-  static void leave_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
+  static void split_before(Directions& open, Directions& through, std::vector<float>& clear, Around& around,
                            float depth, float away);
   void cast_span(Directions& open, std::vector<float>& clear, const ThreadGrid& grid, const Around& around, int system,
                  int across, int along);

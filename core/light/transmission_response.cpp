@@ -1,5 +1,5 @@
-// Few lights reach a place from behind, so only those are gone through, for the views that see it. What comes through a
-// thread is body alone; what falls on a side that hangs over mirrors as well.
+// Few lights from behind reach a sample, so only those are evaluated, for the views that see it. Light through a
+// thread leaves by the body alone; light on an overhanging side is mirrored as well.
 
 #include "light/transmission_response.h"
 
@@ -17,32 +17,33 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-constexpr size_t kMaxSidePairs = 2'000'000;  // of views and lights; of open cloth some of the places tell enough
-constexpr size_t kTop = kResponseViews - kViewAzimuths;  // all views from straight above are one
+constexpr size_t kMaxSidePairs = 2'000'000;              // of views and lights; an open cloth has more than needed
+constexpr size_t kTop = kResponseViews - kViewAzimuths;  // all views from straight above are the same
 
-/// A view, what of the place it sees and what the lobes do on the way out.
+/// A view of a sample, and what the lobes do on the way out.
 struct VisibleView {
   size_t view;
   glm::vec3 towards, local;
   float seen;  // projected area, over that of the cloth's plane
-  float body;  // of what leaves by body and through
+  float body;  // of body and transmission
   formulas::LobeSide side;
 };
 
-/// A light on a side that hangs over.
+/// A light on an overhanging side.
 struct SideLight {
   size_t light;
   glm::vec3 towards, local;
   formulas::LobeSide side;
 };
 
-/// A place with one of its normals: that between its plies, or the section's for the views that it turns away from.
+/// A sample with one of its normals: with the relief of plies, or that of the section for the views that the former
+/// faces away from.
 struct TransmissionSample {
   const ThreadSample* sample;
   formulas::LobeShared shared;
   FacetMoments facets;
   std::vector<VisibleView> out;
-  // Of a run of lights: what enters the body, and that times what is clear of its fuzz.
+  // For a range of lights: light into the body, and that times the transmittance of the fuzz.
   size_t first = 0;
   std::vector<float> bare, cleared;
   std::vector<SideLight> in;
@@ -51,8 +52,8 @@ struct TransmissionSample {
 /// [view][light].
 struct Sums {
   std::vector<float> body;
-  std::vector<glm::vec2> side;                                   // mirrored; fuzz and the like
-  std::array<std::vector<float>, kFacetMoments> body_moments{};  // body, times each of the place's moments
+  std::vector<glm::vec2> side;                                   // mirrored; fuzz and multiple scattering
+  std::array<std::vector<float>, kFacetMoments> body_moments{};  // body, times each of the sample's moments
 };
 
 using Views = std::array<glm::vec3, kResponseViews>;
@@ -95,34 +96,35 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
   return p;
 }
 
-/// Fresnel's term of what mirrors, over that which pictures give it.
-float fresnel_over_drawn(const ThreadSample& p, float grazing) {
+/// Fresnel term of mirrored light, over the one that the renderer applies.
+float fresnel_over_rendered(const ThreadSample& p, float grazing) {
   const float rising = formulas::layered_grazing(p.lobes.fibre_layers, grazing), f90 = p.lobes.f90;
-  return (p.lobes.f0.g + (f90 - p.lobes.f0.g) * rising) / (p.drawn.f0.g + (f90 - p.drawn.f0.g) * rising + 1e-6f);
+  return (p.lobes.f0.g + (f90 - p.lobes.f0.g) * rising) / (p.rendered.f0.g + (f90 - p.rendered.f0.g) * rising + 1e-6f);
 }
 
-/// Without what the body sends.
-glm::vec2 sent_by_side(const TransmissionSample& p, const SideLight& in, const VisibleView& out) {
+/// Mirrored light and fuzz of a side, without the body.
+glm::vec2 side_radiance(const TransmissionSample& p, const SideLight& in, const VisibleView& out) {
   const formulas::YarnLobes& lobes = p.sample->lobes;
   const float veiled = 1 - in.side.clear * out.side.clear;
   formulas::YarnLobes mirror = lobes;
   mirror.f0 = glm::vec3(1), mirror.f90 = 1;
   const float mirrored = formulas::lobe_specular(mirror, p.shared, in.side, out.side, in.local, out.local).g;
   const float grazing = std::max(1 - 0.5f * glm::length(in.towards + out.towards), 0.0f);
-  float fuzz = p.shared.multiple.g * in.side.lost * out.side.lost;
+  float fuzz = p.shared.multiple.g * in.side.loss * out.side.loss;
   if (lobes.fuzz > 0) {
     const float again = lobes.body.g * p.shared.mean_enters.g * in.side.fuzz.y * out.side.fuzz.y /
                         (kPi * std::max(out.side.fuzz.w, 1e-4f));
     fuzz += lobes.fuzz_colour.g * lobes.fuzz * (veiled / (4 * kPi * (in.side.mu + out.side.mu)) + again);
   }
   const ThreadSample& sample = *p.sample;
-  const float drawn_fuzz = lobes.fuzz > 0 ? sample.drawn.fuzz_colour.g : sample.drawn.f0.g / std::max(lobes.f90, 1e-3f);
-  return glm::vec2(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_drawn(sample, grazing),
-                   fuzz / std::max(drawn_fuzz, 1e-4f)) *
+  const float rendered_fuzz =
+      lobes.fuzz > 0 ? sample.rendered.fuzz_colour.g : sample.rendered.f0.g / std::max(lobes.f90, 1e-3f);
+  return glm::vec2(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_rendered(sample, grazing),
+                   fuzz / std::max(rendered_fuzz, 1e-4f)) *
          (in.local.z * out.seen * sample.groove);
 }
 
-/// sides: what light on sides counts for.
+/// sides: weight of light on sides.
 void add_view(Sums& sums, const TransmissionSample& p, const VisibleView& out, float sides) {
   const size_t row = out.view * kTransmissionLights;
   const float fuzz = p.sample->lobes.fuzz, bare = out.body * (1 - fuzz), cleared = out.body * fuzz * out.side.clear;
@@ -134,13 +136,13 @@ void add_view(Sums& sums, const TransmissionSample& p, const VisibleView& out, f
   add(sums.body, 1);
   for (size_t k = 0; k < kFacetMoments; ++k) add(sums.body_moments[k], p.facets[k]);
   if (sides <= 0) return;
-  for (const SideLight& in : p.in) sums.side[row + in.light] += sides * sent_by_side(p, in, out);
+  for (const SideLight& in : p.in) sums.side[row + in.light] += sides * side_radiance(p, in, out);
 }
 
-/// Of what body and through send, all colours.
+/// Body and transmission, sum of the channels.
 float tone_of(const formulas::YarnLobes& y) { return glm::dot(y.body + y.through, glm::vec3(1)); }
 
-/// As pictures take them.
+/// As the renderer has them.
 std::array<float, 2> tones_of(const ClothResponse& response, const Cloth& cloth) {
   std::array<float, 2> out;
   for (size_t s = 0; s < 2; ++s) {
@@ -160,7 +162,7 @@ std::vector<TransmissionSample> transmission_samples(const std::vector<ThreadSam
     out[2 * k] = transmission_sample(samples[k], samples[k].normal, views, lights);
     if (samples[k].normal != samples[k].side)
       out[2 * k + 1] = transmission_sample(samples[k], samples[k].side, views, lights);
-    // Light comes through few places, which may be darker than all that is seen of the system.
+    // Light passes at few samples, which may be darker than the mean of the system.
     const float tone =
         samples[k].groove * tone_of(samples[k].lobes) / std::max(tones[static_cast<size_t>(samples[k].system)], 1e-4f);
     for (TransmissionSample* p : {&out[2 * k], &out[2 * k + 1]})
@@ -170,10 +172,10 @@ std::vector<TransmissionSample> transmission_samples(const std::vector<ThreadSam
   return out;
 }
 
-/// Views from straight above are one; along the cloth they see as much as a little higher.
+/// Views from straight above are the same; the lowest views take the values of the next higher ones.
 size_t counted_view(size_t v) { return v < kLowViews ? v % kViewAzimuths + kLowViews : std::min(v, kTop); }
 
-/// What is seen of each system: from above down to the low views, which are not measured.
+/// Visible facets of each system, by view. The low views are not measured.
 std::array<std::vector<FacetRegression>, 2> visible_facets(const std::vector<ThreadSample>& samples) {
   std::array<std::vector<FacetRegression>, 2> out;
   for (auto& of : out) of.resize(kResponseViews);
@@ -192,9 +194,8 @@ std::array<std::vector<FacetRegression>, 2> visible_facets(const std::vector<Thr
   return out;
 }
 
-/// What areas of places are multiplied by: a system's share over what is seen of its places from above. Those that no
-/// light reaches count, too: so few of its places are seen of a weft below long floats that their number goes by
-/// chance.
+/// Scale of the sample areas: a system's fraction over its visible area from above. Samples that no light reaches
+/// count, too: of a weft below long floats so few are visible that their number would be random.
 std::array<float, 2> scales(const ClothResponse& response, const std::vector<ThreadSample>& samples) {
   std::array<float, 2> cover{}, out;
   for (const ThreadSample& p : samples)
@@ -203,7 +204,7 @@ std::array<float, 2> scales(const ClothResponse& response, const std::vector<Thr
   return out;
 }
 
-/// How what the body sends leans, over what it sends.
+/// Relative gradient of the body's light.
 FacetMoments gradient_of(const Sums& sums, const FacetRegression& seen, size_t at) {
   FacetMoments products;
   for (size_t k = 0; k < kFacetMoments; ++k) products[k] = sums.body_moments[k][at];

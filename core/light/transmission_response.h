@@ -1,5 +1,5 @@
 #pragma once
-// The part of a cloth's answer from afar that light from behind it has.
+// Far-field response of a cloth to light from behind it.
 
 #include <array>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace weftlight::light {
 
-/// Fills `behind` and `transmission_gradient` of both systems. seen: projected area of what each view sees, over the
+/// Fills `transmitted` and `transmission_gradient` of both systems. seen: visible projected area by view, over the
 /// cloth's.
 void measure_transmission(ClothResponse& response, const Cloth& cloth, const ThreadSamples& threads,
                           const std::array<float, kResponseViews>& seen);

@@ -1,5 +1,5 @@
-// Many pairs of directions of one yarn: the formulas of shaders/lobes.glsl over blocks of pairs, stage by
-// stage (places, look-ups, sides, reflection), each stage a loop that the compiler turns into vectors.
+// The formulas of shaders/lobes.glsl over blocks of direction pairs of one yarn, stage by stage (coordinates,
+// look-ups, sides, reflection); each stage is a loop that the compiler vectorises.
 
 #include <algorithm>
 #include <array>
@@ -12,32 +12,32 @@
 namespace weftlight::light {
 namespace {
 
-constexpr size_t kBlock = 64;  // pairs; all stages of a block stay in the first cache
+constexpr size_t kBlock = 64;  // pairs; all stages of a block fit the L1 cache
 constexpr size_t kMaxFuzzOpenings = 64;
 
 template <class T>
-struct alignas(32) Lanes : std::array<T, kBlock> {};  // one number of every pair
+struct alignas(32) Lanes : std::array<T, kBlock> {};  // one value of every pair
 
 struct Directions {
   Lanes<float> x, y, z;
   glm::vec3 at(size_t k) const { return {x[k], y[k], z[k]}; }
 };
 
-/// LobeCoords, what is stored there, and the rest of LobeSide, of one direction of every pair.
+/// LobeCoords, the table values there, and the rest of LobeSide, for one direction of every pair.
 struct Sides {
   Lanes<float> mu, area, rim, opening, along, across, mixed;
   Lanes<int> entry;                           // of the albedo table: first float of the cell
-  Lanes<float> opening_t, along_t, across_t;  // shares within the cell
-  Lanes<float> lost, cosine, fuzz_lost;
+  Lanes<float> opening_t, along_t, across_t;  // weights within the cell
+  Lanes<float> loss, cosine, fuzz_loss;
   Lanes<float> enters_x, enters_y, enters_z, clear;
 };
 
-/// What all pairs share.
+/// Values common to all pairs.
 struct Shared {
   formulas::YarnLobes yarn;
   formulas::LobeShared lobes;
   const Table& albedo;
-  std::array<float, kMaxFuzzOpenings> fuzz_lost{};  // fuzz_table(.., depth of the yarn).y
+  std::array<float, kMaxFuzzOpenings> fuzz_loss{};  // fuzz_table(.., depth of the yarn).y
   int fuzz_openings = 2;
   float fuzz_mean = 0;  // fuzz_table(.., depth of the yarn).w
 };
@@ -50,13 +50,13 @@ Shared shared_of(const formulas::YarnLobes& yarn) {
   const float depth = formulas::fuzz_coords(yarn, 1).y;
   for (int i = 0; i < s.fuzz_openings; ++i) {
     const glm::vec4 f = formulas::fuzz_table(static_cast<float>(i) / static_cast<float>(s.fuzz_openings - 1), depth);
-    s.fuzz_lost[static_cast<size_t>(i)] = f.y;
+    s.fuzz_loss[static_cast<size_t>(i)] = f.y;
     s.fuzz_mean = f.w;
   }
   return s;
 }
 
-/// Lanes past the end look along the normal.
+/// Lanes past the end get the normal.
 void load(std::span<const glm::vec3> from, Directions& to) {
   for (size_t k = 0; k < from.size(); ++k) to.x[k] = from[k].x, to.y[k] = from[k].y, to.z[k] = from[k].z;
   for (size_t k = from.size(); k < kBlock; ++k) to.x[k] = to.y[k] = 0, to.z[k] = 1;
@@ -86,7 +86,7 @@ Four entry_at(const float* p) {
   return v;
 }
 
-/// Between two rows, at an entry and at the next along the opening.
+/// Interpolates between two rows, at an entry and at the next along the opening.
 struct Pair {
   Four low, high;
 };
@@ -104,7 +104,7 @@ void look_up_albedo(const Table& t, Sides& s) {
     const Four low = near.low + s.across_t[k] * (far.low - near.low);
     const Four high = near.high + s.across_t[k] * (far.high - near.high);
     const Four stored = low + s.opening_t[k] * (high - low);
-    s.lost[k] = stored[0] + s.mixed[k] * (stored[2] - stored[0]);
+    s.loss[k] = stored[0] + s.mixed[k] * (stored[2] - stored[0]);
     s.cosine[k] = stored[1] + s.mixed[k] * (stored[3] - stored[1]);
   }
 }
@@ -112,16 +112,16 @@ void look_up_albedo(const Table& t, Sides& s) {
 void look_up_fuzz(const Shared& shared, Sides& s) {
   for (size_t k = 0; k < kBlock; ++k) {
     const TableCell cell = cell_of(formulas::fuzz_coords(shared.yarn, s.mu[k]).x, shared.fuzz_openings);
-    const float* p = shared.fuzz_lost.data() + cell.i;
-    s.fuzz_lost[k] = p[0] + cell.t * (p[1] - p[0]);
+    const float* p = shared.fuzz_loss.data() + cell.i;
+    s.fuzz_loss[k] = p[0] + cell.t * (p[1] - p[0]);
   }
 }
 
 formulas::LobeSide finished(const formulas::YarnLobes& yarn, const Shared& shared, const Sides& s, size_t k) {
   const formulas::LobeCoords p{s.mu[k], s.area[k], s.rim[k], s.opening[k], s.along[k], s.across[k], s.mixed[k]};
-  // Reflection asks for what the fuzz loses, and for the mean of it.
-  return formulas::lobe_finish(yarn, shared.lobes, p, {s.lost[k], s.cosine[k]},
-                               {0, s.fuzz_lost[k], 0, shared.fuzz_mean});
+  // Reflection needs only the loss of the fuzz and its mean.
+  return formulas::lobe_finish(yarn, shared.lobes, p, {s.loss[k], s.cosine[k]},
+                               {0, s.fuzz_loss[k], 0, shared.fuzz_mean});
 }
 
 void reflect_block(const formulas::YarnLobes& yarn, const Shared& shared, const Directions& wi, const Directions& wo,
@@ -137,10 +137,10 @@ void reflect_block(const formulas::YarnLobes& yarn, const Shared& shared, const 
 inline void reflect_all(const Shared& shared, std::span<const glm::vec3> wi, std::span<const glm::vec3> wo,
                         std::span<glm::vec3> out) {
   formulas::YarnLobes bare = shared.yarn;
-  bare.fuzz = 0;  // known to the compiler: that loop has no fuzz at all
+  bare.fuzz = 0;  // known to the compiler: this loop has no fuzz
   Directions in, seen, f;
   Sides i, o;
-  i.fuzz_lost.fill(0), o.fuzz_lost.fill(0);
+  i.fuzz_loss.fill(0), o.fuzz_loss.fill(0);
   for (size_t first = 0; first < out.size(); first += kBlock) {
     const size_t count = std::min(kBlock, out.size() - first);
     load(wi.subspan(first, count), in);
@@ -162,7 +162,7 @@ inline void reflect_all(const Shared& shared, std::span<const glm::vec3> wi, std
   }
 }
 
-// The same text for each kind of vectors: `flatten` draws every formula into it.
+// The same code for each kind of vectors: `flatten` inlines every formula.
 [[gnu::flatten]] void reflect_baseline(const Shared& shared, std::span<const glm::vec3> wi,
                                        std::span<const glm::vec3> wo, std::span<glm::vec3> out) {
   reflect_all(shared, wi, wo, out);

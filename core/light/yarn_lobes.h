@@ -1,5 +1,5 @@
 #pragma once
-// The lobes of a yarn as the formulas take them, and their evaluation in batches.
+// Lobes of a yarn for the formulas, and their evaluation in batches.
 
 #include <span>
 #include <vector>
@@ -11,30 +11,30 @@
 
 namespace weftlight::light {
 
-/// What the mirrored light is made of: reflectance of clear fibres at normal incidence, share of it that takes the
-/// thread's colour, and what the body may send. Clear fibres lie one behind the other: a pile of so many layers, each
-/// of which reflects r and passes the rest, sends back n r / (1 + (n - 1) r) (Stokes 1862, "On the intensity of the
-/// light reflected from or transmitted through a pile of plates", without absorption). A metal has no clear light.
+/// Components of the mirrored light: reflectance of clear fibres at normal incidence, its fraction in the thread's
+/// colour, and the body. Clear fibres lie in layers: n layers that each reflect r and pass the rest reflect n r / (1 +
+/// (n - 1) r) (Stokes 1862, "On the intensity of the light reflected from or transmitted through a pile of plates",
+/// without absorption). A metal has no clear part.
 struct FibreReflectance {
-  float clear = 0, fibre_layers = 1, dyed = 0, body = 0;  // pile: `clear` over one layer's
+  float clear = 0, fibre_layers = 1, dyed = 0, body = 0;  // fibre_layers: `clear` over that of one layer
 };
 FibreReflectance fibre_reflectance(const Lobes& lobes);
 
-/// The numbers of a yarn as the shaders take them. Out-of-range values are clamped; never NaN.
+/// Parameters of a yarn as the shaders read them. Values are clamped to their ranges; never NaN.
 interop::YarnData yarn_data(const Lobes& lobes);
 
-/// Their means over the threads of a system; all 0 where there are none.
+/// Their means over the threads of a system; all 0 without threads.
 interop::YarnData mean_yarn(const Cloth& cloth, const std::vector<ThreadBody>& threads);
 
-/// Lobes of a thread of this colour. Out-of-range values are clamped; never NaN.
+/// Lobes of a thread of this colour. Values are clamped to their ranges; never NaN.
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour);
 
-/// The vectors that a batch runs on: the compiler's baseline, or AVX2 with FMA where the processor has them.
+/// Vector instructions of a batch: the compiler's baseline, or AVX2 with FMA where available.
 enum class Vectors { kBaseline, kAvx2 };
 Vectors widest_vectors();
 
-/// out[k] = yarn_reflect(yarn, wi[k], wo[k]) but for rounding (1e-4 of the value); all three of one length.
-/// `vectors` must be there: at most widest_vectors().
+/// out[k] = yarn_reflect(yarn, wi[k], wo[k]) up to rounding (relative 1e-4); all three have the same length. `vectors`
+/// must be supported: at most widest_vectors().
 void reflect(const formulas::YarnLobes& yarn, std::span<const glm::vec3> wi, std::span<const glm::vec3> wo,
              std::span<glm::vec3> out, Vectors vectors = widest_vectors());
 

@@ -22,7 +22,7 @@ inline void trace_ray(RTCScene scene, RTCRayHit& ray) {
 #endif
 }
 
-/// Leaves ray.tfar below zero where anything is in the way.
+/// Sets ray.tfar below zero if anything is hit.
 inline void trace_shadow(RTCScene scene, RTCRay& ray) {
 #if RTC_VERSION_MAJOR >= 4
   rtcOccluded1(scene, &ray);

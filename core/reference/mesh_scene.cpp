@@ -3,9 +3,13 @@
 #include <cstring>
 #include <limits>
 
+#include "base/text.h"
 #include "reference/embree.h"
 
 namespace weftlight::reference {
+
+using base::tr;
+
 namespace {
 
 RTCRay ray_of(glm::vec3 origin, glm::vec3 direction, float t_min) {
@@ -37,7 +41,7 @@ std::unique_ptr<MeshScene> MeshScene::build(const Mesh& mesh, std::string& error
   parts.mesh = mesh;
   parts.device = rtcNewDevice(nullptr);
   if (!parts.device || mesh.index.empty()) {
-    error = mesh.index.empty() ? "the mesh has no triangles" : "the ray tracer (Embree) could not be started";
+    error = mesh.index.empty() ? tr("the mesh has no triangles") : tr("the ray tracer (Embree) could not be started");
     return nullptr;
   }
   parts.scene = rtcNewScene(parts.device);
@@ -57,7 +61,7 @@ std::unique_ptr<MeshScene> MeshScene::build(const Mesh& mesh, std::string& error
   }
   rtcReleaseGeometry(geometry);
   if (!room) {
-    error = "not enough memory for the mesh";
+    error = tr("not enough memory for the mesh");
     return nullptr;
   }
   return out;

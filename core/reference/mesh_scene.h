@@ -1,5 +1,5 @@
 #pragma once
-// The draped mesh for rays: where a ray meets the cloth, and the cloth's frame there. World space, mm.
+// The draped mesh as a ray-tracing scene: intersections with the cloth, and the cloth's frame there. World space, mm.
 
 #include <glm/glm.hpp>
 #include <memory>
@@ -15,7 +15,7 @@ struct MeshHit {
   glm::vec3 position;
   glm::vec2 uv_mm;
   glm::vec3 weft, warp, normal;  // orthonormal: along u, along v, out of the front face
-  bool front = true;             // the ray met the side that the normals stand on
+  bool front = true;             // the ray hit the side of the normals
   uint32_t triangle = 0;
 };
 

@@ -11,9 +11,9 @@ namespace weftlight::reference {
 namespace {
 
 constexpr int kMaxLayers = 8;            // of cloth behind cloth, through gaps
-constexpr float kEnterThicknesses = 30;  // how far before a point a ray enters the cloth there
+constexpr float kEnterThicknesses = 30;  // distance before a point, in thicknesses, at which a ray enters the cloth
 
-/// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not
+/// Runs row(y) for every row on `threads` threads (0: all cores). Each pixel has its own seed, so the result does not
 /// depend on them.
 void each_row(int height, int threads, const std::stop_token& stop, const Progress& progress,
               const std::function<void(int)>& row) {
@@ -38,16 +38,16 @@ uint64_t seed_of(int x, int y, int width) {
   return (static_cast<uint64_t>(y) * static_cast<uint64_t>(width) + static_cast<uint64_t>(x)) * 0x9E3779B97F4A7C15u + 1;
 }
 
-/// A ray in the frame of a point of the drape.
+/// Local frame of a point of the drape.
 struct LocalFrame {
   const MeshHit& hit;
   glm::vec3 to(glm::vec3 w) const { return {glm::dot(w, hit.weft), glm::dot(w, hit.warp), glm::dot(w, hit.normal)}; }
   glm::vec3 from(glm::vec3 l) const { return hit.weft * l.x + hit.warp * l.y + hit.normal * l.z; }
 };
 
-/// Rounded normals turn from an eye that still sees the triangle, at the rim of every fold: there it would look at the
-/// other face, or begin inside a thread. They are leaned towards it until it looks down on the face by a little more
-/// than a ray needs that enters so far off.
+/// Interpolated normals may face away from an eye that still sees the triangle, at the silhouette of every fold: the
+/// ray would then see the other face, or start inside a thread. They are tilted towards the eye until the cosine
+/// exceeds what a ray needs that enters this far away.
 void lean_to(MeshHit& hit, glm::vec3 direction) {
   constexpr float kMin = 1.1f / kEnterThicknesses;
   const float side = hit.front ? -1.0f : 1.0f, cosine = side * glm::dot(hit.normal, direction);
@@ -73,7 +73,7 @@ struct DrapeTrace {
     s.light_towards = face(frame.to(light.towards));
     s.light_radius_rad = light.radius_rad;
     s.light_irradiance = light.irradiance;
-    // The cloth's own threads near by are the tubes' affair; the mesh hides from a thickness on.
+    // Nearby threads are occluders in the tubes; the mesh occludes from one thickness on.
     const auto hidden_in = [this, frame, &hit](glm::vec3 local) {
       const glm::vec3 world = frame.from(face(local));
       const glm::vec3 from = hit.position + hit.normal * (glm::dot(world, hit.normal) > 0 ? thickness : -thickness);
@@ -103,7 +103,7 @@ struct DrapeTrace {
       const LocalFrame frame{hit};
       const glm::vec3 local = face(frame.to(direction));
       const glm::vec3 at(hit.uv_mm, 0);
-      // Enter the cloth above the point, but at grazing not further off than the surface is locally flat.
+      // Enters the cloth above the point, but at grazing views no further away than the surface is locally flat.
       const PathSample traced = tracer.trace(at - local * (kEnterThicknesses * thickness), local, 0, around(hit, light),
                                              sampler, picture.bounces);
       if (traced.hit) return glm::vec4(traced.radiance, 1);

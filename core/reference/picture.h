@@ -1,5 +1,5 @@
 #pragma once
-// Reference pictures: the draped cloth, and flat patches for the chart, thread by thread.
+// Ray-traced reference pictures: the draped cloth, and flat patches for the chart, thread by thread.
 
 #include <array>
 #include <functional>
@@ -19,13 +19,14 @@ struct TracedImage {
   std::vector<glm::vec4> pixels;
 };
 
-/// Called with the share done, 0..1, from one thread at a time.
+/// Called with the fraction done, 0..1, from one thread at a time.
 using Progress = std::function<void(float)>;
 
-/// One light of many: over the chance that it was chosen, so that the mean of many is all their light.
+/// One light sample: its irradiance is divided by the probability of choosing it, so that the mean over many is all of
+/// the light.
 struct LightSample {
   glm::vec3 towards{0, 0, 1};  // world
-  glm::vec3 irradiance{0};     // at right angles
+  glm::vec3 irradiance{0};     // at normal incidence
   float radius_rad = 0;
 };
 
@@ -36,26 +37,26 @@ struct DrapePicture {
   glm::vec3 light_towards{0, 0, 1};  // world
   float light_radius_rad = 0.005f;
   glm::vec3 light_irradiance{3.14159265f};
-  std::function<LightSample(RandomStream&)> light;  // for each sample another; empty: the one above
+  std::function<LightSample(RandomStream&)> light;  // a light for each sample; empty: the one above
   std::function<glm::vec3(glm::vec3)> sky;          // radiance by world direction; empty: black
-  bool front = true;                                // the mesh's front shows the cloth's front
-  int first_sample = 0;  // of each pixel: pictures that go on where others ended may be averaged
+  bool front = true;                                // the front of the mesh shows the front of the cloth
+  int first_sample = 0;  // index of the first sample of each pixel, so that passes can be averaged
   int threads = 0;       // 0: all cores
-  std::stop_token stop;  // when asked to stop, the rows not yet begun stay empty
+  std::stop_token stop;  // when stopped, the remaining rows stay empty
 };
-/// The mesh gives position and frame; in each point's frame the ray goes through the endless flat cloth.
-/// `body`: what stops light beside the cloth, may be null.
+/// The mesh gives position and frame; in the frame of each point the ray continues through the infinite flat cloth.
+/// `body`: what occludes light beside the cloth; may be null.
 TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress);
 
-/// A flat patch under parallel rays. Pixel (x, y) covers the parallelogram with corner
-/// corner_mm + x step_x + y step_y on the plane z = 0, as a camera at `view` sees it.
+/// A flat patch under parallel rays. Pixel (x, y) covers the parallelogram at corner_mm + x step_x + y step_y on the
+/// plane z = 0, as a camera at `view` sees it.
 struct FlatPicture {
   int width = 0, height = 0, spp = 64, bounces = 0;
   glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
   glm::vec3 view{0, 0, 1};  // unit, towards the eye, cloth space
   Surroundings around;
-  uint64_t seed = 0;  // other seeds give independent samples
+  uint64_t seed = 0;  // different seeds give independent samples
 };
 TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress);
 

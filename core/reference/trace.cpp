@@ -36,9 +36,9 @@ glm::vec3 in_disc(glm::vec3 towards, float radius_rad, RandomStream& sampler) {
 
 }  // namespace
 
-/// A point on a thread, ready to be lit.
+/// A point on a thread, ready for shading.
 struct ClothTracer::Point {
-  glm::vec3 position, smooth;  // smooth: geometric normal of the section, towards the viewer
+  glm::vec3 position, smooth;  // smooth: normal of the section, towards the viewer
   formulas::LobeFrame frame;
   formulas::YarnLobes lobes;
   formulas::LobeShared shared;
@@ -61,7 +61,7 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   const ThreadTexture& texture = textures_[warp ? 0 : 1][index];
   const float length = warp ? cloth.depth_mm : cloth.width_mm;
 
-  // The texture counts turns from the top of the section towards +across (core/cloth/surface_sampler.cpp).
+  // Texture turns count from the top of the section towards +across (core/cloth/surface_sampler.cpp).
   const float turn = 0.25f - hit.around_rad / (2 * kPi), fraction = hit.along_mm / length;
   const Texel texel = texture_at(texture, thread_formulas::texture_point(texture, fraction, turn, 0, 1));
 
@@ -91,7 +91,7 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   return p;
 }
 
-/// Light from behind must cross the thread itself first; every other thread stops it.
+/// Light from behind first passes through the thread itself; every other thread occludes it.
 bool ClothTracer::shadowed(const Point& p, glm::vec3 towards) const {
   const bool front = glm::dot(p.smooth, towards) > 0;
   const glm::vec3 from = p.position + p.smooth * (front ? ray_epsilon_mm_ : -ray_epsilon_mm_);

@@ -1,6 +1,6 @@
 #pragma once
-// Light in the cloth: what a ray sees of the tubes, with the yarns' own lobes, true shadowing and
-// masking, gaps, light through the threads, and bounces if asked. Cloth space, millimetres.
+// Path tracing of the cloth: what a ray sees of the tubes, with the yarns' own lobes, true shadowing and masking,
+// gaps, transmission through threads, and optional bounces. Cloth space, millimetres.
 //
 // Based on: Kajiya 1986 (rendering equation, estimated by following paths).
 
@@ -32,12 +32,12 @@ class RandomStream {
   uint64_t state_;
 };
 
-/// What lies around the cloth at a point of it.
+/// Surroundings of a point of the cloth.
 struct Surroundings {
   glm::vec3 light_towards{0, 0, 1};         // unit, cloth space
   float light_radius_rad = 0;               // half angle of its disc
-  glm::vec3 light_irradiance{3.14159265f};  // on a surface that faces it
-  /// Whether something outside the cloth hides the light in that direction. Empty: nothing does.
+  glm::vec3 light_irradiance{3.14159265f};  // at normal incidence
+  /// Whether anything outside the cloth occludes the light in that direction. Empty: nothing does.
   std::function<bool(glm::vec3)> hidden;
   /// Radiance of the sky along a direction that leaves the cloth. Empty: black.
   std::function<glm::vec3(glm::vec3)> sky;
@@ -51,7 +51,7 @@ struct PathSample {
 class ClothTracer {
  public:
   explicit ClothTracer(const TubeScene& tubes);
-  /// One sample of what the ray sees. `bounces`: indirect light between threads, 0 for none.
+  /// One sample of the radiance along a ray. `bounces`: indirect light between threads, 0 for none.
   PathSample trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
                    RandomStream& sampler, int bounces) const;
 

@@ -1,5 +1,5 @@
-// Tubes as triangles in Embree, with the smooth normal of the swept ellipse at the hit.
-// A ray walks from tile to tile of the period, so that the cloth has no edge.
+// Tubes as triangles in Embree, with the smooth normal of the swept ellipse at the hit. Rays walk from tile to tile of
+// the period, so that the cloth has no edge.
 
 #include "reference/tubes.h"
 
@@ -9,28 +9,34 @@
 #include <numbers>
 #include <vector>
 
+#include "base/text.h"
 #include "cloth/centre_line.h"
 #include "cloth/layer_plan.h"
 #include "cloth/thickness.h"
 #include "reference/embree.h"
 
 namespace weftlight::reference {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// A ray nearly in the plane would cross tiles for ever; this many are more than any light at
-// 89.9 degrees crosses before it leaves the cloth.
+// A ray almost in the plane would cross tiles for ever; this is more than any light at 89.9 degrees crosses before it
+// leaves the cloth.
 constexpr int kMaxTiles = 4096;
 constexpr float kThinnest_mm = 1e-5f;
 
 struct Tube {
   System system;
   int thread;
-  float centre_mm;  // may be a wrapped copy, outside the period
+  float centre_mm;  // may be a wrapped copy outside the period
   uint32_t first_triangle;
 };
 
-/// A point of the centre line.
+/// A section on the centre line.
 struct Ring {
   float along, z, slope;
   glm::vec2 radii;  // half width, half height
@@ -52,10 +58,10 @@ glm::vec3 centre_of(System s, float centre, const Ring& r) {
 struct TubeScene::Parts {
   Cloth cloth;
   std::vector<Cloth> layers;
-  std::vector<CentreLines> lines;  // of each
+  std::vector<CentreLines> lines;  // by layer
   int around = 0;
   int rings[2] = {0, 0};  // segments along a tube of each system over the tile
-  // Segments beyond both of its ends: sections lean, so what is on top at the tile's edge may start outside it.
+  // Extra segments beyond both ends: sections lean, so what is on top at the edge of the tile may start outside it.
   int beyond[2] = {0, 0};
   glm::vec2 tile{0};  // tile size, whole periods
   float z_min = 0, z_max = 0;
@@ -78,7 +84,7 @@ struct TubeScene::Parts {
     return (ring - static_cast<float>(beyond[static_cast<int>(s)])) * step(s);
   }
   float thickest(System s) const { return tallest_half(cloth, s); }
-  /// No place of it is wider.
+  /// Upper bound of the half width.
   float widest(System s, int thread) const {
     const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
     return 0.5f * std::max({body.width_mm, body.unevenness > 0 ? body.spacing_mm : 0, kThinnest_mm});
@@ -139,7 +145,7 @@ size_t TubeScene::Parts::vertex_count() const {
 
 bool TubeScene::Parts::choose_resolution(const TubeOptions& options) {
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
-  // Small repeats are laid side by side to a tile of about 24 threads: fewer steps from tile to tile.
+  // Small repeats are combined into a tile of about 24 threads, for fewer steps from tile to tile.
   const int across = std::max(1, 24 / ends), down = std::max(1, 24 / picks);
   tile = {cloth.width_mm * static_cast<float>(across), cloth.depth_mm * static_cast<float>(down)};
   around = options.around;
@@ -187,7 +193,7 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
     }
     vertex += static_cast<uint32_t>(segments(s) + 1) * n;
   }
-  // Rays start at these planes: keep the highest ridge clear of them.
+  // Rays start at these planes, so the highest ridge must lie clearly below.
   const float pad = 1e-3f * std::max(z_max - z_min, 1e-4f);
   z_min -= pad;
   z_max += pad;
@@ -239,7 +245,7 @@ void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
                               up_of(s, at.slope) * (std::sin(hit.around_rad) / at.radii.y));
 }
 
-/// Visits the tiles a ray crosses: visit(origin in the tile, t_near, t_far) returns true to stop.
+/// Visits the tiles that a ray crosses: visit(origin in the tile, t_near, t_far) returns true to stop.
 template <class Visit>
 bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, Visit visit) const {
   float t0 = t_min, t1 = kInfinity;
@@ -250,7 +256,7 @@ bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, 
   } else if (origin.z < z_min || origin.z > z_max) {
     return false;
   }
-  const float epsilon = 1e-5f * (tile.x + tile.y);  // beyond t0, the tile is the one that the ray is entering
+  const float epsilon = 1e-5f * (tile.x + tile.y);  // a point this far beyond t0 lies in the tile that the ray enters
   for (int tiles = 0; tiles < kMaxTiles && t0 <= t1; ++tiles) {
     const glm::vec3 p = origin + direction * (t0 + epsilon);
     const glm::vec3 shift(std::floor(p.x / tile.x) * tile.x, std::floor(p.y / tile.y) * tile.y, 0);
@@ -272,13 +278,15 @@ std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOption
   std::unique_ptr<TubeScene> scene(new TubeScene);
   Parts& parts = *scene->parts_;
   if (cloth.ends.empty() || cloth.picks.empty() || !(cloth.width_mm > 0) || !(cloth.depth_mm > 0)) {
-    error = "the cloth has no size";
+    error = tr("the cloth has no size");
     return nullptr;
   }
   parts.cloth = cloth;
   if (!parts.choose_resolution(options)) {
-    error = "a repeat of " + std::to_string(cloth.ends.size()) + " ends and " + std::to_string(cloth.picks.size()) +
-            " picks is too large to trace thread by thread; use `render`, or trace a smaller draft";
+    error =
+        fill(tr("a repeat of {ends} ends and {picks} picks is too large to trace thread by thread; use `render`, or "
+                "trace a smaller draft"),
+             arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()));
     return nullptr;
   }
   for (int i = 0; i < layer_count(cloth); ++i) {
@@ -286,7 +294,7 @@ std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOption
     parts.lines.push_back(centre_lines(parts.layers.back()));
   }
   if (!parts.make_scene()) {
-    error = "the ray tracer (Embree) could not be started, or memory is short";
+    error = tr("the ray tracer (Embree) could not be started, or memory is short");
     return nullptr;
   }
   return scene;

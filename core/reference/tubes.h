@@ -1,7 +1,7 @@
 #pragma once
-// The threads of one period as solid tubes: elliptic sections swept along the centre lines of
-// core/cloth, endless in both directions. Rays are in cloth space: x along the weft (u), y along
-// the warp (v), z out of the face, millimetres.
+// The threads of one period as solid tubes: elliptic sections swept along the centre lines of core/cloth, infinite in
+// both directions. Rays are in cloth space: x along the weft (u), y along the warp (v), z out of the face,
+// millimetres.
 
 #include <glm/glm.hpp>
 #include <memory>
@@ -15,13 +15,13 @@ namespace weftlight::reference {
 struct TubeOptions {
   int around = 48;                     // facets of a section
   int per_crossing = 20;               // rings for each thread crossed
-  int64_t max_triangles = 12'000'000;  // about 1.5 GB; resolution falls to keep it, down to 8 x 4
+  int64_t max_triangles = 12'000'000;  // about 1.5 GB; the resolution is reduced to stay below, down to 8 x 4
 };
 
 struct TubeHit {
   float t = 0;             // distance along the ray, mm
-  glm::vec3 position;      // as if the cloth were endless (not wrapped)
-  glm::vec3 normal, axis;  // smooth normal of the section; unit direction of the centre line
+  glm::vec3 position;      // in the infinite cloth (not wrapped)
+  glm::vec3 normal, axis;  // normal of the section; unit direction of the centre line
   System system = System::kWarp;
   int thread = 0;
   float along_mm = 0;    // on the centre line, within the period
@@ -30,7 +30,7 @@ struct TubeHit {
 
 class TubeScene {
  public:
-  /// Null with `error` set when the period has more crossings than the triangle budget can hold.
+  /// Null with `error` set if the period has too many crossings for the triangle budget.
   static std::unique_ptr<TubeScene> build(const Cloth& cloth, const TubeOptions& options, std::string& error);
   ~TubeScene();
   TubeScene(const TubeScene&) = delete;

@@ -13,12 +13,13 @@
 namespace weftlight::render_data {
 namespace {
 
-constexpr int kDirections = 64, kFewDirections = 16, kFirstDirections = 6;  // a vertex; of meshes of many; at first
+constexpr int kDirections = 64, kFewDirections = 16,
+              kFirstDirections = 6;  // a vertex; for meshes of many vertices; for a first picture
 constexpr size_t kManyVertices = 100'000;
 constexpr int kGroundSize = 96;
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii
 
-/// What stands before the sky: cloth and body. Without a ray tracer nothing does.
+/// Occluders of the sky: cloth and body. None without a ray tracer.
 class Occluders {
  public:
   Occluders(const Mesh& cloth, const Mesh& body, float lift_mm) : lift_mm_(lift_mm) {
@@ -27,7 +28,7 @@ class Occluders {
       if (std::unique_ptr<MeshScene> scene = MeshScene::build(*mesh, none)) scenes_.push_back(std::move(scene));
     }
   }
-  /// Share of the cosine-weighted sky about n.
+  /// Fraction of the cosine-weighted sky about n.
   float sky_visibility(glm::vec3 p, glm::vec3 n, const std::vector<glm::vec3>& directions) const {
     const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 t = glm::normalize(glm::cross(helper, n)), b = glm::cross(n, t), from = p + n * lift_mm_;
@@ -42,7 +43,7 @@ class Occluders {
 
  private:
   std::vector<std::unique_ptr<MeshScene>> scenes_;
-  float lift_mm_;  // over the flat triangles of a bent surface
+  float lift_mm_;  // ray offset over the flat triangles of a curved surface
 };
 
 /// Directions about +z, cosine-weighted (a Fibonacci spiral on the disc).
@@ -56,7 +57,7 @@ std::vector<glm::vec3> cosine_directions(int count) {
   return d;
 }
 
-/// Means over neighbours, so that the few directions do not show.
+/// Averages over neighbours, to hide the noise of the few directions.
 void smooth(std::vector<SkyVisibility>& sky, const Mesh& mesh) {
   for (int pass = 0; pass < 2; ++pass) {
     std::vector<SkyVisibility> sum(sky.size(), SkyVisibility{0, 0});
@@ -105,8 +106,8 @@ void fill_ground(PreparedMesh& out, const Occluders& occluders, SkyRays rays) {
   });
 }
 
-/// Fewer triangles over the same vertices, off by at most `error` of the mesh's extent; their texture slides by as
-/// much, which is more than a yarn on a table.
+/// Simplifies to fewer triangles over the same vertices, with at most `error` of the mesh's extent; the texture moves
+/// by as much, which is more than a yarn on a table.
 std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
   if (mesh.index.empty()) return {};
   std::vector<uint32_t> index(mesh.index.size());
@@ -138,8 +139,8 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
     const Bounds body = bounds_of(out.body);
     all = {glm::min(all.low, body.low), glm::max(all.high, body.high)};
   }
-  // Shipped drapes stand on y = 0; others on their lowest point, with a little air so that a cloth that
-  // lies flat does not fight the ground.
+  // Shipped drapes stand on y = 0, others on their lowest point, with a small gap so that a flat cloth does not
+  // z-fight the ground.
   out.ground_mm = out.body.position_mm.empty() ? all.low.y - 0.002f * out.bounds.radius() : std::min(0.0f, all.low.y);
   const Occluders occluders(out.mesh, out.body, 0.002f * out.bounds.radius());
   out.sky = sky_of(out.mesh, occluders, true, rays);

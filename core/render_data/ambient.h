@@ -1,6 +1,6 @@
 #pragma once
-// How much of the sky each vertex of the cloth (both sides), each vertex of the body and each point of the
-// ground sees: soft light in folds and the contact shadow. By rays; deterministic, for the worker thread.
+// Sky visibility of each vertex of the cloth (both sides) and of the body, and of each point of the ground: ambient
+// occlusion in folds and the contact shadow. By rays; deterministic, for the worker thread.
 
 #include <cstdint>
 #include <string>
@@ -12,31 +12,31 @@
 
 namespace weftlight::render_data {
 
-/// Share of the cosine-weighted sky that is seen, 0..1, on the side of the normal and behind it.
+/// Visible fraction of the cosine-weighted sky, 0..1, on the side of the normal and on the other.
 struct SkyVisibility {
   float front = 1, back = 1;
 };
 
-/// A mesh made ready for the renderer.
+/// A mesh prepared for the renderer.
 struct PreparedMesh {
-  Mesh mesh, body;  // body: what the cloth hangs on; may be empty
+  Mesh mesh, body;  // body: the form under the cloth; may be empty
   std::vector<SkyVisibility> sky, body_sky;
-  // Triangles to draw: at rest all of them, or of very many as few as keep the weave in its place; fewer while the view
-  // moves. Small triangles are what a software renderer spends its time on.
+  // Triangles to draw: normally all of them, or of very many as few as keep the weave in place; `coarse` while the
+  // view moves. A software renderer spends its time on small triangles.
   std::vector<uint32_t> fine, coarse, body_fine;
   Bounds bounds;                    // of the cloth
   float ground_mm = 0;              // height of the ground
-  float ground_half_mm = 0;         // half width of the square that ground_sky stands over, about the centre
+  float ground_half_mm = 0;         // half width of the square of ground_sky, about the centre
   int ground_size = 0;              // texels a side
   std::vector<uint8_t> ground_sky;  // unorm8, row 0 at low z
 };
 
-/// kFew: by few rays, for a first picture.
+/// kFew: few rays, for a first picture.
 enum class SkyRays { kFew, kAll };
 PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays = SkyRays::kAll);
 
-/// What a shipped drape hangs on, a little thinner than the cloth found it, so that it never shows through; drawn and
-/// traced alike. Empty for other meshes. `cloth`: the drape's bounds.
+/// The form under a shipped drape, slightly thinner than the one that the cloth was draped on, so that it never shows
+/// through; for renderer and ray tracer. Empty for other meshes. `cloth`: the drape's bounds.
 Mesh form_under(const std::string& drape, const Bounds& cloth);
 
 }  // namespace weftlight::render_data

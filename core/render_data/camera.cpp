@@ -8,9 +8,9 @@
 namespace weftlight::render_data {
 namespace {
 
-constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, as a portrait lens has
+constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, like a portrait lens
 constexpr float kGirth = 0.86f;           // cloth seldom reaches the corners of its bounds
-constexpr float kMargin = 1.14f;          // air around it
+constexpr float kMargin = 1.14f;          // space around it
 
 /// Distance along the ray to the first triangle, or infinity (Moeller, Trumbore 1997).
 float cast(const Mesh& mesh, glm::vec3 from, glm::vec3 along) {
@@ -56,7 +56,7 @@ Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, 
   const glm::vec3 up = glm::cross(back, right);
 
   const float away = radius / std::sin(glm::radians(kFieldOfViewDeg) / 2) * std::max(1.0f, scene.view_distance);
-  // An upright cylinder round the bounds fills the picture: the frame keeps still while the view goes round.
+  // An upright cylinder around the bounds fills the picture, so that the framing is constant while the view turns.
   const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
   const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth, tilt = std::abs(glm::radians(elevation));
   const float tall = half.y * std::cos(tilt) + girth * std::sin(tilt);

@@ -10,10 +10,11 @@
 namespace weftlight::render_data {
 namespace {
 
-// Threads that cover this much touch: the slivers between them are dark, not windows.
+// Threads with this coverage count as touching: the slits between them are dark.
 constexpr float kClosed = 0.985f;
 
-/// Sums over sparse texels of one system, one at a random place of each step: threads are as regular as a grid.
+/// Sums over sparse texels of one system, one at a random position of each step, since threads are as regular as a
+/// grid.
 struct Sums {
   double covered = 0, across = 0, along = 0;
   std::array<double, 3> color{};
@@ -34,7 +35,7 @@ Sums sum_system(const Maps& maps, int system) {
       const Direction& t = maps.tangent.at(x, y);
       const Linear& c = maps.colour.at(x, y);
       const double shade = w * static_cast<double>(maps.groove.at(x, y));
-      // The angle is from the axis, towards +x for an end and towards +y for a pick.
+      // The angle is measured from the axis, towards +x for an end and towards +y for a pick.
       const float a = system ? t.x : t.y, b = system ? t.y : t.x;
       const float sign = a < 0 ? -1.0f : 1.0f;
       sums.covered += w;

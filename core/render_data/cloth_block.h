@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a cloth that the shaders read as uniforms (interop::ClothData).
+// The parameters of a cloth that the shaders read as uniforms (interop::ClothData).
 
 #include "cloth/maps.h"
 #include "render_data/names.h"
@@ -7,13 +7,12 @@
 
 namespace weftlight::render_data {
 
-/// A face's cloth and maps.
 struct FaceInput {
   const Cloth& cloth;
   const Maps& maps;
 };
 
-/// All but what response_block.h measures: there shares, facets and sky are set, and the colours again.
+/// Everything except what response_tables() sets: fractions, facets, sky, and the final colours.
 interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back);
 
 /// Mean spacing of the threads of both systems, mm.

@@ -13,12 +13,12 @@
 namespace weftlight::render_data {
 namespace {
 
-// Texels of the maps, as sets know their face from afar: a thread, and on the longer side.
+// Texels of the maps for the far field: across a thread, and limits of the longer side.
 constexpr size_t kTexelsAThread = 32, kMinTexels = 512, kMaxTexels = 1024;
 
 constexpr int kLobePixels = 10;  // a side, for the mean of the lobes
 
-/// Base colour over the thread's, mean of a system; w: metal.
+/// Mean base colour of a system over the thread's; w: metal.
 glm::vec4 mean_body(const Cloth& cloth, const std::vector<ThreadBody>& threads) {
   glm::vec4 sum(0);
   for (const ThreadBody& t : threads) {

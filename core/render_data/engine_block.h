@@ -1,5 +1,5 @@
 #pragma once
-// What an exported glTF set's material is made with, for rung `engine`.
+// Material of an exported glTF set, for method `engine`.
 
 #include "cloth/cloth.h"
 #include "render_data/names.h"
@@ -7,8 +7,8 @@
 
 namespace weftlight::render_data {
 
-/// Of one repeat of a face, as sets are: maps, answer and fit are made as for a set. About a tenth of a second.
-/// weft_fraction: of the cover, as the rung's maps have it.
+/// From one repeat of a face, as sets are; takes about a tenth of a second. weft_fraction: of the coverage, as in the
+/// maps of method `engine`.
 interop::EngineData engine_block(const Cloth& repeat, float weft_fraction);
 
 }  // namespace weftlight::render_data

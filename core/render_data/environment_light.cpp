@@ -13,10 +13,10 @@ namespace weftlight::render_data {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kReachCos = 0.9659f;   // 15 degrees: a light holds no more than this disc
-constexpr float kMinFraction = 0.04f;  // of all light; less is left in the rest
+constexpr float kReachCos = 0.9659f;   // 15 degrees: largest disc of a light
+constexpr float kMinFraction = 0.04f;  // of all light; smaller sources stay in the rest
 constexpr float kMinRadius = 0.0047f;  // the sun's
-constexpr int kCoarse = 64;            // columns among which lights are looked for
+constexpr int kCoarse = 64;            // columns of the map in which lights are searched
 
 float luminance(glm::vec3 c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
@@ -25,7 +25,7 @@ struct Texel {
   float covers;  // steradians
 };
 
-/// At most so wide, means over whole texels.
+/// Downsamples to at most `width` columns, by means over whole texels.
 std::vector<Texel> texels_of(const Image& picture, int width) {
   const int w = std::min(picture.width, width), h = std::max(1, w / 2);
   std::vector<Texel> out(static_cast<size_t>(w) * static_cast<size_t>(h), {{}, {}, 0});
@@ -46,10 +46,10 @@ std::vector<Texel> texels_of(const Image& picture, int width) {
   return out;
 }
 
-/// What a disc about `middle` holds above the level.
+/// Light above `level` within a disc.
 struct Excess {
   glm::vec3 light{0}, towards{0};
-  float luminous = 0, spread = 0;  // spread: of the squared sine about the middle
+  float luminous = 0, spread = 0;  // spread: of the squared sine from the centre
 };
 
 glm::vec3 above(const Texel& t, glm::vec3 level) { return glm::max(t.radiance - level, glm::vec3(0)) * t.covers; }
@@ -68,7 +68,7 @@ Excess excess_about(const std::vector<Texel>& texels, glm::vec3 middle, glm::vec
   return sum;
 }
 
-/// The middle of the disc that holds most above the level, found coarsely and drawn to its own middle.
+/// Centre of the disc with the most light above the level, found coarsely and then refined.
 glm::vec3 brightest_disc(const std::vector<Texel>& coarse, const std::vector<Texel>& fine, glm::vec3 level) {
   glm::vec3 best(0, 1, 0);
   float most = 0;
@@ -97,7 +97,7 @@ Harmonics project(const std::vector<Texel>& texels) {
   return sum;
 }
 
-/// First of the running sums that is above u; and where between it and the one before u lies.
+/// Index of the first cumulative sum above u.
 size_t pick(const float* sums, size_t count, float u) {
   return std::min(static_cast<size_t>(std::upper_bound(sums, sums + count, u) - sums), count - 1);
 }
@@ -130,7 +130,7 @@ Environment::Environment(Image picture) : picture_(std::move(picture)) {
     const glm::vec3 middle = brightest_disc(coarse, fine, mean_);
     const Excess e = excess_about(fine, middle, mean_);
     if (!(e.luminous > kMinFraction * whole)) break;
-    // Of an even disc the mean square is half of the radius's.
+    // The mean square of a uniform disc is half its squared radius.
     const float radius = std::sqrt(2 * e.spread / e.luminous);
     lights_.push_back({glm::normalize(e.towards), e.light, std::clamp(radius, kMinRadius, 0.26f)});
     remove_light(fine, middle, mean_), remove_light(coarse, middle, mean_);

@@ -1,6 +1,6 @@
 #pragma once
-// The light of a picture from all around, as the renderer takes it: what stands out as a few lights far off, which the
-// lobes see sharp, the rest as soft light; and the picture itself for the ray tracer.
+// Lighting from an environment map: a few distant lights for what stands out, which the lobes render sharply,
+// low-frequency light for the rest, and the map itself for the ray tracer.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -13,10 +13,9 @@
 
 namespace weftlight::render_data {
 
-/// A light far off.
 struct DistantLight {
   glm::vec3 towards{0, 1, 0};  // unit
-  glm::vec3 irradiance{0};     // at right angles
+  glm::vec3 irradiance{0};     // at normal incidence
   float radius = 0;            // sine of the half angle of its disc
   bool operator==(const DistantLight&) const = default;
 };
@@ -24,13 +23,13 @@ inline constexpr size_t kMaxLights = 4;
 
 using Harmonics = std::array<glm::vec3, 9>;  // radiance; order Y00, Y1-1, Y10, Y11, Y2-2 .. Y22 (y, z, x)
 
-/// Direction of a place of the picture, shares of its width and height: its middle lies at -z, behind what faces +z,
+/// Direction of a point of the map, in fractions of its width and height: its centre lies at -z, behind what faces +z,
 /// its right half towards +x.
 glm::vec3 environment_direction(float across, float down);
 
 class Environment {
  public:
-  /// Of a picture as read_environment() gives it.
+  /// From a picture of read_environment().
   explicit Environment(Image picture);
 
   const std::vector<DistantLight>& lights() const { return lights_; }  // strongest first; their light is not in rest()
@@ -38,10 +37,10 @@ class Environment {
   const Image& picture() const { return picture_; }
   /// Mean radiance over all directions.
   glm::vec3 mean() const { return mean_; }
-  /// A light of what one texel has above the mean, chosen by how much that is; u, v: 0..1. Its irradiance is over the
-  /// chance to be chosen, so that the mean of many, with all of soft(), is the picture's light.
+  /// Samples a light: the excess of one texel over the mean, chosen in proportion to it; u, v: 0..1. Its irradiance is
+  /// divided by the probability, so that the mean over many, plus all of capped_radiance(), is the light of the map.
   DistantLight sample(float u, float v) const;
-  /// Radiance along a direction, no brighter than the mean.
+  /// Radiance along a direction, at most the mean.
   glm::vec3 capped_radiance(glm::vec3 direction) const;
 
  private:
@@ -52,11 +51,11 @@ class Environment {
   std::vector<DistantLight> lights_;
   Harmonics rest_{};
   glm::vec3 mean_{0};
-  std::vector<float> rows_,
-      columns_;  // of what is above the mean: running sums of the rows' light, and within each row, 0..1
+  // Cumulative distributions of the light above the mean: over rows, and within each row, 0..1.
+  std::vector<float> rows_, columns_;
 };
 
-/// Bands 0 to 2 of radiance turned about +y, so that what came from azimuth a comes from a + degrees.
+/// Rotates radiance of bands 0 to 2 about +y by the given degrees of azimuth.
 Harmonics turned(const Harmonics& sky, float degrees);
 glm::vec3 turned(glm::vec3 direction, float degrees);
 

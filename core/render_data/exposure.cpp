@@ -9,10 +9,9 @@ namespace weftlight::render_data {
 
 namespace {
 
-/// What is sent of a sky that is bright alike all around. The body gets what the surface let in, so nothing is counted
-/// twice.
+/// Albedo under a uniform sky. The body only gets what the surface transmits, so nothing is counted twice.
 glm::vec3 even_albedo(const formulas::YarnLobes& yarn) {
-  // Along and across the fibre, by Gauss's two points in the square of the cosine.
+  // Along and across the fibre, by two-point Gauss quadrature in the squared cosine.
   constexpr float kSteep = 0.2113249f, kFlat = 0.7886751f;
   glm::vec3 sum(0);
   for (const float square : {kSteep, kFlat}) {

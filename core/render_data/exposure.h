@@ -1,6 +1,6 @@
 #pragma once
-// How bright a picture is shown: in stops, from what the cloth reflects and how much light there is. Nothing is read
-// from the picture, so that zooming, turning and dragging the light change nothing.
+// Exposure of a picture in stops, from the reflectance of the cloth and the amount of light. It does not depend on the
+// picture, so that zooming, turning and moving the light change nothing.
 
 #include "draft/design.h"
 #include "render_data/light_rig.h"
@@ -9,15 +9,14 @@
 
 namespace weftlight::render_data {
 
-/// Mean reflectance (luminance, 0..1) of what both faces show: the threads' bodies and their shine, without the gaps.
+/// Mean reflectance (luminance, 0..1) of the visible parts of both faces, without the gaps: body and shine.
 float mean_reflectance(const interop::ClothData& cloth);
 
-/// Stops that lift a cloth, the more the darker it is, by two fifths of what would make all cloths alike: a dark cloth
-/// shall still look dark, and a white one white.
+/// Stops that brighten a cloth, more for a darker one, by two fifths of what would make all cloths equally bright, so
+/// that a dark cloth still looks dark and a white one white.
 float exposure_for(float reflectance);
 
-/// What a picture is shown at: the design's own stops, and where it asks for them those of exposure_for() and
-/// rig_exposure().
+/// Exposure of a picture: the design's own stops, and if it is automatic those of exposure_for() and rig_exposure().
 float exposure_stops(const Look& look, const interop::ClothData& cloth, const LightRig& rig);
 
 }  // namespace weftlight::render_data

@@ -10,7 +10,7 @@
 namespace weftlight::render_data {
 namespace {
 
-// Means need no fine maps: texels across a thread, and along a side at the most.
+// Texels across a thread, and limits of a side; means need no fine maps.
 constexpr size_t kTexelsPerThread = 16;
 constexpr size_t kMaxTexels = 768;
 constexpr size_t kMinTexels = 128;
@@ -19,7 +19,7 @@ int texels_for(size_t threads) {
   return static_cast<int>(std::clamp(threads * kTexelsPerThread, kMinTexels, kMaxTexels));
 }
 
-/// Nodes before and after a direction on one axis of the grid, and the share of the second.
+/// Neighbouring nodes of a direction on one axis of the grid, and the weight of the second.
 struct Nodes {
   size_t low, high;
   float fraction;
@@ -36,7 +36,7 @@ Nodes on_line(float at, int count) {
   return {static_cast<size_t>(low), static_cast<size_t>(low + 1), at - static_cast<float>(low)};
 }
 
-/// The four nodes about a direction of the eye, each with its weight.
+/// The four nodes around a view direction, with their weights.
 struct ViewNodes {
   std::array<size_t, 4> at;
   std::array<float, 4> weight;
@@ -51,7 +51,7 @@ ViewNodes around(const glm::vec3& view) {
           {(1 - e) * (1 - a), (1 - e) * a, e * (1 - a), e * a}};
 }
 
-/// As response_at() of shaders/method_repeat.glsl reads it: between the nodes of light and view.
+/// Interpolates between the nodes of light and view, as response_at() of shaders/method_repeat.glsl.
 glm::vec4 response_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view) {
   const bool before = light.z > 0;
   const formulas::vec2 i = before ? formulas::response_coord(light) : formulas::transmission_coord(light);
@@ -137,9 +137,9 @@ glm::vec3 far_field_sky_radiance(const FarField& field, const glm::vec3& view, f
     glm::vec4 sky(0);
     for (size_t k = 0; k < 4; ++k)
       sky += views.weight[k] * glm::make_vec4(&field.response.systems[s].sky[4 * views.at[k]]);
-    const auto sent =
+    const auto radiance =
         formulas::system_radiance(yarn_of(field.numbers.systems[s]), glm::vec4(0), {0, 0}, 0, sky, {0, 0, 1}, view);
-    diffuse += sent.diffuse, glossy += sent.glossy;
+    diffuse += radiance.diffuse, glossy += radiance.glossy;
   }
   return (diffuse * (even + glm::dot(rise, from_diffuse)) + glossy * (even + glm::dot(rise, from_glossy))) *
          cover_along(field.numbers, view);

@@ -1,6 +1,6 @@
 #pragma once
-// What rung `cloth` draws of one face, worked out on the processor from the numbers that the card is sent: the radiance
-// that a flat cloth sends to an eye far off under one light and no sky.
+// Method `cloth` on the CPU, from the data that the card gets: the radiance of a flat cloth towards a distant eye,
+// under one light without sky.
 
 #include <glm/glm.hpp>
 
@@ -11,18 +11,18 @@
 namespace weftlight::render_data {
 
 struct FarField {
-  interop::ClothData numbers{};  // the first face alone
+  interop::ClothData numbers{};  // of the first face only
   ClothResponse response;
 };
 
-/// Of the face that the cloth is; about a tenth of a second. Cloth without threads answers nothing.
+/// For the face of the given cloth; takes about a tenth of a second. Empty without threads.
 FarField far_field(const Cloth& cloth, int samples = kResponseSamples);
 
-/// Radiance along `view` per unit irradiance on a plane perpendicular to the beam that comes from `light`; gaps send
-/// nothing. Unit vectors: x along the weft, y along the warp, z out of the face; view.z > 0.
+/// Radiance along `view` for unit irradiance at normal incidence from `light`; gaps reflect nothing. Unit vectors: x
+/// along the weft, y along the warp, z out of the face; view.z > 0.
 glm::vec3 far_field_radiance(const FarField& field, const glm::vec3& light, const glm::vec3& view);
 
-/// Radiance along `view` under a sky of radiance `even` + dot(`rise`, d) towards d, alike in all channels.
+/// Radiance along `view` under a sky of radiance `even` + dot(`rise`, d) in direction d, the same in all channels.
 glm::vec3 far_field_sky_radiance(const FarField& field, const glm::vec3& view, float even, const glm::vec3& rise);
 
 }  // namespace weftlight::render_data

@@ -1,11 +1,10 @@
-// Roots are strewn at random over the parts of the surface that are seen edge-on. On a rim of radius R a
-// fibre whose root is turned by phi from the edge reaches past it if it is longer than h = R phi^2 / 2.
-// Lengths fall off exponentially, so that exp(-h / mean) of the fibres do, and those are spread beyond h as
-// all are beyond 0: only they are sown.
+// Roots are scattered at random over the parts of the surface that are seen edge-on. At a silhouette with radius of
+// curvature R, a fibre whose root is turned by phi from the edge reaches past it if it is longer than h = R phi^2 / 2.
+// Lengths fall off exponentially, so exp(-h / mean) of the fibres do, and those are distributed beyond h as all are
+// beyond 0: only these are scattered.
 //
-// Based on: Cook, Halstead, Planck, Ryu 2007, "Stochastic simplification of aggregate detail" (fewer and
-// wider,
-//   by size on screen, for the same cover); O'Neill 2014, "PCG" (random numbers).
+// Based on: Cook, Halstead, Planck, Ryu 2007, "Stochastic simplification of aggregate detail" (fewer and wider, by
+// size on screen, for the same coverage); O'Neill 2014, "PCG" (random numbers).
 
 #include "render_data/flyaways.h"
 
@@ -22,15 +21,15 @@ namespace weftlight::render_data {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kSparse = 0.5f;  // pixels that the fibres which one stands for are wide together, at most
+constexpr float kSparse = 0.5f;  // largest total width, in pixels, of the fibres that one stands for
 constexpr float kMinPixels = 1.0f / 3,
-                kFullPixels = 0.6f;     // mean length at which fibres come, and are all there
-constexpr float kMinBend = 1.0f / 300;  // 1/mm, so that a plane seen edge-on has its fibres
-constexpr float kPolygon = 0.35f;  // distance of a polygon's edge from that of the surface it stands for, in triangles
+                kFullPixels = 0.6f;     // mean length at which fibres start to appear, and all have
+constexpr float kMinBend = 1.0f / 300;  // 1/mm, so that a plane seen edge-on has fibres, too
+constexpr float kPolygon = 0.35f;       // distance of the mesh's silhouette from the true one, in triangles
 constexpr float kMinChance = 0.01f;
-constexpr float kFlat = 0.02f;   // radians that a flat triangle's normals turn at most
-constexpr float kHemRadius = 8;  // mean lengths: what is behind a hem is seldom the cloth itself
-constexpr float kPerPiece = 24;  // fibres in a triangle that is not divided further
+constexpr float kFlat = 0.02f;   // radians by which the normals of a flat triangle turn at most
+constexpr float kHemRadius = 8;  // in mean lengths: the background of a hem is seldom the cloth itself
+constexpr float kPerPiece = 24;  // fibres in a triangle that is not subdivided
 constexpr int kMaxDivisions = 14;
 
 uint32_t stepped(uint32_t state) { return state * 747796405u + 2891336453u; }
@@ -73,7 +72,7 @@ Corner inside(const std::array<Corner, 3>& c, float u, float v) {
 
 class FlyawayScatterer {
  public:
-  /// `kept`: share of the fibres of the budget; 0 counts alone.
+  /// `kept`: fraction of the fibres that fits the budget; 0 only counts.
   FlyawayScatterer(const FlyawayGrowth& growth, const FlyawayView& view, float kept, std::vector<Flyaway>& flyaways)
       : growth_(growth), view_(view), rows_(glm::transpose(view.world_to_clip)), kept_(kept), flyaways_(flyaways) {
     pixel_scale_ = 2 / (view.height * std::max(glm::length(glm::vec3(rows_[1])), 1e-12f));
@@ -91,7 +90,7 @@ class FlyawayScatterer {
     const glm::vec3 to_eye = view_.eye - corners[0].at;
     glm::vec3 along = to_eye - n * glm::dot(to_eye, n);
     along /= std::max(glm::length(along), 1e-9f);
-    // How fast the normal turns along the line of sight: linear over the triangle.
+    // Change of the normal along the line of sight; linear over the triangle.
     const float b = glm::dot(glm::cross(along, ac), area2) / (twice * twice);
     const float c = glm::dot(glm::cross(ab, along), area2) / (twice * twice);
     const glm::vec3 turn = corners[0].normal * (-b - c) + corners[1].normal * b + corners[2].normal * c;
@@ -100,7 +99,7 @@ class FlyawayScatterer {
     const float turned = std::abs(bend) * std::max({std::abs(x), std::abs(y), std::abs(x - y)});
     slack_ = kPolygon * turned;
     radius_mm_ = 1 / std::max(std::abs(bend), kMinBend);
-    // The hollow side of a rim is behind it.
+    // At a concave side the silhouette is hidden behind the cloth.
     const bool flat = turned < kFlat;
     open_ = {growth_.per_mm2[0] > 0 && (flat || bend > 0), growth_.per_mm2[1] > 0 && (flat || bend < 0)};
     divide(corners, 0.5f * twice, seed, 0);
@@ -139,7 +138,7 @@ class FlyawayScatterer {
     return all[0] || all[1] || all[2] || all[3] || all[4];
   }
 
-  /// Share of the fibres that is drawn where a pixel is so large.
+  /// Fraction of the fibres that is drawn at this pixel size.
   float drawn_fraction(glm::vec3 at, float length_mm) const {
     const float w = glm::dot(rows_[3], glm::vec4(at, 1));
     if (!(w > 0)) return 0;
@@ -149,7 +148,7 @@ class FlyawayScatterer {
     return few * (kept_ > 0 ? kept_ : 1.0f);
   }
 
-  /// A whole number whose mean is `expected`.
+  /// An integer whose mean is `expected`.
   int counted(float expected, float random) {
     expected_ += expected;
     return kept_ > 0 ? static_cast<int>(std::floor(expected + random)) : 0;
@@ -195,7 +194,7 @@ class FlyawayScatterer {
     }
   }
 
-  /// Length that reaches past the edge from where |n.v| is `facing`.
+  /// Length that reaches past the silhouette from where |n.v| is `facing`.
   float needed_mm(float facing) const {
     const float beyond = std::max(facing - slack_, 0.0f);
     return 0.5f * radius_mm_ * beyond * beyond;
@@ -211,8 +210,7 @@ class FlyawayScatterer {
     const float pixels = growth_.length_mm[s] / std::max(pixel_mm, 1e-9f);
     const float come = std::clamp((pixels - kMinPixels) / (kFullPixels - kMinPixels), 0.0f, 1.0f);
     if (kept * chance >= chance_of(needed_mm, s) * come) return;
-    // Never so many that they would be a broad ribbon: on a mesh with few triangles some are left out
-    // instead.
+    // A limit, so that they do not form a ribbon; on a mesh with few triangles some are left out instead.
     const float most = std::max(1.0f, pixel_mm / formulas::kFlyawayWidth);
     flyaways_.push_back({root.at, root.normal * side, root.uv_mm, s ? root.sky.y : root.sky.x, side, which,
                          std::min(1 / std::max(fraction, 1e-9f), most), needed_mm, radius_mm_});
@@ -223,10 +221,10 @@ class FlyawayScatterer {
   glm::mat4 rows_;
   float kept_;
   std::vector<Flyaway>& flyaways_;
-  float pixel_scale_ = 0;  // pixel's size in mm over its distance
+  float pixel_scale_ = 0;  // size of a pixel in mm over its distance
   float reach_mm_ = 0;
   float expected_ = 0;
-  float radius_mm_ = 1;  // of the cloth's bend along the line of sight
+  float radius_mm_ = 1;  // radius of curvature along the line of sight
   float slack_ = 0;      // sine
   std::array<bool, 2> open_{};
 };
@@ -278,7 +276,7 @@ FlyawayGrowth flyaway_growth(const interop::ClothData& cloth, Face front) {
 }
 
 std::vector<Hem> hems_of(const Mesh& mesh, const std::vector<uint32_t>& index) {
-  // The two sides of a seam share their places, not their vertices.
+  // The two sides of a seam share positions, not vertices.
   std::map<Vec3, uint32_t, PositionOrder> vertices;
   std::vector<uint32_t> vertex(mesh.position_mm.size());
   for (uint32_t v = 0; v < vertex.size(); ++v) vertex[v] = vertices.try_emplace(mesh.position_mm[v], v).first->second;

@@ -10,7 +10,14 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/text.h"
+
 namespace weftlight::render_data {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 struct Lamp {
@@ -33,8 +40,8 @@ Harmonics project(const std::vector<Lamp>& lamps) {
   return sum;
 }
 
-/// Walks over a text and counts its lines: the parser tells no line of what it found.
-struct Walk {
+/// Iterates over a text and counts its lines, since the parser does not report line numbers.
+struct LineCounter {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
@@ -44,23 +51,23 @@ struct Walk {
   const char* at;
   int* line;
   reference operator*() const { return *at; }
-  Walk& operator++() {
+  LineCounter& operator++() {
     *line += *at++ == '\n';
     return *this;
   }
-  Walk operator++(int) {
-    const Walk before = *this;
+  LineCounter operator++(int) {
+    const LineCounter before = *this;
     ++*this;
     return before;
   }
-  bool operator==(const Walk& other) const { return at == other.at; }
-  bool operator!=(const Walk& other) const { return at != other.at; }
+  bool operator==(const LineCounter& other) const { return at == other.at; }
+  bool operator!=(const LineCounter& other) const { return at != other.at; }
 };
 
-/// Where a rig's parts begin.
+/// Line numbers of the parts of a preset.
 struct Lines {
   int now = 1;
-  std::map<std::string, int> keys;  // of the whole
+  std::map<std::string, int> keys;  // of the top level
   std::vector<int> lamps;
 };
 
@@ -74,70 +81,76 @@ json parse(std::string_view text, Lines& lines) {
     return true;
   };
   const char* end = text.data() + text.size();
-  return json::parse(Walk{text.data(), &lines.now}, Walk{end, &lines.now}, note);
+  return json::parse(LineCounter{text.data(), &lines.now}, LineCounter{end, &lines.now}, note);
 }
 
-/// What no light can be; caught where the file is read.
-struct Impossible {
+/// An invalid value; caught where the file is read.
+struct InvalidValue {
   std::string what;
 };
 
-std::string written(double value) {
+InvalidValue missing(const char* name) { return {fill(tr("{name} is missing"), arg("name", name))}; }
+
+std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
 float number(const json& value, const std::string& name, float low, float high) {
-  if (!value.is_number()) throw Impossible{name + " is not a number"};
+  if (!value.is_number()) throw InvalidValue{fill(tr("{name} is not a number"), arg("name", name))};
   const double v = value.get<double>();
   if (!(v >= static_cast<double>(low) && v <= static_cast<double>(high)))
-    throw Impossible{name + " is " + written(v) + "; give " + written(static_cast<double>(low)) + " to " +
-                     written(static_cast<double>(high))};
+    throw InvalidValue{fill(tr("{name} is {value}; give {low} to {high}"), arg("name", name),
+                            arg("value", number_text(v)), arg("low", number_text(static_cast<double>(low))),
+                            arg("high", number_text(static_cast<double>(high))))};
   return static_cast<float>(v);
 }
 
 float number_of(const json& object, const char* name, float low, float high) {
-  if (!object.contains(name)) throw Impossible{std::string(name) + " is missing"};
+  if (!object.contains(name)) throw missing(name);
   return number(object[name], name, low, high);
 }
 
 glm::vec3 three_of(const json& object, const char* name, float low, float high) {
-  if (!object.contains(name)) throw Impossible{std::string(name) + " is missing"};
+  if (!object.contains(name)) throw missing(name);
   const json& list = object[name];
-  if (!list.is_array() || list.size() != 3) throw Impossible{std::string(name) + " is not a list of three numbers"};
+  if (!list.is_array() || list.size() != 3)
+    throw InvalidValue{fill(tr("{name} is not a list of three numbers"), arg("name", name))};
   return {number(list[0], name, low, high), number(list[1], name, low, high), number(list[2], name, low, high)};
 }
 
-constexpr float kMaxLight = 1e4f;  // far within what sums of lamps and half floats hold
+constexpr float kMaxLight = 1e4f;  // far below the limits of sums of lamps and half floats
 
 Lamp lamp_of(const json& object) {
-  constexpr float kSharpest = 60;  // project() has places enough for it
+  constexpr float kSharpest = 60;  // project() has enough samples for it
   Lamp lamp;
-  if (!object.is_object()) throw Impossible{"is not an object"};
+  if (!object.is_object()) throw InvalidValue{tr("is not an object")};
   const glm::vec3 towards = three_of(object, "towards", -kMaxLight, kMaxLight);
   const float length = glm::length(towards);
-  if (!(length > 1e-6f)) throw Impossible{"towards is no direction"};
+  if (!(length > 1e-6f)) throw InvalidValue{tr("towards is no direction")};
   lamp.towards = towards / length;
   lamp.sharpness = number_of(object, "sharpness", 0, kSharpest);
   lamp.color = three_of(object, "color", 0, kMaxLight) * number_of(object, "strength", 0, kMaxLight);
   return lamp;
 }
 
-/// lines.now is the line of what is read.
+/// lines.now is the line that is being read.
 std::vector<Lamp> lamps_of(const json& rig, Lines& lines) {
   constexpr size_t kMaxLamps = 64;
-  if (!rig.contains("lamps")) throw Impossible{"lamps is missing"};
+  if (!rig.contains("lamps")) throw missing("lamps");
   const json& list = rig["lamps"];
   lines.now = lines.keys["lamps"];
-  if (!list.is_array() || list.size() > kMaxLamps) throw Impossible{"lamps is not a list of at most 64 lamps"};
+  if (!list.is_array() || list.size() > kMaxLamps)
+    throw InvalidValue{fill(tr("lamps is not a list of at most {most} lamps"), arg("most", kMaxLamps))};
   std::vector<Lamp> lamps;
   for (const json& object : list) {
     if (object.is_object() && lamps.size() < lines.lamps.size()) lines.now = lines.lamps[lamps.size()];
     try {
       lamps.push_back(lamp_of(object));
-    } catch (const Impossible& problem) {
-      throw Impossible{"lamp " + std::to_string(lamps.size() + 1) + ": " + problem.what};
+    } catch (const InvalidValue& problem) {
+      throw InvalidValue{
+          fill(tr("lamp {number}: {problem}"), arg("number", lamps.size() + 1), arg("problem", problem.what))};
     }
   }
   return lamps;
@@ -145,7 +158,7 @@ std::vector<Lamp> lamps_of(const json& rig, Lines& lines) {
 
 LightRig rig_of(const json& object, Lines& lines) {
   lines.now = 1;
-  if (!object.is_object()) throw Impossible{"is not an object with key and lamps"};
+  if (!object.is_object()) throw InvalidValue{tr("is not an object with key and lamps")};
   LightRig rig;
   const std::vector<Lamp> lamps = lamps_of(object, lines);
   lines.now = object.contains("key") ? lines.keys["key"] : 1;
@@ -165,10 +178,10 @@ LightRig light_rig_from(std::string_view text, std::string& error) {
   try {
     const json object = parse(text, lines);
     return rig_of(object, lines);
-  } catch (const Impossible& problem) {
+  } catch (const InvalidValue& problem) {
     error = std::to_string(lines.now) + ": " + problem.what;
   } catch (const json::exception&) {
-    error = std::to_string(lines.now) + ": is not JSON from here on";
+    error = std::to_string(lines.now) + ": " + tr("is not JSON from here on");
   }
   return {};
 }

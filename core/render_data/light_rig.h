@@ -1,6 +1,6 @@
 #pragma once
-// The light that a cloth is looked at in: a set-up with a key light and large lamps as spherical Gaussians
-// (presets/lights/*.json), projected to spherical harmonics of bands 0..2 once; or a picture from all around.
+// Lighting of a cloth: a preset with a key light and large lamps as spherical Gaussians (presets/lights/*.json),
+// projected to spherical harmonics of bands 0..2 once; or an environment map.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -15,32 +15,32 @@
 
 namespace weftlight::render_data {
 
-inline constexpr float kKeyIrradiance = 2.3f;  // at right angles; a white Lambertian leaves 0.73
-inline constexpr float kKeyRadius = 0.09f;  // sine of the key light's half angle where a rig does not say: a soft box
+inline constexpr float kKeyIrradiance = 2.3f;  // at normal incidence; a white Lambertian then has radiance 0.73
+inline constexpr float kKeyRadius = 0.09f;     // default sine of the key light's half angle: a soft box
 
 struct LightRig {
   glm::vec3 key{1};               // colour of the key light, white 1
   float key_radius = kKeyRadius;  // sine of its half angle
   Harmonics sky{};
-  std::shared_ptr<const Environment> environment;  // then all light is the picture's
-  std::vector<std::string> remarks;                // what was set right in the picture
+  std::shared_ptr<const Environment> environment;  // if set, all light comes from it
+  std::vector<std::string> remarks;                // what was corrected in the environment map
 };
 
-/// From the text of a rig's file. `error` is "LINE: what is wrong", else empty.
+/// From the text of a preset. `error` is "LINE: what is wrong", else empty.
 LightRig light_rig_from(std::string_view json, std::string& error);
-/// A set-up by name, presets/lights/NAME.json, or a picture by its path (is_environment of lights.h). `error` is
-/// "FILE: what is wrong, and what to do", where it can with the line, else empty.
+/// A lighting preset by name, presets/lights/NAME.json, or an environment map by its path (is_environment of
+/// lights.h). `error` is "FILE: what is wrong, and what to do", with the line if known, else empty.
 LightRig load_light_rig(const std::string& name, std::string& error);
 
-/// What lights a scene: one to kMaxLights lights, the first the key light, and the sky.
+/// Lights of a scene: one to kMaxLights lights, the first the key light, and the sky.
 struct SceneLight {
   std::vector<DistantLight> lights;
   Harmonics sky{};
 };
 SceneLight scene_light(const LightRig& rig, const Scene& scene);
 
-/// Stops by which an environment is brighter or darker than the studio, made up for: pictures have units of their own.
-/// 0 of a set-up.
+/// Stops that compensate for an environment being brighter or darker than the studio, since environment maps have
+/// arbitrary units. 0 for a preset.
 float rig_exposure(const LightRig& rig);
 
 /// Radiance of the sky along a world direction, >= 0 (frame.glsl has the same).

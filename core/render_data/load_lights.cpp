@@ -1,12 +1,18 @@
-// Light from files: the shipped set-ups, and pictures from all around.
+// Light from files: the shipped lighting presets, and environment maps.
 
 #include "base/files.h"
 #include "base/resources.h"
+#include "base/text.h"
 #include "draft/lights.h"
 #include "files/environment.h"
 #include "render_data/light_rig.h"
 
 namespace weftlight::render_data {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 LightRig load_environment(const std::string& path, std::string& error) {
@@ -26,11 +32,14 @@ LightRig load_light_rig(const std::string& name, std::string& error) {
   const std::string path = presets_dir() + "/lights/" + name + ".json";
   const FileBytes file = read_file(path, kMaxBytes);
   if (!file.error.empty()) {
-    error = path + ": " + file.error + "; set WEFTLIGHT_PRESETS to the folder of presets";
+    error = fill(tr("{file}: {problem}; set WEFTLIGHT_PRESETS to the folder of presets"), arg("file", path),
+                 arg("problem", file.error));
     return {};
   }
   LightRig rig = light_rig_from(file.bytes, error);
-  if (!error.empty()) error = path + ":" + error + "; mend it, or bring back the shipped file";
+  if (!error.empty())
+    error =
+        fill(tr("{file}:{problem}; correct it, or restore the shipped file"), arg("file", path), arg("problem", error));
   return rig;
 }
 

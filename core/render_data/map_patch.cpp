@@ -5,7 +5,7 @@
 namespace weftlight::render_data {
 namespace {
 
-constexpr float kAway = 1e6f;  // mm: the rays of a patch of 10 cm turn by less than a hundredth of a degree
+constexpr float kAway = 1e6f;  // mm; the rays of a patch of 10 cm differ by less than a hundredth of a degree
 constexpr float kMargin = 2;   // pixels beyond the rim
 
 glm::vec2 at(const FlatPatch& p, float x, float y) { return p.corner_mm + x * p.step_x_mm + y * p.step_y_mm; }
@@ -22,7 +22,7 @@ PreparedMesh patch_mesh(const FlatPatch& patch) {
     prepared.mesh.tangent.push_back({1, 0, 0});
     prepared.mesh.uv_mm.push_back({p.x, p.y});
   }
-  // Rows run downwards in the window: what turns clockwise here turns counter-clockwise there, to the front.
+  // Rows run downwards on screen, which reverses the winding.
   prepared.mesh.index = {0, 2, 1, 1, 2, 3};
   prepared.sky.resize(4);
   prepared.bounds = bounds_of(prepared.mesh);

@@ -9,10 +9,10 @@
 namespace weftlight::render_data {
 namespace {
 
-constexpr float kSlivers =
-    0.002f;  // of the cloth: simplified folds have a few triangles that are stretched out of all measure
+// Of the cloth: simplified folds have a few triangles that are extremely stretched.
+constexpr float kSlivers = 0.002f;
 
-/// Root of a pixel's area on the cloth, as cloth_fetch.glsl (footprint_here) has it.
+/// Square root of a pixel's area on the cloth, as footprint_here() of cloth_fetch.glsl.
 float pixel_size(const glm::mat2& cloth_by_pixel) {
   const float area = std::abs(glm::determinant(cloth_by_pixel));
   const float sum = glm::dot(cloth_by_pixel[0], cloth_by_pixel[0]) + glm::dot(cloth_by_pixel[1], cloth_by_pixel[1]);
@@ -20,7 +20,7 @@ float pixel_size(const glm::mat2& cloth_by_pixel) {
   return std::sqrt(std::max(area, longest2 / 256));
 }
 
-/// Part of a triangle's rectangle that lies on the picture: about that part of the triangle.
+/// Fraction of a triangle's bounding rectangle that lies in the picture, as an estimate for the triangle.
 float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
   const glm::vec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
   const glm::vec2 shown = glm::max(glm::min(high, picture) - glm::max(low, glm::vec2(0)), glm::vec2(0)),
@@ -28,7 +28,7 @@ float shown_part(glm::vec2 a, glm::vec2 b, glm::vec2 c, glm::vec2 picture) {
   return shown.x * shown.y / std::max(all.x * all.y, 1e-6f);
 }
 
-/// Widens a rectangle of the cloth by what of a triangle lies on the picture.
+/// Extends the visible bounds by the part of a triangle that lies in the picture.
 void widen(MethodWeights& weights, const std::array<glm::vec2, 3>& pixel, const std::array<glm::vec2, 3>& uv,
            const glm::mat2& cloth_by_pixel, glm::vec2 picture) {
   glm::vec2 low = glm::min(uv[0], glm::min(uv[1], uv[2])), high = glm::max(uv[0], glm::max(uv[1], uv[2]));
@@ -76,7 +76,7 @@ float expected_ms(const LodTable& lod_table, const MethodWeights& weights, float
 
 float tolerance_within(const LodTable& lod_table, const MethodWeights& weights, float pixels, float as_measured,
                        float budget_ms) {
-  // By bisection of the logarithm: the coarser, the cheaper.
+  // Bisection in the logarithm: coarser is cheaper.
   float fine = std::log2(kFinestTolerance), coarse = std::log2(kCoarsestTolerance);
   const auto fits = [&](float octave) {
     return expected_ms(lod_table, weights, pixels, {std::exp2(octave)}) * as_measured <= budget_ms;
@@ -92,7 +92,7 @@ float tolerance_within(const LodTable& lod_table, const MethodWeights& weights, 
 MethodWeights method_weights(const PreparedMesh& prepared, const Camera& camera, int width, int height,
                              float spacing_mm, const std::array<float, 3>& edges) {
   const Mesh& mesh = prepared.mesh;
-  std::vector<glm::vec3> pixel;  // z: 1 where the vertex lies before the eye
+  std::vector<glm::vec3> pixel;  // z: 1 where the vertex is in front of the eye
   pixel.reserve(mesh.position_mm.size());
   for (const Vec3& p : mesh.position_mm) {
     const glm::vec4 c = camera.world_to_clip * glm::vec4(p[0], p[1], p[2], 1);

@@ -4,15 +4,18 @@
 #include "render_data/views.h"
 
 namespace weftlight::render_data {
+
+using base::tr;
+
 namespace {
 
 enum Shipped : size_t { kWhole, kHeadOn, kGrazing, kNear };
 
-constexpr float kHeadOnPixels = 9, kNearPixels = 42;  // a yarn
-// Seen and lit from either side of the normal, so that what gleams along the cloth is seen.
+constexpr float kHeadOnPixels = 9, kNearPixels = 42;  // pixels a yarn
+// View and light on opposite sides of the normal, so that gloss along the cloth is visible.
 constexpr float kGrazingView = 68, kGrazingLight = -72, kGrazingHeight = 12;  // degrees
 
-/// Of a thread of the system, in mm.
+/// Mean spacing of a system, mm.
 float mean_spacing(const Design& design, System system) {
   const Threads& t = design.draft.threads(system);
   float sum = 0;
@@ -29,7 +32,7 @@ bool same_name(std::string_view a, std::string_view b) {
 }  // namespace
 
 float flat_distance(const Design& design, float width_px, float height_px, float pixels_a_yarn) {
-  constexpr float kFilled = 0.96f;  // of the swatch, so that no rim is seen
+  constexpr float kFilled = 0.96f;  // of the swatch, so that no edge is visible
   const Bounds plane{{-150, 0, 0}, {150, 200, 0}};
   const float aspect = std::max(width_px, 1.0f) / std::max(height_px, 1.0f);
   const float spacing = 0.5f * (mean_spacing(design, System::kWarp) + mean_spacing(design, System::kWeft));
@@ -38,7 +41,7 @@ float flat_distance(const Design& design, float width_px, float height_px, float
 }
 
 NamedView shipped_view(const Design& design, size_t which, float width_px, float height_px) {
-  NamedView view{kShippedViews[which].label, design.scene, which != kWhole};
+  NamedView view{tr(kShippedViews[which].label), design.scene, which != kWhole};
   Scene& s = view.scene;
   const Scene first;
   s.pan_x = s.pan_y = 0;
@@ -60,14 +63,14 @@ std::optional<NamedView> view_named(const Design& design, std::string_view name,
   for (const NamedView& view : design.views)
     if (same_name(view.name, name)) return view;
   for (size_t i = 0; i < kShippedViews.size(); ++i)
-    if (same_name(kShippedViews[i].id, name) || same_name(kShippedViews[i].label, name))
+    if (same_name(kShippedViews[i].id, name) || same_name(tr(kShippedViews[i].label), name))
       return shipped_view(design, i, width_px, height_px);
   return {};
 }
 
 std::vector<std::string> view_names(const Design& design) {
   std::vector<std::string> names;
-  for (const ShippedView& view : kShippedViews) names.emplace_back(view.label);
+  for (const ShippedView& view : kShippedViews) names.emplace_back(tr(view.label));
   for (const NamedView& view : design.views) names.push_back(view.name);
   return names;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Views of the cloth by name: some that every draft has, and those that are kept with it.
+// Named views of the cloth: those that every draft has, and those kept with it.
 
 #include <array>
 #include <optional>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "draft/design.h"
 #include "render_data/names.h"
 
@@ -16,27 +17,28 @@ namespace weftlight::render_data {
 inline constexpr const char* kFlatMesh = "plane";
 
 struct ShippedView {
-  const char *id, *label;
+  const char *id, *label;  // label: to be shown through base::tr()
 };
-inline constexpr std::array kShippedViews = {ShippedView{"whole", "Whole drape"}, ShippedView{"head_on", "Head on"},
-                                             ShippedView{"grazing", "Grazing"}, ShippedView{"near", "Near threads"}};
+inline constexpr std::array kShippedViews = {
+    ShippedView{"whole", base::mark("Whole drape")}, ShippedView{"head_on", base::mark("Head on")},
+    ShippedView{"grazing", base::mark("Grazing")}, ShippedView{"near", base::mark("Near threads")}};
 
-/// View distance at which a flat swatch, seen straight on, fills a picture of so many pixels with threads so many
-/// pixels wide, or with its whole height where they would be wider than it has.
+/// View distance at which a flat swatch, seen straight on, fills a picture with threads of the given width in pixels,
+/// or is shown at its full height if that would be wider.
 float flat_distance(const Design& design, float width_px, float height_px, float pixels_a_yarn);
 
-/// One of kShippedViews, for a picture of so many pixels; what hangs and how strong its light is stays the design's.
+/// One of kShippedViews, for a picture of this size; mesh and light strength stay the design's.
 NamedView shipped_view(const Design& design, size_t which, float width_px, float height_px);
 
-/// The same scene with its key light low from the side, which shows every thread's relief.
+/// The same scene with its key light low from the side, which shows the relief of the threads.
 Scene lit_grazing(Scene scene);
 
-/// By its name, whatever the case: those of the design first, then the shipped ones by id or label.
+/// Finds a view by name, case-insensitive: first those of the design, then the shipped ones by id or label.
 std::optional<NamedView> view_named(const Design& design, std::string_view name, float width_px, float height_px);
-/// What can be asked for: the labels of the shipped ones, the names of the kept.
+/// All view names: labels of the shipped ones, names of the kept ones.
 std::vector<std::string> view_names(const Design& design);
 
-/// The scene that is drawn: of a flat view the swatch hangs instead of the mesh.
+/// The scene to draw: a flat view has the swatch as its mesh.
 Scene drawn_scene(const NamedView& view);
 
 }  // namespace weftlight::render_data

@@ -46,7 +46,7 @@ uint8_t unorm(float v) { return static_cast<uint8_t>(std::clamp(v, 0.0f, 1.0f) *
 uint8_t snorm(float v) {
   return static_cast<uint8_t>(static_cast<int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127.0f)));
 }
-/// A quarter, halves to even: rounding up would add an eighth of a step at every level.
+/// A quarter, rounding halves to even: rounding up would add an eighth of a step at every level.
 uint8_t quarter(int sum) { return static_cast<uint8_t>((sum + 1 + ((sum >> 2) & 1)) / 4); }
 
 void set_rgba(uint8_t* to, uint8_t r, uint8_t g, uint8_t b, uint8_t a) { to[0] = r, to[1] = g, to[2] = b, to[3] = a; }
@@ -73,7 +73,7 @@ void pack_surface(PackedFace& face, const Maps& maps, const TexelRect& r) {
   }
 }
 
-/// The four texels below one texel of `level`.
+/// The four texels of the finer level under one texel of `level`.
 struct Below {
   std::array<const uint8_t*, 4> at;
 };
@@ -97,7 +97,7 @@ void filter_color(PackedTexture& color, int level, int layer, int x, int y) {
            encode_srgb(t, sum[2] / 4), quarter(alpha));
 }
 
-/// Moments are sums: their mean is the plain one, halves to even as in quarter().
+/// Moments are averaged directly, rounding halves to even as in quarter().
 void filter_relief(PackedTexture& relief, int level, int layer, int x, int y) {
   const Below values = below(relief, level, layer, x, y);
   uint8_t* to = relief.texel(level, layer, x, y);
@@ -125,7 +125,7 @@ void filter_shadow(PackedTexture& shadow, int level, int layer, int x, int y) {
   *shadow.texel(level, layer, x, y) = quarter(sum);
 }
 
-/// Level 0 of the horizon texture stands over two by two texels of the maps.
+/// Level 0 of the horizon texture covers two by two texels of the maps.
 void pack_horizon(PackedTexture& horizon, const Maps& maps, const TexelRect& r) {
   const int w = maps.height_mm.width, h = maps.height_mm.height;
   for (int layer = 0; layer <= maps.azimuths; ++layer) {
@@ -211,7 +211,7 @@ void for_levels(PackedFace& face, const TexelRect& maps_rect, Visit visit) {
   }
 }
 
-/// Runs over bands of rows; those of a large rectangle on all cores.
+/// Runs over bands of rows, in parallel for a large rectangle.
 template <class Job>
 void for_each_band(const TexelRect& r, const Job& job) {
   constexpr int kBandRows = 64;

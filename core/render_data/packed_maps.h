@@ -1,6 +1,6 @@
 #pragma once
-// Maps as the GPU reads them: packed texels with prefiltered mips, made on the CPU by the worker, so that
-// the thread with the GL context only uploads.
+// Maps in GPU formats: packed texels with prefiltered mips, made on the CPU by the worker, so that the thread with the
+// GL context only uploads.
 
 #include <algorithm>
 #include <array>
@@ -16,13 +16,13 @@
 
 namespace weftlight::render_data {
 
-/// What a texture holds, and so how its mips average.
+/// Content of a texture, which decides how its mips are averaged.
 enum class PackedKind : uint8_t {
   kColor,    // RGBA8 sRGB, layers warp, weft: colour times groove, premultiplied by the system's coverage (alpha)
   kRelief,   // RGBA8 snorm, layers warp, weft: means of the unit normal's x, y and of their squares, times coverage
   kHorizon,  // RG8, a layer an azimuth and one for the sky: mean and twice the spread of the horizon's sine; the
              // last layer holds the occlusion. Half the size of the others.
-  kShadow,   // R8, a layer a light direction (rung vrst03): 1 lit
+  kShadow,   // R8, a layer a light direction (method vrst03): 1 lit
 };
 inline constexpr int kPackedKinds = 4;
 
@@ -53,41 +53,41 @@ using HalfCrossing = std::array<uint16_t, 4>;
 
 struct PackedFace {
   std::array<PackedTexture, kPackedKinds> textures;  // by PackedKind; kShadow is empty unless asked for
-  // SampledMethod vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
+  // Method vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
   int cube_size = 0;
   std::vector<float> half_cube, difference_cube;
 };
 
-/// The answer to light from afar, as textures (response_block.h); empty until it was measured.
+/// The far-field response as textures (response_block.h); empty until measured.
 struct ResponseTables {
-  // [view]: [face * 2 + system][elevation][answer, lean][azimuth of the light], then to light from behind
+  // [view]: [face * 2 + system][elevation][reflected, gradient][azimuth of the light], then for light from behind
   // [face * 2 + system][elevation][azimuth]
   std::vector<glm::vec4> reflected;
   std::vector<float> slopes;  // [face * 2 + system][axis][slope]: density of the facets' slope angles
-  // [face][table][elevation][azimuth]: share of the warp, its rise, mean heights of both; what each system sends of an
-  // even sky; where from (response_block.cpp)
+  // [face][table][elevation][azimuth]: visible fraction of the warp, its rise, mean heights of both; reflected light
+  // of a uniform sky by system; its mean directions (response_block.cpp)
   std::vector<glm::vec4> views;
   bool empty() const { return reflected.empty(); }
   size_t bytes() const { return (reflected.size() + views.size()) * sizeof(glm::vec4) + slopes.size() * sizeof(float); }
   bool operator==(const ResponseTables&) const = default;
 };
 
-/// What an edit of the yarns' light changes.
+/// The data that depends on the yarns' lobes.
 struct ClothLobes {
   interop::ClothData data{};
   ResponseTables response;
-  // The threads one by one (thread_block.h), whole rows of THREAD_MAP_WIDTH texels; empty where there are too many.
+  // The threads (thread_block.h), whole rows of THREAD_MAP_WIDTH texels; empty if there are too many.
   std::vector<glm::uvec4> threads;
-  ThreadErrors errors;  // by which the ladder is fitted to the cloth
+  ThreadErrors errors;  // fit the LOD table to this cloth
   bool operator==(const ClothLobes&) const = default;
 };
 
-/// Everything of a design that the renderer needs beside mesh, scene and look.
+/// Everything that the renderer needs of a design except mesh, scene and look.
 struct PackedCloth {
   float width_mm = 0, depth_mm = 0;
-  float mean_spacing_mm = 0;  // of a yarn, both systems: what "yarns a pixel" counts
+  float mean_spacing_mm = 0;  // of both systems: the unit of "yarns a pixel"
   PackedFace front, back;
-  // Where the threads of the front cross (thread_block.h); empty where there are too many.
+  // Crossings of the front (thread_block.h); empty if there are too many.
   int ends = 0, picks = 0;
   std::vector<HalfCrossing> crossings;
   ClothLobes lobes;
@@ -114,15 +114,15 @@ struct ClothPatches {
   bool empty() const { return maps.empty() && crossings.empty(); }
 };
 
-/// The directions of vrst03's boolean shadow maps: kShadowAzimuths around, at each of these elevations.
+/// Light directions of vrst03's boolean shadow maps: kShadowAzimuths at each of these elevations.
 inline constexpr int kShadowAzimuths = 8;
 inline constexpr std::array<float, 3> kShadowElevations{0.35f, 0.75f, 1.15f};  // radians
 
-/// Packs one face with all its mips. `shadows`: also the boolean maps of vrst03.
+/// Packs one face with all its mips. `shadows`: with the boolean maps of vrst03.
 PackedFace pack(const Maps& maps, bool shadows);
 
-/// Brings `face` to the maps changed inside `rects` through all levels, and returns what changed, ready to
-/// upload. The result is that of pack(maps) bit for bit.
+/// Updates `face` from the maps changed inside `rects`, in all levels, and returns the changes, ready for upload. The
+/// result equals pack(maps) bit for bit.
 std::vector<PackedPatch> repack(PackedFace& face, Face which, const Maps& maps, const std::vector<TexelRect>& rects);
 
 }  // namespace weftlight::render_data

@@ -39,9 +39,9 @@ std::string ReferenceScene::update(const Design& design, const TubeOptions& opti
 std::string ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
   if (tubes_ && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
   std::string error;
-  tubes_ = nullptr;  // two at once could take twice the memory
+  tubes_ = nullptr;  // two at once could double the memory
   const BitMatrix cells = drawdown(design.draft);
-  // As the preview lays it out, so that each thread has the same fibres; but not at the cost of its roundness.
+  // Same period as the preview, so that each thread has the same fibres, unless the tubes would lose resolution.
   const int64_t kFineCrossings = is_uneven(design) ? 20'000 : 3000;
   const bool fine = int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
   tubes_ = TubeScene::build(lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat),

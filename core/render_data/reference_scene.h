@@ -1,6 +1,6 @@
 #pragma once
-// The ray-traced cloth in the preview's scene: the same camera, lights, drape and form, so that only the
-// cloth differs. For `weftlight reference` and for the comparison in the window.
+// The ray-traced cloth in the preview's scene, with the same camera, lights, drape and form, so that only the cloth
+// differs. For `weftlight reference` and the comparison in the window.
 
 #include <memory>
 #include <stop_token>
@@ -16,7 +16,7 @@
 
 namespace weftlight::render_data {
 
-/// What is to be traced, from where.
+/// View and quality of a traced picture.
 struct ReferenceView {
   Scene scene;
   int width = 0, height = 0;
@@ -30,9 +30,9 @@ struct ReferenceView {
 
 class ReferenceScene {
  public:
-  /// Follows the design: what it shares with the last one is kept. Empty: done; else what went wrong.
+  /// Updates to the design; what it shares with the previous one is kept. Returns an error, or empty.
   std::string update(const Design& design, const TubeOptions& options = {});
-  /// After an update that went well.
+  /// After a successful update.
   TracedImage trace(const ReferenceView& view, const Progress& progress) const;
 
  private:
@@ -51,8 +51,8 @@ class ReferenceScene {
   LightRig rig_;
 };
 
-/// Lays the traced cloth over the preview's picture of all else (Frame::cloth false), as the preview shows
-/// or, linear, as it computes. A smaller traced picture is enlarged.
+/// Composites the traced cloth over the preview without its cloth (Frame::cloth false), display-referred or linear. A
+/// smaller traced picture is enlarged.
 void lay_over(Image& picture, const TracedImage& traced, float exposure_ev, bool linear);
 
 }  // namespace weftlight::render_data

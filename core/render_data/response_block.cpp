@@ -12,14 +12,14 @@ namespace {
 
 using Faces = std::array<ClothResponse, 2>;
 
-/// Of one view, of lights on one side of the cloth.
+/// One elevation of lights for one view, on one side of the cloth.
 struct LightRow {
   const std::vector<float>& values;  // [view][light]
   size_t view, elevation;
   int azimuths;
   size_t lights;
 
-  /// `width` texels, azimuths going round and round.
+  /// Appends `width` texels; azimuths wrap around.
   void append(std::vector<glm::vec4>& out, int width) const {
     for (int a = 0; a < width; ++a) {
       const size_t light = elevation * static_cast<size_t>(azimuths) + static_cast<size_t>(a % azimuths);
@@ -28,7 +28,6 @@ struct LightRow {
   }
 };
 
-/// All of one view.
 void append_view(std::vector<glm::vec4>& out, const Faces& faces, size_t view) {
   for (const ClothResponse& face : faces) {
     for (const SystemResponse& system : face.systems) {
@@ -66,7 +65,7 @@ std::vector<float> slopes_of(const Faces& faces) {
   return out;
 }
 
-/// Mean directions of the sky that is sent, by body and as it is mirrored, each along the view and up.
+/// Mean directions of the reflected sky light, by body and mirrored, each along the view and up.
 glm::vec4 sky_from(const ClothResponse& face, size_t view, const glm::vec3& towards) {
   const glm::vec2 along = glm::vec2(towards) / std::max(glm::length(glm::vec2(towards)), 1e-6f);
   const auto [diffuse, glossy] = face.sky_from[view];
@@ -94,10 +93,10 @@ std::vector<glm::vec4> views_of(const Faces& faces) {
   return out;
 }
 
-/// How unlike the texels of a level are: relative RMS of their colours about their mean, or what their systems' sheen
-/// may make of it. Of a damask in one colour the blocks differ by the system that shines at the eye, and nothing else.
+/// Contrast of a level: relative RMS of its colours about their mean, or of its systems' coverage times their possible
+/// difference in shine. The blocks of a damask in one colour differ only by the system that shines towards the eye.
 float contrast(const PackedTexture& color, int level) {
-  // Ends and picks of one yarn, seen along and across, send back light that differs by so much and more.
+  // Reflected light of ends and picks of one yarn differs by this much and more.
   constexpr double kSheen = 0.25;
   const int w = color.level_width(level), h = color.level_height(level);
   std::array<double, 4> sum{}, square{};
@@ -134,7 +133,7 @@ float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm) 
   const PackedTexture& color = face.textures[static_cast<size_t>(PackedKind::kColor)];
   int level = static_cast<int>(color.levels.size()) - 1;
   while (level > 0 && contrast(color, level - 1) <= kEven) --level;
-  // The last level is one texel, and even by itself: a pixel must hold the period.
+  // The last level is a single texel and always uniform: a pixel must then cover the period.
   const float texels = static_cast<float>(1 << level) / static_cast<float>(std::max(1, color.width));
   return texels * width_mm / std::max(spacing_mm, 1e-6f);
 }

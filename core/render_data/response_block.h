@@ -1,5 +1,5 @@
 #pragma once
-// The answers of both faces to light from afar (light/cloth_response.h), laid out as the renderer uploads them.
+// Far-field response of both faces (light/cloth_response.h), in the layout of the renderer's textures.
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -11,21 +11,22 @@
 
 namespace weftlight::render_data {
 
-// Azimuths with the first again at the end. Answer and lean stand side by side, below them the answer from behind.
+// Azimuths with the first repeated at the end. Reflected light and gradient are side by side, those of light from
+// behind below.
 inline constexpr int kReflectionWidth = kLightAzimuths + 1, kViewTableWidth = kViewAzimuths + 1;
 inline constexpr int kResponseWidth = RESPONSE_WIDTH, kResponseHeight = RESPONSE_HEIGHT;
 static_assert(2 * kReflectionWidth <= kResponseWidth && kTransmissionAzimuths + 1 <= kResponseWidth);
 inline constexpr int kSlopeRows = 8;  // (face * 2 + system) * 2 + axis
 inline constexpr int kViewTableHeight = VIEW_TABLES * kResponseElevations;
 
-/// Yarns a pixel from which on the packed colour of the face is the same everywhere to 2 percent.
+/// Yarns a pixel from which on the packed colour of the face is uniform to 2 percent.
 float even_from_yarns(const PackedFace& face, float width_mm, float spacing_mm);
 
-/// The answers of the front and of the back, and in `data` the means that go with them.
+/// Response tables of front and back; sets the corresponding means in `data`.
 ResponseTables response_tables(interop::ClothData& data, const FaceInput& front, const FaceInput& back,
                                int samples = kResponseSamples);
 
-/// Gives `data` the means of an earlier answer, which is kept.
+/// Copies the means of an earlier response that is kept.
 void keep_response(interop::ClothData& data, const interop::ClothData& earlier);
 
 }  // namespace weftlight::render_data

@@ -2,8 +2,13 @@
 
 #include "base/files.h"
 #include "base/resources.h"
+#include "base/text.h"
 
 namespace weftlight::render_data {
+
+using base::arg;
+using base::fill;
+using base::tr;
 
 ShippedLodTable shipped_lod_table() {
   constexpr uint64_t kMaxBytes = uint64_t{1} << 24;
@@ -11,9 +16,10 @@ ShippedLodTable shipped_lod_table() {
   const FileBytes file = read_file(path, kMaxBytes);
   ShippedLodTable shipped{{}, file.error};
   if (file.error.empty()) shipped.lod_table = read_lod_table(file.bytes, shipped.problem);
-  if (shipped.problem.empty() && shipped.lod_table.empty()) shipped.problem = "has no line that can be used";
+  if (shipped.problem.empty() && shipped.lod_table.empty()) shipped.problem = tr("has no line that can be used");
   if (shipped.problem.empty()) return shipped;
-  return {default_lod_table(), path + ": " + shipped.problem + "; methods are chosen by the built-in ladder"};
+  return {default_lod_table(), fill(tr("{file}: {problem}; methods are chosen by the built-in LOD table"),
+                                    arg("file", path), arg("problem", shipped.problem))};
 }
 
 }  // namespace weftlight::render_data

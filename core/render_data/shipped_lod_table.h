@@ -1,5 +1,5 @@
 #pragma once
-// The measured ladder that ships with the program: presets/lod_table.csv, written by `weftlight chart`.
+// The measured LOD table that ships with the program: presets/lod_table.csv, written by `weftlight chart`.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace weftlight::render_data {
 
 struct ShippedLodTable {
   LodTable lod_table;
-  std::string problem;  // of the file: the ladder is then default_lod_table()
+  std::string problem;  // with the file; the table is then default_lod_table()
 };
 ShippedLodTable shipped_lod_table();
 

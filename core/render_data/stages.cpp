@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/loops.h"
+#include "base/text.h"
 #include "cloth/coarse_cloth.h"
 #include "cloth/thread_scene.h"
 #include "draft/repeat.h"
@@ -17,31 +17,36 @@
 #include "render_data/thread_block.h"
 
 namespace weftlight::render_data {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int kAzimuths = 16;
-constexpr int kFewAzimuths = 4;              // of a map whose texels are about as wide as a thread: it is nearly flat
-constexpr double kFinePerHorizon = 3;        // texels across a thread, from which on threads shade each other
-constexpr double kTexels = 1024.0 * 1024.0;  // of one face, where that gives each thread enough
+constexpr int kFewAzimuths = 4;                 // of a map with about one texel a thread: it is nearly flat
+constexpr double kFinePerHorizon = 3;           // texels across a thread from which on threads shade each other
+constexpr double kTexels = 1024.0 * 1024.0;     // of one face, if that gives each thread enough
 constexpr double kMaxTexels = 2048.0 * 2048.0;  // for drafts of many threads
-constexpr double kMinPerThread = 6;             // texels across a thread worth more than kTexels
+constexpr double kMinPerThread = 6;             // texels across a thread that are worth more than kTexels
 constexpr double kMaxPerThread = 64;            // beyond, fibres are smooth
-constexpr double kFinePerThread = 14;           // a whole draft coarser than this gives way to its repeat
-constexpr double kUnevenPerThread = 5;          // or than this, where no two threads are alike
+constexpr double kFinePerThread = 14;           // a coarser whole draft is replaced by its repeat
+constexpr double kUnevenPerThread = 5;          // the same, where no two threads are alike
 constexpr int kLongest = 8192;
 constexpr int kQuickSamples = 256;
-constexpr int kQuickShrink = 4;        // of a quick bake's sides
-constexpr double kQuickThreads = 1.7;  // across a texel of it; of more, some stand for all
+constexpr int kQuickShrink = 4;        // divisor of a quick bake's sides
+constexpr double kQuickThreads = 1.7;  // threads across a texel of it; beyond, some represent all
 constexpr int kQuickThreadSamples = 1;
-constexpr int kManyCrossings =
-    2000;  // changed, all over the cloth: to bring the maps up to date takes longer than a hand waits
-constexpr int64_t kMaxVisible = 1 << 18;  // texels, or crossings, that are made for what is seen
-constexpr int kPreviewLevels = 4,
-              kPreviewStep = 1 << kPreviewLevels;  // levels of a part of the maps; it stands on whole texels
+// Changed all over the cloth: updating the maps would take too long to be interactive.
+constexpr int kManyCrossings = 2000;
+constexpr int64_t kMaxVisible = 1 << 18;  // texels, or crossings, of a preview
+constexpr int kPreviewLevels = 4,         // levels of a part of the maps, which is aligned to whole texels
+    kPreviewStep = 1 << kPreviewLevels;   // levels of a part of the maps; it stands on whole texels
 
 bool same_yarn_shape(Yarn a, Yarn b) {
   a.lobes = b.lobes = Lobes{};
-  a.tex = b.tex = 0;  // weighs, and is not seen
+  a.tex = b.tex = 0;  // weighs, and is not visible
   return a == b;
 }
 
@@ -71,7 +76,7 @@ int power_of_two(double v) {
   return static_cast<int>(std::min<double>(kLongest, floor2));
 }
 
-/// Texels across one thread that the budget allows.
+/// Texels across one thread within the budget.
 double per_thread(double crossings) {
   const double wanted = std::sqrt(kTexels / std::max(1.0, crossings));
   if (wanted >= kMinPerThread) return std::min(wanted, kMaxPerThread);
@@ -81,11 +86,11 @@ double per_thread(double crossings) {
 /// Powers of two, so that every mip averages whole texels.
 MapsSize maps_size(const Cloth& cloth, bool shadows) {
   const double ends = static_cast<double>(cloth.ends.size()), picks = static_cast<double>(cloth.picks.size());
-  // Shadow maps are more than all other maps together: with them a large draft keeps to the smaller budget.
+  // Shadow maps take more memory than all other maps together: with them a large draft keeps to the smaller budget.
   const double fewer =
       shadows ? std::min(1.0, std::sqrt(kTexels / std::max(1.0, ends * picks)) / per_thread(ends * picks)) : 1.0;
   const double n = per_thread(ends * picks) * fewer;
-  // Square texels in millimetres: the shorter side of the threads' mean decides.
+  // The number of texels follows the number of threads.
   MapsSize size{power_of_two(ends * n), power_of_two(picks * n), n < kFinePerHorizon ? kFewAzimuths : kAzimuths};
   return size;
 }
@@ -98,7 +103,7 @@ std::vector<float> cube_texels(const CubeMap& cube) {
   return texels;
 }
 
-/// The average BRDF of rung vrst03.
+/// The average BRDF of method vrst03.
 void add_cubes(PackedFace& face, const Cloth& cloth) {
   const Separable separable = factorise(cloth_brdf(cloth), Split::kHalfDifference);
   face.cube_size = separable.first.size;
@@ -116,21 +121,18 @@ ReadMesh find_mesh(const Design& design) {
   return read;
 }
 
-/// Why a cloth is not drawn: what would be laid out has too many crossings. 400 million take 27 s of CPU time
-/// (measured, two cores) and hardly more memory than 25 million: the maps have a largest size.
+/// Error if the cloth has too many crossings to lay out. 400 million take 27 s of CPU time (measured, two cores) and
+/// hardly more memory than 25 million, since the maps have a maximum size.
 std::string too_large(const Design& design, const BitMatrix& cells) {
   constexpr int64_t kMax = 400'000'000;
   if (int64_t{cells.cols()} * cells.rows() <= kMax) return {};
   const Repeat size = design_repeat(design, cells);
   const int64_t crossings = int64_t{size.ends} * size.picks;
   if (crossings <= kMax) return {};
-  char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "%d ends by %d picks that do not repeat are %.0f million crossings; at most %.0f million are drawn: take "
-      "a part of the draft",
-      size.ends, size.picks, static_cast<double>(crossings) / 1e6, static_cast<double>(kMax) / 1e6);
-  return text;
+  return fill(tr("{ends} ends by {picks} picks that do not repeat are {crossings:.0f} million crossings; at most "
+                 "{most:.0f} million are drawn: take a part of the draft"),
+              arg("ends", size.ends), arg("picks", size.picks), arg("crossings", static_cast<double>(crossings) / 1e6),
+              arg("most", static_cast<double>(kMax) / 1e6));
 }
 
 }  // namespace
@@ -146,7 +148,7 @@ Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period
 }
 
 bool is_uneven(const Design& design) {
-  // Less is hardly seen, and a repeat shows the rest more sharply.
+  // Less is hardly visible, and a repeat shows everything else more sharply.
   constexpr float kBetween = 0.03f, kAlong = 15;
   return std::ranges::any_of(design.yarns,
                              [](const Yarn& y) { return y.irregularity >= kBetween || y.unevenness >= kAlong; });
@@ -167,7 +169,7 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
   shadows_ = shadows;
   front_.cloth = face_cloth(design, cells_, Face::kFront, period_);
   back_.cloth = face_cloth(design, cells_, Face::kBack, period_);
-  if (effort == Effort::kOnce) cells_ = {};  // 50 MB of 20,000 x 20,000, and each face has its own
+  if (effort == Effort::kOnce) cells_ = {};  // 50 MB for 20,000 x 20,000, and each face has its own
   for (const Face face : {Face::kFront, Face::kBack}) {
     FaceState& state = face == Face::kFront ? front_ : back_;
     MapsSize size = maps_size(state.cloth, shadows);
@@ -189,7 +191,7 @@ void Stages::bake_all(const Design& design, bool shadows, Effort effort) {
   update_threads();
 }
 
-/// For a moment: threads that stand for several where a texel holds many.
+/// Quick bake: where a texel holds many threads, some represent all.
 Maps Stages::bake_quick(const Cloth& cloth, const MapsSize& size, const TexelRect& window) const {
   const auto group = [](size_t threads, int texels) {
     return std::max(1, static_cast<int>(std::lround(static_cast<double>(threads) / texels / kQuickThreads)));
@@ -201,7 +203,7 @@ Maps Stages::bake_quick(const Cloth& cloth, const MapsSize& size, const TexelRec
   return bake(coarse_cloth(cloth, ends, picks), fewer, window);
 }
 
-/// Whether an edit of many cells can be answered with what is seen of them: the maps are there, and only `up` changed.
+/// Whether an edit of many cells can be shown by a preview of the visible part: the maps exist, and only `up` changed.
 bool Stages::can_bake_preview(const Design& design) const {
   if (!done_ || visible_.empty() || coarse_ || shadows_ || packed_.front.textures[0].width == 0) return false;
   if (period_ != Period::kWholeDraft || !front_.cloth.layers.empty()) return false;
@@ -209,8 +211,8 @@ bool Stages::can_bake_preview(const Design& design) const {
          same_threads(done_->draft, design.draft) && done_->yarns == design.yarns && done_->finish == design.finish;
 }
 
-/// What is seen of the front, of cells that are too many to wait for. Nothing of it is kept: the next full answer
-/// starts from what was before. False: there are few.
+/// Bakes a preview of the visible part of the front, if too many cells changed to wait for. It is not kept: the next
+/// full update starts from the state before. False: few cells changed.
 bool Stages::preview_bake(const Design& design, StageResult& result) {
   if (!can_bake_preview(design) || (!previewed_ && done_->draft == design.draft)) return false;
   BitMatrix cells = cells_;
@@ -228,7 +230,7 @@ bool Stages::preview_bake(const Design& design, StageResult& result) {
 
 namespace {
 
-/// Of an axis, what of [from, to) lies in a period of `length`; all of it where that crosses its end.
+/// The part of [from, to) within a period of `length`; all of it if that crosses the end.
 struct Run {
   double from, to;
 };
@@ -238,7 +240,7 @@ Run in_period(double from, double to, double length) {
   return {start, start + (to - from)};
 }
 
-/// The levels of a texture, from the finest on, as patches of the front's at `level` and beyond.
+/// Moves the levels of a texture, from the finest on, into patches of the front's texture at `level` and above.
 void append_levels(std::vector<PackedPatch>& to, PackedTexture& t, const TexelRect& window, int level, int levels) {
   for (int k = 0; k < std::min(levels, static_cast<int>(t.levels.size())); ++k)
     to.push_back({Face::kFront, t.kind, level + k, window.x0 >> k, window.y0 >> k, t.level_width(k), t.level_height(k),
@@ -247,7 +249,7 @@ void append_levels(std::vector<PackedPatch>& to, PackedTexture& t, const TexelRe
 
 }  // namespace
 
-/// The level that the pixels ask for, and those above it, or as fine a one as can be made at once.
+/// The level for the pixel size and those above it, or the finest one that can be baked at once.
 void Stages::bake_preview_maps(const Cloth& cloth, StageResult& result) const {
   const PackedTexture& shown = packed_.front.textures[0];
   const double period[] = {static_cast<double>(cloth.width_mm), static_cast<double>(cloth.depth_mm)};
@@ -280,7 +282,7 @@ void Stages::bake_preview_maps(const Cloth& cloth, StageResult& result) const {
   }
 }
 
-/// Thread by thread, where so few are seen that they may be drawn so.
+/// Crossings of the preview, if few enough are visible to be drawn thread by thread.
 void Stages::bake_preview_crossings(const Cloth& cloth, StageResult& result) const {
   if (packed_.crossings.empty()) return;
   const auto visible = [](const std::vector<ThreadBody>& threads, const Run& run) {
@@ -309,7 +311,7 @@ void Stages::bake_preview_crossings(const Cloth& cloth, StageResult& result) con
   result.lobes->threads = thread_records(cloth, top_mm);
 }
 
-/// All threads and crossings of the front; the back's are the same, turned over.
+/// All threads and crossings of the front; the back has the same, turned over.
 void Stages::update_threads() {
   const Cloth& cloth = front_.cloth;
   packed_.ends = static_cast<int>(cloth.ends.size()), packed_.picks = static_cast<int>(cloth.picks.size());
@@ -339,7 +341,7 @@ void Stages::update_crossings(const CellRect& dirty, StageResult& result) {
 bool Stages::bake_cells(const Design& design, const CellRect& dirty, Effort effort, StageResult& result) {
   const bool catch_up = old_back_ && effort != Effort::kQuick;
   if (dirty.empty() && !catch_up) return true;
-  if (shadows_) return false;  // vrst03 knows only the whole
+  if (shadows_) return false;  // vrst03 has no partial update
   if (period_ == Period::kRepeat && choose_period(design, cells_) != period_) return false;
   for (const Face face : {Face::kFront, Face::kBack}) {
     if (face == Face::kBack) old_back_ = effort == Effort::kQuick;
@@ -387,7 +389,7 @@ void Stages::update_lobes(const Design& design, Effort effort, StageResult& resu
   result.lobes = lobes;
 }
 
-/// What the cloth hangs on, and the light. Of what cannot be read the last good one stays.
+/// Mesh and lights. If one cannot be read the last good one stays.
 void Stages::update_scene(const Design& design, Effort effort, StageResult& result) {
   const Scene& scene = design.scene;
   const bool more_rays = few_rays_ && effort != Effort::kQuick;
@@ -409,7 +411,7 @@ void Stages::update_scene(const Design& design, Effort effort, StageResult& resu
 
 StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) {
   StageResult scene, result;
-  // Neither knows of the other.
+  // The two are independent.
   for_each_job(
       2, [&](int part) { part == 0 ? update_scene(*design, effort, scene) : update_cloth(design, effort, result); });
   result.mesh = std::move(scene.mesh), result.lights = std::move(scene.lights);
@@ -421,12 +423,12 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort) 
 void Stages::update_cloth(const std::shared_ptr<const Design>& design, Effort effort, StageResult& result) {
   const Draft& now = design->draft;
   if (now.ends() == 0 || now.picks() == 0) {
-    result.problem = "the draft has no threads: give it at least one end and one pick";
+    result.problem = tr("the draft has no threads: give it at least one end and one pick");
     return;
   }
   if (effort == Effort::kQuick && preview_bake(*design, result)) return;
   const bool shadows = shadows_ || design->look.method == Method::kVrst03;
-  // Who compares rungs asks for vrst03's maps, and gets what is engine's too.
+  // A comparison of methods asks for vrst03's maps, and gets those of engine, too.
   const bool engine = engine_ || shadows || design->look.method == Method::kEngine;
   const bool new_engine = engine && !engine_ && effort != Effort::kQuick;
   const bool first = !done_;
@@ -452,7 +454,7 @@ void Stages::update_cloth(const std::shared_ptr<const Design>& design, Effort ef
     bake_all(*design, shadows, effort);
     result.all_maps = true;
   } else if (previewed_ && effort != Effort::kQuick) {
-    // Over what was sent in the meantime.
+    // Replaces the preview.
     result.patches = {};
     result.all_maps = true;
   }

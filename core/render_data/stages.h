@@ -1,6 +1,6 @@
 #pragma once
-// What the worker of the pipeline derives from a design, kept between designs so that only what an edit
-// touched is computed again. Knows no thread and no OpenGL.
+// The stages that the worker derives from a design, cached so that only what an edit affects is computed again.
+// Without threads and OpenGL.
 
 #include <memory>
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace weftlight::render_data {
 
-/// What one step changed, ready for the renderer; empty parts did not change.
+/// Changes of one update for the renderer; empty parts did not change.
 struct StageResult {
   std::optional<PreparedMesh> mesh;
   std::optional<LightRig> lights;
@@ -28,28 +28,27 @@ struct StageResult {
   std::string problem;
 };
 
-/// What the maps hold: the whole draft where its threads get enough texels, else one repeat.
+/// The period of the maps: the whole draft if its threads get enough texels, else one repeat.
 Period choose_period(const Design& design, const BitMatrix& cells);
-/// Whether its yarn is so thick and thin that a repeat of a few threads does not stand for the cloth.
+/// Whether its yarns are so uneven that a repeat of a few threads is not representative.
 bool is_uneven(const Design& design);
 
-/// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so its yarns are handed the other
-/// way there to be handed the same way in space.
+/// The cloth of one face. The back is mapped in the front's (u, v) and seen mirrored, so the twist of its yarns is
+/// reversed there, to be the same in space.
 Cloth face_cloth(const Design& design, const BitMatrix& cells, Face face, Period period);
 
-/// kQuick: the next frame's answer. Whole bakes are made with few texels and few threads; painted cells reach the front
-/// alone, and of many only what is seen; light from afar keeps the answer that it had; a mesh has its share of the sky
-/// from few rays. kFull brings all of it up to date.
-/// kOnce: as kFull, for one picture: only packed() is kept, and the next design is computed anew.
+/// kQuick: for the next frame. Full bakes use few texels and threads; painted cells update only the front, and of many
+/// only the visible part; the far-field response is kept; sky visibility uses few rays. kFull brings everything up to
+/// date. kOnce: like kFull for a single picture; only packed() is kept, and the next design is computed from scratch.
 enum class Effort { kQuick, kFull, kOnce };
 
 class Stages {
  public:
-  /// What quick answers are made for.
+  /// The visible part, for quick updates.
   void set_visible_part(const VisiblePart& part) { visible_ = part; }
   StageResult update(std::shared_ptr<const Design> design, Effort effort = Effort::kFull);
   const PackedCloth& packed() const { return packed_; }
-  /// After kOnce: what nobody asks for again.
+  /// Moves the result out, after kOnce.
   PackedCloth release_packed() { return std::exchange(packed_, {}); }
 
  private:
@@ -72,19 +71,19 @@ class Stages {
 
   std::shared_ptr<const Design> done_;
   VisiblePart visible_;
-  bool few_rays_ = false;   // the mesh has its share of the sky from few rays
-  bool previewed_ = false;  // quick patches were sent that packed_ knows nothing of
+  bool few_rays_ = false;   // the sky visibility of the mesh is from few rays
+  bool previewed_ = false;  // preview patches were sent that packed_ does not contain
   std::string mesh_name_, mesh_problem_, lights_name_, lights_problem_;
   BitMatrix cells_;
   Period period_ = Period::kWholeDraft;
   FaceState front_, back_;
   PackedCloth packed_;
   bool shadows_ = false;
-  bool engine_ = false;        // the exported material is known, for rung `engine`
+  bool engine_ = false;        // the exported material is computed, for method `engine`
   float top_mm_ = 0;           // bound of the threads' heights
-  bool coarse_ = false;        // the maps are of a quick bake
+  bool coarse_ = false;        // the maps are from a quick bake
   bool old_back_ = false;      // the back's maps are of an earlier draft
-  bool old_response_ = false;  // the answer from afar is of an earlier design
+  bool old_response_ = false;  // the far-field response is of an earlier design
 };
 
 }  // namespace weftlight::render_data

@@ -12,7 +12,7 @@
 namespace weftlight::render_data {
 namespace {
 
-/// A record as the texels that it fills.
+/// Appends a record as texels.
 template <class Record>
 void append(std::vector<glm::uvec4>& to, const Record& record) {
   const auto texels = std::bit_cast<std::array<glm::uvec4, sizeof(Record) / sizeof(glm::uvec4)>>(record);
@@ -73,7 +73,7 @@ std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
 
 namespace {
 
-/// Records of ends, and of picks, lie between where theirs begin and where their bins do.
+/// Whether no thread is uneven. Records lie between the offsets of the threads and of the bins.
 bool all_even(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head) {
   for (int system = 0; system < 2; ++system) {
     for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
@@ -113,7 +113,7 @@ CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty) {
   constexpr int kMargin = kFloatReach + 1;  // of heights, and one more for their slopes
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
   CellRect r{dirty.end0 - kMargin, dirty.end1 + kMargin, dirty.pick0 - kMargin, dirty.pick1 + kMargin};
-  // What leaves the period comes in on its other side: then all of that axis.
+  // A range that leaves the period wraps around: then the whole axis.
   if (r.end0 < 0 || r.end1 > ends) r.end0 = 0, r.end1 = ends;
   if (r.pick0 < 0 || r.pick1 > picks) r.pick0 = 0, r.pick1 = picks;
   return r;

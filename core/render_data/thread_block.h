@@ -1,5 +1,5 @@
 #pragma once
-// The threads of a cloth, one by one, as rung `yarn` fetches them (shaders/thread_fetch.glsl).
+// The threads of a cloth, as method `yarn` fetches them (shaders/thread_fetch.glsl).
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -11,26 +11,26 @@
 
 namespace weftlight::render_data {
 
-/// Drafts with more crossings than this are not drawn thread by thread: 128 MB.
+/// Drafts with more crossings (128 MB) are not drawn thread by thread.
 inline constexpr int64_t kMaxCrossings = int64_t{1} << 24;
 
-/// Texels of shaders/thread_records.glsl. `top_mm`: the crossings' bound, kept by the caller, since an edit knows a few
-/// of them alone.
+/// Texels of shaders/thread_records.glsl. `top_mm`: bound of the crossings, kept by the caller, since an edit knows
+/// only some of them.
 std::vector<glm::uvec4> thread_records(const Cloth& front, float top_mm);
 
-/// What of a cloth its program can leave out (shaders/threads.glsl).
+/// Properties of a cloth that let its shader omit code (shaders/threads.glsl).
 struct ThreadKind {
-  bool even = false;  // the rooms of each system's threads are alike
+  bool even = false;  // all threads of a system have the same spacing
   bool one_layer = false;
-  bool smooth = false;  // no thread swells along its length
+  bool smooth = false;  // no thread is uneven along its length
 };
-/// Of the texels of thread_records().
+/// From the texels of thread_records().
 ThreadKind thread_kind(const std::vector<glm::uvec4>& records);
 
-/// A row a pick.
+/// Row-major, a row a pick.
 std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossings);
 
-/// Crossings that a change of the cells in `dirty` can touch, cut to the period.
+/// Crossings that a change of the cells in `dirty` can affect, cut to the period.
 CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty);
 
 }  // namespace weftlight::render_data

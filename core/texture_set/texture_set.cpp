@@ -294,7 +294,7 @@ Cloth tiled(const Cloth& cloth, int across, int up) {
   std::vector<std::pair<int, int>> end_runs{{0, cloth.up.cols()}}, pick_runs{{0, cloth.up.rows()}};
   if (!cloth.layers.empty()) end_runs.clear(), pick_runs.clear();
   Cloth out = cloth;
-  for (Layer& l : out.layers) {
+  for (ClothLayer& l : out.layers) {
     end_runs.emplace_back(l.first_end, l.ends), pick_runs.emplace_back(l.first_pick, l.picks);
     l = {l.first_end * across, l.ends * across, l.first_pick * up, l.picks * up};
   }

@@ -15,7 +15,7 @@ void Average::draw(GLuint from, GLuint to) {
   glUniform1i(glGetUniformLocation(program_.name(), "pass_map"), 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, from);
-  glBindVertexArray(nothing_.get());
+  glBindVertexArray(empty_array_.get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
 }
@@ -34,12 +34,12 @@ void Average::add(GLuint texture, GLuint framebuffer, int width, int height, flo
   glViewport(0, 0, width, height);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  // The first pass replaces what was there: fresh memory may hold what is no number, which a weight of nought keeps.
+  // The first pass replaces the content: fresh memory may hold NaN, which a weight of 0 keeps.
   weight < 1 ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
   glBlendColor(0, 0, 0, weight);
-  // texelFetch decodes on some drivers whatever the texture says of it (EXT_texture_sRGB_decode, on texelFetch), so
-  // that it says what is wanted.
+  // On some drivers texelFetch always decodes sRGB (EXT_texture_sRGB_decode, on texelFetch), so the texture is set to
+  // decode here.
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_DECODE_EXT);
   draw(texture, target_.get());

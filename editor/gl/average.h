@@ -1,6 +1,6 @@
 #pragma once
-// Mean of pictures that are drawn one after another, each with other samples of the same scene: what a graphics
-// card cannot sample at once becomes fine while nothing moves.
+// Mean of pictures drawn one after another, each with different samples of the same scene: a still view converges to
+// what a card cannot sample at once.
 
 #include <string>
 
@@ -12,14 +12,14 @@ namespace weftlight::gl {
 class Average {
  public:
   bool build(std::string& error);
-  /// Takes the sRGB-encoded picture, whose share in the mean is above 0 to 1 (1 begins anew), and leaves the mean in
-  /// its place.
+  /// Averages the sRGB-encoded picture into the mean with this weight, above 0 to 1 (1 starts anew), and replaces the
+  /// picture by the mean.
   void add(GLuint texture, GLuint framebuffer, int width, int height, float weight);
 
  private:
   void draw(GLuint from, GLuint to);
   GlProgram program_;
-  GlVertexArray nothing_;
+  GlVertexArray empty_array_;
   GlTexture mean_;  // linear
   GlFramebuffer target_;
   int width_ = 0, height_ = 0;

@@ -11,7 +11,12 @@
 #include <array>
 #include <initializer_list>
 
+#include "base/text.h"
+
 namespace weftlight::gl {
+
+using base::tr;
+
 namespace {
 
 bool loads(std::initializer_list<const char*> names) {
@@ -21,12 +26,12 @@ bool loads(std::initializer_list<const char*> names) {
   });
 }
 
-/// libepoxy ends the program where a library that it loads is not there.
+/// libepoxy exits the program if a library that it loads is missing.
 std::string missing_library() {
 #ifdef __linux__
-  if (!loads({"libEGL.so.1"})) return "libEGL.so.1 is not there: install it (Debian: libegl1 and libgl1-mesa-dri)";
+  if (!loads({"libEGL.so.1"})) return tr("libEGL.so.1 is not there: install it (Debian: libegl1 and libgl1-mesa-dri)");
   if (!loads({"libOpenGL.so.0", "libGL.so.1"}))
-    return "libGL.so.1 is not there: install it (Debian: libgl1 and libgl1-mesa-dri)";
+    return tr("libGL.so.1 is not there: install it (Debian: libgl1 and libgl1-mesa-dri)");
 #endif
   return {};
 }
@@ -42,7 +47,7 @@ EGLDisplay open_display() {
 }
 
 EGLContext open_context(EGLDisplay display) {
-  // The highest first: some drivers give exactly the version that is asked for.
+  // Highest version first: some drivers give exactly the requested version.
   constexpr std::array<std::array<int, 2>, 3> kVersions{{{4, 5}, {4, 1}, {3, 3}}};
   for (const auto& [major, minor] : kVersions) {
     const EGLint attributes[] = {
@@ -62,24 +67,24 @@ std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
   std::unique_ptr<HeadlessContext> made(new HeadlessContext);
   const EGLDisplay display = open_display();
   if (display == EGL_NO_DISPLAY) {
-    error = "no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)";
+    error = tr("no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)");
     return nullptr;
   }
   made->display_ = display;
   if (!eglBindAPI(EGL_OPENGL_API)) {
-    error = "EGL has no desktop OpenGL: install Mesa (Debian: libgl1-mesa-dri)";
+    error = tr("EGL has no desktop OpenGL: install Mesa (Debian: libgl1-mesa-dri)");
     return nullptr;
   }
   const EGLContext context = open_context(display);
   if (context == EGL_NO_CONTEXT) {
     error =
-        "OpenGL 3.3 core is not there: update the graphics driver, or use Mesa's software renderer "
-        "(LIBGL_ALWAYS_SOFTWARE=1)";
+        tr("OpenGL 3.3 core is not there: update the graphics driver, or use Mesa's software renderer "
+           "(LIBGL_ALWAYS_SOFTWARE=1)");
     return nullptr;
   }
   made->context_ = context;
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-    error = "the OpenGL context cannot be used without a window: update the graphics driver";
+    error = tr("the OpenGL context cannot be used without a window: update the graphics driver");
     return nullptr;
   }
   return made;

@@ -10,7 +10,7 @@ namespace weftlight::gl {
 
 class HeadlessContext {
  public:
-  /// Makes a context current on this thread. Null with `error` set when there is no graphics.
+  /// Makes a context current on this thread. Null with `error` set without graphics.
   static std::unique_ptr<HeadlessContext> create(std::string& error);
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-// Owners of OpenGL names: freed when they go out of scope, moved but not copied.
+// Owners of OpenGL objects: freed at the end of their scope, movable, not copyable.
 
 #include <epoxy/gl.h>
 
@@ -21,11 +21,12 @@ class GlName {
   ~GlName() {
     if (name_) Free(name_);
   }
-  /// Makes the object on first use.
+  /// The name; creates the object on first use.
   GLuint get() {
     if (!name_) Make(name_);
     return name_;
   }
+  /// The name, 0 before the first get().
   GLuint name() const { return name_; }
   void reset() {
     if (name_) Free(std::exchange(name_, 0));

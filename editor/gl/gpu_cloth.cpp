@@ -31,9 +31,9 @@ size_t upload_face(const PackedTexture& t, const Format& format, int first_layer
   return bytes;
 }
 
-/// Texels that the card has: gone, where the caller gave them away.
-void give_up(PackedTexture& uploaded) { uploaded = {}; }
-void give_up(const PackedTexture&) {}
+/// Frees uploaded texels, if the caller gave them away.
+void free_texels(PackedTexture& uploaded) { uploaded = {}; }
+void free_texels(const PackedTexture&) {}
 
 void filter_as_tile(int levels) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
@@ -91,9 +91,9 @@ void GpuCloth::upload_maps(size_t k, Texture& front, Texture& back) {
   }
   filter_as_tile(static_cast<int>(front.levels.size()));
   bytes_ += upload_face(front, kFormats[k], 0);
-  give_up(front);
+  free_texels(front);
   bytes_ += upload_face(back, kFormats[k], layers_[k]);
-  give_up(back);
+  free_texels(back);
 }
 
 void GpuCloth::upload_rest(const PackedCloth& cloth) {
@@ -126,7 +126,7 @@ void GpuCloth::upload_all(Cloth& cloth) {
   width_mm_ = cloth.width_mm, depth_mm_ = cloth.depth_mm, mean_spacing_mm_ = cloth.mean_spacing_mm;
   bytes_ = 0;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (GlTexture& texture : textures_) texture.reset();  // the old ones' memory before the new ones'
+  for (GlTexture& texture : textures_) texture.reset();  // free the old ones' memory before allocating the new
   crossings_.reset();
   for (size_t k = 0; k < kPackedKinds; ++k) {
     upload_maps(k, cloth.front.textures[k], cloth.back.textures[k]);
@@ -138,7 +138,7 @@ void GpuCloth::upload(const PackedCloth& cloth) { upload_all(cloth); }
 
 void GpuCloth::upload(PackedCloth&& cloth) { upload_all(cloth); }
 
-/// Cells of a rectangle, block by block of the crossing map.
+/// Uploads a rectangle of crossings, block by block.
 void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels) {
   glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
   const int row = cells.end1 - cells.end0;

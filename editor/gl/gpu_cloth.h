@@ -1,5 +1,5 @@
 #pragma once
-// The packed maps of both faces on the GPU: one texture array a kind, the front's layers before the back's.
+// The packed maps of both faces on the GPU: a texture array for each kind, with the front's layers before the back's.
 
 #include <array>
 
@@ -14,22 +14,22 @@ namespace weftlight::gl {
 class GpuCloth {
  public:
   void upload(const PackedCloth& cloth);
-  /// Gives up each map as soon as it is uploaded.
+  /// Frees each map as soon as it is uploaded.
   void upload(PackedCloth&& cloth);
   void upload(const ClothPatches& patches);
   void upload_lobes(const ClothLobes& lobes);
-  /// Binds the textures to their slots and the block of lobes.
+  /// Binds the textures and the uniform block of the cloth.
   void bind();
 
   bool empty() const { return width_mm_ <= 0; }
   float width_mm() const { return width_mm_; }
   float depth_mm() const { return depth_mm_; }
   float mean_spacing_mm() const { return mean_spacing_mm_; }
-  /// Whether each thread can be drawn as a body (thread_block.h).
+  /// Whether threads can be drawn one by one (thread_block.h).
   bool has_threads() const { return has_threads_; }
   ThreadKind thread_kind() const { return thread_kind_; }
   const interop::ClothData& data() const { return data_; }
-  /// Of rung yarn on this cloth.
+  /// Measured errors of method yarn on this cloth.
   const ThreadErrors& errors() const { return errors_; }
   size_t bytes() const { return bytes_; }
 
@@ -46,10 +46,10 @@ class GpuCloth {
   std::array<GlTexture, kPackedKinds> textures_;
   std::array<int, kPackedKinds> layers_{};  // of one face
   std::array<GlTexture, 4> cubes_;          // front half, front difference, back half, back difference
-  GlTexture albedo_, albedo_mean_, fuzz_;   // of no design: made once
-  GlTexture response_, slopes_, seen_;      // of the cloth and its lobes
+  GlTexture albedo_, albedo_mean_, fuzz_;   // independent of the design: made once
+  GlTexture response_, slopes_, views_;     // of the cloth and its lobes
   GlTexture threads_, crossings_;
-  int crossing_blocks_ = 1;  // from one row of blocks to the next
+  int crossing_blocks_ = 1;  // blocks in a row
   bool has_threads_ = false;
   ThreadKind thread_kind_;
   GlBuffer block_;

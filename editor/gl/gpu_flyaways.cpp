@@ -17,10 +17,9 @@ void attribute(Attribute slot, int size, size_t offset) {
 }  // namespace
 
 int flyaway_pieces(const FlyawayGrowth& growth, float pixel_mm) {
-  constexpr int kMin = 4, kMax = 12;  // fewer cut the bends short, and so what the fibres cover
+  constexpr int kMin = 4, kMax = 12;  // fewer segments shorten the bends, and so the coverage
   const float pixels = 2 * std::max(growth.length_mm[0], growth.length_mm[1]) / std::max(pixel_mm, 1e-6f);
-  // An arc of one radian in k pieces is off by its length over 8 k^2; these have up to three radians and a
-  // wave.
+  // An arc of one radian in k segments is off by its length over 8 k^2; fibres have up to three radians and a wave.
   return std::clamp(static_cast<int>(std::ceil(1.5f * std::sqrt(pixels))), kMin, kMax);
 }
 

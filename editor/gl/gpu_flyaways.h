@@ -1,5 +1,5 @@
 #pragma once
-// Stray fibres on the GPU: one draw, an instance a fibre. Sown again only when view, mesh or yarns change.
+// Flyaway fibres on the GPU: one instanced draw. Scattered again only when view, mesh or yarns change.
 
 #include <string>
 
@@ -13,12 +13,12 @@ namespace weftlight::gl {
 class GpuFlyaways {
  public:
   bool build(std::string& error);
-  /// A new mesh: its edges are sought again.
-  void forget() { known_mesh_ = false; }
+  /// Call for a new mesh: its hems are computed again.
+  void invalidate() { known_mesh_ = false; }
   void scatter(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view);
   size_t count() const { return count_; }
-  /// Over what is there, with the frame's and the cloth's blocks and textures bound. `pieces` as in
-  /// FrameData::hair.
+  /// Draws over the current target, with the blocks and textures of frame and cloth bound. `pieces`: as in
+  /// FrameData::flyaway.
   void draw(int pieces);
 
  private:
@@ -32,7 +32,7 @@ class GpuFlyaways {
   bool known_mesh_ = false;
 };
 
-/// Pieces that show the longer fibres without corners.
+/// Segments that show the longer fibres without corners.
 int flyaway_pieces(const FlyawayGrowth& growth, float pixel_mm);
 
 }  // namespace weftlight::gl

@@ -1,5 +1,5 @@
 #pragma once
-// A prepared mesh on the GPU: cloth, body, and the triangles of the cloth in the order they are drawn.
+// A prepared mesh on the GPU: cloth, body, and the triangles of the cloth in drawing order.
 
 #include <vector>
 
@@ -18,7 +18,8 @@ class GpuMesh {
   /// Texture coordinate of the vertex buffer's origin, mm.
   std::array<double, 2> uv_origin_mm() const { return uv_origin_; }
 
-  /// Back to front for blending, front to back for early depth tests. `coarse`: the fewer triangles.
+  /// Sorts the triangles back to front for blending, front to back for early depth tests. `coarse`: use the simplified
+  /// triangles.
   void sort(glm::vec3 eye, TriangleOrder order, bool coarse);
   void draw_cloth();
   void draw_body();

@@ -32,7 +32,7 @@ void GroundLight::update(GLuint sun_depth, GLuint ground_sky) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
-  glBindVertexArray(nothing_.get());
+  glBindVertexArray(empty_array_.get());
   glUseProgram(bake_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -41,7 +41,7 @@ void GroundLight::update(GLuint sun_depth, GLuint ground_sky) {
 void GroundLight::draw() {
   glActiveTexture(GL_TEXTURE0 + kGroundSlot);
   glBindTexture(GL_TEXTURE_2D, light_.name());
-  glBindVertexArray(nothing_.get());
+  glBindVertexArray(empty_array_.get());
   glEnable(GL_BLEND);
   glUseProgram(program_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

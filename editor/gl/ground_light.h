@@ -1,6 +1,6 @@
 #pragma once
-// The light on the ground about the cloth, drawn into a small texture when the light or the mesh changes, so
-// that a frame spends one fetch on it.
+// The light on the ground around the cloth, baked into a small texture when light or mesh change, so that a frame
+// needs one fetch.
 
 #include <string>
 
@@ -12,9 +12,9 @@ namespace weftlight::gl {
 class GroundLight {
  public:
   bool build(std::string& error);
-  /// Needs the frame block of the picture; reads the depths of the key light and what the ground sees of the sky.
+  /// Needs the frame block bound; reads the shadow map of the key light and the sky visibility of the ground.
   void update(GLuint sun_depth, GLuint ground_sky);
-  /// Blends the ground into the target that is bound.
+  /// Blends the ground into the bound target.
   void draw();
 
  private:
@@ -22,7 +22,7 @@ class GroundLight {
   GlProgram bake_, program_;
   GlTexture light_;
   GlFramebuffer framebuffer_;
-  GlVertexArray nothing_;
+  GlVertexArray empty_array_;
 };
 
 }  // namespace weftlight::gl

@@ -18,14 +18,14 @@ void append(std::vector<T>& to, std::vector<T> more) {
 }  // namespace
 
 struct Pipeline::Parts {
-  // Guards all below but `stages`, which is the worker's; its packed maps are read by the thread with the
-  // GL context under `maps`.
+  // Guards everything below except `stages`, which belongs to the worker; its packed maps are read by the thread with
+  // the GL context under `maps`.
   mutable std::mutex mutex;
   std::mutex maps;
   std::optional<PreparedMesh> mesh;
   std::optional<LightRig> lights;
   bool all_maps = false;                  // stages.packed() is new as a whole
-  std::optional<PackedCloth> quick_maps;  // or this is; patches come after it
+  std::optional<PackedCloth> quick_maps;  // or these are; patches follow them
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
   std::string problem;
@@ -33,7 +33,7 @@ struct Pipeline::Parts {
   bool quick_drawn = true;
   std::condition_variable_any drawn;
   Stages stages;
-  Worker worker;  // the last to be made and the first to go: its jobs use all of the above
+  Worker worker;  // constructed last and destroyed first: its jobs use all of the above
 
   void compute(const std::shared_ptr<const Design>& design, Effort effort);
   void wait_for_picture(const std::stop_token& stop);
@@ -42,9 +42,9 @@ struct Pipeline::Parts {
   bool has_updates() const { return mesh || lights || all_maps || quick_maps || !patches.empty() || lobes; }
 };
 
-/// Quick maps are small: a copy of them is handed over, so that they can be taken up while the full ones are made.
+/// Quick maps are small: a copy is handed over, so that they can be uploaded while the full ones are computed.
 void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort) {
-  // Held through the hand-over, so that maps and patches are taken up in the order they were made.
+  // Held through the hand-over, so that maps and patches are uploaded in order.
   const std::lock_guard hold(maps);
   {
     const std::lock_guard lock(mutex);
@@ -56,7 +56,7 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
   hand_over(std::move(result), std::move(copy));
 }
 
-/// A picture of the quick answer is drawn by the same cores.
+/// Waits until the quick result is drawn, since drawing may need the same cores.
 void Pipeline::Parts::wait_for_picture(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kLongest{400};
   std::unique_lock lock(mutex);
@@ -83,7 +83,7 @@ void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> c
 }
 
 bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
-  // The worker holds its maps while it computes: then the last good ones stay on screen.
+  // The worker locks its maps while it computes: then the last good ones stay on screen.
   std::unique_lock hold(maps, std::defer_lock);
   if (wait) hold.lock();
   std::unique_lock lock(mutex);

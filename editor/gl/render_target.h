@@ -1,5 +1,5 @@
 #pragma once
-// A picture being drawn: four samples a pixel, resolved to a texture, in linear light on the way.
+// A multisampled render target (four samples a pixel) that resolves to a texture; blending is in linear light.
 
 #include "files/files.h"
 #include "gl/gl_objects.h"
@@ -12,7 +12,7 @@ class RenderTarget {
   /// 8-bit sRGB for the screen, or half floats for scene-linear pictures.
   explicit RenderTarget(bool half) : half_(half) {}
 
-  /// Binds the multisampled target of `scale` times the picture's size. False with no memory for it.
+  /// Binds the multisampled framebuffer at `scale` times the picture's size. False if there is no memory for it.
   bool begin(int width, int height, float scale);
   /// Resolves into texture(), scaled to the picture's size.
   void end();
@@ -20,7 +20,7 @@ class RenderTarget {
   GLuint framebuffer() const { return picture_.framebuffer.name(); }
   /// Row 0 on top.
   Image read() const;
-  /// Bytes of a target of 8 bits, row 0 at the bottom.
+  /// Bytes of an 8-bit target, row 0 at the bottom.
   void read(std::vector<uint32_t>& pixels) const;
 
  private:

@@ -23,85 +23,85 @@ namespace weftlight::gl {
 
 struct Frame {
   int width = 0, height = 0;  // pixels of the finished picture
-  float render_scale = 1.0f;  // < 1: fewer pixels while something moves, upscaled
-  float yarns_per_pixel =
-      0;  // > 0: overrides the scene's distance so that the middle of the picture has this footprint
+  float render_scale = 1.0f;  // < 1: fewer pixels while the view moves, upscaled
+  // > 0: overrides the scene's distance so that the centre of the picture has this footprint.
+  float yarns_per_pixel = 0;
   Face front = Face::kFront;  // which face is shown on the front of the mesh
-  bool ground = true;         // ground with the cloth's shadow
-  bool cloth = true;          // false: everything but the cloth (the ray-traced one is laid over it)
-  bool transparent = false;   // leave the background out (alpha 0)
+  bool ground = true;         // the ground with the cloth's shadow
+  bool cloth = true;          // false: everything except the cloth, for the ray-traced one
+  bool transparent = false;   // no background (alpha 0)
   bool false_color_methods = false;
-  // Samples a pixel of rung yarn: as many as the tolerance asks for, and no more than these. A picture may be the mean
-  // of several passes, each with so many (pass < 0: this one alone); `share`: of this pass in the mean of those so far;
-  // `all_samples`: of all of them.
+  // Samples a pixel of method yarn: as many as the tolerance needs, at most `samples`. A picture may be the mean of
+  // several passes with that many each (pass < 0: a single one); `pass_weight`: of this pass in the mean so far;
+  // `all_samples`: in all passes.
   int samples = formulas::kMaxYarnSamples, pass = -1;
   float pass_weight = 1;
   int all_samples = formulas::kMaxYarnSamples;
-  bool exact_samples = false;  // not by tolerance: the largest lattice of no more than `samples`
-  bool timed = false;          // wait for the cloth on a software renderer, so that gpu_ms is measured there too
+  bool exact_samples = false;  // not by tolerance: the largest lattice of at most `samples`
+  bool timed = false;          // wait for the cloth on a software renderer, to measure gpu_ms there, too
 };
 
 struct FrameStats {
   double gpu_ms = 0;  // the cloth's pass: timer query, or the clock of a timed frame
   double shaded_pixels = 0;
-  float yarns_per_pixel = 0;      // footprint at the middle of the picture
-  Method method = Method::kAuto;  // what was drawn
+  float yarns_per_pixel = 0;      // footprint at the centre of the picture
+  Method method = Method::kAuto;  // the method that was drawn
   size_t texture_bytes = 0;
-  std::array<float, 4> method_weights{};  // of the cloth on screen under auto: yarn, cell, repeat, cloth
-  double flyaway_ms = 0;                  // stray fibres, beside gpu_ms
-  size_t flyaways = 0;                    // of them drawn
-  float estimated_error = 0;              // by the ladder, of what was drawn, at the mean footprint
-  float exposure_ev = 0;                  // that the picture is shown at; a scene-linear one has the look's alone
-  std::string problem;                    // why the cloth is not there; empty: it is
+  std::array<float, 4> method_weights{};  // of the visible cloth under auto: yarn, cell, repeat, cloth
+  double flyaway_ms = 0;                  // flyaway fibres, not in gpu_ms
+  size_t flyaways = 0;                    // number of flyaway fibres
+  float estimated_error = 0;              // by the LOD table, at the mean footprint
+  float exposure_ev = 0;                  // exposure of the picture; a scene-linear one has only that of the look
+  std::string problem;                    // why the cloth is missing; empty: it is drawn
 };
 
 class Renderer {
  public:
-  /// Compiles the shaders of shaders/. Null with `error` set when they do not build.
+  /// Compiles the shaders of shaders/. Null with `error` set if they do not build.
   static std::unique_ptr<Renderer> create(std::string& error);
   ~Renderer();
 
-  /// prepare_mesh (ambient.h) takes a fifth to two fifths of a second for a drape: the window does it on its worker.
+  /// prepare_mesh (ambient.h) takes 0.2 to 0.4 s for a drape; the window runs it on its worker.
   void set_mesh(PreparedMesh mesh);
   void set_mesh(const Mesh& mesh) { set_mesh(prepare_mesh(mesh)); }
-  /// The studio until then.
+  /// The studio until the first call.
   void set_lights(LightRig lights);
-  /// What was set right in the picture of the light.
+  /// Corrections that were made to the environment map.
   const std::vector<std::string>& light_remarks() const;
-  /// New maps of both faces, or patches of the maps that are there (packed_maps.h).
+  /// New maps of both faces, or patches of the current maps (packed_maps.h).
   void upload(const PackedCloth& cloth);
-  /// The same; each map is given up as soon as the graphics library has it, so that a large one is not held twice.
+  /// The same; each map is freed as soon as it is uploaded, so that a large one is not in memory twice.
   void upload(PackedCloth&& cloth);
   void upload(const ClothPatches& patches);
   void upload_lobes(const ClothLobes& lobes);
 
-  /// Draws into the renderer's own target; texture() holds sRGB-encoded RGBA8 until the next draw.
-  /// Costs in the result are those of the last frame whose queries are done, so that nothing waits.
+  /// Draws into the renderer's own target; texture() holds sRGB-encoded RGBA8 until the next draw. Costs in the result
+  /// are of the last frame whose queries are available, so that nothing waits.
   FrameStats draw(const Scene& scene, const Look& look, const Frame& frame);
-  /// The costs of the last draw; waits for it.
+  /// Costs of the last draw; waits for it.
   FrameStats measure();
   unsigned texture() const;
   /// The last picture, row 0 on top: sRGB-encoded RGBA (linear: scene-linear before tone mapping).
   Image read_back(bool linear = false) const;
-  /// The last picture's bytes as the screen takes them: sRGB-encoded RGBA8, row 0 at the bottom.
+  /// The last picture as sRGB-encoded RGBA8, row 0 at the bottom.
   void read_pixels(std::vector<uint32_t>& pixels) const;
 
-  /// The tolerance at which rung auto draws the last picture again within so many milliseconds of the cloth's pass, by
-  /// what its own pass took; 0 where that was not measured. Waits for it.
+  /// The tolerance at which method auto would draw the last picture within a time budget for the cloth's pass, from
+  /// what that pass took; 0 if that was not measured. Waits for it.
   float tolerance_within(float budget_ms);
-  /// What rung auto chooses by; the shipped ladder until then.
+  /// The LOD table of method auto; the shipped one until the first call.
   void set_lod_table(const LodTable& lod_table);
-  /// What the last picture showed of the cloth, at all its pixels.
+  /// The visible part of the cloth in the last picture, at full resolution.
   VisiblePart visible_part() const;
-  /// Drawn by the processor (Mesa's llvmpipe).
+  /// Software rendering (Mesa's llvmpipe).
   bool is_software() const;
-  /// What is wrong with the shipped ladder; the built-in one then chooses the methods.
+  /// Problem of the shipped LOD table; the built-in one is then used.
   const std::string& lod_table_problem() const;
   /// Graphics card and driver.
   std::string device() const;
 
-  /// Draws a flat patch of the cloth's front, key light alone: no sky, no ground, no shadow of folds. measure()
-  /// gives its cost; read_patch() its scene-linear pixels, premultiplied by alpha.
+  /// Draws a flat patch of the cloth under the key light only: no sky, no ground, no shadow of folds. measure() gives
+  /// its cost, read_patch() its scene-linear pixels, premultiplied by alpha.
   void draw_patch(const FlatPatch& patch, const Look& look);
   Image read_patch() const;
 

@@ -7,9 +7,15 @@
 #include <string_view>
 
 #include "base/resources.h"
+#include "base/text.h"
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,12 +32,13 @@ struct Loader {
   std::string resolved(std::istream& in);
 };
 
-/// The file with what it includes, each once.
+/// The text of a file with its includes, each once.
 std::string Loader::file(const std::string& name) {
   if (!seen.insert(name).second) return {};
   std::ifstream in(folder / name);
   if (in) return resolved(in);
-  error = (folder / name).string() + ": shader file missing; set WEFTLIGHT_SHADERS to the folder of shaders";
+  error = fill(tr("{file}: shader file missing; set WEFTLIGHT_SHADERS to the folder of shaders"),
+               arg("file", (folder / name).string()));
   return {};
 }
 
@@ -52,7 +59,7 @@ std::string Loader::resolved(std::istream& in) {
   return out;
 }
 
-/// Of the define that cloth.frag is built with, "METHOD yarn".
+/// The method name in the define of cloth.frag, "METHOD yarn".
 std::string method_of(const std::vector<std::string>& defines) {
   for (const std::string& define : defines)
     if (define.rfind(std::string(kMethodWord) + " ", 0) == 0) return define.substr(kMethodWord.size() + 1);
@@ -69,7 +76,7 @@ GLuint compile(GLenum stage, const std::string& name, const std::string& text, s
   if (ok) return shader;
   char log[4096] = "";
   glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  error = name + " does not compile: " + log;
+  error = fill(tr("{file} does not compile: {log}"), arg("file", name), arg("log", std::string(log)));
   glDeleteShader(shader);
   return 0;
 }
@@ -82,7 +89,8 @@ void bind_slots(GLuint program) {
   }
 }
 
-/// The other side of the asserts in interop.h: what the driver lays out is what is uploaded. Empty: it is.
+/// Checks the block size of the driver against the C++ struct (interop.h asserts the offsets). Returns an error, or
+/// empty.
 std::string bind_block(GLuint program, const char* name, GLuint binding, size_t bytes) {
   const GLuint block = glGetUniformBlockIndex(program, name);
   if (block == GL_INVALID_INDEX) return {};
@@ -90,8 +98,9 @@ std::string bind_block(GLuint program, const char* name, GLuint binding, size_t 
   GLint size = 0;
   glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
   if (static_cast<size_t>(size) == bytes) return {};
-  return std::string(name) + ": the driver lays it out in " + std::to_string(size) + " bytes, the program in " +
-         std::to_string(bytes) + "; update the graphics driver";
+  return fill(
+      tr("{block}: the driver lays it out in {driver} bytes, the program in {program}; update the graphics driver"),
+      arg("block", name), arg("driver", size), arg("program", bytes));
 }
 
 }  // namespace
@@ -140,7 +149,8 @@ GlProgram build_program(const std::string& vert, const std::string& frag, const 
   if (!ok) {
     char log[4096] = "";
     glGetProgramInfoLog(program.get(), sizeof log, nullptr, log);
-    error = vert + " + " + frag + " do not link: " + log;
+    error = fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert), arg("fragment", frag),
+                 arg("log", std::string(log)));
     return {};
   }
   bind_slots(program.get());

@@ -1,6 +1,6 @@
 #pragma once
-// Shaders from shaders/: one level of #include is resolved by text, options become #defines, and the
-// samplers and the uniform block are bound to the slots of shaders/interop.h.
+// Loads shaders from shaders/: #include is resolved by text, options become #defines, and samplers and uniform blocks
+// are bound to the slots of shaders/interop.h.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ std::string with_includes(const std::string& text, std::string& error);
 /// METHOD in an included file's name is that name. Empty with `error` set when a file is missing.
 std::string shader_text(const std::string& file, const std::vector<std::string>& defines, std::string& error);
 
-/// Compiles and links NAME.vert and NAME.frag of the given names. 0 in peek() with `error` set on failure.
+/// Compiles and links the given vertex and fragment shader. Its name() is 0 with `error` set on failure.
 GlProgram build_program(const std::string& vert, const std::string& frag, const std::vector<std::string>& defines,
                         std::string& error);
 

@@ -10,7 +10,7 @@
 namespace weftlight::gl {
 namespace {
 
-/// Beyond its border a map lets all light through.
+/// Beyond its border a map is lit.
 void read_as_shadow(GLenum target) {
   constexpr float kLit[] = {1, 1, 1, 1};
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -47,7 +47,7 @@ bool SunShadow::build(std::string& error) {
   return true;
 }
 
-void SunShadow::forget() {
+void SunShadow::invalidate() {
   key_.drawn = false;
   for (ShadowView& view : more_) view.drawn = false;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Shadow maps over cloth and body: of the key light, and of an environment's other lights; each drawn again only when
-// its light or the mesh changes.
+// Shadow maps of cloth and body, for the key light and the other lights of an environment; each is drawn again only
+// when its light or the mesh changes.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -14,7 +14,7 @@
 
 namespace weftlight::gl {
 
-/// How one light sees the mesh.
+/// The view of a light.
 struct ShadowView {
   glm::vec3 towards{0};
   glm::mat4 world_to_shadow{1};  // to 0..1 in x, y and depth
@@ -25,10 +25,10 @@ struct ShadowView {
 class SunShadow {
  public:
   bool build(std::string& error);
-  void forget();
-  /// Draws the map if it is not that of this light, and says whether it did. Changes framebuffer and viewport.
+  void invalidate();
+  /// Draws the map if it is not for this light, and returns whether it did. Changes framebuffer and viewport.
   bool update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);
-  /// The same of the lights after the first, kMaxLights in all.
+  /// The same for the lights after the first, kMaxLights in total.
   void update_more(GpuMesh& mesh, std::span<const DistantLight> lights, GlBuffer& frame_block);
   void bind() const;
 
@@ -36,7 +36,7 @@ class SunShadow {
   float texel_mm() const { return key_.texel_mm; }
   GLuint depth() const { return depth_.name(); }
   const glm::mat4& world_to_shadow() const { return key_.world_to_shadow; }
-  /// Of light i, 1 and on.
+  /// Light i >= 1.
   const ShadowView& more(size_t i) const { return more_[i - 1]; }
 
  private:

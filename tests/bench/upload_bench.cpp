@@ -58,7 +58,7 @@ void edited(benchmark::State& state, const Design& design, const std::function<v
   Design next = design;
   stages.update(kept(design));
   // Shown whole, a pixel for two threads and a half.
-  stages.look({0, 0, 1e6f, 1e6f, 1.2f});
+  stages.set_visible_part({0, 0, 1e6f, 1e6f, 1.2f});
   for (auto _ : state) {
     edit(next.draft);
     const auto shown = kept(next);

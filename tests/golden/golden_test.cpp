@@ -11,8 +11,8 @@
 namespace weftlight::files {
 namespace {
 
-// Root mean square over all channels, of 0..1. The same picture from another processor or driver differs in the
-// last bit of many pixels and in a few edge pixels; a wrong shadow or a shifted thread is far above.
+// RMS over all channels, 0..1. Another CPU or driver changes the last bit of many pixels and a few edge pixels; a
+// wrong shadow or a shifted thread is far above.
 constexpr double kRmsTolerance = 0.012;
 
 struct Golden {

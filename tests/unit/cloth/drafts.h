@@ -23,7 +23,7 @@ inline Design design_of(int ends, int picks, float spacing_mm, float thickness_m
   return d;
 }
 
-/// Window of width x height texels around a place of the cloth, the place in the middle of it.
+/// Window of width x height texels, centred on a point of the cloth.
 inline TexelRect window_around(const Cloth& cloth, const MapsSize& whole, float u_mm, float v_mm, int width,
                                int height) {
   const int x = static_cast<int>(std::lround(u_mm / cloth.width_mm * static_cast<float>(whole.width))) - width / 2,

@@ -1,4 +1,5 @@
-// Where shapes of cloth fail: many threads, long floats, one thread, none. Each gate runs what fails there too.
+// Geometry where methods fail: many threads, long floats, one thread, none. Each gate also runs a method that fails
+// there.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ TEST(ClothGate, ThreadsPastEachWidthOfANumberKeepTheirColour) {
       const int marker = past + 40;
       const Design d = marked(count, system, marker);
       const Maps here = around(d, system, marker);
-      const int narrow = marker & past;  // where a number of so many bits leads
+      const int narrow = marker & past;  // index after truncation to so many bits
       const double ours = redness(here), fails = redness(around(d, system, narrow));
       figure("redness of a red thread past " + std::to_string(past), fails, ours);
       EXPECT_EQ(here.thread.at(3 * kTexels / 2, 3 * kTexels / 2), static_cast<uint32_t>(marker)) << bits << " bits";
@@ -75,7 +76,7 @@ TEST(ClothGate, FloatsAsLongAsTheClothRiseNoFurther) {
   const Cloth cloth = lay_out(design_of(8, kThreads, kSpacing, 0.45f), cells, Face::kFront, Period::kWholeDraft);
   const Cloth woven = lay_out(design_of(8, 8, kSpacing, 0.45f), plain(8, 8), Face::kFront, Period::kWholeDraft);
   const float ours = highest(cloth, System::kWarp), one = highest(woven, System::kWarp);
-  // Height that grows with the float and has no bound (a facet's height by its length alone).
+  // A height that grows with the float without a bound.
   const float unbounded = one * (kThreads - 1);
   const float body = cloth.ends[0].height_mm + cloth.picks[0].height_mm;
   figure("height in mm of a float over 599 picks", static_cast<double>(unbounded), static_cast<double>(ours));
@@ -84,7 +85,7 @@ TEST(ClothGate, FloatsAsLongAsTheClothRiseNoFurther) {
   EXPECT_GT(unbounded, 100 * body);
 }
 
-/// Mean coverage, and whether all maps are numbers.
+/// Mean coverage, and whether all maps are finite.
 double checked_cover(const Maps& m) {
   double sum = 0;
   for (size_t i = 0; i < m.coverage.at_.size(); ++i) {
@@ -120,7 +121,7 @@ TEST(ClothGate, OneThreadAndOneSidedFacesAreCloth) {
     const auto cells = cells_of(ends, picks, [&, warp = up](int, int) { return warp == 1; });
     const Cloth cloth = lay_out(design_of(ends, picks, kSpacing, 0.45f), cells, Face::kFront, Period::kWholeDraft);
     EXPECT_GT(checked_cover(bake(cloth, {64, 64, 8, 2})), 0.8) << ends << " x " << picks;
-    // The mean float as the seed paper takes it: crossings over runs, of which such a face has none.
+    // The seed paper's mean float, crossings over runs; such a face has no runs.
     int runs = 0;
     for (int p = 0; p < picks; ++p) runs += cells.get(p, 0) != cells.get((p + 1) % picks, 0);
     EXPECT_FALSE(std::isfinite(static_cast<float>(ends * picks) / static_cast<float>(runs)));

@@ -38,7 +38,7 @@ TEST(Horizon, WallHidesByHeightOverDistance) {
   }
   const Plane<uint8_t> from_left = towards(z, kPi);
   EXPECT_NEAR(sine_at(from_left, 90, 3), 7.0 / std::hypot(7.0, 10.0), 0.004);
-  // Around the border: from x = 10 the wall is 30 texels to the left.
+  // Across the border: from x = 10 the wall is 30 texels to the left.
   EXPECT_NEAR(sine_at(from_left, 10, 3), 7.0 / std::hypot(7.0, 30.0), 0.004);
 }
 
@@ -66,7 +66,7 @@ TEST(Horizon, SmoothRidgeAgreesWithASearchAtEveryAzimuth) {
     const Plane<uint8_t> h = towards(z, azimuth);
     for (int y = 3; y < n; y += 37)
       for (int x = 5; x < n; x += 31) {
-        // The field is known at whole steps of the sweep, so that is where the search begins.
+        // The height field is sampled at whole steps of the sweep, so the search starts there.
         const double step = 1 / std::max(std::abs(std::cos(azimuth)), std::abs(std::sin(azimuth)));
         double slope = 0;
         for (double d = step; d < 1.45 * n; d += 0.5)

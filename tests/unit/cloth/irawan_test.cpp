@@ -1,5 +1,4 @@
-// The peer's floats and their stripes: the lengths that a weave gives, light that is never made, and stripes that lie
-// across the thread where the half vector asks for them.
+// Floats and stripes of method irawan: lengths of floats, energy, and the position of the stripes by the half vector.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +24,7 @@ class IrawanScene : public ThreadScene {
 namespace {
 
 using thread_formulas::IrawanScene;
-using Place = IrawanScene::IrawanPoint;
+using Point = IrawanScene::IrawanPoint;
 using glm::vec2;
 using glm::vec3;
 
@@ -52,19 +51,19 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
     for (int p = 0; p < 4; ++p) {
       const vec2 at{(static_cast<float>(e) + 0.5f) * kSpacing, (static_cast<float>(p) + 0.5f) * kSpacing};
       const bool warp = (e + p) % 4 != 0;
-      const Place place = front.irawan_point(g, at);
-      EXPECT_EQ(place.system, warp ? 0 : 1);
-      EXPECT_TRUE(place.above);
-      EXPECT_EQ(place.thread, warp ? e : p);
-      EXPECT_NEAR(place.size.y, warp ? 3 * kSpacing : kSpacing, 1e-5f);
-      EXPECT_NEAR(place.at.x, 0, 1e-5f);
-      // Of a float of three crossings the middle one is at the middle.
+      const Point point = front.irawan_point(g, at);
+      EXPECT_EQ(point.system, warp ? 0 : 1);
+      EXPECT_TRUE(point.above);
+      EXPECT_EQ(point.thread, warp ? e : p);
+      EXPECT_NEAR(point.size.y, warp ? 3 * kSpacing : kSpacing, 1e-5f);
+      EXPECT_NEAR(point.at.x, 0, 1e-5f);
+      // The middle crossing of three lies at the centre of the float.
       if (warp) {
-        EXPECT_NEAR(place.at.y, static_cast<float>((e + p) % 4 - 2) * kSpacing, 1e-5f);
+        EXPECT_NEAR(point.at.y, static_cast<float>((e + p) % 4 - 2) * kSpacing, 1e-5f);
       }
     }
-  // Between two ends that are on top the pick below is seen; between both systems, nothing.
-  const Place beside = front.irawan_point(g, {kSpacing, 2.5f * kSpacing});
+  // Between two ends on top the pick below is visible; between both systems nothing is.
+  const Point beside = front.irawan_point(g, {kSpacing, 2.5f * kSpacing});
   EXPECT_EQ(beside.system, 1);
   EXPECT_FALSE(beside.above);
   EXPECT_EQ(front.irawan_specular(beside, 0.4f, {0, 0, 1}, {0, 0, 1}), 0);
@@ -73,13 +72,13 @@ TEST(Irawan, AFloatIsAsLongAsItIsWoven) {
 
 TEST(Irawan, TheBackHasItsOwnFloats) {
   IrawanScene back(cloth_of(4, warp_faced_twill()), Face::kBack);
-  const Place place = back.irawan_point(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
-  EXPECT_EQ(place.system, 1);
-  EXPECT_NEAR(place.size.y, 3 * kSpacing, 1e-5f);
+  const Point point = back.irawan_point(back.grid(), {0.5f * kSpacing, 1.5f * kSpacing});
+  EXPECT_EQ(point.system, 1);
+  EXPECT_NEAR(point.size.y, 3 * kSpacing, 1e-5f);
 }
 
-/// Radiance, times the view's cosine, over a float, averaged; `count` places each way.
-double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const vec3& v, int count) {
+/// Mean radiance times the view's cosine over a float; `count` samples each way.
+double mean_over(IrawanScene& s, Point p, float fibre_tan, const vec3& l, const vec3& v, int count) {
   double sum = 0;
   for (int i = 0; i < count; ++i)
     for (int k = 0; k < count; ++k) {
@@ -92,7 +91,7 @@ double mean_over(IrawanScene& s, Place p, float fibre_tan, const vec3& l, const 
 
 TEST(Irawan, MirrorsTheShareThatItIsAskedFor) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
-  const Place p = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  const Point p = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   for (const float fibre_tan : {0.0f, 0.15f, 0.5f, -0.5f, 1.0f})
     for (const float cosine : {1.0f, 0.7f, 0.3f}) {
       const vec3 l = towards(cosine, 0.8f);
@@ -104,7 +103,7 @@ TEST(Irawan, MirrorsTheShareThatItIsAskedFor) {
           sent += mean_over(s, p, fibre_tan, l, towards(z, (static_cast<float>(k) + 0.5f) / kTurns * 6.2831853f), 16);
         }
       sent *= 6.2831853 / (kRings * kTurns);
-      // Straight on what it is asked for; at a slant its bend catches light that a plane does not.
+      // At normal incidence the required fraction; at a slant its bend catches light that a plane does not.
       EXPECT_NEAR(sent, 1, cosine > 0.9f ? 0.1 : 0.35) << fibre_tan << " " << cosine;
     }
 }
@@ -114,7 +113,7 @@ TEST(Irawan, IsReciprocal) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<float> u(0, 1);
   for (int k = 0; k < 5000; ++k) {
-    const Place p = s.irawan_point(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
+    const Point p = s.irawan_point(s.grid(), {u(rng) * 4 * kSpacing, u(rng) * 4 * kSpacing});
     if (p.system < 0) continue;
     const vec3 l = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng)), v = towards(0.05f + 0.95f * u(rng), 6.28f * u(rng));
     const float there = s.irawan_specular(p, 0.4f, l, v) * v.z, back = s.irawan_specular(p, 0.4f, v, l) * l.z;
@@ -124,17 +123,17 @@ TEST(Irawan, IsReciprocal) {
 
 TEST(Irawan, ThreadsShineAcrossTheLight) {
   IrawanScene s(cloth_of(4, warp_faced_twill()));
-  const Place warp = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
+  const Point warp = s.irawan_point(s.grid(), {1.5f * kSpacing, 1.5f * kSpacing});
   ASSERT_EQ(warp.system, 0);
-  // Straight fibres mirror within the bend of the float alone: across the thread from far around, along it no further
-  // than twice its inclination.
+  // Straight fibres mirror only within the bend of the float: across the thread over wide angles, along it at most
+  // twice its inclination.
   const vec3 across{0.9f, 0, std::sqrt(1 - 0.81f)}, along{0, 0.9f, std::sqrt(1 - 0.81f)};
   EXPECT_GT(mean_over(s, warp, 0, across, {0, 0, 1}, 64), 0.1);
   EXPECT_EQ(mean_over(s, warp, 0, along, {0, 0, 1}, 64), 0);
-  // The stripe of a twisted yarn moves around it with the light: to the side that the light is on.
+  // The stripe of a twisted yarn moves around it towards the light.
   const auto middle = [&](const vec3& l) {
     double sum = 0, weight = 0;
-    Place p = warp;
+    Point p = warp;
     for (int i = 0; i < 400; ++i) {
       p.at = {p.size.x * ((static_cast<float>(i) + 0.5f) / 400 - 0.5f), 0};
       const double w = static_cast<double>(s.irawan_specular(p, 0.5f, l, {0, 0, 1}));
@@ -146,8 +145,8 @@ TEST(Irawan, ThreadsShineAcrossTheLight) {
   const double none = middle({0, 0, 1}), right = middle(towards(0.8f, 0)), left = middle(towards(0.8f, 3.1415927f));
   EXPECT_GT(right, none);
   EXPECT_LT(left, none);
-  // And runs along the thread all its length under light that is level with it.
-  Place p = warp;
+  // It runs along the whole thread under light level with it.
+  Point p = warp;
   for (int k = 0; k < 20; ++k) {
     float most = 0;
     for (int i = 0; i < 64; ++i) {

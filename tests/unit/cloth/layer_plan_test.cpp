@@ -1,4 +1,4 @@
-// Cloth of several layers: which threads lie above which, and what is seen of them.
+// Multi-layer cloth: which threads lie above which, and what is visible of them.
 
 #include "cloth/layer_plan.h"
 
@@ -16,7 +16,7 @@
 namespace weftlight::cloth {
 namespace {
 
-/// Two layers of plain weave, thread by thread in turn: even ones above where `above` says so, for each group of two.
+/// Two layers of plain weave, thread by thread; the even one is above where `above` says so, for each group of two.
 template <class Above>
 BitMatrix two_layers(int ends, int picks, const Above& above) {
   return cells_of(ends, picks, [&](int e, int p) {
@@ -42,8 +42,8 @@ Cloth woven(const BitMatrix& cells, Face face = Face::kFront, float spacing_mm =
   return lay_out(two_colours(cells.cols(), cells.rows(), spacing_mm, 0.45f), cells, face, Period::kWholeDraft);
 }
 
-/// Share of red in what is seen in a rectangle of the maps.
-float red_share(const Maps& m, int x0, int x1, int y0, int y1) {
+/// Fraction of red in a rectangle of the maps.
+float red_fraction(const Maps& m, int x0, int x1, int y0, int y1) {
   float red = 0, all = 0;
   for (int y = y0; y < y1; ++y)
     for (int x = x0; x < x1; ++x)
@@ -51,7 +51,7 @@ float red_share(const Maps& m, int x0, int x1, int y0, int y1) {
           all += m.coverage.at(x, y) * (m.colour.at(x, y).r + m.colour.at(x, y).b);
   return red / all;
 }
-float red_share(const Maps& m) { return red_share(m, 0, m.coverage.width, 0, m.coverage.height); }
+float red_fraction(const Maps& m) { return red_fraction(m, 0, m.coverage.width, 0, m.coverage.height); }
 
 TEST(Layers, PlainDoubleWeaveIsTwoClothsThatDoNotMeet) {
   for (const float spacing : {kFromYarn, 0.3f, 0.25f}) {
@@ -64,7 +64,7 @@ TEST(Layers, PlainDoubleWeaveIsTwoClothsThatDoNotMeet) {
         const glm::vec2 at(cloth.width_mm * static_cast<float>(i) / 200, cloth.depth_mm * static_cast<float>(j) / 200);
         const auto a = below.crossing_near(scene.thread_layer(0, -1), at),
                    b = scene.crossing_near(scene.thread_layer(1, 1), at);
-        // Seen from below, the underside of the upper layer is its top.
+        // From below, the underside of the upper layer is its top.
         const float under = -std::max(below.strand_top(a.warp, at.x, at.y, 2), below.strand_top(a.weft, at.y, at.x, 2));
         const float over = std::max(scene.strand_top(b.warp, at.x, at.y, 2), scene.strand_top(b.weft, at.y, at.x, 2));
         if (under < 1e3f && over > -1e3f) nearest = std::min(nearest, under - over);
@@ -91,7 +91,7 @@ TEST(Layers, EachFaceShowsItsOwnLayerAsPlainWeave) {
   for (const Face face : {Face::kFront, Face::kBack}) {
     const Cloth cloth = woven(double_weave(8, 8), face);
     const Maps maps = bake(cloth, {256, 256, 4});
-    const float red = red_share(maps);
+    const float red = red_fraction(maps);
     EXPECT_GT(face == Face::kFront ? red : 1 - red, 0.97f);
     int warp = 0, covered = 0;
     for (size_t i = 0; i < maps.system.at_.size(); ++i)
@@ -111,10 +111,10 @@ TEST(Layers, BlocksThatExchangeSwapTheirColours) {
   const Maps back = bake(woven(two_layers(32, 32, above), Face::kBack), {512, 512, 4});
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 2; ++x) {
-      // Inside the square: at its border threads pass from one layer to the other.
+      // Inside the square; at its border threads pass from one layer to the other.
       const int x0 = x * 256 + 40, y0 = y * 256 + 40;
-      const float red = red_share(front, x0, x0 + 176, y0, y0 + 176),
-                  behind = red_share(back, x0, x0 + 176, y0, y0 + 176);
+      const float red = red_fraction(front, x0, x0 + 176, y0, y0 + 176),
+                  behind = red_fraction(back, x0, x0 + 176, y0, y0 + 176);
       EXPECT_GT(x == y ? red : 1 - red, 0.97f);
       EXPECT_GT(x == y ? 1 - behind : behind, 0.97f);
     }
@@ -140,7 +140,7 @@ TEST(Layers, StitchedLayersStayLayersAndTheStitchHolds) {
     }
   }
   EXPECT_EQ(over, 2) << "each stitch lifts its end over the pick, and nothing else is lifted";
-  EXPECT_GT(red_share(bake(cloth, {256, 256, 4})), 0.9f);
+  EXPECT_GT(red_fraction(bake(cloth, {256, 256, 4})), 0.9f);
 }
 
 TEST(Layers, ThreeLayersLieInTheirOrder) {
@@ -183,7 +183,7 @@ TEST(Layers, ClothThatHangsTogetherHasOne) {
   EXPECT_EQ(layers(scattered(60, 44, 77)), 1);
   EXPECT_EQ(layers(cells_of(16, 16, [](int e, int p) { return (e / 2 + p / 2) % 2 == 0; })), 1) << "basket";
   EXPECT_EQ(layers(cells_of(16, 16, [](int e, int) { return e % 2 == 0; })), 1) << "never woven";
-  // Ends 7/1 and 1/7 in turn, one weft between them: warp-backed, no double cloth.
+  // Ends 7/1 and 1/7 alternating over one weft: a warp-backed weave, not a double cloth.
   EXPECT_EQ(layers(cells_of(16, 16,
                             [](int e, int p) {
                               const bool tied = (e / 2 * 5) % 8 == (p + (e % 2 ? 2 : 0)) % 8;
@@ -195,10 +195,10 @@ TEST(Layers, ClothThatHangsTogetherHasOne) {
 }
 
 TEST(Layers, TwillsAndShadedSatinsAreOneCloth) {
-  // Found where a 4/4 twill was drawn as pockets of four threads.
+  // A 4/4 twill was once drawn as pockets of four threads.
   for (int repeat = 3; repeat <= 24; ++repeat) {
     for (int step = 1; step < repeat; ++step) {
-      if (std::gcd(step, repeat) > 1) continue;  // comes apart, some of them
+      if (std::gcd(step, repeat) > 1) continue;  // some of these are not connected
       for (int up = 1; up < repeat; ++up) {
         BitMatrix cells(repeat, repeat);
         for (int p = 0; p < repeat; ++p)

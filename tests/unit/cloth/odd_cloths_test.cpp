@@ -1,5 +1,5 @@
-// Drafts that nobody would weave, of sizes that fit nothing: maps, windows and re-baked parts hold together.
-// (Under the sanitizers, this is also where a read past a thread's samples would show.)
+// Unusual drafts of unusual sizes: maps, windows and rebaked parts are consistent. (Under the sanitizers, this is also
+// where a read past a thread's samples would show.)
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ namespace {
 
 Cloth whole(const Design& d, const BitMatrix& cells) { return lay_out(d, cells, Face::kFront, Period::kWholeDraft); }
 
-/// Maps of `after` made from those of `before`: right, and nothing changed outside the rectangles.
+/// Rebakes the maps of `before` for `after`: the result is right, and nothing changed outside the rectangles.
 void expect_rebaked(Maps& maps, const Cloth& before, const Cloth& after, const MapsSize& size) {
   const Maps was = maps;
   const std::vector<TexelRect> touched = rebake(maps, before, after);

@@ -1,4 +1,4 @@
-// Thick and thin along a thread: as uneven as the yarn says, within the thread's room, the same in maps, bodies and
+// Thickness along a thread: unevenness as the yarn has it, within the thread's spacing, the same in maps, bodies and
 // heights.
 
 #include "cloth/thickness.h"
@@ -38,7 +38,7 @@ std::pair<double, double> section_spread(const Cloth& cloth) {
   return {mean, std::sqrt(std::max(squares / (n * n) - mean * mean, 0.0)) / mean};
 }
 
-TEST(Swell, MassVariesAsTheYarnSays) {
+TEST(Unevenness, MassVariesAsTheYarnSays) {
   const Cloth even = uneven(0, 0.2f);
   const double area = static_cast<double>(even.ends[0].width_mm * even.ends[0].height_mm);
   for (const float cv : {10.0f, 20.0f, 35.0f}) {
@@ -48,13 +48,13 @@ TEST(Swell, MassVariesAsTheYarnSays) {
   }
 }
 
-TEST(Swell, FilamentAndShortRepeatsAreEven) {
+TEST(Unevenness, FilamentAndShortRepeatsAreEven) {
   EXPECT_LT(section_spread(uneven(0, 0.2f)).second, 1e-5);
-  // Two threads are 1 mm of a thread, no room for a slub and a thin place.
+  // Two threads are 1 mm long: too short for a thick and a thin place.
   EXPECT_LT(section_spread(uneven(40, 0.2f, 2)).second, 0.02);
 }
 
-TEST(Swell, AThreadKeepsToItsRoom) {
+TEST(Unevenness, AThreadKeepsToItsRoom) {
   const Cloth cloth = uneven(60, 0.45f);
   float widest = 0, tallest = 0;
   for (int e = 0; e < kThreads; ++e) {
@@ -68,7 +68,7 @@ TEST(Swell, AThreadKeepsToItsRoom) {
   EXPECT_LE(tallest, tallest_half(cloth, System::kWarp) + 1e-6f);
 }
 
-TEST(Swell, ThePeriodHasNoSeam) {
+TEST(Unevenness, ThePeriodHasNoSeam) {
   const Cloth cloth = uneven(40, 0.2f);
   for (int e = 0; e < kThreads; ++e) {
     for (int p = 0; p < kThreads; ++p) {
@@ -79,7 +79,7 @@ TEST(Swell, ThePeriodHasNoSeam) {
   }
 }
 
-TEST(Swell, BodiesAndMapsAndHeightsAgree) {
+TEST(Unevenness, BodiesAndMapsAndHeightsAgree) {
   const Cloth cloth = uneven(40, 0.3f, 48);
   ThreadScene threads(cloth);
   const auto grid = threads.grid();

@@ -1,4 +1,4 @@
-// Which thread lies at a place (thread_at() of shaders/threads.glsl), however unlike the threads' rooms are.
+// thread_at() of shaders/threads.glsl: which thread is at a position, for threads of very different spacings.
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ Cloth coarse_among_fine() {
   return lay_out(d, plain(kFine + kCoarse, 8), Face::kFront, Period::kWholeDraft);
 }
 
-int first_past(const std::vector<ThreadBody>& threads, float place) {
+int first_past(const std::vector<ThreadBody>& threads, float position) {
   int i = 0;
   while (i + 1 < static_cast<int>(threads.size()) &&
-         threads[static_cast<size_t>(i)].centre_mm + 0.5f * threads[static_cast<size_t>(i)].spacing_mm <= place)
+         threads[static_cast<size_t>(i)].centre_mm + 0.5f * threads[static_cast<size_t>(i)].spacing_mm <= position)
     ++i;
   return i;
 }
@@ -33,12 +33,12 @@ TEST(ThreadAt, FindsFineThreadsAmongCoarseOnes) {
   const auto grid = threads.grid();
   int wrong = 0;
   for (const ThreadBody& end : cloth.ends) {
-    for (const float share : {-0.4f, 0.0f, 0.4f}) {
-      const float place = end.centre_mm + share * end.spacing_mm;
-      wrong += threads.thread_at(grid, 0, place) != first_past(cloth.ends, place);
+    for (const float fraction : {-0.4f, 0.0f, 0.4f}) {
+      const float position = end.centre_mm + fraction * end.spacing_mm;
+      wrong += threads.thread_at(grid, 0, position) != first_past(cloth.ends, position);
     }
   }
-  EXPECT_EQ(wrong, 0) << "of " << 3 * cloth.ends.size() << " places";
+  EXPECT_EQ(wrong, 0) << "of " << 3 * cloth.ends.size() << " positions";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSize = 24;  // of no other texture
 
-/// Fills every half-float texture of that size with what is no number, as memory that was another's may be.
+/// Fills every half-float texture of that size with NaN, as reused memory may contain.
 int poison() {
   const std::vector<float> nan(size_t{4} * kSize * kSize, std::numeric_limits<float>::quiet_NaN());
   int found = 0;
@@ -25,7 +25,7 @@ int poison() {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, nan.data());
     ++found;
   }
-  glGetError();  // names that are no two-dimensional textures
+  glGetError();  // clears errors of names that are no two-dimensional textures
   return found;
 }
 
@@ -50,7 +50,7 @@ struct Picture {
   }
 };
 
-// Seen in the window: the cloth went dark when its picture was refined near the threads.
+// Once the cloth went dark in the window when its picture was refined close up.
 TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
   std::string error;
   const auto context = HeadlessContext::create(error);

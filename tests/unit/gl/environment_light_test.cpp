@@ -1,5 +1,4 @@
-// Light from a picture: a white one gives the furnace's answer, a bright texel that of a light far off, several their
-// sum.
+// Environment maps: a white one gives the furnace result, a bright texel that of a distant light, several their sum.
 
 #include "picture.h"
 #include "render_data/environment.h"
@@ -60,10 +59,10 @@ TEST_F(EnvironmentLight, OfOneBrightTexelIsThatOfALightFarOff) {
     put(picture, 40, 40, 6000);  // before the cloth, at the left
     const Mean ours = middle(under(std::move(picture)));
     ASSERT_EQ(lights.size(), 1u);
-    LightRig like;
-    like.key = lights[0].irradiance / kKeyIrradiance;
-    like.key_radius = lights[0].radius;
-    renderer->set_lights(like);
+    LightRig equivalent;
+    equivalent.key = lights[0].irradiance / kKeyIrradiance;
+    equivalent.key_radius = lights[0].radius;
+    renderer->set_lights(equivalent);
     const glm::vec3 d = lights[0].towards;
     scene.light_azimuth = glm::degrees(std::atan2(d.x, d.z)), scene.light_elevation = glm::degrees(std::asin(d.y));
     const Mean theirs = middle(draw());
@@ -73,12 +72,12 @@ TEST_F(EnvironmentLight, OfOneBrightTexelIsThatOfALightFarOff) {
 }
 
 TEST_F(EnvironmentLight, OfSeveralIsTheirSum) {
-  const int places[][2] = {{20, 45}, {64, 30}, {235, 60}};
+  const int pixels[][2] = {{20, 45}, {64, 30}, {235, 60}};
   for (const Method method : {Method::kYarn, Method::kRepeat}) {
     look.method = method;
     Image all = grey(0);
     Mean sum;
-    for (const auto& [x, y] : places) {
+    for (const auto& [x, y] : pixels) {
       Image one = grey(0);
       put(one, x, y, 5000), put(all, x, y, 5000);
       const Mean alone = middle(under(std::move(one)));

@@ -53,7 +53,7 @@ class FlyawaysTest : public PictureTest {
     frame.transparent = true;
     frame.width = frame.height = 256;
     frame.yarns_per_pixel = 0.25f;
-    look.method = Method::kCloth;  // what is asked is where fibres cover, not how the threads under them are shaded
+    look.method = Method::kCloth;  // the test is about the coverage of fibres, not the shading of threads
   }
   Image picture(const Design& design) {
     upload(design, tube(8, 60));
@@ -75,9 +75,8 @@ TEST_F(FlyawaysTest, WoolStandsOffItsSilhouetteAndFilamentDoesNot) {
 }
 
 TEST_F(FlyawaysTest, ZoomingInKeepsWhatTheyCover) {
-  // The same millimetres with ever more pixels, from fibres of two pixels to those of fifteen. Tolerance 12 %
-  // for each step: bends are cut short where they are a pixel small, and fibres at the very edge are widened
-  // under the cloth.
+  // The same millimetres with ever more pixels, from fibres of two pixels to fifteen. Tolerance 12 % a step: bends are
+  // shortened at a pixel's size, and fibres at the very edge are widened under the cloth.
   constexpr double kTolerance = 0.12;
   std::array<double, 4> covered{};
   for (const float fuzz : {0.0f, 0.35f}) {
@@ -146,7 +145,7 @@ TEST(Hems, AreWhereTheClothEndsAndNotAtItsSeams) {
 }
 
 /// A tube 300 mm high from 1 m away, `pixel_mm` at the tube.
-std::vector<Flyaway> sown(const FlyawayGrowth& growth, float pixel_mm) {
+std::vector<Flyaway> scattered(const FlyawayGrowth& growth, float pixel_mm) {
   PreparedMesh prepared;
   prepared.mesh = tube(40, 300);
   prepared.fine = prepared.mesh.index;
@@ -167,22 +166,23 @@ TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {
     return std::accumulate(flyaways.begin(), flyaways.end(), 0.0,
                            [](double sum, const Flyaway& h) { return sum + static_cast<double>(h.stands_for); });
   };
-  const std::vector<Flyaway> near = sown(wool, 0.3f), far = sown(wool, 0.6f);
+  const std::vector<Flyaway> near = scattered(wool, 0.3f), far = scattered(wool, 0.6f);
   ASSERT_GT(far.size(), 100u);
   EXPECT_GT(near.size(), far.size());
   EXPECT_NEAR(fibres(near) / fibres(far), 1, 0.1);
   float farthest = 0;
-  for (const Flyaway& hair : near) {
-    ASSERT_EQ(hair.side, 1);
-    farthest = std::max(farthest, std::abs(glm::dot(hair.normal, glm::normalize(glm::vec3(0, 150, 1000) - hair.root))));
+  for (const Flyaway& fibre : near) {
+    ASSERT_EQ(fibre.side, 1);
+    farthest =
+        std::max(farthest, std::abs(glm::dot(fibre.normal, glm::normalize(glm::vec3(0, 150, 1000) - fibre.root))));
   }
   EXPECT_LT(farthest, 0.6f);  // sqrt(2 h / R) of the longest fibres, 4.6 means
 }
 
 TEST(Flyaways, AreNoMoreThanCanBeSeenOrDrawn) {
-  EXPECT_TRUE(sown({{20, 20}, {0.6f, 0.6f}, 0.2f}, 2.0f).empty());
-  EXPECT_TRUE(sown({}, 0.1f).empty());
-  const std::vector<Flyaway> many = sown({{5000, 5000}, {3, 3}, 0.2f}, 0.3f);
+  EXPECT_TRUE(scattered({{20, 20}, {0.6f, 0.6f}, 0.2f}, 2.0f).empty());
+  EXPECT_TRUE(scattered({}, 0.1f).empty());
+  const std::vector<Flyaway> many = scattered({{5000, 5000}, {3, 3}, 0.2f}, 0.3f);
   EXPECT_LT(static_cast<float>(many.size()), 1.2f * kMaxFlyaways);
   EXPECT_GT(static_cast<float>(many.size()), 0.2f * kMaxFlyaways);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the gates of the picture share: a twill of two colours, flat patches of it, and shading without a filter.
+// Shared by the renderer's gates: a twill of two colours, flat patches of it, and unfiltered shading.
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,9 @@ class Gate : public PictureTest {
   static constexpr float kPi = 3.14159265f;
   static constexpr float kSpacing = 0.5f;  // mm
   static constexpr int kPeriod = 8;        // yarns
-  static constexpr int kFine = 16;         // pixels a yarn of what stands for unfiltered shading
+  static constexpr int kFine = 16;         // pixels a yarn of unfiltered shading
 
-  static constexpr int kSamples = 13;  // a pixel near the threads: these tests tell of methods, not of their noise
+  static constexpr int kSamples = 13;  // a pixel close up, so that tests compare methods, not noise
 
   void SetUp() override {
     PictureTest::SetUp();
@@ -48,7 +48,7 @@ class Gate : public PictureTest {
     stages.update(std::make_shared<const Design>(of), effort);
     renderer->upload(stages.packed());
   }
-  /// Lays the design and uploads it: threads of kSpacing; `fill`: width of a thread over its room.
+  /// Lays out and uploads the design: threads with spacing kSpacing; `fill`: width of a thread over its spacing.
   void lay(float fill, Effort effort = Effort::kFull) {
     for (Threads* t : {&design.draft.warp, &design.draft.weft}) {
       t->spacing_mm.assign(t->color.size(), kSpacing);
@@ -72,9 +72,9 @@ class Gate : public PictureTest {
   Image period(Method method, float yarns) {
     return patch(method, yarns, std::max(8, static_cast<int>(std::lround(kPeriod / yarns))));
   }
-  /// Points of a fine picture of the period are what shading without a filter shows at any footprint.
+  /// Points of a fine picture of the period are what unfiltered shading shows at any footprint.
   Image fine_period() { return patch(Method::kYarn, 1.0f / kFine, kPeriod * kFine); }
-  /// At a place in yarns; the cloth is endless.
+  /// At a position in yarns; the cloth is infinite.
   static double unfiltered(const Image& fine, double u, double v) {
     const auto texel = [](double at) {
       const double repeats = at / kPeriod;

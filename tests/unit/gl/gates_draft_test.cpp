@@ -1,4 +1,4 @@
-// Gates of drafts that programs draw wrong: the back, many threads, uv far from their origin, one thread, none.
+// Gates of drafts that programs draw wrongly: the back, many threads, uv far from their origin, one thread, none.
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ TEST_F(Gate, BackIsTheFrontOfTheComplement) {
     return draw();
   };
   renderer->set_mesh(square(300));
-  // A yarn's twist seen from behind runs the other way in the (u, v) of the front.
+  // A yarn's twist on the back is reversed in the (u, v) of the front.
   const Design ours = faced(3, Twist::kZ), turned = complemented(faced(3, Twist::kS));
   constexpr std::array kFootprints{0.125f, 1.5f};
   std::vector<Image> back, front;
@@ -69,7 +69,7 @@ TEST_F(Gate, BackIsTheFrontOfTheComplement) {
   upload_maps(same_hand, Effort::kQuick);
   look.tolerance = 0.03f;
   const double unturned = relative_rms(drawn(Face::kFront, Method::kYarn, 0.125f), yarn_back);
-  figure("back of a Z twist, its hand not turned", unturned, 0);
+  figure("back of a Z twist, its twist not reversed", unturned, 0);
   EXPECT_GT(unturned, 0.07);
 }
 
@@ -95,7 +95,7 @@ TEST_F(Gate, FromBehindTheComplementIsSeenMirrored) {
     }
   }
   figure("seen from behind, not mirrored", relative_rms(front, behind), relative_rms(mirrored, behind));
-  EXPECT_LT(relative_rms(mirrored, behind), 0.16);  // the places of the samples are not mirrored
+  EXPECT_LT(relative_rms(mirrored, behind), 0.16);  // sample positions are not mirrored
   EXPECT_GT(relative_rms(front, behind), 0.6);
 }
 
@@ -125,7 +125,7 @@ class ManyThreads : public Gate {
 };
 
 TEST_F(ManyThreads, PastEachWidthOfANumberKeepTheirColour) {
-  // The largest draft has fewer texels than threads, so that there a band of threads is looked for.
+  // The largest draft has fewer texels than threads, so a band of threads is searched there.
   struct Size {
     int count, past, marked;
   };
@@ -226,7 +226,7 @@ TEST_F(Gate, OddDraftsAreClothInEveryMethod) {
         }
       }
     }
-    // Colour over coverage, as it is stored premultiplied: of a system that does not show, 0 / 0.
+    // Colour over coverage, since it is stored premultiplied: 0 / 0 for a system that is not visible.
     const PackedTexture& color = stages.packed().front.textures[static_cast<size_t>(PackedKind::kColor)];
     const int last = static_cast<int>(color.levels.size()) - 1;
     const int hidden = odd.up == 2 ? 1 : 0;

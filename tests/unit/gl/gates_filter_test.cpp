@@ -1,4 +1,5 @@
-// Gates of what a pixel's footprint does: near and far, pans, gaps, borders between rungs. Each runs what fails there.
+// Gates of filtering over a pixel's footprint: near and far, pans, gaps, blends between methods. Each also runs what
+// fails there.
 
 #include <algorithm>
 #include <array>
@@ -86,7 +87,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   for (const Held& held : methods) {
     figure("energy from 1/8 to 32 yarns a pixel, slanted views and lights, " + std::string(method_name(held.method)),
            averaged.worst, held.worst);
-    for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], method.by_view[v]);
+    for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], held.by_view[v]);
     EXPECT_LT(held.worst, held.holds) << method_name(held.method);
   }
   EXPECT_GT(averaged.worst, 0.205);  // 0.216 was measured
@@ -169,7 +170,7 @@ TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
                " degrees less the ray-traced one, alpha of the straight view",
            straight - covered, ours - covered);
     EXPECT_NEAR(ours, covered, 0.02) << degrees;
-    // Of the maps, which hold no more than the gaps' share from straight above.
+    // From the maps, whose coverage is that at normal view.
     const double maps = mean(patch(Method::kRepeat, 2, 16, {0, 0}, towards(0.8f, 0.9f), truth.view), 3);
     EXPECT_NEAR(maps, covered, 0.03) << degrees;
     if (degrees > 60) {
@@ -178,9 +179,9 @@ TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
   }
 }
 
-/// A cloth that runs away from the eye, 1/32 yarn a pixel in the lowest row of the picture and 32 in the highest,
-/// each row further by the same factor. It stands upright in the picture, one pixel of which is `pixel_mm`; what makes
-/// it lean are its normals and its perspective, which the uv hold.
+/// A cloth that recedes from the eye, with 1/32 yarn a pixel in the lowest row of the picture and 32 in the highest,
+/// each row further by the same factor. It is upright in the picture, one pixel of which is `pixel_mm`; its slant is
+/// in its normals, its perspective in the uv.
 PreparedMesh running_away(int width, int height, float pixel_mm, float spacing_mm) {
   constexpr float kTilt = 0.8f;  // radians between the normal and the eye
   const float rate = std::log(1024.0f) / static_cast<float>(height);
@@ -240,7 +241,7 @@ TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
   std::vector<double> hard = methods[0];
   const std::vector<double> flat = rows_of(Method::kFlat);
   std::copy(flat.begin() + kRows * 6 / 10, flat.end(), hard.begin() + kRows * 6 / 10);
-  // A step is what a row changes by beyond what it changes by in any one rung.
+  // A step is the change between rows beyond that within any one method.
   const auto largest_step = [&](const std::vector<double>& rows) {
     double most = 0;
     for (size_t row = 1; row < rows.size(); ++row) {
@@ -254,7 +255,7 @@ TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
          largest_step(ours));
   EXPECT_LT(largest_step(ours), 0.002);
   EXPECT_GT(largest_step(hard), 0.2);
-  // It is the picture that it says it is: threads below, none above.
+  // The picture has threads at the bottom and none at the top.
   EXPECT_GT(spread({ours.begin(), ours.begin() + 128}), 5 * spread({ours.end() - 64, ours.end()}));
 }
 

@@ -1,5 +1,5 @@
-// Gates of light on the graphics card: turning, grazing, strong. What fails at grazing and in half floats is run by
-// the gates of core/light, from the same formulas.
+// Gates of lighting on the GPU: turning, grazing, strong light. The formulas that fail at grazing angles and in half
+// floats are run by the gates of core/light.
 
 #include <array>
 #include <glm/gtc/packing.hpp>
@@ -35,7 +35,7 @@ TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
   for (const Method method : {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth, Method::kAuto}) {
     const double ours = ripple(method);
     figure("ripple while the light turns, " + std::string(method_name(method)), boolean, ours);
-    // Of yarn also the shadows that a finite number of samples meets one after another.
+    // For yarn also the shadows that a finite number of samples meets.
     EXPECT_LT(ours, method == Method::kYarn || method == Method::kAuto ? 0.02 : 0.006) << method_name(method);
   }
 }

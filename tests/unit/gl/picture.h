@@ -1,5 +1,5 @@
 #pragma once
-// Small designs and meshes for the tests of the picture, and a context that skips where there is no graphics.
+// Small designs and meshes for the tests of the renderer, and a context that skips without graphics.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Runs a shared text on the GPU for many cases at once: a column of pixels a case, a row a question.
+// Runs a shared formula file on the GPU for many cases at once: a column of pixels a case, a row an output.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ inline GLuint compiled(GLenum stage, const std::string& text) {
   return shader;
 }
 
-/// `main_text` after the shared files; in it given(row) is a case's numbers, `row` the question, `answer` what it
-/// gives.
+/// `main_text` follows the shared files; in it given(row) is a case's input, `row` the index of the output, `result`
+/// its value.
 inline GlProgram pixel_program(const std::vector<std::string>& files, const std::string& main_text,
                                const std::vector<std::string>& defines = {}) {
   std::string text = "#version 330 core\n", error;
@@ -43,7 +43,7 @@ void main() {
   int row = int(gl_FragCoord.y);
   vec4 result = vec4(0.0);
 )" + main_text +
-          "  out_color = answer;\n}\n";
+          "  out_color = result;\n}\n";
   GlProgram program;
   const GLuint vert = compiled(GL_VERTEX_SHADER,
                                "#version 330 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, "
@@ -72,7 +72,7 @@ inline void make_plane(GlTexture& texture, int width, int height, const float* v
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// rows[input][case] to [question][case], `questions` of them.
+/// rows[input][case] to [output][case], `questions` of them.
 template <class Case>
 std::vector<glm::vec4> run_pixels(const GlProgram& program, const std::vector<Case>& cases, int questions) {
   const int width = static_cast<int>(cases.size()), inputs = static_cast<int>(Case{}.size());

@@ -68,7 +68,7 @@ TEST_F(PictureTest, EachSideShowsItsFace) {
   EXPECT_GT(turned.b, 1.5 * turned.r);
 }
 
-// Drafts of more crossings than the graphics card is given have no threads to draw near by.
+// Drafts with too many crossings for the graphics card have no threads to draw one by one.
 TEST_F(PictureTest, AClothWithoutThreadsOnTheCardIsDrawnFromItsMaps) {
   Stages stages;
   stages.update(std::make_shared<const Design>(twill(4, 2, kRed, kRed)));
@@ -93,12 +93,12 @@ TEST_F(PictureTest, OnlyTheMethodsThatShowAreNeeded) {
     const Camera camera = place_camera(scene, mesh.mesh, mesh.bounds, 64, 64, yarns, kSpacing);
     return method_weights(mesh, camera, 64, 64, kSpacing, edges).needed;
   };
-  using Rungs = std::array<bool, 4>;  // yarn, cell, repeat, cloth
-  EXPECT_EQ(needed(0.25f), (Rungs{true, false, false, false}));
-  EXPECT_EQ(needed(0.85f), (Rungs{true, false, true, false}));
-  EXPECT_EQ(needed(3), (Rungs{false, false, true, false}));
-  EXPECT_EQ(needed(7), (Rungs{false, false, true, true}));
-  EXPECT_EQ(needed(32), (Rungs{false, false, false, true}));
+  using Methods = std::array<bool, 4>;  // yarn, cell, repeat, cloth
+  EXPECT_EQ(needed(0.25f), (Methods{true, false, false, false}));
+  EXPECT_EQ(needed(0.85f), (Methods{true, false, true, false}));
+  EXPECT_EQ(needed(3), (Methods{false, false, true, false}));
+  EXPECT_EQ(needed(7), (Methods{false, false, true, true}));
+  EXPECT_EQ(needed(32), (Methods{false, false, false, true}));
 }
 
 TEST_F(PictureTest, ZoomingOutKeepsTheLight) {
@@ -165,8 +165,8 @@ Mesh fold(float radius_mm, float height_mm, uint32_t sides) {
   return mesh;
 }
 
-// Only the last hair's breadth of a fold shines as cloth does that is seen edge-on; shown over whole pixels it drew
-// bright dashes along the rims of folds.
+// Only a thin strip of a fold shines like cloth seen edge-on; over whole pixels it drew bright dashes along
+// silhouettes.
 TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
   const wif::WifRead satin =
       wif::read_wif(base::read_file(presets_dir() + "/cloths/polyester_satin_charmeuse.wif").bytes);
@@ -189,10 +189,11 @@ TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
       sum += fine.texels[4 * ((y + k / kFiner) * kSide * kFiner + x + k % kFiner) + i % 4];
     mean.texels[i] = sum / (kFiner * kFiner);
   }
-  EXPECT_LT(relative_rms(mean, coarse), 0.15);  // 0.24 so, else 0.10
+  EXPECT_LT(relative_rms(mean, coarse), 0.15);  // 0.24 then, 0.10 now
 }
 
-// The shadow's filter reaches past its texels: a leaning plane shaded itself in stripes (a table's foot showed them).
+// The shadow's filter reaches past its texels: an inclined plane shadowed itself in stripes (visible on a table's
+// foot).
 TEST_F(PictureTest, APlaneDoesNotShadeItself) {
   upload(twill(4, 2, kWhite, kWhite), square(100));
   look.method = Method::kFlat;
@@ -265,8 +266,7 @@ class SpoiltShader {
   std::string folder_;
 };
 
-// Most programs are compiled when a picture first needs them. One that failed then left a cloth of nothing, and no
-// word.
+// Most programs are compiled when first needed. One that failed then left no cloth and no message.
 TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
   const std::unique_ptr<Renderer> fresh = Renderer::create(error);
   ASSERT_TRUE(fresh) << error;
@@ -301,7 +301,7 @@ TEST_F(PictureTest, TheLastSubmittedDesignIsDrawn) {
   EXPECT_FALSE(pipeline.busy());
 }
 
-// The window called its first picture the last one while a better cloth lay finished.
+// The window once took its first picture for the final one while better maps were ready.
 TEST_F(PictureTest, ThePipelineIsBusyUntilWhatItMadeIsTakenUp) {
   Pipeline pipeline;
   Design design = twill(4, 2, kRed, kRed);

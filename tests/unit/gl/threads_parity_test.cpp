@@ -1,5 +1,5 @@
-// The heavy shared text on the GPU against the same text in C++: threads as bodies, their pattern, their records to and
-// fro, what the rungs make of them, stray fibres. The cloth is uploaded as the renderer's own.
+// The larger shared files on the GPU against the same text in C++: threads as bodies, their pattern, packing and
+// unpacking of records, shading of the methods, flyaway fibres. The cloth is uploaded as by the renderer.
 
 #include <gtest/gtest.h>
 
@@ -75,13 +75,13 @@ using cloth::thread_formulas::PackedThreads;
 using glm::vec3;
 using glm::vec4;
 
-/// To the bit, also where a number is none.
+/// Equal bit for bit, including NaN.
 template <class T>
 std::array<std::byte, sizeof(T)> bytes_of(const T& value) {
   return std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
 }
 
-/// A 2/2 twill of two yarns, plied and twisted, with two thick ends: rooms differ, so that bins are asked.
+/// A 2/2 twill of two yarns, plied and twisted, with two thick ends: spacings differ, so that bins are used.
 Cloth uneven_twill() {
   Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   d.yarns.push_back(d.yarns[0]);
@@ -138,7 +138,7 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
       EXPECT_EQ(bytes_of(in), bytes_of(out)) << "thread " << i << " of system " << s;
     }
   }
-  // A yarn's numbers, each another, so that none lies in another's place.
+  // Parameters of a yarn, all different, so that a mix-up shows.
   interop::YarnData in{};
   std::array<float, sizeof in / sizeof(float)> numbers;
   for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<float>(i) + 0.5f;
@@ -151,7 +151,7 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
   EXPECT_EQ(bytes_of(second), bytes_of(fetched));
 }
 
-using RayCase = std::array<vec4, 3>;  // place, side; towards the eye; towards the light, sample's cycles
+using RayCase = std::array<vec4, 3>;  // position, side; towards the eye; towards the light, sample's cycles
 
 constexpr const char* kRayMain = R"(
   ThreadGrid g = thread_grid(given(0).w > 0.0 ? 0 : 1);
@@ -217,7 +217,7 @@ vec3 slanted(float cosine, float turn) {
   return {s * std::cos(turn), s * std::sin(turn), cosine};
 }
 
-/// Share of the cases whose numbers are further off than `most`, relative to 1 or to the number if it is larger.
+/// Fraction of the cases that differ by more than `most`, relative to 1 or to the value if it is larger.
 double share_off(const std::vector<vec4>& gpu, const std::vector<vec4>& cpu, float most) {
   size_t off = 0;
   for (size_t k = 0; k < gpu.size(); ++k) {
@@ -256,15 +256,14 @@ TEST(ThreadRecords, TellOfWhatKindTheThreadsAre) {
 }
 
 TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
-  // A ray that grazes an edge may go either way by its last bit, and a fibre's border falls on either side. On llvmpipe
-  // none of these does.
+  // A ray that grazes an edge, or the border of a fibre, may go either way by its last bit. On llvmpipe none does.
   constexpr double kEdges = 0.01;
   constexpr float kTolerance = 2e-3f;
   const Design even = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   for (const Cloth& cloth :
        {uneven_twill(), pockets(), lay_out(even, drawdown(even.draft), Face::kFront, Period::kWholeDraft)}) {
     const PackedCloth p = packed(cloth);
-    // What is left out for some cloths is left out here alone: the C++ is the whole text.
+    // The defines leave out code only here: the C++ has the whole text.
     const ThreadKind kind = thread_kind(p.lobes.threads);
     std::vector<std::string> defines;
     if (kind.even) defines.push_back("EVEN_THREADS");
@@ -302,7 +301,7 @@ constexpr const char* kFloatMain = R"(
 )";
 
 TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
-  // A place on the edge of a stripe is in it or not by its last bit.
+  // A point on the edge of a stripe may go either way by its last bit.
   constexpr double kEdges = 0.002;
   const PackedCloth p = packed(uneven_twill());
   GpuCloth gpu_cloth;
@@ -317,11 +316,11 @@ TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
     std::vector<vec4> cpu;
     for (const RayCase& c : cases) {
       PackedThreads& t = c[0].w > 0 ? front : back;
-      const PackedThreads::IrawanPoint place = t.irawan_point(t.grid(), glm::vec2(c[0]));
+      const PackedThreads::IrawanPoint point = t.irawan_point(t.grid(), glm::vec2(c[0]));
       vec4 result(-1);
-      if (place.system >= 0 && row == 0) result = {place.system, place.thread, place.above, 0};
-      if (place.system >= 0 && row == 1) result = {place.at, place.size};
-      if (row == 2) result = vec4(t.irawan_specular(place, c[2].w, vec3(c[2]), vec3(c[1])));
+      if (point.system >= 0 && row == 0) result = {point.system, point.thread, point.above, 0};
+      if (point.system >= 0 && row == 1) result = {point.at, point.size};
+      if (row == 2) result = vec4(t.irawan_specular(point, c[2].w, vec3(c[2]), vec3(c[1])));
       cpu.push_back(result);
     }
     const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
@@ -422,7 +421,7 @@ TEST_F(ThreadsParity, MethodsAndFlyawaysAgree) {
     for (const MethodCase& c : cases) cpu.push_back(method_on_cpu(c, row));
     const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
     const double off = share_off({from, from + static_cast<std::ptrdiff_t>(cases.size())}, cpu, kTolerance);
-    // A whole number of samples turns over at a bit.
+    // An integer number of samples may flip by the last bit.
     EXPECT_LE(off, row == 5 ? 2e-3 : 0.0) << kMethodNames[static_cast<size_t>(row)];
     EXPECT_GT(std::count_if(cpu.begin(), cpu.end(), [](const vec4& c) { return c.x != 0; }), 1000);
   }

@@ -1,4 +1,4 @@
-// Rungs `yarn`, `repeat` and `cloth` against the threads ray traced as bodies, on one repeat of a twill.
+// Methods `yarn`, `repeat` and `cloth` against the threads ray traced as bodies, on one repeat of a twill.
 
 #include "draft/drawdown.h"
 #include "gate.h"
@@ -55,7 +55,7 @@ TEST_F(Truth, MeanBrightnessIsThatOfTheTracedThreads) {
     const double truth = mean(traced(2, 4, 4000, pair));
     for (const Method method : {Method::kRepeat, Method::kCloth}) {
       const double ratio = mean(drawn(method, 2, 4, pair)) / truth;
-      // Most where light meets the cloth from the viewer's side: a map of heights has no undersides of threads.
+      // Most where light comes from the viewer's side: a height map has no undersides of threads.
       EXPECT_NEAR(ratio, 1, 0.12) << method_name(method) << " light " << pair.light.x << ' ' << pair.light.y << " view "
                                   << pair.view.x << ' ' << pair.view.y;
       squares += (ratio - 1) * (ratio - 1) / 12;
@@ -85,7 +85,7 @@ TEST_F(Truth, TheSkyIsThatOfTheTracedThreads) {
   }
 }
 
-// Lamps stand low over the folds of a drape, and threads hide what is low.
+// Lamps are low over the folds of a drape, and threads occlude low light.
 TEST_F(Truth, NearTheThreadsASkyThatIsBrightAtOneSideIsThatOfTheTracedThreads) {
   for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f), towards(1.9f, 0.52f)}) {
     const glm::vec3 bright = towards(-1.3f, 0.1f);
@@ -155,12 +155,12 @@ TEST_F(Truth, YarnGivesEachThreadItsOwnLobes) {
 
 TEST_F(Truth, RepeatShowsThreadsWhereTheyAre) {
   const Pair straight{towards(0.6f, 0.87f), towards(0, 1.57f)};
-  // Relative error where a pixel holds half a yarn, one and two: one answer for all the cloth is off by far more.
+  // Relative error at half a yarn, one and two yarns a pixel: one radiance for the whole cloth is far worse.
   for (const auto& [yarns, holds] : {std::pair{0.5f, 0.15}, {1.0f, 0.12}, {2.0f, 0.07}}) {
     const int pixels = static_cast<int>(8 / yarns);
     const Image truth = traced(yarns, pixels, 20000 / pixels, straight);
     const double ours = relative_rms(truth, drawn(Method::kRepeat, yarns, pixels, straight));
-    figure("error at " + text(yarns) + " yarns a pixel, one answer for all the cloth",
+    figure("error at " + text(yarns) + " yarns a pixel, one radiance for the whole cloth",
            relative_rms(truth, drawn(Method::kCloth, yarns, pixels, straight)), ours);
     EXPECT_LT(ours, holds) << yarns;
   }

@@ -1,4 +1,4 @@
-// Batches of pairs against the formulas one by one, on every kind of vectors that this machine has.
+// Batches of pairs against the formulas one by one, with every kind of vectors of this machine.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The seed paper's BRDF: normalisation, known albedos, exact against brute force, separable maps.
+// The seed paper's BRDF: normalisation, known albedos, against brute force, separable maps.
 
 #include "light/cloth_brdf.h"
 
@@ -139,7 +139,7 @@ TEST(Separable, HalfDifferenceFitsBetterThanRaw) {
   for (const char* name : {"satin", "cotton"}) {
     const ClothBrdf b = preset_cloth_brdf(name, {0.03f, 0.03f, 0.5f}, {0.5f, 0.03f, 0.03f});
     const Separable good = factorise(b, Split::kHalfDifference), raw = factorise(b, Split::kRaw);
-    // Published for one term: 24-34 % and 75-96 % unweighted; ours leaves out pairs that do not exist.
+    // Published for one term: 24-34 % and 75-96 % unweighted; ours ignores pairs below the horizon.
     EXPECT_LT(good.error, 0.36f) << name;
     EXPECT_GT(raw.error, 0.4f) << name;
     EXPECT_GT(raw.error, 1.5f * good.error) << name;

@@ -22,7 +22,7 @@ Measured measured(const Design& design) {
   return {cloth, std::move(maps), std::move(response)};
 }
 
-/// Bounds on what is sent over the cloth's mean, and on the RMS error, to 60 degrees; on the mean at 71.
+/// Bounds on the mean over the cloth's, on the RMS error to 60 degrees, and on the mean at 71.
 struct Nearness {
   float mean = 0.1f, error = 0.25f, slanted_mean = 0.25f;
 };

@@ -1,4 +1,4 @@
-// Horizon, footprint, ladder, and the GLSL reading of the shared files.
+// Horizon, footprint, LOD table, and the GLSL syntax of the shared files.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST(Horizon, TurningLightMeetsNoRipple) {
     glm::vec4 v;
     for (int k = 0; k < 4; ++k) v[k] = bins[static_cast<size_t>(taps.at[k])];
     cubic = std::max(cubic, std::abs(formulas::horizon_mix(taps, v) - horizon_of(a)));
-    // A boolean map a bin, as the paper has it, is off by a whole step of the horizon.
+    // One boolean map a bin, as in the paper, is off by a whole step of the horizon.
     nearest = std::max(nearest, std::abs(v[1] - horizon_of(a)));
   }
   EXPECT_LT(cubic, 0.004f);
@@ -70,28 +70,28 @@ TEST(Coverage, GapsCloseWithTheViewAngle) {
   }
   EXPECT_GT(formulas::coverage_by_view(0.9f, gap, 0.2f, at_degrees(80, 0)), 0.995f);
   EXPECT_GT(formulas::coverage_by_view(0.9f, gap, 0.2f, at_degrees(89.9f, 45)), 0.9999f);
-  // Along a gap it stays open longer than across.
+  // A gap stays open longer along than across.
   EXPECT_LT(formulas::coverage_by_view(0.9f, {0.1f, 10}, 0.2f, at_degrees(60, 90)),
             formulas::coverage_by_view(0.9f, {0.1f, 10}, 0.2f, at_degrees(60, 0)));
   EXPECT_EQ(formulas::coverage_by_view(1, {0, 0}, 0, {0, 0, 1}), 1);
 }
 
 TEST(Masking, HigherThreadsHideLowerOnesAtGrazing) {
-  const glm::vec2 share(0.5f, 0.5f), flat(1, 1);
+  const glm::vec2 fraction(0.5f, 0.5f), flat(1, 1);
   for (const float d : {0.0f, 60.0f, 85.0f, 89.9f}) {
-    const glm::vec2 m = formulas::system_masking(share, flat * 0.5f, -0.4f, at_degrees(d, 90));
-    EXPECT_NEAR(share.x * m.x + share.y * m.y, 1, 1e-4f) << d;
+    const glm::vec2 m = formulas::system_masking(fraction, flat * 0.5f, -0.4f, at_degrees(d, 90));
+    EXPECT_NEAR(fraction.x * m.x + fraction.y * m.y, 1, 1e-4f) << d;
     if (d > 80) {
       EXPECT_LT(m.x, 0.3f * m.y) << d;
     }
   }
-  const glm::vec2 front = formulas::system_masking(share, flat, -0.4f, {0, 0, 1});
+  const glm::vec2 front = formulas::system_masking(fraction, flat, -0.4f, {0, 0, 1});
   EXPECT_NEAR(front.x, 1, 1e-5f);
-  // Wefts run along x: a view along x looks down the lanes between them.
-  EXPECT_GT(formulas::system_masking(share, flat, -0.4f, at_degrees(80, 0)).x, 0.99f);
+  // Wefts run along x: a view along x looks along the gaps between them.
+  EXPECT_GT(formulas::system_masking(fraction, flat, -0.4f, at_degrees(80, 0)).x, 0.99f);
 }
 
-TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
+TEST(LodWeights, WeightsSumToOneAndFollowTheFootprint) {
   const glm::vec3 edges(0.25f, 2, 8);
   for (int i = 0; i < 123; ++i) {
     const float yarns = std::pow(1.07f, static_cast<float>(i)) / 64;  // to 64
@@ -104,7 +104,7 @@ TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
   EXPECT_EQ(formulas::lod_weights(4, edges).z, 1);
   EXPECT_EQ(formulas::lod_weights(20, edges).w, 1);
   EXPECT_EQ(formulas::lod_weights(0, edges).x, 1);
-  // At its edge the coarser one stands alone.
+  // At its edge the coarser method has full weight.
   EXPECT_EQ(formulas::lod_weights(2, edges).z, 1);
   EXPECT_EQ(formulas::lod_weights(8, edges).w, 1);
   EXPECT_GT(formulas::lod_weights(1.9f, edges).y, 0);
@@ -156,7 +156,7 @@ TEST(LodTable, SamplesFollowToleranceAndFootprint) {
   }
   const Plan loose = plan_of(lod_table, {0.15f}), tight = plan_of(lod_table, {0.05f});
   EXPECT_EQ(samples_at(loose, 0.06f), 1);
-  EXPECT_EQ(samples_at(loose, 1), 5);  // 4 hold it
+  EXPECT_EQ(samples_at(loose, 1), 5);  // 4 would suffice
   EXPECT_EQ(samples_at(tight, 1), formulas::kMaxYarnSamples);
   for (int i = 0; i < 46; ++i) {
     const float yarns = 0.05f * std::pow(1.1f, static_cast<float>(i));  // to 4
@@ -169,7 +169,7 @@ TEST(LodTable, SamplesFollowToleranceAndFootprint) {
 }
 
 TEST(LodTable, CellIsNotKeptWhereItNoLongerHolds) {
-  // As measured of a twill: `cell` is cheaper than `repeat`, and from one yarn a pixel down the worse of the two.
+  // As measured on a twill: `cell` is cheaper than `repeat`, and less accurate from one yarn a pixel down.
   LodTable lod_table;
   const auto add = [&lod_table](Method method, int samples, float cost, std::array<float, 3> errors) {
     for (size_t i = 0; i < 3; ++i) {
@@ -209,12 +209,12 @@ TEST(Lattice, PointsSpreadOverThePixelAndPassesFillIn) {
       points.push_back(p);
     }
     EXPECT_NEAR(x, 0, 1e-5);
-    // The densest packing of n points has them sqrt(1.155 / n) apart; those here have at least 0.6 of it.
+    // The densest packing of n points has a distance of sqrt(1.155 / n); these have at least 0.6 of it.
     if (k > 0) {
       EXPECT_GT(least, 0.6 * std::sqrt(1.155 / lattice.x)) << lattice.x;
     }
   }
-  // Forty passes of two points: none comes near another.
+  // Forty passes of two points: no two points are close.
   double least = 1;
   std::vector<vec2> all;
   for (int pass = 0; pass < 40; ++pass) {

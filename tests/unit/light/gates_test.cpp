@@ -1,5 +1,5 @@
-// Where formulas of light fail: each gate runs one that does, beside ours, so that the gate is known to bite.
-// The failing ones are written here as they are published, without the care that ours take.
+// Where shading formulas fail: each gate runs one that does beside ours, so that the gate is known to work. The
+// failing ones are written here as published, without safeguards.
 
 #include <gtest/gtest.h>
 
@@ -97,7 +97,7 @@ TEST(LightGate, RandomLobesNeitherLoseNorMakeLight) {
     y.body = glm::vec3(1);
     const glm::vec3 wo = random_upper(rng);
     worst = std::max(worst, std::abs(slope_furnace(y, wo, 100).x - 1));
-    // Lambert beside the specular part: what the one reflects the other is given too.
+    // Lambert added to the specular part: light that one reflects is given to the other, too.
     YarnLobes coat = y;
     coat.body = glm::vec3(0);
     worst_sum = std::max(worst_sum, slope_furnace(coat, wo, 100).x);
@@ -120,7 +120,7 @@ TEST(LightGate, LightAndViewChangePlacesOverRandomLobes) {
     };
     ours =
         std::max(ours, off(formulas::lobe_reflect(y, s, i, o, wi, wo).x, formulas::lobe_reflect(y, s, o, i, wo, wi).x));
-    // The body dimmed by what the coat reflects towards the eye alone.
+    // The body reduced only by what the coat reflects towards the eye.
     by_view = std::max(by_view, off(y.body.x * o.enters.x / formulas::kPi, y.body.x * i.enters.x / formulas::kPi));
   }
   figure("reciprocity, body under the view's Fresnel term", by_view, ours);
@@ -138,7 +138,7 @@ TEST(LightGate, ColoursThatTurnWithTheViewStayReciprocal) {
       return std::abs(static_cast<double>(a - c)) / (1 + static_cast<double>(a));
     };
     ours = std::max(ours, off(evaluate(b, wi, wo).x, evaluate(b, wo, wi).x));
-    // The seed paper names the view alone: warp seen straight on, weft at grazing.
+    // In the seed paper the weight depends on the view alone: warp at normal view, weft at grazing.
     const auto colour = [&](const glm::vec3& w) { return glm::mix(b.p.warp_colour.x, b.p.weft_colour.x, 1 - w.z); };
     const float scale = evaluate(b, wi, wo).x / std::max(formulas::vrst03_fresnel(b.p, wi, wo).x, 1e-4f);
     by_view = std::max(by_view, off(colour(wo) * scale, colour(wi) * scale));
@@ -160,7 +160,7 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
   figure("largest albedo from 80 to 89.9 degrees", most_ward, most_ours);
   EXPECT_GT(most_ward, 40);
   EXPECT_LT(most_ours, 1.01);
-  // Both at the horizon itself: no number, where ours is one.
+  // Both at the horizon: NaN, where ours is 1.
   const glm::vec3 flat = direction(0, 0.3f), edge = at_degrees(89.9f, 200);
   EXPECT_FALSE(std::isfinite(ward_duer(flat, edge, 0.3f)));
   for (const float light : {0.0f, 80.0f, 89.9f})
@@ -174,7 +174,7 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
 
 TEST(LightGate, RoughnessOfNothingIsNoBlackSpot) {
   const glm::vec3 wi = at_degrees(30, 0), wo = at_degrees(30, 180);
-  float narrowest = 1;  // RMS slope from which on the failing lobe has lost its highlight
+  float narrowest = 1;  // RMS slope below which the failing lobe has lost its highlight
   for (float width = 1; width > 1e-3f; width *= 0.9f) {
     if (!std::isfinite(von_mises(1, width))) break;
     narrowest = width;
@@ -211,14 +211,14 @@ TEST(LightGate, PeaksFitHalfFloats) {
   EXPECT_EQ(as_half(cook_torrance(up, up, 1e-3f)), kInfinity);
   const float narrow = formulas::yarn_reflect(white(0, 0), up, up).x;
   EXPECT_LT(as_half(narrow), 65504);
-  // Under a strong light the bare product overflows as well; what leaves is held.
+  // Under a strong light the unclamped product overflows as well; the output is clamped.
   EXPECT_EQ(as_half(narrow * 1e6f), kInfinity);
   EXPECT_LE(as_half(formulas::half_safe(glm::vec3(narrow * 1e6f)).x), 65504);
   figure("peak of the narrowest lobe, half floats end at 65504", static_cast<double>(cook_torrance(up, up, 1e-3f)),
          static_cast<double>(narrow));
 }
 
-/// A BRDF over pairs of texels of two hemispheres; 0 weight where a pair does not exist.
+/// A BRDF over pairs of texels of two hemispheres; weight 0 for pairs below the horizon.
 struct Pairs {
   size_t n = 0;
   std::vector<float> value, known;
@@ -250,7 +250,7 @@ Pairs tabulate(const ClothBrdf& b, Split split) {
   return m;
 }
 
-/// Relative RMS error after 1, 2 .. `terms` products, each the best one for what the others left.
+/// Relative RMS error after 1, 2 .. `terms` products, each the best fit of the remainder.
 std::vector<double> rank_errors(Pairs m, int terms) {
   double all = 0;
   for (const float v : m.value) all += static_cast<double>(v) * static_cast<double>(v);

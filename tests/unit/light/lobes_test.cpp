@@ -1,4 +1,4 @@
-// The lobes of a yarn: energy, reciprocity, numbers at the edges.
+// Lobes of a yarn: energy, reciprocity, edge cases.
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ Range furnace_range(const YarnLobes& y) {
 TEST(Furnace, RoundLobesReturnAllLight) {
   for (const float s : {0.0f, 0.02f, 0.1f, 0.22f, 0.3f, 0.45f, 0.7f, 1.0f, 1.6f, 2.4f, 3.5f}) {
     const Range mirror = furnace_range(white_mirror(s, s)), cotton = furnace_range(white_cotton(s, s));
-    // Beyond an RMS slope of 2 light leaves among facets steeper than 60 degrees only.
+    // Beyond an RMS slope of 2 light leaves only among facets steeper than 60 degrees.
     const double tolerance = s <= 2 ? 0.01 : 0.04;
     EXPECT_NEAR(mirror.low, 1, tolerance) << s;
     EXPECT_NEAR(mirror.high, 1, tolerance) << s;
@@ -70,7 +70,7 @@ TEST(Furnace, YarnsReturnAllLight) {
     }
 }
 
-// Layers of fibres: their reflectance bends with the angle, so that means over facets are fitted, not stored.
+// Fibre layers: their reflectance is non-linear in that of one layer, so means over facets are fitted, not stored.
 TEST(Furnace, PilesOfFibresReturnAllLight) {
   for (const float layers : {2.0f, 4.0f, 8.0f, 16.0f}) {
     const double tolerance = layers <= 4 ? 0.02 : layers <= 8 ? 0.035 : 0.05;
@@ -89,8 +89,8 @@ TEST(Furnace, PilesOfFibresReturnAllLight) {
 }
 
 TEST(Furnace, LongMirrorsStayWithinTheTableError) {
-  // F = 1 doubles nothing away: the whole error of the albedo table shows. Seen along neither axis it is
-  // largest, since the table joins independent and correlated slopes linearly.
+  // With F = 1 the whole error of the albedo table shows. It is largest between the axes, since the table interpolates
+  // linearly between independent and correlated slopes.
   for (const float a : {0.05f, 0.25f, 0.8f, 2.0f})
     for (const float b : {0.1f, 0.5f, 1.3f, 3.0f}) {
       const Range r = furnace_range(white_mirror(a, b));
@@ -100,12 +100,12 @@ TEST(Furnace, LongMirrorsStayWithinTheTableError) {
 }
 
 TEST(Furnace, SingleScatteringAloneLosesLight) {
-  // What fails without the compensation: a rough white lobe turns dark.
+  // Without the compensation a rough white lobe turns dark.
   const YarnLobes y = white_mirror(1, 1);
   const glm::vec3 wo = at_degrees(60, 20);
   const double once = scattered_once(y, wo);
   EXPECT_LT(once, 0.85);
-  EXPECT_NEAR(once, 1 - static_cast<double>(formulas::lobe_side(y, formulas::lobe_shared(y), wo).lost), 0.01);
+  EXPECT_NEAR(once, 1 - static_cast<double>(formulas::lobe_side(y, formulas::lobe_shared(y), wo).loss), 0.01);
 }
 
 TEST(Furnace, FuzzOverWhiteBodyReturnsAllLight) {
@@ -299,7 +299,7 @@ TEST(YarnLobes, KeepWithinTheirRanges) {
   EXPECT_TRUE(std::isfinite(f.x) && std::isfinite(f.z) && f.x >= 0);
 }
 
-// A width that the file would hold at 4 was drawn as it was: the picture changed when the design was saved.
+// A width that the file would clamp to 4 was once drawn unclamped: the picture changed when the design was saved.
 TEST(YarnLobes, AreHeldWhereTheFileHoldsThem) {
   Lobes wide;
   wide.along_width = 900;

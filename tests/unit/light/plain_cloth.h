@@ -1,5 +1,5 @@
 #pragma once
-// Plain weave laid out whole, its ends and picks alike: what the measurements on threads are tried on.
+// Plain weave with equal ends and picks, for the tests of surface samples.
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Directions and quadratures that the tests of light share.
+// Directions and quadratures for the tests of light.
 
 #include <cmath>
 #include <functional>
@@ -25,7 +25,7 @@ inline glm::vec3 random_upper(std::mt19937& rng) {
   return direction(z, u(rng) * 2 * formulas::kPi);
 }
 
-/// Any yarn, turned ones and ones without fuzz among them.
+/// A random yarn, also with rotated lobes and without fuzz.
 inline formulas::YarnLobes random_lobes(std::mt19937& rng) {
   std::uniform_real_distribution<float> u(0, 1);
   const auto colour = [&] { return glm::vec3(u(rng), u(rng), u(rng)); };
@@ -58,7 +58,7 @@ inline glm::dvec3 furnace(const std::function<glm::vec3(glm::vec3)>& f, int ring
   return sum * (2 * M_PI / (static_cast<double>(rings) * turns));
 }
 
-/// What a lobe sends of a white hemisphere's light by single scattering alone, red.
+/// Albedo of single scattering of a lobe, red.
 inline double scattered_once(const formulas::YarnLobes& y, const glm::vec3& wo) {
   const auto s = formulas::lobe_shared(y);
   const auto o = formulas::lobe_side(y, s, wo);
@@ -68,14 +68,14 @@ inline double scattered_once(const formulas::YarnLobes& y, const glm::vec3& wo) 
   return furnace(once, 200, 200).x;
 }
 
-/// The same for a lobe that may be sharp: the grid lies over facets' slopes (reflected about wo) for the
-/// specular part, which is 0 elsewhere; `rest` is integrated by furnace().
+/// The same for a sharp lobe: the grid lies over facet slopes (reflected about wo) for the specular part, which is 0
+/// elsewhere; `rest` is integrated by furnace().
 inline glm::dvec3 slope_furnace(const formulas::YarnLobes& y, const glm::vec3& wo, int nodes = 160) {
   const formulas::LobeShared s = formulas::lobe_shared(y);
   const formulas::LobeSide o = formulas::lobe_side(y, s, wo);
   const float a = std::sqrt(s.cov.x), b = s.cov.y / a, c = std::sqrt(s.cov.z - b * b);  // Cholesky
   glm::dvec3 sum(0);
-  // Even in the angles of both independent slopes, so that wide lobes are resolved where they reflect up.
+  // Uniform in the angles of both independent slopes, so that wide lobes are resolved where they reflect upwards.
   const double reach_a = std::atan(6.0 * static_cast<double>(a)), reach_c = std::atan(6.0 * static_cast<double>(c));
   for (int i = 0; i < nodes; ++i)
     for (int j = 0; j < nodes; ++j) {

@@ -9,7 +9,7 @@
 
 namespace weftlight::light {
 
-/// "cotton" (even shares, wide) and "satin" (long weft floats, narrow); colours as given.
+/// "cotton" (equal fractions, wide) and "satin" (long weft floats, narrow); colours as given.
 inline ClothBrdf preset_cloth_brdf(std::string_view name, Linear warp, Linear weft) {
   if (name == "satin") return make_cloth_brdf(0.1f, 0.9f, 0.3f, 0.3f, warp, weft);
   return make_cloth_brdf(0.5f, 0.5f, 1.0f, 1.0f, warp, weft);
@@ -20,7 +20,7 @@ inline ClothBrdf preset_cloth_brdf(std::string_view name, Linear warp, Linear we
 inline float shadowing_exact(const formulas::Vrst03& p, const glm::vec3& w) {
   constexpr int kSteps = 400;
   const auto of_thread = [&](float sigma, float along, float across) {
-    const float reach = std::atan(std::min(5 * sigma, 100.0f));  // beyond, the Gaussian is nothing
+    const float reach = std::atan(std::min(5 * sigma, 100.0f));  // beyond, the Gaussian is negligible
     float sum = 0;
     for (int i = 0; i < kSteps; ++i) {
       const float a = reach * (2 * (static_cast<float>(i) + 0.5f) / kSteps - 1), slope = std::tan(a) / sigma,

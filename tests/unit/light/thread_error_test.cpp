@@ -1,4 +1,4 @@
-// How few samples a cloth's threads need: measured on it, and the ladder fitted to that.
+// Sampling error measured on a cloth's threads, and the LOD table fitted to it.
 
 #include "light/thread_error.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 Cloth plain() { return plain_cloth(16, 0.5f, 0.45f); }
 
-/// Errors as large as the worst cloths' are, of so many samples and at any footprint.
+/// Errors of the worst cloths, for a number of samples at any footprint.
 LodTable of_the_worst() {
   LodTable lod_table;
   for (int i = 0; i < formulas::kLattices; ++i) {
@@ -36,7 +36,7 @@ TEST(ThreadErrors, FallWithSamplesAndAreTheSameEveryTime) {
     EXPECT_LT(errors.rel_rmse[f].back(), errors.rel_rmse[f].front()) << kErrorFootprints[f];
   }
   EXPECT_GT(errors.rel_rmse.back()[1], 1.5f * errors.rel_rmse.front()[1]);
-  // Regular weaves in one colour: an eighth of what nothing at all would be off by.
+  // Regular weaves in one colour: an eighth of the error of a black picture.
   EXPECT_LT(errors.rel_rmse.back().back(), 0.125f);
 }
 
@@ -45,14 +45,14 @@ TEST(ThreadErrors, FitTheLodTableToTheCloth) {
   const Plan plan = plan_of(any, {0.15f}), own = plan_of(fitted(any, thread_errors(plain())), {0.15f});
   EXPECT_LT(samples_at(own, 0.5f), samples_at(plan, 0.5f));
   EXPECT_GE(samples_at(own, 1), samples_at(own, 0.25f));
-  // Other rungs, and cloths that nothing is known of, keep their rows.
+  // Other methods, and unmeasured cloths, keep their rows.
   EXPECT_EQ(expected_error(fitted(any, thread_errors(plain())), Method::kRepeat, 1), 0.1f);
   EXPECT_EQ(expected_error(fitted(any, {}), Method::kYarn, 1, 5), expected_error(any, Method::kYarn, 1, 5));
 }
 
 TEST(ThreadErrors, OfNoThreadsAreNotMeasured) {
   EXPECT_FALSE(thread_errors({}).measured);
-  // A ladder without rows of rung yarn stays as it is.
+  // A LOD table without rows of method yarn stays as it is.
   const LodTable none{{Method::kRepeat, 1, 1, 0.1f, 0.1f, 1}};
   EXPECT_EQ(expected_error(fitted(none, thread_errors(plain())), Method::kRepeat, 1), 0.1f);
 }

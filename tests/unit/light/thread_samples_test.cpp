@@ -1,4 +1,4 @@
-// Places on the threads: together they are the cloth that is seen.
+// Surface samples: together they make up the visible cloth.
 
 #include "light/thread_samples.h"
 
@@ -22,7 +22,7 @@ Cloth plain(int threads, float thickness_mm) {
   return plain_cloth(threads, kSpacing, thickness_mm, yarn);
 }
 
-/// Share of the plane that each system covers, seen along a view.
+/// Coverage of each system along a view.
 std::array<float, 2> covers(const ThreadSamples& threads, size_t view) {
   const glm::vec3 v = response_views()[view];
   std::array<float, 2> sum{};
@@ -37,14 +37,14 @@ constexpr size_t kFromAbove = static_cast<size_t>((kResponseElevations - 1) * kV
 std::array<float, 2> hits(const Cloth& cloth, size_t view) {
   ThreadScene scene(cloth);
   constexpr int kSide = 96, kCells = 48;
-  std::array<float, 2> share{};
+  std::array<float, 2> coverage{};
   for (int i = 0; i < kSide * kSide; ++i) {
     const glm::vec2 at = (glm::vec2(i % kSide, i / kSide) + 0.5f) / static_cast<float>(kSide) *
                          glm::vec2(cloth.width_mm, cloth.depth_mm);
     const auto hit = scene.first_thread(scene.grid(), at, response_views()[view], kCells);
-    if (hit.system >= 0) share[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
+    if (hit.system >= 0) coverage[static_cast<size_t>(hit.system)] += 1.0f / (kSide * kSide);
   }
-  return share;
+  return coverage;
 }
 
 /// Two blocks side by side: 3/1 twill, where the warp shows, and 1/3.
@@ -65,7 +65,7 @@ Cloth damask() {
   return lay_out(design, drawdown(d), Face::kFront, Period::kWholeDraft);
 }
 
-// Blocks stand out the more the flatter they are seen: the fewer threads of each hide between the others.
+// The contrast of blocks grows with the slant of the view: the fewer threads of each are hidden between the others.
 TEST(ThreadSamples, WhatIsSeenRisesWithTheCoverAround) {
   const Cloth cloth = damask();
   const std::vector<float> rise = cloth_response(cloth, bake(cloth, {192, 32}), 1 << 14).visible_rise;
@@ -76,7 +76,7 @@ TEST(ThreadSamples, WhatIsSeenRisesWithTheCoverAround) {
     constexpr int kSide = 128, kCells = 48;
     for (int i = 0; i < kSide * kSide; ++i) {
       const size_t block = i % 2 ? 1 : 0;
-      // The middle third of a block: the tent that measures the cover around does not reach the other one.
+      // The middle third of a block, where the tent that measures the coverage around does not reach the other block.
       const float along = (static_cast<float>(i / 2 % kSide) + 0.5f) / kSide;
       const glm::vec2 at{cloth.width_mm * (0.5f * static_cast<float>(block) + (1 + along) / 6),
                          cloth.depth_mm * (static_cast<float>(i / kSide) + 0.5f) / kSide};
@@ -99,7 +99,7 @@ TEST(ThreadSamples, FromEverySideTheyAreWhatRaysMeet) {
   const Cloth cloth = plain(8, 1);
   const ThreadSamples threads = thread_samples(cloth, 1 << 15);
   for (size_t view = 0; view <= kFromAbove; ++view) {
-    if (response_views()[view].z < 0.1f) continue;  // below, few places are seen, each for much
+    if (response_views()[view].z < 0.1f) continue;  // lower views see few samples, with much weight each
     const std::array<float, 2> seen = covers(threads, view), met = hits(cloth, view);
     for (size_t s = 0; s < 2; ++s) EXPECT_NEAR(seen[s], met[s], 0.04) << "view " << view << ", system " << s;
   }
@@ -113,7 +113,7 @@ TEST(ThreadSamples, WindowsOfALargeClothAnswerAsTheWhole) {
   }
 }
 
-TEST(ThreadSamples, NoThreadsNoPlaces) { EXPECT_TRUE(thread_samples({}, 100).samples.empty()); }
+TEST(ThreadSamples, NoThreadsNoSamples) { EXPECT_TRUE(thread_samples({}, 100).samples.empty()); }
 
 }  // namespace
 }  // namespace weftlight::light

@@ -1,4 +1,4 @@
-// Draped truth at the rim, where rounded normals of a mesh turn from an eye that still sees the triangle.
+// The draped reference at silhouettes, where interpolated normals face away from an eye that still sees the triangle.
 
 #include <gtest/gtest.h>
 
@@ -32,11 +32,11 @@ Cloth white_over_black() {
   return cloth;
 }
 
-/// An upright prism of few sides, its normals those of the cylinder that it stands for.
+/// An upright prism of few sides, with the normals of the cylinder that it approximates.
 drape::Mesh rounded_prism(int sides, float radius_mm, float height_mm) {
   drape::Mesh mesh;
   for (int i = 0; i <= sides; ++i) {
-    // Turned so that a side shows at the rim of which a good part has normals that look away.
+    // Turned so that a side shows at the silhouette, a large part of whose normals face away.
     const float turn = 2 * kPi * (static_cast<float>(i) + 0.43f) / static_cast<float>(sides);
     const glm::vec3 out(std::sin(turn), 0, std::cos(turn));
     for (const float y : {0.0f, height_mm}) {

@@ -1,5 +1,5 @@
-// The threads as the shaders evaluate them (shaders/threads.glsl) against the traced tubes: same thread, same place,
-// same normal, same shadow.
+// Threads as the shaders evaluate them (shaders/threads.glsl) against the traced tubes: same thread, position, normal
+// and shadow.
 
 #include "cloth/thread_scene.h"
 
@@ -58,7 +58,7 @@ Cloth pockets() {
   return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
 }
 
-/// Plain weave of thick and thin yarn, with room beside the threads.
+/// Plain weave of uneven yarn, with gaps between the threads.
 Cloth slubs() {
   Design design;
   design.draft = blank_draft(40, 40, 2, 2);
@@ -142,8 +142,8 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
           threads.threads_block(grid, found.at, light, 24, found.system, found.strand.thread))
         ++other_shadow;
     }
-    // Plain weave of touching threads, and steep where layers change places: the quick distance takes a grazing ray for
-    // met a little early.
+    // For plain weave of touching threads, and for steep threads where layers change places, the approximate distance
+    // reports a grazing ray as a hit a little early.
     const bool sharp = GetParam() == kThick || GetParam() == kCords;  // fine threads bend sharply about thick ones
     EXPECT_LT(other, (GetParam() == kPockets ? tilt > 60 ? 0.25 : 0.04 : sharp ? 0.04 : 0.03) * kRays) << tilt;
     EXPECT_LT(apart / kRays, (GetParam() == kPockets ? 0.012 : 0.006) * static_cast<double>(grid.top)) << tilt;
@@ -167,7 +167,7 @@ TEST_P(Threads, LightFromBelowIsStoppedByTheThreadsBelow) {
 }
 
 TEST_P(Threads, TheTileHasNoSeam) {
-  // Sections lean over the tile's border: both sides must know them.
+  // Sections lean across the tile's border, so both sides must contain them.
   ThreadScene threads(cloth());
   const auto grid = threads.grid();
   std::mt19937 random(3);

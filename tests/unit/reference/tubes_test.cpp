@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// Ends of 1 mm every 2 mm; the weft has no thickness, so nothing crimps and nothing else is seen.
+/// Ends of 1 mm every 2 mm; the weft has no thickness, so there is no crimp and nothing else is visible.
 Cloth parallel_cylinders(int count) {
   Cloth cloth;
   Yarn yarn;
@@ -44,7 +44,7 @@ TEST(tubes, a_ray_meets_the_cylinder_where_it_is) {
   const auto tubes = tubes_of(cloth);
   const float centre = centre_height_mm(cloth, System::kWarp, 0, 0.3f);
   for (float x : {-0.45f, -0.2f, 0.0f, 0.31f}) {
-    for (float far : {0.0f, 600.0f, -3600.0f}) {  // endless: the same three hundred periods away
+    for (float far : {0.0f, 600.0f, -3600.0f}) {  // infinite: the same three hundred periods away
       TubeHit hit;
       ASSERT_TRUE(tubes->intersect({1 + x + far, 0.3f, 5}, {0, 0, -1}, 0, hit));
       EXPECT_NEAR(hit.position.z, centre + std::sqrt(0.25f - x * x), 0.01f);
@@ -85,8 +85,8 @@ TEST(trace, a_lambertian_cylinder_lit_from_the_eye_averages_a_quarter_pi) {
   const auto tubes = tubes_of(parallel_cylinders(2));
   FlatPicture picture = one_pixel();
   const TracedImage image = trace_flat(*tubes, picture, {});
-  // Radiance cos(theta) over the half of the plane that is covered. A smooth yarn still shows its single
-  // fibres: their tone has the mean 1, but white cannot get whiter, which takes 1.5 %.
+  // Radiance cos(theta) over the covered half of the plane. A smooth yarn still shows its single fibres: their tone
+  // has the mean 1, but white is clamped, which takes 1.5 %.
   EXPECT_NEAR(image.pixels[0].r, 0.5f * kPi / 4, 0.008f);
 }
 
@@ -130,8 +130,8 @@ TEST(trace, white_cloth_in_a_white_furnace_is_white) {
   picture.step_x_mm = {4, 0}, picture.step_y_mm = {0, 4};
   picture.around.light_irradiance = glm::vec3(0);
   picture.around.sky = [](glm::vec3) { return glm::vec3(1); };
-  // Nothing is gained; what is lost stays where threads are pressed into each other, and in the tone of the
-  // single fibres, 1.5 % a bounce.
+  // No energy is gained; losses are where threads are pressed into each other, and in the tone of the single fibres,
+  // 1.5 % a bounce.
   const auto expect_white = [&](const TubeScene& scene) {
     for (const glm::vec4& p : trace_flat(scene, picture, {}).pixels) {
       EXPECT_LT(p.r, p.a * 1.005f);

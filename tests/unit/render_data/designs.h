@@ -1,5 +1,5 @@
 #pragma once
-// Small designs and meshes for the tests of what is uploaded and of the picture.
+// Small designs and meshes for the tests of render data and renderer.
 
 #include "draft/edits.h"
 #include "drape/mesh.h"

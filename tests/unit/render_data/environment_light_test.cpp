@@ -1,4 +1,4 @@
-// A picture of the light from all around, split into lights and the rest: no light is lost or made.
+// An environment map, split into lights and the rest, conserves energy.
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ TEST(Environments, KeepAllTheirLight) {
   EXPECT_LE(e.lights().size(), kMaxLights);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(whole(e)[k] / all[k], 1, 1e-3);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(e.mean()[k] * 4 * kPi / all[k], 1, 1e-3);
-  // Chosen by their light, texels give it all.
+  // Importance-sampled texels give all of the light.
   glm::vec3 sampled(0);
   constexpr int kSide = 256;
   for (int i = 0; i < kSide * kSide; ++i)
@@ -121,7 +121,7 @@ TEST(Environments, ASceneTurnsThemByTheAzimuthOfItsLight) {
   LightRig rig;
   rig.environment = std::make_shared<const Environment>(std::move(image));
   Scene scene;
-  scene.light_azimuth = 180, scene.light_strength = 2;  // what lay behind the cloth lies before it
+  scene.light_azimuth = 180, scene.light_strength = 2;  // light from behind the cloth now comes from the front
   const SceneLight light = scene_light(rig, scene);
   ASSERT_EQ(light.lights.size(), 1u);
   EXPECT_GT(light.lights[0].towards.z, 0.9f);

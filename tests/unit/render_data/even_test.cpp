@@ -1,4 +1,4 @@
-// From which footprint on a cloth has one answer: not while its figure shows, be it in sheen alone.
+// Footprint from which on a cloth is uniform: not while its figure shows, even in sheen alone.
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kBlock = 40;
 
-/// Satin on five shafts, warp-faced and weft-faced in blocks as a chequerboard where `figured`, else warp-faced all
-/// over.
+/// Satin on five shafts, if `figured` warp-faced and weft-faced in a chequerboard of blocks, else warp-faced
+/// everywhere.
 Design white_satin(bool figured) {
   Design d;
   d.draft = blank_draft(2 * kBlock, 2 * kBlock, 10, 10);

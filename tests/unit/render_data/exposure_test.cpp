@@ -1,4 +1,4 @@
-// The exposure lifts dark cloths and leaves white ones white, and a darker cloth still looks darker.
+// Automatic exposure brightens dark cloths and leaves white ones white, and a darker cloth still looks darker.
 
 #include "render_data/exposure.h"
 

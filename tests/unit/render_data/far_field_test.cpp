@@ -1,4 +1,4 @@
-// The answer from afar against the threads traced as bodies, wherever the light is.
+// Far-field radiance against the traced threads, for lights on both sides.
 
 #include "render_data/far_field.h"
 
@@ -17,7 +17,7 @@ namespace weftlight::render_data {
 namespace {
 
 constexpr std::array kDrafts{"plain", "twill_2_2", "satin_8", "twill_damask", "denim", "gauze"};
-constexpr float kViewAzimuth = -73;  // degrees, no thread's
+constexpr float kViewAzimuth = -73;  // degrees, not along a thread
 
 glm::vec3 tilted(float azimuth_deg, float degrees) {
   const float a = glm::radians(azimuth_deg), t = glm::radians(degrees);
@@ -73,7 +73,8 @@ class FarFields : public ::testing::Test {
 };
 std::vector<Shipped> FarFields::cloths;
 
-// Texels that hold the edge of a thread are of one system all the same: of satin the maps gave the weft a quarter more.
+// Texels at the edge of a thread belong to one system all the same: on satin the maps overestimated the weft by a
+// quarter.
 TEST_F(FarFields, SharesAreWhatRaysSeeOfEachSystem) {
   constexpr int kRays = 40'000;
   for (const Shipped& cloth : cloths) {
@@ -90,7 +91,8 @@ TEST_F(FarFields, SharesAreWhatRaysSeeOfEachSystem) {
   }
 }
 
-// Other threads stop nearly all of it: what is left is a fiftieth of what the same light sends from before the cloth.
+// Other threads occlude nearly all of it: what remains is a fiftieth of the radiance under the same light from the
+// front.
 TEST_F(FarFields, LightFromBehindComesThroughThePlacesThatNoThreadHides) {
   for (const Shipped& cloth : cloths) {
     for (const float tilt : {0.0f, 60.0f}) {
@@ -102,8 +104,8 @@ TEST_F(FarFields, LightFromBehindComesThroughThePlacesThatNoThreadHides) {
   }
 }
 
-// Pinholes are narrow: lights between the nodes, each by what it sends. Satin lets all but nothing through; what it
-// sends is mirrored by few sides.
+// Pinholes are narrow: lights between the nodes, weighted by their radiance. Satin transmits almost nothing; the rest
+// is mirrored by few sides.
 TEST_F(FarFields, LightFromBehindHoldsBetweenTheNodesToo) {
   const std::array lights{tilted(100, 140), tilted(-73, 140), tilted(0, 180), tilted(35, 155), tilted(160, 130)};
   for (const Shipped& cloth : cloths) {
@@ -132,7 +134,7 @@ TEST_F(FarFields, TheSkyIsSeenAsFarAsOtherThreadsLeaveIt) {
   }
 }
 
-// Highlights are narrow: few of the places that are measured hold them.
+// Highlights are narrow, so few samples contain them.
 TEST_F(FarFields, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
   for (const Shipped& cloth : cloths) {
     for (const float tilt : {0.0f, 60.0f, 80.0f}) {

@@ -1,4 +1,4 @@
-// Every set-up of lights that can be chosen has its file, and soft light that is somewhere and nowhere below 0.
+// Every lighting preset has its file, and its sky is bright somewhere and nowhere negative.
 
 #include "render_data/light_rig.h"
 

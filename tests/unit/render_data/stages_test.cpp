@@ -9,7 +9,7 @@
 namespace weftlight::render_data {
 namespace {
 
-/// 80 x 80 threads in an 8-shaft satin: too many for the whole draft to be shown in fine maps.
+/// 80 x 80 threads of an 8-shaft satin: too many to bake the whole draft in fine maps.
 Design satin() {
   Design d;
   d.draft = blank_draft(80, 80, 8, 8);
@@ -76,7 +76,7 @@ TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
   expect_caught_up();
 }
 
-/// 199 x 199 threads, picks in no order: what repeats nowhere, and a tie-up cell that changes some 2,500 crossings.
+/// 199 x 199 threads with random picks: without a repeat, and with a tie-up cell that changes about 2,500 crossings.
 Design unordered() {
   Design d;
   d.draft = blank_draft(199, 199, 4, 4);
@@ -125,7 +125,7 @@ TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
   stages.update(keep(before));
   Stages fresh;
   fresh.update(keep(before));
-  // Near: a corner of the cloth, two threads a pixel of which are seen one by one.
+  // Close up: a corner of the cloth, two threads a pixel, drawn one by one.
   const float mm = stages.packed().width_mm / 199;
   stages.set_visible_part({10 * mm, 20 * mm, 40 * mm, 50 * mm, 0.05f * mm});
   const StageResult near = stages.update(keep(after), Effort::kQuick);
@@ -137,7 +137,7 @@ TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 }
 
-// What the window draws by: the preview keeps the light that it has.
+// The preview keeps the lights that it has.
 TEST(Stages, APictureOfLightThatCannotBeReadIsToldAndTheOldLightStays) {
   const Scratch scratch;
   Stages stages;

@@ -155,7 +155,7 @@ TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
 TEST(TextureSet, SetsOfOthersAreNotReplaced) {
   const Scratch scratch("sets");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
-  EXPECT_NE(who_is_there(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
+  EXPECT_NE(existing_files_problem(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
   TextureSetOptions namesake = options_for(ExportTarget::kUnreal, 32);
   namesake.draft_path = "other/sample.wif";

@@ -284,7 +284,7 @@ TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
   EXPECT_NEAR(mean[1], 0.5, 0.02) << "normal, y";
   EXPECT_NEAR(mean[2], 0.5, 0.01) << "smoothness";
   EXPECT_NEAR(mean[3], 0.5, 0.02) << "normal, x";
-  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for Fabric's thread slot"), std::string::npos);
+  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for the thread slot of HDRP/Fabric"), std::string::npos);
 }
 
 /// Unity's inspector would set these, but an import does not: a blended material without them is drawn opaque.

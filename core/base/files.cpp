@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "platform/file_lock.h"
 #include "platform/unique_name.h"
 
@@ -21,13 +22,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr size_t kLongestStem = 150, kLongestEnding = 50;  // of a temporary's name, whose bytes end at 255
+constexpr size_t kMaxStem = 150, kMaxExtension = 50;  // bytes of a temporary name, which may have at most 255
 
-std::string not_written(const std::string& path, const std::string& cause) {
-  return path + ": cannot be written: " + cause;
+std::string not_read(int error_number) {
+  return fill(tr("cannot be read: {cause}"), arg("cause", cause_of(error_number)));
 }
 
-/// A descriptor that is closed once; closing may be the first to tell of a full disk.
+std::string not_written(const std::string& path, const std::string& cause) {
+  return fill(tr("{file}: cannot be written: {cause}"), arg("file", path), arg("cause", cause));
+}
+
+/// A file descriptor that is closed once. A full disk may be reported only by close().
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -46,7 +51,7 @@ class Descriptor {
   int fd_;
 };
 
-/// 0, or the errno of what failed. What cannot be flushed (a pipe, a terminal) need not be.
+/// Returns 0 or errno. Pipes and terminals cannot be flushed, which is no error.
 int write_all(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
@@ -57,8 +62,8 @@ int write_all(int fd, std::string_view bytes) {
   return ::fsync(fd) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP ? errno : 0;
 }
 
-/// The file a chain of symbolic links ends at, which may not be there yet.
-fs::path target_of(fs::path path) {
+/// The file at the end of a chain of symbolic links; it need not exist.
+fs::path link_target(fs::path path) {
   constexpr int kMaxLinks = 32;
   std::error_code error;
   for (int i = 0; i < kMaxLinks && fs::is_symlink(path, error); ++i) {
@@ -69,7 +74,7 @@ fs::path target_of(fs::path path) {
   return path;
 }
 
-/// The descriptor that a name stands for: a stream that is open already goes on where it is.
+/// The descriptor of a name such as /dev/stdout: an open stream continues at its position.
 std::optional<int> open_stream(const std::string& path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -90,14 +95,14 @@ std::string write_in_place(const std::string& path, std::string_view bytes) {
   return file.close() ? "" : not_written(path, cause_of(errno));
 }
 
-/// A renamed file is there after a power cut only when its folder is flushed too.
+/// A rename survives a power failure only if the folder is flushed too.
 void flush_folder_of(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.ok()) ::fsync(opened.get());
 }
 
-/// Gives the file beside the permissions of the one it replaces, flushes it and renames it. 0, or errno.
+/// Gives the temporary file the permissions of the one that it replaces, flushes it and renames it. Returns 0 or errno.
 int put_in_place(const std::string& beside, const fs::path& target, std::optional<mode_t> mode) {
   Descriptor file(::open(beside.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.ok()) return errno;
@@ -138,12 +143,12 @@ std::string written_by(const WriteFile& write, const std::string& beside) {
   try {
     return write(beside);
   } catch (const std::exception& problem) {
-    const std::string words = problem.what();
-    return words.empty() ? "it cannot be made" : words;
+    const std::string text = problem.what();
+    return text.empty() ? tr("it cannot be made") : text;
   }
 }
 
-/// A pipe or a device takes bytes in their order: a library's file is made elsewhere and sent whole.
+/// Pipes and devices need their bytes in order, so the library writes a temporary file first.
 std::string write_special(const std::string& path, const WriteFile& write) {
   std::error_code error;
   const std::string made = temporary_beside((fs::temp_directory_path(error) / fs::path(path).filename()).string());
@@ -157,25 +162,26 @@ std::string write_special(const std::string& path, const WriteFile& write) {
   return problem;
 }
 
-struct Target {
+struct Destination {
   fs::path path;
-  std::optional<mode_t> mode;  // of the file that is there
-  bool special = false;        // no file: a device, a pipe, a stream
+  std::optional<mode_t> mode;  // of an existing file
+  bool special = false;        // a device, a pipe or a stream
   std::string error;
 };
 
-Target target_at(const std::string& path) {
+Destination destination_at(const std::string& path) {
   struct stat old {};
   const bool there = ::stat(path.c_str(), &old) == 0;
   if (open_stream(path) || (there && !S_ISREG(old.st_mode) && !S_ISDIR(old.st_mode))) return {path, {}, true, {}};
-  if (path.empty()) return {{}, {}, false, "no file is named"};
-  if (there && S_ISDIR(old.st_mode)) return {{}, {}, false, path + ": is a folder; give the name of a file"};
-  Target target{target_of(path), {}, false, {}};
+  if (path.empty()) return {{}, {}, false, tr("no file name is given")};
+  if (there && S_ISDIR(old.st_mode))
+    return {{}, {}, false, fill(tr("{file}: is a folder; give the name of a file"), arg("file", path))};
+  Destination target{link_target(path), {}, false, {}};
   if (!there) return target;
-  // Renaming would replace what is read-only without asking; so would root.
-  const bool for_nobody = (old.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
-  if (for_nobody || ::access(target.path.c_str(), W_OK) != 0)
-    target.error = not_written(path, cause_of(for_nobody ? EACCES : errno));
+  // A rename would replace a read-only file without an error, and root may write everything.
+  const bool read_only = (old.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
+  if (read_only || ::access(target.path.c_str(), W_OK) != 0)
+    target.error = not_written(path, cause_of(read_only ? EACCES : errno));
   target.mode = old.st_mode;
   return target;
 }
@@ -185,49 +191,52 @@ Target target_at(const std::string& path) {
 std::string cause_of(int error_number) {
   switch (error_number) {
     case ENOSPC:
-      return "the disk is full";
+      return tr("the disk is full");
     case EDQUOT:
-      return "the disk is full up to your quota";
+      return tr("your quota of the disk is full");
     case EACCES:
     case EPERM:
-      return "it is read-only, or its folder is (permission denied)";
+      return tr("it or its folder is read-only (permission denied)");
     case EROFS:
-      return "the disk is read-only";
+      return tr("the disk is read-only");
     case ENOENT:
-      return "its folder is not there";
+      return tr("its folder does not exist");
     case ENOTDIR:
-      return "its folder is a file";
+      return tr("its folder is a file");
     case EIO:
-      return "the disk failed (input/output error)";
+      return tr("the disk failed (input/output error)");
     case EFBIG:
-      return "it is larger than files may be";
+      return tr("it is larger than the system allows");
     case ENAMETOOLONG:
-      return "its name is too long";
+      return tr("its name is too long");
     default:
       return std::generic_category().message(error_number);
   }
 }
 
-FileBytes read_file(const std::string& path, uint64_t most) {
-  // Opening a pipe waits for its writer, unless asked not to.
+FileBytes read_file(const std::string& path, uint64_t max_bytes) {
+  // Without O_NONBLOCK, opening a pipe would wait for its writer.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file.ok()) return {{}, errno == ENOENT ? "there is no such file" : "cannot be opened: " + cause_of(errno)};
+  if (!file.ok())
+    return {{},
+            errno == ENOENT ? tr("there is no such file")
+                            : fill(tr("cannot be opened: {cause}"), arg("cause", cause_of(errno)))};
   struct stat info {};
-  if (::fstat(file.get(), &info) != 0) return {{}, "cannot be read: " + cause_of(errno)};
-  if (S_ISDIR(info.st_mode)) return {{}, "is a folder"};
-  if (!S_ISREG(info.st_mode)) return {{}, "is a pipe or a device, not a file"};
-  const std::string too_large = "is larger than " + std::to_string(most >> 20) + " MiB";
-  if (static_cast<uint64_t>(info.st_size) > most) return {{}, too_large};
+  if (::fstat(file.get(), &info) != 0) return {{}, not_read(errno)};
+  if (S_ISDIR(info.st_mode)) return {{}, tr("is a folder")};
+  if (!S_ISREG(info.st_mode)) return {{}, tr("is a pipe or a device, not a file")};
+  const std::string too_large = fill(tr("is larger than {size} MiB"), arg("size", max_bytes >> 20));
+  if (static_cast<uint64_t>(info.st_size) > max_bytes) return {{}, too_large};
   FileBytes result;
   result.bytes.reserve(static_cast<size_t>(info.st_size));
   char buffer[65536];
   for (;;) {
     const ssize_t got = ::read(file.get(), buffer, sizeof buffer);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return {{}, "cannot be read: " + cause_of(errno)};
+    if (got < 0) return {{}, not_read(errno)};
     if (got == 0) return result;
     result.bytes.append(buffer, static_cast<size_t>(got));
-    if (result.bytes.size() > most) return {{}, too_large};
+    if (result.bytes.size() > max_bytes) return {{}, too_large};
   }
 }
 
@@ -244,16 +253,16 @@ bool is_temporary_of(const std::string& path, const std::string& name) {
 }
 
 std::string why_not_writable(const std::string& path) {
-  const Target target = target_at(path);
+  const Destination target = destination_at(path);
   if (!target.error.empty()) return target.error;
   if (open_stream(path)) return {};
   const fs::path folder = target.path.has_parent_path() ? target.path.parent_path() : fs::path(".");
-  const fs::path asked = target.special ? target.path : folder / ".";  // beside a file its temporary is made
+  const fs::path asked = target.special ? target.path : folder / ".";  // a temporary file is made in the folder
   return ::access(asked.c_str(), W_OK) == 0 ? "" : not_written(path, cause_of(errno));
 }
 
 std::string write_through(const std::string& path, const WriteFile& write) {
-  const Target target = target_at(path);
+  const Destination target = destination_at(path);
   if (!target.error.empty()) return target.error;
   if (target.special) return write_special(path, write);
   const Beside made = make_beside(target.path.string());

@@ -1,7 +1,7 @@
 #pragma once
-// Whole files in and out. A file that is written is the old one or the new one, never half of each: written
-// beside it, flushed to the disk, renamed into place. Functions that write return an empty string, or the file
-// and what went wrong with it ("cloth.png: cannot be written: the disk is full").
+// Whole files in and out. Writing is atomic: the new file is written beside the old one, flushed to the disk and
+// renamed into place. Functions that write return an empty string, or the file and the problem ("cloth.png: cannot be
+// written: the disk is full").
 
 #include <cstdint>
 #include <functional>
@@ -15,25 +15,25 @@ inline constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 struct FileBytes {
   std::string bytes, error;  // the error does not name the file
 };
-/// Regular files only: a pipe or a device is refused and not waited for. Larger than `most` is refused.
-FileBytes read_file(const std::string& path, uint64_t most = kMaxFileBytes);
+/// Reads a regular file. Pipes, devices and files larger than `max_bytes` are errors; it never waits.
+FileBytes read_file(const std::string& path, uint64_t max_bytes = kMaxFileBytes);
 
-/// Writes to the file that a link leads to, keeps the permissions of the old one, and refuses what is read-only.
-/// Devices, pipes and the standard streams are written as they stand.
+/// Follows symbolic links, keeps the permissions of the old file, and fails on read-only files. Devices, pipes and the
+/// standard streams are written directly.
 std::string write_file_atomically(const std::string& path, std::string_view bytes);
-/// The same for libraries that write files themselves: `write` fills the file whose name it is given, which ends
-/// in the same extension, and returns what went wrong or throws it.
+/// The same for libraries that write files themselves: `write` gets the name of a temporary file with the same
+/// extension, and returns or throws the problem.
 using WriteFile = std::function<std::string(const std::string& beside)>;
 std::string write_through(const std::string& path, const WriteFile& write);
-/// Why `path` cannot be written, as those who write it would say, or empty: asked before work that takes long.
+/// Why `path` cannot be written, in the words of write_through(), or empty. For a check before long work.
 std::string why_not_writable(const std::string& path);
 
-/// A name beside `path` that nobody else uses, on no machine, with the same extension: "STEM.part-RANDOM.EXT". What is
-/// made there is locked (platform/file_lock.h) for as long as its owner lives: that alone tells what a dead one left.
+/// A unique name beside `path`, on any machine, with the same extension: "STEM.part-RANDOM.EXT". The file is locked
+/// (platform/file_lock.h) while its owner lives; only that tells what a killed process left.
 std::string temporary_beside(const std::string& path);
 /// Whether `name`, without its folder, is one that temporary_beside(path) gives.
 bool is_temporary_of(const std::string& path, const std::string& name);
-/// What errno says, in the words of one who saves a file ("the disk is full").
+/// The text for an errno of writing a file ("the disk is full").
 std::string cause_of(int error_number);
 
 }  // namespace weftlight::base

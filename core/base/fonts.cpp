@@ -22,7 +22,7 @@ int weight_of(FontWeight weight) {
 
 const FcChar8* text(const char* words) { return reinterpret_cast<const FcChar8*>(words); }
 
-/// fontconfig gives the nearest font of any family: only one of this family's name will do.
+/// fontconfig returns the closest font of any family, so the family name must be compared.
 std::string file_of(FcConfig* config, const char* family, FontWeight weight) {
   const Pattern wanted(FcPatternCreate());
   FcPatternAddString(wanted.get(), FC_FAMILY, text(family));

@@ -1,5 +1,5 @@
 #pragma once
-// Where the system keeps its fonts, asked of fontconfig.
+// Finds fonts of the system through fontconfig.
 
 #include <span>
 #include <string>
@@ -8,8 +8,8 @@ namespace weftlight::base {
 
 enum class FontWeight { kRegular, kMedium, kSemiBold };
 
-/// File of the first of `families` that is installed, upright and in the weight nearest to the one asked for; a
-/// .ttf, .otf or .ttc. Empty where none is.
+/// The file (.ttf, .otf or .ttc) of the first of `families` that is installed, upright and in the closest weight. Empty
+/// if none is installed.
 std::string font_file(std::span<const char* const> families, FontWeight weight = FontWeight::kRegular);
 
 }  // namespace weftlight::base

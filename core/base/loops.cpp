@@ -13,15 +13,15 @@
 namespace weftlight::base {
 namespace {
 
-/// What one thread did before it gives, another sees after it takes. oneTBB holds to that, but its library is not built
-/// for the thread sanitizer, which has to be told.
-struct HandOver {
+/// Tells the thread sanitizer that writes before release() are visible after acquire(). oneTBB guarantees it, but its
+/// library is not instrumented.
+struct SanitizerFence {
 #if defined(__SANITIZE_THREAD__)
-  void give() { __tsan_release(this); }
-  void take() { __tsan_acquire(this); }
+  void release() { __tsan_release(this); }
+  void acquire() { __tsan_acquire(this); }
 #else
-  void give() {}
-  void take() {}
+  void release() {}
+  void acquire() {}
 #endif
 };
 
@@ -30,24 +30,24 @@ struct HandOver {
 int core_count() { return std::max(1, tbb::info::default_concurrency()); }
 
 void for_each_job(int count, int threads, const std::function<void(int)>& job) {
-  const int most = std::min({threads > 0 ? threads : core_count(), core_count(), count});
-  if (most <= 1) {
+  const int workers = std::min({threads > 0 ? threads : core_count(), core_count(), count});
+  if (workers <= 1) {
     for (int i = 0; i < count; ++i) job(i);
     return;
   }
-  // An arena of its own: a loop within a job is not held to the threads of the loop around it, and a thread that
-  // waits for its own loop takes up no job of another, whose locks it may hold.
-  tbb::task_arena arena(most);
-  HandOver begun, done;
-  begun.give();
+  // A separate arena: an inner loop is not limited to the threads of the outer loop, and a thread that waits for its
+  // loop does not run a job of another loop, whose locks it might need.
+  tbb::task_arena arena(workers);
+  SanitizerFence begin, end;
+  begin.release();
   arena.execute([&] {
     tbb::parallel_for(0, count, [&](int i) {
-      begun.take();
+      begin.acquire();
       job(i);
-      done.give();
+      end.release();
     });
   });
-  done.take();
+  end.acquire();
 }
 
 }  // namespace weftlight::base

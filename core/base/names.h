@@ -1,5 +1,5 @@
 #pragma once
-// The folder that every other may use; it uses the names of none.
+// Every folder may use this one; it uses the names of none.
 
 namespace weftlight {
 namespace base {}

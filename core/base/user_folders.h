@@ -1,5 +1,5 @@
 #pragma once
-// Where the user's own files lie, by the XDG base directory specification.
+// The folders for files of the user, by the XDG base directory specification.
 
 #include <cstddef>
 #include <string>
@@ -10,11 +10,11 @@ namespace weftlight::base {
 std::string config_folder();
 /// $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight: unsaved work, what --live-export wrote.
 std::string state_folder();
-/// $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight: what can be made again, as small pictures of drafts.
+/// $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight: what can be made again, such as thumbnails of drafts.
 std::string cache_folder();
 
-/// Leaves the newest `most` of a folder's files with that extension (".glb") and removes the older ones, as a cache
-/// does. A folder that is not there is left so.
-void keep_newest(const std::string& folder, const std::string& extension, size_t most);
+/// Removes all but the newest `max_files` files with that extension (".glb") from a folder. A missing folder is no
+/// error.
+void keep_newest(const std::string& folder, const std::string& extension, size_t max_files);
 
 }  // namespace weftlight::base

@@ -1,5 +1,5 @@
 #pragma once
-// Text for those who take UTF-8 alone (JSON, the window).
+// Valid UTF-8 from any bytes, for JSON and for the window.
 
 #include <cstdint>
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace weftlight::base {
 
-/// Bytes of the valid UTF-8 sequence at the head of `text`, its code point in `code`; 0: there is none.
+/// Length in bytes of the valid UTF-8 sequence at the start of `text`, with its code point in `code`; 0 if there is
+/// none.
 size_t utf8_sequence(std::string_view text, uint32_t& code);
 bool is_utf8(std::string_view text);
-/// The same text where it is UTF-8; each byte that is part of no character becomes U+FFFD.
+/// The text with each byte that is not part of a character replaced by U+FFFD.
 std::string as_utf8(std::string_view text);
-/// The head of `text`, at most `bytes` long, cut between characters.
+/// The start of `text`, at most `bytes` long, cut between characters.
 std::string_view cut_utf8(std::string_view text, size_t bytes);
 
 }  // namespace weftlight::base

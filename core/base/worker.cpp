@@ -62,7 +62,7 @@ void Worker::work() {
     const std::stop_token stop = stop_.get_token();
     lock.unlock();
     job(stop);
-    job = nullptr;  // what it holds goes before anyone is told
+    job = nullptr;  // its captures are destroyed before waiting threads are notified
     lock.lock();
     working_ = false;
     changed_.notify_all();

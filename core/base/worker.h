@@ -1,6 +1,6 @@
 #pragma once
-// A thread that does the newest job of each kind: what waits is replaced by what is newer, and what is at work
-// is asked to give way.
+// A thread that runs the newest job of each kind: a newer job replaces a waiting one of the same kind, and asks a
+// running one to stop.
 
 #include <condition_variable>
 #include <functional>
@@ -15,9 +15,9 @@ namespace weftlight::base {
 
 class Worker {
  public:
-  /// `stop` is asked for when a newer job of its kind waits, or when nobody wants the job any more.
+  /// `stop` is requested when a newer job of the same kind waits, or by drop().
   using Job = std::function<void(const std::stop_token& stop)>;
-  /// What becomes of jobs that wait when the worker goes.
+  /// What the destructor does with waiting jobs.
   enum class Leaving { kDrop, kFinish };
 
   explicit Worker(Leaving leaving = Leaving::kDrop);
@@ -25,26 +25,26 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Takes the place of the waiting job of the same kind.
+  /// Replaces a waiting job of the same kind.
   void post(Job job, const std::string& kind = {});
-  /// Nothing waits any more, and the job at work is asked to stop.
+  /// Removes all waiting jobs and asks the running one to stop.
   void drop();
-  /// A job waits, or is at work and was not asked to stop.
+  /// True if a job waits, or runs without a request to stop.
   bool busy() const;
-  /// Until nothing waits and nothing is at work.
+  /// Blocks until no job waits or runs.
   void wait() const;
 
  private:
   void work();
 
   const Leaving leaving_;
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // protects all members below
   mutable std::condition_variable changed_;
   std::vector<std::pair<std::string, Job>> waiting_;  // oldest first, one of a kind
-  std::string kind_;                                  // of the job at work
-  std::stop_source stop_;                             // of the job at work
+  std::string kind_;                                  // of the running job
+  std::stop_source stop_;                             // of the running job
   bool working_ = false, closing_ = false;
-  std::thread thread_;  // the last to be made
+  std::thread thread_;  // must be the last member
 };
 
 }  // namespace weftlight::base

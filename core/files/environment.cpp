@@ -8,17 +8,24 @@
 #include <filesystem>
 #include <numbers>
 
+#include "files/file_problem.h"
+
 namespace weftlight::files {
 namespace {
 
-constexpr int kWidest = 32768;
-constexpr int kBandRows = 32;
-constexpr float kBrightest = 1e7f;  // the sun's disc is some 1e5 times as bright as the sky around
+using base::arg;
+using base::fill;
+using base::tr;
+using base::tr_n;
 
-/// Which channels hold the light: R, G, B by name, else the first three, else one for all.
+constexpr int kMaxWidth = 32768;
+constexpr int kBandRows = 32;
+constexpr float kMaxRadiance = 1e7f;  // the disc of the sun is about 1e5 times as bright as the sky
+
+/// The channels with the radiance: R, G, B by name, otherwise the first three, otherwise a single one for all.
 struct Channels {
   int first = 0, count = 3;
-  std::array<int, 3> of{0, 1, 2};  // from `first`
+  std::array<int, 3> rgb{0, 1, 2};  // relative to `first`
 };
 
 Channels channels_of(const OIIO::ImageSpec& spec) {
@@ -34,22 +41,27 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
   return {*low, *high - *low + 1, {at[0] - *low, at[1] - *low, at[2] - *low}};
 }
 
-std::string refused(const std::string& format, const OIIO::ImageSpec& spec) {
-  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
-  if (format != "hdr" && format != "openexr") return "holds no light beyond white; give an .hdr or an .exr";
-  if (spec.deep) return "is a deep picture; save it as a flat one";
+/// A reason to reject the header, or an empty string.
+std::string header_problem(const std::string& format, const OIIO::ImageSpec& spec) {
+  const auto with_size = [&spec](const char* text) {
+    return fill(text, arg("width", spec.width), arg("height", spec.height));
+  };
+  if (format != "hdr" && format != "openexr") return tr("holds no light brighter than white; give an .hdr or an .exr");
+  if (spec.deep) return tr("is a deep picture; save it as a flat one");
   if (spec.width < 4 || spec.height < 2 || spec.depth > 1 || spec.nchannels < 1)
-    return "is " + size + "; give a picture of at least 4 x 2";
-  if (spec.width > kWidest) return "is " + size + "; scale it down to at most 32768 x 16384";
-  if (spec.width != 2 * spec.height) return "is " + size + "; give an equirectangular picture, twice as wide as high";
-  if (spec.nchannels > 64) return "has " + std::to_string(spec.nchannels) + " channels; save it with R, G, B alone";
+    return with_size(tr("is {width} x {height}; give a picture of at least 4 x 2"));
+  if (spec.width > kMaxWidth) return with_size(tr("is {width} x {height}; scale it down to at most 32768 x 16384"));
+  if (spec.width != 2 * spec.height)
+    return with_size(tr("is {width} x {height}; give an equirectangular picture, twice as wide as high"));
+  if (spec.nchannels > 64)
+    return fill(tr("has {count} channels; save it with R, G and B only"), arg("count", spec.nchannels));
   return {};
 }
 
-/// Sums of the source's texels in those that are kept.
-class Gather {
+/// Averages the texels of the source into those of the result.
+class TexelAverager {
  public:
-  Gather(int width, int height)
+  TexelAverager(int width, int height)
       : width_(width),
         height_(height),
         image_{std::min(width, kEnvironmentWidth), std::min(height, kEnvironmentWidth / 2), 3, {}} {
@@ -60,12 +72,13 @@ class Gather {
 
   void add_row(int y, const float* texels, const Channels& channels) {
     const double step = std::numbers::pi / height_;
-    const double covers = std::cos(y * step) - std::cos((y + 1) * step);
+    const double solid_angle = std::cos(y * step) - std::cos((y + 1) * step);
     const size_t row = static_cast<size_t>(int64_t{y} * image_.height / height_) * static_cast<size_t>(image_.width);
     for (int x = 0; x < width_; ++x, texels += channels.count) {
       double* to = &sums_[4 * (row + static_cast<size_t>(int64_t{x} * image_.width / width_))];
-      for (size_t k = 0; k < 3; ++k) to[k] += covers * static_cast<double>(light_of(texels[channels.of[k]]));
-      to[3] += covers;
+      for (size_t k = 0; k < 3; ++k)
+        to[k] += solid_angle * static_cast<double>(valid_radiance(texels[channels.rgb[k]]));
+      to[3] += solid_angle;
     }
   }
   Image picture() {
@@ -76,25 +89,25 @@ class Gather {
       }
     return std::move(image_);
   }
-  int64_t dark() const { return dark_; }
-  int64_t dazzling() const { return dazzling_; }
+  int64_t invalid() const { return invalid_; }  // below 0 or not a number
+  int64_t too_bright() const { return too_bright_; }
   bool lit() const { return lit_; }
 
  private:
-  float light_of(float value) {
-    if (!(value >= 0)) return ++dark_, 0.0f;
-    if (value > kBrightest) return ++dazzling_, kBrightest;
+  float valid_radiance(float value) {
+    if (!(value >= 0)) return ++invalid_, 0.0f;
+    if (value > kMaxRadiance) return ++too_bright_, kMaxRadiance;
     return value;
   }
 
   int width_, height_;
   Image image_;
   std::vector<double> sums_;  // r, g, b, weight
-  int64_t dark_ = 0, dazzling_ = 0;
+  int64_t invalid_ = 0, too_bright_ = 0;
   bool lit_ = false;
 };
 
-/// Rows y to end, of the channels alone.
+/// Reads the rows from y to end, only these channels.
 bool read_rows(OIIO::ImageInput& in, int y, int end, const Channels& c, std::vector<float>& rows) {
   const OIIO::ImageSpec& s = in.spec();
   const int last = c.first + c.count;
@@ -104,17 +117,24 @@ bool read_rows(OIIO::ImageInput& in, int y, int end, const Channels& c, std::vec
                        rows.data());
 }
 
-/// Null with `error` set when the head refuses it.
+/// Null, with `error`, if the header is not usable.
 std::unique_ptr<OIIO::ImageInput> open(const std::string& path, std::string& error) {
   std::error_code ec;
   if (!std::filesystem::is_regular_file(path, ec)) {
-    error = path + ": no such file; choose another picture";
+    error = fill(tr("{file}: no such file; choose another picture"), arg("file", path));
     return nullptr;
   }
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
-  if (!in) error = path + ": " + OIIO::geterror() + "; give an .hdr or an .exr that is whole";
-  else if (const std::string why = refused(in->format_name(), in->spec()); !why.empty()) error = path + ": " + why;
+  if (!in)
+    error = fill(tr("{file}: {problem}; give an .hdr or an .exr that is whole"), arg("file", path),
+                 arg("problem", OIIO::geterror()));
+  else if (const std::string why = header_problem(in->format_name(), in->spec()); !why.empty())
+    error = file_problem(path, why);
   return error.empty() ? std::move(in) : nullptr;
+}
+
+std::string broken_file(const std::string& path, const std::string& problem) {
+  return fill(tr("{file}: {problem}; the file is broken"), arg("file", path), arg("problem", problem));
 }
 
 ReadEnvironment read_from(const std::string& path) {
@@ -123,26 +143,34 @@ ReadEnvironment read_from(const std::string& path) {
   if (!in) return {{}, error, {}};
   const OIIO::ImageSpec& spec = in->spec();
   const Channels channels = channels_of(spec);
-  // Tiles are read in whole rows of them.
+  // Tiles are read in whole rows of tiles.
   constexpr int64_t kMaxValues = int64_t{1} << 26;  // 256 MB
   const int band = std::min(spec.tile_height > 0 ? spec.tile_height : kBandRows, spec.height);
   const int64_t values = int64_t{spec.width} * band * channels.count;
-  if (values > kMaxValues) return {{}, path + ": its tiles are too large; save it in scan lines", {}};
+  if (values > kMaxValues) return {{}, file_problem(path, tr("its tiles are too large; save it with scan lines")), {}};
   std::vector<float> rows(static_cast<size_t>(values));
-  Gather gather(spec.width, spec.height);
+  TexelAverager averager(spec.width, spec.height);
   for (int y = 0; y < spec.height; y += band) {
     const int end = std::min(y + band, spec.height);
     if (!read_rows(*in, y, end, channels, rows))
-      return {{}, path + ": row " + std::to_string(y + 1) + " and on: " + in->geterror() + "; the file is broken", {}};
+      return {{},
+              fill(tr("{file}: from row {row} on: {problem}; the file is broken"), arg("file", path), arg("row", y + 1),
+                   arg("problem", in->geterror())),
+              {}};
     const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(channels.count);
-    for (int k = y; k < end; ++k) gather.add_row(k, &rows[static_cast<size_t>(k - y) * row], channels);
+    for (int k = y; k < end; ++k) averager.add_row(k, &rows[static_cast<size_t>(k - y) * row], channels);
   }
-  ReadEnvironment read{gather.picture(), {}, {}};
-  if (!gather.lit()) return {{}, path + ": is black all over; there is no light in it", {}};
-  if (gather.dark() > 0)
-    read.remarks.push_back(path + ": " + std::to_string(gather.dark()) + " values below 0 or no numbers; taken as 0");
-  if (gather.dazzling() > 0)
-    read.remarks.push_back(path + ": " + std::to_string(gather.dazzling()) + " values above 1e7; taken as 1e7");
+  ReadEnvironment read{averager.picture(), {}, {}};
+  if (!averager.lit()) return {{}, file_problem(path, tr("is black everywhere; there is no light in it")), {}};
+  if (averager.invalid() > 0)
+    read.remarks.push_back(
+        fill(tr_n("{file}: {count} value is below 0 or not a number; taken as 0",
+                  "{file}: {count} values are below 0 or not numbers; taken as 0", averager.invalid()),
+             arg("file", path), arg("count", averager.invalid())));
+  if (averager.too_bright() > 0)
+    read.remarks.push_back(fill(tr_n("{file}: {count} value is above 1e7; taken as 1e7",
+                                     "{file}: {count} values are above 1e7; taken as 1e7", averager.too_bright()),
+                                arg("file", path), arg("count", averager.too_bright())));
   return read;
 }
 
@@ -152,7 +180,7 @@ ReadEnvironment read_environment(const std::string& path) {
   try {
     return read_from(path);
   } catch (const std::exception& e) {
-    return {{}, path + ": " + e.what() + "; the file is broken", {}};
+    return {{}, broken_file(path, e.what()), {}};
   }
 }
 
@@ -161,7 +189,7 @@ std::string environment_problem(const std::string& path) {
   try {
     open(path, error);
   } catch (const std::exception& e) {
-    error = path + ": " + e.what() + "; the file is broken";
+    error = broken_file(path, e.what());
   }
   return error;
 }

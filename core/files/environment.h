@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of the light from all around: .hdr and .exr, equirectangular.
+// Environment maps: equirectangular .hdr and .exr pictures.
 
 #include <string>
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace weftlight::files {
 
-inline constexpr int kEnvironmentWidth = 1024;  // texels that a picture is read into at the most; half as high
+inline constexpr int kEnvironmentWidth = 1024;  // texels across after reading, at most; half as many down
 
 struct ReadEnvironment {
-  /// Radiance, 3 channels, each finite and >= 0; row 0 straight above, the middle column straight ahead.
+  /// Radiance, 3 channels, finite and >= 0. Row 0 is straight up, the middle column straight ahead.
   std::optional<Image> picture;
-  std::string error;                 // "FILE: what is wrong, and what to do"; then there is no picture
-  std::vector<std::string> remarks;  // what was set right, "FILE: what"
+  std::string error;                 // "FILE: what is wrong; what to do"; then there is no picture
+  std::vector<std::string> remarks;  // values that were corrected, "FILE: what"
 };
 
-/// Reads band by band and keeps each band's mean alone, so that a large picture takes no more memory than a small one.
-/// Of light: texels are weighed by the part of the sphere that they cover.
+/// Reads band by band and keeps averages only, so that a large picture takes no more memory than a small one. Texels
+/// are weighted by their solid angle.
 ReadEnvironment read_environment(const std::string& path);
 
-/// What the file's head alone tells against it, in the words of ReadEnvironment::error, within milliseconds; empty: it
-/// may be read.
+/// A problem that the header alone shows, as in ReadEnvironment::error; empty: the file may be readable. Takes
+/// milliseconds.
 std::string environment_problem(const std::string& path);
 
 }  // namespace weftlight::files

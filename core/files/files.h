@@ -1,5 +1,5 @@
 #pragma once
-// The only place that touches OpenImageIO and tinygltf.
+// Images and meshes in files. The only folder that uses OpenImageIO and tinygltf.
 
 #include <optional>
 #include <string>
@@ -19,32 +19,31 @@ struct Image {
 };
 enum class PixelType { kU8, kU16, kHalf, kFloat };
 
-/// Writes .png, .exr, .tif, .jpg by extension, beside the target and renamed into place. 8- and 16-bit
-/// values are taken as they are (0..1): the caller encodes sRGB. Empty string: done; else what went wrong.
-/// `channels`: names for an .exr, one a channel or none; other formats have no place for them.
+/// Writes .png, .exr, .tif or .jpg by extension, atomically. 8- and 16-bit values are stored as given (0..1): the
+/// caller encodes sRGB. `channels`: names for an .exr, one per channel or none; other formats do not store them.
+/// Returns an error, or an empty string.
 std::string write_image(const std::string& path, const Image& image, PixelType type,
                         const std::vector<std::string>& channels = {});
-/// Writes a tiled EXR that holds a whole mip chain; each level halves the one before, down to 1 x 1 or
-/// wherever `levels` ends. Values of `type` kHalf or kFloat.
+/// Writes a tiled EXR with a mip chain; each level has half the size of the one before. `type`: kHalf or kFloat.
 std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
                                 const std::vector<std::string>& channels = {});
 struct ReadImage {
   std::optional<Image> image;
   std::string error;
 };
-/// `level` of a mip chain; 0 of any image.
+/// `level`: of a mip chain; 0 for other images.
 ReadImage read_image(const std::string& path, int level = 0);
 
 struct ReadMesh {
   std::optional<Mesh> mesh;
   std::string error;  // what is wrong and what to do
 };
-/// Loads the first mesh scene of a .glb or .gltf (all primitives joined, node transforms applied, metres
-/// to millimetres). UVs are taken as millimetres when asset.extras.weftlight_uv_mm is set, otherwise one
-/// UV unit is the size that makes texture area equal surface area.
+/// Reads the default scene of a .glb or .gltf: primitives are joined, node transforms applied, metres become
+/// millimetres. UVs are millimetres if asset.extras.weftlight_uv_mm is set, otherwise they are scaled so that texture
+/// area equals surface area.
 ReadMesh read_mesh(const std::string& path);
 
-/// A PNG for a material: bytes, or a file in the folder of the mesh that is written.
+/// A PNG of a material: bytes, or a file in the folder of the mesh.
 struct GltfImage {
   std::vector<unsigned char> png;
   std::string file;
@@ -55,25 +54,25 @@ enum class GltfAlpha { kOpaque, kMask, kBlend };
 struct GltfMaterial {
   std::string name;
   GltfImage base_color, orm, normal, anisotropy, sheen;
-  float uv_scale_u = 1, uv_scale_v = 1;  // KHR_texture_transform: repeats a millimetre
+  float uv_scale_u = 1, uv_scale_v = 1;  // KHR_texture_transform: repeats per millimetre
   Linear sheen_color{0, 0, 0};
   float sheen_roughness = 0.5f;
   float anisotropy_strength = 0, anisotropy_rotation = 0;
-  float f0 = 0.04f, f90 = 1;  // of its dielectric, straight and grazing: KHR_materials_specular
-  float transmission = 0;     // share of the body's light that leaves behind
+  float f0 = 0.04f, f90 = 1;  // reflectance at normal and grazing incidence: KHR_materials_specular
+  float transmission = 0;     // diffuse transmission as a fraction of the diffuse light
   GltfAlpha alpha = GltfAlpha::kOpaque;
 };
-/// Writes a .glb (or .gltf with files beside it) of the mesh; without material when `front` is null. With `back` the
-/// triangles stand twice, each side with its own material; else one is seen from both sides. KHR_materials_
-/// diffuse_transmission is written to a .gltf alone: the Khronos validator does not know it yet.
+/// Writes the mesh as .glb, or as .gltf with files beside it. Without material if `front` is null. With `back` the
+/// triangles are written twice, each side with its own material; otherwise the material is double sided.
+/// KHR_materials_diffuse_transmission is only written to a .gltf, since the Khronos validator does not support it yet.
 std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
                        const GltfMaterial* back = nullptr);
 
-/// A shipped drape by name (presets/meshes/NAME.glb) or a file by path.
+/// Reads a shipped drape by name (presets/meshes/NAME.glb), or a file by path.
 ReadMesh load_drape(const std::string& name_or_path);
 
-/// Writes a line of text into an image, (x, y) the left end of its base line, `size` texels high. Needs a
-/// font of the system (third_party/packages.txt brings one); without any the image stays as it is.
+/// Draws a line of text into an image; (x, y) is the left end of the base line, `size` the height in texels. Needs a
+/// font of the system (third_party/packages.txt installs one); without a font nothing is drawn.
 void draw_text(Image& image, int x, int y, int size, const std::string& text, const std::vector<float>& colour);
 
 /// PNG bytes in memory, for embedding.

@@ -1,5 +1,5 @@
-// Images through OpenImageIO. Alpha is kept as given on both ways (OpenImageIO would otherwise multiply
-// it in and out), and no colour-space chunk is written: what a texel means is said by the one who asks.
+// Images through OpenImageIO. Alpha stays unassociated in both directions (OpenImageIO would otherwise premultiply),
+// and no colour-space chunk is written: the caller defines what a texel means.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -13,20 +13,25 @@
 #include <filesystem>
 
 #include "base/files.h"
+#include "files/file_problem.h"
 #include "files/files.h"
 #include "files/image_rows.h"
 
 namespace weftlight::files {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 constexpr int kMaxSide = 65536;
 constexpr int kMaxChannels = 256;
 constexpr int64_t kMaxValues = int64_t{1} << 29;  // 2 GiB of floats
 constexpr float kMaxHalf = 65504.0f;
-// zlib level of PNG. 2048^2 RGBA8: level 1 takes 0.5 s, OpenImageIO's own 6 takes 1.9 s for files 10 % smaller.
+// zlib level of PNG. 2048^2 RGBA8: level 1 takes 0.5 s; level 6, OpenImageIO's default, 1.9 s for files 10% smaller.
 constexpr int kPngLevel = 1;
-// Each row less the one above. Of our maps at 2048^2, libpng's choice among five filters takes twice the time of level
-// 1 for files as long (normal map: 112 against 64 ms, 1560 against 1573 KB).
+// The filter "up". For maps of 2048^2, libpng's choice among five filters takes twice the time for files of the same
+// size (normal map: 112 against 64 ms, 1560 against 1573 KB).
 constexpr int kPngFilterUp = 32;
 
 std::string check_shape(const Image& image) {
@@ -34,9 +39,9 @@ std::string check_shape(const Image& image) {
   const bool fits = image.width >= 1 && image.width <= kMaxSide && image.height >= 1 && image.height <= kMaxSide &&
                     image.channels >= 1 && image.channels <= kMaxChannels && values <= kMaxValues;
   if (!fits)
-    return "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " x " +
-           std::to_string(image.channels) + " channels cannot be written";
-  if (static_cast<int64_t>(image.texels.size()) != values) return "the image's texels do not fill its size";
+    return fill(tr("an image of {width} x {height} x {channels} channels cannot be written"), arg("width", image.width),
+                arg("height", image.height), arg("channels", image.channels));
+  if (static_cast<int64_t>(image.texels.size()) != values) return tr("the texels of the image do not match its size");
   return {};
 }
 
@@ -47,12 +52,12 @@ std::vector<T> quantised(const std::vector<float>& values) {
   std::vector<T> out(values.size());
   std::transform(
       values.begin(), values.end(), out.begin(),
-      // By way of int, which processors convert to several at a time.
+      // Through int, for which there are vector conversions.
       [](float v) { return static_cast<T>(static_cast<int>(v > 0 ? std::min(v, 1.0f) * top + 0.5f : 0.0f)); });
   return out;
 }
 
-/// Half floats end at 65504: brighter values stop there and do not become infinite.
+/// Clamps to the largest half float, 65504, so that brighter values do not become infinite.
 std::vector<float> within_half(const std::vector<float>& values) {
   std::vector<float> out(values.size());
   std::transform(values.begin(), values.end(), out.begin(),
@@ -76,7 +81,7 @@ OIIO::TypeDesc type_desc(PixelType type) {
 
 using Names = std::vector<std::string>;
 
-/// What every .exr says, instead of when it was written: the same image gives the same bytes.
+/// The date in every .exr, so that the same image gives the same bytes.
 constexpr const char* kNoDate = "2000:01:01 00:00:00";
 
 OIIO::ImageSpec spec_for(const Image& image, PixelType type, const Names& names = {}) {
@@ -88,7 +93,7 @@ OIIO::ImageSpec spec_for(const Image& image, PixelType type, const Names& names 
     spec.channelnames = names;
     const auto alpha = std::find(names.begin(), names.end(), "A");
     spec.alpha_channel = alpha == names.end() ? -1 : static_cast<int>(alpha - names.begin());
-  } else if (image.channels > 4) {  // EXR sorts channels by name: these names keep their order
+  } else if (image.channels > 4) {  // EXR sorts channels by name; these names keep the order
     spec.channelnames.clear();
     for (int c = 0; c < image.channels; ++c) {
       std::string name = std::to_string(1000 + c);
@@ -116,7 +121,7 @@ bool write_texels(OIIO::ImageOutput& out, const Image& image, PixelType type) {
 
 std::string write_to(const std::string& path, const Image& image, PixelType type, const Names& names) {
   std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
-  if (!out) return OIIO::geterror() + " (write .png, .exr, .tif or .jpg)";
+  if (!out) return fill(tr("{problem} (write .png, .exr, .tif or .jpg)"), arg("problem", OIIO::geterror()));
   const bool exr = std::string_view(out->format_name()) == "openexr";
   OIIO::ImageSpec spec = spec_for(image, type, exr ? names : Names{});
   // Piz suits noisy half data best (184 ms against zip's 407 ms for 2048^2 RGBA).
@@ -137,22 +142,22 @@ std::string write_levels(const std::string& path, const std::vector<Image>& leve
     spec.tile_depth = 1;
     spec.attribute("compression", "piz");
     spec.attribute("DateTime", kNoDate);
-    spec.attribute("textureformat", "Plain Texture");  // what OpenImageIO writes with mip levels
-    spec.attribute("openexr:roundingmode", 0);         // sizes halve downwards
+    spec.attribute("textureformat", "Plain Texture");  // OpenImageIO's value for files with mip levels
+    spec.attribute("openexr:roundingmode", 0);         // odd sizes are rounded down
     const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
     if (!out->open(path, spec, mode) || !write_texels(*out, levels[i], type)) return out->geterror();
   }
   return out->close() ? "" : out->geterror();
 }
 
-/// OpenImageIO does not notice when a disk fills up under a PNG, so its bytes are written here.
+/// A PNG is written by this program, since OpenImageIO does not notice a full disk.
 bool is_png(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return extension == ".png";
 }
 
-/// A file that remembers whether the disk took all of it: OpenImageIO does not notice.
+/// A file that records whether everything was written, which OpenImageIO does not notice.
 class DiskFile : public OIIO::Filesystem::IOProxy {
  public:
   explicit DiskFile(const std::string& path)
@@ -170,7 +175,7 @@ class DiskFile : public OIIO::Filesystem::IOProxy {
   size_t write(const void* data, size_t size) override {
     const size_t written = file_ ? std::fwrite(data, 1, size, file_) : 0;
     whole_ = whole_ && written == size;
-    return size;  // the writers would throw or stop half-way: told at the end
+    return size;  // an error would make the encoders throw or stop; it is reported at the end
   }
   bool whole() const { return whole_; }
 
@@ -184,16 +189,17 @@ ReadImage read_from(const std::string& path, int level) {
   config.attribute("oiio:UnassociatedAlpha", 1);
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
   if (!in) return {{}, OIIO::geterror()};
-  if (!in->seek_subimage(0, level)) return {{}, path + ": has no mip level " + std::to_string(level)};
+  if (!in->seek_subimage(0, level))
+    return {{}, fill(tr("{file}: has no mip level {level}"), arg("file", path), arg("level", level))};
   const OIIO::ImageSpec& spec = in->spec();
   const int64_t values = int64_t{spec.width} * spec.height * spec.nchannels;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
       spec.nchannels > kMaxChannels || values > kMaxValues || spec.depth > 1) {
-    return {{}, path + ": an image of this size is not read; scale it down"};
+    return {{}, file_problem(path, tr("an image of this size is not read; scale it down"))};
   }
   Image image{spec.width, spec.height, spec.nchannels, std::vector<float>(static_cast<size_t>(values))};
   if (!in->read_image(0, level, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.texels.data())) {
-    return {{}, path + ": " + in->geterror()};
+    return {{}, file_problem(path, in->geterror())};
   }
   return {std::move(image), {}};
 }
@@ -202,7 +208,7 @@ ReadImage read_from(const std::string& path, int level) {
 
 struct ImageRows::File {
   std::string path;
-  std::unique_ptr<DiskFile> disk;  // PNG alone
+  std::unique_ptr<DiskFile> disk;  // PNG only
   std::unique_ptr<OIIO::ImageOutput> out;
   int width = 0, height = 0, channels = 0, next = 0;
   PixelType type = PixelType::kU8;
@@ -210,10 +216,10 @@ struct ImageRows::File {
 
 ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
-/// One that is given up: libpng tells the console of a file that ends before its first texels are out, and its buffers
-/// hold them back until there are many.
+/// An unfinished PNG: libpng prints an error on the console if a file ends before its first texels are written, which
+/// are buffered at first. Noise rows flush that buffer.
 ImageRows::~ImageRows() {
-  constexpr size_t kOut = size_t{1} << 18;  // bytes that are out then, if they look like noise
+  constexpr size_t kOut = size_t{1} << 18;  // bytes of noise that are enough to flush the buffer
   if (!file_ || !file_->out || !file_->disk || file_->next >= file_->height) return;
   const File& f = *file_;
   std::vector<uint16_t> row(static_cast<size_t>(f.width) * static_cast<size_t>(f.channels));
@@ -237,9 +243,9 @@ std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, i
     OIIO::ImageSpec spec = spec_for({width, height, channels, {}}, type, exr ? names : Names{});
     if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
     if (file->out && file->out->open(path, spec)) return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
-    problem = path + ": " + (file->out ? file->out->geterror() : OIIO::geterror());
+    problem = file_problem(path, file->out ? file->out->geterror() : OIIO::geterror());
   } catch (const std::exception& e) {
-    problem = path + ": " + e.what();
+    problem = file_problem(path, e.what());
   }
   return nullptr;
 }
@@ -247,7 +253,7 @@ std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, i
 std::string ImageRows::add(const Image& band) {
   File& f = *file_;
   if (band.width != f.width || band.channels != f.channels || f.next + band.height > f.height)
-    return f.path + ": a band does not fit the image";
+    return file_problem(f.path, tr("a band does not fit the image"));
   const int end = f.next + band.height;
   bool written = false;
   switch (f.type) {
@@ -264,25 +270,27 @@ std::string ImageRows::add(const Image& band) {
       written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::FLOAT, band.texels.data());
   }
   f.next = end;
-  return written ? std::string{} : f.path + ": " + f.out->geterror();
+  return written ? std::string{} : file_problem(f.path, f.out->geterror());
 }
 
 std::string ImageRows::close() {
   File& f = *file_;
-  if (f.next != f.height) return f.path + ": the image's rows are not complete";
-  if (!f.out->close()) return f.path + ": " + f.out->geterror();
+  if (f.next != f.height) return file_problem(f.path, tr("rows of the image are missing"));
+  if (!f.out->close()) return file_problem(f.path, f.out->geterror());
   if (!f.disk) return {};
   f.disk->close();
-  return f.disk->whole() ? std::string{} : f.path + ": cannot be written: " + std::strerror(errno ? errno : ENOSPC);
+  return f.disk->whole() ? std::string{}
+                         : fill(tr("{file}: cannot be written: {cause}"), arg("file", f.path),
+                                arg("cause", cause_of(errno ? errno : ENOSPC)));
 }
 
 std::string write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
-  if (std::string problem = check_shape(image); !problem.empty()) return path + ": " + problem;
+  if (std::string problem = check_shape(image); !problem.empty()) return file_problem(path, problem);
   if (!channels.empty() && channels.size() != static_cast<size_t>(image.channels))
-    return path + ": not every channel has its name";
+    return file_problem(path, tr("some channels have no name"));
   if (is_png(path)) {
     const std::vector<unsigned char> bytes = encode_png(image, type);
-    if (bytes.empty()) return path + ": cannot be encoded";
+    if (bytes.empty()) return file_problem(path, tr("cannot be encoded"));
     return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
   return write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
@@ -290,14 +298,14 @@ std::string write_image(const std::string& path, const Image& image, PixelType t
 
 std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
                                 const Names& channels) {
-  if (levels.empty()) return path + ": there is no level to write";
+  if (levels.empty()) return file_problem(path, tr("there is no mip level to write"));
   for (size_t i = 0; i < levels.size(); ++i) {
-    if (std::string problem = check_shape(levels[i]); !problem.empty()) return path + ": " + problem;
+    if (std::string problem = check_shape(levels[i]); !problem.empty()) return file_problem(path, problem);
     const Image& above = levels[i > 0 ? i - 1 : 0];
     const bool halves =
         i == 0 || (levels[i].width == std::max(above.width / 2, 1) &&
                    levels[i].height == std::max(above.height / 2, 1) && levels[i].channels == above.channels);
-    if (!halves) return path + ": a mip level does not halve the one before";
+    if (!halves) return file_problem(path, tr("a mip level does not have half the size of the one before"));
   }
   return write_through(path,
                        [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
@@ -305,11 +313,11 @@ std::string write_mipmapped_exr(const std::string& path, const std::vector<Image
 
 ReadImage read_image(const std::string& path, int level) {
   std::error_code ec;
-  if (!std::filesystem::is_regular_file(path, ec)) return {{}, path + ": no such file"};
+  if (!std::filesystem::is_regular_file(path, ec)) return {{}, file_problem(path, tr("no such file"))};
   try {
     return read_from(path, level);
   } catch (const std::exception& e) {
-    return {{}, path + ": " + e.what()};
+    return {{}, file_problem(path, e.what())};
   }
 }
 

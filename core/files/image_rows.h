@@ -1,5 +1,5 @@
 #pragma once
-// An image file that is written band by band, from the top, so that no more of it is in memory than a band.
+// An image file that is written band by band from the top, so that only one band is in memory.
 
 #include <memory>
 #include <string>
@@ -11,13 +11,13 @@ namespace weftlight::files {
 
 class ImageRows {
  public:
-  /// Opens .png or .exr by extension. `channels`: names for an .exr, or none. Null: `problem` says why.
+  /// Opens .png or .exr by extension. `channels`: names for an .exr, or none. Null: error, in `problem`.
   static std::unique_ptr<ImageRows> open(const std::string& path, int width, int height, int channels, PixelType type,
                                          const std::vector<std::string>& names, std::string& problem);
   ~ImageRows();
-  /// The next rows; as wide and with as many channels as the image. Empty: done; else what went wrong.
+  /// Writes the next rows; they have the width and channels of the image. Returns an error, or an empty string.
   std::string add(const Image& band);
-  /// After the last row; flushed to the disk.
+  /// Call it after the last row; flushes to the disk.
   std::string close();
 
  private:

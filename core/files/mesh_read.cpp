@@ -1,6 +1,6 @@
-// Reads a mesh from glTF 2.0. The file is not trusted: its JSON is parsed here with a limit on depth, cut
-// down to what a mesh needs (no images, materials, animations or extras), and only then given to tinygltf;
-// every accessor is checked against its buffer before a vertex is read, and counts are capped first.
+// Reads a mesh from glTF 2.0. The file is not trusted: its JSON is parsed with a limit on depth and reduced to what a
+// mesh needs (no images, materials, animations or extras) before tinygltf sees it. Counts are capped and every accessor
+// is checked against its buffer before a vertex is read.
 
 #include <tiny_gltf.h>
 
@@ -15,11 +15,15 @@
 #include <stdexcept>
 
 #include "base/files.h"
+#include "files/file_problem.h"
 #include "files/files.h"
 
 namespace weftlight::files {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
 using nlohmann::json;
 
 constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
@@ -27,17 +31,17 @@ constexpr size_t kMaxVertices = 8'000'000, kMaxIndices = 48'000'000;
 constexpr int kMaxJsonDepth = 64;
 constexpr size_t kMaxNodes = 100'000;
 constexpr float kMmPerMetre = 1000.0f;
-// Beyond a kilometre of cloth and ten of thread coordinates a float no longer tells threads apart, and
-// sums of squared areas leave its range.
+// Beyond a kilometre of cloth and ten kilometres of texture coordinates a float cannot resolve threads, and sums of
+// squared areas overflow.
 constexpr double kMaxPositionMm = 1e6, kMaxUvMm = 1e7;
 constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
-/// What is wrong and what to do; caught at the border of this file.
-struct Refused : std::runtime_error {
+/// What is wrong and what to do; caught in read_mesh().
+struct UnreadableMesh : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-[[noreturn]] void refuse(const std::string& why) { throw Refused(why); }
+[[noreturn]] void refuse(const std::string& why) { throw UnreadableMesh(why); }
 
 std::string whole_file(const std::string& path) {
   FileBytes file = read_file(path, kMaxFileBytes);
@@ -45,8 +49,8 @@ std::string whole_file(const std::string& path) {
   return std::move(file.bytes);
 }
 
-// A .gltf names files of its own. tinygltf would open pipes and devices, and gives a name to the shell's rules
-// of expansion: it is let see no more than regular files of the .gltf's folder, by the names they have.
+// A .gltf names other files. tinygltf would open pipes and devices, and expands names like a shell: these callbacks
+// allow only regular files in the folder of the .gltf, by their literal names.
 bool is_file_within(const std::string& path, void* folder) {
   std::error_code ec;
   const std::filesystem::path whole = std::filesystem::canonical(path, ec);
@@ -56,16 +60,16 @@ bool is_file_within(const std::string& path, void* folder) {
 }
 
 bool read_within(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* folder) {
-  const FileBytes file =
-      is_file_within(path, folder) ? read_file(path, kMaxFileBytes) : FileBytes{{}, "is no file of the .gltf's folder"};
+  const FileBytes file = is_file_within(path, folder) ? read_file(path, kMaxFileBytes)
+                                                      : FileBytes{{}, tr("is not a file in the folder of the .gltf")};
   out->assign(file.bytes.begin(), file.bytes.end());
-  if (!file.error.empty() && error) *error += path + " " + file.error;
+  if (!file.error.empty() && error) *error += file_problem(path, file.error);
   return file.error.empty();
 }
 
 std::string as_named(const std::string& path, void*) { return path; }
 
-/// The callbacks of any version: later ones ask for the size beforehand.
+/// Callbacks for any version of tinygltf; newer ones ask for the size first.
 template <class Callbacks>
 Callbacks callbacks_for(std::filesystem::path& folder) {
   Callbacks calls{};
@@ -84,7 +88,7 @@ Callbacks callbacks_for(std::filesystem::path& folder) {
   return calls;
 }
 
-/// The characters that %XX stand for.
+/// Decodes %XX.
 std::string decoded(const std::string& uri) {
   std::string out;
   for (size_t i = 0; i < uri.size(); ++i) {
@@ -97,17 +101,17 @@ std::string decoded(const std::string& uri) {
   return out;
 }
 
-/// A buffer's own file has a relative name that goes down only; "data:" holds the bytes themselves.
+/// The file of a buffer must be in or below the folder; "data:" contains the bytes themselves.
 void check_uri(const json& buffer) {
   const auto found = buffer.find("uri");
   if (found == buffer.end()) return;
-  if (!found->is_string()) refuse("a buffer's uri is no text; export it again as .glb");
+  if (!found->is_string()) refuse(tr("a buffer's uri is no text; export it again as .glb"));
   const std::string plain = decoded(found->get<std::string>());
   if (plain.rfind("data:", 0) == 0) return;
   const std::filesystem::path path(plain);
   const bool up = std::find(path.begin(), path.end(), "..") != path.end();
   if (up || path.is_absolute() || plain.find(':') != std::string::npos)
-    refuse("a buffer's uri leaves the folder of the .gltf; export it again as .glb");
+    refuse(tr("a buffer's uri leaves the folder of the .gltf; export it again as .glb"));
 }
 
 uint32_t u32_at(const std::string& bytes, size_t at) {
@@ -122,16 +126,16 @@ struct Chunks {
 
 Chunks split(const std::string& bytes) {
   if (bytes.compare(0, 4, "glTF") != 0) return {bytes, {}};
-  if (bytes.size() < 20) refuse("the file ends within its header; export it again");
+  if (bytes.size() < 20) refuse(tr("the file ends within its header; export it again"));
   if (u32_at(bytes, 4) != 2)
-    refuse("glTF version " + std::to_string(u32_at(bytes, 4)) + " is not read; export as glTF 2.0");
-  if (u32_at(bytes, 8) > bytes.size()) refuse("the file is cut short; export or copy it again");
+    refuse(fill(tr("glTF version {version} is not read; export as glTF 2.0"), arg("version", u32_at(bytes, 4))));
+  if (u32_at(bytes, 8) > bytes.size()) refuse(tr("the file is cut short; export or copy it again"));
   Chunks chunks;
   const std::string_view all(bytes);
   for (size_t at = 12; at + 8 <= bytes.size();) {
     const uint64_t size = u32_at(bytes, at);
     const uint32_t kind = u32_at(bytes, at + 4);
-    if (size > bytes.size() - at - 8) refuse("the file is cut short; export or copy it again");
+    if (size > bytes.size() - at - 8) refuse(tr("the file is cut short; export or copy it again"));
     if (kind == kJsonChunk && chunks.json.empty()) chunks.json = all.substr(at + 8, size);
     if (kind == kBinChunk && chunks.binary.empty()) chunks.binary = all.substr(at + 8, size);
     at += 8 + size + (4 - size % 4) % 4;
@@ -143,12 +147,12 @@ json parse(std::string_view text) {
   json root = json::parse(
       text.begin(), text.end(),
       [](int depth, json::parse_event_t, json&) {
-        if (depth > kMaxJsonDepth) refuse("its JSON is nested too deeply");
+        if (depth > kMaxJsonDepth) refuse(tr("its JSON is nested too deeply"));
         return true;
       },
       false);
-  if (root.is_discarded()) refuse("this is not glTF (its JSON does not parse); export it again as .glb");
-  if (!root.is_object()) refuse("this is not glTF: its JSON is no object");
+  if (root.is_discarded()) refuse(tr("this is not glTF (its JSON does not parse); export it again as .glb"));
+  if (!root.is_object()) refuse(tr("this is not glTF: its JSON is no object"));
   return root;
 }
 
@@ -157,16 +161,17 @@ struct Needed {
   bool uv_mm = false;
 };
 
-/// Only what a mesh needs, each kind of thing checked to be an array of objects.
-Needed cut_down(const json& root) {
+/// Keeps only what a mesh needs; each list is checked to be an array of objects.
+Needed reduced(const json& root) {
   Needed out;
   const json asset = root.value("asset", json::object());
-  if (!asset.is_object() || asset.value("version", json()) != "2.0") refuse("not glTF 2.0; export it as glTF 2.0");
+  if (!asset.is_object() || asset.value("version", json()) != "2.0") refuse(tr("not glTF 2.0; export it as glTF 2.0"));
   const json extras = asset.value("extras", json());
   out.uv_mm = extras.is_object() && extras.value("weftlight_uv_mm", json()) == true;
   for (const json& extension : root.value("extensionsRequired", json::array())) {
     for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
-      if (extension == packed) refuse(std::string("packed by ") + packed + "; export it without compression");
+      if (extension == packed)
+        refuse(fill(tr("packed by {extension}; export it without compression"), arg("extension", packed)));
     }
   }
   out.root = {{"asset", {{"version", "2.0"}}}};
@@ -175,10 +180,10 @@ Needed cut_down(const json& root) {
     const auto found = root.find(kind);
     if (found == root.end()) continue;
     if (!found->is_array() || found->size() > kMaxNodes)
-      refuse(std::string("its ") + kind + " are no list, or too many");
+      refuse(fill(tr("its {list} are not a list, or too many"), arg("list", kind)));
     json list = *found;
     for (json& item : list) {
-      if (!item.is_object()) refuse(std::string("one of its ") + kind + " is no object");
+      if (!item.is_object()) refuse(fill(tr("an entry of its {list} is not an object"), arg("list", kind)));
       for (const char* gone : {"extensions", "extras"}) item.erase(gone);
       if (kind == std::string_view("buffers")) check_uri(item);
     }
@@ -217,7 +222,8 @@ tinygltf::Model load(const Needed& needed, std::string_view binary, const std::s
   }
   if (!good) {
     std::replace(error.begin(), error.end(), '\n', ' ');
-    refuse((error.empty() ? "its parts do not fit together" : error) + "; export it again as .glb");
+    refuse(fill(tr("{problem}; export it again as .glb"),
+                arg("problem", error.empty() ? tr("its parts do not fit together") : error)));
   }
   return model;
 }
@@ -225,11 +231,11 @@ tinygltf::Model load(const Needed& needed, std::string_view binary, const std::s
 template <class T>
 const T& item(const std::vector<T>& list, int index, const char* what) {
   if (index < 0 || static_cast<size_t>(index) >= list.size())
-    refuse(std::string("it names a ") + what + " that is not there; export it again");
+    refuse(fill(tr("it refers to a missing {part}; export it again"), arg("part", what)));
   return list[static_cast<size_t>(index)];
 }
 
-/// An accessor whose every element is known to lie within its buffer.
+/// An accessor with all its elements inside its buffer.
 struct Elements {
   const unsigned char* data = nullptr;
   size_t count = 0, stride = 0;
@@ -264,14 +270,16 @@ struct Elements {
 
 Elements elements(const tinygltf::Model& model, int index, int type, size_t most) {
   const tinygltf::Accessor& accessor = item(model.accessors, index, "accessor");
-  if (accessor.type != type) refuse("an accessor has the wrong number of components; export it again");
-  if (accessor.sparse.isSparse) refuse("sparse accessors are not read; export without morph targets or sparse data");
-  if (accessor.count < 1 || accessor.count > most) refuse("it has too many vertices or none; export a lighter mesh");
+  if (accessor.type != type) refuse(tr("an accessor has the wrong number of components; export it again"));
+  if (accessor.sparse.isSparse)
+    refuse(tr("sparse accessors are not read; export without morph targets or sparse data"));
+  if (accessor.count < 1 || accessor.count > most)
+    refuse(tr("it has too many vertices or none; export a lighter mesh"));
   const tinygltf::BufferView& view = item(model.bufferViews, accessor.bufferView, "buffer view");
   const tinygltf::Buffer& buffer = item(model.buffers, view.buffer, "buffer");
   const int component = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));
   if (component < 1 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
-    refuse("an accessor's component type is unknown; export it again");
+    refuse(tr("an accessor's component type is unknown; export it again"));
   Elements out;
   out.count = accessor.count;
   out.component = accessor.componentType;
@@ -284,14 +292,15 @@ Elements elements(const tinygltf::Model& model, int index, int type, size_t most
                     view.byteLength <= total - view.byteOffset && accessor.byteOffset <= view.byteLength &&
                     element <= view.byteLength - accessor.byteOffset &&
                     out.count - 1 <= (view.byteLength - accessor.byteOffset - element) / out.stride;
-  if (!fits) refuse("an accessor reaches past the end of its buffer: the file is cut short or broken; export it again");
+  if (!fits)
+    refuse(tr("an accessor reaches past the end of its buffer: the file is cut short or broken; export it again"));
   out.data = buffer.data.data() + view.byteOffset + accessor.byteOffset;
   return out;
 }
 
 float finite(double v, const char* what) {
   if (!std::isfinite(v) || std::abs(v) > 1e9)
-    refuse(std::string("a ") + what + " is no usable number; export it again");
+    refuse(fill(tr("a {value} is not a usable number; export it again"), arg("value", what)));
   return static_cast<float>(v);
 }
 
@@ -343,13 +352,14 @@ Matrix local_matrix(const tinygltf::Node& node) {
   return m;
 }
 
-std::array<double, 9> cofactors(const Matrix& m) {  // normals turn by these
+/// The matrix that transforms normals.
+std::array<double, 9> cofactors(const Matrix& m) {
   return {m[5] * m[10] - m[6] * m[9], m[6] * m[8] - m[4] * m[10], m[4] * m[9] - m[5] * m[8],
           m[2] * m[9] - m[1] * m[10], m[0] * m[10] - m[2] * m[8], m[1] * m[8] - m[0] * m[9],
           m[1] * m[6] - m[2] * m[5],  m[2] * m[4] - m[0] * m[6],  m[0] * m[5] - m[1] * m[4]};
 }
 
-Vec3 turned(const std::array<double, 9>& m, const Elements& e, size_t i) {
+Vec3 transformed_normal(const std::array<double, 9>& m, const Elements& e, size_t i) {
   std::array<double, 3> v{};
   for (size_t c = 0; c < 3; ++c) {
     for (size_t r = 0; r < 3; ++r) v[r] += m[c * 3 + r] * e.value(i, static_cast<int>(c));
@@ -359,7 +369,7 @@ Vec3 turned(const std::array<double, 9>& m, const Elements& e, size_t i) {
   return {static_cast<float>(v[0] / length), static_cast<float>(v[1] / length), static_cast<float>(v[2] / length)};
 }
 
-/// The mesh as it grows, primitive by primitive. `normals_given` stays true while every primitive has them.
+/// The mesh while primitives are added. `normals_given`: all of them so far have normals.
 struct Gathered {
   Mesh mesh;
   bool normals_given = true;
@@ -369,7 +379,7 @@ void add_triangles(Gathered& out, std::vector<uint32_t> corner, int mode, uint32
   const size_t n = corner.size();
   if (n < 3) return;
   const size_t count = mode == TINYGLTF_MODE_TRIANGLES ? n / 3 : n - 2;
-  if (out.mesh.index.size() + 3 * count > kMaxIndices) refuse("it has too many triangles; export a lighter mesh");
+  if (out.mesh.index.size() + 3 * count > kMaxIndices) refuse(tr("it has too many triangles; export a lighter mesh"));
   for (size_t t = 0; t < count; ++t) {
     size_t a = 3 * t, b = a + 1, c = a + 2;
     if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) a = t, b = t + 1 + t % 2, c = t + 2 - t % 2;
@@ -392,12 +402,12 @@ std::vector<uint32_t> corners(const tinygltf::Model& model, const tinygltf::Prim
     return out;
   }
   const Elements e = elements(model, primitive.indices, TINYGLTF_TYPE_SCALAR, kMaxIndices);
-  if (e.component == TINYGLTF_COMPONENT_TYPE_FLOAT) refuse("its indices are not whole numbers; export it again");
+  if (e.component == TINYGLTF_COMPONENT_TYPE_FLOAT) refuse(tr("its indices are not whole numbers; export it again"));
   out.resize(e.count);
   for (size_t i = 0; i < e.count; ++i) {
     const double v = e.value(i, 0);
     if (v < 0 || v >= static_cast<double>(vertices))
-      refuse("a triangle names a vertex that is not there; export it again");
+      refuse(tr("a triangle names a vertex that is not there; export it again"));
     out[i] = static_cast<uint32_t>(v);
   }
   return out;
@@ -405,21 +415,21 @@ std::vector<uint32_t> corners(const tinygltf::Model& model, const tinygltf::Prim
 
 void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::Primitive& primitive, const Matrix& m) {
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-  if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) return;  // points and lines have no cloth
+  if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) return;  // points and lines are not cloth
   const Elements position = elements(model, attribute(primitive, "POSITION"), TINYGLTF_TYPE_VEC3, kMaxVertices);
   if (attribute(primitive, "TEXCOORD_0") < 0) {
     refuse(
-        "it has no texture coordinates (TEXCOORD_0), so the threads have no direction; unwrap it along the grain of "
-        "the cloth and export again");
+        tr("it has no texture coordinates (TEXCOORD_0), so the threads have no direction; unwrap it along the grain of "
+           "the cloth and export again"));
   }
   const Elements uv = elements(model, attribute(primitive, "TEXCOORD_0"), TINYGLTF_TYPE_VEC2, kMaxVertices);
   const int normal_at = attribute(primitive, "NORMAL");
   const Elements normal = normal_at < 0 ? Elements{} : elements(model, normal_at, TINYGLTF_TYPE_VEC3, kMaxVertices);
   if (uv.count != position.count || (normal_at >= 0 && normal.count != position.count))
-    refuse("its attributes differ in length; export it again");
+    refuse(tr("its attributes differ in length; export it again"));
   const size_t base = out.mesh.position_mm.size();
-  if (base + position.count > kMaxVertices) refuse("it has too many vertices; export a lighter mesh");
-  const std::array<double, 9> turn = cofactors(m);
+  if (base + position.count > kMaxVertices) refuse(tr("it has too many vertices; export a lighter mesh"));
+  const std::array<double, 9> normal_matrix = cofactors(m);
   out.normals_given = out.normals_given && normal_at >= 0;
   for (size_t i = 0; i < position.count; ++i) {
     const double x = position.value(i, 0), y = position.value(i, 1), z = position.value(i, 2);
@@ -427,15 +437,15 @@ void add_primitive(Gathered& out, const tinygltf::Model& model, const tinygltf::
     for (size_t r = 0; r < 3; ++r) {
       p[r] = finite((m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]) * double{kMmPerMetre}, "position");
       if (std::abs(double{p[r]}) > kMaxPositionMm)
-        refuse("it is larger than a kilometre; glTF counts in metres: scale it and export again");
+        refuse(tr("it is larger than a kilometre; glTF counts in metres: scale it and export again"));
     }
     out.mesh.position_mm.push_back(p);
-    // glTF's second coordinate runs down the image, v runs up the warp.
+    // glTF's second coordinate points down in the image, v points up along the warp.
     out.mesh.uv_mm.push_back(
         {-finite(uv.value(i, 0), "texture coordinate"), finite(uv.value(i, 1), "texture coordinate")});
-    out.mesh.normal.push_back(normal_at >= 0 ? turned(turn, normal, i) : Vec3{});
+    out.mesh.normal.push_back(normal_at >= 0 ? transformed_normal(normal_matrix, normal, i) : Vec3{});
   }
-  const double determinant = m[0] * turn[0] + m[1] * turn[1] + m[2] * turn[2];
+  const double determinant = m[0] * normal_matrix[0] + m[1] * normal_matrix[1] + m[2] * normal_matrix[2];
   if (determinant < 0) {
     for (size_t i = base; i < out.mesh.normal.size(); ++i) out.mesh.normal[i] = -out.mesh.normal[i];
   }
@@ -477,7 +487,8 @@ Gathered gather(const tinygltf::Model& model) {
     const Visit visit = stack.back();
     stack.pop_back();
     const tinygltf::Node& node = item(model.nodes, visit.node, "node");
-    if (seen[static_cast<size_t>(visit.node)]) refuse("its nodes form a ring, or one has two parents; export it again");
+    if (seen[static_cast<size_t>(visit.node)])
+      refuse(tr("its nodes form a ring, or one has two parents; export it again"));
     seen[static_cast<size_t>(visit.node)] = true;
     const Matrix m = product(visit.above, local_matrix(node));
     if (node.mesh >= 0) add_mesh(out, model, node.mesh, m);
@@ -486,11 +497,11 @@ Gathered gather(const tinygltf::Model& model) {
   if (model.nodes.empty()) {
     for (size_t i = 0; i < model.meshes.size(); ++i) add_mesh(out, model, static_cast<int>(i), kIdentity);
   }
-  if (out.mesh.index.empty()) refuse("it has no triangles in its scene; export a triangle mesh");
+  if (out.mesh.index.empty()) refuse(tr("it has no triangles in its scene; export a triangle mesh"));
   return out;
 }
 
-/// One UV unit becomes the length that makes texture area equal surface area.
+/// Scales the UVs so that texture area equals surface area.
 void scale_uv(Mesh& mesh) {
   double surface = 0, texture = 0;
   for (size_t t = 0; t + 2 < mesh.index.size(); t += 3) {
@@ -504,7 +515,7 @@ void scale_uv(Mesh& mesh) {
                         (double{q[1]} - double{p[1]}) * (double{r[0]} - double{p[0]}));
   }
   if (!(texture > 1e-12) || !(surface > 0))
-    refuse("its texture coordinates cover no area, so the threads have no direction; unwrap it and export again");
+    refuse(tr("its texture coordinates cover no area, so the threads have no direction; unwrap it and export again"));
   const float scale = static_cast<float>(std::sqrt(surface / texture));
   for (Vec2& uv : mesh.uv_mm) uv *= scale;
 }
@@ -513,13 +524,13 @@ void check_uv(const Mesh& mesh) {
   for (const Vec2& uv : mesh.uv_mm) {
     if (!(std::abs(double{uv[0]}) <= kMaxUvMm && std::abs(double{uv[1]}) <= kMaxUvMm)) {
       refuse(
-          "its texture coordinates run over ten kilometres of cloth; move the islands near the origin and export "
-          "again");
+          tr("its texture coordinates run over ten kilometres of cloth; move the islands near the origin and export "
+             "again"));
     }
   }
 }
 
-/// Tangents always follow the millimetre coordinates; normals of the file are kept where it has them.
+/// Computes tangents from the millimetre coordinates; normals of the file are kept if it has them.
 void complete_frames(Gathered& gathered) {
   const std::vector<Vec3> given = gathered.mesh.normal;
   compute_frames(gathered.mesh);
@@ -539,7 +550,7 @@ void complete_frames(Gathered& gathered) {
 Mesh read_checked(const std::string& path) {
   const std::string bytes = whole_file(path);
   const Chunks chunks = split(bytes);
-  const Needed needed = cut_down(parse(chunks.json));
+  const Needed needed = reduced(parse(chunks.json));
   const std::string folder = std::filesystem::path(path).parent_path().string();
   Gathered gathered = gather(load(needed, chunks.binary, folder));
   if (!needed.uv_mm) scale_uv(gathered.mesh);
@@ -555,7 +566,7 @@ ReadMesh read_mesh(const std::string& path) {
   try {
     return {read_checked(path), {}};
   } catch (const std::exception& e) {
-    return {{}, path + ": " + e.what()};
+    return {{}, file_problem(path, e.what())};
   }
 }
 

@@ -1,8 +1,8 @@
-// Writes a mesh with its material as glTF 2.0, one .glb or a .gltf with files beside it.
+// Writes a mesh with its material as glTF 2.0: a .glb, or a .gltf with files beside it.
 //
-// Texture coordinates are stored in millimetres, (-u, v): glTF's run right and down the image, and images show the
-// cloth as the editor does, with end 1 at the right and pick 1 at the top (core/draft/draft.h). The material turns
-// millimetres into repeats by KHR_texture_transform.
+// Texture coordinates are in millimetres, (-u, v): those of glTF point right and down in the image, and images show the
+// cloth like the editor, with end 1 at the right and pick 1 at the top (core/draft/draft.h). The material scales
+// millimetres to repeats by KHR_texture_transform.
 
 #include <algorithm>
 #include <cerrno>
@@ -18,11 +18,15 @@
 #include <span>
 
 #include "base/files.h"
+#include "files/file_problem.h"
 #include "files/files.h"
 
 namespace weftlight::files {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
 using nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 
@@ -33,11 +37,11 @@ constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
 struct Document {
   json root;
-  Bytes binary;                                      // of the one buffer
-  bool embed = true;                                 // images within the buffer, else as files
+  Bytes binary;                                      // of the only buffer
+  bool embed = true;                                 // images inside the buffer; false: as files
   std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
   std::string stem, folder;
-  std::map<std::string, int> textures;  // by image file: faces and uses share them
+  std::map<std::string, int> textures;  // by image file, shared between faces and uses
   std::string problem;
 };
 
@@ -75,14 +79,14 @@ int add_vectors(Document& doc, const std::vector<Vector>& values, bool bounds) {
   return static_cast<int>(doc.root["accessors"].size()) - 1;
 }
 
-/// Unit length, or `otherwise` where there is no direction: glTF allows no other lengths.
+/// The unit vector, or `otherwise` for a vector without direction: glTF requires unit length.
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const float length = glm::length(v);
   if (!(length > 1e-12f) || !std::isfinite(length)) return otherwise;
   return v / length;
 }
 
-/// Triangles that name a vertex twice have no area and are left out.
+/// The triangles without those that use a vertex twice, which have no area.
 std::vector<uint32_t> proper_triangles(const Mesh& mesh) {
   std::vector<uint32_t> index;
   index.reserve(mesh.index.size());
@@ -93,7 +97,7 @@ std::vector<uint32_t> proper_triangles(const Mesh& mesh) {
   return index;
 }
 
-/// The side that is seen from behind: normals turned about, and the bitangent as it was.
+/// Normals and tangents of one side. The back has opposite normals and the same bitangent.
 json add_frame(Document& doc, const Mesh& mesh, bool tangents, bool back) {
   const float side = back ? -1.0f : 1.0f;
   std::vector<Vec3> normal(mesh.normal);
@@ -107,7 +111,7 @@ json add_frame(Document& doc, const Mesh& mesh, bool tangents, bool back) {
     const Vec3& n = normal[i];
     const Vec3 any = unit_or(glm::cross(n, std::abs(n[0]) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
     const Vec3 t = unit_or(mesh.tangent[i], any);
-    tangent[i] = {-t[0], -t[1], -t[2], side};  // right in the image; normal x tangent is up in it
+    tangent[i] = {-t[0], -t[1], -t[2], side};  // points right in the image; normal x tangent points up
   }
   attributes["TANGENT"] = add_vectors(doc, tangent, false);
   return attributes;
@@ -123,7 +127,8 @@ int add_index(Document& doc, std::vector<uint32_t> index, bool back) {
   return static_cast<int>(doc.root["accessors"].size()) - 1;
 }
 
-constexpr float kThicknessMm = 0.1f;  // between front and back: path tracers cull no side, and one shaded the other
+constexpr float kThicknessMm =
+    0.1f;  // gap between front and back: path tracers do not cull, so coincident sides would shadow each other
 
 void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back) {
   std::vector<Vec3> position(mesh.position_mm);
@@ -136,15 +141,15 @@ void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* front, const 
   const int backs = back ? add_vectors(doc, position, true) : fronts;
   const std::vector<uint32_t> index = proper_triangles(mesh);
   json primitives = json::array();
-  // Programs blend what has no depth in the order in which it stands: the far side first.
+  // Programs blend surfaces without depth in file order: the far side must come first.
   const bool far_first = back && front->alpha == GltfAlpha::kBlend;
-  for (const bool behind : {far_first, !far_first}) {
-    if (behind && !back) break;
-    const GltfMaterial* material = behind ? back : front;
-    json attributes = add_frame(doc, mesh, material && !material->normal.empty(), behind);
-    attributes["POSITION"] = behind ? backs : fronts, attributes["TEXCOORD_0"] = uvs;
-    json primitive{{"attributes", std::move(attributes)}, {"indices", add_index(doc, index, behind)}};
-    if (material) primitive["material"] = behind ? 1 : 0;
+  for (const bool is_back : {far_first, !far_first}) {
+    if (is_back && !back) break;
+    const GltfMaterial* material = is_back ? back : front;
+    json attributes = add_frame(doc, mesh, material && !material->normal.empty(), is_back);
+    attributes["POSITION"] = is_back ? backs : fronts, attributes["TEXCOORD_0"] = uvs;
+    json primitive{{"attributes", std::move(attributes)}, {"indices", add_index(doc, index, is_back)}};
+    if (material) primitive["material"] = is_back ? 1 : 0;
     primitives.push_back(std::move(primitive));
   }
   const std::string name = mesh.name.empty() ? "cloth" : mesh.name;
@@ -158,7 +163,7 @@ Bytes bytes_of(Document& doc, const GltfImage& image) {
   if (image.file.empty()) return image.png;
   std::ifstream in(std::filesystem::path(doc.folder) / image.file, std::ios::binary);
   Bytes out{std::istreambuf_iterator<char>(in), {}};
-  if (out.empty()) doc.problem = image.file + ": cannot be read";
+  if (out.empty()) doc.problem = fill(tr("{file}: cannot be read"), arg("file", image.file));
   return out;
 }
 
@@ -179,7 +184,7 @@ int add_image(Document& doc, const GltfMaterial& material, const std::string& wh
   return static_cast<int>(doc.root["textures"].size()) - 1;
 }
 
-/// A textureInfo that repeats the image by the millimetre.
+/// A textureInfo with texture coordinates in millimetres.
 json add_texture(Document& doc, const GltfMaterial& material, const std::string& what, const GltfImage& image) {
   const std::string key = image.file.empty() ? material.name + "/" + what : image.file;
   const auto [at, fresh] = doc.textures.try_emplace(key, 0);
@@ -188,7 +193,7 @@ json add_texture(Document& doc, const GltfMaterial& material, const std::string&
           {"extensions", {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
 }
 
-constexpr float kUsualF0 = 0.04f;  // of an index of refraction of 1.5
+constexpr float kUsualF0 = 0.04f;  // for an index of refraction of 1.5
 
 bool has_sheen(const GltfMaterial& m) { return m.sheen_color.r > 0 || m.sheen_color.g > 0 || m.sheen_color.b > 0; }
 
@@ -208,14 +213,14 @@ json anisotropy_extension(Document& doc, const GltfMaterial& m) {
   return anisotropy;
 }
 
-/// Light from behind leaves in the body's colour.
+/// Transmitted light has the diffuse colour.
 json transmission_extension(Document& doc, const GltfMaterial& m) {
   json out{{"diffuseTransmissionFactor", m.transmission}};
   if (!m.base_color.empty()) out["diffuseTransmissionColorTexture"] = add_texture(doc, m, "basecolor", m.base_color);
   return out;
 }
 
-/// The factor is the grazing reflectance; the colour, over the usual one, makes the straight one of it.
+/// The factor is the reflectance at grazing incidence; the colour scales the usual F0 to that at normal incidence.
 json specular_extension(const GltfMaterial& m) {
   const float factor = std::clamp(std::max(m.f90, m.f0), 1e-3f, 1.0f), colour = m.f0 / (kUsualF0 * factor);
   return {{"specularFactor", factor}, {"specularColorFactor", {colour, colour, colour}}};
@@ -261,18 +266,18 @@ void add_materials(Document& doc, const GltfMaterial& front, const GltfMaterial*
 std::string check_mesh(const Mesh& mesh) {
   const size_t n = mesh.position_mm.size();
   if (mesh.normal.size() != n || mesh.uv_mm.size() != n || mesh.tangent.size() != n) {
-    return "the mesh lacks normals, tangents or texture coordinates";
+    return tr("the mesh lacks normals, tangents or texture coordinates");
   }
-  if (proper_triangles(mesh).empty()) return "the mesh has no triangles";
+  if (proper_triangles(mesh).empty()) return tr("the mesh has no triangles");
   for (uint32_t i : mesh.index) {
-    if (i >= n) return "the mesh names a vertex that is not there";
+    if (i >= n) return tr("the mesh refers to a missing vertex");
   }
   return {};
 }
 
 std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-/// Pieces one after the other, since together they may be large.
+/// Writes the pieces one after the other; joined in memory they could be large.
 std::string write_pieces(const std::string& path, std::initializer_list<std::span<const unsigned char>> pieces) {
   return write_through(path, [&](const std::string& beside) {
     std::FILE* file = std::fopen(beside.c_str(), "wb");
@@ -291,7 +296,8 @@ std::string write_glb(const std::string& path, Document& doc) {
   Bytes head(text.begin(), text.end());
   pad(head, ' ');
   const uint64_t total = 12 + 8 + head.size() + 8 + doc.binary.size();
-  if (total > std::numeric_limits<uint32_t>::max()) return path + ": a .glb ends at 4 GB; export smaller textures";
+  if (total > std::numeric_limits<uint32_t>::max())
+    return file_problem(path, tr("a .glb cannot be larger than 4 GB; export smaller textures"));
   Bytes start{'g', 'l', 'T', 'F'}, between;
   for (uint32_t v : {uint32_t{2}, static_cast<uint32_t>(total), static_cast<uint32_t>(head.size()), kJsonChunk}) {
     append_u32(start, v);
@@ -301,7 +307,7 @@ std::string write_glb(const std::string& path, Document& doc) {
   return write_pieces(path, {start, head, between, doc.binary});
 }
 
-/// The files beside it first, so that the .gltf never names what is not there.
+/// Writes the other files first, so that the .gltf never refers to a missing file.
 std::string write_gltf(const std::string& path, Document& doc) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}, {"uri", doc.stem + ".bin"}}});
@@ -316,7 +322,7 @@ std::string write_gltf(const std::string& path, Document& doc) {
 }  // namespace
 
 std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back) {
-  if (std::string problem = check_mesh(mesh); !problem.empty()) return path + ": " + problem;
+  if (std::string problem = check_mesh(mesh); !problem.empty()) return file_problem(path, problem);
   const std::filesystem::path target(path);
   Document doc;
   doc.embed = target.extension() != ".gltf";
@@ -329,7 +335,7 @@ std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMate
   try {
     return doc.embed ? write_glb(path, doc) : write_gltf(path, doc);
   } catch (const json::exception& e) {  // a name that is not UTF-8
-    return path + ": " + e.what();
+    return file_problem(path, e.what());
   }
 }
 

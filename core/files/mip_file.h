@@ -1,6 +1,6 @@
 #pragma once
-// A texture with its mips in one file, as graphics cards take it: KTX2 or DDS, 8 bits a channel, not compressed. Rows
-// of every level come as they are made, so that no level is held in memory.
+// A texture with all mip levels in one file: KTX2 or DDS, 8 bits per channel, uncompressed. Rows of every level are
+// written as they are made, so that no level is kept in memory.
 
 #include <memory>
 #include <string>
@@ -17,15 +17,15 @@ const char* extension_of(MipContainer container);
 class MipFile {
  public:
   /// Level k has max(width >> k, 1) x max(height >> k, 1) texels, down to 1 x 1. One channel stays one; three become
-  /// four, opaque. `srgb` is said in a KTX2; a DDS of this kind, which every reader takes, has no place for it. Sides
-  /// 1..16384. Null: `problem` says why.
+  /// four, opaque. `srgb` is stored in a KTX2; this kind of DDS, which every reader supports, has no field for it.
+  /// Sides 1..16384. Null: error, in `problem`.
   static std::unique_ptr<MipFile> open(const std::string& path, MipContainer container, int width, int height,
                                        int channels, bool srgb, std::string& problem);
   ~MipFile();
   int levels() const;
-  /// The next rows of a level, from the top; the levels in any order. Empty: done; else what went wrong.
+  /// Writes the next rows of a level, from the top; levels in any order. Returns an error, or an empty string.
   std::string add(int level, const Image& rows);
-  /// After the last row of all levels; flushed to the disk.
+  /// Call it after the last row of all levels; flushes to the disk.
   std::string close();
 
  private:

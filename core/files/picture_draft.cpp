@@ -10,16 +10,20 @@
 #include <tuple>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/generators/families.h"
 #include "files/files.h"
 
 namespace weftlight::files {
 
 using namespace wif;
+using base::arg;
+using base::fill;
+using base::tr;
 
 namespace {
 
-/// A pixel a crossing, laid out as `drawdown` draws: end 1 at the right, pick 1 at the top.
+/// One crossing per pixel: end 1 at the right, pick 1 at the top.
 Pixels pixels_of(const Image& image) {
   Pixels out{image.width, image.height, {}};
   const auto channels = static_cast<size_t>(image.channels);
@@ -32,14 +36,14 @@ Pixels pixels_of(const Image& image) {
   return out;
 }
 
-BitMatrix crossings_of(const Pixels& picture, const PictureDraft& asked) {
+BitMatrix crossings_of(const Pixels& picture, const PictureDraft& options) {
   std::set<std::tuple<float, float, float>> colors;
   for (const Rgb& c : picture.rgb)
     if (colors.size() < 9) colors.insert({c.r, c.g, c.b});
-  PictureWeave how;
-  how.colors = asked.colors > 0 ? asked.colors : static_cast<int>(std::min(colors.size(), size_t{8}));
-  how.longest_float = asked.longest_float;
-  if (colors.size() > 2 || asked.colors > 0) return picture_weave(picture, how);
+  PictureWeave weave;
+  weave.colors = options.colors > 0 ? options.colors : static_cast<int>(std::min(colors.size(), size_t{8}));
+  weave.longest_float = options.longest_float;
+  if (colors.size() > 2 || options.colors > 0) return picture_weave(picture, weave);
   const Reduced reduced = reduced_colors(picture, 2);
   BitMatrix cells(picture.height, picture.width);
   for (size_t i = 0; i < reduced.index.size(); ++i)
@@ -48,8 +52,8 @@ BitMatrix crossings_of(const Pixels& picture, const PictureDraft& asked) {
   return cells;
 }
 
-/// So many pixels wide, its shape kept: each the mean of those that it covers.
-Image made_wide(Image image, int width) {
+/// Scales to a width and keeps the proportions; each pixel is the mean of its area.
+Image scaled_to_width(Image image, int width) {
   const double scale = static_cast<double>(width) / image.width;
   const int height = std::clamp(static_cast<int>(std::lround(image.height * scale)), 1, kMaxThreads);
   Image out{width, height, image.channels, {}};
@@ -69,19 +73,21 @@ bool is_picture(const std::string& path) {
   return end == "png" || end == "tif" || end == "tiff" || end == "bmp";
 }
 
-WifRead read_picture_draft(const std::string& path, const PictureDraft& how) {
+WifRead read_picture_draft(const std::string& path, const PictureDraft& options) {
   ReadImage read = read_image(path);
-  const auto refuse = [](std::string what, std::string remedy) {
+  const auto rejected = [](std::string what, std::string remedy) {
     return WifRead{{}, {{Severity::kError, 0, std::move(what), std::move(remedy)}}};
   };
-  if (!read.image || read.image->channels < 1) return refuse(read.error, "choose a PNG or TIFF picture");
-  if (how.ends > 0 && how.ends != read.image->width) read.image = made_wide(std::move(*read.image), how.ends);
+  if (!read.image || read.image->channels < 1) return rejected(read.error, tr("choose a PNG or TIFF picture"));
+  if (options.ends > 0 && options.ends != read.image->width)
+    read.image = scaled_to_width(std::move(*read.image), options.ends);
   if (read.image->width > kMaxShafts || read.image->height > kMaxThreads)
-    return refuse("the picture is " + std::to_string(read.image->width) + " by " + std::to_string(read.image->height),
-                  "at most " + std::to_string(kMaxShafts) + " pixels across and " + std::to_string(kMaxThreads) +
-                      " down become a draft; make it smaller");
-  const std::optional<Design> design = jacquard_design(crossings_of(pixels_of(*read.image), how));
-  if (!design) return refuse("the picture has no pixels", "choose another");
+    return rejected(fill(tr("the picture is {width} by {height}"), arg("width", read.image->width),
+                         arg("height", read.image->height)),
+                    fill(tr("at most {across} pixels across and {down} down become a draft; make it smaller"),
+                         arg("across", int{kMaxShafts}), arg("down", int{kMaxThreads})));
+  const std::optional<Design> design = jacquard_design(crossings_of(pixels_of(*read.image), options));
+  if (!design) return rejected(tr("the picture has no pixels"), tr("choose another"));
   WifFile file;
   file.design = *design;
   file.bytes = write_new_wif(*design);

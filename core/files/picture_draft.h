@@ -1,5 +1,5 @@
 #pragma once
-// Pictures as drafts: a pixel a crossing, for a Jacquard machine.
+// Pictures as drafts: one crossing per pixel, for a Jacquard loom.
 
 #include <string>
 
@@ -8,17 +8,17 @@
 
 namespace weftlight::files {
 
-/// By its ending: .png, .tif, .tiff or .bmp.
+/// By its extension: .png, .tif, .tiff or .bmp.
 bool is_picture(const std::string& path);
-/// How a picture becomes a drawdown. Two colours are crossings, the darker with the warp on top; of more each becomes a
-/// weave, the darkest the most warp-faced.
+/// How a picture becomes a drawdown. Two colours are crossings, the darker one with the warp on top. Of more colours
+/// each becomes a weave, the darkest the most warp-faced.
 struct PictureDraft {
-  int ends = 0;           // 0: a pixel an end; else the picture is made so wide, and so high as to keep its shape
-  int colors = 0;         // 2..16 that it is reduced to, each a weave; 0: two as crossings, of more up to eight
-  int longest_float = 7;  // 1 and up, on both faces of such weaves
+  int ends = 0;           // width after scaling, with the same proportions; 0: one end per pixel
+  int colors = 0;         // 2..16 colours, each a weave; 0: two become crossings, more are reduced to at most eight
+  int longest_float = 7;  // of these weaves, on both faces; 1 and up
   bool operator==(const PictureDraft&) const = default;
 };
-/// A liftplan with a shaft an end. Errors: no picture, or more pixels than shafts or picks.
-wif::WifRead read_picture_draft(const std::string& path, const PictureDraft& how = {});
+/// A liftplan with one shaft per end. Errors: not a picture, or more pixels than shafts or picks.
+wif::WifRead read_picture_draft(const std::string& path, const PictureDraft& options = {});
 
 }  // namespace weftlight::files

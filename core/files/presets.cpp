@@ -1,10 +1,14 @@
 #include <filesystem>
 
 #include "base/resources.h"
+#include "base/text.h"
 #include "files/files.h"
 
 namespace weftlight::files {
 namespace fs = std::filesystem;
+using base::arg;
+using base::fill;
+using base::tr;
 
 namespace {
 
@@ -29,7 +33,8 @@ ReadMesh load_drape(const std::string& name_or_path) {
   const std::string extension = fs::path(name_or_path).extension().string();
   if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return read_mesh(name_or_path);
   return {{},
-          "no mesh is called '" + name_or_path + "'; give one of " + names_of_drapes() + ", or a .glb or .gltf file"};
+          fill(tr("no mesh is called '{name}'; give one of {names}, or a .glb or .gltf file"),
+               arg("name", name_or_path), arg("names", names_of_drapes()))};
 }
 
 }  // namespace weftlight::files

@@ -13,13 +13,18 @@
 #include <limits>
 
 #include "base/files.h"
+#include "base/text.h"
 
 namespace weftlight::files {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 constexpr uint16_t kVersion = 20, kMadeBy = 63;  // FAT in the upper byte
 constexpr uint16_t kUtf8Names = 1u << 11;
-constexpr uint16_t kDate = 0x21;  // 1 January 1980: archives do not tell when they were made
+constexpr uint16_t kDate = 0x21;  // 1 January 1980 for every file, so that the bytes do not depend on the time
 constexpr size_t kAlignment = 64, kPaddingHead = 4;
 constexpr uint16_t kPaddingId = 0x1986;
 
@@ -51,7 +56,7 @@ void padding(Bytes& out, size_t size) {
   out.all.insert(out.all.end(), size - kPaddingHead, 0);
 }
 
-/// Bytes of an extra field that bring the data to its alignment.
+/// Size of the extra field that aligns the data.
 size_t padding_for(size_t data_at) {
   const size_t over = data_at % kAlignment;
   if (over == 0) return 0;
@@ -59,7 +64,7 @@ size_t padding_for(size_t data_at) {
   return need >= kPaddingHead ? need : need + kAlignment;
 }
 
-/// Checksum and size of a file. False: it cannot be read.
+/// Computes checksum and size of a file. False: it cannot be read.
 bool measure(const std::string& path, Stored& out) {
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file) return false;
@@ -112,7 +117,7 @@ std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, Z
   for (const ZipEntry& entry : entries) {
     Stored file;
     file.name = entry.name, file.offset = at;
-    if (!measure(entry.path, file)) return entry.path + ": cannot be read";
+    if (!measure(entry.path, file)) return fill(tr("{file}: cannot be read"), arg("file", entry.path));
     if (kind == ZipKind::kUsdz) file.extra = padding_for(at + kHead + file.name.size());
     Bytes head;
     head.u32(0x04034b50);
@@ -120,7 +125,7 @@ std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, Z
     head.text(file.name);
     padding(head, file.extra);
     at += head.all.size() + file.size;
-    if (at > kEnd) return "an archive ends at 4 GB; export smaller textures";
+    if (at > kEnd) return tr("an archive cannot be larger than 4 GB; export smaller textures");
     if (!append(to, head) || !append_file(to, entry.path, file.size)) return cause_of(errno);
     files.push_back(file);
   }
@@ -130,7 +135,7 @@ std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, Z
 }  // namespace
 
 std::string write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
-  if (entries.size() > 0xFFFF) return path + ": an archive holds at most 65535 files";
+  if (entries.size() > 0xFFFF) return fill(tr("{file}: an archive holds at most 65535 files"), arg("file", path));
   return write_through(path, [&](const std::string& beside) {
     std::FILE* file = std::fopen(beside.c_str(), "wb");
     if (!file) return cause_of(errno);

@@ -1,7 +1,7 @@
 #pragma once
-// A zip of stored files: what .u3ma and .usdz ask for and general zip libraries do not promise (names flagged as UTF-8
-// even when plain, FAT as the system, no extra fields, data aligned to 64 bytes for .usdz). The same files give the
-// same bytes. Images are compressed already, so nothing is lost.
+// A zip archive of stored files, with properties that .u3ma and .usdz need and general zip libraries do not guarantee:
+// names flagged as UTF-8, FAT as the system, no extra fields, data aligned to 64 bytes for .usdz. The same files give
+// the same bytes. Compression would gain nothing, since images are compressed already.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct ZipEntry {
 };
 enum class ZipKind { kPlain, kU3ma, kUsdz };
 
-/// Writes the archive beside `path` and renames it into place. Sizes end at 4 GB. Empty: done; else what went wrong.
+/// Writes the archive atomically; at most 4 GB. Returns an error, or an empty string.
 std::string write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind);
 
 }  // namespace weftlight::files

@@ -5,11 +5,14 @@
 #include <cmath>
 
 #include "base/loops.h"
+#include "base/text.h"
 
 namespace weftlight::texture_set {
 namespace {
 
-// Texels of the sheet.
+using base::tr;
+
+// Pixels of the sheet.
 constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40;
 constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f, 0.17f}, kFaint{0.45f, 0.45f, 0.45f};
 
@@ -17,8 +20,8 @@ std::vector<float> ink(const std::array<float, 3>& c) { return {c.begin(), c.end
 
 glm::vec3 unit(const glm::vec3& v) { return v / std::sqrt(std::max(glm::dot(v, v), 1e-12f)); }
 
-/// Diffuse, a wide highlight of the texel's anisotropic GGX, and a soft sky; for show, not for measure.
-Linear lit(const SurfaceTexel& t) {
+/// Diffuse light, a highlight of the texel's anisotropic GGX, and a soft sky. An approximation for display only.
+Linear shaded(const SurfaceTexel& t) {
   static const glm::vec3 light = unit({0.55f, -0.55f, 0.63f}), eye{0, 0, 1};
   static const glm::vec3 half = unit(light + eye);
   const GgxAlphas a = ggx_alphas(t);
@@ -30,14 +33,14 @@ Linear lit(const SurfaceTexel& t) {
   const float hx = dot(half, wx) / wide, hy = dot(half, wy) / narrow, hz = dot(half, t.normal);
   const float q = hx * hx + hy * hy + hz * hz;
   const float d = 1 / (3.14159265f * wide * narrow * q * q);
-  const float falling = std::max(dot(t.normal, light), 0.0f);
-  const float shine = 0.25f * d * falling;
+  const float cosine = std::max(dot(t.normal, light), 0.0f);
+  const float shine = 0.25f * d * cosine;
   const float sky = 0.42f * t.occlusion * (0.6f + 0.4f * t.normal[2]);
   auto channel = [&](float base, float sheen) {
     const float f0 = 0.044f + (base - 0.044f) * t.metal;
-    constexpr float kBehind = 0.30f;  // a grey wall seen through the gaps
-    return (1 - t.coverage) * kBehind +
-           t.coverage * (base * (1 - t.metal) * (1.25f * falling * (0.35f + 0.65f * t.occlusion) + sky) +
+    constexpr float kBackground = 0.30f;  // a grey wall behind the gaps
+    return (1 - t.coverage) * kBackground +
+           t.coverage * (base * (1 - t.metal) * (1.25f * cosine * (0.35f + 0.65f * t.occlusion) + sky) +
                          f0 * (shine + sky) + 0.15f * sheen * sky);
   };
   return {channel(t.base.r, t.sheen.r), channel(t.base.g, t.sheen.g), channel(t.base.b, t.sheen.b)};
@@ -50,17 +53,17 @@ void put(Image& image, int x, int y, float r, float g, float b) {
 }
 
 /// Copies an RGB picture into the sheet.
-void place(Image& sheet, int left, int top, const Image& picture) {
+void paste(Image& sheet, int left, int top, const Image& picture) {
   for (int y = 0; y < picture.height; ++y) {
     const float* from = picture.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(picture.width) * 3;
     for (int x = 0; x < picture.width; ++x, from += 3) put(sheet, left + x, top + y, from[0], from[1], from[2]);
   }
 }
 
-/// An image within a tile, each pixel the mean of `colour(texel)` over what it covers; where the image has
-/// fewer texels than the tile, they stay sharp.
+/// The image scaled to a tile. Each pixel is the mean of `colour(texel)` over its area; an image smaller than the tile
+/// keeps sharp texels.
 template <class Colour>
-Image shrunk(const Image& image, const Colour& colour) {
+Image shrink_to_tile(const Image& image, const Colour& colour) {
   const int longer = std::max(image.width, image.height);
   const int width = std::max(image.width * kTile / longer, 1), height = std::max(image.height * kTile / longer, 1);
   Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
@@ -77,14 +80,14 @@ Image shrunk(const Image& image, const Colour& colour) {
           for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
         }
       }
-      const float share = 1.0f / static_cast<float>((y1 - y0) * (x1 - x0));
-      put(out, x, y, sum[0] * share, sum[1] * share, sum[2] * share);
+      const float weight = 1.0f / static_cast<float>((y1 - y0) * (x1 - x0));
+      put(out, x, y, sum[0] * weight, sum[1] * weight, sum[2] * weight);
     }
   });
   return out;
 }
 
-/// Four columns or five, whichever leaves fewer places empty; the lit swatch takes two by two.
+/// Four or five columns, whichever leaves fewer cells empty; the lit swatch covers two by two cells.
 int columns_for(size_t entries) {
   auto empty = [n = static_cast<int>(entries) + 4](int columns) {
     return std::max((n + columns - 1) / columns, 2) * columns - n;
@@ -99,15 +102,15 @@ Image thumbnail(const Image& image) {
   const bool stretch = *least < 0 || *most > 1 || image.channels > 4;
   const float low = stretch ? *least : 0, scale = stretch ? 1 / std::max(*most - *least, 1e-6f) : 1;
   const int channels = image.channels;
-  return shrunk(image, [=](const float* t) -> glm::vec3 {
+  return shrink_to_tile(image, [=](const float* t) -> glm::vec3 {
     const float r = (t[0] - low) * scale;
     return channels < 3 ? glm::vec3{r, r, r} : glm::vec3{r, (t[1] - low) * scale, (t[2] - low) * scale};
   });
 }
 
 Image thread_thumbnail(const Image& image) {
-  return shrunk(image, [](const float* t) -> glm::vec3 {
-    // Golden-ratio steps round the hues keep neighbours apart; warp is dark, weft is light.
+  return shrink_to_tile(image, [](const float* t) -> glm::vec3 {
+    // Hues in golden-ratio steps differ between neighbours; warp is dark, weft is light.
     const float turn = std::fmod((t[0] + t[1] * 65536.0f) * 65535.0f * 0.618034f + 0.37f * t[2], 1.0f) * 6.2831853f;
     const float level = t[2] > 0.5f ? 0.72f : 0.45f;
     return {level + 0.2f * std::cos(turn), level + 0.2f * std::cos(turn - 2.0944f),
@@ -119,10 +122,10 @@ Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repe
   const int w = surface.texels.width, h = surface.texels.height;
   Plane<Linear> radiance(w, h);
   for_each_job(h, [&](int y) {
-    for (int x = 0; x < w; ++x) radiance.at(x, y) = lit(surface.texels.at(x, y));
+    for (int x = 0; x < w; ++x) radiance.at(x, y) = shaded(surface.texels.at(x, y));
   });
   Image out{width, height, 3, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
-  const float mm = repeats_across * surface.width_mm / static_cast<float>(width);  // of a texel of the swatch
+  const float mm = repeats_across * surface.width_mm / static_cast<float>(width);  // size of a pixel of the swatch
   const float step_x = mm / surface.width_mm * static_cast<float>(w),
               step_y = mm / surface.depth_mm * static_cast<float>(h);
   const int taps = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y))), 2, 8);
@@ -138,9 +141,9 @@ Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repe
           sum.r += c.r, sum.g += c.g, sum.b += c.b;
         }
       }
-      const float share = 1.0f / static_cast<float>(taps * taps);
+      const float weight = 1.0f / static_cast<float>(taps * taps);
       const Rgb c = srgb_from_linear(
-          {std::min(sum.r * share, 1.0f), std::min(sum.g * share, 1.0f), std::min(sum.b * share, 1.0f)});
+          {std::min(sum.r * weight, 1.0f), std::min(sum.g * weight, 1.0f), std::min(sum.b * weight, 1.0f)});
       put(out, x, y, c.r, c.g, c.b);
     }
   });
@@ -158,15 +161,15 @@ Image contact_sheet(const std::string& title, const std::string& facts, const Su
   draw_text(sheet, kMargin, kMargin + 62, 17, facts, ink(kFaint));
 
   const int big = 2 * kTile + kGap, big_height = 2 * cell - kGap - kLabel;
-  // Enough repeats that some thirty threads stand across.
+  // Enough repeats for about thirty threads across.
   const float repeats = std::max(2.0f, std::ceil(24.0f / std::max(front.width_mm, 0.1f)));
-  place(sheet, kMargin, kMargin + kHead, lit_swatch(front, big, big_height, std::min(repeats, 40.0f)));
-  draw_text(sheet, kMargin, kMargin + kHead + big_height + 22, 17, "lit, tiled", ink(kInk));
+  paste(sheet, kMargin, kMargin + kHead, lit_swatch(front, big, big_height, std::min(repeats, 40.0f)));
+  draw_text(sheet, kMargin, kMargin + kHead + big_height + 22, 17, tr("lit, tiled"), ink(kInk));
   int slot = 0;
   for (const SheetEntry& entry : entries) {
     while (slot / columns < 2 && slot % columns < 2) ++slot;
     const int left = kMargin + (slot % columns) * (kTile + kGap), top = kMargin + kHead + (slot / columns) * cell;
-    place(sheet, left, top, entry.image);
+    paste(sheet, left, top, entry.image);
     draw_text(sheet, left, top + kTile + 22, 17, entry.label, ink(kInk));
     ++slot;
   }

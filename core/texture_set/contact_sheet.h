@@ -1,5 +1,5 @@
 #pragma once
-// One picture of a whole texture set: the cloth lit flat, and every image of the set with its name.
+// One picture of a whole texture set: a lit flat swatch, and every image of the set with its name.
 
 #include <string>
 #include <vector>
@@ -15,18 +15,18 @@ struct SheetEntry {
   Image image;  // a thumbnail()
 };
 
-/// A small sRGB-encoded RGB picture of an image of a set, in its proportions: one channel is grey, values
-/// outside 0..1 are stretched to their range, alpha is left out.
+/// A small sRGB-encoded RGB picture of an image, in its proportions. One channel becomes grey, a range beyond 0..1 is
+/// mapped to 0..1, alpha is dropped.
 Image thumbnail(const Image& image);
-/// The same of thread indices (thread low, thread high, system): a colour of its own for each.
+/// The same for thread indices (thread low, thread high, system), each in a different colour.
 Image thread_thumbnail(const Image& image);
 
 /// sRGB-encoded RGB.
 Image contact_sheet(const std::string& title, const std::string& facts, const SurfaceTexels& front,
                     const std::vector<SheetEntry>& entries);
 
-/// A flat swatch under one light from the upper left, with fibre highlights; sRGB-encoded RGB. Shows
-/// `repeats` periods across, whatever its size.
+/// A flat swatch under one light from the upper left, with fibre highlights; sRGB-encoded RGB, `repeats_across` repeats
+/// wide.
 Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repeats_across);
 
 }  // namespace weftlight::texture_set

@@ -9,41 +9,41 @@ namespace weftlight::texture_set {
 namespace {
 
 constexpr int kMinSide = 16;
-constexpr int kAzimuths = 16;                           // of the horizon, which occlusion is made from
+constexpr int kAzimuths = 16;                           // of the horizon that gives the occlusion
 constexpr int64_t kMaxCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
-constexpr int64_t kMaxRawTexels = int64_t{1} << 22;     // with the horizons that raw sets keep
-constexpr int64_t kMaxPieceTexels = int64_t{1} << 16;   // of the maps, about 5 MB
+constexpr int64_t kMaxRawTexels = int64_t{1} << 22;     // with the horizons of raw sets
+constexpr int64_t kMaxPieceTexels = int64_t{1} << 16;   // of the maps; about 5 MB
 constexpr int kMaxPieceSide = 16384;                    // of a window of the maps
 constexpr int kSmallSide = 1024;
-constexpr int kSamplesAThread = 4;
-// Texels a thread from which on one sample each will do: samples know what share of them a thread covers. Of a cotton
-// twill at 64, colours then differ from those of 16 samples by 0.032 (RMS of linear light), normals by 0.059; of 4
-// samples by 0.013 and 0.019. What differs is how sharp fibres are; means stay.
+constexpr int kSamplesPerThread = 4;
+// Texels per thread above which one sample per texel is enough, since samples hold the coverage of their thread. Error
+// against 16 samples, cotton twill at 64 texels per thread, RMS of linear colour and of normals: 0.032 and 0.059 with
+// one sample, 0.013 and 0.019 with four. Only the sharpness of fibres differs; means are equal.
 constexpr float kSmoothTexels = 64;
-// What is known from afar (fit, footprints, sheet) needs no more: texels a thread, and a side.
+// Enough for far-field properties (fit, footprints, contact sheet): texels per thread, and per side.
 constexpr float kCoarseTexels = 32;
 constexpr int kCoarseSide = 512;
-constexpr float kOcclusionTexels = 6;    // of the coarse maps, a thread, that show where it is dark
-constexpr int kNodeSteps = 8;            // places between the middles of two footprints, a side
-constexpr float kMeanOcclusion = 0.98f;  // the fit holds all other shade
+constexpr float kOcclusionTexels = 6;    // texels per thread that coarse maps need for occlusion
+constexpr int kNodeSteps = 8;            // samples between the middles of two footprints, per side
+constexpr float kMeanOcclusion = 0.98f;  // the fit includes all other self-shadowing
 
-/// Of the system that has fewer.
-float texels_a_thread(const Cloth& cloth, int width, int height) {
+/// For the thread system with fewer texels per thread.
+float texels_per_thread(const Cloth& cloth, int width, int height) {
   return std::min(static_cast<float>(width) / static_cast<float>(std::max<size_t>(cloth.ends.size(), 1)),
                   static_cast<float>(height) / static_cast<float>(std::max<size_t>(cloth.picks.size(), 1)));
 }
 
-/// Texels baked for each texel of the set, a side: one where threads are wide; else at least two, so that rims are
-/// smooth and the spread of normals is known, and more where threads are finer than texels.
+/// Texels baked per texel of the set, per side: one for wide threads; otherwise at least two, for smooth edges and a
+/// variance of the normals; more if threads are thinner than texels.
 int supersampling(const Cloth& cloth, TextureSize size) {
-  const float texels = texels_a_thread(cloth, size.width, size.height);
+  const float texels = texels_per_thread(cloth, size.width, size.height);
   if (texels >= kSmoothTexels) return 1;
   int factor = 2;
-  while (factor < 8 && texels * static_cast<float>(factor) < kSamplesAThread) factor *= 2;
+  while (factor < 8 && texels * static_cast<float>(factor) < kSamplesPerThread) factor *= 2;
   return factor;
 }
 
-/// By how much the maps of the whole are coarser than the samples of the set, a side.
+/// Factor by which the maps of the whole face are coarser than the samples of the set, per side.
 int coarsening(const Cloth& cloth, TextureSize size, int factor, bool horizon) {
   const int64_t most = horizon ? kMaxRawTexels : kMaxCoarseTexels;
   const int width = size.width * factor, height = size.height * factor;
@@ -51,20 +51,20 @@ int coarsening(const Cloth& cloth, TextureSize size, int factor, bool horizon) {
   while (int64_t{width} / shrink * (int64_t{height} / shrink) > most) shrink *= 2;
   const auto ample = [&](int by) {
     return std::max(width, height) / by >= kCoarseSide &&
-           texels_a_thread(cloth, width / by, height / by) >= kCoarseTexels;
+           texels_per_thread(cloth, width / by, height / by) >= kCoarseTexels;
   };
   while (!horizon && ample(2 * shrink)) shrink *= 2;
   return shrink;
 }
 
-/// A row of a periodic plane, between the middles of its texels; u and v in periods, 0..1.
+/// Bilinear lookup along one row of a periodic plane; u and v in periods, 0..1.
 template <class T>
-class RowBetween {
+class InterpolatedRow {
  public:
-  RowBetween(const Plane<T>& plane, float v) : width_(plane.width) {
+  InterpolatedRow(const Plane<T>& plane, float v) : width_(plane.width) {
     const float y = v * static_cast<float>(plane.height) - 0.5f;
     const int y0 = static_cast<int>(std::floor(y));
-    share_ = y - static_cast<float>(y0);
+    weight_ = y - static_cast<float>(y0);
     low_ = plane.row(inside(y0, plane.height)), high_ = plane.row(inside(y0 + 1, plane.height));
   }
   T at(float u) const {
@@ -72,24 +72,24 @@ class RowBetween {
     const int x0 = static_cast<int>(std::floor(x)), a = inside(x0, width_), b = inside(x0 + 1, width_);
     const float fx = x - static_cast<float>(x0);
     const auto mix = [](const T& p, const T& q, float t) { return p + (q - p) * t; };
-    return mix(mix(low_[a], low_[b], fx), mix(high_[a], high_[b], fx), share_);
+    return mix(mix(low_[a], low_[b], fx), mix(high_[a], high_[b], fx), weight_);
   }
 
  private:
   static int inside(int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; }
   int width_;
   const T *low_, *high_;
-  float share_;
+  float weight_;
 };
 
-/// Means of a plane of no more texels than so many a side; empty where it has no more. All sides are powers of two.
-Plane<glm::vec3> within(const Plane<glm::vec3>& fine, int width, int height) {
+/// The plane averaged down to at most width x height; empty if it is not larger. All sides are powers of two.
+Plane<glm::vec3> averaged_down(const Plane<glm::vec3>& fine, int width, int height) {
   if (fine.width <= width && fine.height <= height) return {};
   Plane<glm::vec3> out(std::min(fine.width, width), std::min(fine.height, height));
   const int step_x = fine.width / out.width, step_y = fine.height / out.height;
-  const float share = 1.0f / static_cast<float>(step_x * step_y);
+  const float weight = 1.0f / static_cast<float>(step_x * step_y);
   for (int y = 0; y < fine.height; ++y)
-    for (int x = 0; x < fine.width; ++x) out.at(x / step_x, y / step_y) += fine.at(x, y) * share;
+    for (int x = 0; x < fine.width; ++x) out.at(x / step_x, y / step_y) += fine.at(x, y) * weight;
   return out;
 }
 
@@ -155,7 +155,7 @@ void FaceSource::measure(const Maps& maps) {
   const ClothResponse response = cloth_response(cloth_, maps, kFitSamples);
   fit_ = fit_engine(texels, cloth_, response, options_.model);
   older_fit_ = options_.older ? fit_engine(texels, cloth_, response, *options_.older) : fit_;
-  share_ = texels.footprint_weight;
+  weight_ = texels.footprint_weight;
   checks_ = check_engine(texels, cloth_, response, options_.model, fit_);
   scores_ = score_engine(texels, cloth_, response, options_.model, fit_);
 }
@@ -164,9 +164,10 @@ void FaceSource::measure_footprints() {
   const float texel_mm = small_.width_mm / static_cast<float>(small_.texels.width);
   const float window_mm = lobe_window_mm(options_.footprint_mm, thread_spacing_mm(cloth_));
   const int step = 1 << std::max(static_cast<int>(std::lround(std::log2(std::max(window_mm / texel_mm, 1.0f)))), 0);
-  if (share_ <= 0) return;
+  if (weight_ <= 0) return;
   const int step_x = std::min(step, small_.texels.width), step_y = std::min(step, small_.texels.height);
-  Plane<glm::vec4> nodes(small_.texels.width / step_x, small_.texels.height / step_y);  // covariance; xx of the grain
+  Plane<glm::vec4> nodes(small_.texels.width / step_x,
+                         small_.texels.height / step_y);  // covariance; xx of the fibre direction
   for_each_job(nodes.height, [&](int y) {
     for (int x = 0; x < nodes.width; ++x) {
       std::vector<LobePart> parts;
@@ -180,11 +181,11 @@ void FaceSource::measure_footprints() {
       nodes.at(x, y) = glm::vec4(lobe.covariance, lobe.grain.x);
     }
   });
-  // Scaled at places so close that a straight line will do between them.
+  // Sampled densely enough for linear interpolation.
   footprints_ =
       Plane<glm::vec3>(nodes.width * std::min(step_x, kNodeSteps), nodes.height * std::min(step_y, kNodeSteps));
   for_each_job(footprints_.height, [&](int y) {
-    const RowBetween row(nodes, (static_cast<float>(y) + 0.5f) / static_cast<float>(footprints_.height));
+    const InterpolatedRow row(nodes, (static_cast<float>(y) + 0.5f) / static_cast<float>(footprints_.height));
     for (int x = 0; x < footprints_.width; ++x) {
       const glm::vec4 at = row.at((static_cast<float>(x) + 0.5f) / static_cast<float>(footprints_.width));
       footprints_.at(x, y) = scaled_covariance({glm::vec3(at), {at.w, 1 - at.w}}, fit_.lobe);
@@ -207,11 +208,11 @@ void FaceSource::measure_means() {
       {static_cast<float>(base[0] * over), static_cast<float>(base[1] * over), static_cast<float>(base[2] * over)},
       fit_.base);
   if (!options_.fitted) return;
-  // The least gain whose mean is wanted; what is bright already stays at 1.
+  // The smallest gain that reaches the mean; occlusion is capped at 1.
   std::vector<std::array<float, 2>> seen_texels;  // coverage, occlusion
   for (const SurfaceTexel& t : small_.texels.at_) seen_texels.push_back({t.coverage, t.occlusion});
   float low = 1, high = 8;
-  for (int round = 0; round < 12; ++round) {
+  for (int step = 0; step < 12; ++step) {
     const float gain = 0.5f * (low + high);
     double sum = 0;
     for (const auto& [covered, occlusion] : seen_texels)
@@ -221,15 +222,15 @@ void FaceSource::measure_means() {
   occlusion_gain_ = high;
 }
 
-void FaceSource::finish(SurfaceTexels& surface, int y0, int whole_height, int threads) const {
+void FaceSource::finish(SurfaceTexels& surface, int y0, int level_height, int threads) const {
   if (!options_.fitted) return;
   const int width = surface.texels.width, height = surface.texels.height;
-  const Plane<glm::vec3> coarser = within(footprints_, width, whole_height);
+  const Plane<glm::vec3> coarser = averaged_down(footprints_, width, level_height);
   const Plane<glm::vec3>& footprints = coarser.width > 0 ? coarser : footprints_;
   for_each_job(height, threads, [&](int y) {
     SurfaceTexel* const row = surface.texels.row(y);
     if (footprints.width > 0) {
-      const RowBetween lobes(footprints, (static_cast<float>(y0 + y) + 0.5f) / static_cast<float>(whole_height));
+      const InterpolatedRow lobes(footprints, (static_cast<float>(y0 + y) + 0.5f) / static_cast<float>(level_height));
       for (int x = 0; x < width; ++x)
         measure_footprint(row[x], lobes.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
     }
@@ -244,9 +245,9 @@ void FaceSource::finish(SurfaceTexels& surface, int y0, int whole_height, int th
 }
 
 void FaceSource::measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const {
-  texel.slope_cov = glm::mix(texel.slope_cov, lobe, share_);
-  // Whose way its lobe runs, the longer part of the wider axis: so that neighbours agree, as those of one system do.
-  if (share_ > 0.5f) texel.system = texel.slope_cov.z > texel.slope_cov.x ? 1 : 0;
+  texel.slope_cov = glm::mix(texel.slope_cov, lobe, weight_);
+  // The system whose direction the wider axis follows, so that neighbours have the same sense of the axis.
+  if (weight_ > 0.5f) texel.system = texel.slope_cov.z > texel.slope_cov.x ? 1 : 0;
 }
 
 SurfaceTexels FaceSource::piece(int x0, int x1, int y0, int y1) const {
@@ -279,7 +280,7 @@ SurfaceTexels FaceSource::raw_rows(int y0, int y1) const {
     for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
   }
   for (int y = y0; occlusion_.width > 0 && y < y1; ++y) {
-    const RowBetween seen(occlusion_, (static_cast<float>(y) + 0.5f) / static_cast<float>(options_.size.height));
+    const InterpolatedRow seen(occlusion_, (static_cast<float>(y) + 0.5f) / static_cast<float>(options_.size.height));
     for (int x = 0; x < width; ++x)
       out.texels.at(x, y - y0).occlusion = seen.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width));
   }

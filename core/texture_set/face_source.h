@@ -1,6 +1,6 @@
 #pragma once
-// One face of a cloth at the size of its images, made band by band, so that memory does not grow with the size: the
-// whole in few texels for what is known of it from afar, and rows of the full size with all their supersampling.
+// One face of a cloth at the size of its images, made band by band, so that memory does not grow with the size. The
+// whole face exists in few texels, for far-field properties; rows of the full size are supersampled on demand.
 
 #include <memory>
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace weftlight::texture_set {
 
-/// Texels of the images: the longer side has `size`, the other the nearest power of two that keeps texels
-/// about square, at least 16.
+/// Size of the images in texels: the longer side has `size`, the other the power of two that keeps texels closest to
+/// square, at least 16.
 struct TextureSize {
   int width = 0, height = 0;
 };
@@ -22,30 +22,31 @@ TextureSize texture_size(float width_mm, float depth_mm, int size);
 
 struct FaceOptions {
   TextureSize size;
-  bool horizon = false;                // kept in small()
-  bool fitted = true;                  // colours, sheen and occlusion as an engine needs them; false: the cloth's own
-  EngineModel model;                   // that it is fitted to
-  std::optional<EngineModel> older{};  // and what else: older_fit()
-  float footprint_mm = 0;              // of a pixel, whose facets roughness holds; 0: of a texel alone
+  bool horizon = false;  // kept in small()
+  bool fitted = true;    // colours, sheen and occlusion are fitted to an engine; false: those of the cloth
+  EngineModel model;     // of the engine
+  std::optional<EngineModel> older{};  // a second model, for older_fit()
+  float footprint_mm = 0;              // of a pixel, whose microfacets the roughness includes; 0: those of a texel only
 };
 
-/// Deterministic: the same bits however many bands are asked for.
+/// Deterministic: the bits do not depend on the bands.
 class FaceSource {
  public:
   FaceSource(Cloth cloth, const FaceOptions& options);
   const Cloth& cloth() const { return cloth_; }
   /// The whole face, at most 1024 texels a side.
   const SurfaceTexels& small() const { return small_; }
-  /// Rows [y0, y1) of the full size, without horizons; made by the caller's thread alone.
+  /// Rows [y0, y1) of the full size, without horizons; computed on the caller's thread only.
   SurfaceTexels rows(int y0, int y1) const;
-  /// The same before it is fitted, and a level of its mips fitted: half_of() of raw rows from row y0 of the level on,
-  /// which has so many rows in all.
+  /// The same rows before the fit.
   SurfaceTexels raw_rows(int y0, int y1) const;
+  /// Applies the fit to rows of a mip level (half_of() of raw rows) that start at row y0; the level has level_height
+  /// rows.
   SurfaceTexels finished(SurfaceTexels raw, int y0, int level_height) const;
-  /// Rows that are made at a time; a power of two that divides the height.
+  /// Number of rows made at a time; a power of two that divides the height.
   int band() const { return band_; }
   const EngineFit& fit() const { return fit_; }
-  /// The same cloth in the older model; fit() where there is none.
+  /// The fit to FaceOptions::older; fit() if there is none.
   const EngineFit& older_fit() const { return older_fit_; }
   const std::vector<EngineCheck>& checks() const { return checks_; }
   const std::vector<EngineScore>& scores() const { return scores_; }
@@ -59,16 +60,16 @@ class FaceSource {
   void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void measure_means();
   void measure_range();
-  void finish(SurfaceTexels& surface, int y0, int whole_height, int threads) const;
+  void finish(SurfaceTexels& surface, int y0, int level_height, int threads) const;
   SurfaceTexels piece(int x0, int x1, int y0, int y1) const;
 
   Cloth cloth_;
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
   SurfaceTexels small_, whole_;  // whole_: empty where the face is too large for one piece
-  Plane<float> occlusion_;       // of the coarse maps; empty: each piece finds its own
-  Plane<glm::vec3> footprints_;  // covariance of their facets, as the fit scales it
-  float share_ = 0;              // how far a texel takes the lobe of its footprint for its own
+  Plane<float> occlusion_;       // of the coarse maps; empty: each piece computes its own
+  Plane<glm::vec3> footprints_;  // covariance of the microfacets, scaled by the fit
+  float weight_ = 0;             // weight of the lobe of the footprint in that of a texel
   EngineFit fit_, older_fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;

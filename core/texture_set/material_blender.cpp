@@ -4,13 +4,13 @@
 namespace weftlight::texture_set {
 namespace {
 
-// Blender 3.4 and 4; sockets were renamed in 4.0, and the body is a Lambert's since, less what is mirrored. Its glTF
-// importer stores 1 - v: a whole unit, which is a millimetre there, is taken back.
+// For Blender 3.4 and 4. Version 4.0 renamed sockets and reduces the diffuse part by the specular reflectance. The glTF
+// importer stores 1 - v; the script subtracts that one unit, which is a millimetre there.
 constexpr const char* kScript =
     R"("""Builds the material "{NAME}" from the images beside this file: front and back, each with its own.
 Run it in the Scripting tab (open it there from the folder of the set), or `blender -P` it.
-Texture coordinates are millimetres, as those of {NAME}.glb and of its importer are; for a mesh on which
-one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm set MM_UV = False."""
+Texture coordinates are in millimetres, as in {NAME}.glb. For a mesh on which one UV unit is one repeat of
+{WIDTH_MM} x {DEPTH_MM} mm, set MM_UV = False."""
 import os
 import bmesh
 import bpy
@@ -21,7 +21,7 @@ MM_UV = True
 
 
 def folder():
-    """Where this text was opened from; else where the .blend lies."""
+    """The folder of this script; if it is not saved, that of the .blend."""
     texts = [text.filepath for text in bpy.data.texts if os.path.basename(text.filepath) == NAME + ".py"]
     if texts:
         return os.path.dirname(bpy.path.abspath(texts[0]))
@@ -30,8 +30,8 @@ def folder():
 
 
 FOLDER = folder()
-THROUGH = {THROUGH}  # share of the body's light that leaves behind
-OLDER = bpy.app.version < (4, 0, 0)  # whose body is brighter: a colour over that of the images, Specular
+THROUGH = {THROUGH}  # diffuse transmission as a fraction of the diffuse light
+OLDER = bpy.app.version < (4, 0, 0)  # their diffuse part is brighter: factor on the colour, Specular
 FACES = {"": ({OLDER_FRONT}) if OLDER else ((1, 1, 1), {SPECULAR}),
          "_back": ({OLDER_BACK}) if OLDER else ((1, 1, 1), {BACK_SPECULAR})}
 material = bpy.data.materials.new(NAME)
@@ -61,7 +61,7 @@ def feed(shader, output, *names):
 
 
 def number(value):
-    """As a node: sockets take more from one than from a hand."""
+    """As a node: a linked value may exceed the range of the socket."""
     node = nodes.new("ShaderNodeValue")
     node.outputs[0].default_value = value
     return node.outputs[0]
@@ -102,18 +102,18 @@ def face(side):
     feed(shader, number(specular), "Specular IOR Level", "Specular")
     if THROUGH == 0:
         return shader.outputs["BSDF"]
-    # What comes through the threads from a light behind them.
-    behind = nodes.new("ShaderNodeBsdfTranslucent")
+    # Transmission through the threads, from a light behind them.
+    translucent = nodes.new("ShaderNodeBsdfTranslucent")
     thread = colour if "{BLEND}" == "OPAQUE" else times(colour, image(side + "_alpha.png"))
-    links.new(times(thread, number(THROUGH)), behind.inputs["Color"])
+    links.new(times(thread, number(THROUGH)), translucent.inputs["Color"])
     both = nodes.new("ShaderNodeAddShader")
     links.new(shader.outputs["BSDF"], both.inputs[0])
-    links.new(behind.outputs["BSDF"], both.inputs[1])
+    links.new(translucent.outputs["BSDF"], both.inputs[1])
     return both.outputs["Shader"]
 
 
 def without_back(mesh):
-    """{NAME}.glb has its triangles again for the back; this material knows both sides."""
+    """{NAME}.glb repeats its triangles for the back; this material handles both sides."""
     back = [at for at, other in enumerate(mesh.materials) if other and other.name.startswith(NAME + "_back")]
     shape = bmesh.new()
     shape.from_mesh(mesh)
@@ -151,13 +151,14 @@ const char* blend_of(Alpha alpha) {
   return "OPAQUE";
 }
 
-/// Tint and Specular of Blender 3, as Python writes them.
+/// Tint and Specular for Blender 3, as Python text.
 std::string older_of(const FaceSource& face) {
   const EngineFit& older = face.older_fit();
   const glm::vec3 tint = older.base / face.fit().base;
   const auto text = [](float v) { return number(static_cast<double>(v)); };
-  return filled("({R}, {G}, {B}), {SPECULAR}",
-                {{"R", text(tint.r)}, {"G", text(tint.g)}, {"B", text(tint.b)}, {"SPECULAR", text(older.specular())}});
+  return fill_template(
+      "({R}, {G}, {B}), {SPECULAR}",
+      {{"R", text(tint.r)}, {"G", text(tint.g)}, {"B", text(tint.b)}, {"SPECULAR", text(older.specular())}});
 }
 
 }  // namespace
@@ -165,16 +166,17 @@ std::string older_of(const FaceSource& face) {
 std::string write_blender_script(const SetFacts& set) {
   const EngineFit &front = set.front.fit(), &back = set.back.fit();
   const SurfaceTexels& s = set.front.small();
-  return write_file_atomically(set.folder + "/" + set.name + ".py",
-                               filled(kScript, {{"NAME", set.name},
-                                                {"BLEND", blend_of(set.alpha)},
-                                                {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
-                                                {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
-                                                {"THROUGH", number(static_cast<double>(mean_transmission(set)))},
-                                                {"OLDER_FRONT", older_of(set.front)},
-                                                {"OLDER_BACK", older_of(set.back)},
-                                                {"SPECULAR", number(static_cast<double>(front.specular()))},
-                                                {"BACK_SPECULAR", number(static_cast<double>(back.specular()))}}));
+  return write_file_atomically(
+      set.folder + "/" + set.name + ".py",
+      fill_template(kScript, {{"NAME", set.name},
+                              {"BLEND", blend_of(set.alpha)},
+                              {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
+                              {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
+                              {"THROUGH", number(static_cast<double>(mean_transmission(set)))},
+                              {"OLDER_FRONT", older_of(set.front)},
+                              {"OLDER_BACK", older_of(set.back)},
+                              {"SPECULAR", number(static_cast<double>(front.specular()))},
+                              {"BACK_SPECULAR", number(static_cast<double>(back.specular()))}}));
 }
 
 }  // namespace weftlight::texture_set

@@ -1,4 +1,4 @@
-// Godot 4, Unreal 5, Unity 2021 and later: the text files that each reads, or the script that it runs.
+// Material files for Godot 4 and Unity 2021 and later, and an import script for Unreal 5.
 
 #include <cmath>
 #include <cstdio>
@@ -36,8 +36,8 @@ uv1_scale = Vector3({SCALE_U}, {SCALE_V}, 1)
 
 constexpr const char* kUnrealScript =
     R"("""Imports this set into Unreal Engine 5 and makes its materials: run it from the editor's Python console
-(Python Editor Script Plugin), or Tools > Execute Python Script. Texture coordinates are millimetres, as those of
-{NAME}_quad.glb; for a mesh on which one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm set MM_UV = False."""
+(Python Editor Script Plugin), or Tools > Execute Python Script. Texture coordinates are in millimetres, as in
+{NAME}_quad.glb. For a mesh on which one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm, set MM_UV = False."""
 import os
 import unreal
 
@@ -68,7 +68,7 @@ def texture(side, kind):
     asset = unreal.load_asset(INTO + "/T_" + NAME + side + kind)
     asset.set_editor_property("srgb", srgb)
     asset.set_editor_property("compression_settings", compression)
-    if kind == "_OM":  # the share of the cloth stays the same in every mip
+    if kind == "_OM":  # keeps the coverage in every mip level
         asset.set_editor_property("alpha_coverage_thresholds", unreal.Vector4(0, 0, 0, 0.5))
     unreal.EditorAssetLibrary.save_loaded_asset(asset)
     return asset
@@ -76,7 +76,7 @@ def texture(side, kind):
 
 def material(side, specular):
     asset = "M_" + NAME + side
-    if unreal.EditorAssetLibrary.does_asset_exist(INTO + "/" + asset):  # of an earlier import: meshes keep it
+    if unreal.EditorAssetLibrary.does_asset_exist(INTO + "/" + asset):  # from an earlier import: meshes keep their reference
         made = unreal.load_asset(INTO + "/" + asset)
         lib.delete_all_material_expressions(made)
     else:
@@ -112,8 +112,8 @@ def material(side, specular):
         lib.connect_material_property(orm, channel, property)
     if ALPHA != "opaque":
         lib.connect_material_property(sample("_OM", 3), "A", slot.MP_OPACITY if ALPHA == "blend" else slot.MP_OPACITY_MASK)
-    lib.connect_material_property(sample("_FC", 4), "RGB", slot.MP_SUBSURFACE_COLOR)  # fuzz colour: its hue
-    lib.connect_material_property(sample("_CW", 5), "A", slot.MP_CUSTOM_DATA0)        # cloth: its weight, once
+    lib.connect_material_property(sample("_FC", 4), "RGB", slot.MP_SUBSURFACE_COLOR)  # fuzz colour: the hue
+    lib.connect_material_property(sample("_CW", 5), "A", slot.MP_CUSTOM_DATA0)        # cloth: the weight
     shine = lib.create_material_expression(made, unreal.MaterialExpressionConstant, -500, 1500)
     shine.set_editor_property("r", specular)
     lib.connect_material_property(shine, "", slot.MP_SPECULAR)
@@ -203,35 +203,35 @@ std::string write_unity_images(const SetFacts& set, Face face) {
     const std::string file = image_file(row, set.name, face);
     const bool normal = std::string_view(row.suffix).starts_with("_Normal");
     const bool covers = row.channels[3] == Channel::kCoverage && set.alpha == Alpha::kMask;
-    std::string problem =
-        write_file_atomically(set.folder + "/" + file + ".meta", filled(kUnityTexture, {{"GUID", guid(file)},
-                                                                                        {"SRGB", row.srgb ? "1" : "0"},
-                                                                                        {"KEEP", covers ? "1" : "0"},
-                                                                                        {"TYPE", normal ? "1" : "0"}}));
+    std::string problem = write_file_atomically(set.folder + "/" + file + ".meta",
+                                                fill_template(kUnityTexture, {{"GUID", guid(file)},
+                                                                              {"SRGB", row.srgb ? "1" : "0"},
+                                                                              {"KEEP", covers ? "1" : "0"},
+                                                                              {"TYPE", normal ? "1" : "0"}}));
     if (!problem.empty()) return problem;
   }
   return {};
 }
 
-/// HDRP's Lit has a specular colour or metal.
+/// HDRP's Lit has either a specular colour or metal.
 bool has_specular_color(const SetFacts& set, Face face) {
   return set.target == ExportTarget::kUnityHdrp && std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
 }
 
-/// As its inspector takes colours: encoded.
+/// Colours are sRGB encoded, as in the inspector.
 std::string unity_colors(const SetFacts& set, Face face) {
   if (!has_specular_color(set, face)) return {};
   const std::string f0 = number(static_cast<double>(srgb_encoded(set.of(face).fit().f0)));
   return "    - _SpecularColor: {r: " + f0 + ", g: " + f0 + ", b: " + f0 + ", a: 1}\n";
 }
 
-/// How its passes blend and write depth: the inspector derives these from the choices above them, but an import does
-/// not. Gaps do not shine.
+/// Blending and depth of the passes. The inspector derives them from the surface options, but an import does not. Gaps
+/// have no highlight.
 std::vector<std::string> unity_blending(bool hdrp, Alpha alpha) {
   const bool blend = alpha == Alpha::kBlend, cut = alpha == Alpha::kMask || alpha == Alpha::kHashed;
   const std::string write = blend ? "_ZWrite: 0" : "_ZWrite: 1";
-  const std::string over = blend ? "10" : "0";  // one less the alpha
-  if (hdrp)                                     // its shader multiplies by alpha itself
+  const std::string over = blend ? "10" : "0";  // one minus alpha
+  if (hdrp)                                     // the shader multiplies by alpha itself
     return {"_BlendMode: 0",
             "_SrcBlend: 1",
             "_DstBlend: " + over,
@@ -295,23 +295,25 @@ std::string write_unity_face(const SetFacts& set, Face face) {
   for (const std::string& w : words) keywords += "  - " + w + "\n";
   const std::string name = set.name + (face == Face::kBack ? "_back" : ""), file = name + ".mat";
   std::string problem = write_file_atomically(
-      set.folder + "/" + file, filled(kUnityMaterial, {{"NAME", name},
-                                                       {"SHADER", hdrp ? kHdrpLit : kUrpLit},
-                                                       {"KEYWORDS", keywords},
-                                                       {"QUEUE", set.alpha == Alpha::kBlend    ? "3000"
-                                                                 : set.alpha == Alpha::kOpaque ? "-1"
-                                                                                               : "2450"},
-                                                       {"TYPE", set.alpha == Alpha::kBlend    ? "Transparent"
-                                                                : set.alpha == Alpha::kOpaque ? "Opaque"
-                                                                                              : "TransparentCutout"},
-                                                       {"TEXTURES", lines(textures)},
-                                                       {"FLOATS", lines(unity_floats(set, face, hdrp))},
-                                                       {"COLORS", unity_colors(set, face)}}));
+      set.folder + "/" + file,
+      fill_template(kUnityMaterial, {{"NAME", name},
+                                     {"SHADER", hdrp ? kHdrpLit : kUrpLit},
+                                     {"KEYWORDS", keywords},
+                                     {"QUEUE", set.alpha == Alpha::kBlend    ? "3000"
+                                               : set.alpha == Alpha::kOpaque ? "-1"
+                                                                             : "2450"},
+                                     {"TYPE", set.alpha == Alpha::kBlend    ? "Transparent"
+                                              : set.alpha == Alpha::kOpaque ? "Opaque"
+                                                                            : "TransparentCutout"},
+                                     {"TEXTURES", lines(textures)},
+                                     {"FLOATS", lines(unity_floats(set, face, hdrp))},
+                                     {"COLORS", unity_colors(set, face)}}));
   if (!problem.empty()) return problem;
-  return write_file_atomically(set.folder + "/" + file + ".meta", filled(kUnityMaterialMeta, {{"GUID", guid(file)}}));
+  return write_file_atomically(set.folder + "/" + file + ".meta",
+                               fill_template(kUnityMaterialMeta, {{"GUID", guid(file)}}));
 }
 
-/// Unity reads no glTF by itself: the quad of the scale, in metres, with texture coordinates in millimetres.
+/// The quad as .obj, since Unity cannot read glTF without a package: metres, texture coordinates in millimetres.
 std::string write_obj_quad(const SetFacts& set) {
   const Mesh quad = scale_quad();
   std::string text = "# 100 mm a side; texture coordinates in millimetres\n";
@@ -326,7 +328,7 @@ std::string write_obj_quad(const SetFacts& set) {
 std::string write_godot_face(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
   const std::string name = set.name + (face == Face::kBack ? "_back" : "");
-  // Godot has no material a side: the front names the back as its next pass.
+  // Godot has one material for both sides: the front has the back as its next pass.
   const bool front = face == Face::kFront;
   const std::string back = "[ext_resource type=\"Material\" path=\"" + set.name + "_back.tres\" id=\"5\"]\n";
   const char* transparency = set.alpha == Alpha::kBlend    ? "1"
@@ -335,19 +337,19 @@ std::string write_godot_face(const SetFacts& set, Face face) {
                                                            : "0";
   return write_file_atomically(
       set.folder + "/" + name + ".tres",
-      filled(kGodotMaterial, {{"NAME", name},
-                              {"ALBEDO", image_named(set, "_albedo", face)},
-                              {"ORM", image_named(set, "_orm", face)},
-                              {"NORMAL", image_named(set, "_normal", face)},
-                              {"FLOW", image_named(set, "_flowmap", face)},
-                              {"TRANSPARENCY", transparency},
-                              {"CULL", face == Face::kBack ? "1" : "0"},
-                              {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0) / 0.16))},
-                              {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
-                              {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
-                              {"STEPS", front ? "6" : "5"},
-                              {"BACK", front ? back : std::string{}},
-                              {"NEXT", front ? "next_pass = ExtResource(\"5\")\n" : ""}}));
+      fill_template(kGodotMaterial, {{"NAME", name},
+                                     {"ALBEDO", image_named(set, "_albedo", face)},
+                                     {"ORM", image_named(set, "_orm", face)},
+                                     {"NORMAL", image_named(set, "_normal", face)},
+                                     {"FLOW", image_named(set, "_flowmap", face)},
+                                     {"TRANSPARENCY", transparency},
+                                     {"CULL", face == Face::kBack ? "1" : "0"},
+                                     {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0) / 0.16))},
+                                     {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
+                                     {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
+                                     {"STEPS", front ? "6" : "5"},
+                                     {"BACK", front ? back : std::string{}},
+                                     {"NEXT", front ? "next_pass = ExtResource(\"5\")\n" : ""}}));
 }
 
 }  // namespace
@@ -361,12 +363,12 @@ std::string write_unreal_script(const SetFacts& set) {
   const SurfaceTexels& s = set.front.small();
   return write_file_atomically(
       set.folder + "/" + set.name + "_import.py",
-      filled(kUnrealScript, {{"NAME", set.name},
-                             {"ALPHA", alpha_name(set.alpha)},
-                             {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
-                             {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
-                             {"SPECULAR", number(static_cast<double>(set.front.fit().specular()))},
-                             {"BACK_SPECULAR", number(static_cast<double>(set.back.fit().specular()))}}));
+      fill_template(kUnrealScript, {{"NAME", set.name},
+                                    {"ALPHA", alpha_name(set.alpha)},
+                                    {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
+                                    {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
+                                    {"SPECULAR", number(static_cast<double>(set.front.fit().specular()))},
+                                    {"BACK_SPECULAR", number(static_cast<double>(set.back.fit().specular()))}}));
 }
 
 std::string write_unity_material(const SetFacts& set) {

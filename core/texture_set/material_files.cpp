@@ -16,7 +16,7 @@ std::string write_quad(const SetFacts& set) {
   return write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr);
 }
 
-std::string first(std::initializer_list<std::string> problems) {
+std::string first_problem(std::initializer_list<std::string> problems) {
   for (const std::string& p : problems) {
     if (!p.empty()) return p;
   }
@@ -31,7 +31,7 @@ std::string number(double v) {
   return text;
 }
 
-std::string filled(std::string text, const std::vector<std::pair<std::string, std::string>>& values) {
+std::string fill_template(std::string text, const std::vector<std::pair<std::string, std::string>>& values) {
   for (const auto& [key, value] : values) {
     const std::string mark = "{" + key + "}";
     for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size())) {
@@ -90,13 +90,13 @@ bool needs_mesh(ExportTarget target) { return target == ExportTarget::kGltf || t
 MaterialFile write_materials(const SetFacts& set) {
   switch (set.target) {
     case ExportTarget::kGltf:
-      return {set.name + ".glb", first({write_gltf_material(set, ".glb"), write_gltf_material(set, ".gltf")})};
+      return {set.name + ".glb", first_problem({write_gltf_material(set, ".glb"), write_gltf_material(set, ".gltf")})};
     case ExportTarget::kBlender:
-      return {set.name + ".py", first({write_gltf_material(set, ".glb"), write_blender_script(set)})};
+      return {set.name + ".py", first_problem({write_gltf_material(set, ".glb"), write_blender_script(set)})};
     case ExportTarget::kGodot:
-      return {set.name + ".tres", first({write_godot_material(set), write_quad(set)})};
+      return {set.name + ".tres", first_problem({write_godot_material(set), write_quad(set)})};
     case ExportTarget::kUnreal:
-      return {set.name + "_import.py", first({write_unreal_script(set), write_quad(set)})};
+      return {set.name + "_import.py", first_problem({write_unreal_script(set), write_quad(set)})};
     case ExportTarget::kUnityHdrp:
     case ExportTarget::kUnityUrp:
       return {set.name + ".mat", write_unity_material(set)};

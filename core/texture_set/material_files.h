@@ -1,6 +1,6 @@
 #pragma once
-// The materials that go with the images of a set: a mesh with them, the engine's own text files, a quad that proves the
-// scale. Texture coordinates are millimetres everywhere; each material says itself how many repeats a millimetre has.
+// The materials of a set: a mesh with the images, the text files of the engine, and a quad for checking the scale.
+// Texture coordinates are in millimetres everywhere; each material scales them to repeats.
 
 #include <string>
 
@@ -12,7 +12,7 @@
 
 namespace weftlight::texture_set {
 
-/// A set whose images are written.
+/// A set whose images are already written.
 struct SetFacts {
   std::string folder, name;
   ExportTarget target = ExportTarget::kGltf;
@@ -25,19 +25,19 @@ struct SetFacts {
   const FaceSource& of(Face face) const { return face == Face::kFront ? front : back; }
 };
 
-/// True where the material comes with a mesh.
+/// True if the material includes a mesh.
 bool needs_mesh(ExportTarget target);
 
 struct MaterialFile {
-  std::string file;  // the one to open first; empty when the target needs none
+  std::string file;  // the file to open first; empty if the target has no material
   std::string error;
 };
 MaterialFile write_materials(const SetFacts& set);
 
-/// A hanging square, 100 mm a side, with texture coordinates in millimetres.
+/// An upright square with sides of 100 mm and texture coordinates in millimetres.
 Mesh scale_quad();
 
-// The parts, one a file of code. Empty: done; else what went wrong.
+// One function for each target, in a file of its own. Each returns an error, or an empty string.
 std::string write_gltf_material(const SetFacts& set, const std::string& extension);
 std::string write_blender_script(const SetFacts& set);
 std::string write_godot_material(const SetFacts& set);
@@ -46,14 +46,14 @@ std::string write_unity_material(const SetFacts& set);
 std::string write_u3m(const SetFacts& set);
 std::string write_materialx(const SetFacts& set);
 
-/// Every {KEY} of the template becomes its value.
-std::string filled(std::string text, const std::vector<std::pair<std::string, std::string>>& values);
+/// Replaces every {KEY} of the template by its value.
+std::string fill_template(std::string text, const std::vector<std::pair<std::string, std::string>>& values);
 std::string number(double v);
-/// File of the target's image whose suffix this is.
+/// The file name of the target's image with this suffix.
 std::string image_named(const SetFacts& set, const std::string& suffix, Face face);
-/// Share of the body's light that leaves behind: mean over the threads; 0 where there is next to none.
+/// Diffuse transmission as a fraction of the diffuse light, mean over the threads; 0 if negligible.
 float mean_transmission(const SetFacts& set);
-/// 32 hexadecimal digits that stay the same for the same text.
+/// A hash of the text, 32 hexadecimal digits.
 std::string digest(const std::string& text);
 
 }  // namespace weftlight::texture_set

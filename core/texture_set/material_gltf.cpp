@@ -1,4 +1,4 @@
-// The set's own images on the draped mesh, one material a face.
+// The images of the set on the draped mesh, one material for each face.
 
 #include "files/files.h"
 #include "texture_set/material_files.h"
@@ -6,7 +6,7 @@
 namespace weftlight::texture_set {
 namespace {
 
-/// The Blender set's images are those of its script: its .glb carries glTF's, embedded, of a large set at 1024.
+/// The images of a Blender set belong to its script; its .glb embeds glTF images, at most 1024 texels a side.
 GltfMaterial material_of(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
   GltfMaterial m;
@@ -15,18 +15,18 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
   const SurfaceTexels embedded = set.target == ExportTarget::kGltf ? SurfaceTexels{}
                                  : whole                           ? source.rows(0, source.size().height)
                                                                    : source.small();
-  const auto take = [&](GltfImage& image, const char* suffix, size_t row) {
+  const auto set_image = [&](GltfImage& image, const char* suffix, size_t row) {
     if (set.target == ExportTarget::kGltf) image.file = image_named(set, suffix, face);
     else image.png = encode_png(pack(image_rows(ExportTarget::kGltf)[row], embedded));
   };
-  take(m.base_color, "_basecolor", 0);
-  take(m.orm, "_orm", 1);
-  take(m.normal, "_normal", 2);
-  take(m.anisotropy, "_anisotropy", 3);
+  set_image(m.base_color, "_basecolor", 0);
+  set_image(m.orm, "_orm", 1);
+  set_image(m.normal, "_normal", 2);
+  set_image(m.anisotropy, "_anisotropy", 3);
   m.anisotropy_strength = 1;
-  // The fit of the Blender set has none, and Blender 3's importer would add a velvet that is not scaled.
+  // The fit of a Blender set has no sheen, and Blender 3 would import it as an unscaled velvet.
   if (set.target == ExportTarget::kGltf && source.fit().sheen > 0) {
-    take(m.sheen, "_sheen", 4);
+    set_image(m.sheen, "_sheen", 4);
     m.sheen_color = {1, 1, 1};
     m.sheen_roughness = 1;
   }

@@ -1,6 +1,5 @@
-// Based on: U3M 1.1, its schema and specification (Vizoo, Browzwear; github.com/vizoogmbh/u3m). Fibre densities: J. W.
-// S.
-//   Hearle, W. E. Morton, Physical Properties of Textile Fibres, 2008; yarn is taken as 60 % fibre.
+// Based on: U3M 1.1, its schema and specification (Vizoo, Browzwear; github.com/vizoogmbh/u3m). Fibre densities:
+//   J. W. S. Hearle, W. E. Morton, Physical Properties of Textile Fibres, 2008; 60% of the section of a yarn is fibre.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +18,8 @@ namespace {
 using nlohmann::json;
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kFibreShare = 0.6;  // of a yarn's section
-constexpr double kCrimp = 1.06;      // length of a thread over that of the cloth
+constexpr double kPackingFraction = 0.6;  // fibre in the section of a yarn
+constexpr double kCrimp = 1.06;           // length of a thread divided by that of the cloth
 
 struct FibreRow {
   const char* word;  // in the yarn's name, lower case
@@ -49,20 +48,20 @@ const FibreRow& fibre_of(const Yarn& yarn) {
   return kUnknown;
 }
 
-/// Grams of each kind of fibre in a period.
+/// Grams of each fibre in one period.
 std::map<std::string, double> grams_of(const Cloth& cloth) {
   std::map<std::string, double> out;
   const auto add = [&](const ThreadBody& t, double length_mm) {
     const FibreRow& fibre = fibre_of(cloth.yarns[static_cast<size_t>(t.yarn)]);
     const double section = 0.785398 * static_cast<double>(t.width_mm) * static_cast<double>(t.height_mm);
-    out[fibre.type] += section * length_mm * kCrimp * kFibreShare * fibre.g_per_cm3 * 1e-3;
+    out[fibre.type] += section * length_mm * kCrimp * kPackingFraction * fibre.g_per_cm3 * 1e-3;
   };
   for (const ThreadBody& t : cloth.ends) add(t, static_cast<double>(cloth.depth_mm));
   for (const ThreadBody& t : cloth.picks) add(t, static_cast<double>(cloth.width_mm));
   return out;
 }
 
-/// Ends by which each pick is moved against the one before, the same for all; -1 where there is no such number.
+/// The step of a regular weave: ends by which each pick is shifted against the one before; -1 if it is not constant.
 int step_of(const BitMatrix& cells) {
   const int n = cells.cols();
   for (int step = 1; step < n; ++step) {
@@ -76,8 +75,8 @@ int step_of(const BitMatrix& cells) {
   return -1;
 }
 
-/// Interlacings of a pick: how many ends lie over it in one repeat of a regular weave.
-int raised(const BitMatrix& cells) {
+/// The number of ends that lie over the first pick in one repeat.
+int raised_ends(const BitMatrix& cells) {
   int count = 0;
   for (int end = 0; end < cells.cols(); ++end) count += cells.get(0, end) ? 1 : 0;
   return count;
@@ -89,7 +88,7 @@ std::string construction_of(const Design& design, const BitMatrix& cells) {
   if (n == 2 && cells.rows() == 2 && step == 1) return "Plain weave";
   if (step == 1) return "Twill - right hand (Z)";
   if (step == n - 1) return "Twill - left hand (S)";
-  const int up = raised(cells);
+  const int up = raised_ends(cells);
   if (step > 1 && n >= 5 && (up == 1 || up == n - 1)) return "Satin";
   return design.draft.shafts > kMaxDobbyShafts ? "Jacquard" : "Dobby";
 }
@@ -155,8 +154,9 @@ json visual(const SetFacts& set, Face face) {
     return static_cast<double>(std::max({t.sheen.r, t.sheen.g, t.sheen.b}));
   });
   const double metal = mean_of(s, [](const SurfaceTexel& t) { return static_cast<double>(t.metal); });
-  const double through = mean_of(
-      s, [](const SurfaceTexel& t) { return static_cast<double>((t.through.r + t.through.g + t.through.b) / 3); });
+  const double transmitted = mean_of(s, [](const SurfaceTexel& t) {
+    return static_cast<double>((t.transmitted.r + t.transmitted.g + t.transmitted.b) / 3);
+  });
   const double range = static_cast<double>(s.high_mm - s.low_mm);
   const json base = color(static_cast<double>(mean.r), static_cast<double>(mean.g), static_cast<double>(mean.b));
   return {
@@ -176,7 +176,7 @@ json visual(const SetFacts& set, Face face) {
       {"displacement", scalar(set, "_displacement", face, 0, range)},
       {"specular_value", constant(static_cast<double>(source.fit().specular()))},
       {"specular_tint", constant(0)},
-      {"transmission", constant(std::clamp(through, 0.0, 1.0))},
+      {"transmission", constant(std::clamp(transmitted, 0.0, 1.0))},
       {"ior", constant(1.5)},
       {"clearcoat_value", constant(0)},
       {"clearcoat_normal", normal_of(nullptr)},
@@ -187,7 +187,7 @@ json visual(const SetFacts& set, Face face) {
       {"preview", nullptr}};
 }
 
-/// Version 4, variant 1, of the digest: the same set keeps its number.
+/// A UUID of version 4, variant 1, from the digest: constant for the same set.
 std::string uuid_of(const SetFacts& set) {
   std::string d = digest("weftlight u3m " + set.name + " " + set.design.title);
   d[12] = '4', d[16] = "89ab"[d[16] % 4];

@@ -1,5 +1,5 @@
-// MaterialX 1.39 with OpenPBR 1.1, and USD that shows the same images by UsdPreviewSurface and names the .mtlx for
-// renderers that know it.
+// MaterialX 1.39 with OpenPBR 1.1, and USD with the same images as UsdPreviewSurface; a second USD file references the
+// .mtlx for renderers that support it.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr const char* kImage = R"(    <image name="{WHAT}" type="{TYPE}">
       <input name="texcoord" type="vector2" nodename="uv" />
     </image>
 )";
-// One face. Texture coordinates are millimetres, right and up the image.
+// One face. Texture coordinates are millimetres, right and up in the image.
 constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
     <texcoord name="uv_mm" type="vector2" />
     <multiply name="uv" type="vector2">
@@ -64,7 +64,7 @@ constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
 )";
 constexpr const char* kOpacityInput =
     "    <input name=\"geometry_opacity\" type=\"float\" nodegraph=\"NG_{NAME}\" output=\"opacity_out\" />\n";
-// Renderers that know backsurfaceshader show both faces with one material.
+// Renderers that support backsurfaceshader show both faces with one material.
 constexpr const char* kMaterials = R"(  <surfacematerial name="{NAME}" type="material">
     <input name="surfaceshader" type="surfaceshader" nodename="SR_{NAME}" />
     <input name="backsurfaceshader" type="surfaceshader" nodename="SR_{NAME}_back" />
@@ -163,13 +163,13 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 
 std::string material_name(const SetFacts& set, Face face) { return set.name + (face == Face::kBack ? "_back" : ""); }
 
-/// A name that USD takes: no digit first, no '-'.
+/// A valid USD name: no digit first, no '-'.
 std::string prim_name(std::string name) {
   for (char& c : name) c = c == '-' ? '_' : c;
   return name.empty() || (name[0] >= '0' && name[0] <= '9') ? "_" + name : name;
 }
 
-/// Index of refraction whose straight reflectance is this.
+/// Index of refraction for a reflectance at normal incidence.
 double ior_of(double f0) { return (1 + std::sqrt(f0)) / (1 - std::sqrt(f0)); }
 
 struct MtlxImage {
@@ -190,10 +190,10 @@ constexpr MtlxImage kMtlxImages[] = {{"_basecolor", "basecolor", "color3", true}
 std::string mtlx_images(const SetFacts& set, Face face) {
   std::string text;
   for (const MtlxImage& image : kMtlxImages)
-    text += filled(kImage, {{"WHAT", image.what},
-                            {"TYPE", image.type},
-                            {"FILE", image_named(set, image.suffix, face)},
-                            {"SPACE", image.srgb ? " colorspace=\"srgb_texture\"" : ""}});
+    text += fill_template(kImage, {{"WHAT", image.what},
+                                   {"TYPE", image.type},
+                                   {"FILE", image_named(set, image.suffix, face)},
+                                   {"SPACE", image.srgb ? " colorspace=\"srgb_texture\"" : ""}});
   return text;
 }
 
@@ -211,8 +211,8 @@ Values values_of(const SetFacts& set, Face face) {
 
 std::string write_mtlx(const SetFacts& set) {
   std::string text = "<?xml version=\"1.0\"?>\n<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n";
-  for (const Face face : {Face::kFront, Face::kBack}) text += filled(kGraph, values_of(set, face));
-  text += filled(kMaterials, {{"NAME", prim_name(set.name)}});
+  for (const Face face : {Face::kFront, Face::kBack}) text += fill_template(kGraph, values_of(set, face));
+  text += fill_template(kMaterials, {{"NAME", prim_name(set.name)}});
   return write_file_atomically(set.folder + "/" + set.name + ".mtlx", text + "</materialx>\n");
 }
 
@@ -233,12 +233,12 @@ std::string usd_material(const SetFacts& set, Face face) {
   std::string textures;
   for (const UsdTexture& t : kUsdTextures) {
     if (set.alpha == Alpha::kOpaque && std::string_view(t.what) == "opacity") continue;
-    textures += filled(kTexture, {{"WHAT", t.what},
-                                  {"FILE", image_named(set, t.suffix, face)},
-                                  {"SPACE", t.srgb ? "sRGB" : "raw"},
-                                  {"RANGE", t.normal ? kNormalRange : ""},
-                                  {"PRIM", prim},
-                                  {"MATERIAL", material}});
+    textures += fill_template(kTexture, {{"WHAT", t.what},
+                                         {"FILE", image_named(set, t.suffix, face)},
+                                         {"SPACE", t.srgb ? "sRGB" : "raw"},
+                                         {"RANGE", t.normal ? kNormalRange : ""},
+                                         {"PRIM", prim},
+                                         {"MATERIAL", material}});
   }
   std::string opacity;
   if (set.alpha != Alpha::kOpaque) {
@@ -246,13 +246,13 @@ std::string usd_material(const SetFacts& set, Face face) {
     if (set.alpha == Alpha::kMask) opacity += "                float inputs:opacityThreshold = 0.5\n";
   }
   const SurfaceTexels& s = set.of(face).small();
-  return filled(kPreview, {{"TEXTURES", textures},
-                           {"USD_OPACITY", opacity},
-                           {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0)))},
-                           {"PRIM", prim},
-                           {"MATERIAL", material},
-                           {"SCALE_U", number(1 / static_cast<double>(s.width_mm))},
-                           {"SCALE_V", number(1 / static_cast<double>(s.depth_mm))}});
+  return fill_template(kPreview, {{"TEXTURES", textures},
+                                  {"USD_OPACITY", opacity},
+                                  {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0)))},
+                                  {"PRIM", prim},
+                                  {"MATERIAL", material},
+                                  {"SCALE_U", number(1 / static_cast<double>(s.width_mm))},
+                                  {"SCALE_V", number(1 / static_cast<double>(s.depth_mm))}});
 }
 
 std::string stage(const SetFacts& set) {
@@ -260,17 +260,17 @@ std::string stage(const SetFacts& set) {
   std::string meshes, materials;
   for (const Face face : {Face::kFront, Face::kBack}) {
     const bool back = face == Face::kBack;
-    meshes += filled(kMesh, {{"FACE", back ? "Back" : "Front"},
-                             {"ORIENTATION", back ? "leftHanded" : "rightHanded"},
-                             {"Z", back ? "-1" : "1"},
-                             {"PRIM", prim},
-                             {"MATERIAL", prim_name(material_name(set, face))}});
+    meshes += fill_template(kMesh, {{"FACE", back ? "Back" : "Front"},
+                                    {"ORIENTATION", back ? "leftHanded" : "rightHanded"},
+                                    {"Z", back ? "-1" : "1"},
+                                    {"PRIM", prim},
+                                    {"MATERIAL", prim_name(material_name(set, face))}});
     materials += usd_material(set, face);
   }
-  return filled(kStage, {{"MESHES", meshes}, {"MATERIALS", materials}, {"PRIM", prim}});
+  return fill_template(kStage, {{"MESHES", meshes}, {"MATERIALS", materials}, {"PRIM", prim}});
 }
 
-/// The stage with the materials of the .mtlx in the place of its own.
+/// The same stage with the materials of the .mtlx.
 constexpr const char* kReferencing = R"(#usda 1.0
 (
     defaultPrim = "{PRIM}"
@@ -307,7 +307,7 @@ std::string write_materialx(const SetFacts& set) {
   if (problem.empty()) problem = write_file_atomically(path + ".usda", stage(set));
   if (problem.empty())
     problem = write_file_atomically(path + "_openpbr.usda",
-                                    filled(kReferencing, {{"PRIM", prim_name(set.name)}, {"NAME", set.name}}));
+                                    fill_template(kReferencing, {{"PRIM", prim_name(set.name)}, {"NAME", set.name}}));
   if (!problem.empty()) return problem;
   std::vector<ZipEntry> entries{{set.name + ".usda", path + ".usda"}};
   for (const Face face : {Face::kFront, Face::kBack}) {

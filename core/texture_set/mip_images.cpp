@@ -1,4 +1,4 @@
-// Based on: Castano, Computing Alpha Mipmaps, 2010 (coverage that is kept); surface.cpp for normals and roughness.
+// Based on: Castano, Computing Alpha Mipmaps, 2010 (coverage of masks); surface_texels.cpp for normals and roughness.
 
 #include "texture_set/mip_images.h"
 
@@ -10,7 +10,7 @@
 namespace weftlight::texture_set {
 namespace {
 
-constexpr float kCut = 0.5f;  // of a mask
+constexpr float kCut = 0.5f;  // threshold of a mask
 constexpr float kMaxScale = 4;
 
 std::vector<float> coverages(const SurfaceTexels& surface) {
@@ -34,7 +34,7 @@ std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size) {
     std::vector<float> all = coverages(level);
     std::sort(all.begin(), all.end(), std::greater<>());
     const auto kept = static_cast<size_t>(wanted * static_cast<double>(all.size()) + 0.5);
-    const float last = kept > 0 ? all[kept - 1] : 1.0f;  // the least that is to stay
+    const float last = kept > 0 ? all[kept - 1] : 1.0f;  // the smallest coverage that stays above the threshold
     out.push_back(first || kept == 0 ? 1.0f
                                      : std::clamp(kCut / std::max(last, 1e-3f) * 1.001f, 1 / kMaxScale, kMaxScale));
     if (level.texels.width == 1 && level.texels.height == 1) return out;

@@ -1,6 +1,6 @@
 #pragma once
-// The images of a face with mips of our own, in KTX2 or DDS: what the normals of a level lose goes into its roughness,
-// colours are averaged in linear light and by coverage, and cut-out cloth keeps the share of it that is cut out.
+// The images of a face with prefiltered mipmaps, in KTX2 or DDS. The variance of the normals that a level loses goes
+// into its roughness, colours are averaged in linear light and by coverage, and a mask keeps its coverage.
 
 #include <memory>
 #include <optional>
@@ -15,28 +15,28 @@
 
 namespace weftlight::texture_set {
 
-/// By how much the coverage of each level is to grow, so that as much of it as of the finest is above one half; from
-/// the finest of `size` on. Levels finer than `small` keep theirs.
+/// Factors on the coverage of each level, from the finest of `size` on, so that the same fraction of texels as in the
+/// finest is above one half. Levels finer than `small` have factor 1.
 std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size);
 
 class MipImages {
  public:
-  /// Opens `folder`/stem.dds or .ktx2 for the rows of 8 bits; `problem`: what went wrong. `cut_out`: gaps are a mask.
+  /// Opens stem.dds or stem.ktx2 for the 8-bit rows. `problem`: error. `cut_out`: alpha is a mask.
   MipImages(std::span<const ImageRow> rows, const std::vector<std::string>& stems, const FaceSource& source,
             std::optional<MipContainer> container, bool cut_out, std::string& problem);
   bool wanted() const { return container_.has_value(); }
   int levels() const { return files_.empty() ? 0 : files_[0]->levels(); }
-  /// Names of the files, an entry a row; empty: a row without one.
+  /// File names, one entry per row; empty for a row without a file.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// A stretch of the face, its levels packed; `rest` is its coarsest row, from which those of the whole are made.
+  /// Rows of the face as packed levels. `rest`: the coarsest row, from which the coarser levels of the face are made.
   struct Band {
     std::vector<std::vector<Image>> levels;  // by level, then by file
     SurfaceTexels rest;
   };
-  /// Of FaceSource::raw_rows() from row y0 on. Any thread.
+  /// Packs rows of FaceSource::raw_rows() from row y0 on. Thread safe.
   Band packed(SurfaceTexels raw, int y0) const;
-  /// Bands in their order. Empty: done; else what went wrong.
+  /// Adds the bands in order. Returns an error, or an empty string.
   std::string add(Band band);
   std::string close();
 
@@ -46,10 +46,10 @@ class MipImages {
 
   const FaceSource& source_;
   std::optional<MipContainer> container_;
-  std::vector<ImageRow> rows_;  // that have a file
+  std::vector<ImageRow> rows_;  // with a file
   std::vector<std::unique_ptr<MipFile>> files_;
   std::vector<std::string> names_;
-  std::vector<float> scales_;  // of the coverage, by level
+  std::vector<float> scales_;  // factors on the coverage, by level
   std::vector<SurfaceTexels> rest_;
   int first_rest_ = 0;  // the level of `rest_`
 };

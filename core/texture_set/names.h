@@ -1,5 +1,5 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are; what those use comes with them.
+// The namespaces whose names this folder uses unqualified; the namespaces that those use come with them.
 
 #include "files/names.h"
 #include "light/names.h"

@@ -7,11 +7,15 @@
 #include <set>
 
 #include "base/files.h"
+#include "base/text.h"
 
 namespace weftlight::texture_set {
 namespace {
 
 namespace fs = std::filesystem;
+using base::arg;
+using base::fill;
+using base::tr;
 using nlohmann::json;
 using platform::FileLock;
 using platform::LockAnswer;
@@ -22,7 +26,7 @@ constexpr uintmax_t kLongestList = uintmax_t{16} << 20;    // bytes
 constexpr const char* kStaged = ".weftlight_texture_set";  // in a folder that is being written; its owner locks it
 constexpr const char* kPlaceLock = ".part-lock";           // beside a folder into which a set is being put
 
-/// What an earlier set says of itself. `files` are plain names within its folder.
+/// The list of an earlier set. `files` are plain names within its folder.
 struct Listed {
   SetIdentity identity;
   std::set<std::string> files;
@@ -32,7 +36,7 @@ bool plain_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
 }
 
-void take_name(Listed& out, const json& name) {
+void add_name(Listed& out, const json& name) {
   if (name.is_string() && plain_name(name.get<std::string>())) out.files.insert(name.get<std::string>());
 }
 
@@ -56,7 +60,7 @@ std::optional<Listed> listed_in(const fs::path& folder) {
   if (!root) return std::nullopt;
   Listed out{{text_of(*root, "draft"), text_of(*root, "source"), text_of(*root, "target")}, {}};
   if (const auto files = root->find("files"); files != root->end() && files->is_array()) {
-    for (const json& name : *files) take_name(out, name);
+    for (const json& name : *files) add_name(out, name);
   }
   return out;
 }
@@ -64,8 +68,6 @@ std::optional<Listed> listed_in(const fs::path& folder) {
 bool same(const SetIdentity& a, const SetIdentity& b) {
   return a.draft == b.draft && a.source == b.source && a.target == b.target;
 }
-
-std::string words(const SetIdentity& of) { return "a set of " + of.source + " for " + of.target; }
 
 /// The mark goes last, so that what is left of a removal that was cut short is known again.
 void remove_staged(const fs::path& made) {
@@ -113,10 +115,10 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return out;
 }
 
-/// The list of both sets, so that a program killed between leaves no file that the next one does not know as its own.
+/// Writes a list of the files of both sets, so that after a crash in between the next export still owns all of them.
 std::string list_both(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
   std::optional<json> root = list_in(made);
-  if (!root) return (made / kList).string() + ": is not there";
+  if (!root) return fill(tr("{file}: is missing"), arg("file", (made / kList).string()));
   std::set<std::string> all = old;
   for (const std::string& name : names_in(made)) all.insert(name);
   (*root)["files"] = all;
@@ -127,7 +129,7 @@ std::string list_both(const fs::path& made, const fs::path& folder, const std::s
 std::string moved(const fs::path& from, const fs::path& to) {
   std::error_code ec;
   fs::rename(from, to, ec);
-  return ec ? to.string() + ": " + ec.message() : std::string{};
+  return ec ? fill(tr("{file}: {problem}"), arg("file", to.string()), arg("problem", ec.message())) : std::string{};
 }
 
 std::string merge(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
@@ -157,14 +159,22 @@ std::string draft_from(const fs::path& folder, const std::string& draft_path) {
 std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
   std::error_code ec;
   if (!fs::exists(fs::symlink_status(folder, ec))) return {};
-  if (!fs::is_directory(folder, ec)) return folder.string() + ": is a file; choose another folder";
+  if (!fs::is_directory(folder, ec))
+    return fill(tr("{folder}: is a file; choose another folder"), arg("folder", folder.string()));
   if (fs::is_empty(folder, ec)) return {};
   const std::optional<Listed> there = listed_in(folder);
-  if (!there) return folder.string() + ": there are other files; choose another folder, or --force to write among them";
+  if (!there)
+    return fill(tr("{folder}: there are other files; choose another folder, or --force to write among them"),
+                arg("folder", folder.string()));
   if (same(there->identity, identity)) return {};
   const bool namesake = there->identity.source == identity.source && there->identity.target == identity.target;
-  return folder.string() + ": holds " + words(there->identity) + (namesake ? " in another place" : "") +
-         "; choose another folder, or --force to write among them";
+  const char* form = namesake
+                         ? tr("{folder}: holds a set of another {source} for {target}; choose another folder, or "
+                              "--force to write among them")
+                         : tr("{folder}: holds a set of {source} for {target}; choose another folder, or --force to "
+                              "write among them");
+  return fill(form, arg("folder", folder.string()), arg("source", there->identity.source),
+              arg("target", there->identity.target));
 }
 
 Staging make_staging(const fs::path& folder, std::string& problem) {
@@ -175,7 +185,8 @@ Staging make_staging(const fs::path& folder, std::string& problem) {
   for (int i = 0; i < kMaxTries; ++i) {
     Staging made{temporary_beside(folder.string()), {}};
     if (!fs::create_directory(made.folder, ec)) {
-      problem = folder.string() + ": cannot be made: " + ec.message();
+      problem = fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", folder.string()),
+                     arg("cause", ec.message()));
       return {};
     }
     const std::string mark = (made.folder / kStaged).string();
@@ -185,13 +196,15 @@ Staging make_staging(const fs::path& folder, std::string& problem) {
     if (made.lock.answer() == LockAnswer::kNoLocks) fs::remove(mark, ec);
     if (made.lock.answer() == LockAnswer::kNoLocks) return made;
     if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec)) {
-      problem = mark + ": cannot be made: " + std::generic_category().message(made.lock.cause());
+      problem = fill(tr("{file}: cannot be made: {cause}"), arg("file", mark),
+                     arg("cause", std::generic_category().message(made.lock.cause())));
       fs::remove(made.folder, ec);
       return {};
     }
-    // Who removes leftovers came between the mark and its lock.
+    // A process that removes stale folders came between the mark and its lock.
   }
-  problem = folder.string() + ": cannot be made: others remove what is in it";
+  problem = fill(tr("{folder}: the folder cannot be made: another process removes its contents"),
+                 arg("folder", folder.string()));
   return {};
 }
 
@@ -208,9 +221,11 @@ std::string put(const fs::path& made, const fs::path& folder, const SetIdentity&
   const std::set<std::string> old = ours ? there->files : std::set<std::string>{};
   for (const std::string& name : names_in(made)) {
     const fs::path at = folder / name;
-    if (fs::is_directory(at, ec)) return at.string() + ": is a folder; choose another folder for the set";
+    if (fs::is_directory(at, ec))
+      return fill(tr("{file}: is a folder; choose another folder for the set"), arg("file", at.string()));
     if (!force && fs::exists(fs::symlink_status(at, ec)) && !old.contains(name))
-      return at.string() + ": is not of the set that is there; move it away, or --force to replace it";
+      return fill(tr("{file}: does not belong to the set in this folder; move it away, or --force to replace it"),
+                  arg("file", at.string()));
   }
   std::string problem = merge(made, folder, old);
   fs::remove_all(made, ec);

@@ -1,6 +1,6 @@
 #pragma once
-// Whose the files of a folder are, and how a finished set comes into it: only what an earlier set of the
-// same draft and target lists as its own is replaced or taken away; the rest is never touched.
+// Ownership of the files in a folder, and how a finished set is moved into it. Only files that an earlier set of the
+// same draft and target lists as its own are replaced or removed; all others are never touched.
 
 #include <filesystem>
 #include <string>
@@ -11,36 +11,35 @@
 
 namespace weftlight::texture_set {
 
-/// What a set is of. `draft`: the way from the set's folder to the draft's file; empty: never saved.
+/// The source of a set. `draft`: relative path from the set's folder to the draft; empty: never saved.
 struct SetIdentity {
   std::string draft, source, target;
 };
 std::string draft_from(const std::filesystem::path& folder, const std::string& draft_path);
 
-/// Empty where a set may be written, else what is there instead and what to do. A folder that does not exist, an empty
-/// one and one that holds a set of the same identity are free.
+/// Empty if a set may be written here; otherwise what is in the way and what to do. A set may be written into a folder
+/// that does not exist, is empty, or holds a set of the same identity.
 std::string in_the_way(const std::filesystem::path& folder, const SetIdentity& identity);
 
-/// A folder that is being filled. Its lock says that its owner lives.
+/// A folder that is being filled. The lock is held while its owner lives.
 struct Staging {
   std::filesystem::path folder;
   platform::FileLock lock;
 };
-/// A new, empty folder beside `folder`. Those of the same set whose owner is no more go: those alone whose lock can be
-/// had. Where there are no locks all stay, however old, and none is ever taken for a dead one's. No folder: `problem`
-/// says why.
+/// Makes an empty folder beside `folder`, and removes those of the same set whose lock can be taken: their owners have
+/// ended. Where the file system has no locks all stay, whatever their age. Empty folder: error, in `problem`.
 Staging make_staging(const std::filesystem::path& folder, std::string& problem);
 
-/// Moves the files of `made` into `folder` and removes `made`; texture_set.json, which lists them all, last. Files that
-/// the set there listed and this one lacks go. A file of another's with the name of a new one is refused, unless
-/// `force`. Sets that are finished at once come one after the other, each whole. Empty: done; else what went wrong.
+/// Moves the files of `made` into `folder`, texture_set.json with the list of them last, and removes `made`. Files that
+/// only the earlier set lists are removed. A foreign file with the name of a new one is an error, unless `force`. Sets
+/// finished at the same time are put in place one after the other. Returns an error, or an empty string.
 std::string put_in_place(Staging made, const std::filesystem::path& folder, const SetIdentity& identity, bool force);
 
-/// True where a set made of the same stands whole.
+/// True if the folder holds a complete set with this key.
 bool is_complete(const std::filesystem::path& folder, const std::string& key);
-/// The files of the set that stands there, its list among them; none: there is none.
+/// The files of the set in the folder, including its list; empty if there is none.
 std::vector<std::string> listed_files(const std::filesystem::path& folder);
-/// True where that set has its archive beside the folder.
+/// True if that set has an archive beside the folder.
 bool lists_archive(const std::filesystem::path& folder);
 
 }  // namespace weftlight::texture_set

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-const char* type_words(PixelType type) {
+const char* type_name(PixelType type) {
   switch (type) {
     case PixelType::kU8:
       return "8-bit";
@@ -27,21 +27,21 @@ const char* type_words(PixelType type) {
   return "float";
 }
 
-const char* face_word(Face face) { return face == Face::kFront ? "front" : "back"; }
+const char* face_name(Face face) { return face == Face::kFront ? "front" : "back"; }
 
 void record(SetImages& set, const std::string& file, Face face, bool srgb, PixelType type, TextureSize size,
             json channels) {
   set.maps.push_back({{"file", file},
-                      {"face", face_word(face)},
+                      {"face", face_name(face)},
                       {"color_space", srgb ? "sRGB" : "linear"},
-                      {"type", type_words(type)},
+                      {"type", type_name(type)},
                       {"width", size.width},
                       {"height", size.height},
                       {"channels", std::move(channels)}});
 }
 
-/// Of an .exr, which has names for its channels; else none.
-std::vector<std::string> names_of(const ImageRow& row) {
+/// Channel names of an .exr; empty for other formats.
+std::vector<std::string> channel_names(const ImageRow& row) {
   std::vector<std::string> out;
   if (std::string_view(row.extension) != ".exr") return out;
   for (int c = 0; c < channels_of(row); ++c) out.emplace_back(exr_name(row.channels[static_cast<size_t>(c)]));
@@ -50,15 +50,15 @@ std::vector<std::string> names_of(const ImageRow& row) {
 
 json channel_list(const ImageRow& row) {
   constexpr const char* kLetters[] = {"R", "G", "B", "A"};
-  const std::vector<std::string> names = names_of(row);
+  const std::vector<std::string> names = channel_names(row);
   json out = json::object();
   for (size_t c = 0; c < static_cast<size_t>(channels_of(row)); ++c)
-    out[names.empty() ? kLetters[c] : names[c]] = channel_words(row.channels[c]);
+    out[names.empty() ? kLetters[c] : names[c]] = channel_description(row.channels[c]);
   return out;
 }
 
-/// Thumbnails show colour as a screen does, and every thread in a colour of its own.
-Image shown(const ImageRow& row, const SurfaceTexels& surface) {
+/// Thumbnails show colours sRGB encoded, and every thread in a different colour.
+Image thumbnail_of(const ImageRow& row, const SurfaceTexels& surface) {
   ImageRow encoded = row;
   if (row.channels[0] == Channel::kBaseR) encoded.srgb = true;
   const Image image = pack(encoded, surface);
@@ -70,10 +70,10 @@ void for_all(size_t count, const Job& job) {
   for_each_job(static_cast<int>(count), [&](int i) { job(static_cast<size_t>(i)); });
 }
 
-/// The mips below the finest level, whose normals and roughness are made together; of `raw`.
-class Mips {
+/// The mip levels of a raw set below the finest: normals and roughness, which belong together.
+class RawMips {
  public:
-  explicit Mips(bool wanted) : wanted_(wanted) {}
+  explicit RawMips(bool wanted) : wanted_(wanted) {}
   bool wanted() const { return wanted_; }
   void add(const SurfaceTexels& band) {
     if (!wanted_) return;
@@ -129,7 +129,7 @@ void write_mips(SetImages& set, std::vector<Image> levels, Face face) {
   for (const Channel c :
        {Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kRoughnessAlong, Channel::kRoughnessAcross}) {
     names.emplace_back(exr_name(c));
-    channels[names.back()] = channel_words(c);
+    channels[names.back()] = channel_description(c);
   }
   set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
   record(set, file, face, false, PixelType::kHalf, {levels[0].width, levels[0].height}, std::move(channels));
@@ -153,7 +153,7 @@ void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, cons
   set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(image)});
 }
 
-/// Some rows of the face: those of every image, and the surface where it is wanted further.
+/// Rows of the face in every image, and the surface itself if it is needed later.
 struct PackedBand {
   std::vector<Image> images;
   SurfaceTexels surface;
@@ -171,14 +171,14 @@ PackedBand packed_band(std::span<const ImageRow> rows, const FaceSource& source,
   return out;
 }
 
-/// The images of the table and, for `raw`, what their mips are made of.
-void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, Mips& mips, MipImages& own) {
+/// Writes the images of the table and collects the mip levels.
+void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, RawMips& mips, MipImages& own) {
   const std::span<const ImageRow> rows = image_rows(set.target);
   std::vector<std::unique_ptr<ImageRows>> images;
   for (const ImageRow& row : rows) {
     const std::string path = set.folder + "/" + image_file(row, set.name, face);
     images.push_back(
-        ImageRows::open(path, size.width, size.height, channels_of(row), row.type, names_of(row), set.problem));
+        ImageRows::open(path, size.width, size.height, channels_of(row), row.type, channel_names(row), set.problem));
     if (!images.back()) return;
   }
   std::vector<std::string> problems(rows.size());
@@ -188,11 +188,11 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     }
     return !set.problem.empty();
   };
-  // A band a core, then an image a core, which takes them in their order.
-  const size_t most = static_cast<size_t>(core_count());
+  // First one band per core, then one image per core, which adds the bands in order.
+  const size_t max_bands = static_cast<size_t>(core_count());
   std::vector<PackedBand> bands;
   for (int y = 0; y < size.height; y += source.band() * static_cast<int>(bands.size())) {
-    bands.resize(std::min(most, static_cast<size_t>((size.height - y) / source.band())));
+    bands.resize(std::min(max_bands, static_cast<size_t>((size.height - y) / source.band())));
     for_all(bands.size(), [&](size_t b) {
       const int y0 = y + static_cast<int>(b) * source.band();
       bands[b] = packed_band(rows, source, y0, own, mips.wanted());
@@ -202,7 +202,8 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
         if (problems[i].empty()) problems[i] = images[i]->add(band.images[i]);
     });
     const int done = y + source.band() * static_cast<int>(bands.size());
-    if (set.going && !set.going(static_cast<float>(done) / static_cast<float>(size.height))) set.problem = kStopped;
+    if (set.keep_going && !set.keep_going(static_cast<float>(done) / static_cast<float>(size.height)))
+      set.problem = kStopped;
     if (first_problem()) return;
     for (PackedBand& band : bands) {
       mips.add(band.surface);
@@ -213,7 +214,7 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
   if (!first_problem()) set.problem = own.close();
 }
 
-/// Paths of a face's images without their endings.
+/// Paths of a face's images without their extensions.
 std::vector<std::string> stems_of(const SetImages& set, Face face) {
   std::vector<std::string> out;
   for (const ImageRow& row : image_rows(set.target)) {
@@ -246,7 +247,7 @@ std::string image_file(const ImageRow& row, const std::string& name, Face face) 
 void write_face(SetImages& set, const FaceSource& source, Face face) {
   if (!set.problem.empty()) return;
   const TextureSize size = source.size();
-  Mips mips(set.target == ExportTarget::kRaw);
+  RawMips mips(set.target == ExportTarget::kRaw);
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
   MipImages own(image_rows(set.target), stems_of(set, face), source, set.mips, cut_out, set.problem);
   if (!set.problem.empty()) return;
@@ -255,7 +256,8 @@ void write_face(SetImages& set, const FaceSource& source, Face face) {
   record_mips(set, own, size, face);
   for (const ImageRow& row : image_rows(set.target)) {
     record(set, image_file(row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
-    set.sheet.push_back({std::string(row.suffix + 1) + face_suffix(set.target, face), shown(row, source.small())});
+    set.sheet.push_back(
+        {std::string(row.suffix + 1) + face_suffix(set.target, face), thumbnail_of(row, source.small())});
   }
   write_horizon(set, source.small().horizon_mean, "mean", face);
   write_horizon(set, source.small().horizon_spread, "spread", face);

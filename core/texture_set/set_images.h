@@ -1,6 +1,6 @@
 #pragma once
-// The images of a set: every row of a target's table packed band by band, and what the list and the contact sheet say
-// of them.
+// The images of a set: the rows of a target's table are packed band by band and recorded for the list and the contact
+// sheet.
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -15,25 +15,25 @@
 
 namespace weftlight::texture_set {
 
-/// A set while it is written: what the sheet and the list will say.
+/// A set while it is written, with the records for the contact sheet and the list.
 struct SetImages {
   std::string folder, name;
   ExportTarget target = ExportTarget::kGltf;
   nlohmann::json maps = nlohmann::json::array();
   std::vector<SheetEntry> sheet;
-  std::string problem;  // empty until something goes wrong; then nothing more is written
-  // Told after each band: 0..1 of the face that is written. False: nobody wants the set any more.
-  std::function<bool(float share)> going{};
+  std::string problem;  // empty until an error; after that nothing more is written
+  // Called after each band with the fraction of the face that is written. False stops the export.
+  std::function<bool(float fraction)> keep_going{};
   std::optional<MipContainer> mips{};
-  Alpha alpha = Alpha::kAuto;  // as it was asked for
+  Alpha alpha = Alpha::kAuto;  // as requested
 };
 
-/// Between the name and the suffix of a file: "" or "_front" of the front, "_back" of the back.
+/// The part between the name and the suffix of a file: "" or "_front" for the front, "_back" for the back.
 std::string face_suffix(ExportTarget target, Face face);
-/// File of a row's image.
+/// The file name of the image of a row.
 std::string image_file(const ImageRow& row, const std::string& name, Face face);
 
-/// All images of a face.
+/// Writes all images of a face.
 void write_face(SetImages& set, const FaceSource& source, Face face);
 
 }  // namespace weftlight::texture_set

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "draft/drawdown.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/set_images.h"
@@ -10,22 +11,25 @@
 namespace weftlight::texture_set {
 namespace {
 
-constexpr float kMaxRepeats = 40;  // of the tile across a swatch
-constexpr float kExrShare = 0.7f;  // that piz leaves of half floats of our maps
+using base::tr;
 
-/// A material that comes in one file with its images holds them a second time.
-bool is_packed_too(ExportTarget target) {
+constexpr float kMaxRepeats = 40;  // of the tile, across a swatch
+constexpr float kPizRatio = 0.7f;  // compressed size of half floats of our maps
+
+/// Targets whose material file contains the images a second time.
+bool embeds_images(ExportTarget target) {
   return target == ExportTarget::kGltf || target == ExportTarget::kU3m || target == ExportTarget::kMaterialX;
 }
 
 float bytes_of(const ImageRow& row, const Image& image) {
-  if (row.type == PixelType::kHalf) return kExrShare * 2 * static_cast<float>(image.texels.size());
+  if (row.type == PixelType::kHalf) return kPizRatio * 2 * static_cast<float>(image.texels.size());
   return static_cast<float>(encode_png(image, row.type).size());
 }
 
-std::vector<std::string> words_of(const ImageRow& row) {
+std::vector<std::string> channel_descriptions(const ImageRow& row) {
   std::vector<std::string> out;
-  for (int c = 0; c < channels_of(row); ++c) out.emplace_back(channel_words(row.channels[static_cast<size_t>(c)]));
+  for (int c = 0; c < channels_of(row); ++c)
+    out.emplace_back(tr(channel_description(row.channels[static_cast<size_t>(c)])));
   return out;
 }
 
@@ -44,10 +48,10 @@ SetPreview preview_set(const Design& design, Face face, const TextureSetOptions&
   for (const ImageRow& row : image_rows(options.target)) {
     Image image = pack(row, surface);
     bytes += bytes_of(row, image);
-    out.images.push_back({image_file(row, options.name, face), row.srgb, std::move(image), words_of(row)});
+    out.images.push_back({image_file(row, options.name, face), row.srgb, std::move(image), channel_descriptions(row)});
   }
   const float texels = static_cast<float>(surface.texels.width) * static_cast<float>(surface.texels.height);
-  out.bytes_a_texel = bytes / texels * (is_packed_too(options.target) ? 2.0f : 1.0f);
+  out.bytes_per_texel = bytes / texels * (embeds_images(options.target) ? 2.0f : 1.0f);
   const float repeats = std::max(2.0f, std::ceil(swatch_mm / std::max(surface.width_mm, 0.1f)));
   out.swatch = lit_swatch(source.small(), swatch_width, swatch_height, std::min(repeats, kMaxRepeats));
   return out;

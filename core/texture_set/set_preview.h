@@ -1,5 +1,5 @@
 #pragma once
-// A texture set as it will be, in few texels: every image with its channels, and a lit swatch of the tile.
+// A preview of a texture set in few texels: every image with its channels, and a lit swatch of the tile.
 
 #include <stop_token>
 #include <string>
@@ -13,20 +13,20 @@ namespace weftlight::texture_set {
 struct PreviewImage {
   std::string file;
   bool srgb = false;
-  Image image;                        // as the file holds it
-  std::vector<std::string> channels;  // what each holds, in words
+  Image image;                        // as in the file
+  std::vector<std::string> channels;  // descriptions in the user's language
 };
 
 struct SetPreview {
   std::vector<PreviewImage> images;  // of one face
   Image swatch;                      // sRGB-encoded RGB
-  Alpha alpha = Alpha::kOpaque;      // what Alpha::kAuto comes to
+  Alpha alpha = Alpha::kOpaque;      // the resolved mode, never kAuto
   float coverage = 1;
-  float bytes_a_texel = 0;  // that the files of one face take on the disk, about: of these images
+  float bytes_per_texel = 0;  // estimated size of the files of one face on the disk
 };
 
-/// `side`: texels of its images at most; the swatch shows `swatch_mm` of cloth across, at least two tiles. Empty where
-/// the draft has no cloth or `stop` was asked for.
+/// `side`: most texels per side of the images. The swatch shows `swatch_mm` of cloth across, at least two tiles. Empty
+/// if the draft has no cloth or `stop` was requested.
 SetPreview preview_set(const Design& design, Face face, const TextureSetOptions& options, int side, int swatch_width,
                        int swatch_height, float swatch_mm, const std::stop_token& stop = {});
 

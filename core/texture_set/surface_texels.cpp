@@ -1,7 +1,8 @@
 // Based on: Olano, Baker, LEAN Mapping, 2010 (moments of slopes); Kaplanyan, Hill, Patney, Lefohn, Filtering
 //   Distributions of Normals for Shading Antialiasing, 2016 (alpha^2 grows by twice the variance lost).
-// Differs: normals are averaged as unit vectors and their slopes are taken about that mean, since slopes at
-//   the rim of a round thread grow without bound.
+// Differs: normals are averaged as unit vectors and slopes are measured about that mean, since the slopes at the edge
+// of a
+//   round thread are unbounded.
 
 #include "texture_set/surface_texels.h"
 
@@ -15,9 +16,9 @@
 namespace weftlight::texture_set {
 namespace {
 
-// A gap has no colour of its own, but engines filter across its rim: a trace of what lies there is kept.
+// A gap has no colour, but engines filter across its edge, so its colour has a small weight.
 constexpr float kGapWeight = 1e-4f;
-// Steepest slope of a normal about the mean that counts (76 degrees): one grazing texel is not a wide lobe.
+// Limit for slopes about the mean (76 degrees), so that one grazing texel does not widen the lobe.
 constexpr float kMaxSlope = 4.0f;
 
 glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
@@ -33,7 +34,7 @@ void add(Linear& sum, const Linear& v, float w) {
 
 Linear scaled(const Linear& c, float s) { return {c.r * s, c.g * s, c.b * s}; }
 
-/// Directions of the surface over the texture's axes.
+/// Tangent frame of a normal, aligned with the axes of the texture.
 struct Axes {
   glm::vec3 t, b;
 };
@@ -43,13 +44,13 @@ Axes axes_over(const glm::vec3& n) {
   return {t, glm::cross(n, t)};
 }
 
-/// A yarn's lobes, with what is the same for all its texels worked out (light's yarn_lobes() says why).
+/// The lobes of a yarn with values that are the same for all its texels (see yarn_lobes() in core/light).
 struct YarnFacts {
   Lobes lobes;
   Linear tint;
 };
 
-std::vector<YarnFacts> facts_of(const std::vector<Yarn>& yarns) {
+std::vector<YarnFacts> yarn_facts(const std::vector<Yarn>& yarns) {
   std::vector<YarnFacts> out;
   for (const Yarn& yarn : yarns) {
     out.push_back({yarn.lobes, scaled(linear_from_srgb(yarn.lobes.specular_tint), yarn.lobes.specular)});
@@ -67,9 +68,9 @@ SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, con
   SurfaceTexel out;
   out.base =
       lobes.metallic ? Linear{colour.r * tint.r, colour.g * tint.g, colour.b * tint.b} : scaled(colour, lobes.body);
-  // Light leaves a lone fibre after fewer meetings with the dye: the root of its colour.
+  // Light meets less dye in a single fibre, so the colour is the square root of the dye.
   out.sheen = scaled({std::sqrt(dye.r), std::sqrt(dye.g), std::sqrt(dye.b)}, lobes.fuzz);
-  out.through = lobes.metallic ? Linear{} : scaled(out.base, lobes.transmission);
+  out.transmitted = lobes.metallic ? Linear{} : scaled(out.base, lobes.transmission);
   out.coverage = maps.coverage.at(x, y);
   out.height_mm = maps.height_mm.at(x, y);
   out.occlusion = maps.occlusion.at(x, y);
@@ -87,7 +88,7 @@ SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, con
 
 void reduce_horizon(SurfaceTexels& out, const Maps& maps, int block_x, int block_y) {
   const int width = out.texels.width, height = out.texels.height;
-  const float share = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
+  const float weight = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
   for (const Plane<uint8_t>& sharp : maps.horizon) {
     Plane<float> mean(width, height), spread(width, height);
     for_each_job(height, [&](int y) {
@@ -97,9 +98,9 @@ void reduce_horizon(SurfaceTexels& out, const Maps& maps, int block_x, int block
           const uint8_t* row = sharp.row(y * block_y + j) + static_cast<ptrdiff_t>(x) * block_x;
           for (int i = 0; i < block_x; ++i) sum += row[i], squares += row[i] * row[i];
         }
-        const float m = static_cast<float>(sum) * share;
+        const float m = static_cast<float>(sum) * weight;
         mean.at(x, y) = m;
-        spread.at(x, y) = std::sqrt(std::max(static_cast<float>(squares) * share / 255.0f - m * m, 0.0f));
+        spread.at(x, y) = std::sqrt(std::max(static_cast<float>(squares) * weight / 255.0f - m * m, 0.0f));
       }
     });
     out.horizon_mean.push_back(std::move(mean));
@@ -110,7 +111,7 @@ void reduce_horizon(SurfaceTexels& out, const Maps& maps, int block_x, int block
 void halve_horizon(SurfaceTexels& out, const SurfaceTexels& fine) {
   const int width = out.texels.width, height = out.texels.height;
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
-  const float share = 1.0f / static_cast<float>(step_x * step_y);
+  const float weight = 1.0f / static_cast<float>(step_x * step_y);
   for (size_t k = 0; k < fine.horizon_mean.size(); ++k) {
     Plane<float> mean(width, height), spread(width, height);
     for (int y = 0; y < height; ++y) {
@@ -120,8 +121,8 @@ void halve_horizon(SurfaceTexels& out, const SurfaceTexels& fine) {
           for (int i = 0; i < step_x; ++i) {
             const float m = fine.horizon_mean[k].at(x * step_x + i, y * step_y + j);
             const float s = fine.horizon_spread[k].at(x * step_x + i, y * step_y + j);
-            sum += m * share;
-            squares += (m * m + s * s) * share;
+            sum += m * weight;
+            squares += (m * m + s * s) * weight;
           }
         }
         mean.at(x, y) = sum;
@@ -140,25 +141,25 @@ float alpha_of(float variance) { return std::min(std::sqrt(2.0f * std::max(varia
 SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
   SurfaceTexel out = parts.front();
   if (parts.size() == 1) return out;
-  out.base = out.sheen = out.through = {};
+  out.base = out.sheen = out.transmitted = {};
   out.coverage = out.height_mm = out.occlusion = out.metal = out.sheen_roughness = 0;
   out.slope_cov = {};
   glm::vec3 normal{}, fibre{};
   float total = 0, most = -1;
   for (const SurfaceTexel& p : parts) total += p.coverage + kGapWeight;
-  const float share = 1.0f / static_cast<float>(parts.size());
+  const float each = 1.0f / static_cast<float>(parts.size());
   for (const SurfaceTexel& p : parts) {
     const float w = (p.coverage + kGapWeight) / total;
     add(out.base, p.base, w);
     add(out.sheen, p.sheen, w);
-    add(out.through, p.through, w);
-    out.coverage += p.coverage * share;
-    out.height_mm += p.height_mm * share;
+    add(out.transmitted, p.transmitted, w);
+    out.coverage += p.coverage * each;
+    out.height_mm += p.height_mm * each;
     out.occlusion += p.occlusion * w;
     out.metal += p.metal * w;
     out.sheen_roughness += p.sheen_roughness * w;
     normal += p.normal * w;
-    fibre += p.fibre * (dot(p.fibre, parts.front().fibre) < 0 ? -w : w);  // a fibre has no sense, only a line
+    fibre += p.fibre * (dot(p.fibre, parts.front().fibre) < 0 ? -w : w);  // the direction of a fibre has no sign
     if (w > most) most = w, out.thread = p.thread, out.system = p.system;
   }
   out.normal = unit(normal, {0, 0, 1});
@@ -178,7 +179,7 @@ SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int 
   const int block_x = maps.colour.width / width, block_y = maps.colour.height / height;
   assert(block_x * width == maps.colour.width && block_y * height == maps.colour.height);
   SurfaceTexels out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
-  const std::vector<YarnFacts> yarns = facts_of(cloth.yarns);
+  const std::vector<YarnFacts> yarns = yarn_facts(cloth.yarns);
   for_each_job(height, threads, [&](int y) {
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
     for (int x = 0; x < width; ++x) {
@@ -219,8 +220,8 @@ SurfaceTexels half_of(const SurfaceTexels& fine, int threads) {
 GgxAlphas ggx_alphas(const SurfaceTexel& texel) {
   const FacetAlphas a = facet_alphas(texel.slope_cov);
   GgxAlphas out{a.alpha.x, a.alpha.y, {a.axis.x, a.axis.y}};
-  // Both senses mean the same. Across a warp it is +u, across a weft +v, so that neighbours agree and
-  // engines can filter, however strong the twist.
+  // The sign of the axis is free: +u for warp and +v for weft make neighbours agree, so that engines can filter the
+  // axis whatever the twist.
   if (out.wide_axis[texel.system] < 0) out.wide_axis = {-out.wide_axis[0], -out.wide_axis[1]};
   return out;
 }

@@ -1,5 +1,5 @@
 // Based on: the glTF 2.0 specification and its KHR_materials_anisotropy and KHR_materials_sheen; Unreal,
-//   Unity, Godot and Blender as their manuals describe the inputs of their standard and fabric materials.
+//   Unity, Godot and Blender by the manuals of their standard and fabric materials.
 
 #include "texture_set/targets.h"
 
@@ -7,11 +7,13 @@
 #include <cmath>
 
 #include "base/loops.h"
+#include "base/text.h"
 #include "cloth/srgb.h"
 
 namespace weftlight::texture_set {
 namespace {
 
+using base::mark;
 using enum Channel;
 using enum PixelType;
 
@@ -24,7 +26,7 @@ constexpr std::array<Channel, 4> kSheen{kSheenR, kSheenG, kSheenB, kSheenRoughne
 constexpr std::array<Channel, 4> only(Channel c) { return {c, kNone, kNone, kNone}; }
 constexpr std::array<Channel, 4> grey(Channel c) { return {c, c, c, kNone}; }  // U3M reads RGB alone
 
-// Sorted by target: image_rows() takes a stretch.
+// Sorted by target: image_rows() returns a span.
 constexpr ImageRow kRows[] = {
     {ExportTarget::kRaw, "", "_albedo", ".exr", kHalf, false, kBase},
     {ExportTarget::kRaw, "", "_coverage", ".png", kU16, false, only(kCoverage)},
@@ -74,7 +76,7 @@ constexpr ImageRow kRows[] = {
     {ExportTarget::kBlender, "", "_roughness", ".png", kU8, false, only(kRoughness)},
     {ExportTarget::kBlender, "", "_metallic", ".png", kU8, false, only(kMetal)},
     {ExportTarget::kBlender, "", "_normal", ".png", kU16, false, kNormalUp},
-    {ExportTarget::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kMiddle, kNone}},
+    {ExportTarget::kBlender, "", "_tangent", ".png", kU16, false, {kWideX, kWideY, kOneHalf, kNone}},
     {ExportTarget::kBlender, "", "_anisotropic", ".png", kU8, false, only(kAspectAnisotropy)},
     {ExportTarget::kBlender, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
     {ExportTarget::kBlender, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
@@ -85,9 +87,9 @@ constexpr ImageRow kRows[] = {
     {ExportTarget::kU3m, "", "_roughness", ".png", kU8, false, grey(kRoughness)},
     {ExportTarget::kU3m, "", "_metalness", ".png", kU8, false, grey(kMetal)},
     {ExportTarget::kU3m, "", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy)},
-    {ExportTarget::kU3m, "", "_rotation", ".png", kU8, false, grey(kTurn)},
+    {ExportTarget::kU3m, "", "_rotation", ".png", kU8, false, grey(kWideAngle)},
     {ExportTarget::kU3m, "", "_sheen", ".png", kU8, false, grey(kSheenWeight)},
-    {ExportTarget::kU3m, "", "_displacement", ".png", kU16, false, grey(kHeightShare)},
+    {ExportTarget::kU3m, "", "_displacement", ".png", kU16, false, grey(kHeightNormalized)},
 
     {ExportTarget::kMaterialX, "", "_basecolor", ".png", kU8, true, kBase},
     {ExportTarget::kMaterialX, "", "_opacity", ".png", kU8, false, only(kCoverage)},
@@ -95,7 +97,7 @@ constexpr ImageRow kRows[] = {
     {ExportTarget::kMaterialX, "", "_metalness", ".png", kU8, false, only(kMetal)},
     {ExportTarget::kMaterialX, "", "_normal", ".png", kU8, false, kNormalUp},
     {ExportTarget::kMaterialX, "", "_anisotropy", ".png", kU8, false, only(kOpenPbrAnisotropy)},
-    {ExportTarget::kMaterialX, "", "_turn", ".png", kU8, false, only(kTurn)},
+    {ExportTarget::kMaterialX, "", "_turn", ".png", kU8, false, only(kWideAngle)},
     {ExportTarget::kMaterialX, "", "_fuzz", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
     {ExportTarget::kMaterialX, "", "_occlusion", ".png", kU8, false, only(kOcclusion)},
     {ExportTarget::kMaterialX, "", "_height", ".exr", kHalf, false, only(kHeightMm)},
@@ -109,7 +111,7 @@ struct TargetRow {
   const char *name, *title;
   const char* normal;
   EngineModel model;
-  Alpha open;  // for open cloth
+  Alpha open;  // best mode for cloth with gaps
 };
 const TargetRow kTargets[] = {
     {ExportTarget::kRaw, "raw", "Raw maps", "+Y", {formulas::kSheenNone, 1, true, true}, Alpha::kBlend},
@@ -140,7 +142,7 @@ const TargetRow kTargets[] = {
 
 const TargetRow& target_row(ExportTarget target) { return kTargets[static_cast<size_t>(target)]; }
 
-/// The sRGB curve between so many places: to 0.0004, a tenth of a step of 8 bits.
+/// The sRGB curve as a table; its error of 0.0004 is a tenth of an 8-bit step.
 class SrgbTable {
  public:
   SrgbTable() {
@@ -164,14 +166,14 @@ float encoded(float linear, bool srgb) {
 
 float half_range(float v) { return 0.5f + 0.5f * v; }
 
-/// Of a round lobe with the same area as the texel's.
+/// Of an isotropic lobe with the same area as the texel's.
 float round_roughness(const GgxAlphas& a) { return std::sqrt(std::sqrt(a.wide * a.narrow)); }
 
 float gltf_strength(const GgxAlphas& a) {
   return a.narrow < 1 ? std::sqrt(std::max(a.wide - a.narrow, 0.0f) / (1 - a.narrow)) : 0.0f;
 }
 
-/// Their aspect^2 = narrow / wide = 1 - 0.9 a.
+/// Disney's anisotropy a: aspect^2 = narrow / wide = 1 - 0.9 a.
 float aspect_anisotropy(const GgxAlphas& a) {
   return a.wide > 0 ? std::clamp((1 - a.narrow / a.wide) / 0.9f, 0.0f, 1.0f) : 0.0f;
 }
@@ -181,18 +183,18 @@ float openpbr_roughness(const GgxAlphas& a) {
   return std::sqrt(std::sqrt(0.5f * (a.wide * a.wide + a.narrow * a.narrow)));
 }
 
-/// A direction without a sense, as a share of a whole turn.
-float turn_of(const std::array<float, 2>& axis) {
+/// The angle of an axis without a sense, in turns, 0..0.5.
+float axis_angle(const std::array<float, 2>& axis) {
   const float turn = std::atan2(axis[1], axis[0]) * 0.15915494f;
   return turn < 0 ? turn + 0.5f : std::min(turn, 0.5f);
 }
 
-/// Reads ggx_alphas().
+/// True if the channel is computed from ggx_alphas().
 bool needs_alphas(Channel channel) {
   switch (channel) {
     case kOpenPbrRoughness:
     case kOpenPbrAnisotropy:
-    case kTurn:
+    case kWideAngle:
     case kDetailSmoothness:
     case kRoughness:
     case kSmoothness:
@@ -207,22 +209,22 @@ bool needs_alphas(Channel channel) {
   }
 }
 
-/// alphas: of the texel, where the channel needs them.
+/// alphas: of the texel, if needs_alphas(channel).
 float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const SurfaceTexels& surface) {
   switch (channel) {
     case kNone:
       return 0;
     case kOne:
       return 1;
-    case kMiddle:
+    case kOneHalf:
       return 0.5f;
     case kOpenPbrRoughness:
       return openpbr_roughness(alphas);
     case kOpenPbrAnisotropy:
       return alphas.wide > 0 ? 1 - alphas.narrow / alphas.wide : 0.0f;
-    case kTurn:
-      return turn_of(alphas.wide_axis);
-    case kHeightShare:
+    case kWideAngle:
+      return axis_angle(alphas.wide_axis);
+    case kHeightNormalized:
       return (t.height_mm - surface.low_mm) / std::max(surface.high_mm - surface.low_mm, 1e-6f);
     case kDetailNormalX:
       return half_range(-t.normal[0]);
@@ -292,12 +294,12 @@ float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, boo
       return t.sheen_roughness;
     case kSheenWeight:
       return std::max({t.sheen.r, t.sheen.g, t.sheen.b});
-    case kThroughR:
-      return encoded(t.through.r, srgb);
-    case kThroughG:
-      return encoded(t.through.g, srgb);
-    case kThroughB:
-      return encoded(t.through.b, srgb);
+    case kTransmittedR:
+      return encoded(t.transmitted.r, srgb);
+    case kTransmittedG:
+      return encoded(t.transmitted.g, srgb);
+    case kTransmittedB:
+      return encoded(t.transmitted.b, srgb);
     case kHeightMm:
       return t.height_mm;
     case kThreadLow:
@@ -332,7 +334,7 @@ std::optional<ExportTarget> target_named(const std::string& name) {
 
 EngineModel engine_model(ExportTarget target, bool metal) {
   EngineModel model = target_row(target).model;
-  // HDRP's Lit takes a specular colour in place of metal.
+  // HDRP's Lit has a specular colour instead of metal.
   if (target == ExportTarget::kUnityHdrp && metal) model.most_f0 = kF0;
   return model;
 }
@@ -343,7 +345,7 @@ std::optional<EngineModel> older_model(ExportTarget target) {
 }
 
 namespace {
-// Coverage from which on gaps are no windows: blended cloth has no depth, so that folds show through one another.
+// Coverage above which gaps stay opaque: blended cloth writes no depth, so that folds show through one another.
 constexpr float kPinholes = 0.95f;
 struct AlphaRow {
   Alpha alpha;
@@ -356,9 +358,9 @@ constexpr AlphaRow kAlphas[] = {{Alpha::kAuto, "auto"},
                                 {Alpha::kBlend, "blend"}};
 }  // namespace
 
-Alpha alpha_for(ExportTarget target, Alpha wanted, float coverage) {
-  if (wanted == Alpha::kAuto) return coverage >= kPinholes ? Alpha::kOpaque : target_row(target).open;
-  return wanted == Alpha::kHashed && target_row(target).open == Alpha::kBlend ? Alpha::kBlend : wanted;
+Alpha alpha_for(ExportTarget target, Alpha requested, float coverage) {
+  if (requested == Alpha::kAuto) return coverage >= kPinholes ? Alpha::kOpaque : target_row(target).open;
+  return requested == Alpha::kHashed && target_row(target).open == Alpha::kBlend ? Alpha::kBlend : requested;
 }
 
 std::optional<Alpha> alpha_named(const std::string& name) {
@@ -374,104 +376,104 @@ const char* target_name(ExportTarget target) { return target_row(target).name; }
 const char* target_title(ExportTarget target) { return target_row(target).title; }
 const char* normal_convention(ExportTarget target) { return target_row(target).normal; }
 
-const char* channel_words(Channel channel) {
+const char* channel_description(Channel channel) {
   switch (channel) {
     case kNone:
-      return "none";
+      return mark("none");
     case kOne:
-      return "one";
-    case kMiddle:
-      return "one half";
+      return mark("one");
+    case kOneHalf:
+      return mark("one half");
     case kOpenPbrRoughness:
-      return "roughness (OpenPBR's with its anisotropy)";
+      return mark("roughness (OpenPBR's with its anisotropy)");
     case kOpenPbrAnisotropy:
-      return "anisotropy (OpenPBR: narrow / wide = 1 - a)";
-    case kTurn:
-      return "direction of the wider axis, whole turns from right to up";
-    case kHeightShare:
-      return "height over the thickness, 0 lowest, 1 highest";
+      return mark("anisotropy (OpenPBR: narrow / wide = 1 - a)");
+    case kWideAngle:
+      return mark("direction of the wider axis, whole turns from right to up");
+    case kHeightNormalized:
+      return mark("height over the thickness, 0 lowest, 1 highest");
     case kDetailNormalX:
-      return "normal x, flat is 0.5";
+      return mark("normal x, flat is 0.5");
     case kDetailNormalY:
-      return "normal y, flat is 0.5";
+      return mark("normal y, flat is 0.5");
     case kDetailSmoothness:
-      return "smoothness less its mean, 0.5 adds nothing";
+      return mark("smoothness less its mean, 0.5 adds nothing");
     case kDetailOcclusion:
-      return "ambient occlusion, 1 changes nothing";
+      return mark("ambient occlusion, 1 changes nothing");
     case kSheenHueR:
-      return "sheen hue red";
+      return mark("sheen hue red");
     case kSheenHueG:
-      return "sheen hue green";
+      return mark("sheen hue green");
     case kSheenHueB:
-      return "sheen hue blue";
+      return mark("sheen hue blue");
     case kBaseR:
-      return "base colour red";
+      return mark("base colour red");
     case kBaseG:
-      return "base colour green";
+      return mark("base colour green");
     case kBaseB:
-      return "base colour blue";
+      return mark("base colour blue");
     case kCoverage:
-      return "coverage";
+      return mark("coverage");
     case kOcclusion:
-      return "ambient occlusion";
+      return mark("ambient occlusion");
     case kMetal:
-      return "metalness";
+      return mark("metalness");
     case kRoughness:
-      return "roughness";
+      return mark("roughness");
     case kSmoothness:
-      return "smoothness";
+      return mark("smoothness");
     case kRoughnessNarrow:
-      return "roughness of the narrow axis";
+      return mark("roughness of the narrow axis");
     case kRoughnessAlong:
-      return "roughness along the fibre";
+      return mark("roughness along the fibre");
     case kRoughnessAcross:
-      return "roughness across the fibre";
+      return mark("roughness across the fibre");
     case kNormalX:
-      return "normal x";
+      return mark("normal x");
     case kNormalY:
-      return "normal y, up";
+      return mark("normal y, up");
     case kNormalZ:
-      return "normal z";
+      return mark("normal z");
     case kNormalYDown:
-      return "normal y, down";
+      return mark("normal y, down");
     case kFibreX:
-      return "fibre direction x";
+      return mark("fibre direction x");
     case kFibreY:
-      return "fibre direction y";
+      return mark("fibre direction y");
     case kFibreZ:
-      return "fibre direction z";
+      return mark("fibre direction z");
     case kWideX:
-      return "anisotropy direction x";
+      return mark("anisotropy direction x");
     case kWideY:
-      return "anisotropy direction y";
+      return mark("anisotropy direction y");
     case kGltfAnisotropy:
-      return "anisotropy strength (KHR_materials_anisotropy)";
+      return mark("anisotropy strength (KHR_materials_anisotropy)");
     case kAspectAnisotropy:
-      return "anisotropy (narrow / wide = 1 - 0.9 a)";
+      return mark("anisotropy (narrow / wide = 1 - 0.9 a)");
     case kSheenR:
-      return "sheen colour red";
+      return mark("sheen colour red");
     case kSheenG:
-      return "sheen colour green";
+      return mark("sheen colour green");
     case kSheenB:
-      return "sheen colour blue";
+      return mark("sheen colour blue");
     case kSheenRoughness:
-      return "sheen roughness";
+      return mark("sheen roughness");
     case kSheenWeight:
-      return "weight of the cloth layer";
-    case kThroughR:
-      return "transmitted light red";
-    case kThroughG:
-      return "transmitted light green";
-    case kThroughB:
-      return "transmitted light blue";
+      return mark("weight of the cloth layer");
+    case kTransmittedR:
+      return mark("transmitted light red");
+    case kTransmittedG:
+      return mark("transmitted light green");
+    case kTransmittedB:
+      return mark("transmitted light blue");
     case kHeightMm:
-      return "height in millimetres above the middle plane";
+      return mark("height in millimetres above the middle plane");
     case kThreadLow:
-      return "thread index modulo 65536";
+      return mark("thread index modulo 65536");
     case kThreadHigh:
-      return "thread index over 65536";
+      return mark("thread index over 65536");
     case kSystem:
-      return "thread system: 0 warp, 1 weft";
+      return mark("thread system: 0 warp, 1 weft");
   }
   return "";
 }
@@ -508,12 +510,12 @@ Image pack(const ImageRow& row, const SurfaceTexels& surface, int threads) {
   Image image{
       width, height, channels,
       std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
-  const bool lobes = std::any_of(row.channels.begin(), end, needs_alphas);
+  const bool has_lobes = std::any_of(row.channels.begin(), end, needs_alphas);
   for_each_job(height, threads, [&](int y) {
     const SurfaceTexel* texel = surface.texels.row(y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
     for (int x = width - 1; x >= 0; --x) {
-      const GgxAlphas alphas = lobes ? ggx_alphas(texel[x]) : GgxAlphas{};
+      const GgxAlphas alphas = has_lobes ? ggx_alphas(texel[x]) : GgxAlphas{};
       for (int c = 0; c < channels; ++c)
         *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], alphas, row.srgb, surface);
     }
@@ -526,10 +528,11 @@ Image pack_planes(const std::vector<Plane<float>>& planes) {
   const int width = planes[0].width, height = planes[0].height, channels = static_cast<int>(planes.size());
   Image image{width, height, channels, {}};
   image.texels.reserve(static_cast<size_t>(width) * static_cast<size_t>(height) * planes.size());
-  const size_t turned = planes.size() / 2;  // half a turn: azimuths are those of the image
+  const size_t half_turn = planes.size() / 2;  // from the azimuths of the cloth to those of the image
   for (int y = 0; y < height; ++y) {
     for (int x = width - 1; x >= 0; --x) {
-      for (size_t k = 0; k < planes.size(); ++k) image.texels.push_back(planes[(k + turned) % planes.size()].at(x, y));
+      for (size_t k = 0; k < planes.size(); ++k)
+        image.texels.push_back(planes[(k + half_turn) % planes.size()].at(x, y));
     }
   }
   return image;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "texture_set/contact_sheet.h"
@@ -18,42 +19,48 @@ namespace weftlight::texture_set {
 namespace {
 
 namespace fs = std::filesystem;
+using base::arg;
+using base::fill;
+using base::tr;
 using nlohmann::json;
 
-constexpr size_t kMaxTileThreads = 8192;  // of a system, in a tile of many repeats
-constexpr float kMinTexelsAThread = 2;
-constexpr float kOpenCover = 0.9f;  // from which down gaps are seen
+constexpr size_t kMaxTileThreads = 8192;  // per system, in a tile of several repeats
+constexpr float kMinTexelsPerThread = 2;
+constexpr float kOpenCover = 0.9f;  // cover below which gaps are visible
 constexpr int kMinSize = 16, kMaxSize = 8192;
 
-std::string millimetres(float v) {
+std::string rounded(float v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", static_cast<double>(v));
   return text;
 }
 
-std::string size_words(const SurfaceTexels& s) {
-  return millimetres(s.width_mm) + " x " + millimetres(s.depth_mm) + " mm";
-}
+std::string size_text(const SurfaceTexels& s) { return rounded(s.width_mm) + " x " + rounded(s.depth_mm) + " mm"; }
 
-/// Which images go together, where not all do.
-const char* advice(ExportTarget target) {
+/// A note for targets whose images do not all belong to one material.
+const char* target_note(ExportTarget target) {
   if (target == ExportTarget::kUnityHdrp)
-    return " BaseMap, MaskMap and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for Fabric's thread slot, over a "
-           "base of your own, never with them.";
+    return tr(
+        " BaseMap, MaskMap and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for the thread slot of HDRP/Fabric "
+        "over "
+        "a base of your own, never together with them.");
   return "";
 }
 
 std::string readme(const FaceSource& face, const TextureSetOptions& o) {
   const SurfaceTexels& s = face.small();
-  return o.name + ": one seamless tile of " + o.source + ", " + size_words(s) + " (" +
-         std::to_string(face.size().width) + " x " + std::to_string(face.size().height) + " texels), for " +
-         target_name(o.target) + "; files with _back are the other face's.\n" + "Tile it once every " + size_words(s) +
-         " (the materials take texture coordinates in millimetres); normal maps are " + normal_convention(o.target) +
-         "; end 1 is at the right, pick 1 at the top." + advice(o.target) + "\n" +
-         "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n";
+  return fill(
+      tr("{name}: one seamless tile of {source}, {size} ({width} x {height} texels), for {target}; files with _back "
+         "show the other face.\n"
+         "Tile it once every {size} (the materials take texture coordinates in millimetres); normal maps are "
+         "{normal}; end 1 is at the right, pick 1 at the top.{note}\n"
+         "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n"),
+      arg("name", o.name), arg("source", o.source), arg("size", size_text(s)), arg("width", face.size().width),
+      arg("height", face.size().height), arg("target", target_name(o.target)),
+      arg("normal", normal_convention(o.target)), arg("note", target_note(o.target)));
 }
 
-/// What the set consists of, beside its list.
+/// The files of the set, without its list.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> out;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -66,8 +73,8 @@ std::vector<std::string> files_in(const std::string& folder) {
 
 json numbers(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-/// What a flat piece should send, by direction in the image (x right, y up, z out).
-json checks_of(const FaceSource& face) {
+/// Radiance of a flat piece by directions in the image (x right, y up, z out), for checks in engines.
+json checks_json(const FaceSource& face) {
   json out = json::array();
   const glm::vec3 turned(-1, -1, 1);
   for (const EngineCheck& c : face.checks())
@@ -78,15 +85,15 @@ json checks_of(const FaceSource& face) {
   return out;
 }
 
-/// How near the material comes, by the elevation of the view.
-json scores_of(const FaceSource& face) {
+/// Error of the material by the elevation of the view.
+json scores_json(const FaceSource& face) {
   json out = json::array();
   for (const EngineScore& s : face.scores())
     out.push_back({{"view_deg", s.view_deg}, {"mean", s.mean}, {"rms_error", s.error}});
   return out;
 }
 
-json fit_of(const FaceSource& face) {
+json fit_json(const FaceSource& face) {
   const EngineFit& f = face.fit();
   return {{"base_color", {f.base.r, f.base.g, f.base.b}},
           {"reflectance", {f.f0, f.f90}},
@@ -94,12 +101,12 @@ json fit_of(const FaceSource& face) {
           {"sheen", f.sheen},
           {"sheen_roughness", f.sheen_roughness},
           {"rms_error", f.error},
-          {"views", scores_of(face)},
-          {"radiance", checks_of(face)}};
+          {"views", scores_json(face)},
+          {"radiance", checks_json(face)}};
 }
 
-std::string list_of(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
-                    const SetIdentity& identity, const std::string& material) {
+std::string set_json(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
+                     const SetIdentity& identity, const std::string& material) {
   const SurfaceTexels& s = set.front.small();
   const Cloth& cloth = set.front.cloth();
   json root{{"format", "weftlight texture set"},
@@ -119,7 +126,7 @@ std::string list_of(const SetImages& images, const SetFacts& set, const TextureS
             {"alpha", alpha_name(set.alpha)},
             {"coverage", set.front.coverage()},
             {"distance_m", options.distance_m},
-            {"fit", {{"front", fit_of(set.front)}, {"back", fit_of(set.back)}}},
+            {"fit", {{"front", fit_json(set.front)}, {"back", fit_json(set.back)}}},
             {"maps", images.maps}};
   if (!material.empty()) root["material"] = material;
   if (!options.key.empty()) root["key"] = options.key;
@@ -128,7 +135,7 @@ std::string list_of(const SetImages& images, const SetFacts& set, const TextureS
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-/// A title's bytes may be of any encoding; a picture's text takes the printable ones.
+/// The title without control characters.
 std::string printable(const std::string& text) {
   std::string out;
   for (char c : text) out += static_cast<unsigned char>(c) >= 32 ? c : ' ';
@@ -138,10 +145,10 @@ std::string printable(const std::string& text) {
 std::string write_sheet(const SetImages& images, const SetFacts& set) {
   const std::string title = set.design.title.empty() ? set.name : printable(set.design.title);
   const Cloth& cloth = set.front.cloth();
-  const std::string facts = std::string(target_name(set.target)) + "   " + size_words(set.front.small()) + "   " +
-                            std::to_string(cloth.ends.size()) + " ends x " + std::to_string(cloth.picks.size()) +
-                            " picks   " + std::to_string(set.front.size().width) + " x " +
-                            std::to_string(set.front.size().height) + " texels";
+  const std::string facts = fill(tr("{target}   {size}   {ends} ends x {picks} picks   {width} x {height} texels"),
+                                 arg("target", target_name(set.target)), arg("size", size_text(set.front.small())),
+                                 arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()),
+                                 arg("width", set.front.size().width), arg("height", set.front.size().height));
   return write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, set.front.small(), images.sheet),
                      PixelType::kU8);
 }
@@ -151,14 +158,14 @@ SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options
 }
 
 int repeats_for(float mm, float tile_mm, size_t threads) {
-  const int wanted = static_cast<int>(std::ceil(tile_mm / std::max(mm, 1e-3f) - 1e-3f));
-  const int most = static_cast<int>(std::max<size_t>(kMaxTileThreads / std::max<size_t>(threads, 1), 1));
-  return std::clamp(wanted, 1, most);
+  const int repeats = static_cast<int>(std::ceil(tile_mm / std::max(mm, 1e-3f) - 1e-3f));
+  const int max_repeats = static_cast<int>(std::max<size_t>(kMaxTileThreads / std::max<size_t>(threads, 1), 1));
+  return std::clamp(repeats, 1, max_repeats);
 }
 
 Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float tile_mm) {
   Cloth cloth = lay_out(design, cells, face, Period::kRepeat);
-  // The back's images are seen mirrored: handed the other way there, its yarns are handed the same way on the cloth.
+  // The images of the back are mirrored: with the opposite twist in them, the twist on the cloth is right.
   for (Yarn& yarn : cloth.yarns) {
     if (face == Face::kFront) break;
     yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
@@ -168,17 +175,17 @@ Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float ti
                repeats_for(cloth.depth_mm, tile_mm, cloth.picks.size()));
 }
 
-/// Of the plane, about: as if threads lay straight.
-float cover_of(const Cloth& cloth) {
-  const auto share = [](const std::vector<ThreadBody>& threads, float mm) {
+/// Estimate of the fraction of the plane that is covered, for straight threads.
+float estimated_cover(const Cloth& cloth) {
+  const auto cover = [](const std::vector<ThreadBody>& threads, float mm) {
     float sum = 0;
     for (const ThreadBody& t : threads) sum += t.width_mm;
     return std::min(sum / std::max(mm, 1e-6f), 1.0f);
   };
-  return 1 - (1 - share(cloth.ends, cloth.width_mm)) * (1 - share(cloth.picks, cloth.depth_mm));
+  return 1 - (1 - cover(cloth.ends, cloth.width_mm)) * (1 - cover(cloth.picks, cloth.depth_mm));
 }
 
-/// Their importers are told to keep coverage, or they have no mips.
+/// Targets whose importer preserves coverage in mipmaps, or that have none.
 bool keeps_masks(ExportTarget target) {
   return target == ExportTarget::kUnreal || target == ExportTarget::kUnityHdrp || target == ExportTarget::kUnityUrp ||
          target == ExportTarget::kBlender || target == ExportTarget::kRaw;
@@ -195,35 +202,35 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth)),
   of.older = older_model(options.target);
-  // A path tracer averages what texels send, not texels: each keeps its own facets.
+  // A path tracer averages the radiance of texels, so each texel keeps its own microfacets.
   const bool traced = options.target == ExportTarget::kBlender;
   of.footprint_mm = raw || traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(cloth), of};
 }
 
-// How much of the work is done, about: once a face is measured, its images are written, and all of both.
+// Estimated fractions of the work: after a face is measured, and after its images are written.
 constexpr float kMeasured = 0.1f, kFaceDone = 0.45f;
 
-/// Tells how far a face is; false: nobody wants it.
-std::function<bool(float)> part_of(const Progress& progress, float from) {
-  return [&progress, from](float share) {
-    if (progress.tell) progress.tell(from + kMeasured + share * (kFaceDone - kMeasured));
+/// Reports the progress of a face; false if the export was stopped.
+std::function<bool(float)> face_progress(const ExportProgress& progress, float from) {
+  return [&progress, from](float fraction) {
+    if (progress.report) progress.report(from + kMeasured + fraction * (kFaceDone - kMeasured));
     return !progress.stop.stop_requested();
   };
 }
 
-/// Writes into `folder` what will stand in `place`.
-std::string write_into(const std::string& folder, const std::string& place, const Design& design, const Mesh& mesh,
-                       const TextureSetOptions& options, const Progress& progress) {
+/// Writes the set into `folder`, which is later moved to `destination`.
+std::string write_into(const std::string& folder, const std::string& destination, const Design& design,
+                       const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress) {
   const BitMatrix cells = drawdown(design.draft);
-  if (cells.rows() < 1 || cells.cols() < 1) return "the draft has no cloth: it needs at least one end and one pick";
+  if (cells.rows() < 1 || cells.cols() < 1) return tr("the draft has no cloth; it needs at least one end and one pick");
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder, options.name,         options.target, json::array(), {},
-                   {},     part_of(progress, 0), options.mips,   options.alpha};
+  SetImages images{folder,       options.name, options.target, json::array(), {}, {}, face_progress(progress, 0),
+                   options.mips, options.alpha};
   write_face(images, front, Face::kFront);
   if (!images.problem.empty()) return images.problem;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
-  images.going = part_of(progress, kFaceDone);
+  images.keep_going = face_progress(progress, kFaceDone);
   write_face(images, back, Face::kBack);
   if (!images.problem.empty()) return images.problem;
   const SetFacts set{folder,
@@ -241,7 +248,7 @@ std::string write_into(const std::string& folder, const std::string& place, cons
   if (problem.empty()) problem = write_file_atomically(folder + "/README.md", readme(front, options));
   if (problem.empty())
     problem = write_file_atomically(folder + "/texture_set.json",
-                                    list_of(images, set, options, identity_of(place, options), material.file));
+                                    set_json(images, set, options, identity_of(destination, options), material.file));
   return problem;
 }
 
@@ -267,15 +274,15 @@ std::string key_of(const TextureSetOptions& o) {
 
 namespace {
 
-/// Threads laid side by side so many times, layer by layer. from: which thread each is.
-struct Tiled {
+/// Repeated threads, layer by layer. from: index of the original thread.
+struct RepeatedThreads {
   std::vector<ThreadBody> threads;
   std::vector<int> from;
 };
 
-Tiled repeated(const std::vector<ThreadBody>& threads, const std::vector<std::pair<int, int>>& runs, int times,
-               float period_mm) {
-  Tiled out;
+RepeatedThreads repeated(const std::vector<ThreadBody>& threads, const std::vector<std::pair<int, int>>& runs,
+                         int times, float period_mm) {
+  RepeatedThreads out;
   for (const auto& [first, count] : runs) {
     for (int k = 0; k < times; ++k) {
       for (int i = first; i < first + count; ++i) {
@@ -298,8 +305,8 @@ Cloth tiled(const Cloth& cloth, int across, int up) {
     end_runs.emplace_back(l.first_end, l.ends), pick_runs.emplace_back(l.first_pick, l.picks);
     l = {l.first_end * across, l.ends * across, l.first_pick * up, l.picks * up};
   }
-  const Tiled ends = repeated(cloth.ends, end_runs, across, cloth.width_mm),
-              picks = repeated(cloth.picks, pick_runs, up, cloth.depth_mm);
+  const RepeatedThreads ends = repeated(cloth.ends, end_runs, across, cloth.width_mm),
+                        picks = repeated(cloth.picks, pick_runs, up, cloth.depth_mm);
   out.width_mm *= static_cast<float>(across), out.depth_mm *= static_cast<float>(up);
   out.ends = ends.threads, out.picks = picks.threads;
   out.up = BitMatrix(cloth.up.rows() * up, cloth.up.cols() * across);
@@ -337,7 +344,7 @@ SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
                  0};
   const int64_t texels = int64_t{out.size.width} * out.size.height;
   for (const ImageRow& row : image_rows(options.target)) {
-    // Cards hold one, two or four channels.
+    // Graphics cards store one, two or four channels.
     const int channels = channels_of(row), held = channels == 3 ? 4 : channels;
     out.images += 2;
     out.texel_bytes += 2 * texels * held * (row.type == PixelType::kU8 ? 1 : 2) * 4 / 3;
@@ -359,22 +366,23 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
   std::vector<std::string> out;
-  if (each < kMinTexelsAThread)
-    out.push_back("a thread gets " + millimetres(each) +
-                  " texels; give a larger --size (or a smaller tile) to see threads");
-  if (options.alpha == Alpha::kMask && !options.mips && !keeps_masks(options.target) && cover_of(cloth) < kOpenCover)
-    out.push_back(
-        "gaps of a mask close from afar where programs make the mips; --alpha auto keeps them, or --mips ktx2");
+  if (each < kMinTexelsPerThread)
+    out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
+                       arg("texels", rounded(each))));
+  if (options.alpha == Alpha::kMask && !options.mips && !keeps_masks(options.target) &&
+      estimated_cover(cloth) < kOpenCover)
+    out.emplace_back(tr(
+        "the gaps of a mask close in the distance if the program makes the mipmaps; use --alpha auto or --mips ktx2"));
   return out;
 }
 
-std::string who_is_there(const std::string& folder, const TextureSetOptions& options) {
+std::string existing_files_problem(const std::string& folder, const TextureSetOptions& options) {
   return in_the_way(folder, identity_of(folder, options));
 }
 
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                              const TextureSetOptions& options, const Progress& progress) {
-  std::string problem = options.force ? std::string{} : who_is_there(folder, options);
+                              const TextureSetOptions& options, const ExportProgress& progress) {
+  std::string problem = options.force ? std::string{} : existing_files_problem(folder, options);
   if (!problem.empty()) return problem;
   Staging staging = make_staging(folder, problem);
   if (!problem.empty()) return problem;
@@ -382,7 +390,7 @@ std::string write_texture_set(const std::string& folder, const Design& design, c
   try {
     problem = write_into(made.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
-    problem = "not enough memory; export a smaller --size";
+    problem = tr("not enough memory; export with a smaller --size");
   }
   if (problem.empty()) problem = put_in_place(std::move(staging), folder, identity_of(folder, options), options.force);
   std::error_code ec;

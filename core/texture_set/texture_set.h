@@ -1,6 +1,6 @@
 #pragma once
-// A texture set: one full repeat of structure and colour as named, packed images for an engine, with its
-// materials, a README of three lines, a contact sheet and a machine-readable texture_set.json.
+// A texture set: one full repeat of structure and colour as named, packed images for an engine, with materials, a short
+// README, a contact sheet and a machine-readable texture_set.json.
 
 #include <functional>
 #include <optional>
@@ -19,65 +19,63 @@ namespace weftlight::texture_set {
 
 struct TextureSetOptions {
   ExportTarget target = ExportTarget::kGltf;
-  std::string name;        // of the files; file_name_of() makes one from anything
-  std::string source;      // the draft's file name, for the record
-  std::string draft_path;  // the draft's file; empty: never saved
+  std::string name;        // of the files; see file_name_of()
+  std::string source;      // file name of the draft, for texture_set.json
+  std::string draft_path;  // path of the draft; empty: never saved
   std::string program_version;
   int size = 1024;     // texels of the longer side, a power of two 16..8192
-  bool force = false;  // writes among files of others, over those of the same names
+  bool force = false;  // writes into a folder with other files, and replaces those of the same names
   Alpha alpha = Alpha::kAuto;
-  float distance_m = 1;                           // whose pixels the roughness is made for; 0: none
-  std::optional<MipContainer> mips{};             // beside the images, the same with mips of our own
-  float tile_mm = 0;                              // least width and depth of the tile, of whole repeats; 0: one repeat
-  std::string modified = "2000-01-01T00:00:00Z";  // of the draft, ISO 8601: for formats that ask
-  std::string key;                                // of all that the set is made of, for is_complete()
-  bool archived = false;                          // for the record: a .zip of the same name stands beside the folder
+  float distance_m = 1;                           // viewing distance of the footprint in the roughness; 0: no footprint
+  std::optional<MipContainer> mips{};             // images with prefiltered mipmaps beside the others
+  float tile_mm = 0;                              // least width and depth of a tile of whole repeats; 0: one repeat
+  std::string modified = "2000-01-01T00:00:00Z";  // time of the draft, ISO 8601, for formats that need it
+  std::string key;                                // hash of all inputs of the set, for is_complete()
+  bool archived = false;                          // for texture_set.json: a .zip of the same name is beside the folder
 };
-/// The choices that the set's bytes depend on, as text.
+/// The options that change the bytes of the set, as text.
 std::string key_of(const TextureSetOptions& options);
 
-/// Letters, digits, '-' and '_' of a text; "cloth" when none is left.
+/// The letters, digits, '-' and '_' of a text; "cloth" if none is left.
 std::string file_name_of(const std::string& text);
 
-/// Repeats side by side and one above the other, as one period; yarns' irregularities differ among them.
+/// Several repeats in both directions as one period; the irregularities of the yarns differ between them.
 Cloth tiled(const Cloth& cloth, int across, int up);
 
-/// Texels a side that give so many to a millimetre of the design's tile: a power of two 16..8192.
+/// Texels per side for a resolution of the design's tile: a power of two, 16..8192.
 int size_for(const Design& design, float texels_per_mm, float tile_mm);
 
-/// What is amiss with the choices for this design; none: nothing.
+/// Warnings about the options for this design.
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);
 
-/// How far a set is, and whether anybody still wants it.
-struct Progress {
-  std::function<void(float share)> tell{};  // 0..1, from the thread that asked for the set; empty: nobody listens
+/// Progress report and cancellation.
+struct ExportProgress {
+  std::function<void(float fraction)> report{};  // 0..1, on the calling thread; may be empty
   std::stop_token stop{};
 };
-/// What a set that was stopped has for a problem; what was there before stands.
+/// The error of a set that was stopped. The earlier set is unchanged.
 inline constexpr const char* kStopped = "stopped";
 
-/// Targets without a .glb take no mesh: it may then be empty.
-///
-/// Writes the set into `folder`: all of it or, on failure, what was there before. Only files that an earlier set of the
-/// same draft and target lists are replaced or taken away (texture_set/set_folder.h). Empty string: done; else what
-/// went wrong.
+/// Writes the set into `folder`, completely or not at all. Only files that an earlier set of the same draft and target
+/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb. Returns
+/// an error, or an empty string.
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                              const TextureSetOptions& options, const Progress& progress = {});
+                              const TextureSetOptions& options, const ExportProgress& progress = {});
 
-/// What a set will be, both faces together, known before anything is made.
+/// The size of a set with both faces, known before it is made.
 struct SetFigures {
   float width_mm = 0, depth_mm = 0;  // of the tile
   size_t ends = 0, picks = 0;        // in it
   TextureSize size;
   int images = 0;
-  int64_t texel_bytes = 0;  // of all images with their mips, as a graphics card holds them uncompressed
+  int64_t texel_bytes = 0;  // of all images with mipmaps, uncompressed in the memory of a graphics card
 };
 /// Zeros for a draft without cloth.
 SetFigures figures_of(const Design& design, const TextureSetOptions& options);
-/// One face as the set's images are made of it, at most `side` texels a side. The draft has cloth.
+/// One face as it is exported, with at most `side` texels per side. The draft must have cloth.
 FaceSource face_at(const Design& design, Face face, const TextureSetOptions& options, int side);
 
-/// Empty where write_texture_set() may write without `force`, else what is there and what to do.
-std::string who_is_there(const std::string& folder, const TextureSetOptions& options);
+/// Empty if write_texture_set() can write without `force`; otherwise what is in the way and what to do.
+std::string existing_files_problem(const std::string& folder, const TextureSetOptions& options);
 
 }  // namespace weftlight::texture_set

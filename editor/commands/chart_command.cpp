@@ -35,7 +35,7 @@ std::string read_text(const std::string& path) {
 
 class ChartRun {
  public:
-  ChartRun(ChartBench& bench, std::string dir, ChartPart part)
+  ChartRun(ChartBench& bench, std::string dir, ChartSelection part)
       : bench_(bench), dir_(std::move(dir)), part_(std::move(part)), cells_(chart_cells(bench.methods())) {}
 
   int all() {
@@ -99,7 +99,7 @@ class ChartRun {
           std::find_if(rows_.begin(), rows_.end(), [&cell](const ChartRow& r) { return r.same_cell(cell); });
       if (found != rows_.end()) sorted.push_back(*found);
     }
-    mark_front(sorted);
+    mark_pareto_front(sorted);
     return sorted;
   }
 
@@ -138,7 +138,7 @@ class ChartRun {
               cell.scene = kChartScenes[scene].name, cell.view_deg = view;
               cell.yarns_per_pixel = footprint, cell.method = method;
               if (method == Method::kYarn) cell.samples = formulas::kMaxYarnSamples;
-              const auto row = bench_.under(light, cell, error);
+              const auto row = bench_.measure_under(light, cell, error);
               if (!row) return {};
               out << light_name(light) << ',' << cell.scene << ',' << view << ',' << footprint << ','
                   << method_name(method) << ',' << row->cell.model_error << ',' << row->cell.energy_ratio << '\n';
@@ -213,7 +213,7 @@ class ChartRun {
 
   ChartBench& bench_;
   std::string dir_;
-  ChartPart part_;
+  ChartSelection part_;
   std::vector<ChartRow> cells_, rows_;  // all cells of the chart; those measured so far
 };
 

@@ -195,7 +195,7 @@ RunVerb add_export(CLI::App& verb) {
 }
 
 /// One option for each measured quantity, with the values that the chart knows.
-void add_chart_part(CLI::App& verb, ChartPart& part) {
+void add_chart_part(CLI::App& verb, ChartSelection& part) {
   std::vector<std::string> scenes;
   for (const ChartScene& scene : kChartScenes) scenes.emplace_back(scene.name);
   verb.add_option("--scene", part.scenes, tr("Cloths to measure, separated by commas; default: all"))

@@ -81,7 +81,7 @@ struct ChartOptions {
   std::string out;
   bool quick = false;
   bool count = false;  // counts instructions too
-  chart::ChartPart part;
+  chart::ChartSelection part;
 };
 struct ResponseOptions {
   std::string file, out, method = "cloth", plane = "both";  // plane: warp, weft or both

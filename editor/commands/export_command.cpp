@@ -89,7 +89,7 @@ std::string changed(const std::string& path) {
 std::string folder_name(const std::string& form, const std::string& name, ExportTarget target, int size) {
   fs::path out;
   for (const fs::path& part :
-       fs::path(filled(form, {{"name", name}, {"target", target_name(target)}, {"size", std::to_string(size)}})))
+       fs::path(fill_template(form, {{"name", name}, {"target", target_name(target)}, {"size", std::to_string(size)}})))
     if (part != "." && part != ".." && part != "/") out /= file_name_of(part.string());
   return out.string();
 }

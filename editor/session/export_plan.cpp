@@ -54,7 +54,7 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
 std::vector<std::string> in_the_way(const std::vector<ExportJob>& jobs) {
   std::vector<std::string> out;
   for (const ExportJob& job : jobs) {
-    const std::string there = who_is_there(job.folder, job.options);
+    const std::string there = existing_files_problem(job.folder, job.options);
     if (!there.empty()) out.push_back(there.substr(0, there.find("; choose")));
   }
   return out;

@@ -123,7 +123,7 @@ ExportPreview export_preview(const Design& design, Face face, const TextureSetOp
     }
   }
   ExportPreview& out = sheet.made();
-  out.alpha = made.alpha, out.coverage = made.coverage, out.bytes_a_texel = made.bytes_a_texel;
+  out.alpha = made.alpha, out.coverage = made.coverage, out.bytes_per_texel = made.bytes_per_texel;
   if (!made.images.empty()) out.texels = int64_t{made.images[0].image.width} * made.images[0].image.height;
   return std::move(out);
 }
@@ -131,8 +131,8 @@ ExportPreview export_preview(const Design& design, Face face, const TextureSetOp
 int64_t bytes_on_disk(const ExportPreview& preview, const TextureSize& size) {
   const double wanted = static_cast<double>(size.width) * static_cast<double>(size.height);
   const double made = static_cast<double>(std::max<int64_t>(preview.texels, 1));
-  return static_cast<int64_t>(2 * static_cast<double>(preview.bytes_a_texel) * made * std::pow(wanted / made, kGrowth) +
-                              kSheetBytes);
+  return static_cast<int64_t>(
+      2 * static_cast<double>(preview.bytes_per_texel) * made * std::pow(wanted / made, kGrowth) + kSheetBytes);
 }
 
 ExportPreviewer::ExportPreviewer(std::shared_ptr<const Design> design, std::function<void()> wake)

@@ -38,8 +38,8 @@ struct ExportPreview {
   std::vector<ShownImage> images;
   Alpha alpha = Alpha::kOpaque;
   float coverage = 1;
-  int64_t texels = 0;       // of its images
-  float bytes_a_texel = 0;  // on the disk, of one face
+  int64_t texels = 0;         // of its images
+  float bytes_per_texel = 0;  // on the disk, of one face
 };
 /// Of a whole set of images of this size, about.
 int64_t bytes_on_disk(const ExportPreview& preview, const TextureSize& size);

@@ -94,7 +94,7 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
   const bool ready = use_mesh(jobs, design);
   for (size_t i = 0; ready && i < jobs.size() && !stop.stop_requested(); ++i) {
     tell(i, jobs.size(), 0);
-    const Progress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
+    const ExportProgress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
     std::string problem = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
     if (problem == kStopped) return;  // who stopped it has told, or a newer run will
     const std::lock_guard lock(mutex_);

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "commands/chart/flip.h"
 #include "commands/chart/methods.h"
 #include "draft/drawdown.h"
@@ -27,9 +28,13 @@
 namespace weftlight::chart {
 namespace {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 constexpr glm::vec3 kIrradiance{kKeyIrradiance};
-constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm: no pixel begins where a thread does
-constexpr int kTile = 1024;                 // of a finer picture
+constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm; pixels do not align with threads
+constexpr int kTile = 1024;                 // pixels along a side of a tile of a supersampled picture
 
 size_t scene_of(const ChartRow& cell) { return scene_named(cell.scene); }
 
@@ -115,7 +120,7 @@ std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, std::u
   bench->context_ = HeadlessContext::create(error);
   if (bench->context_) bench->renderer_ = Renderer::create(error);
   if (!bench->renderer_) {
-    error = "no graphics: " + error;
+    error = fill(tr("no graphics: {problem}"), arg("problem", std::string(error)));
     return nullptr;
   }
   bench->use_lod_table(shipped_lod_table().lod_table);
@@ -150,12 +155,12 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   if (slot) return slot.get();
   const WifRead read = read_draft(read_file(presets_dir() + "/drafts/" + kChartScenes[scene].preset).bytes);
   if (!read.file) {
-    error = std::string(kChartScenes[scene].preset) + ": the preset cannot be read";
+    error = fill(tr("{file}: the preset cannot be read"), arg("file", kChartScenes[scene].preset));
     return nullptr;
   }
   auto made = std::make_unique<Loaded>();
   Design design = read.file->design;
-  design.look.method = Method::kVrst03;  // the only one that asks for maps of its own
+  design.look.method = Method::kVrst03;  // the only method with maps of its own
   design.scene = drape_scene(ChartLight::kKey);
   Stages stages;
   StageResult result = stages.update(std::make_shared<const Design>(design));
@@ -254,7 +259,7 @@ double ChartBench::truth_noise(const ChartRow& cell, std::string& error) {
   return known ? noise_of(known->half, known->other_half) : 0;
 }
 
-/// A thousand finer pixels or more make one.
+/// Averages at least a thousand finer pixels for each pixel.
 Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, const PixelSteps& pixel) {
   const PixelSteps fine{pixel.x / static_cast<float>(grid.nx), pixel.y / static_cast<float>(grid.ny)};
   const int across = std::clamp(kTile / grid.nx, 1, grid.pixels), down = std::clamp(kTile / grid.ny, 1, grid.pixels);
@@ -276,7 +281,7 @@ Pixels ChartBench::supersampled(const ChartRow& cell, const FineGrid& grid, cons
 
 double ChartBench::filtering_error(const ChartRow& cell, const PixelSteps& pixel) {
   const FineGrid grid = fine_grid(cell.view_deg, cell.yarns_per_pixel, effort_);
-  // Of rung yarn the same whatever its samples.
+  // For method yarn the reference does not depend on the number of samples.
   Pixels own;
   Pixels& truth =
       cell.method == Method::kYarn ? loaded_[scene_of(cell)]->fine[{cell.view_deg, cell.yarns_per_pixel}] : own;
@@ -294,8 +299,8 @@ double ChartBench::flicker(const ChartRow& cell, const PixelSteps& pixel) {
   return flicker_of(pans);
 }
 
-/// Nanoseconds of a draw. A card's by its own clock. A software renderer's by the time that the processor spent on it,
-/// shared among its cores: what else the machine does is not in it.
+/// Nanoseconds of a draw: on a graphics card by its timer; for a software renderer the processor time divided by the
+/// number of cores, which excludes other processes.
 double ChartBench::patch_ns(const FlatPatch& patch, const Look& look) {
   const double before = processor_ns();
   renderer_->draw_patch(patch, look);
@@ -309,7 +314,7 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
   const FlatPatch patch = patch_of(cell.view_deg, kCorner, pixel, size, size, cell.samples);
   Look look;
   look.method = cell.method;
-  patch_ns(patch, look);  // programs are compiled
+  patch_ns(patch, look);  // compiles the programs
   std::vector<double> times;
   double spent = 0;
   for (int k = 0; k < effort_.timing_repeats && spent < effort_.timing_enough_ns; ++k) {
@@ -317,7 +322,7 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
     times.push_back(ns / (static_cast<double>(size) * size));
     spent += ns;
   }
-  // The least: whatever else the machine does only adds.
+  // The minimum, since other load on the machine only adds time.
   return *std::min_element(times.begin(), times.end());
 }
 
@@ -326,7 +331,7 @@ std::optional<double> ChartBench::frame_ms(size_t scene, const Look& look, doubl
   if (!show(scene, error)) return std::nullopt;
   const bool whole = !renderer_->is_software();
   const double pixels = static_cast<double>(size[0]) * size[1];
-  double& known = frame_ns_[{scene, look.method, look.tolerance, yarns_per_pixel}];  // a pixel
+  double& known = frame_ns_[{scene, look.method, look.tolerance, yarns_per_pixel}];  // per pixel
   if (!whole && known > 0) return known * pixels * 1e-6;
   const int width = whole ? size[0] : effort_.frame_size, height = whole ? size[1] : effort_.frame_size;
   const PixelSteps steps =
@@ -337,7 +342,7 @@ std::optional<double> ChartBench::frame_ms(size_t scene, const Look& look, doubl
   return known * pixels * 1e-6;
 }
 
-std::optional<LightRow> ChartBench::under(ChartLight light, const ChartRow& cell, std::string& error) {
+std::optional<LightRow> ChartBench::measure_under(ChartLight light, const ChartRow& cell, std::string& error) {
   const size_t scene = scene_of(cell);
   if (!show(scene, error)) return std::nullopt;
   const TubeScene* traced = tubes(*loaded_[scene], error);
@@ -364,11 +369,11 @@ std::optional<LightRow> ChartBench::under(ChartLight light, const ChartRow& cell
   return row;
 }
 
-/// 0 where they cannot be counted.
+/// 0 if they cannot be counted.
 double ChartBench::instructions(const ChartRow& cell) {
   if (!counter_) return 0;
   CountedDraw what{scene_of(cell), cell.view_deg, cell.yarns_per_pixel, cell.method, cell.samples};
-  // Single steps are slow, and samples are alike: from a few of them on each costs as much as the one before.
+  // Single steps are slow, so the cost of many samples is extrapolated linearly from that of a few.
   constexpr int kFew = 3;
   const auto count = [&](int samples) {
     what.samples = samples;
@@ -406,7 +411,7 @@ std::optional<double> ChartBench::brightness(size_t scene, double view_deg, std:
                                              std::string& error) {
   if (!show(scene, error)) return std::nullopt;
   constexpr int kPixels = 16;
-  constexpr double kYarns = 4;  // a pixel: the patch holds whole figures
+  constexpr double kYarns = 4;  // per pixel, so that the patch contains whole repeats
   Loaded& loaded = *loaded_[scene];
   const PixelSteps steps = pixel_steps(view_deg, kYarns * static_cast<double>(loaded.packed.mean_spacing_mm));
   const double white = static_cast<double>(kIrradiance.x * chart_light().z) / 3.141592653589793;

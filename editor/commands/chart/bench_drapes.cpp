@@ -1,4 +1,4 @@
-// The bench's rows on a drape (drapes.h).
+// Measurements on a drape (drapes.h).
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ Look look_of(Method method) {
   return look;
 }
 
-/// The traced picture: as the renderer has camera and lights.
+/// The traced picture, with the camera and the lights of the renderer.
 DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::ivec2 size, float spacing_mm) {
   const Scene scene = drape_scene(cell.light);
   const Camera camera =
@@ -45,12 +45,12 @@ DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::
 
 }  // namespace
 
-bool ChartBench::hang(size_t scene, std::string& error) {
+bool ChartBench::show_drape(size_t scene, std::string& error) {
   if (!show(scene, error)) return false;
   Loaded& loaded = *loaded_[scene];
-  if (hung_ != scene) renderer_->set_mesh(loaded.mesh);
-  hung_ = scene;
-  if (!loaded.hung) loaded.hung = MeshScene::build(loaded.mesh.mesh, error);
+  if (draped_scene_ != scene) renderer_->set_mesh(loaded.mesh);
+  draped_scene_ = scene;
+  if (!loaded.drape) loaded.drape = MeshScene::build(loaded.mesh.mesh, error);
   if (!loaded.body && !loaded.mesh.body.index.empty()) loaded.body = MeshScene::build(loaded.mesh.body, error);
   if (error.empty()) tubes(loaded, error);
   return error.empty();
@@ -58,20 +58,20 @@ bool ChartBench::hang(size_t scene, std::string& error) {
 
 const Truth& ChartBench::draped_truth(size_t scene, const DrapeRow& cell) {
   Loaded& loaded = *loaded_[scene];
-  Truth& truth = loaded.draped[{cell.light, cell.yarns_per_pixel}];
+  Truth& truth = loaded.draped_truths[{cell.light, cell.yarns_per_pixel}];
   if (!truth.half.empty()) return truth;
   DrapePicture picture =
       drape_picture(loaded.mesh, cell, {effort_.drape_width, effort_.drape_height}, loaded.packed.mean_spacing_mm);
   picture.spp = std::max(4, effort_.drape_rays / (picture.width * picture.height));
   for (Pixels* half : {&truth.half, &truth.other_half}) {
-    *half = colours(trace_drape(*loaded.tubes, *loaded.hung, loaded.body.get(), picture, {}));
-    picture.first_sample = 5000;  // far from the first half's, which are not to know of each other
+    *half = colours(trace_drape(*loaded.tubes, *loaded.drape, loaded.body.get(), picture, {}));
+    picture.first_sample = 5000;  // far from the samples of the first half, so that both are independent
   }
   return truth;
 }
 
-/// Nanoseconds of a picture, of a software renderer those of the processor; the least of two, since the first may have
-/// a program compiled.
+/// Nanoseconds of a picture (processor time for a software renderer): the minimum of two, since the first may compile a
+/// program.
 double ChartBench::picture_ns(const DrapeRow& cell, const Frame& frame, FrameStats& stats) {
   const Scene scene = drape_scene(cell.light);
   std::vector<uint32_t> pixels;
@@ -80,14 +80,15 @@ double ChartBench::picture_ns(const DrapeRow& cell, const Frame& frame, FrameSta
     const double before = processor_ns();
     renderer_->draw(scene, look_of(cell.method), frame);
     stats = renderer_->measure();
-    renderer_->read_pixels(pixels);  // waits for it
+    renderer_->read_pixels(pixels);  // waits for the picture
     const double ns = renderer_->is_software() ? (processor_ns() - before) / cores() : stats.gpu_ms * 1e6;
     least = k == 0 ? ns : std::min(least, ns);
   }
   return least;
 }
 
-/// A shaded pixel of cloth: what the picture takes longer than without it. Pictures without are alike for all methods.
+/// Nanoseconds per shaded pixel of cloth: the extra time over a picture without the cloth, which is the same for all
+/// methods.
 double ChartBench::draped_ns(size_t scene, const DrapeRow& cell) {
   const int size = cell.method == Method::kYarn ? effort_.drape_yarn_timing_size : effort_.drape_timing_size;
   Frame frame = frame_of(cell.yarns_per_pixel, size, size);
@@ -104,7 +105,7 @@ double ChartBench::draped_ns(size_t scene, const DrapeRow& cell) {
 
 std::optional<DrapeRow> ChartBench::draped(const DrapeRow& cell, std::string& error) {
   const size_t scene = scene_named(cell.scene);
-  if (!hang(scene, error)) return std::nullopt;
+  if (!show_drape(scene, error)) return std::nullopt;
   const Truth& truth = draped_truth(scene, cell);
   const Frame frame = frame_of(cell.yarns_per_pixel, effort_.drape_width, effort_.drape_height);
   renderer_->draw(drape_scene(cell.light), look_of(cell.method), frame);

@@ -12,23 +12,23 @@
 namespace weftlight::chart {
 namespace {
 
-constexpr int kSmall = 4, kLarge = 12;  // pixels along the sides of both patches
-constexpr unsigned kPatienceS = 600;
+constexpr int kSmall = 4, kLarge = 12;  // pixels along the sides of the two patches
+constexpr unsigned kTimeoutS = 600;
 
 static_assert(std::is_trivially_copyable_v<CountedDraw> && std::is_trivially_copyable_v<LodPoint>);
 
-// The processor's trap flag: a signal after every instruction.
+// The trap flag of the processor raises a signal after every instruction.
 volatile long steps_taken = 0;
 void count_step(int) { steps_taken = steps_taken + 1; }
 
 #if defined(__x86_64__)
 constexpr bool kCanStep = true;
-void trap_each() { asm volatile("pushfq\n\torq $0x100, (%%rsp)\n\tpopfq" ::: "memory", "cc"); }
-void trap_no_more() { asm volatile("pushfq\n\tandq $~0x100, (%%rsp)\n\tpopfq" ::: "memory", "cc"); }
+void set_trap_flag() { asm volatile("pushfq\n\torq $0x100, (%%rsp)\n\tpopfq" ::: "memory", "cc"); }
+void clear_trap_flag() { asm volatile("pushfq\n\tandq $~0x100, (%%rsp)\n\tpopfq" ::: "memory", "cc"); }
 #else
 constexpr bool kCanStep = false;
-void trap_each() {}
-void trap_no_more() {}
+void set_trap_flag() {}
+void clear_trap_flag() {}
 #endif
 
 bool read_all(int from, void* to, size_t bytes) {
@@ -49,30 +49,30 @@ bool write_all(int to, const void* from, size_t bytes) {
   return true;
 }
 
-/// The other process: each patch is drawn once before it is counted, so that programs are compiled and pages are there.
-[[noreturn]] void serve(int line, const DrawCounter::Draw& draw) {
+/// Runs in the other process. Each patch is drawn before it is counted, so that programs are compiled and pages mapped.
+[[noreturn]] void serve(int socket, const DrawCounter::Draw& draw) {
   setenv("LP_NUM_THREADS", "0", 1);
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
   std::signal(SIGTRAP, count_step);
   CountedDraw what;
   size_t points = 0;
-  while (read_all(line, &what, sizeof what) && read_all(line, &points, sizeof points)) {
+  while (read_all(socket, &what, sizeof what) && read_all(socket, &points, sizeof points)) {
     LodTable lod_table(points);
-    if (!read_all(line, lod_table.data(), points * sizeof(LodPoint))) break;
-    alarm(kPatienceS);  // what hangs is given up
+    if (!read_all(socket, lod_table.data(), points * sizeof(LodPoint))) break;
+    alarm(kTimeoutS);  // ends the process if a draw hangs
     std::array<long, 2> steps{};
     for (size_t k = 0; k < steps.size(); ++k) {
       const int pixels = k == 0 ? kSmall : kLarge;
       for (int warm = 0; warm < 2; ++warm)
         if (!draw(what, lod_table, pixels)) _exit(1);
       steps_taken = 0;
-      trap_each();
+      set_trap_flag();
       draw(what, lod_table, pixels);
-      trap_no_more();
+      clear_trap_flag();
       steps[k] = steps_taken;
     }
     alarm(0);
-    if (!write_all(line, steps.data(), sizeof steps)) break;
+    if (!write_all(socket, steps.data(), sizeof steps)) break;
   }
   _exit(0);
 }
@@ -89,12 +89,12 @@ std::unique_ptr<DrawCounter> DrawCounter::start(const Draw& draw) {
   }
   close(ends[1]);
   std::unique_ptr<DrawCounter> counter(new DrawCounter);
-  counter->child_ = child, counter->line_ = ends[0];
+  counter->child_ = child, counter->socket_ = ends[0];
   return child < 0 ? nullptr : std::move(counter);
 }
 
 DrawCounter::~DrawCounter() {
-  close(line_);
+  close(socket_);
   if (child_ < 0) return;
   kill(child_, SIGKILL);
   waitpid(child_, nullptr, 0);
@@ -103,9 +103,9 @@ DrawCounter::~DrawCounter() {
 std::optional<double> DrawCounter::per_pixel(const CountedDraw& what, const LodTable& lod_table) {
   const size_t points = lod_table.size();
   std::array<long, 2> steps{};
-  const bool counted = write_all(line_, &what, sizeof what) && write_all(line_, &points, sizeof points) &&
-                       write_all(line_, lod_table.data(), points * sizeof(LodPoint)) &&
-                       read_all(line_, steps.data(), sizeof steps);
+  const bool counted = write_all(socket_, &what, sizeof what) && write_all(socket_, &points, sizeof points) &&
+                       write_all(socket_, lod_table.data(), points * sizeof(LodPoint)) &&
+                       read_all(socket_, steps.data(), sizeof steps);
   if (!counted) return std::nullopt;
   return static_cast<double>(steps[1] - steps[0]) / (kLarge * kLarge - kSmall * kSmall);
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Cost that repeats: the instructions that this processor executes for a pixel of the real draw, by Mesa's software
-// renderer and the program that draws the row, fetches and all. Counted by the trap flag in a process of its own that
-// draws with one thread; the same on a machine with a graphics card.
+// A reproducible cost: the instructions that the processor executes for a pixel of the real draw in Mesa's software
+// renderer, including texture fetches. They are counted with the trap flag in a separate process that draws with one
+// thread, also on a machine with a graphics card.
 
 #include <sys/types.h>
 
@@ -24,20 +24,20 @@ struct CountedDraw {
 
 class DrawCounter {
  public:
-  /// Draws a patch of pixels x pixels and waits for it; false where that cannot be.
+  /// Draws a patch of pixels x pixels and waits for it; false on failure.
   using Draw = std::function<bool(const CountedDraw&, const LodTable&, int pixels)>;
-  /// Before this process has made any context of OpenGL; `draw` is called in the other one. Null where this
-  /// kind of processor is not known.
+  /// Call it before this process makes an OpenGL context; `draw` runs in the other process. Null on a processor that is
+  /// not supported.
   static std::unique_ptr<DrawCounter> start(const Draw& draw);
   ~DrawCounter();
 
-  /// Instructions a pixel: the difference of two patches, so that what is done once a draw is not in it.
+  /// Instructions per pixel: the difference of two patches, which cancels the cost per draw.
   std::optional<double> per_pixel(const CountedDraw& what, const LodTable& lod_table);
 
  private:
   DrawCounter() = default;
   pid_t child_ = -1;
-  int line_ = -1;  // this end of it
+  int socket_ = -1;
 };
 
 }  // namespace weftlight::chart

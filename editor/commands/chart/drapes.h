@@ -1,6 +1,6 @@
 #pragma once
-// The chart's rows on a drape: two of its cloths as a curtain, in the key light alone, under the sky alone and lit from
-// behind, against the same mesh with its threads ray traced. Which rows there are, where the camera stands, the file.
+// The rows of the chart on a drape: two cloths as a curtain, under the key light only, the sky only, and a light from
+// behind, against the same mesh with ray-traced threads. Defines the rows, the camera and the file.
 
 #include <array>
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace weftlight::chart {
 
-inline constexpr const char* kChartDrape = "curtain";         // fills the picture, and nothing stands behind it
-inline constexpr std::array kDrapedScenes{"plain", "satin"};  // the dullest and the shiniest
-// Yarns a pixel in the middle of the picture: threads, a rise of a fold, folds beside one another.
+inline constexpr const char* kChartDrape = "curtain";         // fills the picture, without a body behind it
+inline constexpr std::array kDrapedScenes{"plain", "satin"};  // the least and the most glossy
+// Yarns per pixel in the middle of the picture: single threads, one side of a fold, several folds.
 inline constexpr std::array<double, 3> kDrapeFootprints{0.5, 2, 4};
 inline constexpr std::array kDrapeLights{ChartLight::kKey, ChartLight::kSky, ChartLight::kBehind};
 
@@ -24,18 +24,18 @@ struct DrapeRow {
   ChartLight light = ChartLight::kKey;
   double yarns_per_pixel = 1;
   Method method = Method::kYarn;
-  double ns_per_pixel = 0;  // of cloth; what a picture takes longer than one without it, over the pixels shaded
-  double model_error = 0;   // relative RMSE against the traced threads, free of their noise
+  double ns_per_pixel = 0;  // of cloth: the extra time over a picture without cloth, per shaded pixel
+  double model_error = 0;   // relative RMSE against the traced threads, without their noise
   double flip = 0;          // FLIP against the mean of both halves of the truth
-  double energy_ratio = 1;  // mean over the truth's mean
+  double energy_ratio = 1;  // mean divided by that of the truth
   double truth_noise = 0;   // relative RMSE of that mean
 };
 
-/// Every row there is, by scene, light, footprint and method.
+/// All rows, by scene, light, footprint and method.
 std::vector<DrapeRow> drape_cells(const std::vector<Method>& methods, const ChartEffort& effort);
 std::string drapes_csv(const std::vector<DrapeRow>& rows);
 
-/// What hangs, how it is lit and from where it is seen.
+/// Drape, lights and camera.
 Scene drape_scene(ChartLight light);
 
 }  // namespace weftlight::chart

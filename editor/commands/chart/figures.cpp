@@ -17,7 +17,7 @@ namespace {
 using namespace plot;
 
 constexpr double kModelGoal = 0.15, kFilteringGoal = 0.05;
-constexpr double kMinError = 1e-4;  // shown for less
+constexpr double kMinError = 1e-4;  // smaller errors are drawn here
 
 constexpr std::array<Ink, 6> kFootprintInks{{{0.60, 0.15, 0.35},
                                              {0.75, 0.22, 0.17},
@@ -43,8 +43,8 @@ std::vector<ChartRow> rows_at(const std::vector<ChartRow>& rows, const std::stri
   return picked;
 }
 
-/// Of rung yarn with all samples.
-bool whole(const ChartRow& r) { return r.method != Method::kYarn || r.samples == formulas::kMaxYarnSamples; }
+/// False for method yarn with fewer than all samples.
+bool has_all_samples(const ChartRow& r) { return r.method != Method::kYarn || r.samples == formulas::kMaxYarnSamples; }
 
 std::vector<KeyEntry> method_key(const std::vector<ChartRow>& rows, bool coloured, bool line) {
   std::vector<KeyEntry> key;
@@ -69,7 +69,7 @@ Axis log_axis(const std::string& title, const std::vector<double>& values) {
   return axis;
 }
 
-/// Points of one footprint, by cost: the curve joins those on the front.
+/// Points of one footprint by cost; the curve joins those on the Pareto front.
 std::vector<Curve> cost_curves(const std::vector<ChartRow>& rows, size_t footprint) {
   std::vector<ChartRow> here;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(here),
@@ -93,11 +93,11 @@ Figure cost_figure(const std::vector<ChartRow>& rows, const std::string& device)
   Figure figure;
   figure.title = "Error against cost";
   figure.subtitle =
-      "Relative RMSE against traced threads; one curve a footprint (yarns a pixel, named at its end) through its "
+      "Relative RMSE against traced threads; for each footprint (yarns per pixel, at the end of the curve) the "
       "Pareto front. " +
       device;
   figure.key = method_key(rows, false, false);
-  const Axis x = log_axis("nanoseconds a pixel", values_of(rows, &ChartRow::ns_per_pixel));
+  const Axis x = log_axis("nanoseconds per pixel", values_of(rows, &ChartRow::ns_per_pixel));
   const Axis y = log_axis("error", values_of(rows, &ChartRow::model_error));
   for (const int view : kChartViews) {
     for (const ChartScene& scene : kChartScenes) {
@@ -117,7 +117,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
                         const std::string& subtitle, double goal) {
   Figure figure;
   figure.title = title, figure.subtitle = subtitle;
-  Axis x{"yarns a pixel", 0.05, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
+  Axis x{"yarns per pixel", 0.05, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
   const Axis y = log_axis("error", values_of(rows, error));
   for (const int view : kChartViews) {
     for (const ChartScene& scene : kChartScenes) {
@@ -133,7 +133,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
                     s.method == Method::kAuto,
                     {}};
         for (const ChartRow& r : here) {
-          if (r.method == s.method && whole(r))
+          if (r.method == s.method && has_all_samples(r))
             curve.points.push_back({r.yarns_per_pixel, std::max(r.*error, kMinError), s.marker, false, {}});
         }
         std::sort(curve.points.begin(), curve.points.end(),
@@ -150,7 +150,7 @@ Figure albedo_figure(const std::vector<Brightness>& values) {
   Figure figure;
   figure.title = "Albedo against angle";
   figure.subtitle =
-      "Light reflected towards the eye over that of a white Lambertian; light 40° from the normal, 4 yarns a pixel";
+      "Radiance towards the viewer divided by that of a white Lambertian; light 40° from the normal, 4 yarns per pixel";
   double most = 0;
   for (const Brightness& b : values) most = std::max(most, b.value);
   for (const ChartScene& scene : kChartScenes) {
@@ -192,7 +192,7 @@ std::vector<Memory> memory_points(const std::vector<ChartRow>& rows) {
     for (const ChartMethod& s : kChartMethods) {
       double count = 0, bytes = 0, error = 0;
       for (const ChartRow& r : rows) {
-        if (r.method != s.method || r.yarns_per_pixel != footprint || !whole(r)) continue;
+        if (r.method != s.method || r.yarns_per_pixel != footprint || !has_all_samples(r)) continue;
         count += 1, bytes += std::log(std::max(r.bytes, 1.0)), error += std::log(std::max(r.model_error, kMinError));
       }
       if (count > 0) points.push_back({s.method, footprint, std::exp(bytes / count), std::exp(error / count)});
@@ -211,7 +211,7 @@ Figure memory_figure(const std::vector<Memory>& points, const std::vector<ChartR
   std::vector<double> bytes, errors;
   for (const Memory& m : points) bytes.push_back(m.bytes), errors.push_back(m.error);
   for (size_t f = 0; f < kChartFootprints.size(); ++f) {
-    Panel panel{kFootprintNames[f] + (kChartFootprints[f] > 1 ? " yarns a pixel" : " yarn a pixel"),
+    Panel panel{kFootprintNames[f] + (kChartFootprints[f] > 1 ? " yarns per pixel" : " yarn per pixel"),
                 log_axis("bytes", bytes),
                 log_axis("error", errors),
                 {},
@@ -250,7 +250,7 @@ std::string noise_csv(const std::vector<TruthNoise>& noise) {
   return out.str();
 }
 
-/// The columns that a picture shows.
+/// The columns that a figure shows.
 std::string part_csv(const std::vector<ChartRow>& rows, const std::string& name, double ChartRow::*field, bool front) {
   std::ostringstream out;
   out << "scene,view_deg,yarns_per_pixel,method,samples," << name << (front ? ",rel_rmse_model,on_front\n" : "\n");
@@ -286,7 +286,7 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
       [&] {
         return write_figure(
             footprint_figure(rows, &ChartRow::filtering_error, "Filtering error against footprint",
-                             "Relative RMSE against the method's own picture from at least 1,024 samples a pixel",
+                             "Relative RMSE against the method's own picture from at least 1,024 samples per pixel",
                              kFilteringGoal),
             dir + "/filtering_footprint");
       },

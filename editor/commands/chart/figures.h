@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of the chart, each with the CSV of what it shows beside it.
+// The figures of the chart, each with a CSV of its data.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace weftlight::chart {
 
-/// Reflected light over a white Lambertian's, by view angle.
+/// Radiance divided by that of a white Lambertian, by view angle.
 struct Brightness {
   std::string scene, method;  // method "truth": traced
   double view_deg = 0, value = 0;
@@ -21,7 +21,7 @@ struct TruthNoise {
 };
 
 /// Writes error_cost, error_footprint, filtering_footprint, albedo and memory (.svg, .png, .csv) and
-/// truth_noise.csv into `dir`. Empty: done; else what went wrong.
+/// truth_noise.csv into `dir`. Returns an error, or an empty string.
 std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
                                 const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise);
 

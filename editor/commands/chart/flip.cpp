@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 struct Plane {
   int width, height;
   std::vector<dvec3> at;
-  const dvec3& held(int x, int y) const {  // beyond the border: the border's
+  const dvec3& clamped(int x, int y) const {  // coordinates beyond the border are clamped
     x = std::clamp(x, 0, width - 1), y = std::clamp(y, 0, height - 1);
     return at[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
   }
@@ -37,7 +37,7 @@ dvec3 rgb_of_opponents(const dvec3& c) {
   return glm::inverse(kXyzOfRgb) * (dvec3(y + c.y / 500, y, y - c.z / 200) * kWhite);
 }
 
-/// CIELAB, colours paler where it is dark (Hunt).
+/// CIELAB with the Hunt adjustment: less chroma at low lightness.
 dvec3 lab(const dvec3& rgb) {
   const dvec3 t = kXyzOfRgb * rgb / kWhite;
   const auto root = [](double v) {
@@ -53,13 +53,13 @@ double distance(const dvec3& a, const dvec3& b) {
   return std::abs(a.x - b.x) + glm::length(dvec2(a.y - b.y, a.z - b.z));
 }
 
-/// What the eye resolves of each opponent at its distance: sums of Gaussians over degrees.
-Plane as_seen(const Plane& in, double ppd) {
-  constexpr double kWidest = 0.04;
+/// Filters each opponent channel by its contrast sensitivity function, as sums of Gaussians over degrees.
+Plane csf_filtered(const Plane& in, double ppd) {
+  constexpr double kMaxWidth = 0.04;
   const auto gauss = [](double a, double b, double d2) {
     return a * std::sqrt(kPi / b) * std::exp(-kPi * kPi * d2 / b);
   };
-  const int r = static_cast<int>(std::ceil(3 * std::sqrt(kWidest / (2 * kPi * kPi)) * ppd));
+  const int r = static_cast<int>(std::ceil(3 * std::sqrt(kMaxWidth / (2 * kPi * kPi)) * ppd));
   std::vector<dvec3> weight;
   dvec3 sum(0);
   for (int y = -r; y <= r; ++y) {
@@ -72,11 +72,11 @@ Plane as_seen(const Plane& in, double ppd) {
   Plane out{in.width, in.height, {}};
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
-      dvec3 seen(0);
+      dvec3 filtered(0);
       size_t k = 0;
       for (int j = -r; j <= r; ++j)
-        for (int i = -r; i <= r; ++i) seen += weight[k++] * in.held(x + i, y + j);
-      out.at.push_back(lab(glm::clamp(rgb_of_opponents(seen / sum), 0.0, 1.0)));
+        for (int i = -r; i <= r; ++i) filtered += weight[k++] * in.clamped(x + i, y + j);
+      out.at.push_back(lab(glm::clamp(rgb_of_opponents(filtered / sum), 0.0, 1.0)));
     }
   }
   return out;
@@ -113,7 +113,7 @@ dvec2 features(const Plane& in, const Detector& d, int x, int y) {
     dvec3 sums(0);  // blur, slope, bend along x
     for (int i = -d.radius; i <= d.radius; ++i) {
       const size_t k = static_cast<size_t>(i + d.radius);
-      sums += in.held(x + i, y + j).x * dvec3(d.blur[k], d.slope[k], d.bend[k]);
+      sums += in.clamped(x + i, y + j).x * dvec3(d.blur[k], d.slope[k], d.bend[k]);
     }
     edge += dvec2(sums.y * d.blur[row], sums.x * d.slope[row]);
     point += dvec2(sums.z * d.blur[row], sums.x * d.bend[row]);
@@ -124,7 +124,7 @@ dvec2 features(const Plane& in, const Detector& d, int x, int y) {
 }  // namespace
 
 double flip_error(std::span<const glm::vec3> picture, std::span<const glm::vec3> truth, int width, int height,
-                  double pixels_a_degree) {
+                  double pixels_per_degree) {
   constexpr double kColourPower = 0.7, kFeaturePower = 0.5, kKnee = 0.4, kAtKnee = 0.95;
   const auto plane = [&](std::span<const glm::vec3> in) {
     Plane p{width, height, {}};
@@ -132,15 +132,15 @@ double flip_error(std::span<const glm::vec3> picture, std::span<const glm::vec3>
     return p;
   };
   Plane a = plane(picture), b = plane(truth);
-  const Plane seen_a = as_seen(a, pixels_a_degree), seen_b = as_seen(b, pixels_a_degree);
+  const Plane seen_a = csf_filtered(a, pixels_per_degree), seen_b = csf_filtered(b, pixels_per_degree);
   for (Plane* p : {&a, &b})
     for (dvec3& v : p->at) v.x = (v.x + 16) / 116;
-  const Detector d = detector(pixels_a_degree);
+  const Detector d = detector(pixels_per_degree);
   const double most = std::pow(distance(lab({0, 1, 0}), lab({0, 0, 1})), kColourPower), knee = kKnee * most;
   double sum = 0;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const double far = std::pow(distance(seen_a.held(x, y), seen_b.held(x, y)), kColourPower);
+      const double far = std::pow(distance(seen_a.clamped(x, y), seen_b.clamped(x, y)), kColourPower);
       const double colour = far < knee ? kAtKnee / knee * far : kAtKnee + (far - knee) / (most - knee) * (1 - kAtKnee);
       const dvec2 apart = glm::abs(features(a, d, x, y) - features(b, d, x, y));
       const double feature = std::pow(std::max(apart.x, apart.y) / std::numbers::sqrt2, kFeaturePower);

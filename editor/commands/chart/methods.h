@@ -1,6 +1,5 @@
 #pragma once
-// The one table of what the chart compares: how each method is drawn in the figures, and what of a packed cloth it
-// reads.
+// The table of the methods in the chart: their style in figures, and the parts of a packed cloth that they read.
 
 #include <array>
 
@@ -10,11 +9,11 @@
 
 namespace weftlight::chart {
 
-/// What a method reads beside the lights, by bits.
+/// Bits for what a method reads beside the lights.
 constexpr unsigned reads(PackedKind map) { return 1u << static_cast<unsigned>(map); }
-inline constexpr unsigned kReadsMaps = 0b111;       // of colour, relief and horizons
-inline constexpr unsigned kReadsCubes = 1u << 4;    // its own BRDF
-inline constexpr unsigned kReadsLobes = 1u << 5;    // means over the cloth and its answer from afar
+inline constexpr unsigned kReadsMaps = 0b111;       // colour, relief and horizons
+inline constexpr unsigned kReadsCubes = 1u << 4;    // a tabulated BRDF
+inline constexpr unsigned kReadsLobes = 1u << 5;    // means over the cloth and the far-field BRDF
 inline constexpr unsigned kReadsThreads = 1u << 6;  // thread by thread
 static_assert(kReadsMaps == (reads(PackedKind::kColor) | reads(PackedKind::kRelief) | reads(PackedKind::kHorizon)));
 static_assert(kReadsCubes == 1u << kPackedKinds);
@@ -38,7 +37,7 @@ inline constexpr std::array kChartMethods{
                 plot::Marker::kDown,
                 reads(PackedKind::kColor) | reads(PackedKind::kRelief) | kReadsLobes},
     ChartMethod{Method::kCell, {0.85, 0.65, 0.10}, plot::Marker::kCross, kReadsMaps | kReadsLobes},
-    // Of the horizons it reads the sky's share.
+    // From the horizons it reads the visibility of the sky.
     ChartMethod{Method::kYarn,
                 {0.80, 0.27, 0.20},
                 plot::Marker::kCircle,
@@ -47,7 +46,7 @@ inline constexpr std::array kChartMethods{
     ChartMethod{Method::kAuto, {0.10, 0.11, 0.13}, plot::Marker::kStar, kReadsMaps | kReadsLobes | kReadsThreads},
 };
 
-/// Of one that is not charted, the last's.
+/// The last entry for a method that is not in the chart.
 constexpr const ChartMethod& chart_method(Method method) {
   for (const ChartMethod& m : kChartMethods)
     if (m.method == method) return m;

@@ -9,32 +9,33 @@
 #include <memory>
 
 #include "base/files.h"
+#include "base/text.h"
 
 namespace weftlight::chart::plot {
 namespace {
 
-constexpr double kLeft = 52, kRight = 56, kTop = 30, kBottom = 44;  // room around the square of a panel
+constexpr double kLeft = 52, kRight = 56, kTop = 30, kBottom = 44;  // margins in a panel
 constexpr double kMargin = 28, kHead = 66, kKeyHeight = 40;
 constexpr double kPngScale = 1.6;
-constexpr double kLabelStep = 11;  // least distance of two labels
+constexpr double kLabelStep = 11;  // minimum distance of two labels
 constexpr Ink kText{0.13, 0.15, 0.18}, kQuiet{0.45, 0.48, 0.52}, kGrid{0.90, 0.91, 0.92}, kAxisInk{0.62, 0.64, 0.67};
 
 using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 using Sheet = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
-void take_ink(cairo_t* c, Ink ink, double alpha = 1) { cairo_set_source_rgba(c, ink.r, ink.g, ink.b, alpha); }
+void set_ink(cairo_t* c, Ink ink, double alpha = 1) { cairo_set_source_rgba(c, ink.r, ink.g, ink.b, alpha); }
 
-enum class Place { kStart, kMiddle, kEnd };
+enum class Align { kStart, kMiddle, kEnd };
 
-void write(cairo_t* c, double x, double y, const std::string& text, double size, Ink ink, Place place = Place::kStart,
+void write(cairo_t* c, double x, double y, const std::string& text, double size, Ink ink, Align align = Align::kStart,
            bool bold = false) {
   cairo_select_font_face(c, "Inter", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(c, size);
   cairo_text_extents_t extents;
   cairo_text_extents(c, text.c_str(), &extents);
-  const double back = place == Place::kStart ? 0 : place == Place::kMiddle ? extents.x_advance / 2 : extents.x_advance;
+  const double back = align == Align::kStart ? 0 : align == Align::kMiddle ? extents.x_advance / 2 : extents.x_advance;
   cairo_move_to(c, x - back, y);
-  take_ink(c, ink);
+  set_ink(c, ink);
   cairo_show_text(c, text.c_str());
 }
 
@@ -79,11 +80,11 @@ void shape(cairo_t* c, Marker marker, double x, double y, double r) {
   }
 }
 
-void mark(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
+void draw_marker(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
   if (p.marker == Marker::kNone) return;
   constexpr double kSize = 3.1;
   if (p.marker == Marker::kCross) {
-    take_ink(c, ink);
+    set_ink(c, ink);
     cairo_set_line_width(c, 1.8);
     for (const double s : {-1.0, 1.0})
       cairo_move_to(c, x - kSize, y - s * kSize), cairo_line_to(c, x + kSize, y + s * kSize);
@@ -92,26 +93,26 @@ void mark(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
   }
   shape(c, p.marker, x, y, kSize);
   if (p.marker == Marker::kRing) cairo_set_source_rgb(c, 1, 1, 1);
-  else take_ink(c, ink);
+  else set_ink(c, ink);
   cairo_fill_preserve(c);
-  if (p.marker == Marker::kRing) take_ink(c, ink);
-  else if (p.strong) take_ink(c, kText);
+  if (p.marker == Marker::kRing) set_ink(c, ink);
+  else if (p.strong) set_ink(c, kText);
   else cairo_set_source_rgb(c, 1, 1, 1);
   cairo_set_line_width(c, p.marker == Marker::kRing ? 1.8 : p.strong ? 1.3 : 0.6);
   cairo_stroke(c);
 }
 
-/// Where values stand on the sheet.
+/// Maps values to positions on the sheet.
 struct Frame2D {
   const Panel& panel;
   double x0, y0, width, height;  // y0: top
 
-  static double share(const Axis& a, double v) {
+  static double fraction(const Axis& a, double v) {
     if (!a.log) return (v - a.from) / (a.to - a.from);
     return std::log(std::max(v, 1e-30) / a.from) / std::log(a.to / a.from);
   }
-  double x(double v) const { return x0 + width * std::clamp(share(panel.x, v), 0.0, 1.0); }
-  double y(double v) const { return y0 + height * (1 - std::clamp(share(panel.y, v), 0.0, 1.0)); }
+  double x(double v) const { return x0 + width * std::clamp(fraction(panel.x, v), 0.0, 1.0); }
+  double y(double v) const { return y0 + height * (1 - std::clamp(fraction(panel.y, v), 0.0, 1.0)); }
 };
 
 std::string short_number(double v) {
@@ -153,38 +154,38 @@ void draw_axes(cairo_t* c, const Frame2D& f) {
   const std::vector<double> xs = ticks_of(p.x), ys = ticks_of(p.y);
   for (size_t i = 0; i < xs.size(); ++i) {
     const double x = f.x(xs[i]);
-    take_ink(c, kGrid);
+    set_ink(c, kGrid);
     cairo_move_to(c, x, f.y0), cairo_line_to(c, x, f.y0 + f.height), cairo_stroke(c);
-    write(c, x, f.y0 + f.height + 14, tick_label(p.x, i, xs[i]), 9.5, kQuiet, Place::kMiddle);
+    write(c, x, f.y0 + f.height + 14, tick_label(p.x, i, xs[i]), 9.5, kQuiet, Align::kMiddle);
   }
   for (size_t i = 0; i < ys.size(); ++i) {
     const double y = f.y(ys[i]);
-    take_ink(c, kGrid);
+    set_ink(c, kGrid);
     cairo_move_to(c, f.x0, y), cairo_line_to(c, f.x0 + f.width, y), cairo_stroke(c);
-    write(c, f.x0 - 6, y + 3.4, tick_label(p.y, i, ys[i]), 9.5, kQuiet, Place::kEnd);
+    write(c, f.x0 - 6, y + 3.4, tick_label(p.y, i, ys[i]), 9.5, kQuiet, Align::kEnd);
   }
-  take_ink(c, kAxisInk);
+  set_ink(c, kAxisInk);
   cairo_move_to(c, f.x0, f.y0 + f.height), cairo_line_to(c, f.x0 + f.width, f.y0 + f.height), cairo_stroke(c);
-  write(c, f.x0, f.y0 - 10, p.title, 12, kText, Place::kStart, true);
-  write(c, f.x0 + f.width / 2, f.y0 + f.height + 31, p.x.title, 10, kQuiet, Place::kMiddle);
+  write(c, f.x0, f.y0 - 10, p.title, 12, kText, Align::kStart, true);
+  write(c, f.x0 + f.width / 2, f.y0 + f.height + 31, p.x.title, 10, kQuiet, Align::kMiddle);
   cairo_save(c);
   cairo_translate(c, f.x0 - 38, f.y0 + f.height / 2);
   cairo_rotate(c, -1.57079633);
-  write(c, 0, 0, p.y.title, 10, kQuiet, Place::kMiddle);
+  write(c, 0, 0, p.y.title, 10, kQuiet, Align::kMiddle);
   cairo_restore(c);
   if (p.goal > 0 && p.goal > p.y.from && p.goal < p.y.to) {
     const double y = f.y(p.goal), dots[] = {1.5, 3};
-    take_ink(c, kQuiet);
+    set_ink(c, kQuiet);
     cairo_set_dash(c, dots, 2, 0);
     cairo_move_to(c, f.x0, y), cairo_line_to(c, f.x0 + f.width, y), cairo_stroke(c);
     cairo_set_dash(c, nullptr, 0, 0);
-    write(c, f.x0 + f.width - 3, y - 3, p.goal_label, 8.5, kQuiet, Place::kEnd);
+    write(c, f.x0 + f.width - 3, y - 3, p.goal_label, 8.5, kQuiet, Align::kEnd);
   }
 }
 
 void draw_line(cairo_t* c, const Frame2D& f, const Curve& curve) {
   if (curve.width <= 0) return;
-  take_ink(c, curve.ink);
+  set_ink(c, curve.ink);
   cairo_set_line_width(c, curve.width);
   cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
   const double dashes[] = {4, 3};
@@ -201,7 +202,7 @@ struct Tag {
   Ink ink;
 };
 
-/// Names at the right ends, pushed apart so that none covers another.
+/// Labels at the right ends of the curves, moved apart so that they do not overlap.
 void draw_tags(cairo_t* c, const Frame2D& f) {
   std::vector<Tag> tags;
   for (const Curve& curve : f.panel.curves) {
@@ -225,7 +226,7 @@ void draw_panel(cairo_t* c, const Panel& panel, double x, double y, const Figure
   for (const Curve& curve : panel.curves) draw_line(c, f, curve);
   for (const Curve& curve : panel.curves) {
     for (const PlotPoint& p : curve.points) {
-      mark(c, p, curve.ink, f.x(p.x), f.y(p.y));
+      draw_marker(c, p, curve.ink, f.x(p.x), f.y(p.y));
       if (!p.label.empty()) write(c, f.x(p.x) + 6, f.y(p.y) - 4, p.label, 9, curve.ink);
     }
   }
@@ -247,11 +248,11 @@ void draw_key(cairo_t* c, const Figure& figure, double y) {
   double x = kMargin + kLeft;
   for (const KeyEntry& entry : figure.key) {
     if (entry.line) {
-      take_ink(c, entry.ink);
+      set_ink(c, entry.ink);
       cairo_set_line_width(c, 2);
       cairo_move_to(c, x - 6, y), cairo_line_to(c, x + 6, y), cairo_stroke(c);
     }
-    mark(c, {0, 0, entry.marker, false, {}}, entry.ink, x, y);
+    draw_marker(c, {0, 0, entry.marker, false, {}}, entry.ink, x, y);
     write(c, x + 11, y + 3.6, entry.label, 10.5, kText);
     x += 34 + text_width(c, entry.label, 10.5);
   }
@@ -261,7 +262,7 @@ void draw_figure(cairo_t* c, const Figure& figure) {
   const Size size = size_of(figure);
   cairo_set_source_rgb(c, 1, 1, 1);
   cairo_paint(c);
-  write(c, kMargin, 32, figure.title, 17, kText, Place::kStart, true);
+  write(c, kMargin, 32, figure.title, 17, kText, Align::kStart, true);
   write(c, kMargin, 51, figure.subtitle, 11, kQuiet);
   for (size_t i = 0; i < figure.panels.size(); ++i) {
     const int column = static_cast<int>(i) % figure.columns, row = static_cast<int>(i) / figure.columns;
@@ -273,7 +274,7 @@ void draw_figure(cairo_t* c, const Figure& figure) {
 std::string finish(cairo_t* c, cairo_surface_t* sheet) {
   cairo_surface_finish(sheet);
   const bool whole = cairo_status(c) == CAIRO_STATUS_SUCCESS && cairo_surface_status(sheet) == CAIRO_STATUS_SUCCESS;
-  return whole ? "" : "the drawing failed, or the disk is full";
+  return whole ? "" : base::tr("the drawing failed, or the disk is full");
 }
 
 std::string write_svg(const Figure& figure, const std::string& path) {

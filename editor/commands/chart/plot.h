@@ -1,5 +1,5 @@
 #pragma once
-// Figures of small panels with axes, curves and labels beside them, as .svg and .png.
+// Figures of small panels with axes, curves and labels, as .svg and .png.
 
 #include <string>
 #include <vector>
@@ -17,14 +17,14 @@ enum class Marker { kNone, kCircle, kSquare, kDiamond, kUp, kDown, kCross, kRing
 struct PlotPoint {
   double x = 0, y = 0;
   Marker marker = Marker::kCircle;
-  bool strong = false;  // outlined: on the front
+  bool strong = false;  // outlined: on the Pareto front
   std::string label;    // beside the point
 };
 
 struct Curve {
   std::string label;  // beside the last point
   Ink ink;
-  double width = 1.6;  // of the line; 0: points alone
+  double width = 1.6;  // of the line; 0: points only
   bool dashed = false;
   std::vector<PlotPoint> points;
 };
@@ -34,15 +34,15 @@ struct Axis {
   double from = 0, to = 1;
   bool log = false;
   std::vector<double> ticks;             // empty: chosen
-  std::vector<std::string> tick_labels;  // as ticks, or empty
+  std::vector<std::string> tick_labels;  // one for each tick, or empty
 };
 
 struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Curve> curves;
-  double goal = 0;         // > 0: a dotted line at this y ...
-  std::string goal_label;  // ... and its name
+  double goal = 0;         // > 0: a dotted line at this y
+  std::string goal_label;  // label of that line
 };
 
 struct KeyEntry {
@@ -60,10 +60,10 @@ struct Figure {
   std::vector<KeyEntry> key;
 };
 
-/// Writes BASE.svg and BASE.png. Empty: done; else what went wrong.
+/// Writes BASE.svg and BASE.png. Returns an error, or an empty string.
 std::string write_figure(const Figure& figure, const std::string& base);
 
-/// The least and greatest power-of-ten bounds with some room around the values.
+/// Sets a logarithmic axis with some room around the values.
 void fit_log(Axis& axis, const std::vector<double>& values);
 
 }  // namespace weftlight::chart::plot

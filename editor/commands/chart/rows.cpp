@@ -65,7 +65,7 @@ bool read_row(std::string_view line, ChartRow& row) {
 
 double cosine(int view_deg) { return std::cos(view_deg * std::numbers::pi / 180); }
 
-/// A rung with so many samples.
+/// A method with a number of samples.
 struct SampledMethod {
   Method method;
   int samples;
@@ -78,8 +78,8 @@ std::vector<SampledMethod> methods() {
   return all;
 }
 
-/// The rows of one rung on one scene and view, at the footprints that the shaders measure.
-LodTable place_lod_table(const std::vector<ChartRow>& rows, const ChartRow& place, const SampledMethod& sampled) {
+/// The rows of one method on one scene and view, with the footprints of the shaders.
+LodTable scene_lod_table(const std::vector<ChartRow>& rows, const ChartRow& place, const SampledMethod& sampled) {
   LodTable lod_table;
   for (const ChartRow& r : rows) {
     if (r.method != sampled.method || r.samples != sampled.samples) continue;
@@ -96,26 +96,27 @@ float error_at(LodTable lod_table, const SampledMethod& sampled, float yarns, fl
   return expected_error(lod_table, sampled.method, yarns, sampled.samples);
 }
 
-/// Cost as the mean over places. Of samples the error of the worst place: more of them mend it. Of the others the root
-/// mean square: the one cloth that shines most would have all the others traced at thirty times the cost.
+/// The cost is the mean over scenes and views. The error of method yarn is that of the worst one, since more samples
+/// reduce it; that of the other methods is the root mean square, since otherwise the glossiest cloth alone would make
+/// all cloths thirty times as expensive.
 LodPoint point_of(const std::vector<LodTable>& places, const SampledMethod& sampled, float yarns) {
   LodPoint p{sampled.method, yarns, 0, 0, 0, sampled.samples};
-  const float share = 1.0f / static_cast<float>(places.size());
+  const float weight = 1.0f / static_cast<float>(places.size());
   const auto gathered = [&](float LodPoint::*error) {
     float worst = 0, squares = 0;
     for (const LodTable& place : places) {
       const float e = error_at(place, sampled, yarns, error);
-      worst = std::max(worst, e), squares += e * e * share;
+      worst = std::max(worst, e), squares += e * e * weight;
     }
     return sampled.method == Method::kYarn ? worst : std::sqrt(squares);
   };
   for (const LodTable& place : places)
-    p.cost_ns += expected_cost(place, sampled.method, yarns, sampled.samples) * share;
+    p.cost_ns += expected_cost(place, sampled.method, yarns, sampled.samples) * weight;
   p.filtering_error = gathered(&LodPoint::filtering_error), p.model_error = gathered(&LodPoint::model_error);
   return p;
 }
 
-/// Those with which a method is measured.
+/// The numbers of samples with which a method is measured.
 std::vector<int> samples_of(Method method) {
   if (method == Method::kAuto) return {0};
   if (method != Method::kYarn) return {1};
@@ -125,22 +126,22 @@ std::vector<int> samples_of(Method method) {
 }
 
 template <typename T, typename V>
-bool none_or_among(const std::vector<T>& asked, const V& value) {
-  return asked.empty() || std::find(asked.begin(), asked.end(), value) != asked.end();
+bool is_selected(const std::vector<T>& selected, const V& value) {
+  return selected.empty() || std::find(selected.begin(), selected.end(), value) != selected.end();
 }
 
 }  // namespace
 
-bool ChartRow::same_place(const ChartRow& o) const {
+bool ChartRow::same_conditions(const ChartRow& o) const {
   return scene == o.scene && view_deg == o.view_deg && yarns_per_pixel == o.yarns_per_pixel;
 }
 bool ChartRow::same_cell(const ChartRow& o) const {
-  return same_place(o) && method == o.method && samples == o.samples;
+  return same_conditions(o) && method == o.method && samples == o.samples;
 }
 
-bool ChartPart::holds(const ChartRow& row) const {
-  return none_or_among(scenes, row.scene) && none_or_among(views_deg, row.view_deg) &&
-         none_or_among(yarns_per_pixel, row.yarns_per_pixel);
+bool ChartSelection::holds(const ChartRow& row) const {
+  return is_selected(scenes, row.scene) && is_selected(views_deg, row.view_deg) &&
+         is_selected(yarns_per_pixel, row.yarns_per_pixel);
 }
 
 std::vector<ChartRow> chart_cells(const std::vector<Method>& methods) {
@@ -190,10 +191,10 @@ ChartRow as_written(ChartRow row) {
   return read.empty() ? row : read.front();
 }
 
-void mark_front(std::vector<ChartRow>& rows) {
+void mark_pareto_front(std::vector<ChartRow>& rows) {
   for (ChartRow& row : rows) {
     row.on_front = std::none_of(rows.begin(), rows.end(), [&row](const ChartRow& o) {
-      return o.same_place(row) && o.ns_per_pixel < row.ns_per_pixel && o.model_error < row.model_error;
+      return o.same_conditions(row) && o.ns_per_pixel < row.ns_per_pixel && o.model_error < row.model_error;
     });
   }
 }
@@ -203,7 +204,7 @@ LodTable lod_table_of(const std::vector<ChartRow>& rows) {
   std::vector<ChartRow> places;
   for (const ChartRow& row : rows) {
     footprints.insert(static_cast<float>(row.yarns_per_pixel));
-    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 2);  // tilted pixels are larger
+    footprints.insert(static_cast<float>(row.yarns_per_pixel) * 2);  // the pixels of a tilted view are larger
     const bool seen = std::any_of(places.begin(), places.end(), [&row](const ChartRow& p) {
       return p.scene == row.scene && p.view_deg == row.view_deg;
     });
@@ -213,7 +214,7 @@ LodTable lod_table_of(const std::vector<ChartRow>& rows) {
   for (const SampledMethod& sampled : methods()) {
     std::vector<LodTable> measured;
     for (const ChartRow& place : places) {
-      if (LodTable one = place_lod_table(rows, place, sampled); !one.empty()) measured.push_back(std::move(one));
+      if (LodTable one = scene_lod_table(rows, place, sampled); !one.empty()) measured.push_back(std::move(one));
     }
     for (const float yarns : footprints) {
       if (!measured.empty()) lod_table.push_back(point_of(measured, sampled, yarns));

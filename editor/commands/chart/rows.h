@@ -1,6 +1,6 @@
 #pragma once
-// The rows of chart.csv: one measured method on one scene, view and footprint. Text to rows and back,
-// which rows stand on the Pareto front, and the ladder that `auto` reads from them.
+// The rows of chart.csv: one method on one scene, view and footprint. Conversion from and to text, the Pareto front,
+// and the LOD table for `auto`.
 
 #include <string>
 #include <string_view>
@@ -14,24 +14,24 @@ namespace weftlight::chart {
 struct ChartRow {
   std::string scene;
   int view_deg = 0;            // from the normal
-  double yarns_per_pixel = 1;  // across the tilt; along it a pixel is longer by 1 / cos(view)
+  double yarns_per_pixel = 1;  // across the tilt; a pixel is longer along it by 1 / cos(view)
   Method method = Method::kYarn;
-  int samples = 1;  // a pixel: of rung yarn those of its lattice; of auto 0, as its tolerance asks
+  int samples = 1;  // per pixel: for yarn those of its lattice; for auto 0, since its tolerance decides
   double ns_per_pixel = 0, instructions_per_pixel = 0;
   double model_error = 0;      // relative RMSE against the traced threads
-  double filtering_error = 0;  // relative RMSE against the method's own picture, supersampled
-  double energy_ratio = 1;     // mean over the truth's mean
+  double filtering_error = 0;  // relative RMSE against a supersampled picture of the same method
+  double energy_ratio = 1;     // mean divided by that of the truth
   double flip = 0;             // FLIP against the mean of both halves of the truth (flip.h)
   double flicker = 0;
   double bytes = 0;
   bool on_front = false;
 
-  bool same_place(const ChartRow& other) const;  // scene, view and footprint
-  bool same_cell(const ChartRow& other) const;   // and method, and samples
+  bool same_conditions(const ChartRow& other) const;  // scene, view and footprint
+  bool same_cell(const ChartRow& other) const;        // and method, and samples
 };
 
-/// What of the chart is asked for: rows at one of each; all where none is named.
-struct ChartPart {
+/// The requested part of the chart; an empty list selects all.
+struct ChartSelection {
   std::vector<std::string> scenes;
   std::vector<int> views_deg;
   std::vector<double> yarns_per_pixel;
@@ -39,7 +39,7 @@ struct ChartPart {
   bool holds(const ChartRow& row) const;
 };
 
-/// Every row that can be measured, by scene, view, footprint, method and samples: the order of the file.
+/// All rows that can be measured, by scene, view, footprint, method and samples, in the order of the file.
 std::vector<ChartRow> chart_cells(const std::vector<Method>& methods);
 
 inline constexpr std::string_view kChartColumns =
@@ -48,19 +48,19 @@ inline constexpr std::string_view kChartColumns =
     "flip,energy_ratio,flicker,bytes,on_front";
 
 std::string chart_csv(const std::vector<ChartRow>& rows);
-/// Rows that cannot be read are left out; empty when the columns are others.
+/// Skips rows that cannot be read; empty if the columns differ.
 std::vector<ChartRow> read_chart(std::string_view csv);
 
-/// The row with its numbers as the file shows them, so that what is decided on them can be decided again.
+/// The row with its numbers rounded as in the file, so that decisions can be reproduced from the file.
 ChartRow as_written(ChartRow row);
 
-/// on_front: no other method at the same place is both cheaper (nanoseconds) and nearer the truth.
-void mark_front(std::vector<ChartRow>& rows);
+/// Sets on_front: no other method under the same conditions is both cheaper (nanoseconds) and more accurate.
+void mark_pareto_front(std::vector<ChartRow>& rows);
 
-/// Errors (of the worst scene and view) and mean cost of each rung at each footprint. The footprint
-/// of the ladder is that of the shaders, the root of the pixel's area, so rows of a tilted view move along.
+/// Errors (over scenes and views) and mean cost of each method at each footprint. The footprint in the LOD table is
+/// that of the shaders, the square root of the pixel's area, so that of a tilted view is larger.
 LodTable lod_table_of(const std::vector<ChartRow>& rows);
-/// In the form of presets/lod_table.csv (core/light/lod_table.h, read_lod_table).
+/// In the format of presets/lod_table.csv (core/light/lod_table.h, read_lod_table).
 std::string lod_table_csv(const LodTable& lod_table);
 
 }  // namespace weftlight::chart

@@ -22,7 +22,7 @@ glm::vec3 chart_view(double degrees) { return tilted(kViewAzimuth, degrees); }
 glm::vec3 chart_light() { return tilted(kLightAzimuth, kLightTilt); }
 
 PixelSteps pixel_steps(double view_deg, double side_mm) {
-  const glm::dvec2 towards = around(kViewAzimuth);  // the near rim is the lower one
+  const glm::dvec2 towards = around(kViewAzimuth);  // the near edge is the lower one
   return {glm::vec2(glm::dvec2(-towards.y, towards.x) * side_mm),
           glm::vec2(towards * (side_mm / std::cos(radians(view_deg))))};
 }
@@ -30,23 +30,23 @@ PixelSteps pixel_steps(double view_deg, double side_mm) {
 ChartEffort chart_effort(bool quick) {
   if (!quick) return {};
   ChartEffort e;
-  e.samples_a_yarn = 4, e.fine_budget = 32'000, e.fine_samples = 3, e.truth_budget = 16'000;
+  e.samples_per_yarn = 4, e.fine_budget = 32'000, e.fine_samples = 3, e.truth_budget = 16'000;
   e.timing_size = e.yarn_timing_size = e.frame_size = 32, e.timing_repeats = 3, e.timing_enough_ns = 2e7;
   e.pans = 3;
-  e.patch_least = 12, e.patch_yarns = 4, e.tube_facets = 24;
+  e.min_patch_pixels = 12, e.patch_yarns = 4, e.tube_facets = 24;
   e.drape_width = 24, e.drape_height = 8, e.drape_rays = 4000, e.drape_footprints = 1;
   e.drape_timing_size = e.drape_yarn_timing_size = 24;
   return e;
 }
 
 int patch_pixels(double yarns_per_pixel, const ChartEffort& effort) {
-  return std::max(effort.patch_least, static_cast<int>(std::lround(effort.patch_yarns / yarns_per_pixel)));
+  return std::max(effort.min_patch_pixels, static_cast<int>(std::lround(effort.patch_yarns / yarns_per_pixel)));
 }
 
 FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& effort) {
   constexpr int kMin = 32, kMinPixels = 4;
   FineGrid grid;
-  const double across = yarns_per_pixel * effort.samples_a_yarn;
+  const double across = yarns_per_pixel * effort.samples_per_yarn;
   grid.nx = std::max(kMin, static_cast<int>(std::ceil(across)));
   grid.ny = std::max(kMin, static_cast<int>(std::ceil(across / std::cos(radians(view_deg)))));
   const double fits = std::sqrt(static_cast<double>(effort.fine_budget) / (static_cast<double>(grid.nx) * grid.ny));

@@ -77,7 +77,7 @@ TEST(flip, is_none_for_the_same_picture_and_nearly_one_from_black_to_white) {
 TEST(chart_rows, on_the_front_is_what_no_other_beats_in_both) {
   std::vector<ChartRow> rows{row(Method::kFlat, 1, 0.9), row(Method::kCloth, 2, 0.3), row(Method::kEngine, 3, 0.4),
                              row(Method::kYarn, 9, 0.1), row(Method::kAuto, 9, 0.1),  row(Method::kCell, 0.5, 0.01, 2)};
-  mark_front(rows);
+  mark_pareto_front(rows);
   const std::vector<bool> expected{true, true, false, true, true, true};
   for (size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].on_front, expected[i]) << i;
 }
@@ -181,7 +181,7 @@ TEST(chart_cells, are_every_combination_once) {
 
 TEST(chart_cells, of_a_part_are_those_that_hold_what_is_named) {
   const std::vector<ChartRow> all = chart_cells({Method::kFlat, Method::kCloth});
-  const auto held = [&all](const ChartPart& part) {
+  const auto held = [&all](const ChartSelection& part) {
     return std::count_if(all.begin(), all.end(), [&part](const ChartRow& r) { return part.holds(r); });
   };
   EXPECT_EQ(held({}), std::ssize(all));

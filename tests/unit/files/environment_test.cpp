@@ -64,8 +64,8 @@ TEST_F(Environments, WhatIsNoLightIsTakenAsNoneAndSaid) {
   const ReadEnvironment read = read_environment(path("odd.exr"));
   ASSERT_TRUE(read.picture) << read.error;
   ASSERT_EQ(read.remarks.size(), 2u);
-  EXPECT_NE(read.remarks[0].find("odd.exr: 3 values below 0 or no numbers"), std::string::npos) << read.remarks[0];
-  EXPECT_NE(read.remarks[1].find("1 values above 1e7"), std::string::npos) << read.remarks[1];
+  EXPECT_NE(read.remarks[0].find("odd.exr: 3 values are below 0 or not numbers"), std::string::npos) << read.remarks[0];
+  EXPECT_NE(read.remarks[1].find("1 value is above 1e7"), std::string::npos) << read.remarks[1];
   EXPECT_EQ(read.picture->texels[3], 0);
   EXPECT_EQ(read.picture->texels[15], 1e7f);
 }
@@ -85,7 +85,7 @@ TEST_F(Environments, RefusesWithReasons) {
   refused("none.hdr", "no such file");
   refused("square.exr", "twice as wide as high");
   refused("flat.png", "give an .hdr or an .exr");
-  refused("black.exr", "black all over", false);
+  refused("black.exr", "black everywhere", false);
   refused("tiny.exr", "at least 4 x 2");
   written("words.hdr", "these are words\n");
   refused("words.hdr", "give an .hdr or an .exr that is whole");

@@ -155,7 +155,7 @@ TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
 TEST(TextureSet, SetsOfOthersAreNotReplaced) {
   const Scratch scratch("sets");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
-  EXPECT_NE(who_is_there(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
+  EXPECT_NE(existing_files_problem(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
   TextureSetOptions namesake = options_for(ExportTarget::kUnreal, 32);
   namesake.draft_path = "other/sample.wif";
@@ -264,7 +264,7 @@ TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
   EXPECT_NEAR(mean[1], 0.5, 0.02) << "normal, y";
   EXPECT_NEAR(mean[2], 0.5, 0.01) << "smoothness";
   EXPECT_NEAR(mean[3], 0.5, 0.02) << "normal, x";
-  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for Fabric's thread slot"), std::string::npos);
+  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for the thread slot of HDRP/Fabric"), std::string::npos);
 }
 
 /// Unity's inspector would set these, but an import does not: a blended material without them is drawn opaque.

@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto kPatience = 30s;
 constexpr auto kPause = 20ms;
-constexpr const char* kHandPause = "0.07";  // seconds between move, down and up, or clicks get lost
+constexpr const char* kPauseS = "0.07";  // between move, press and release; with less, clicks get lost
 
 std::string output_of(const std::string& command) {
   std::string text;
@@ -46,7 +46,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 std::string at(Point p) { return std::to_string(std::lround(p.x)) + " " + std::to_string(std::lround(p.y)); }
 
-std::string pause() { return std::string(" sleep ").append(kHandPause).append(" "); }
+std::string pause() { return std::string(" sleep ").append(kPauseS).append(" "); }
 
 }  // namespace
 
@@ -117,7 +117,7 @@ Display::Display(int width, int height) {
   server_ =
       Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen, "-nolisten", "tcp"}, {}, ends[1]);
   close(ends[1]);
-  // The number and its line end come apart, and the server gives up when nobody reads the second.
+  // Xvfb writes the number and its newline separately, and exits if nobody reads the second.
   std::string number;
   for (char c; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
   close(ends[0]);
@@ -179,7 +179,7 @@ Window::Window(const Display& display, const std::filesystem::path& folder, cons
   const std::string own = folder.string();
   std::vector<std::string> words{WEFTLIGHT_BINARY, "--ui-map", map_.string(), "--live-export", live_.string()};
   if (!draft.empty()) words.push_back(draft.string());
-  std::vector<std::string> environment = more;  // the first of a name counts
+  std::vector<std::string> environment = more;  // the first entry of a name counts
   for (const std::string& variable : {"DISPLAY=" + display.name(), std::string("WAYLAND_DISPLAY="), "HOME=" + own,
                                       "XDG_STATE_HOME=" + own + "/state", "XDG_CONFIG_HOME=" + own + "/config",
                                       "XDG_CACHE_HOME=" + own + "/cache", std::string("LIBGL_ALWAYS_SOFTWARE=1")})

@@ -1,5 +1,5 @@
 #pragma once
-// A display that nobody sees (Xvfb), with the real window on it, a hand (xdotool) and an eye (ImageMagick).
+// A virtual display (Xvfb) with the real window on it, driven by xdotool and read by ImageMagick.
 
 #include <sys/types.h>
 
@@ -11,10 +11,10 @@
 
 namespace weftlight::gui {
 
-/// Empty, or why the window cannot be driven on this machine.
+/// Empty, or the reason why these tests cannot run on this machine.
 std::string why_not();
 
-/// Asks again and again until it holds; false when it did not within half a minute.
+/// Polls until the condition holds. False if it does not within half a minute.
 bool comes_true(const std::function<bool()>& holds);
 
 std::string bytes_of(const std::filesystem::path& path);
@@ -22,16 +22,16 @@ std::string bytes_of(const std::filesystem::path& path);
 class Process {
  public:
   Process() = default;
-  /// `environment`: NAME=value, beside that of this process. `print_fd`: handed to the child under its number.
+  /// `environment`: NAME=value, added to that of this process. `print_fd`: passed to the child with the same number.
   Process(std::vector<std::string> words, std::vector<std::string> environment = {}, int print_fd = -1);
   ~Process();
   Process(Process&& other) noexcept { *this = std::move(other); }
   Process& operator=(Process&& other) noexcept;
   bool is_running();
-  /// As kill -9 does.
+  /// Like kill -9.
   void kill_now();
   pid_t id() const { return id_; }
-  /// Waits for its end; the exit status, or -1 when it was killed or does not end.
+  /// Waits for it to exit. Returns the exit status, or -1 if it was killed or does not exit.
   int wait();
 
  private:
@@ -52,19 +52,19 @@ class Display {
   void click(Point at) const;
   void middle_click(Point at) const;
   void right_click(Point at) const;
-  /// `then`: what the hand does before it lets go, as xdotool writes it: "key Escape".
+  /// `then`: xdotool commands before the button is released: "key Escape".
   void drag(const std::vector<Point>& along, const std::string& then = {}) const;
-  /// With a key held down until after the button is let go.
+  /// With a key held until after the button is released.
   void drag_holding(const std::string& key, const std::vector<Point>& along) const;
-  /// With a key held down: "shift", "ctrl".
+  /// With a key held: "shift", "ctrl".
   void click_holding(const std::string& key, Point at) const;
   void key(const std::string& keys) const;
   void type(const std::string& text) const;
-  /// The window gets the keys, as when a weaver comes back to it.
+  /// Gives the window the keyboard focus.
   void focus() const;
-  /// The window, in pixels; waits until it has drawn itself.
+  /// A screenshot of the window; waits until it is drawn.
   void resize(int width, int height) const;
-  /// Pixels of a rectangle, as a PPM's bytes.
+  /// The pixels of a rectangle, as a PPM file.
   std::string picture(Point at, Point size) const;
 
  private:
@@ -76,11 +76,11 @@ class Display {
 /// The window with its --ui-map and --live-export.
 class Window {
  public:
-  /// `draft` empty: none is opened. `more`: NAME=value of the environment.
+  /// `draft`: empty to open none. `more`: NAME=value for the environment.
   Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
          const std::vector<std::string>& more = {});
   bool is_ready() const;
-  /// Middle of a cell of a grid; both from 1.
+  /// Centre of a cell of a grid, both counted from 1.
   Point cell(const std::string& grid, int a, int b) const;
   /// Columns and rows of a grid, as they were last drawn.
   std::pair<int, int> size_of(const std::string& grid) const;

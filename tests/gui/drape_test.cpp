@@ -1,4 +1,4 @@
-// The cloth's own drape by clicks: it falls with progress, is stopped, taken back, and found again.
+// The drape simulation by clicks: progress, stop, undo, and the kept result.
 
 #include <filesystem>
 
@@ -33,14 +33,14 @@ class DrapeTest : public OnDisplay {
   fs::path kept_;
 };
 
-TEST_F(DrapeTest, ItFallsIsStoppedBegunAgainAndTakenBack) {
+TEST_F(DrapeTest, RunsStopsRestartsAndIsUndone) {
   Window w(display_, folder_, draft_);
   ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Cloth"));
   ASSERT_NO_FATAL_FAILURE(press(w, "scene.simulated_drape:Simulated"));
   ASSERT_TRUE(comes_true([&] { return w.has("drape.progress") && is_own(w); }));
   ASSERT_NO_FATAL_FAILURE(press(w, "drape.stop"));
   ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress") && w.has("drape.again"); }));
-  EXPECT_TRUE(is_own(w)) << "the draft still asks for it";
+  EXPECT_TRUE(is_own(w)) << "the draft still requests it";
   EXPECT_FALSE(fs::exists(kept_));
   ASSERT_NO_FATAL_FAILURE(press(w, "drape.again"));
   ASSERT_TRUE(comes_true([&] { return w.has("drape.progress"); }));
@@ -52,7 +52,7 @@ TEST_F(DrapeTest, ItFallsIsStoppedBegunAgainAndTakenBack) {
   ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress") && !is_own(w); }));
 }
 
-TEST_F(DrapeTest, WhatWasDrapedIsThereWhenTheDraftIsOpenedAgain) {
+TEST_F(DrapeTest, AKeptSimulationIsUsedWhenTheDraftIsOpened) {
   fs::create_directories(kept_.parent_path());
   fs::copy_file(fs::path(base::presets_dir()) / "meshes/sphere_stiff.glb", kept_);
   const auto before = fs::last_write_time(kept_);
@@ -61,7 +61,7 @@ TEST_F(DrapeTest, WhatWasDrapedIsThereWhenTheDraftIsOpenedAgain) {
   Window w(display_, folder_, draft_);
   ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Cloth"));
   ASSERT_TRUE(comes_true([&] { return w.has("scene.simulated_drape:Simulated"); }));
-  ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress"); })) << "it is kept, and need not fall again";
+  ASSERT_TRUE(comes_true([&] { return !w.has("drape.progress"); })) << "it is kept and does not run again";
   EXPECT_FALSE(w.has("drape.again"));
   EXPECT_EQ(fs::last_write_time(kept_), before);
 }

@@ -21,7 +21,8 @@ class DrawingTest : public OnDisplay {
   static draft::Draft draft_of(const Window& w) { return design_of(w.live()).draft; }
   void undone(const Window& w, const char* what) {
     display_.key("ctrl+z");
-    EXPECT_TRUE(comes_true([&] { return draft_of(w) == blank_.draft; })) << what << ": one undo did not take it back";
+    EXPECT_TRUE(comes_true([&] { return draft_of(w) == blank_.draft; }))
+        << what << ": one undo did not restore the draft";
   }
 
   draft::Design blank_;
@@ -37,7 +38,7 @@ TEST_F(DrawingTest, LinesRectanglesAndFillsAreOneStepEach) {
     for (int end = 0; end < 8; ++end)
       if (d.threading.first(end) != end) return false;
     return d.threading.count() == 8;
-  })) << "a line is one shaft an end";
+  })) << "a line has one shaft per end";
   undone(w, "line");
 
   display_.key("u");
@@ -56,7 +57,7 @@ TEST_F(DrawingTest, LinesRectanglesAndFillsAreOneStepEach) {
   undone(w, "filled rectangle");
 }
 
-TEST_F(DrawingTest, ShiftConstrainsAndEscapeGivesUp) {
+TEST_F(DrawingTest, ShiftConstrainsAndEscapeCancels) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.key("i");
@@ -66,11 +67,11 @@ TEST_F(DrawingTest, ShiftConstrainsAndEscapeGivesUp) {
     for (int pick = 0; pick < 6; ++pick)
       if (d.treadling.first(pick) != pick) return false;
     return d.treadling.count() == 6;
-  })) << "45 degrees: one treadle a pick";
+  })) << "45 degrees: one treadle per pick";
   undone(w, "line");
   display_.drag({w.cell("threading", 1, 1), w.cell("threading", 6, 6)}, "key Escape");
   display_.drag({w.cell("threading", 9, 2), w.cell("threading", 10, 3)});
-  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.count() == 2; })) << "what was given up came all the same";
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.count() == 2; })) << "the cancelled shape was drawn";
 }
 
 TEST_F(DrawingTest, TheSymmetricPenDrawsBothSides) {
@@ -95,7 +96,7 @@ TEST_F(DrawingTest, TheSymmetricPenDrawsBothSides) {
   undone(w, "a mirrored line");
 }
 
-TEST_F(DrawingTest, WhatTheLoomCannotWeaveIsOfferedAsTheNearest) {
+TEST_F(DrawingTest, AnEditBeyondTheLoomOffersTheClosestWeave) {
   // A twill on a loom of four shafts and treadles, its drawdown painted.
   blank_.draft = draft::blank_draft(24, 24, 4, 4);
   for (int i = 0; i < 24; ++i) {
@@ -111,26 +112,26 @@ TEST_F(DrawingTest, WhatTheLoomCannotWeaveIsOfferedAsTheNearest) {
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string before = w.live();
 
-  // Two thirds all of one system: another kind of end, of which there are more than of the others.
-  const bool drawn = !draft::drawdown(blank_.draft).get(0, 0);  // from a filled cell it clears
+  // Two thirds of the ends become warp floats: a new kind of end, and the most frequent one.
+  const bool drawn = !draft::drawdown(blank_.draft).get(0, 0);  // a drag from a filled cell clears
   const auto refused = [&] {
     display_.key("shift+u");
     display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 5, 5), w.cell("drawdown", 16, 24)});
-    ASSERT_TRUE(comes_true([&] { return w.has("nearest.leave"); })) << "nothing is said";
-    EXPECT_EQ(w.live(), before) << "something was drawn all the same";
-    ASSERT_TRUE(w.has("nearest.see")) << "there is something nearer than the draft as it is";
+    ASSERT_TRUE(comes_true([&] { return w.has("nearest.leave"); })) << "there is no notice";
+    EXPECT_EQ(w.live(), before) << "the draft changed";
+    ASSERT_TRUE(w.has("nearest.see")) << "there is a closer weave than the draft";
   };
   ASSERT_NO_FATAL_FAILURE(refused());
   display_.click(w.middle_of("nearest.leave"));
   ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); }));
   ASSERT_NO_FATAL_FAILURE(refused());
   display_.key("Escape");
-  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); })) << "Escape leaves it, too";
+  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); })) << "Escape dismisses it, too";
 
   ASSERT_NO_FATAL_FAILURE(refused());
   display_.click(w.middle_of("nearest.see"));
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Use closest weave") && w.live() != before; }));
-  EXPECT_TRUE(w.has("nearest.place:1")) << "where it is not as painted";
+  EXPECT_TRUE(w.has("nearest.place:1")) << "the crossings that differ are listed";
   display_.click(w.middle_of("nearest.place:1"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Keep what was"));
   EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "to the byte";
@@ -152,7 +153,7 @@ TEST_F(DrawingTest, WhatTheLoomCannotWeaveIsOfferedAsTheNearest) {
       for (int end = 0; end < 16; ++end)
         if (cells.get(pick, end) != drawn) return false;
     return true;
-  })) << "a larger loom takes it as it was painted";
+  })) << "a larger loom weaves the edit";
   undone(w, "the larger loom");
 }
 
@@ -168,23 +169,23 @@ TEST_F(DrawingTest, NumbersAreTypedIntoThreadingAndTreadling) {
   const auto shaft = [&](int end) { return draft_of(w).threading.first(end - 1) + 1; };
   EXPECT_TRUE(comes_true([&] { return shaft(1) == 2 && shaft(2) == 3 && shaft(3) == 12; }));
   display_.type("1");
-  EXPECT_TRUE(comes_true([&] { return shaft(4) == 1; })) << "taken after a second";
+  EXPECT_TRUE(comes_true([&] { return shaft(4) == 1; })) << "accepted after a second";
   display_.key("KP_4");
   EXPECT_TRUE(comes_true([&] { return shaft(5) == 4; })) << "the number pad";
   display_.key("ctrl+z ctrl+z");
-  EXPECT_TRUE(comes_true([&] { return shaft(4) == 0 && shaft(3) == 12; })) << "an entry is a step of undo";
+  EXPECT_TRUE(comes_true([&] { return shaft(4) == 0 && shaft(3) == 12; })) << "an entry is one undo step";
   display_.click(w.cell("treadling", 3, 2));
   display_.type("54");
   display_.key("Up space");
   EXPECT_TRUE(comes_true([&] {
     const draft::BitMatrix t = draft_of(w).treadling;
     return t.first(1) == 4 && t.first(2) == -1;
-  })) << "Space turns over the cell that the arrow went to";
+  })) << "Space inverts the cell at the cursor";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !w.has("type.cursor"); }));
 }
 
-TEST_F(DrawingTest, SidesAreTurnedAndTheMapFollows) {
+TEST_F(DrawingTest, TheMapFollowsTheOrientation) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const auto by_name = [&](const std::string& words) {
@@ -199,17 +200,17 @@ TEST_F(DrawingTest, SidesAreTurnedAndTheMapFollows) {
   by_name("end 1 at the right");
   ASSERT_TRUE(comes_true([&] { return w.cell("drawdown", 1, 1).x < w.cell("drawdown", 24, 1).x; }));
   display_.click(w.cell("threading", 3, 7));
-  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(2, 6); })) << "the click went elsewhere";
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(2, 6); })) << "the click missed the cell";
   display_.click(w.cell("tieup", 2, 5));
   EXPECT_TRUE(comes_true([&] { return draft_of(w).tieup.get(1, 4); }));
   display_.drag({w.cell("warp_colors", 20, 1), w.cell("warp_colors", 24, 1)});
   display_.key("n");
   display_.click(w.cell("threading", 5, 1));
   display_.key("Right Down space");
-  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(5, 1); })) << "arrows go as it is seen";
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.get(5, 1); })) << "arrows move as on the screen";
 }
 
-TEST_F(DrawingTest, TheDrawdownGoesOnBeyondItsEdgesAndShowsItsRepeat) {
+TEST_F(DrawingTest, TheTiledViewRepeatsTheDrawdownAndOutlinesTheRepeat) {
   put(draft_, straight_draft(24, 8));
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -231,7 +232,7 @@ TEST_F(DrawingTest, TheDrawdownGoesOnBeyondItsEdgesAndShowsItsRepeat) {
   EXPECT_TRUE(comes_true([&] { return edge() != plain; })) << "the repeat of eight is not outlined";
 }
 
-TEST_F(DrawingTest, TheOverviewShowsWhereOneIsAndGoesThere) {
+TEST_F(DrawingTest, TheMinimapShowsThePartAndScrolls) {
   put(draft_, straight_draft(400, 8));
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -242,7 +243,7 @@ TEST_F(DrawingTest, TheOverviewShowsWhereOneIsAndGoesThere) {
   const double before = w.cell("drawdown", 400, 400).x;
   display_.click(far_corner);
   EXPECT_TRUE(comes_true([&] { return w.cell("drawdown", 400, 400).x > 0 && w.cell("drawdown", 400, 400).x > before; }))
-      << "the last end is still out of sight";
+      << "the last end is not visible";
   EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "the click went through to the drawdown";
   display_.drag({far_corner, {at.x + size.x / 2, at.y + size.y / 2}, {at.x + size.x - 6, at.y + 6}});
   EXPECT_TRUE(comes_true([&] { return w.cell("drawdown", 1, 1).y > w.cell("threading", 1, 1).y; }));
@@ -250,7 +251,7 @@ TEST_F(DrawingTest, TheOverviewShowsWhereOneIsAndGoesThere) {
   EXPECT_TRUE(comes_true([&] { return !w.has("minimap"); }));
 }
 
-TEST_F(DrawingTest, ColoursOfThreadsAreCopiedAlone) {
+TEST_F(DrawingTest, OnlyTheColoursOfThreadsAreCopied) {
   blank_.draft.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
   blank_.draft.warp.color[0] = blank_.draft.warp.color[2] = 2;
   put(draft_, wif::write_new_wif(blank_));
@@ -267,7 +268,7 @@ TEST_F(DrawingTest, ColoursOfThreadsAreCopiedAlone) {
   undone(w, "the paste");
 }
 
-TEST_F(DrawingTest, ADragBeyondTheEdgeTakesTheGridAlong) {
+TEST_F(DrawingTest, ADragBeyondTheEdgeScrolls) {
   blank_.draft = draft::blank_draft(400, 24, 8, 8);
   put(draft_, wif::write_new_wif(blank_));
   Window w(display_, folder_, draft_);
@@ -277,7 +278,7 @@ TEST_F(DrawingTest, ADragBeyondTheEdgeTakesTheGridAlong) {
   ASSERT_TRUE(comes_true([&] { return w.has("minimap") && !is_seen(150); }));
   const Point from = w.cell("threading", 20, 3);
   display_.drag({from, {60, from.y}, {3, from.y}}, "sleep 1.5");
-  EXPECT_TRUE(comes_true([&] { return is_seen(80); })) << "the ends did not come along";
+  EXPECT_TRUE(comes_true([&] { return is_seen(80); })) << "the grid did not scroll";
   int painted = 0;
   EXPECT_TRUE(comes_true([&] {
     painted = 0;
@@ -285,7 +286,7 @@ TEST_F(DrawingTest, ADragBeyondTheEdgeTakesTheGridAlong) {
     while (d.threading.get(19 + painted, 2)) ++painted;
     return painted > 60 && d.threading.count() == painted;
   })) << painted
-      << " ends painted, and none left out";
+      << " ends painted, none skipped";
   undone(w, "the drag");
 }
 

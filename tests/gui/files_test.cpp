@@ -1,4 +1,4 @@
-// Files that are not as the window left them: changed or gone meanwhile, refused, somebody else's.
+// Files that changed or vanished meanwhile, that cannot be written, or that belong to another window.
 
 #include <sys/resource.h>
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class FilesTest : public OnDisplay {
  protected:
-  /// What stands in the recovery folder once the window is gone without a word.
+  /// The recovery folder after a killed window.
   void kill(Window& w) const {
     usleep(600'000);
     w.process().kill_now();
@@ -22,7 +22,7 @@ class FilesTest : public OnDisplay {
   }
 };
 
-TEST_F(FilesTest, AnotherProgramsChangesAreNotSavedOver) {
+TEST_F(FilesTest, ChangesByAnotherProgramAreNotOverwritten) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(paint(w));
@@ -36,7 +36,7 @@ TEST_F(FilesTest, AnotherProgramsChangesAreNotSavedOver) {
   EXPECT_EQ(bytes_of(draft_), theirs);
 }
 
-TEST_F(FilesTest, AnotherProgramsChangesCanBeTakenOrReplaced) {
+TEST_F(FilesTest, ChangesByAnotherProgramCanBeReloadedOrReplaced) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(paint(w));
@@ -45,7 +45,7 @@ TEST_F(FilesTest, AnotherProgramsChangesCanBeTakenOrReplaced) {
   display_.key("ctrl+s");
   ASSERT_NO_FATAL_FAILURE(press(w, "Keep mine"));
   EXPECT_TRUE(comes_true([&] { return bytes_of(draft_) == mine; }));
-  // Noticed when the weaver comes back, too.
+  // Also noticed when the window gets the focus.
   put(draft_, theirs);
   display_.focus();
   ASSERT_NO_FATAL_FAILURE(press(w, "Reload"));
@@ -74,7 +74,7 @@ TEST_F(FilesTest, TwoWindowsOnOneFile) {
   ASSERT_TRUE(comes_true([&] { return one.has("dialog:Reload"); })) << "saved over the other window's work";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !one.has("dialog:Reload"); }));
-  EXPECT_EQ(bytes_of(draft_), theirs) << "leaving the question saves nothing";
+  EXPECT_EQ(bytes_of(draft_), theirs) << "cancelling saves nothing";
 }
 
 TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
@@ -98,7 +98,7 @@ TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
   EXPECT_TRUE(comes_true([&] { return bytes_of(taken) == w.live(); }));
 }
 
-/// kdialog of a KDE desktop, which notes what it was asked and gives the answer that lies beside it.
+/// A kdialog script that records its arguments and prints a prepared answer.
 TEST_F(FilesTest, KdialogAsksOnItsDesktop) {
   const fs::path other = folder_ / "other.wif", saved = folder_ / "kept here.wif";
   put(other, straight_draft(20, 4));
@@ -116,16 +116,16 @@ TEST_F(FilesTest, KdialogAsksOnItsDesktop) {
   put(folder_ / "answer", other.string() + "\n");
   display_.key("ctrl+o");
   ASSERT_TRUE(comes_true([&] { return asked("--getopenfilename\n"); }));
-  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(other); })) << "the answer was not opened";
+  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(other); })) << "the chosen file was not opened";
   EXPECT_TRUE(asked("Weaving drafts (*.wif"));
 
   put(folder_ / "answer", saved.string() + "\n");
   ASSERT_NO_FATAL_FAILURE(paint(w));
   display_.key("ctrl+shift+s");
   ASSERT_TRUE(comes_true([&] { return asked("--getsavefilename\n"); }));
-  EXPECT_TRUE(comes_true([&] { return bytes_of(saved) == w.live(); })) << "it was not saved where kdialog said";
+  EXPECT_TRUE(comes_true([&] { return bytes_of(saved) == w.live(); })) << "it was not saved at the chosen path";
 
-  // Left without an answer: nothing happens, and it can be asked again.
+  // Cancelled: nothing happens, and the dialog can be opened again.
   fs::remove(folder_ / "answer");
   fs::remove(folder_ / "asked");
   const std::string before = w.live();
@@ -149,7 +149,7 @@ TEST_F(FilesTest, SavesThroughALink) {
   EXPECT_TRUE(fs::is_symlink(link));
 }
 
-TEST_F(FilesTest, RecoveredWorkThatWasNeverSavedTakesNobodysFile) {
+TEST_F(FilesTest, RecoveredUnsavedWorkDoesNotOverwriteAFile) {
   const std::string original = bytes_of(draft_);
   std::string lost;
   {
@@ -168,7 +168,7 @@ TEST_F(FilesTest, RecoveredWorkThatWasNeverSavedTakesNobodysFile) {
   EXPECT_EQ(bytes_of(draft_), original);
 }
 
-TEST_F(FilesTest, RecoveredWorkWhoseFileIsAnotherNowAsksWhereTo) {
+TEST_F(FilesTest, RecoveredWorkWhoseFileChangedAsksForAPath) {
   std::string lost;
   {
     Window w(display_, folder_, draft_);
@@ -188,14 +188,14 @@ TEST_F(FilesTest, RecoveredWorkWhoseFileIsAnotherNowAsksWhereTo) {
   EXPECT_EQ(bytes_of(draft_), theirs);
 }
 
-TEST_F(FilesTest, UnsavedWorkThatCannotBeReadIsNamedAndKept) {
+TEST_F(FilesTest, UnreadableUnsavedWorkIsListedAndKept) {
   const fs::path journal = folder_ / "state/weftlight/recovery/00112233445566ff/1.journal";
   fs::create_directories(journal.parent_path());
   put(journal, "damaged");
   for (int start = 0; start < 2; ++start) {
     Window w(display_, folder_, draft_);
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-    ASSERT_TRUE(comes_true([&] { return w.has("recovery:1"); })) << "nothing was said, start " << start;
+    ASSERT_TRUE(comes_true([&] { return w.has("recovery:1"); })) << "no dialog at start " << start;
     EXPECT_FALSE(w.has("recovery:2"));
     ASSERT_NO_FATAL_FAILURE(press(w, start == 0 ? "Bring back" : "Later"));
     display_.key("ctrl+q");
@@ -204,7 +204,7 @@ TEST_F(FilesTest, UnsavedWorkThatCannotBeReadIsNamedAndKept) {
   }
 }
 
-/// A folder that nobody may write to, root neither, for as long as it lives.
+/// A folder that nobody can write to, not even root, during the lifetime of this object.
 class ReadOnlyFolder {
  public:
   explicit ReadOnlyFolder(fs::path folder) : folder_(std::move(folder)) {
@@ -233,14 +233,14 @@ class ReadOnlyFolder {
   bool flagged_ = false, holds_ = false;
 };
 
-TEST_F(FilesTest, SavingToAReadOnlyPlaceIsSaidAndLosesNothing) {
+TEST_F(FilesTest, SavingToAReadOnlyFolderFailsWithAMessage) {
   const fs::path shelf = folder_ / "shelf";
   fs::create_directory(shelf);
   const fs::path file = shelf / "kept.wif";
   put(file, straight_draft());
   const std::string original = bytes_of(file);
   ReadOnlyFolder locked(shelf);
-  if (!locked.holds()) GTEST_SKIP() << "root may write anywhere here: neither chattr +i nor permissions hold it back";
+  if (!locked.holds()) GTEST_SKIP() << "root can write everywhere here: neither chattr +i nor permissions prevent it";
   std::string lost;
   {
     Window w(display_, folder_, file, without_dialogs());
@@ -248,11 +248,11 @@ TEST_F(FilesTest, SavingToAReadOnlyPlaceIsSaidAndLosesNothing) {
     ASSERT_NO_FATAL_FAILURE(paint(w));
     lost = w.live();
     display_.key("ctrl+s");
-    // Its text is what write_file_atomically says: file and cause (base.Files).
-    ASSERT_TRUE(comes_true([&] { return w.has("dialog:Save as\xE2\x80\xA6"); })) << "nothing was said";
+    // The text is that of write_file_atomically: file and cause (base.Files).
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog:Save as\xE2\x80\xA6"); })) << "there is no message";
     ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
     EXPECT_EQ(bytes_of(file), original);
-    EXPECT_EQ(w.live(), lost) << "the work stays";
+    EXPECT_EQ(w.live(), lost) << "the work is kept";
     kill(w);
   }
   locked.release();
@@ -262,19 +262,19 @@ TEST_F(FilesTest, SavingToAReadOnlyPlaceIsSaidAndLosesNothing) {
   EXPECT_TRUE(comes_true([&] { return w.live() == lost; }));
 }
 
-TEST_F(FilesTest, WhatCannotBeWrittenIsSaidUntilItIs) {
+TEST_F(FilesTest, AWriteErrorIsShownUntilItIsSolved) {
   const fs::path folder = folder_ / "live";
   fs::create_directory(folder);
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   EXPECT_FALSE(w.has("trouble"));
-  // A file in the place of the folder of unsaved work.
+  // A file instead of the folder of unsaved work.
   fs::remove_all(folder_ / "state");
   put(folder_ / "state", "in the way");
   display_.click(w.cell("threading", 1, 3));
-  ASSERT_TRUE(comes_true([&] { return w.has("trouble"); })) << "nothing was said";
+  ASSERT_TRUE(comes_true([&] { return w.has("trouble"); })) << "there is no message";
   fs::remove(folder_ / "state");
-  EXPECT_TRUE(comes_true([&] { return !w.has("trouble"); })) << "it is still said";
+  EXPECT_TRUE(comes_true([&] { return !w.has("trouble"); })) << "the message is still there";
   EXPECT_TRUE(fs::exists(folder_ / "state/weftlight/recovery"));
 }
 
@@ -300,10 +300,10 @@ TEST_F(FilesTest, WhereNoFileMayGrowNothingIsLostAndItIsSaid) {
   Window again(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(press(again, "Bring back"));
-  EXPECT_TRUE(comes_true([&] { return again.live() == kept; })) << "what stood before the disk was full";
+  EXPECT_TRUE(comes_true([&] { return again.live() == kept; })) << "the file from before the disk was full";
 }
 
-TEST_F(FilesTest, FlagsRefuseWhatIsNotTheirs) {
+TEST_F(FilesTest, FlagsDoNotOverwriteForeignFiles) {
   const auto code = [&](const std::vector<std::string>& flags) {
     std::vector<std::string> words{WEFTLIGHT_BINARY, draft_.string()};
     words.insert(words.end(), flags.begin(), flags.end());

@@ -1,6 +1,6 @@
-// The window is killed at random moments while a hand paints: nothing older than half a second is lost, nothing is
-// half-written, and all of it is offered and brought back at the next start.
-// WEFTLIGHT_KILLS=100 kills a hundred times; a few in the ordinary run.
+// The window is killed at random moments during painting: nothing older than half a second is lost, nothing is
+// half-written, and everything is offered and recovered at the next start. WEFTLIGHT_KILLS=100 kills a hundred times; a
+// few in the ordinary run.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ constexpr int kEnds = 24, kShafts = 8;
 constexpr auto kMaxLost = 500ms;
 constexpr unsigned kSeed = 1;
 
-/// One xdotool that is told what to do as it goes along, so that the time of each event is known.
+/// An xdotool process that is fed command by command, so that the time of each event is known.
 class Hand {
  public:
   explicit Hand(const Display& display)
@@ -51,9 +51,9 @@ class Hand {
   FILE* pipe_;
 };
 
-/// What was painted: the design after each cell, and when the hand was there.
+/// What was painted: the design after each cell, and the time.
 struct Painted {
-  std::vector<Design> states;  // the first: before the hand came
+  std::vector<Design> states;  // the first is the design before painting
   std::vector<Clock::time_point> when;
 };
 
@@ -101,13 +101,13 @@ void KillTest::paint(const Window& w, Painted& painted, Clock::time_point until)
   }
 }
 
-/// Brings back what the killed window held; `painted` then begins with it.
+/// Recovers the work of the killed window; `painted` then starts with it.
 void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point killed, Painted& painted) {
   // Nothing that was painted half a second before the end may be missing.
   size_t least = 0;
   while (least + 1 < before.states.size() && before.when[least] + kMaxLost < killed) ++least;
   if (least == 0 && before.states.front() == design_of(bytes_of(draft_))) {
-    // Too short to be sure of an offer.
+    // Too little time for a guaranteed recovery.
     std::this_thread::sleep_for(1s);
     if (!w.has("dialog:Recover")) {
       painted.states = {before.states.front()};
@@ -121,7 +121,7 @@ void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point
   ++offers_;
   const Design back = design_of(w.live());
   const auto state = std::find(before.states.rbegin(), before.states.rend(), back);
-  ASSERT_NE(state, before.states.rend()) << "what came back was never painted";
+  ASSERT_NE(state, before.states.rend()) << "the recovered draft was never painted";
   const auto kept = static_cast<size_t>(before.states.rend() - state) - 1;
   if (kept + 1 < before.states.size())
     most_lost_s_ = std::max(most_lost_s_, std::chrono::duration<double>(killed - before.when[kept]).count());
@@ -152,7 +152,7 @@ TEST_F(KillTest, NothingOlderThanHalfASecondIsLost) {
     paint(w, painted, end);
     killer.join();
     before = std::move(painted);
-    // The draft as it was, and nothing beside it but what the flags and the settings ask for.
+    // The draft is unchanged, and there are no files but those of flags and settings.
     ASSERT_EQ(bytes_of(draft_), original);
   }
   EXPECT_GE(2 * offers_, kills) << "unsaved work was offered after fewer than half of the kills";

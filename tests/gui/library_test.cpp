@@ -1,4 +1,4 @@
-// Everyday things by real clicks: the page of drafts with pictures.
+// The gallery of drafts, views, accuracy and sections, by real clicks.
 
 #include "on_display.h"
 
@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class LibraryTest : public OnDisplay {
  protected:
-  /// Where no zenity is, so that the window asks itself.
+  /// Without zenity, so that the window uses its own file dialogs.
   static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
 
   void settings(const nlohmann::json& more) const {
@@ -25,7 +25,7 @@ class LibraryTest : public OnDisplay {
   }
 };
 
-TEST_F(LibraryTest, RecentDraftsStandOnAPageWithPictures) {
+TEST_F(LibraryTest, RecentDraftsHaveThumbnails) {
   const fs::path other = folder_ / "other.wif", gone = folder_ / "gone.wif";
   put(other, straight_draft(20, 4));
   settings({{"recent", {gone.string(), other.string(), draft_.string()}}});
@@ -34,7 +34,7 @@ TEST_F(LibraryTest, RecentDraftsStandOnAPageWithPictures) {
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
     display_.key("ctrl+shift+o");
     ASSERT_TRUE(comes_true([&] { return w.has("gallery.picture:1") && w.has("gallery.picture:3"); }))
-        << "what was opened now stands first; the lost one has no picture";
+        << "the last opened draft is first; the missing one has no thumbnail";
     EXPECT_TRUE(w.has("gallery.missing:2"));
     ASSERT_NO_FATAL_FAILURE(press(w, "gallery.remove:2"));
     ASSERT_TRUE(comes_true([&] { return w.has("gallery.picture:2") && !w.has("gallery:3"); }));
@@ -47,11 +47,11 @@ TEST_F(LibraryTest, RecentDraftsStandOnAPageWithPictures) {
     EXPECT_EQ(w.process().wait(), 0);
   }
   const std::string kept = bytes_of(folder_ / "config/weftlight/settings.json");
-  EXPECT_EQ(kept.find("gone.wif"), std::string::npos) << "it was taken off the list";
+  EXPECT_EQ(kept.find("gone.wif"), std::string::npos) << "it was removed from the list";
   EXPECT_TRUE(fs::exists(folder_ / "cache/weftlight/drafts"));
 }
 
-TEST_F(LibraryTest, TheLibraryLooksTheSameAndGivesCopies) {
+TEST_F(LibraryTest, TheLibraryOpensCopies) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(press(w, "menu:Library"));
@@ -65,7 +65,7 @@ TEST_F(LibraryTest, TheLibraryLooksTheSameAndGivesCopies) {
   EXPECT_TRUE(comes_true([&] { return w.has("dialog.path"); })) << "a shipped draft is never overwritten";
 }
 
-TEST_F(LibraryTest, APictureOfLightThatCannotBeReadChangesNothing) {
+TEST_F(LibraryTest, AnUnreadableEnvironmentImageChangesNothing) {
   put(folder_ / "words.hdr", "these are words");
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -82,7 +82,7 @@ TEST_F(LibraryTest, APictureOfLightThatCannotBeReadChangesNothing) {
   EXPECT_EQ(w.process().wait(), 0) << "nothing is unsaved";
 }
 
-TEST_F(LibraryTest, ViewsOfTheClothAreKeptByName) {
+TEST_F(LibraryTest, ViewsOfTheClothAreSavedByName) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const auto from_menu = [&](const std::string& item) {
@@ -111,10 +111,10 @@ TEST_F(LibraryTest, ViewsOfTheClothAreKeptByName) {
   ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Done"));
   ASSERT_TRUE(comes_true([&] { return design_of(w.live()).views[0].name == "Slant"; }));
   for (int i = 0; i < 3; ++i) display_.key("ctrl+z");
-  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "three steps, and the file as it was";
+  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "three undo steps restore the file";
 }
 
-TEST_F(LibraryTest, ThePictureGoesByErrorOrByTime) {
+TEST_F(LibraryTest, ThePictureIsLimitedByErrorOrByTime) {
   settings({{"inspector_tab", 2}});
   {
     Window w(display_, folder_, draft_, without_dialogs());
@@ -133,7 +133,7 @@ TEST_F(LibraryTest, ThePictureGoesByErrorOrByTime) {
   EXPECT_NE(kept["picture_ms"].get<double>(), 60) << "the click moved the slider";
 }
 
-TEST_F(LibraryTest, ThreadsArePutTogetherFromSections) {
+TEST_F(LibraryTest, ThreadsAreAssembledFromSections) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string before = w.live();
@@ -148,7 +148,7 @@ TEST_F(LibraryTest, ThreadsArePutTogetherFromSections) {
   type_into("sections.last", "8");
   ASSERT_NO_FATAL_FAILURE(press(w, "sections.take"));
   ASSERT_TRUE(comes_true([&] { return design_of(w.live()).warp_assembly.sections.size() == 1; }));
-  EXPECT_EQ(design_of(w.live()).draft.ends(), 24) << "without an order the threads stay";
+  EXPECT_EQ(design_of(w.live()).draft.ends(), 24) << "without an order the threads are unchanged";
   type_into("sections.first", "1");
   type_into("sections.last", "3");
   ASSERT_NO_FATAL_FAILURE(press(w, "sections.take"));
@@ -161,7 +161,7 @@ TEST_F(LibraryTest, ThreadsArePutTogetherFromSections) {
   ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Apply"));
   ASSERT_TRUE(comes_true([&] { return !w.has("sections.order"); }));
   display_.key("ctrl+z");
-  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "one step of undo";
+  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "one undo step";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// How the window looks: its views and dialogs in both themes against stored pictures (pictures/). One window for all.
-// WEFTLIGHT_UPDATE_GOLDENS=1 in the environment writes them anew; a failure leaves reference, result and difference in
-// the build folder. The cloth itself is left out (tests/golden has it): the window is started as without EGL.
+// Screenshots of all views and dialogs in both themes against stored pictures (pictures/), from one window.
+// WEFTLIGHT_UPDATE_GOLDENS=1 in the environment updates them; a failure leaves reference, result and difference in the
+// build folder. The cloth is left out (tests/golden has it): the window runs without EGL.
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,14 @@ namespace fs = std::filesystem;
 // letters (about 0.01 and 0.1); a control that is missing or another colour is above.
 constexpr double kTolerance = 0.02, kBlockTolerance = 0.16;
 constexpr int kBlock = 64;        // pixels
-constexpr int kCaretPixels = 80;  // that may differ between two moments of a window at rest
+constexpr int kCaretPixels = 80;  // may differ between two screenshots of an idle window, because of a blinking caret
 constexpr int kStillMs = 450;
 
 struct Difference {
   double whole = 0, block = 0;
 };
 
-/// Of two pictures of one size; `seen`: where they differ, made plain.
+/// Difference of two pictures of the same size; `seen`: the differing pixels, highlighted.
 Difference difference_of(const Image& a, const Image& b, Image& seen) {
   seen = a;
   Difference out;
@@ -67,7 +67,7 @@ class LookTest : public OnDisplay {
     ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control << " is not there";
     display_.click(w.middle_of(control));
   }
-  /// Runs an action by its words in the command palette.
+  /// Runs an action by its name in the command palette.
   void command(const Window& w, const std::string& words) const {
     display_.key("ctrl+p");
     ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << "the palette did not open for " << words;
@@ -80,7 +80,7 @@ class LookTest : public OnDisplay {
     ASSERT_TRUE(comes_true([&] { return !w.has(until_gone); })) << until_gone;
   }
 
-  /// The window once it stands still.
+  /// A screenshot once the window no longer changes.
   Image still() const {
     std::string before;
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
@@ -94,7 +94,7 @@ class LookTest : public OnDisplay {
       usleep(kStillMs * 1000);
     }
   }
-  /// Of 8 or 16 bits, by its number of bytes; high bytes come first.
+  /// A sample of 8 or 16 bits, big-endian.
   static Image image_of(const std::string& ppm) {
     constexpr size_t kValues = size_t{1280} * 800 * 3;
     Image image{1280, 800, 3, {}};
@@ -106,13 +106,13 @@ class LookTest : public OnDisplay {
   }
 
   void shoot(const std::string& name) {
-    display_.move({640, 798});  // where nothing lights up
+    display_.move({640, 798});  // where nothing is highlighted
     const Image now = still();
     const std::string result = WEFTLIGHT_LOOK_RESULTS "/" + name + theme_,
                       stored = WEFTLIGHT_LOOKS "/" + name + theme_ + ".png";
     ASSERT_EQ(files::write_image(result + "_result.png", now, files::PixelType::kU8), "");
     if (std::getenv("WEFTLIGHT_UPDATE_GOLDENS") != nullptr) {
-      // 255 colours: a fifth of the bytes, and nothing that an eye would miss.
+      // 255 colours: a fifth of the size without a visible difference.
       ASSERT_EQ(
           std::system(("convert '" + result + "_result.png' +dither -colors 255 -strip PNG8:'" + stored + "'").c_str()),
           0);
@@ -175,7 +175,7 @@ void LookTest::shoot_dialogs(const Window& w) {
   ASSERT_TRUE(comes_true([&] { return w.has("export.ready"); }));
   display_.click(w.middle_of("export.folder"));
   display_.key("ctrl+a");
-  display_.type("/home/weaver/textures");  // not the folder of this test, which is another every time
+  display_.type("/home/weaver/textures");  // not the folder of this test, which changes with every run
   shoot("export");
   ASSERT_NO_FATAL_FAILURE(leave(w, "export.folder"));
 }
@@ -202,7 +202,7 @@ void LookTest::shoot_menus(const Window& w) {
   ASSERT_NO_FATAL_FAILURE(leave(w, "tab_menu.duplicate"));
   display_.click(w.middle_of("tab.close:2"));
   ASSERT_TRUE(comes_true([&] { return !w.has("tab:1"); }));
-  display_.key("ctrl+0");  // the panes as wide as they were
+  display_.key("ctrl+0");  // restores the width of the panes
 }
 
 void LookTest::shoot_comparison(const Window& w) {
@@ -259,7 +259,7 @@ void LookTest::shoot_all(const Window& w) {
   ASSERT_NO_FATAL_FAILURE(shoot_closest_weave(w));
 }
 
-TEST_F(LookTest, EveryViewIsAsItWasInBothThemes) {
+TEST_F(LookTest, EveryViewMatchesItsPictureInBothThemes) {
   Window w(display_, folder_, folder_ / "overshot.wif",
            {"PATH=/nowhere", std::string("LD_PRELOAD=") + WEFTLIGHT_NO_EGL});
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -1,5 +1,5 @@
 #pragma once
-// A test of the window: a display, a folder of its own, a draft in it.
+// Fixture of the window tests: a display, and a folder with a draft.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 
 namespace weftlight::gui {
 
-/// Ends, picks, shafts and treadles in a straight draw on a flat cloth.
+/// A straight draw of that size on a flat cloth.
 inline std::string straight_draft(int threads = 24, int shafts = 8) {
   draft::Design d;
   d.draft = draft::blank_draft(threads, threads, shafts, shafts);
@@ -48,18 +48,18 @@ class OnDisplay : public testing::Test {
   void TearDown() override {
     if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
-  /// The environment of a window that finds no zenity, so that it asks itself.
+  /// An environment without zenity, so that the window uses its own file dialogs.
   static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
 
-  /// An end goes to shaft 3, and the window knows.
+  /// Paints an end on shaft 3 and waits for the window.
   void paint(const Window& w, int end = 1) const {
     const std::string before = w.live();
     display_.click(w.cell("threading", end, 3));
     ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
   }
-  /// Answers a dialog.
+  /// Presses a button of a dialog.
   void press(const Window& w, const std::string& button) const {
-    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "was not asked: " << button;
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "no dialog with the button " << button;
     display_.click(w.middle_of("dialog:" + button));
     ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
   }

@@ -57,7 +57,7 @@ TEST_F(TabsTest, EachHasItsOwnWorkAndQuittingAsksOnceForAll) {
   display_.key("ctrl+shift+z");
   ASSERT_TRUE(comes_true([&] { return w.live() == one_painted; }));
   ASSERT_NO_FATAL_FAILURE(open(w, other_));
-  EXPECT_TRUE(comes_true([&] { return w.live() == two_painted; })) << "what is open is brought to the front";
+  EXPECT_TRUE(comes_true([&] { return w.live() == two_painted; })) << "a draft that is open is shown";
   EXPECT_FALSE(w.has("tab:3"));
 
   display_.key("ctrl+q");
@@ -68,8 +68,8 @@ TEST_F(TabsTest, EachHasItsOwnWorkAndQuittingAsksOnceForAll) {
   EXPECT_EQ(bytes_of(other_), two_painted);
 }
 
-TEST_F(TabsTest, WhatIsCopiedInOneIsPastedInAnother) {
-  // Of the same size, so that a cell has one place in both.
+TEST_F(TabsTest, CopyInOneAndPasteInAnother) {
+  // Of the same size, so that a cell has the same position in both.
   Design ground = design_of(straight_draft());
   for (int end = 0; end < 24; ++end) ground = with_threading(ground, end, 7 - end % 8, true);
   put(other_, wif::write_new_wif(ground));
@@ -99,7 +99,7 @@ TEST_F(TabsTest, ClosingAsksOnlyForWhatIsUnsaved) {
   EXPECT_TRUE(w.has("tab:2"));
   display_.click(w.middle_of("tab.close:2"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Do not save"));
-  EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == one; })) << "the other is left, without a strip";
+  EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == one; })) << "one draft is left, without tabs";
   EXPECT_EQ(bytes_of(other_), straight_draft(20, 4));
 
   ASSERT_NO_FATAL_FAILURE(open(w, other_));
@@ -107,7 +107,8 @@ TEST_F(TabsTest, ClosingAsksOnlyForWhatIsUnsaved) {
   display_.middle_click(w.middle_of("tab:1"));
   EXPECT_TRUE(comes_true([&] { return !w.has("tab:1") && w.live() == bytes_of(other_); }));
   display_.key("ctrl+w");
-  EXPECT_TRUE(comes_true([&] { return w.live() != bytes_of(other_); })) << "the last gives way to the first draft";
+  EXPECT_TRUE(comes_true([&] { return w.live() != bytes_of(other_); }))
+      << "after the last one the start draft is shown";
   display_.key("ctrl+q");
   EXPECT_EQ(w.process().wait(), 0);
 }
@@ -137,9 +138,9 @@ TEST_F(TabsTest, AKilledWindowOffersAllOfThem) {
   EXPECT_TRUE(comes_true([&] { return w.live() == (shown == one ? two : one); }));
 }
 
-TEST_F(TabsTest, ARightClickOffersWhatIsDoneWithATab) {
+TEST_F(TabsTest, ARightClickOpensTheMenuOfATab) {
   const std::string one = bytes_of(draft_), two = bytes_of(other_);
-  // The desktop's program for folders notes what it was asked; no other program is there.
+  // A script in place of the desktop's xdg-open records its arguments.
   put(folder_ / "xdg-open", "#!/bin/sh\nprintf %s \"$1\" > '" + (folder_ / "opened").string() + "'\n");
   fs::permissions(folder_ / "xdg-open", fs::perms::owner_all);
   Window w(display_, folder_, draft_, {"PATH=" + folder_.string()});
@@ -162,7 +163,7 @@ TEST_F(TabsTest, ARightClickOffersWhatIsDoneWithATab) {
   display_.key("Escape");
   ASSERT_TRUE(comes_true([&] { return !w.has("dialog.path"); }));
 
-  // Another program writes the file of the first; what was painted there meanwhile is asked about.
+  // Another program writes the file of the first draft, which has unsaved changes.
   display_.click(w.middle_of("tab:1"));
   ASSERT_TRUE(comes_true([&] { return w.live() == one; }));
   ASSERT_NO_FATAL_FAILURE(paint(w, 1));
@@ -199,14 +200,14 @@ TEST_F(TabsTest, ItsMenuSavesAndCopiesThePath) {
   ASSERT_NO_FATAL_FAILURE(choose("tab:1", "copy_path"));
   ASSERT_NO_FATAL_FAILURE(choose("tab:1", "close"));
   ASSERT_TRUE(comes_true([&] { return !w.has("tab:2") && w.live() == bytes_of(other_); }));
-  // What was copied opens it again.
+  // The copied path opens it again.
   display_.key("ctrl+o");
   ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
   display_.key("ctrl+a ctrl+v Return");
   EXPECT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() == bytes_of(draft_); }));
 }
 
-TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
+TEST_F(TabsTest, TheHistoryGoesToAnyStep) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   std::vector<std::string> states{w.live()};
@@ -218,7 +219,7 @@ TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
   ASSERT_TRUE(comes_true([&] { return w.has("history:3"); }));
   display_.click(w.middle_of("history:1"));
   EXPECT_TRUE(comes_true([&] { return w.live() == states[1]; }));
-  EXPECT_TRUE(w.has("history:3")) << "the future is still there";
+  EXPECT_TRUE(w.has("history:3")) << "later steps are still there";
   display_.click(w.middle_of("history:3"));
   EXPECT_TRUE(comes_true([&] { return w.live() == states[3]; }));
   display_.click(w.middle_of("history:0"));
@@ -227,10 +228,10 @@ TEST_F(TabsTest, TheHistoryLeadsToAnyStep) {
   EXPECT_TRUE(comes_true([&] { return !w.has("history:0"); }));
 }
 
-TEST_F(TabsTest, TheTourLeadsRoundWithoutBeingInTheWay) {
+TEST_F(TabsTest, TheTourDoesNotBlockTheWindow) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  EXPECT_FALSE(w.has("tour.next")) << "who drives the window by flags is not led about";
+  EXPECT_FALSE(w.has("tour.next")) << "no tour if flags drive the window";
   display_.click(w.middle_of("menu:Help"));
   ASSERT_TRUE(comes_true([&] { return w.has("menu.tour"); }));
   display_.click(w.middle_of("menu.tour"));
@@ -253,7 +254,7 @@ TEST_F(TabsTest, TheTourLeadsRoundWithoutBeingInTheWay) {
   EXPECT_NE(bytes_of(folder_ / "config/weftlight/settings.json").find("\"toured\": true"), std::string::npos);
 }
 
-TEST_F(TabsTest, KeysAreTheWeaversOwnAndKept) {
+TEST_F(TabsTest, ShortcutsCanBeChangedAndAreSaved) {
   {
     Window w(display_, folder_, draft_, without_dialogs());
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -261,10 +262,10 @@ TEST_F(TabsTest, KeysAreTheWeaversOwnAndKept) {
     ASSERT_TRUE(comes_true([&] { return w.has("key:history"); }));
     display_.click(w.middle_of("keys.typed"));
     display_.type("history");
-    ASSERT_TRUE(comes_true([&] { return !w.has("key:save"); })) << "narrowed by typing";
+    ASSERT_TRUE(comes_true([&] { return !w.has("key:save"); })) << "filtered by typing";
     display_.click(w.middle_of("key:history"));
     display_.key("ctrl+z");
-    ASSERT_TRUE(comes_true([&] { return w.has("key.take"); })) << "said that another command has it";
+    ASSERT_TRUE(comes_true([&] { return w.has("key.take"); })) << "no notice that another command has the key";
     display_.key("ctrl+u");
     ASSERT_TRUE(comes_true([&] { return w.has("keys.shipped"); })) << "nothing was changed";
     display_.key("ctrl+u");

@@ -1,4 +1,4 @@
-// What is done beside the grids, in the real window: printing, comparing, weaving at a loom.
+// Printing, exporting, comparing, yarn requirements and weaving at a loom, in the real window.
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 class ToolsTest : public OnDisplay {
  protected:
-  /// Files are asked for in the window itself.
+  /// The window uses its own file dialogs.
   static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
 
   void click(const Window& w, const std::string& control) {
@@ -26,11 +26,11 @@ class ToolsTest : public OnDisplay {
   }
 };
 
-TEST_F(ToolsTest, PrintsWhatWasSeen) {
+TEST_F(ToolsTest, PrintsThePreviewedSheets) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.key("ctrl+shift+p");
-  ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); })) << "no sheet is seen";
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); })) << "no sheet is shown";
   EXPECT_TRUE(w.has("print.sheets:2")) << "the grids, and the lists";
   for (const char* part : {"print.lists", "print.heddles", "print.yarn"}) ASSERT_NO_FATAL_FAILURE(click(w, part));
   ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Custom"));
@@ -50,7 +50,7 @@ TEST_F(ToolsTest, PrintsWhatWasSeen) {
   EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "printing changes nothing";
 }
 
-TEST_F(ToolsTest, ExportsWhatWasSeenAndFollowsTheDraft) {
+TEST_F(ToolsTest, ExportsThePreviewedSetAndFollowsTheDraft) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const fs::path other = folder_ / "textures/straight";
@@ -67,7 +67,7 @@ TEST_F(ToolsTest, ExportsWhatWasSeenAndFollowsTheDraft) {
   EXPECT_TRUE(w.has("export.images:8"));
   ASSERT_NO_FATAL_FAILURE(click(w, "export.watch"));
   ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Export"));
-  ASSERT_TRUE(comes_true([&] { return w.has("export.asked"); })) << "there is something of the artist's";
+  ASSERT_TRUE(comes_true([&] { return w.has("export.asked"); })) << "a foreign file is in the way";
   EXPECT_FALSE(fs::exists(other / "texture_set.json"));
   ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Replace"));
   ASSERT_TRUE(comes_true([&] { return w.has("export.written"); }));
@@ -83,7 +83,7 @@ TEST_F(ToolsTest, ExportsWhatWasSeenAndFollowsTheDraft) {
   })) << "the set does not follow the draft";
 }
 
-TEST_F(ToolsTest, ShowsWhatTwoDraftsDifferIn) {
+TEST_F(ToolsTest, ShowsTheDifferencesOfTwoDrafts) {
   Window w(display_, folder_, draft_, without_dialogs());
   const fs::path other = folder_ / "other.wif";
   draft::Design changed = design_of(bytes_of(draft_));
@@ -105,14 +105,14 @@ TEST_F(ToolsTest, ShowsWhatTwoDraftsDifferIn) {
   EXPECT_TRUE(comes_true([&] {
     return display_.picture(w.cell("drawdown", 6, 1), {60, 60}) != before;
   })) << "the place is not outlined";
-  // Painted alike, they are the same, while one looks on.
+  // Once painted the same, the comparison updates.
   display_.click(w.cell("threading", 5, 1));
   EXPECT_TRUE(comes_true([&] { return w.has("difference.same") && !w.has("difference:threading"); }));
   ASSERT_NO_FATAL_FAILURE(click(w, "difference.done"));
   EXPECT_TRUE(comes_true([&] { return !w.has("difference.same"); }));
 }
 
-TEST_F(ToolsTest, TheYarnOfAClothIsCountedAndPriced) {
+TEST_F(ToolsTest, TheYarnRequirementsHaveLengthsAndCosts) {
   {
     Window w(display_, folder_, draft_, without_dialogs());
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -122,7 +122,7 @@ TEST_F(ToolsTest, TheYarnOfAClothIsCountedAndPriced) {
     for (const char* above : {"section.floats", "section.weave", "section.heddles", "section.analysis"}) {
       const double at = w.place_of("section.need").first.y;
       ASSERT_NO_FATAL_FAILURE(click(w, above));
-      ASSERT_TRUE(comes_true([&] { return w.place_of("section.need").first.y < at; })) << above << " did not shut";
+      ASSERT_TRUE(comes_true([&] { return w.place_of("section.need").first.y < at; })) << above << " did not close";
     }
     ASSERT_NO_FATAL_FAILURE(click(w, "section.need"));
     ASSERT_TRUE(comes_true([&] { return w.has("need:1") && w.has("need:2"); })) << "warp and weft";
@@ -142,27 +142,28 @@ TEST_F(ToolsTest, TheYarnOfAClothIsCountedAndPriced) {
   const auto kept = nlohmann::json::parse(bytes_of(folder_ / "config/weftlight/settings.json"));
   EXPECT_NEAR(kept["shrinkage"].get<double>(), 0.12, 1e-6);
   const std::string yarn = design_of(straight_draft()).yarns.front().name;
-  EXPECT_EQ(kept["yarn_prices"][yarn].get<double>(), 42) << "the next draft with the yarn knows it";
+  EXPECT_EQ(kept["yarn_prices"][yarn].get<double>(), 42) << "the price is saved for the yarn";
 }
 
-TEST_F(ToolsTest, WeavesPickByPickAndKeepsThePlaceWithTheDraft) {
+TEST_F(ToolsTest, WeavesPickByPickAndSavesThePlaceWithTheDraft) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.key("F9");
   ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:1"); }));
   display_.key("space");
   display_.key("Next");
-  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:3"); })) << "Space and a pedal's Page down are picks";
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:3"); }))
+      << "Space and Page down, as from a pedal, go to the next pick";
   ASSERT_NO_FATAL_FAILURE(click(w, "loom.next"));
   ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:4"); }));
   display_.key("BackSpace");
   ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:3"); }));
-  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; })) << "it is kept with the draft";
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; })) << "it is saved with the draft";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.has("view"); }));
 }
 
-/// The window connects by the address, and each pick that the loom asks for is raised.
+/// The window connects to the address and sends the lift of each pick that the loom requests.
 TEST_F(ToolsTest, SendsEachPickToALoomOverTcp) {
   const LoomPort port;
   ASSERT_GT(port.number(), 0);
@@ -203,7 +204,7 @@ TEST_F(ToolsTest, SendsEachPickToALoomOverTcp) {
   ::close(loom);
 }
 
-TEST_F(ToolsTest, Pick1StandsAtTheBottomForWhoReadsUpwards) {
+TEST_F(ToolsTest, Pick1CanBeAtTheBottom) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   EXPECT_LT(w.cell("drawdown", 1, 1).y, w.cell("drawdown", 1, 9).y);
@@ -215,7 +216,7 @@ TEST_F(ToolsTest, Pick1StandsAtTheBottomForWhoReadsUpwards) {
   for (const char* grid : {"treadling", "weft_colors", "weft_numbers"})
     EXPECT_GT(w.cell(grid, 1, 1).y, w.cell(grid, 1, 9).y) << grid;
   EXPECT_LT(w.cell("threading", 1, 8).y, w.cell("drawdown", 1, 24).y) << "the threading stays above";
-  // A click paints the pick that is seen there, an arrow goes where it points.
+  // Clicks and arrow keys follow the orientation on the screen.
   display_.click(w.cell("treadling", 5, 2));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.treadling.first(1) == 4; }));
   display_.key("n");
@@ -229,10 +230,10 @@ TEST_F(ToolsTest, Pick1StandsAtTheBottomForWhoReadsUpwards) {
   EXPECT_EQ(w.process().wait(), 0);
   Window again(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
-  EXPECT_GT(again.cell("drawdown", 1, 1).y, again.cell("drawdown", 1, 9).y) << "it is kept";
+  EXPECT_GT(again.cell("drawdown", 1, 1).y, again.cell("drawdown", 1, 9).y) << "it is saved";
 }
 
-TEST_F(ToolsTest, OnASmallScreenNothingLiesBeyondIt) {
+TEST_F(ToolsTest, OnASmallScreenEverythingFits) {
   const Display small(1000, 640);
   ASSERT_TRUE(small.is_up());
   Window w(small, folder_, draft_);
@@ -245,7 +246,7 @@ TEST_F(ToolsTest, OnASmallScreenNothingLiesBeyondIt) {
   EXPECT_LE(at.y + size.y, 640);
 }
 
-TEST_F(ToolsTest, AFlatSwatchFillsThePaneAndTheDrapeComesBack) {
+TEST_F(ToolsTest, AFlatSwatchFillsThePane) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }));
   const auto [at, size] = w.place_of("view");
@@ -266,7 +267,7 @@ TEST_F(ToolsTest, AFlatSwatchFillsThePaneAndTheDrapeComesBack) {
   EXPECT_TRUE(comes_true([&] { return w.has("grazing"); }));
   display_.key("f");
   EXPECT_TRUE(comes_true([&] { return !w.has("view.busy") && !w.has("grazing"); }));
-  EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "looking changes nothing";
+  EXPECT_EQ(design_of(w.live()), design_of(bytes_of(draft_))) << "the design is unchanged";
 }
 
 }  // namespace

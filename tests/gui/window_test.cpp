@@ -1,4 +1,4 @@
-// The window as a weaver uses it: paint, undo, save, open again; every step by the real mouse and keys.
+// The window as a weaver uses it: paint, undo, save, open again, with real mouse and keyboard events.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::string twill() {
   return write_new_wif(d) + "[PRIVATE ANOTHER PROGRAM]\nKept=as it is\n";
 }
 
-constexpr double kSameCloth = 0.01;  // 0.003 where time was left for one pass less; an edit: 0.042
+constexpr double kSameCloth = 0.01;  // RMSE: 0.003 for one pass less, 0.042 for an edit
 
 class WindowTest : public OnDisplay {
  protected:
@@ -48,13 +48,13 @@ class WindowTest : public OnDisplay {
     return w.is_ready() && w.has("view.picture") && !w.has("view.busy") && !w.has("view.refining");
   }
 
-  /// The cloth, without the line of figures at its foot.
+  /// The cloth, without the line of statistics below it.
   std::string picture(const Window& w) const {
     const auto [place, size] = w.place_of("view");
     return display_.picture({place.x + 20, place.y + 60}, {size.x - 40, size.y - 140});
   }
 
-  /// The cloth once it stands still: twice the same.
+  /// The cloth once two screenshots are the same.
   std::string still_picture(const Window& w) const {
     std::string last, now;
     comes_true([&] {
@@ -65,8 +65,8 @@ class WindowTest : public OnDisplay {
     return now;
   }
 
-  /// Root mean square of what two pictures of one size differ by, of 1; of unlike sizes 1. On a busy machine a
-  /// picture may be given fewer passes.
+  /// RMSE of two pictures of the same size, relative to 1; 1 for different sizes. On a busy machine a picture may have
+  /// fewer passes.
   static double apart(const std::string& a, const std::string& b) {
     if (a.size() != b.size() || a.empty()) return 1;
     double sum = 0;
@@ -107,7 +107,7 @@ TEST_F(WindowTest, PaintsUndoesSavesAndOpensAgain) {
     EXPECT_EQ(painted.draft, with_threading(before, 2, 0, true).draft);
     EXPECT_EQ(painted.draft.threading.first(2), 0);
     EXPECT_NE(drawdown_of(folder_ / "live.wif"), drawdown_of(draft_));
-    EXPECT_EQ(bytes_of(draft_), original) << "nothing is saved unasked";
+    EXPECT_EQ(bytes_of(draft_), original) << "nothing is saved without a command";
     EXPECT_TRUE(comes_true([&] { return apart(still_picture(w), cloth) > kSameCloth; }))
         << "the cloth did not follow the edit";
 
@@ -138,7 +138,7 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   const std::string original = w.live();
   const auto undone = [&](const char* what) {
     display_.key("ctrl+z");
-    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << what << ": one undo did not take the drag back";
+    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << what << ": one undo did not undo the drag";
   };
 
   display_.drag({w.cell("threading", 5, 4), w.cell("threading", 8, 4)});
@@ -146,7 +146,7 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
     const Draft d = design_of(w.live()).draft;
     return d.threading.first(4) == 3 && d.threading.first(5) == 3 && d.threading.first(6) == 3 &&
            d.threading.first(7) == 3;
-  })) << "the drag left out a cell";
+  })) << "the drag skipped a cell";
   undone("threading");
 
   display_.click(w.cell("tieup", 1, 4));
@@ -174,7 +174,7 @@ TEST_F(WindowTest, OneDragIsOneStepOnEveryGrid) {
   quit(w);
 }
 
-TEST_F(WindowTest, SelectsCopiesPastesAndTakesItAllBack) {
+TEST_F(WindowTest, SelectsCopiesPastesAndUndoes) {
   const std::string original = bytes_of(draft_);
   const Design before = design_of(original);
   std::string saved;
@@ -250,7 +250,7 @@ TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
   EXPECT_TRUE(comes_true([&] { return half(0.3, 0.45) != quarter; })) << "the traced threads did not follow the slider";
   display_.key("F7");
   EXPECT_TRUE(comes_true([&] { return !w.has("view.compare") && apart(still_picture(w), alone) < kSameCloth; }))
-      << "the preview did not come back whole";
+      << "the preview does not fill the pane again";
   quit(w);
 }
 
@@ -265,7 +265,7 @@ TEST_F(WindowTest, ACrossSectionIsChosenByItsName) {
   ASSERT_TRUE(comes_true([&] { return w.has("yarn.section:Flat film"); }));
   display_.click(w.middle_of("yarn.section:Flat film"));
   ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
-  EXPECT_EQ(design_of(w.live()).yarns[0], with_cross_section(before, CrossSection::kFlat)) << "as the file keeps it";
+  EXPECT_EQ(design_of(w.live()).yarns[0], with_cross_section(before, CrossSection::kFlat)) << "as saved in the file";
   display_.key("ctrl+z");
   EXPECT_TRUE(comes_true([&] { return w.live() == original; }));
   quit(w);
@@ -277,7 +277,7 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   const std::string original = w.live();
   display_.click(w.middle_of("inspector:Yarns"));
   ASSERT_TRUE(comes_true([&] { return w.has("section.lobes"); }));
-  // Shut what stands above, so that plot and sliders are both in sight.
+  // Close the sections above, so that plot and sliders are both visible.
   const double high = w.place_of("section.lobes").first.y;
   display_.click(w.middle_of("section.yarns"));
   ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < high; }));
@@ -302,7 +302,7 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   quit(w);
 }
 
-TEST_F(WindowTest, BeginsADraftFromAWeave) {
+TEST_F(WindowTest, StartsADraftFromAWeave) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.key("ctrl+n");
@@ -316,8 +316,8 @@ TEST_F(WindowTest, BeginsADraftFromAWeave) {
   quit(w);
 }
 
-TEST_F(WindowTest, ChosenEndsTakeAThicknessThatTheFileKeeps) {
-  // Another program's way of writing, in inches; only the lines of the chosen ends may change.
+TEST_F(WindowTest, TheThicknessOfSelectedEndsIsSaved) {
+  // Written by another program, in inches; only the lines of the selected ends may change.
   std::ofstream(draft_, std::ios::binary)
       << twill() + "[WARP]\nUnits=Inches\n[WARP THICKNESS]\n1=.0200 ; as spun\n9= 0.030\n";
   const std::string original = bytes_of(draft_);
@@ -328,7 +328,7 @@ TEST_F(WindowTest, ChosenEndsTakeAThicknessThatTheFileKeeps) {
     EXPECT_EQ(w.live(), original);
     display_.click(w.cell("warp_numbers", 3, 1));
     display_.click_holding("shift", w.cell("warp_numbers", 5, 1));
-    ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); })) << "nothing was chosen";
+    ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); })) << "nothing was selected";
     const auto [place, size] = w.place_of("threads.thickness");
     const auto at = [place = place, size = size](double share) {
       return Point{place.x + share * size.x, place.y + size.y / 2};
@@ -344,13 +344,13 @@ TEST_F(WindowTest, ChosenEndsTakeAThicknessThatTheFileKeeps) {
     EXPECT_NE(w.live().find("\n9= 0.030\n"), std::string::npos);
 
     display_.key("ctrl+z");
-    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the drag was more than one step";
+    EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the drag was more than one undo step";
     display_.key("ctrl+shift+z");
     ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
 
-    // What is typed goes to the same ends: 10 ends an inch.
+    // A typed value is for the same ends: 10 ends per inch.
     display_.key("Escape");
-    ASSERT_TRUE(comes_true([&] { return !w.has("threads.none"); })) << "Escape did not let go";
+    ASSERT_TRUE(comes_true([&] { return !w.has("threads.none"); })) << "Escape did not clear the selection";
     display_.click(w.middle_of("threads.which"));
     display_.key("3 minus 5 Return");
     ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); }));
@@ -391,7 +391,7 @@ TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {
   EXPECT_EQ(bytes_of(draft_), original);
 }
 
-TEST_F(WindowTest, QuickClicksAreStepsOfTheirOwn) {
+TEST_F(WindowTest, QuickClicksAreSeparateSteps) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
   std::vector<std::string> steps = {w.live()};
@@ -405,7 +405,7 @@ TEST_F(WindowTest, QuickClicksAreStepsOfTheirOwn) {
   ASSERT_TRUE(comes_true([&] { return moved() == 6; })) << moved();
   for (int left = 5; left >= 0; --left) {
     display_.key("ctrl+z");
-    EXPECT_TRUE(comes_true([&] { return moved() == left; })) << "an undo took back more than one click: " << moved();
+    EXPECT_TRUE(comes_true([&] { return moved() == left; })) << "an undo undid more than one click: " << moved();
   }
   quit(w);
 }
@@ -424,7 +424,7 @@ TEST_F(WindowTest, EscapeClosesAMenuAndKeysWorkAgain) {
   const std::string original = bytes_of(draft_);
   display_.click(w.cell("threading", 1, 2));
   ASSERT_TRUE(comes_true([&] { return w.live() != original; })) << "the draft could not be painted";
-  // A text field has the keyboard; saving is still saving.
+  // Ctrl+S also works in a text field.
   display_.click(w.middle_of("threads.which"));
   display_.key("3 ctrl+s");
   EXPECT_TRUE(comes_true([&] { return bytes_of(draft_) != original; })) << "Ctrl+S did nothing in a text field";
@@ -432,7 +432,7 @@ TEST_F(WindowTest, EscapeClosesAMenuAndKeysWorkAgain) {
   quit(w);
 }
 
-TEST_F(WindowTest, AnySizeLivesAndTheInspectorCanGo) {
+TEST_F(WindowTest, AnyWindowSizeWorksAndTheInspectorCanBeHidden) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
   EXPECT_TRUE(w.has("threads.which"));
@@ -446,7 +446,7 @@ TEST_F(WindowTest, AnySizeLivesAndTheInspectorCanGo) {
   }
   ASSERT_TRUE(comes_true([&] { return is_settled(w) && w.place_of("view").second.x < 560; }))
       << "the window did not come back to 900 x 600";
-  // Nothing is cut off: every control of the row above the draft lies left of the splitter.
+  // Nothing is cut off: every control of the draft's header is left of the splitter.
   const double edge = w.place_of("split").first.x;
   for (const char* control : {"tool", "look"}) {
     const auto [place, size] = w.place_of(control);
@@ -455,11 +455,11 @@ TEST_F(WindowTest, AnySizeLivesAndTheInspectorCanGo) {
   quit(w);
 }
 
-TEST_F(WindowTest, ATipComesToAPointerThatRests) {
+TEST_F(WindowTest, ATipAppearsWhenThePointerRests) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
   display_.move(w.middle_of("save"));
-  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "nothing was said of the button";
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "the button has no tip";
   display_.move(w.cell("drawdown", 8, 8));
   EXPECT_TRUE(comes_true([&] { return !w.has("tip"); }));
   quit(w);
@@ -480,14 +480,14 @@ TEST_F(WindowTest, ShowsLongFloatsAndWeavesOverTheDraft) {
   ASSERT_TRUE(comes_true([&] { return w.has("float:1"); })) << "the floats of a satin were not found";
   display_.click(w.middle_of("float:1"));
   display_.key("ctrl+z");
-  EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the weave was more than one step";
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "the weave was more than one undo step";
 
   display_.key("Escape w");
   ASSERT_TRUE(comes_true([&] { return w.has("weave:satin"); }));
   display_.click(w.middle_of("weave:satin"));
   EXPECT_TRUE(comes_true([&] { return w.live() != original; }));
   display_.key("Escape");
-  EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "Cancel left something behind";
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; })) << "Cancel did not restore the draft";
   quit(w);
 }
 

@@ -156,7 +156,9 @@ void draw_facts(PanelContext& c, const ExportPrompt& p) {
   const ExportFigures& f = p.figures;
   const auto line = [&c](const char* label, const std::string& text) {
     row_label(c, label, nullptr);
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
   };
   if (f.set.ends > 0) {
     line(tr("Tile size"), fill(tr("{width} \xC3\x97 {height} mm, {ends} ends \xC3\x97 {picks} picks"),
@@ -207,7 +209,7 @@ void draw_progress(PanelContext& c, const ExportPrompt& p, const Exporter::State
   } else if (!p.conflicts.empty()) {
     for (const std::string& conflict : p.conflicts) words(conflict + ".", c.style.color.warn);
     words(tr("Files with the same names will be replaced; other files are kept."), c.style.color.text);
-    c.map.add_item("export.conflicts");
+    c.map.add_item("export.asked");
   } else if (!state.problems.empty()) {
     for (const std::string& problem : state.problems) words(problem, c.style.color.error);
   } else if (state.stopped) {

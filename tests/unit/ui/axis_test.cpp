@@ -23,7 +23,7 @@ TEST(Axis, NeighboursMeetWithoutSeamOrOverlap) {
   for (int i = 0; i + 1 < 60; ++i) EXPECT_EQ(a.low(i), a.high(i + 1));
 }
 
-TEST(Axis, ReversedHasTheFirstCellAtTheFarEnd) {
+TEST(Axis, ReversedHasTheFirstCellAtTheHighEnd) {
   const Axis a{100, 80, 10, 0, 8, true};
   EXPECT_EQ(a.at(179), 0);
   EXPECT_EQ(a.at(100), 7);
@@ -31,14 +31,14 @@ TEST(Axis, ReversedHasTheFirstCellAtTheFarEnd) {
   EXPECT_EQ(a.at(99), -1);
 }
 
-TEST(Axis, DragsOutsideStayOnTheLastCellInSight) {
+TEST(Axis, DragsOutsideStayOnTheLastVisibleCell) {
   const Axis a{0, 50, 10, 3, 20, false};
   EXPECT_EQ(a.nearest(-1000), 3);
   EXPECT_EQ(a.nearest(1000), 7);
   EXPECT_EQ((Axis{0, 50, 10, 0, 0, false}).nearest(10), -1);
 }
 
-TEST(Axis, SeesNothingOfAnEmptyGrid) {
+TEST(Axis, AnEmptyGridHasNoVisibleCells) {
   const Axis a{0, 100, 10, 0, 0, false};
   EXPECT_EQ(a.first_visible(), a.end_visible());
   EXPECT_EQ(a.at(5), -1);

@@ -15,7 +15,7 @@ struct Box {
   ImU32 color;
 };
 
-/// Frames of plain boxes in one window, as ImGui hands them over.
+/// Frames of plain boxes in one window, as ImGui produces them.
 class DamageTest : public testing::Test {
  protected:
   DamageTest() {
@@ -51,7 +51,7 @@ bool holds(const std::vector<Area>& areas, float x, float y) {
                      [&](const Area& a) { return x >= a.x0 && x < a.x1 && y >= a.y0 && y < a.y1; });
 }
 
-TEST_F(DamageTest, TheFirstFrameIsDrawnWholeAndTheSameAgainNotAtAll) {
+TEST_F(DamageTest, TheFirstFrameIsRedrawnAndAnIdenticalOneIsNot) {
   const std::vector<Box> boxes{{10, 10, 40, 40, IM_COL32(255, 0, 0, 255)}};
   EXPECT_EQ(frame(boxes), std::vector<Area>{kAll});
   EXPECT_TRUE(frame(boxes).empty());
@@ -71,14 +71,14 @@ TEST_F(DamageTest, OneCellOfManyIsASmallArea) {
   EXPECT_LE((areas[0].x1 - areas[0].x0) * (areas[0].y1 - areas[0].y0), 64.0f);
 }
 
-TEST_F(DamageTest, OtherPixelsOfAPictureAreSeenByItsName) {
+TEST_F(DamageTest, ATextureWithAnotherNameIsAChange) {
   int one = 0, other = 0;
   frame({}, &one);
   EXPECT_TRUE(frame({}, &one).empty());
   EXPECT_TRUE(holds(frame({}, &other), 160, 170));
 }
 
-TEST_F(DamageTest, AWindowThatComesOrGoesDrawsAll) {
+TEST_F(DamageTest, AWindowThatOpensOrClosesRedrawsAll) {
   frame({});
   EXPECT_EQ(frame({}, nullptr, true), std::vector<Area>{kAll});
   EXPECT_EQ(frame({}), std::vector<Area>{kAll});
@@ -93,7 +93,7 @@ std::vector<ImU32> painted(const std::vector<Box>& boxes) {
   return pixels;
 }
 
-TEST_F(DamageTest, HoldsEveryPixelThatDiffers) {
+TEST_F(DamageTest, CoversEveryPixelThatDiffers) {
   std::mt19937 random(7);
   const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const auto box = [&] {

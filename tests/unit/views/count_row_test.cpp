@@ -1,4 +1,4 @@
-// What the panel says of a yarn's count.
+// The text of a yarn's count in the panel.
 
 #include "views/inspector/count_row.h"
 
@@ -10,7 +10,7 @@
 namespace weftlight::views {
 namespace {
 
-TEST(CountRow, SaysTheUnitsOfTheTradeAndWhereTheCountIsFrom) {
+TEST(CountRow, HasTheUnitsOfTheTradeAndTheSourceOfTheCount) {
   const Yarn cotton = *with_count(yarn_preset("Cotton"), "Ne 40");
   EXPECT_EQ(count_in_words(cotton), "Ne 40.0, Nm 67.7, 133 den\n61% of the yarn is fibre");
   Yarn yarn = cotton;

@@ -1,4 +1,4 @@
-// How the grids of a draft are laid out and drawn, and how commands are found.
+// Layout and images of the grids of a draft, and the search for commands.
 
 #include <gtest/gtest.h>
 
@@ -32,10 +32,10 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
   const Axis small{0, 100, 0.25f, 0, 400, true};
   const CellImage mean = cell_image(d.draft, plain, Face::kFront, DrawdownStyle::kColor, light_colors(), small, small);
   for (ImU32 pixel : mean.pixels)
-    EXPECT_NEAR(static_cast<double>(pixel & 255), 127, 1) << "plain weave is grey from afar";
+    EXPECT_NEAR(static_cast<double>(pixel & 255), 127, 1) << "plain weave is grey when small";
 }
 
-TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
+TEST(Layout, GridsAreWhereTheMapSaysAndAlignWithTheTieUp) {
   const Design d = straight_twill(6, 5);
   DocumentView view;
   const Style style;
@@ -53,7 +53,7 @@ TEST(Layout, GridsStandWhereTheMapSaysAndMeetTheTieUp) {
     }
 }
 
-TEST(Layout, ThreadingBelowEnd1LeftAndPick1AtTheBottomTurnAllThatFollows) {
+TEST(Layout, EveryOrientationIsConsistent) {
   const Design d = straight_twill(6, 5);
   for (const bool right : {false, true})
     for (const bool below : {false, true})
@@ -66,12 +66,12 @@ TEST(Layout, ThreadingBelowEnd1LeftAndPick1AtTheBottomTurnAllThatFollows) {
         settings.tiled = tiled;
         const DraftLayout l = lay_out_draft(d.draft, {}, settings, Style{}, {0, 0}, {800, 600});
         EXPECT_EQ(l.threading.min().y > l.drawdown.max().y - 1, below);
-        EXPECT_EQ(l.warp_bar.min().y > l.threading.max().y - 1, below) << "bar and numbers lie outermost";
+        EXPECT_EQ(l.warp_bar.min().y > l.threading.max().y - 1, below) << "bar and numbers are outermost";
         EXPECT_EQ(l.warp_labels.min().y > l.warp_bar.max().y - 1, below);
         EXPECT_EQ(l.tieup.y.start, l.threading.y.start);
         EXPECT_LE(std::max(l.warp_labels.max().y, l.drawdown.max().y), 600);
         EXPECT_LE(l.weft_labels.max().x, 800);
-        // Shaft 1 lies next to the drawdown, end 1 next to the treadling or at the left.
+        // Shaft 1 is next to the drawdown, end 1 next to the treadling or at the left.
         const UiGrid grid = map_of(l.threading);
         EXPECT_EQ(grid.step_b[1] > 0, below);
         EXPECT_EQ(grid.step_a[0] < 0, right);
@@ -86,14 +86,14 @@ TEST(Layout, ThreadingBelowEnd1LeftAndPick1AtTheBottomTurnAllThatFollows) {
               ASSERT_EQ(pane->at(at), (Cell{a, b})) << map.name << " right " << right << " below " << below;
             }
         }
-        // What goes on beyond the edges agrees with the drawdown where it is.
+        // The tiled view agrees with the drawdown inside its edges.
         EXPECT_EQ(cell_at(l.tiled_drawdown.x, l.drawdown.x.low(2) + 1), 2);
         EXPECT_EQ(cell_at(l.tiled_drawdown.y, l.drawdown.y.low(3) + 1), 3);
         EXPECT_EQ(l.tiled_drawdown.x.length > l.drawdown.x.length, tiled);
       }
 }
 
-TEST(CellImage, GoesOnBeyondTheEdgesWhereItIsTiled) {
+TEST(CellImage, RepeatsBeyondTheEdgesIfTiled) {
   Design d = straight_twill(4, 3);
   d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
   BitMatrix cells(3, 4);
@@ -112,7 +112,7 @@ TEST(CellImage, GoesOnBeyondTheEdgesWhereItIsTiled) {
   EXPECT_EQ(black, 3 * 3 * 4) << "one crossing of twelve, two by two pixels, nine times";
 }
 
-TEST(CellImage, Pick1AtTheBottomIsThePictureUpsideDown) {
+TEST(CellImage, Pick1AtTheBottomFlipsTheImage) {
   Design d = straight_twill(4, 6);
   d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
   BitMatrix cells(6, 4);
@@ -126,7 +126,7 @@ TEST(CellImage, Pick1AtTheBottomIsThePictureUpsideDown) {
       EXPECT_EQ(up.pixels[static_cast<size_t>(8 * y + x)], down.pixels[static_cast<size_t>(8 * (11 - y) + x)]);
 }
 
-TEST(DragScroll, GoesTowardsThePointerAndNoFurtherThanThereIs) {
+TEST(DragScroll, GoesTowardsThePointerAndStopsAtTheEnd) {
   Axis axis{100, 200, 10, 30, 100, false};
   EXPECT_EQ(dragged_scroll(axis, 150, 0.1f), 30) << "inside";
   EXPECT_LT(dragged_scroll(axis, 90, 0.1f), 30);
@@ -167,7 +167,7 @@ TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
   EXPECT_EQ(fitting_width(blank_draft(2000, 2000, 8, 8), style, 400, 700, 800), 700);
 }
 
-TEST(Commands, TypingNarrowsAndTheBestMatchLeads) {
+TEST(Commands, TypingFiltersAndTheBestMatchIsFirst) {
   int score = 0, better = 0;
   EXPECT_TRUE(matches("Save as", "sa", score));
   EXPECT_TRUE(matches("Larger cells", "lc", score));

@@ -1,4 +1,4 @@
-// What the yarn's plot and the new draft's list hold.
+// The plot of a yarn's lobes and its strip.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(LobesPlot, TheHighlightMirrorsTheLight) {
   EXPECT_NEAR(LobeCurves::angle_deg(peak_of(curves.across)), -30, 2);
 }
 
-TEST(LobesPlot, EachPartFollowsItsSlider) {
+TEST(LobesPlot, EachLobeFollowsItsSlider) {
   Lobes none;
   none.specular = none.body = none.fuzz = none.transmission = 0;
   const LobeCurves dark = lobe_curves(none, kWhite, 20);
@@ -32,7 +32,7 @@ TEST(LobesPlot, EachPartFollowsItsSlider) {
     EXPECT_LT(*std::max_element(curve->begin(), curve->end()), 1e-6f);
   Lobes body = none;
   body.body = 1;
-  // A body alone is as bright as paper of its colour.
+  // A body without other lobes is as bright as paper of its colour.
   EXPECT_NEAR(lobe_curves(body, kWhite, 0).body[180], 1.0f, 1e-3f);
   body.transmission = 0.5f;
   const LobeCurves half = lobe_curves(body, kWhite, 0);
@@ -41,10 +41,10 @@ TEST(LobesPlot, EachPartFollowsItsSlider) {
   Lobes fuzz = none;
   fuzz.fuzz = 1;
   const LobeCurves hair = lobe_curves(fuzz, kWhite, 20);
-  EXPECT_GT(hair.fuzz[340], hair.fuzz[180]) << "fuzz is seen at grazing";
+  EXPECT_GT(hair.fuzz[340], hair.fuzz[180]) << "fuzz is stronger at grazing angles";
 }
 
-TEST(LobesPlot, TheRimHoldsThePeak) {
+TEST(LobesPlot, TheRimContainsThePeak) {
   Lobes sharp;
   sharp.along_width = sharp.across_width = 0.02f;
   const LobeCurves curves = lobe_curves(sharp, kWhite, 30);

@@ -50,7 +50,7 @@ TEST(Overview, EveryPixelIsTheMeanOfAllItsCrossings) {
   }
 }
 
-TEST(Overview, AnEditMakesOnlyThePixelsThatItTouches) {
+TEST(Overview, AnEditComputesOnlyThePixelsThatItChanges) {
   Cloth c = random_cloth(2000, 1500);
   OverviewImage overview;
   overview.update(c.cells, true, c.warp, c.weft, 150, 112);
@@ -74,7 +74,7 @@ TEST(Overview, AnEditMakesOnlyThePixelsThatItTouches) {
   EXPECT_EQ(overview.image().pixels, anew.image().pixels);
 }
 
-TEST(Overview, SmallDraftsHaveAPixelACrossingAtMost) {
+TEST(Overview, SmallDraftsHaveAtMostOnePixelPerCrossing) {
   const Cloth c = random_cloth(20, 3);
   OverviewImage overview;
   overview.update(c.cells, true, c.warp, c.weft, 150, 30);

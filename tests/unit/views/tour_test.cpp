@@ -1,4 +1,4 @@
-// The tour names the keys that the weaver has, not those that were shipped.
+// The tour names the user's shortcuts, not the default ones.
 
 #include "views/shell/tour.h"
 
@@ -14,20 +14,20 @@ std::vector<ActionItem> items() {
   return {undo, open};
 }
 
-TEST(Tour, NamesTheKeysOfTheTable) {
+TEST(Tour, NamesTheShortcuts) {
   EXPECT_EQ(with_keys("{undo} takes back any step.", items()), "Ctrl+Z takes back any step.");
   std::vector<ActionItem> own = items();
   own[0].shortcut = "Ctrl+U";
   EXPECT_EQ(with_keys("Any step: {undo}", own), "Any step: Ctrl+U");
 }
 
-TEST(Tour, NamesTheMenuOfWhatHasNoKey) {
+TEST(Tour, NamesTheMenuOfAnActionWithoutShortcut) {
   std::vector<ActionItem> own = items();
   own[0].shortcut = "";
   EXPECT_EQ(with_keys("{undo}; {open}.", own), "Edit, Undo; File, Open.");
 }
 
-TEST(Tour, LeavesOtherWordsAsTheyAre) {
+TEST(Tour, LeavesOtherTextUnchanged) {
   EXPECT_EQ(with_keys("", items()), "");
   EXPECT_EQ(with_keys("no key", items()), "no key");
   EXPECT_EQ(with_keys("an open { brace", items()), "an open ");

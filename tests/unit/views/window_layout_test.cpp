@@ -5,7 +5,7 @@
 namespace weftlight::views {
 namespace {
 
-TEST(WindowLayout, NoSizeLeavesTheWindowOrGoesBelowNothing) {
+TEST(WindowLayout, PanesStayInTheWindowAndAreNeverNegative) {
   const Style style;
   for (const float width : {1.0f, 2.0f, 30.0f, 300.0f, 640.0f, 900.0f, 1440.0f, 8000.0f})
     for (const float height : {0.0f, 1.0f, 10.0f, 28.0f, 170.0f, 900.0f})
@@ -22,7 +22,7 @@ TEST(WindowLayout, NoSizeLeavesTheWindowOrGoesBelowNothing) {
         }
 }
 
-TEST(WindowLayout, TheInspectorGivesItsRoomAway) {
+TEST(WindowLayout, AHiddenInspectorLeavesItsWidthToTheOthers) {
   const Style style;
   const WindowLayout with = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, true);
   const WindowLayout without = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, false);
@@ -30,7 +30,7 @@ TEST(WindowLayout, TheInspectorGivesItsRoomAway) {
   EXPECT_FALSE(without.inspector.shown());
   EXPECT_EQ(without.room, 900);
   EXPECT_FALSE(lay_out_window(style, {0, 0}, {500, 600}, 0.5f, true).inspector.shown())
-      << "a narrow window keeps what there is for draft and cloth";
+      << "a narrow window hides the inspector";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is planned of a cloth comes from its view and from what the weaver always reckons with.
+// The plan of a cloth comes from its view and from the settings.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace weftlight::views {
 namespace {
 
-TEST(YarnNeed, APlanIsOfTheViewAndOfTheSettings) {
+TEST(YarnNeed, ThePlanCombinesViewAndSettings) {
   Design d = straight_draft(8);
   d.yarns.push_back(d.yarns[0]);
   d.yarns[0].name = "Linen";

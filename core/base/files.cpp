@@ -7,12 +7,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "base/caught.h"
 #include "platform/file_lock.h"
 #include "platform/unique_name.h"
 
@@ -137,9 +137,8 @@ Beside make_beside(const std::string& target) {
 std::string written_by(const WriteFile& write, const std::string& beside) {
   try {
     return write(beside);
-  } catch (const std::exception& problem) {
-    const std::string words = problem.what();
-    return words.empty() ? "it cannot be made" : words;
+  } catch (...) {
+    return words_of_thrown();
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // A thread that does the newest job of each kind: what waits is replaced by what is newer, and what is at work
-// is asked to give way.
+// is asked to give way. What a job throws ends that job alone.
 
 #include <condition_variable>
 #include <functional>
@@ -20,7 +20,11 @@ class Worker {
   /// What becomes of jobs that wait when the worker goes.
   enum class Leaving { kDrop, kFinish };
 
-  explicit Worker(Leaving leaving = Leaving::kDrop);
+  /// Told on the thread what a job threw, in words, unless it was asked to stop.
+  using Failed = std::function<void(const std::string& why, const std::stop_token& stop)>;
+
+  explicit Worker(Leaving leaving = Leaving::kDrop, Failed failed = {});
+  explicit Worker(Failed failed) : Worker(Leaving::kDrop, std::move(failed)) {}
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -36,8 +40,10 @@ class Worker {
 
  private:
   void work();
+  void run(Job job, const std::stop_token& stop) const noexcept;
 
   const Leaving leaving_;
+  const Failed failed_;
   mutable std::mutex mutex_;  // of all below
   mutable std::condition_variable changed_;
   std::vector<std::pair<std::string, Job>> waiting_;  // oldest first, one of a kind

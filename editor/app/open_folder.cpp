@@ -3,6 +3,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <system_error>
 #include <thread>
 
 extern char** environ;
@@ -16,7 +17,10 @@ std::string open_folder(const std::string& folder) {
   if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv, environ) != 0)
     return "No program to show folders (xdg-open); it is " + folder;
   // Its end is waited for, by nobody who has anything else to do.
-  std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+  try {
+    std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+  } catch (const std::system_error&) {  // no thread is to be had: it is waited for when the program ends
+  }
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "base/utf8.h"
 #include "commands/chart/scene.h"
@@ -570,20 +571,27 @@ CommandLine run_command_line(int argc, char** argv) {
   }
   take_print_text(print.options, print_text);
   analyse.plan.weft_shrinkage = analyse.plan.warp_shrinkage;
-  if (info_verb->parsed()) result.exit_code = info_command(info);
-  else if (drawdown_verb->parsed()) result.exit_code = drawdown_command(drawdown);
-  else if (convert_verb->parsed()) result.exit_code = convert_command(convert);
-  else if (render_verb->parsed()) result.exit_code = render_command(picture);
-  else if (reference_verb->parsed()) result.exit_code = reference_command(picture);
-  else if (export_verb->parsed()) result.exit_code = export_command(texture);
-  else if (chart_verb->parsed()) result.exit_code = chart_command(chart);
-  else if (response_verb->parsed()) result.exit_code = response_command(response);
-  else if (drape_verb->parsed()) result.exit_code = drape_command(drape);
-  else if (analyse_verb->parsed()) result.exit_code = analyse_command(analyse);
-  else if (weave_verb->parsed()) result.exit_code = weave_command(weave);
-  else if (print_verb->parsed()) result.exit_code = print_command(print);
-  else if (diff_verb->parsed()) result.exit_code = diff_command(diff);
-  else result.open_editor = true;
+  try {
+    if (info_verb->parsed()) result.exit_code = info_command(info);
+    else if (drawdown_verb->parsed()) result.exit_code = drawdown_command(drawdown);
+    else if (convert_verb->parsed()) result.exit_code = convert_command(convert);
+    else if (render_verb->parsed()) result.exit_code = render_command(picture);
+    else if (reference_verb->parsed()) result.exit_code = reference_command(picture);
+    else if (export_verb->parsed()) result.exit_code = export_command(texture);
+    else if (chart_verb->parsed()) result.exit_code = chart_command(chart);
+    else if (response_verb->parsed()) result.exit_code = response_command(response);
+    else if (drape_verb->parsed()) result.exit_code = drape_command(drape);
+    else if (analyse_verb->parsed()) result.exit_code = analyse_command(analyse);
+    else if (weave_verb->parsed()) result.exit_code = weave_command(weave);
+    else if (print_verb->parsed()) result.exit_code = print_command(print);
+    else if (diff_verb->parsed()) result.exit_code = diff_command(diff);
+    else result.open_editor = true;
+  } catch (...) {
+    // Memory, above all. Files are whole or not there (base/files.h).
+    std::fprintf(stderr, "weftlight %s: %s\n", app.get_subcommands()[0]->get_name().c_str(), words_of_thrown().c_str());
+    const bool reads_only = info_verb->parsed() || analyse_verb->parsed() || diff_verb->parsed();
+    result.exit_code = reads_only ? kBadInput : kNotWritten;
+  }
   if (!result.open_editor) result.exit_code = with_output_flushed(result.exit_code);
   return result;
 }

@@ -11,6 +11,7 @@
 #include <set>
 #include <thread>
 
+#include "base/caught.h"
 #include "base/loops.h"
 #include "commands/commands.h"
 #include "files/design_drape.h"
@@ -181,7 +182,11 @@ void run_job(Job job, Run& run) {
 
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
   Run run{options, mesh, {}, kDone, 0, 0, {}};
-  for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) { run_job(jobs[static_cast<size_t>(j)], run); });
+  for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
+    const Job& job = jobs[static_cast<size_t>(j)];
+    const std::string thrown = caught([&] { run_job(job, run); });
+    if (!thrown.empty()) tell(run, kNotWritten, job.file + ": not exported: " + thrown);
+  });
   if (jobs.size() > 1) {
     std::fprintf(stderr, "weftlight: %d sets written, %d were complete, %zu failed\n", run.written.load(),
                  run.kept.load(), run.failed.size());

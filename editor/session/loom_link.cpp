@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/caught.h"
+
 namespace weftlight::session {
 namespace {
 
@@ -69,11 +71,15 @@ void LoomLink::work() {
     }
     const std::string address = address_;
     lock.unlock();
-    const loom::LineOpened opened = loom::open_line(address, kConnectMs);
-    if (opened.line) talk(*opened.line, address);
+    std::string why;
+    const std::string thrown = caught([&] {
+      const loom::LineOpened opened = loom::open_line(address, kConnectMs);
+      if (opened.line) talk(*opened.line, address);
+      why = opened.line ? "the line broke off" : opened.why;
+    });
     lock.lock();
     if (address != address_) continue;
-    why_ = opened.line ? "the line broke off" : opened.why;
+    why_ = thrown.empty() ? why : thrown;
     state_ = State::kConnecting;
     wake_();
     changed_.wait_for(lock, kAgain, [&] { return address != address_; });

@@ -30,6 +30,14 @@ void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per
   });
 }
 
+void SheetPreview::fail(const std::string& why) {
+  {
+    const std::lock_guard lock(mutex_);
+    news_.emplace().why = "No preview: " + why;
+  }
+  wake_();
+}
+
 bool SheetPreview::poll() {
   std::optional<SheetPicture> news;
   {

@@ -35,14 +35,16 @@ class SheetPreview {
     double pixels_per_mm = 0;
     bool operator==(const Asked&) const = default;
   };
+  void fail(const std::string& why);
+
   std::shared_ptr<const Design> design_;
   std::function<void()> wake_;
   Asked asked_;
   print::SheetPicture last_;
   PixelTexture texture_;
   std::mutex mutex_;
-  std::optional<print::SheetPicture> news_;  // guarded by the mutex
-  base::Worker worker_;                      // gone before what it writes to
+  std::optional<print::SheetPicture> news_;                                          // guarded by the mutex
+  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
 };
 
 struct PrintPrompt {

@@ -2,8 +2,8 @@
 // sum.
 
 #include "picture.h"
-#include "upload/environment.h"
-#include "upload/light_rig.h"
+#include "render_data/environment.h"
+#include "render_data/light_rig.h"
 
 namespace weftlight::gl {
 namespace {

@@ -1,11 +1,19 @@
+#include <cstdio>
+
 #include "app/app.h"
+#include "base/caught.h"
 #include "base/resources.h"
 #include "commands/commands.h"
 #include "platform/language.h"
 
 int main(int argc, char** argv) {
   using namespace weftlight;
-  platform::use_language(commands::requested_language(argc, argv), base::languages_dir());
-  const commands::CommandLine line = commands::run_command_line(argc, argv);
-  return line.open_editor ? app::run_editor(line.editor) : line.exit_code;
+  try {
+    platform::use_language(commands::requested_language(argc, argv), base::languages_dir());
+    const commands::CommandLine line = commands::run_command_line(argc, argv);
+    return line.open_editor ? app::run_editor(line.editor) : line.exit_code;
+  } catch (...) {  // unsaved work is in the journal
+    std::fprintf(stderr, "weftlight: %s\n", base::words_of_thrown().c_str());
+    return commands::kNotWritten;
+  }
 }

@@ -7,12 +7,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "base/caught.h"
 #include "base/text.h"
 #include "platform/file_lock.h"
 #include "platform/unique_name.h"
@@ -142,9 +142,8 @@ Beside make_beside(const std::string& target) {
 std::string written_by(const WriteFile& write, const std::string& beside) {
   try {
     return write(beside);
-  } catch (const std::exception& problem) {
-    const std::string text = problem.what();
-    return text.empty() ? tr("it cannot be made") : text;
+  } catch (...) {
+    return words_of_thrown();
   }
 }
 

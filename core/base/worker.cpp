@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "base/caught.h"
+
 namespace weftlight::base {
 
-Worker::Worker(Leaving leaving) : leaving_(leaving), thread_([this] { work(); }) {}
+Worker::Worker(Leaving leaving, Failed failed)
+    : leaving_(leaving), failed_(std::move(failed)), thread_([this] { work(); }) {}
 
 Worker::~Worker() {
   {
@@ -49,6 +52,20 @@ void Worker::wait() const {
   changed_.wait(lock, [this] { return waiting_.empty() && !working_; });
 }
 
+/// What the job holds goes before anyone is told that it is done.
+void Worker::run(Job job, const std::stop_token& stop) const noexcept {
+  try {
+    job(stop);
+  } catch (...) {
+    try {
+      const std::string why = words_of_thrown();
+      job = nullptr;  // perhaps there is memory then to say so
+      if (failed_ && !stop.stop_requested()) failed_(why, stop);
+    } catch (...) {  // nobody is left to be told
+    }
+  }
+}
+
 void Worker::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -61,8 +78,7 @@ void Worker::work() {
     working_ = true;
     const std::stop_token stop = stop_.get_token();
     lock.unlock();
-    job(stop);
-    job = nullptr;  // its captures are destroyed before waiting threads are notified
+    run(std::move(job), stop);
     lock.lock();
     working_ = false;
     changed_.notify_all();

@@ -1,6 +1,6 @@
 #pragma once
 // A thread that runs the newest job of each kind: a newer job replaces a waiting one of the same kind, and asks a
-// running one to stop.
+// running one to stop. What a job throws ends that job alone.
 
 #include <condition_variable>
 #include <functional>
@@ -20,7 +20,11 @@ class Worker {
   /// What the destructor does with waiting jobs.
   enum class Leaving { kDrop, kFinish };
 
-  explicit Worker(Leaving leaving = Leaving::kDrop);
+  /// Told on the thread what a job threw, in words, unless it was asked to stop.
+  using Failed = std::function<void(const std::string& why, const std::stop_token& stop)>;
+
+  explicit Worker(Leaving leaving = Leaving::kDrop, Failed failed = {});
+  explicit Worker(Failed failed) : Worker(Leaving::kDrop, std::move(failed)) {}
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -36,8 +40,10 @@ class Worker {
 
  private:
   void work();
+  void run(Job job, const std::stop_token& stop) const noexcept;
 
   const Leaving leaving_;
+  const Failed failed_;
   mutable std::mutex mutex_;  // protects all members below
   mutable std::condition_variable changed_;
   std::vector<std::pair<std::string, Job>> waiting_;  // oldest first, one of a kind

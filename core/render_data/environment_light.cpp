@@ -3,11 +3,11 @@
 // Differs: a median cut makes lights of all the sky, which few lights then throw as hard shadows. Here only what stands
 //   out becomes lights, each what is brighter than the mean within a disc; the rest stays soft. No light is lost.
 
+#include "render_data/environment_light.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "render_data/environment.h"
 
 namespace weftlight::render_data {
 namespace {

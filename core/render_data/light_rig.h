@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draft/design.h"
-#include "render_data/environment.h"
+#include "render_data/environment_light.h"
 #include "render_data/names.h"
 
 namespace weftlight::render_data {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "cloth/cloth.h"
@@ -391,6 +392,8 @@ std::string write_texture_set(const std::string& folder, const Design& design, c
     problem = write_into(made.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
     problem = tr("not enough memory; export with a smaller --size");
+  } catch (...) {
+    problem = base::words_of_thrown();
   }
   if (problem.empty()) problem = put_in_place(std::move(staging), folder, identity_of(folder, options), options.force);
   std::error_code ec;

@@ -146,6 +146,7 @@ bool Editor::update_export() {
   std::string news = exporter_.take_error();
   if (news.empty()) news = exporter_.take_message();
   if (news.empty()) news = sets_.take_message();
+  if (news.empty()) news = reporter_.take_problem();
   if (!news.empty()) say(news);
   return sets_.take_news() || !news.empty();
 }

@@ -3,6 +3,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <system_error>
 #include <thread>
 
 #include "base/text.h"
@@ -23,7 +24,10 @@ std::string open_folder(const std::string& folder) {
     return fill(tr("No program shows folders here (xdg-open is missing). The folder is {folder}"),
                 arg("folder", folder));
   // Its end is waited for, by nobody who has anything else to do.
-  std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+  try {
+    std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+  } catch (const std::system_error&) {  // no thread is to be had: it is waited for when the program ends
+  }
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/caught.h"
 #include "base/text.h"
 #include "gl/context.h"
 
@@ -15,6 +16,7 @@ using base::tr;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr double kAgainS = 1;  // what could not be drawn is tried again
 
 double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -86,20 +88,23 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
 }
 
 void PreviewPane::work() {
-  Pipeline pipeline;
-  const std::shared_ptr<const Design> first = first_design(pipeline);
-  if (!first) return;
-  std::string error;
-  const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
-  if (!context) {
-    const std::lock_guard lock(mutex_);
-    news_ = News{};
-    news_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", error));
-    return wake_window_();
-  }
-  PictureMaker maker(pipeline);
-  maker.follow(first);
-  hand_over(maker, {}, false);
+  const std::string why = caught([this] {
+    Pipeline pipeline;
+    const std::shared_ptr<const Design> first = first_design(pipeline);
+    if (!first) return;
+    std::string error;
+    const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
+    if (!context) return fail(error);
+    PictureMaker maker(pipeline);
+    maker.follow(first);
+    if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
+      fail(thrown), failed_ = true;
+    draw_until_left(maker);
+  });
+  if (!why.empty()) fail(why);
+}
+
+void PreviewPane::draw_until_left(PictureMaker& maker) {
   double next_s = 0;
   std::unique_lock lock(mutex_);
   while (!leaving_) {
@@ -112,16 +117,34 @@ void PreviewPane::work() {
     const std::optional<PictureRequest> request = request_;
     const bool moving = moving_;
     lock.unlock();
-    if (design) maker.submit(design);
-    if (request) make(maker, *request, moving);
-    next_s = maker.next_s(seconds());
+    const std::string thrown = caught([&] {
+      if (design) maker.submit(design);
+      if (request) make(maker, *request, moving);
+      failed_ = false;
+      next_s = maker.next_s(seconds());
+    });
+    if (!thrown.empty()) {
+      fail(thrown);
+      failed_ = true;
+      next_s = kAgainS;
+    }
     lock.lock();
   }
 }
 
+void PreviewPane::fail(const std::string& why) {
+  caught([&] {
+    {
+      const std::lock_guard lock(mutex_);
+      news_.emplace().picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
+    }
+    wake_window_();
+  });
+}
+
 void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool moving) {
   const bool told = maker.poll(), drawn = maker.draw(request, moving, seconds());
-  if (told || drawn) hand_over(maker, request, drawn);
+  if (told || drawn || failed_) hand_over(maker, request, drawn || failed_);
 }
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {

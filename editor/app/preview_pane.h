@@ -47,7 +47,10 @@ class PreviewPane {
 
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
-  void make(class PictureMaker& maker, const PictureRequest& request, bool moving);
+  void draw_until_left(class PictureMaker& maker);
+  /// What was thrown while a picture was made, told in its place; the next is made anew.
+  void fail(const std::string& why);
+  void make(PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
 
   std::function<void()> wake_window_;
@@ -58,6 +61,7 @@ class PreviewPane {
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
   std::optional<News> news_;
+  bool failed_ = false;  // the thread's: what was made last was not handed over
   // The window's.
   std::shared_ptr<const Design> submitted_, shown_;
   PreviewPicture picture_;

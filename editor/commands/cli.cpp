@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "commands/commands.h"
@@ -167,6 +168,17 @@ RunVerb add_verb(CLI::App& app, const Verb& verb) {
   return run;
 }
 
+/// What a verb throws, memory above all, becomes a message. Output files are whole or absent (base/files.h).
+int run_verb(std::string_view name, const RunVerb& run) {
+  try {
+    return run();
+  } catch (...) {
+    std::fprintf(stderr, "weftlight %s: %s\n", std::string(name).c_str(), base::words_of_thrown().c_str());
+    const bool reads_only = name == "info" || name == "analyse" || name == "diff";
+    return reads_only ? kBadInput : kNotWritten;
+  }
+}
+
 }  // namespace
 
 std::string requested_language(int argc, char** argv) {
@@ -209,7 +221,7 @@ CommandLine run_command_line(int argc, char** argv) {
   for (const auto& [name, run] : runs) {
     if (!app.got_subcommand(name)) continue;
     result.open_editor = false;
-    result.exit_code = with_output_flushed(run());
+    result.exit_code = with_output_flushed(run_verb(name, run));
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include <set>
 #include <thread>
 
+#include "base/caught.h"
 #include "base/loops.h"
 #include "base/text.h"
 #include "commands/commands.h"
@@ -202,7 +203,13 @@ void run_job(Job job, ExportRun& run) {
 
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
   ExportRun run{options, mesh, {}, kDone, 0, 0, {}};
-  for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) { run_job(jobs[static_cast<size_t>(j)], run); });
+  for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
+    const Job& job = jobs[static_cast<size_t>(j)];
+    const std::string thrown = caught([&] { run_job(job, run); });
+    if (!thrown.empty())
+      tell(run, kNotWritten,
+           fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
+  });
   if (jobs.size() > 1) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),
                        arg("written", run.written.load()), arg("complete", run.kept.load()),

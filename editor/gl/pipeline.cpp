@@ -33,8 +33,10 @@ struct Pipeline::Parts {
   bool quick_drawn = true;
   std::condition_variable_any drawn;
   Stages stages;
-  Worker worker;  // constructed last and destroyed first: its jobs use all of the above
+  // Constructed last and destroyed first: its jobs use all of the above.
+  Worker worker{[this](const std::string& why, const auto&) { fail(why); }};
 
+  void fail(const std::string& why);
   void compute(const std::shared_ptr<const Design>& design, Effort effort);
   void wait_for_picture(const std::stop_token& stop);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
@@ -54,6 +56,16 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
   std::optional<PackedCloth> copy;
   if (result.all_maps && effort == Effort::kQuick) copy = stages.packed();
   hand_over(std::move(result), std::move(copy));
+}
+
+/// The next design is computed from the start: stages that threw may hold half of this one.
+void Pipeline::Parts::fail(const std::string& why) {
+  const std::lock_guard hold(maps);
+  const std::lock_guard lock(mutex);
+  stages = Stages();
+  all_maps = false;
+  patches = {};
+  problem = base::fill(base::tr("The cloth cannot be computed: {problem}"), base::arg("problem", why));
 }
 
 /// Waits until the quick result is drawn, since drawing may need the same cores.

@@ -1,8 +1,9 @@
 #include "session/background_writer.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
+
+#include "base/caught.h"
 
 namespace weftlight::session {
 namespace {
@@ -13,8 +14,8 @@ constexpr std::chrono::seconds kRetry{1};
 std::string run_safely(const std::function<std::string()>& job) {
   try {
     return job();
-  } catch (const std::exception& e) {  // no memory
-    return e.what();
+  } catch (...) {
+    return words_of_thrown();
   }
 }
 
@@ -105,8 +106,8 @@ void BackgroundWriter::work() {
     }
     if (leaving_) continue;  // tried once more, and no longer
     retry_ = Clock::now() + kRetry;
-    problems_[job.key()] = std::move(problem);
-    waiting_.insert(std::move(job));  // unless a newer one waits
+    const auto placed = waiting_.insert(std::move(job));  // unless a newer one waits
+    caught([&] { problems_[placed.position->first] = std::move(problem); });
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/caught.h"
 #include "base/user_folders.h"
 #include "files/files.h"
 #include "files/picture_draft.h"
@@ -95,7 +96,10 @@ void DraftThumbnails::look(const std::stop_token&) {
       path = std::move(waiting_.front());
       waiting_.pop_front();
     }
-    DraftThumbnail made = look_of_file(path, cache_folder_);
+    DraftThumbnail made;
+    // One that takes more memory than there is keeps none of the others from being seen.
+    if (!caught([&] { made = look_of_file(path, cache_folder_); }).empty())
+      made.state = DraftThumbnail::State::kUnreadable;
     const std::lock_guard lock(mutex_);
     news_.emplace_back(std::move(path), std::move(made));
     wake_();

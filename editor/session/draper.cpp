@@ -82,6 +82,14 @@ void Draper::run(const Design& design, const std::string& wanted, const std::sto
   tell(wanted, {DrapeStage::kOwn, 1, {}}, tr("Simulated: the drape is this fabric's own"));
 }
 
+void Draper::fail(const std::string& why) {
+  const std::string wanted = [this] {
+    const std::lock_guard lock(mutex_);
+    return wanted_;
+  }();
+  tell(wanted, {DrapeStage::kFailed, 0, why}, "Not draped: " + why);
+}
+
 void Draper::tell(const std::string& wanted, DrapeState state, std::string said) {
   {
     const std::lock_guard lock(mutex_);

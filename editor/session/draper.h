@@ -51,6 +51,7 @@ class Draper {
 
  private:
   void run(const Design& design, const std::string& wanted, const std::stop_token& stop);
+  void fail(const std::string& why);
   /// From the thread, of what is still wanted.
   void tell(const std::string& wanted, DrapeState state, std::string said = {});
 
@@ -58,8 +59,8 @@ class Draper {
   mutable std::mutex mutex_;  // of the next three
   DrapeState state_;
   News news_;
-  std::string wanted_;   // where the drape is kept; empty: the shipped one
-  base::Worker worker_;  // gone before what it writes to
+  std::string wanted_;  // where the drape is kept; empty: the shipped one
+  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
 };
 
 }  // namespace weftlight::session

@@ -160,6 +160,15 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
   });
 }
 
+void ExportPreviewer::fail(const std::string& why) {
+  {
+    const std::lock_guard lock(mutex_);
+    made_.emplace().problem = "No preview: " + why;
+    busy_ = false;
+  }
+  wake_();
+}
+
 bool ExportPreviewer::busy() const {
   const std::lock_guard lock(mutex_);
   return busy_;

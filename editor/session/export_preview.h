@@ -40,6 +40,7 @@ struct ExportPreview {
   float coverage = 1;
   int64_t texels = 0;         // of its images
   float bytes_per_texel = 0;  // on the disk, of one face
+  std::string problem;        // why there are no images
 };
 /// Of a whole set of images of this size, about.
 int64_t bytes_on_disk(const ExportPreview& preview, const TextureSize& size);
@@ -66,13 +67,15 @@ class ExportPreviewer {
   bool busy() const;
 
  private:
+  void fail(const std::string& why);
+
   std::shared_ptr<const Design> design_;
   std::function<void()> wake_;
   std::string asked_;         // what for, as text
   mutable std::mutex mutex_;  // of the next two
   std::optional<ExportPreview> made_;
   bool busy_ = false;
-  base::Worker worker_;  // gone before what it writes to
+  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
 };
 
 }  // namespace weftlight::session

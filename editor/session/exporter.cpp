@@ -103,6 +103,15 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
   if (!stop.stop_requested()) end();
 }
 
+/// What is thrown beside a set; of a set the set says it.
+void Exporter::fail(const std::string& why) {
+  {
+    const std::lock_guard lock(mutex_);
+    state_.problems.push_back(why);
+  }
+  end();
+}
+
 void Exporter::end() {
   {
     const std::lock_guard lock(mutex_);

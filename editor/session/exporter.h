@@ -44,6 +44,7 @@ class Exporter {
   /// False: there is none, told as a problem.
   bool use_mesh(const std::vector<ExportJob>& jobs, const Design& design);
   void tell(size_t set, size_t sets, float share);
+  void fail(const std::string& why);
   void end();
 
   std::function<void()> wake_;
@@ -53,7 +54,7 @@ class Exporter {
   std::string message_;
   std::string mesh_name_;  // the worker's
   Mesh mesh_;
-  base::Worker worker_;  // gone before what it writes to
+  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
 };
 
 }  // namespace weftlight::session

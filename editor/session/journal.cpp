@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/caught.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
@@ -48,6 +49,13 @@ std::string flushed(const std::string& path) {
   return {};
 }
 
+/// What was thrown, with what that means where there is memory for as much.
+std::string told(const char* what, const std::string& thrown) {
+  std::string whole;
+  caught([&] { whole = what + thrown; });
+  return whole.empty() ? "no memory" : whole;
+}
+
 }  // namespace
 
 Journal::Journal(Recovery& recovery)
@@ -73,7 +81,7 @@ void Journal::post(uint64_t document, Task task) {
   {
     const std::lock_guard lock(mutex_);
     Task& waiting = waiting_[document];
-    task.then.insert(task.then.begin(), waiting.then.begin(), waiting.then.end());
+    task.then.splice(task.then.begin(), waiting.then);
     if (!task.keep && !task.forget) {
       task.keep = std::move(waiting.keep);
       task.forget = waiting.forget;
@@ -120,8 +128,11 @@ void Journal::flush() {
     flushing_ = true;
     lock.unlock();
     std::string problem;
-    for (const std::string& path : journals)
-      if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
+    const std::string thrown = caught([&] {
+      for (const std::string& path : journals)
+        if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
+    });
+    if (!thrown.empty()) problem = told("Recovery copy not on the disk: ", thrown);
     lock.lock();
     flushing_ = false;
     begin_anew_ |= !problem.empty();
@@ -131,7 +142,7 @@ void Journal::flush() {
 }
 
 void Journal::work() {
-  recovery_.open();  // ahead of the first entry, which says what is wrong
+  caught([this] { recovery_.open(); });  // ahead of the first entry, which says what is wrong
   std::unique_lock lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
@@ -141,31 +152,35 @@ void Journal::work() {
     auto tasks = std::exchange(waiting_, {});
     working_ = true;
     next_ = Clock::now() + kPause;
-    for (auto& [document, task] : tasks) {
+    while (!tasks.empty()) {
+      auto task = tasks.extract(tasks.begin());
       lock.unlock();
       std::string problem;
-      try {
-        problem = perform(document, task);
-      } catch (const std::exception& e) {  // no memory
-        problem = "No recovery copy: " + std::string(e.what());
-      }
+      const std::string thrown = caught([&] { problem = perform(task.key(), task.mapped()); });
+      if (!thrown.empty()) problem = told("No recovery copy: ", thrown);
       lock.lock();
-      if (problem.empty()) {
-        problems_.erase(document);
-        continue;
-      }
-      next_ = Clock::now() + kRetry;
-      problems_[document] = std::move(problem);
-      Task& newer = waiting_[document];
-      newer.then.insert(newer.then.end(), task.then.begin(), task.then.end());
-      if (newer.keep || newer.forget) continue;
-      newer.keep = std::move(task.keep);
-      newer.forget = task.forget;
+      if (problem.empty()) problems_.erase(task.key());
+      else try_again(std::move(task), std::move(problem));
     }
     working_ = false;
     settled_.notify_all();
     if (last) return;
   }
+}
+
+/// Takes no memory, which may be what was wanting, before the task waits again.
+void Journal::try_again(std::map<uint64_t, Task>::node_type task, std::string problem) {
+  next_ = Clock::now() + kRetry;
+  const uint64_t document = task.key();
+  if (auto placed = waiting_.insert(std::move(task)); !placed.inserted) {
+    Task &newer = placed.position->second, &older = placed.node.mapped();
+    newer.then.splice(newer.then.end(), older.then);
+    if (!newer.keep && !newer.forget) {
+      newer.keep = std::move(older.keep);
+      newer.forget = older.forget;
+    }
+  }
+  caught([&] { problems_[document] = std::move(problem); });
 }
 
 std::string Journal::perform(uint64_t document, const Task& task) {

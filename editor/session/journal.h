@@ -6,13 +6,13 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <list>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "session/names.h"
 #include "session/recovery.h"
@@ -59,11 +59,12 @@ class Journal {
   struct Task {  // what a document waits for
     std::optional<State> keep;
     bool forget = false;
-    std::vector<LeftWork> then;  // discarded when it succeeded
+    std::list<LeftWork> then;  // discarded when it succeeded
   };
   void post(uint64_t document, Task task);
   void work();
   void flush();
+  void try_again(std::map<uint64_t, Task>::node_type task, std::string problem);
   std::string perform(uint64_t document, const Task& task);
   std::string write(uint64_t document, const State& state);
 

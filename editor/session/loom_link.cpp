@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/caught.h"
 #include "base/text.h"
 
 namespace weftlight::session {
@@ -74,11 +75,15 @@ void LoomLink::work() {
     }
     const std::string address = address_;
     lock.unlock();
-    const loom::LineOpened opened = loom::open_line(address, kConnectMs);
-    if (opened.line) talk(*opened.line, address);
+    std::string why;
+    const std::string thrown = caught([&] {
+      const loom::LineOpened opened = loom::open_line(address, kConnectMs);
+      if (opened.line) talk(*opened.line, address);
+      why = opened.line ? tr("the connection was lost") : opened.why;
+    });
     lock.lock();
     if (address != address_) continue;
-    why_ = opened.line ? tr("the connection was lost") : opened.why;
+    why_ = thrown.empty() ? why : thrown;
     state_ = State::kConnecting;
     wake_();
     changed_.wait_for(lock, kAgain, [&] { return address != address_; });

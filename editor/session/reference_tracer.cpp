@@ -91,9 +91,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   TubeOptions options;
   options.max_triangles = kTriangles;
   if (std::string problem = scene_.update(*job.design, options); !problem.empty()) {
-    PictureComparison failed;
-    failed.problem = fill(tr("No ray-traced picture: {problem}"), arg("problem", problem));
-    return publish(std::move(failed), stop);
+    return fail(problem, stop);
   }
   ReferenceView view;
   view.scene = job.scene;
@@ -118,6 +116,14 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
     made.finished = done >= kMaxSamples;
     publish(std::move(made), stop);
   }
+}
+
+/// What is traced next is made from the start: what was made may be half of one design and half of another.
+void ReferenceTracer::fail(const std::string& why, const std::stop_token& stop) {
+  scene_ = ReferenceScene();
+  PictureComparison failed;
+  failed.problem = fill(tr("No ray-traced picture: {problem}"), arg("problem", why));
+  publish(std::move(failed), stop);
 }
 
 void ReferenceTracer::publish(PictureComparison made, const std::stop_token& stop) {

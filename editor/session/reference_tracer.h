@@ -50,12 +50,15 @@ class ReferenceTracer {
 
  private:
   void trace(const TraceJob& job, const std::stop_token& stop);
+  void fail(const std::string& why, const std::stop_token& stop);
   void publish(PictureComparison made, const std::stop_token& stop);
 
   mutable std::mutex mutex_;  // of what is made
   std::optional<PictureComparison> made_;
   ReferenceScene scene_;  // the worker's
-  Worker worker_;         // the last to be made and the first to go: its jobs use all of the above
+  Worker worker_{[this](const std::string& why, const auto& stop) {
+    fail(why, stop);
+  }};  // the first to go: its jobs use all of the above
 };
 
 }  // namespace weftlight::session

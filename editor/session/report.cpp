@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/caught.h"
+
 namespace weftlight::session {
 namespace {
 
@@ -41,18 +43,28 @@ const Report* Reporter::on(const std::shared_ptr<const Design>& design, const Bi
                            int limit, const std::shared_ptr<const OtherDraft>& other) {
   poll();
   const bool fits = report_ && report_->revision == revision && report_->limit == limit && report_->other == other;
-  if (!fits && !busy())
+  const Asked now{revision, limit, other};
+  // What failed is not tried again before something else is asked for.
+  if (!fits && !busy() && failed_ != now) {
+    asked_ = now;
+    failed_.reset();
     work_ = std::async(std::launch::async, [design, cells, revision, limit, other] {
       auto made = std::make_unique<Report>(report_on(*design, cells, limit, other));
       made->revision = revision;
       return made;
     });
+  }
   return report_.get();
 }
 
 bool Reporter::poll() {
   if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-  report_ = work_.get();
+  try {
+    report_ = work_.get();
+  } catch (...) {  // of the thread
+    failed_ = asked_;
+    problem_ = "The draft was not analysed: " + words_of_thrown();
+  }
   return true;
 }
 

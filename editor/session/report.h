@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <future>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/difference.h"
@@ -45,12 +48,24 @@ class Reporter {
                    const std::shared_ptr<const OtherDraft>& other = nullptr);
   /// The same without starting anything.
   const Report* last() const { return report_.get(); }
+  /// Why there is none of what was asked for last, once; empty: there is, or will be.
+  std::string take_problem() { return std::exchange(problem_, {}); }
   bool busy() const { return work_.valid(); }
   /// True when a report has come.
   bool poll();
 
  private:
   std::unique_ptr<Report> report_;
+  /// What a report was asked on.
+  struct Asked {
+    uint64_t revision = 0;
+    int limit = 0;
+    std::shared_ptr<const OtherDraft> other;
+    bool operator==(const Asked&) const = default;
+  };
+  std::optional<Asked> failed_;
+  Asked asked_;  // last
+  std::string problem_;
   std::future<std::unique_ptr<Report>> work_;
 };
 

@@ -294,7 +294,9 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const DialogSizes& room) {
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + size.x, from.y + size.y}, c.style.color.window,
                                               c.style.px(3));
     ImGui::Dummy(size);
-    muted_text(c, p.stage->preview.busy() ? tr("Rendering the images\xE2\x80\xA6") : tr("There is no cloth to show."));
+    muted_text(c, p.stage->preview.busy()       ? tr("Rendering the images\xE2\x80\xA6")
+                  : stage.shown.problem.empty() ? tr("There is no cloth to show.")
+                                                : stage.shown.problem.c_str());
   }
   ImGui::EndChild();
   PreviewSizes sizes;

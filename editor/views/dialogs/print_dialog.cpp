@@ -36,6 +36,14 @@ void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per
   });
 }
 
+void SheetPreview::fail(const std::string& why) {
+  {
+    const std::lock_guard lock(mutex_);
+    finished_.emplace().why = fill(tr("No preview: {problem}"), arg("problem", why));
+  }
+  wake_();
+}
+
 bool SheetPreview::poll() {
   std::optional<SheetPicture> finished;
   {

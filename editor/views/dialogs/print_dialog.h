@@ -35,6 +35,8 @@ class SheetPreview {
     double pixels_per_mm = 0;
     bool operator==(const Request&) const = default;
   };
+  void fail(const std::string& why);
+
   std::shared_ptr<const Design> design_;
   std::function<void()> wake_;
   Request request_;
@@ -42,7 +44,8 @@ class SheetPreview {
   PixelTexture texture_;
   std::mutex mutex_;
   std::optional<print::SheetPicture> finished_;  // guarded by the mutex
-  base::Worker worker_;                          // last: destroyed before what it writes to
+  // Last: destroyed before what it writes to.
+  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};
 };
 
 struct PrintPrompt {

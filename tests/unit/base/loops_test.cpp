@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -36,6 +37,21 @@ TEST(Loops, what_a_job_throws_is_thrown_on) {
                               if (i == 50) throw std::runtime_error("fifty");
                             }),
                std::runtime_error);
+}
+
+TEST(Loops, memory_that_a_job_lacks_is_the_callers_to_tell) {
+  for (const int threads : {0, 1, 2}) {
+    EXPECT_THROW(for_each_job(100, threads,
+                              [](int i) {
+                                for_each_job(10, [i](int k) {
+                                  if (i == 50 && k == 5) throw std::bad_alloc();
+                                });
+                              }),
+                 std::bad_alloc);
+    std::atomic<int> done{0};
+    for_each_job(100, threads, [&](int) { ++done; });
+    EXPECT_EQ(done, 100) << "the next loop is whole";
+  }
 }
 
 TEST(Loops, there_is_a_core) { EXPECT_GE(core_count(), 1); }

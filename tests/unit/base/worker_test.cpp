@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <new>
 #include <semaphore>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/caught.h"
 
 namespace weftlight::base {
 namespace {
@@ -98,6 +102,49 @@ TEST(Worker, what_waits_when_it_goes) {
     }
     EXPECT_EQ(done, leaving == Worker::Leaving::kFinish ? 3 : 1);
   }
+}
+
+TEST(Worker, what_a_job_throws_is_told_and_the_next_is_done) {
+  std::vector<std::string> told;
+  Worker worker([&](const std::string& why, const auto&) { told.push_back(why); });
+  const auto thrown = [&](const auto& what) {
+    worker.post([&](const std::stop_token&) { throw what; });
+    worker.wait();
+    EXPECT_FALSE(worker.busy());
+  };
+  thrown(std::bad_alloc());
+  thrown(std::runtime_error("the line broke"));
+  thrown(7);
+  EXPECT_EQ(told, (std::vector<std::string>{kNoMemory, "the line broke", "it went wrong for an unknown reason"}));
+  bool done = false;
+  worker.post([&](const std::stop_token&) { done = true; });
+  worker.wait();
+  EXPECT_TRUE(done);
+}
+
+TEST(Worker, who_is_told_may_throw_too) {
+  Worker worker([](const auto&, const auto&) { throw std::bad_alloc(); });
+  worker.post([](const std::stop_token&) { throw std::bad_alloc(); });
+  worker.wait();
+  Worker deaf;
+  deaf.post([](const std::stop_token&) { throw std::bad_alloc(); });
+  deaf.wait();
+  EXPECT_FALSE(worker.busy() || deaf.busy());
+}
+
+TEST(Worker, a_job_that_nobody_wants_fails_in_silence) {
+  std::binary_semaphore started{0};
+  bool told = false;
+  Worker worker([&](const auto&, const auto&) { told = true; });
+  worker.post([&](const std::stop_token& stop) {
+    started.release();
+    while (!stop.stop_requested()) std::this_thread::yield();
+    throw std::bad_alloc();
+  });
+  started.acquire();
+  worker.drop();
+  worker.wait();
+  EXPECT_FALSE(told);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -175,6 +177,31 @@ TEST_F(OddInput, no_egl_is_no_graphics) {
   const std::string line = "render '" + draft() + "' --size 32x24 -o '" + path("a.png") + "'";
   EXPECT_EQ(shell(preload, line, ">/dev/null 2>'" + path("said") + "'"), kNoGraphics);
   EXPECT_NE(read_file(path("said")).bytes.find("libEGL.so.1"), std::string::npos);
+}
+
+TEST_F(OddInput, memory_that_is_not_there_is_told_in_one_line) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "a library put before the sanitizer's cannot be loaded";
+#endif
+  ASSERT_EQ(shell("", "weave satin --ends 4000 --picks 4000 -o '" + path("large.wif") + "'"), kDone);
+  const std::string scarce =
+      "WEFTLIGHT_MOST_BYTES=1000000 LD_PRELOAD='" WEFTLIGHT_TESTS_BINARY_DIR "/libscarce_memory.so'";
+  const auto said = [&](const std::string& args, int code) {
+    EXPECT_EQ(shell(scarce, args, ">/dev/null 2>'" + path("said") + "'"), code) << args;
+    const std::string words = read_file(path("said")).bytes;
+    EXPECT_NE(words.find("not enough memory"), std::string::npos) << args << ": " << words;
+    return std::count(words.begin(), words.end(), '\n');
+  };
+  EXPECT_EQ(said("info '" + path("large.wif") + "'", kBadInput), 1);
+  EXPECT_EQ(said("drawdown '" + path("large.wif") + "' -o '" + path("a.png") + "'", kNotWritten), 1);
+  EXPECT_FALSE(std::filesystem::exists(path("a.png")));
+  std::filesystem::create_directory(path("out"));
+  // Of two sets neither is written, and both are told.
+  EXPECT_EQ(
+      said("export '" + draft() + "' '" + path("large.wif") + "' --target raw --size 1024 -o '" + path("out") + "'",
+           kNotWritten),
+      5);
+  EXPECT_TRUE(std::filesystem::is_empty(path("out")));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // Environment maps: a white one gives the furnace result, a bright texel that of a distant light, several their sum.
 
+#include "render_data/environment_light.h"
+
 #include "picture.h"
-#include "render_data/environment.h"
 #include "render_data/light_rig.h"
 
 namespace weftlight::gl {

@@ -1,11 +1,12 @@
 // An environment map, split into lights and the rest, conserves energy.
 
+#include "render_data/environment_light.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "render_data/environment.h"
 #include "render_data/light_rig.h"
 
 namespace weftlight::render_data {

@@ -1,0 +1,47 @@
+// The thread of the picture: what is thrown on it is said in the picture's place, and the next is drawn.
+
+#include "app/preview_pane.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#include "../straight_draft.h"
+
+namespace weftlight::app {
+namespace {
+
+template <class Holds>
+bool comes_true(const Holds& holds) {
+  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+    if (holds()) return true;
+  return false;
+}
+
+TEST(PreviewPaneTest, WhatIsThrownIsSaidAndTheThreadGoesOn) {
+  std::atomic<int> wakes{0};
+  PreviewPane pane([&] {
+    const int now = wakes++;
+    if (now == 0) throw std::bad_alloc();
+    if (now == 2) throw std::runtime_error("the line broke");
+  });
+  // Nothing here needs the window's context: no picture is asked for that has a size.
+  const auto says = [&](const std::string& words) {
+    return comes_true([&] { return pane.poll() && pane.picture().problem.find(words) != std::string::npos; });
+  };
+  pane.submit(std::make_shared<const Design>(straight_draft(8)));
+  ASSERT_TRUE(says("cannot be shown"));
+  if (pane.picture().problem.find("not enough memory") == std::string::npos)
+    GTEST_SKIP() << "no graphics: " << pane.picture().problem;
+  pane.ask({}, false);
+  EXPECT_TRUE(says("the line broke"));
+  EXPECT_TRUE(comes_true([&] { return pane.poll() && pane.picture().problem == "Weaving the cloth\xE2\x80\xA6"; }))
+      << pane.picture().problem;
+}
+
+}  // namespace
+}  // namespace weftlight::app

@@ -1,0 +1,173 @@
+// Memory that a thread cannot have is told; the thread goes on, and nothing of the weaver's is lost.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#include "../scratch_fixture.h"
+#include "draft/drawdown.h"
+#include "draft/generators.h"
+#include "paths.h"
+#include "scarce_memory.h"
+#include "session/background_writer.h"
+#include "session/draft_thumbnails.h"
+#include "session/export_plan.h"
+#include "session/export_preview.h"
+#include "session/exporter.h"
+#include "session/journal.h"
+#include "session/recovery.h"
+#include "session/reference_tracer.h"
+#include "session/report.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kLittle = 8192;  // bytes
+
+class NoMemory : public ScratchTest {
+ protected:
+  const std::shared_ptr<const Design> design_ = std::make_shared<const Design>(twill({2, 2}, Lean::kRight, {8, 8}));
+};
+
+template <class Holds>
+bool comes_true(const Holds& holds) {
+  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+    if (holds()) return true;
+  return false;
+}
+
+bool tells_of_memory(const std::string& said) { return said.find("not enough memory") != std::string::npos; }
+
+TEST_F(NoMemory, AnExportSaysSoLeavesNothingAndTheNextIsWritten) {
+  ExportPlan plan;
+  plan.folder = path("out"), plan.targets = {Target::kGodot}, plan.size = 32;
+  const std::vector<ExportJob> jobs = jobs_of(plan, *design_, "x.wif", "1");
+  std::atomic<int> throws{0};
+  Exporter exporter([&] {
+    if (throws == 1) throws = 0, throw std::bad_alloc();
+    if (throws == 2) throws = 0, throw std::runtime_error("the line broke");
+  });
+  for (const int what : {1, 2}) {
+    throws = what;
+    exporter.start(jobs, design_);
+    ASSERT_TRUE(comes_true([&] { return !exporter.busy(); }));
+    const std::string said = exporter.take_message();
+    EXPECT_TRUE(what == 1 ? tells_of_memory(said) : said.find("the line broke") != std::string::npos) << said;
+    EXPECT_TRUE(!fs::exists(path("out")) || fs::is_empty(path("out")));
+  }
+  exporter.start(jobs, design_);
+  ASSERT_TRUE(comes_true([&] { return !exporter.busy(); }));
+  EXPECT_EQ(exporter.state().written.size(), 1u);
+}
+
+TEST_F(NoMemory, TheJournalTriesAgainAndHasEveryStroke) {
+  Recovery recovery(path("recovery"));
+  Journal journal(recovery);
+  const uint64_t a = journal.new_document(), b = journal.new_document();
+  std::atomic<int> tries{0};
+  journal.keep(a, {"", "a", {}}, [&]() -> std::string {
+    if (++tries == 1) throw std::bad_alloc();
+    if (tries == 2) throw 7;
+    return "every stroke";
+  });
+  journal.keep(b, {"", "b", {}}, [] { return "of another"; });
+  ASSERT_TRUE(comes_true([&] { return tells_of_memory(journal.problem()); })) << journal.problem();
+  ASSERT_TRUE(comes_true([&] { return !journal.busy(); }));
+  EXPECT_EQ(journal.problem(), "");
+  EXPECT_EQ(tries, 3);
+  EXPECT_EQ(read_left({recovery.journal_path(a), {}, 0})->text, "every stroke");
+  EXPECT_EQ(read_left({recovery.journal_path(b), {}, 0})->text, "of another");
+}
+
+TEST_F(NoMemory, TheWriterTriesAgain) {
+  std::atomic<int> tries{0};
+  BackgroundWriter writer;
+  writer.keep(path("a"), [&]() -> std::string {
+    if (++tries == 1) throw 7;
+    return {};
+  });
+  ASSERT_TRUE(comes_true([&] { return !writer.busy(); }));
+  EXPECT_EQ(tries, 2);
+  writer.run(path("b"), "done", []() -> std::string { throw std::bad_alloc(); });
+  std::string said;
+  ASSERT_TRUE(comes_true([&] { return !(said = writer.take_error()).empty(); }));
+  EXPECT_TRUE(tells_of_memory(said)) << said;
+}
+
+TEST_F(NoMemory, AnAnalysisSaysSoAndTheNextComes) {
+  const auto large = std::make_shared<const Design>(twill({2, 2}, Lean::kRight, {512, 512}));
+  const BitMatrix cells = drawdown(large->draft);
+  Reporter reporter;
+  {
+    const Scarce scarce(kLittle);
+    EXPECT_EQ(reporter.on(large, cells, 1, 5), nullptr);
+    ASSERT_TRUE(comes_true([&] { return reporter.poll(); }));
+  }
+  const std::string said = reporter.take_problem();
+  EXPECT_TRUE(tells_of_memory(said)) << said;
+  EXPECT_EQ(reporter.on(large, cells, 1, 5), nullptr);
+  EXPECT_FALSE(reporter.busy()) << "what failed is not tried in every frame";
+  ASSERT_TRUE(comes_true([&] { return reporter.on(large, cells, 2, 5) != nullptr; }));
+}
+
+TEST_F(NoMemory, AnExportsPreviewSaysSoAndTheNextComes) {
+  ExportPreviewer previewer(design_, [] {});
+  TextureSetOptions options;
+  options.name = "x", options.size = 32;
+  std::optional<ExportPreview> made;
+  const auto comes = [&] { return comes_true([&] { return (made = previewer.take()).has_value(); }); };
+  {
+    const Scarce scarce(kLittle);
+    previewer.ask(Face::kFront, options, {});
+    ASSERT_TRUE(comes());
+  }
+  EXPECT_TRUE(tells_of_memory(made->problem)) << made->problem;
+  EXPECT_FALSE(previewer.busy());
+  previewer.ask(Face::kBack, options, {});
+  ASSERT_TRUE(comes());
+  EXPECT_EQ(made->problem, "");
+  EXPECT_FALSE(made->images.empty());
+}
+
+TEST_F(NoMemory, ATracedPictureSaysSoAndTheNextComes) {
+  TraceJob job{design_, design_->scene, 0, {}, {}};
+  job.around = job.preview = Image{32, 32, 3, std::vector<float>(size_t{32} * 32 * 3)};
+  ReferenceTracer tracer;
+  std::optional<PictureComparison> made;
+  const auto comes = [&] { return comes_true([&] { return (made = tracer.take()).has_value(); }); };
+  {
+    const Scarce scarce(kLittle);
+    tracer.start(job);
+    ASSERT_TRUE(comes());
+  }
+  EXPECT_TRUE(tells_of_memory(made->problem)) << made->problem;
+  tracer.start(job);
+  ASSERT_TRUE(comes());
+  EXPECT_EQ(made->problem, "");
+}
+
+TEST_F(NoMemory, APictureOfAFileIsNotThereAndTheOthersAre) {
+  DraftThumbnails looks("", [] {});
+  const std::string file = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/drafts/starter.wif";
+  std::vector<std::pair<std::string, DraftThumbnail>> made;
+  const auto comes = [&] { return comes_true([&] { return !(made = looks.take()).empty(); }); };
+  {
+    const Scarce scarce(kLittle);
+    looks.ask(file);
+    ASSERT_TRUE(comes());
+  }
+  EXPECT_EQ(made[0].second.state, DraftThumbnail::State::kUnreadable);
+  looks.ask(file);
+  ASSERT_TRUE(comes());
+  EXPECT_EQ(made[0].second.state, DraftThumbnail::State::kThere);
+}
+
+}  // namespace
+}  // namespace weftlight::session

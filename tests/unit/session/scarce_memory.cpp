@@ -1,0 +1,34 @@
+#include "scarce_memory.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <thread>
+
+namespace {
+
+std::atomic<size_t> g_most{SIZE_MAX};
+std::atomic<std::thread::id> g_spared;
+
+}  // namespace
+
+// Of the whole program; in a file of their own, where the compiler sees both as one pair.
+void* operator new(size_t bytes) {
+  if (bytes > g_most && g_spared.load() != std::this_thread::get_id()) throw std::bad_alloc();
+  void* there = std::malloc(bytes > 0 ? bytes : 1);
+  if (there == nullptr) throw std::bad_alloc();
+  return there;
+}
+void operator delete(void* there) noexcept { std::free(there); }
+void operator delete(void* there, size_t) noexcept { std::free(there); }
+
+namespace weftlight {
+
+Scarce::Scarce(size_t most) {
+  g_spared = std::this_thread::get_id();
+  g_most = most;
+}
+Scarce::~Scarce() { g_most = SIZE_MAX; }
+
+}  // namespace weftlight

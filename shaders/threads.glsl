@@ -413,7 +413,7 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float n = inversesqrt(1.0f + c.y * c.y);
   float x = q.x;
   float y = q.y;
-  // On the ellipse.
+  // Projected onto the ellipse.
   float r = inversesqrt(max(x * x + y * y, 1.0e-8f));
   x *= r;
   y *= r;

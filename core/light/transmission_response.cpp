@@ -142,7 +142,7 @@ void add_view(Sums& sums, const TransmissionSample& p, const VisibleView& out, f
 /// Body and transmission, sum of the channels.
 float tone_of(const formulas::YarnLobes& y) { return glm::dot(y.body + y.through, glm::vec3(1)); }
 
-/// As the renderer has them.
+/// Tones of both systems, as the renderer has them.
 std::array<float, 2> tones_of(const ClothResponse& response, const Cloth& cloth) {
   std::array<float, 2> out;
   for (size_t s = 0; s < 2; ++s) {

@@ -42,7 +42,7 @@ constexpr int kQuickThreadSamples = 1;
 constexpr int kManyCrossings = 2000;
 constexpr int64_t kMaxVisible = 1 << 18;  // texels, or crossings, of a preview
 constexpr int kPreviewLevels = 4,         // levels of a part of the maps, which is aligned to whole texels
-    kPreviewStep = 1 << kPreviewLevels;   // levels of a part of the maps; it stands on whole texels
+    kPreviewStep = 1 << kPreviewLevels;   // levels of a part of the maps, aligned to whole texels
 
 bool same_yarn_shape(Yarn a, Yarn b) {
   a.lobes = b.lobes = Lobes{};

@@ -1,4 +1,4 @@
-// Files are replaced whole or not at all.
+// Files are written atomically: completely or not at all.
 
 #include "base/files.h"
 
@@ -26,7 +26,7 @@ std::string write_two(const std::string& name) {
 
 class FileTest : public ScratchTest {
  protected:
-  /// Names in the folder: no temporary may be left.
+  /// Number of files in the folder; no temporary file may remain.
   int count() const { return static_cast<int>(std::distance(fs::directory_iterator(dir_), fs::directory_iterator{})); }
 };
 
@@ -38,7 +38,7 @@ TEST_F(FileTest, new_and_replaced) {
   EXPECT_EQ(count(), 1);
 }
 
-TEST_F(FileTest, the_newest_are_kept) {
+TEST_F(FileTest, keep_newest_removes_the_oldest) {
   const auto hours_ago = [&](const std::string& name, int hours) {
     EXPECT_EQ(write_file_atomically(path(name), "x"), "");
     fs::last_write_time(path(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
@@ -75,7 +75,7 @@ TEST_F(FileTest, a_link_stays_a_link) {
   EXPECT_EQ(read_file(path("there/new.wif")).bytes, "new");
 }
 
-TEST_F(FileTest, what_cannot_be_written_leaves_nothing) {
+TEST_F(FileTest, a_failed_write_leaves_no_file) {
   EXPECT_NE(write_file_atomically(path("none/a.wif"), "one"), "");
   EXPECT_NE(write_file_atomically(dir_.string(), "one"), "");
   EXPECT_EQ(count(), 0);
@@ -83,18 +83,18 @@ TEST_F(FileTest, what_cannot_be_written_leaves_nothing) {
   EXPECT_NE(read_file(dir_.string()).error, "");
 }
 
-TEST_F(FileTest, what_cannot_be_written_is_known_before) {
+TEST_F(FileTest, why_not_writable_agrees_with_a_write) {
   EXPECT_EQ(write_file_atomically(path("file"), "one"), "");
-  for (const std::string& place : {path("none/a.wif"), path("file/a.wif"), dir_.string(), std::string()}) {
-    EXPECT_NE(why_not_writable(place), "") << place;
-    EXPECT_EQ(why_not_writable(place), write_file_atomically(place, "one")) << place;
+  for (const std::string& target : {path("none/a.wif"), path("file/a.wif"), dir_.string(), std::string()}) {
+    EXPECT_NE(why_not_writable(target), "") << target;
+    EXPECT_EQ(why_not_writable(target), write_file_atomically(target, "one")) << target;
   }
-  for (const std::string& place : {path("file"), path("new"), std::string("/dev/null"), std::string("/dev/stdout")})
-    EXPECT_EQ(why_not_writable(place), "") << place;
+  for (const std::string& target : {path("file"), path("new"), std::string("/dev/null"), std::string("/dev/stdout")})
+    EXPECT_EQ(why_not_writable(target), "") << target;
   EXPECT_EQ(count(), 1);
 }
 
-TEST_F(FileTest, what_is_read_only_stays) {
+TEST_F(FileTest, a_read_only_file_is_not_replaced) {
   EXPECT_EQ(write_file_atomically(path("a.png"), "one"), "");
   ::chmod(path("a.png").c_str(), 0444);
   EXPECT_NE(write_file_atomically(path("a.png"), "two"), "");
@@ -103,7 +103,7 @@ TEST_F(FileTest, what_is_read_only_stays) {
   EXPECT_EQ(count(), 1);
 }
 
-TEST_F(FileTest, a_library_writes_through_a_link_into_the_same_format) {
+TEST_F(FileTest, write_through_follows_a_link_and_keeps_the_extension) {
   fs::create_directories(dir_ / "there");
   fs::create_symlink("there/a.png", dir_ / "b.png");
   std::string beside;
@@ -114,7 +114,7 @@ TEST_F(FileTest, a_library_writes_through_a_link_into_the_same_format) {
   EXPECT_EQ(read_file(path("there/a.png")).bytes, "two");
 }
 
-TEST_F(FileTest, a_library_that_fails_leaves_the_old_file) {
+TEST_F(FileTest, a_failed_write_through_keeps_the_old_file) {
   EXPECT_EQ(write_file_atomically(path("a.png"), "one"), "");
   const std::string said = write_through(path("a.png"), [](const std::string& name) -> std::string {
     write_two(name);
@@ -126,7 +126,7 @@ TEST_F(FileTest, a_library_that_fails_leaves_the_old_file) {
   EXPECT_EQ(count(), 1);
 }
 
-TEST_F(FileTest, a_full_device_says_so) {
+TEST_F(FileTest, a_full_device_is_reported) {
   EXPECT_EQ(write_file_atomically("/dev/full", "one"), "/dev/full: cannot be written: the disk is full");
   fs::create_symlink("/dev/full", dir_ / "full.png");
   EXPECT_EQ(write_through(path("full.png"), write_two), path("full.png") + ": cannot be written: the disk is full");
@@ -144,7 +144,7 @@ TEST_F(FileTest, into_a_pipe) {
   ::close(ends[0]), ::close(ends[1]);
 }
 
-TEST_F(FileTest, no_pipe_or_device_is_read) {
+TEST_F(FileTest, pipes_and_devices_are_not_read) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   EXPECT_EQ(read_file(path("pipe")).error, "is a pipe or a device, not a file");
   EXPECT_NE(read_file("/dev/zero").error, "");

@@ -1,4 +1,4 @@
-// Loops do every job once, whatever the number of threads, also within each other and when one throws.
+// Loops run every job once for any number of threads, also nested and when a job throws.
 
 #include "base/loops.h"
 
@@ -12,7 +12,7 @@
 namespace weftlight::base {
 namespace {
 
-TEST(Loops, every_job_is_done_once) {
+TEST(Loops, every_job_runs_once) {
   for (const int threads : {0, 1, 2, 3, 16}) {
     std::vector<int> done(1000, 0);
     for_each_job(1000, threads, [&](int i) { ++done[static_cast<size_t>(i)]; });
@@ -20,18 +20,18 @@ TEST(Loops, every_job_is_done_once) {
   }
 }
 
-TEST(Loops, no_job_is_no_work) {
+TEST(Loops, zero_jobs_do_nothing) {
   for_each_job(0, [](int) { FAIL(); });
   for_each_job(-3, [](int) { FAIL(); });
 }
 
-TEST(Loops, a_loop_within_a_job) {
+TEST(Loops, loops_may_be_nested) {
   std::atomic<int> sum{0};
   for_each_job(20, 2, [&](int i) { for_each_job(20, [&](int k) { sum += i * 20 + k; }); });
   EXPECT_EQ(sum, 400 * 399 / 2);
 }
 
-TEST(Loops, what_a_job_throws_is_thrown_on) {
+TEST(Loops, exceptions_of_a_job_are_rethrown) {
   EXPECT_THROW(for_each_job(100,
                             [](int i) {
                               if (i == 50) throw std::runtime_error("fifty");
@@ -54,7 +54,7 @@ TEST(Loops, memory_that_a_job_lacks_is_the_callers_to_tell) {
   }
 }
 
-TEST(Loops, there_is_a_core) { EXPECT_GE(core_count(), 1); }
+TEST(Loops, core_count_is_positive) { EXPECT_GE(core_count(), 1); }
 
 }  // namespace
 }  // namespace weftlight::base

@@ -1,4 +1,4 @@
-// Presets, shaders and fonts are found; a variable that is set decides.
+// Presets, shaders, languages and fonts are found; an environment variable overrides the search.
 
 #include "base/resources.h"
 
@@ -19,7 +19,7 @@ TEST(Resources, are_found_from_the_build_folder) {
   EXPECT_TRUE(fs::exists(fs::path(shaders_dir()) / "cloth.frag"));
 }
 
-TEST(Resources, a_variable_decides) {
+TEST(Resources, a_variable_overrides_the_search) {
   ASSERT_EQ(::setenv("WEFTLIGHT_SHADERS", "/elsewhere", 1), 0);
   EXPECT_EQ(shaders_dir(), "/elsewhere");
   ASSERT_EQ(::setenv("WEFTLIGHT_SHADERS", "", 1), 0);
@@ -30,7 +30,7 @@ TEST(Resources, a_variable_decides) {
   ::unsetenv("WEFTLIGHT_LANGUAGES");
 }
 
-TEST(Resources, languages_lie_beside_a_program_in_its_build_folder) {
+TEST(Resources, languages_are_found_beside_the_program) {
   const fs::path languages = fs::read_symlink("/proc/self/exe").parent_path() / "languages";
   const bool there = fs::exists(languages);
   fs::create_directory(languages);
@@ -38,7 +38,7 @@ TEST(Resources, languages_lie_beside_a_program_in_its_build_folder) {
   if (!there) fs::remove(languages);
 }
 
-TEST(Fonts, only_of_the_family_that_is_asked_for) {
+TEST(Fonts, only_the_requested_family_is_found) {
   const char* const none[] = {"No Such Family 71"};
   EXPECT_EQ(font_file(none), "");
   const char* const some[] = {"No Such Family 71", "Inter", "DejaVu Sans", "Noto Sans"};

@@ -5,14 +5,14 @@
 namespace weftlight::base {
 namespace {
 
-TEST(Utf8, what_is_valid_stays) {
+TEST(Utf8, valid_text_is_unchanged) {
   for (const std::string text : {"", "plain", "caf\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\xA7\xB5"}) {
     EXPECT_TRUE(is_utf8(text));
     EXPECT_EQ(as_utf8(text), text);
   }
 }
 
-TEST(Utf8, what_is_not_is_replaced_byte_by_byte) {
+TEST(Utf8, invalid_bytes_are_replaced_one_by_one) {
   const std::string gone = "\xEF\xBF\xBD";
   EXPECT_EQ(as_utf8("caf\xE9.wif"), "caf" + gone + ".wif");
   EXPECT_EQ(as_utf8("\xE2\x82"), gone + gone);             // cut short

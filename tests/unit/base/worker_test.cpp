@@ -1,4 +1,4 @@
-// The newest job of a kind is done, those between are not, and the one at work is asked to give way.
+// The newest job of a kind runs, jobs in between are skipped, and a running job is asked to stop.
 
 #include "base/worker.h"
 
@@ -16,25 +16,25 @@
 namespace weftlight::base {
 namespace {
 
-TEST(Worker, those_between_are_skipped) {
-  std::binary_semaphore started{0}, go_on{0};
+TEST(Worker, jobs_in_between_are_skipped) {
+  std::binary_semaphore started{0}, proceed{0};
   std::vector<int> done;
   Worker worker;
   worker.post([&](const std::stop_token&) {
     started.release();
-    go_on.acquire();
+    proceed.acquire();
     done.push_back(0);
   });
   started.acquire();
   for (int i = 1; i <= 3; ++i) worker.post([&done, i](const std::stop_token&) { done.push_back(i); });
   EXPECT_TRUE(worker.busy());
-  go_on.release();
+  proceed.release();
   worker.wait();
   EXPECT_EQ(done, (std::vector<int>{0, 3}));
   EXPECT_FALSE(worker.busy());
 }
 
-TEST(Worker, a_newer_job_stops_its_own_kind_alone) {
+TEST(Worker, a_newer_job_stops_only_its_own_kind) {
   std::binary_semaphore started{0}, looked{0};
   std::atomic<bool> stopped{false};
   Worker worker;
@@ -58,19 +58,19 @@ TEST(Worker, a_newer_job_stops_its_own_kind_alone) {
 }
 
 TEST(Worker, kinds_keep_their_order) {
-  std::binary_semaphore started{0}, go_on{0};
+  std::binary_semaphore started{0}, proceed{0};
   std::string done;
   Worker worker;
-  worker.post([&](const std::stop_token&) { started.release(), go_on.acquire(); }, "first");
+  worker.post([&](const std::stop_token&) { started.release(), proceed.acquire(); }, "first");
   started.acquire();
   for (const char* kind : {"c", "a", "b", "c"})
     worker.post([&done, kind](const std::stop_token&) { done += kind; }, kind);
-  go_on.release();
+  proceed.release();
   worker.wait();
   EXPECT_EQ(done, "cab");
 }
 
-TEST(Worker, dropped_jobs_are_no_work) {
+TEST(Worker, dropped_jobs_do_not_run) {
   std::binary_semaphore started{0};
   bool second = false;
   Worker worker;
@@ -86,7 +86,7 @@ TEST(Worker, dropped_jobs_are_no_work) {
   EXPECT_FALSE(second);
 }
 
-TEST(Worker, what_waits_when_it_goes) {
+TEST(Worker, the_destructor_drops_or_finishes_waiting_jobs) {
   for (const auto leaving : {Worker::Leaving::kFinish, Worker::Leaving::kDrop}) {
     std::binary_semaphore started{0};
     std::atomic<int> done{0};

@@ -1,4 +1,4 @@
-// The chart: its measures by hand, its file, its front, its counts, and a quick run of a part that is cut and resumed.
+// The chart: error measures, file format, Pareto front, instruction counts, and a quick partial run that is resumed.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -37,15 +37,15 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST(chart_error, is_the_root_of_the_mean_square_over_that_of_the_truth) {
+TEST(chart_error, is_the_rmse_relative_to_the_truth) {
   const Pixels truth{glm::vec3(1), glm::vec3(2)}, picture{glm::vec3(1), glm::vec3(4)};
   EXPECT_NEAR(relative_rmse(picture, truth), std::sqrt(2.0 / 2.5), 1e-9);
   EXPECT_EQ(relative_rmse(truth, truth), 0);
   EXPECT_NEAR(mean_ratio(picture, truth), 5.0 / 3.0, 1e-9);
 }
 
-TEST(chart_error, two_estimates_of_the_truth_do_not_raise_it_by_their_noise) {
-  // Truth 1; its estimates scatter by 0.1 around it, without relation to each other.
+TEST(chart_error, noise_of_two_estimates_of_the_truth_cancels) {
+  // The truth is 1; two independent estimates scatter around it by 0.1.
   const Pixels half{glm::vec3(1.1f), glm::vec3(0.9f), glm::vec3(1.1f), glm::vec3(0.9f)};
   const Pixels other{glm::vec3(1.1f), glm::vec3(1.1f), glm::vec3(0.9f), glm::vec3(0.9f)};
   EXPECT_NEAR(relative_rmse(Pixels(4, glm::vec3(1)), half, other), 0, 1e-6);
@@ -61,20 +61,20 @@ TEST(chart_error, blocks_are_averaged_and_pans_compared_pixel_by_pixel) {
   EXPECT_EQ(flicker_of({Pixels(2, glm::vec3(1)), Pixels(2, glm::vec3(1))}), 0);
 }
 
-TEST(flip, is_none_for_the_same_picture_and_nearly_one_from_black_to_white) {
+TEST(flip, is_zero_for_equal_pictures_and_nearly_one_from_black_to_white) {
   constexpr int kSide = 24;
   const Pixels black(kSide * kSide, glm::vec3(0)), white(kSide * kSide, glm::vec3(1));
   EXPECT_EQ(flip_error(white, white, kSide, kSide), 0);
   // Its authors: black and white are 100 apart, the farthest colours (green and blue) 41.276^(1/0.7) = 203.
   EXPECT_NEAR(flip_error(black, white, kSide, kSide), 0.967, 2e-3);
-  Pixels line = white;  // an edge is seen more than a shift of tone of the same mean
+  Pixels line = white;  // an edge is more visible than a uniform change with the same mean
   for (int y = 0; y < kSide; ++y) line[static_cast<size_t>(y * kSide + kSide / 2)] = glm::vec3(0);
   const Pixels grey(kSide * kSide, glm::vec3(1 - 1.0f / kSide));
   EXPECT_GT(flip_error(line, white, kSide, kSide), flip_error(grey, white, kSide, kSide));
   EXPECT_NEAR(flip_error(line, white, kSide, kSide), flip_error(white, line, kSide, kSide), 1e-12);
 }
 
-TEST(chart_rows, on_the_front_is_what_no_other_beats_in_both) {
+TEST(chart_rows, on_front_means_that_no_other_is_better_in_both) {
   std::vector<ChartRow> rows{row(Method::kFlat, 1, 0.9), row(Method::kCloth, 2, 0.3), row(Method::kEngine, 3, 0.4),
                              row(Method::kYarn, 9, 0.1), row(Method::kAuto, 9, 0.1),  row(Method::kCell, 0.5, 0.01, 2)};
   mark_pareto_front(rows);
@@ -82,7 +82,7 @@ TEST(chart_rows, on_the_front_is_what_no_other_beats_in_both) {
   for (size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].on_front, expected[i]) << i;
 }
 
-TEST(chart_rows, go_to_text_and_back) {
+TEST(chart_rows, survive_a_round_trip_through_text) {
   ChartRow r = row(Method::kRepeat, 12.5, 0.123456789, 0.125);
   r.view_deg = 80, r.bytes = 22369600, r.on_front = true;
   const std::string text = chart_csv({r});
@@ -111,13 +111,13 @@ TEST(chart_rows, make_a_lod_table_that_can_be_read_again) {
   const LodTable again = read_lod_table(lod_table_csv(lod_table), problem);
   EXPECT_EQ(problem, "");
   EXPECT_EQ(again.size(), lod_table.size());
-  EXPECT_NEAR(expected_error(again, Method::kYarn, 2), 0.3f, 1e-5f);  // the worst place
+  EXPECT_NEAR(expected_error(again, Method::kYarn, 2), 0.3f, 1e-5f);  // the worst scene
   EXPECT_NEAR(expected_cost(again, Method::kYarn, 2), 50, 1e-3f);
-  EXPECT_EQ(choose(again, 0.5f, {0.06f}).method, Method::kYarn);  // none holds it: the nearest
+  EXPECT_EQ(choose(again, 0.5f, {0.06f}).method, Method::kYarn);  // none is below the tolerance: the best
   EXPECT_EQ(choose(again, 2, {0.25f}).method, Method::kCloth);
 }
 
-TEST(chart_scene, pixels_are_as_long_as_the_tilt_makes_them) {
+TEST(chart_scene, pixels_are_stretched_by_the_tilt) {
   const PixelSteps flat = pixel_steps(0, 2), tilted = pixel_steps(80, 2);
   EXPECT_NEAR(glm::length(flat.y), 2, 1e-5);
   EXPECT_NEAR(glm::length(tilted.x), 2, 1e-5);
@@ -129,13 +129,13 @@ TEST(chart_scene, pixels_are_as_long_as_the_tilt_makes_them) {
   EXPECT_LE(8 / std::cos(80 * 0.0174532925) / grid.ny, 1.0 / 16 + 1e-9);
 }
 
-TEST(draw_counter, counts_the_same_twice_and_more_where_more_is_done) {
+TEST(draw_counter, is_reproducible_and_proportional_to_the_work) {
   volatile double sum = 0;
   const auto counter = DrawCounter::start([&sum](const CountedDraw& what, const LodTable&, int pixels) {
     for (int i = 0; i < pixels * pixels * what.samples; ++i) sum = sum + 1.5;
     return true;
   });
-  if (!counter) GTEST_SKIP() << "another kind of processor";
+  if (!counter) GTEST_SKIP() << "not supported on this processor";
   CountedDraw what;
   const auto one = counter->per_pixel(what, {});
   EXPECT_EQ(counter->per_pixel(what, {}), one);
@@ -145,9 +145,9 @@ TEST(draw_counter, counts_the_same_twice_and_more_where_more_is_done) {
   EXPECT_NEAR(*four / *one, 4, 0.01);
 }
 
-TEST(draw_counter, has_no_figure_where_nothing_can_be_drawn) {
+TEST(draw_counter, is_empty_if_drawing_fails) {
   const auto counter = DrawCounter::start([](const CountedDraw&, const LodTable&, int) { return false; });
-  if (!counter) GTEST_SKIP() << "another kind of processor";
+  if (!counter) GTEST_SKIP() << "not supported on this processor";
   EXPECT_FALSE(counter->per_pixel({}, {}));
   EXPECT_FALSE(counter->per_pixel({}, {}));
 }
@@ -163,7 +163,7 @@ class ChartRun : public ::testing::Test {
     std::error_code ignored;
     fs::remove_all(dir_, ignored);
   }
-  /// Of the cheapest cloth, from near and from afar.
+  /// Measures the cheapest cloth at a small and a large footprint.
   int run(std::vector<int> views) const {
     return chart_command({dir_.string(), true, false, {{"plain"}, std::move(views), {0.125, 2}}});
   }
@@ -179,10 +179,10 @@ TEST(chart_cells, are_every_combination_once) {
   }
 }
 
-TEST(chart_cells, of_a_part_are_those_that_hold_what_is_named) {
+TEST(chart_cells, of_a_selection_match_its_values) {
   const std::vector<ChartRow> all = chart_cells({Method::kFlat, Method::kCloth});
-  const auto held = [&all](const ChartSelection& part) {
-    return std::count_if(all.begin(), all.end(), [&part](const ChartRow& r) { return part.holds(r); });
+  const auto held = [&all](const ChartSelection& selection) {
+    return std::count_if(all.begin(), all.end(), [&selection](const ChartRow& r) { return selection.holds(r); });
   };
   EXPECT_EQ(held({}), std::ssize(all));
   EXPECT_EQ(held({{"satin"}, {}, {}}), 2 * 2 * 6);
@@ -204,7 +204,7 @@ TEST(chart_drapes, are_two_cloths_in_three_lights_at_each_footprint) {
   }
 }
 
-TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
+TEST_F(ChartRun, measures_a_part_and_resumes) {
   ASSERT_EQ(run({0}), kDone);
   const std::vector<ChartRow> flat = rows();
   std::set<Method> methods;
@@ -218,7 +218,7 @@ TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
     EXPECT_GE(r.model_error, 0);
   }
 
-  // Cut after all but two rows, and asked for more: what is kept keeps its timings.
+  // After removing two rows and requesting more, the remaining rows keep their timings.
   std::ofstream(dir_ / "chart.csv", std::ios::binary) << chart_csv({flat.begin(), flat.end() - 2});
   ASSERT_EQ(run({80}), kDone);
   const std::vector<ChartRow> both = rows();
@@ -233,7 +233,7 @@ TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
   EXPECT_NE(read(dir_ / "light.csv").find("behind,plain,60,2,cloth,"), std::string::npos);
   const std::string drapes = read(dir_ / "drapes.csv");
   EXPECT_EQ(std::count(drapes.begin(), drapes.end(), '\n'), 1 + std::ssize(kDrapeLights) * std::ssize(methods));
-  // What hangs sends about what its traced threads send.
+  // The energy of the drape is about that of its traced threads.
   for (const std::string row : {"curtain,plain,key,4,cloth,", "curtain,plain,sky,4,repeat,"}) {
     const size_t at = drapes.find(row);
     ASSERT_NE(at, std::string::npos) << row;
@@ -246,7 +246,7 @@ TEST_F(ChartRun, measures_a_part_and_takes_up_where_it_was_cut) {
   }
 }
 
-TEST(chart_command, says_when_the_folder_cannot_be_made) {
+TEST(chart_command, reports_that_the_folder_cannot_be_made) {
   EXPECT_EQ(chart_command({"/dev/null/chart", true, false, {}}), kNotWritten);
 }
 

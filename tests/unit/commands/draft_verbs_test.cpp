@@ -26,7 +26,7 @@ TEST_F(DraftVerbs, drawdown_picture) {
   EXPECT_EQ(read_file(path("cloth.png")).bytes.substr(1, 3), "PNG");
 }
 
-TEST_F(DraftVerbs, drawdown_picture_is_the_way_up_of_the_editor) {
+TEST_F(DraftVerbs, drawdown_picture_is_oriented_like_the_editor) {
   Design design = open_design(fixture_path("twill.wif")).design;
   Draft& d = design.draft;
   d.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
@@ -48,7 +48,7 @@ TEST_F(DraftVerbs, drawdown_picture_is_the_way_up_of_the_editor) {
   }
 }
 
-TEST_F(DraftVerbs, drawdown_picture_begins_in_the_corner_that_is_asked_for) {
+TEST_F(DraftVerbs, drawdown_picture_has_the_requested_origin) {
   const auto picture = [&](const char* end1, const char* pick1) {
     EXPECT_EQ(
         run({"drawdown", fixture_path("twill.wif"), "-o", path("way.png"), "--end1", end1, "--pick1", pick1}).code,
@@ -95,7 +95,7 @@ TEST_F(DraftVerbs, info_as_json_of_any_text) {
   }
 }
 
-TEST_F(DraftVerbs, convert_is_byte_true_also_onto_itself) {
+TEST_F(DraftVerbs, convert_keeps_the_bytes_also_onto_itself) {
   for (const char* name : {"mixed_ends.wif", "latin1.wif", "untidy.wif", "no_last_end.wif"}) {
     const std::string bytes = read_file(fixture_path(name)).bytes;
     EXPECT_EQ(convert_command({fixture_path(name), path("copy.wif"), false, ConvertShedControl::kAsIs}), kDone);
@@ -104,7 +104,7 @@ TEST_F(DraftVerbs, convert_is_byte_true_also_onto_itself) {
   }
 }
 
-TEST_F(DraftVerbs, convert_changes_the_drive_and_keeps_the_cloth) {
+TEST_F(DraftVerbs, convert_changes_the_shed_control_and_keeps_the_drawdown) {
   const BitMatrix cells = drawdown(open_design(fixture_path("heddles.wif")).design.draft);
   for (const bool plain : {false, true}) {
     EXPECT_EQ(convert_command({fixture_path("heddles.wif"), path("lifts.wif"), plain, ConvertShedControl::kLiftplan}),
@@ -118,7 +118,7 @@ TEST_F(DraftVerbs, convert_changes_the_drive_and_keeps_the_cloth) {
   }
 }
 
-TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
+TEST_F(DraftVerbs, exit_codes_tell_the_kind_of_error) {
   ::testing::internal::CaptureStderr();
   EXPECT_EQ(info_command({path("none.wif"), false}), kBadInput);
   const std::string bad = written("bad.wif", "[WARP]\nThreads=4\n[WEFT]\nThreads=200000\n");
@@ -134,7 +134,7 @@ TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
   ::testing::internal::GetCapturedStderr();
 }
 
-TEST_F(DraftVerbs, convert_to_a_smaller_loom_refuses_or_takes_the_nearest) {
+TEST_F(DraftVerbs, convert_to_a_smaller_loom_fails_or_takes_the_closest_weave) {
   ASSERT_EQ(weave_command({"satin", path("satin.wif"), {"shafts=8"}, 16, 16, false}), kDone);
   EXPECT_EQ(run({"convert", path("satin.wif"), path("eight.wif"), "--shafts", "8", "--treadles", "8"}).code, kDone);
   EXPECT_EQ(open_design(path("eight.wif")).design.draft, open_design(path("satin.wif")).design.draft);
@@ -150,14 +150,14 @@ TEST_F(DraftVerbs, convert_to_a_smaller_loom_refuses_or_takes_the_nearest) {
   EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--shafts", "0"}).code, kUsage);
 }
 
-/// The lowest of a mesh's places, mm.
+/// The lowest y of a mesh, mm.
 float lowest(const Mesh& mesh) {
   float y = 1e9f;
-  for (const glm::vec3& place : mesh.position_mm) y = std::min(y, place.y);
+  for (const glm::vec3& p : mesh.position_mm) y = std::min(y, p.y);
   return y;
 }
 
-TEST_F(DraftVerbs, an_exported_drape_hangs_as_its_cloth_does) {
+TEST_F(DraftVerbs, an_exported_drape_has_the_stiffness_of_its_fabric) {
   const std::string denim = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/cloths/denim.wif";
   ASSERT_EQ(run({"export", denim, "-o", path("sets"), "--target", "gltf", "--size", "16", "--mesh", "tablecloth"}).code,
             kDone);

@@ -1,4 +1,4 @@
-// render, reference, export and drape: what they leave with, and what they leave behind, when they fail.
+// render, reference, export and drape: exit codes, and the files that remain after a failure.
 
 #include <pty.h>
 #include <sys/wait.h>
@@ -22,7 +22,7 @@ Args operator+(Args a, const Args& b) {
 
 std::string draft() { return fixture_path("twill.wif"); }
 
-/// A picture that takes no time.
+/// Options for a picture that is drawn quickly.
 const Args kSmall{"--size", "32x24", "--mesh", "plane", "--method", "flat"};
 
 /// `weftlight ARGS` where no file may grow past `blocks` of 512 bytes, as on a disk that is full.
@@ -33,7 +33,7 @@ int run_on_a_full_disk(const Args& args, int blocks) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// What `weftlight ARGS` writes where stderr is a terminal.
+/// The output of `weftlight ARGS` on a terminal.
 std::string said_on_a_terminal(const Args& args) {
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -53,11 +53,11 @@ std::string said_on_a_terminal(const Args& args) {
   return said;
 }
 
-TEST_F(ExitCodes, a_terminal_sees_what_a_picture_is_at_and_a_file_does_not) {
+TEST_F(ExitCodes, progress_is_shown_on_a_terminal_only) {
   const Args args = Args{"render", draft(), "-o", path("out.png")} + kSmall;
   const std::string said = said_on_a_terminal(args);
   for (const char* what : {"weaving ", "drawing 32 x 24 pixels"}) EXPECT_NE(said.find(what), std::string::npos) << said;
-  EXPECT_EQ(said.back(), '\r') << "the line is taken away at the end";
+  EXPECT_EQ(said.back(), '\r') << "the line is cleared at the end";
   EXPECT_EQ(run(args).said, "");
 }
 
@@ -98,7 +98,7 @@ TEST_F(ExitCodes, bad_usage_is_2) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(ExitCodes, a_draft_that_cannot_be_used_is_3_and_says_where) {
+TEST_F(ExitCodes, a_bad_draft_is_3_and_the_line_is_named) {
   const std::string bad = written("bad.wif", "[WARP]\nThreads=4\n[WEFT]\nThreads=200000\n");
   const std::string none = path("none.wif");
   for (const Args& args : std::vector<Args>{{"render", bad, "-o", path("out.png")},
@@ -119,7 +119,7 @@ TEST_F(ExitCodes, a_draft_that_cannot_be_used_is_3_and_says_where) {
   EXPECT_EQ(files(), std::set<std::string>{"bad.wif"});
 }
 
-TEST_F(ExitCodes, a_mesh_that_cannot_be_used_is_3_and_is_named) {
+TEST_F(ExitCodes, a_bad_mesh_is_3_and_is_named) {
   written("broken.glb", "glTF, but not really");
   for (const std::string& mesh : {std::string("no_such_drape"), path("none.glb"), path("broken.glb")}) {
     for (const Args& args : std::vector<Args>{{"render", draft(), "-o", path("out.png"), "--size", "32x24"},
@@ -133,7 +133,7 @@ TEST_F(ExitCodes, a_mesh_that_cannot_be_used_is_3_and_is_named) {
   EXPECT_EQ(files(), std::set<std::string>{"broken.glb"});
 }
 
-TEST_F(ExitCodes, a_picture_of_light_that_cannot_be_used_is_3_and_is_named) {
+TEST_F(ExitCodes, a_bad_environment_map_is_3_and_is_named) {
   written("words.hdr", "these are words\n");
   written("broken.exr", "v/1\x01, but not really");
   written("square.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 64\n");
@@ -179,20 +179,20 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
     EXPECT_FALSE(ran.said.empty()) << ::testing::PrintToString(args);
     const size_t named = ran.said.find(dir_.string());
     EXPECT_TRUE(named == std::string::npos || ran.said.find(dir_.string(), named + 1) == std::string::npos)
-        << "the place is named once: " << ran.said;
+        << "the path is named once: " << ran.said;
   }
   EXPECT_EQ(files(), std::set<std::string>{"file"});
   EXPECT_EQ(read_file(path("file")).bytes, "in the way");
 }
 
-TEST_F(ExitCodes, a_place_that_cannot_be_written_is_refused_before_the_work) {
+TEST_F(ExitCodes, an_output_that_cannot_be_written_fails_before_the_work) {
   for (const char* verb : {"render", "reference"}) {
     const std::string said = said_on_a_terminal(Args{verb, draft(), "-o", path("no/out.png")} + kSmall);
     EXPECT_EQ(said.find("weaving "), std::string::npos) << said;
   }
 }
 
-TEST_F(ExitCodes, a_full_disk_leaves_the_old_picture_and_nothing_beside_it) {
+TEST_F(ExitCodes, a_full_disk_keeps_the_old_picture_without_temporary_files) {
   for (const std::string name : {"cloth.png", "cloth.exr"}) written(name, "the old picture");
   for (const std::string name : {"cloth.png", "cloth.exr"}) {
     const Args args{"render", draft(), "-o", path(name), "--size", "128x128", "--mesh", "plane", "--method", "flat"};
@@ -202,14 +202,14 @@ TEST_F(ExitCodes, a_full_disk_leaves_the_old_picture_and_nothing_beside_it) {
   EXPECT_EQ(files(), (std::set<std::string>{"cloth.png", "cloth.exr"}));
 }
 
-TEST_F(ExitCodes, a_full_disk_leaves_the_old_mesh) {
+TEST_F(ExitCodes, a_full_disk_keeps_the_old_mesh) {
   written("plane.glb", "the old mesh");
   EXPECT_EQ(run_on_a_full_disk({"drape", "plane", "-o", path("plane.glb")}, 8), kNotWritten);
   EXPECT_EQ(read_file(path("plane.glb")).bytes, "the old mesh");
   EXPECT_EQ(files(), std::set<std::string>{"plane.glb"});
 }
 
-TEST_F(ExitCodes, a_full_disk_leaves_the_old_texture_set_whole) {
+TEST_F(ExitCodes, a_full_disk_keeps_the_old_texture_set_complete) {
   const Args args{"export", draft(), "-o", path("sets"), "--target", "raw", "--size", "64"};
   ASSERT_EQ(run(args).code, kDone);
   const std::set<std::string> before = files();

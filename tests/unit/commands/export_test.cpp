@@ -1,5 +1,4 @@
-// export of many drafts for many programs in one call: where sets come to lie, how large they are, what is kept and
-// what failed.
+// export of many drafts for many programs in one call: folders, sizes, resume and failures.
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -57,7 +56,7 @@ TEST_F(Export, names_follow_the_template) {
   EXPECT_EQ(exported({"--target", "raw,godot", "--name", "{name}"}).code, kUsage) << "two sets in one folder";
 }
 
-TEST_F(Export, texels_a_millimetre_and_tiles_of_many_repeats) {
+TEST_F(Export, texels_per_millimetre_and_tiles_of_several_repeats) {
   EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "12", "--tile-cm", "1"}).code, kDone);
   const json a = list("a");
   EXPECT_GE(a["size_mm"][0].get<float>(), 10);
@@ -68,7 +67,7 @@ TEST_F(Export, texels_a_millimetre_and_tiles_of_many_repeats) {
   EXPECT_NE(thin.said.find("texels; give a larger --size"), std::string::npos) << thin.said;
 }
 
-TEST_F(Export, archives_stand_beside_their_sets) {
+TEST_F(Export, archives_are_written_beside_their_sets) {
   EXPECT_EQ(exported({"--target", "raw", "--size", "16", "--zip"}).code, kDone);
   EXPECT_EQ(read_file(path("sets/a.zip")).bytes.substr(0, 2), "PK");
   write_file_atomically(path("sets/b.zip"), "mine");
@@ -78,7 +77,7 @@ TEST_F(Export, archives_stand_beside_their_sets) {
   EXPECT_EQ(read_file(path("sets/b.zip")).bytes, "mine");
 }
 
-TEST_F(Export, what_failed_is_said_at_the_end_and_the_rest_is_done) {
+TEST_F(Export, failures_are_listed_at_the_end_and_the_rest_is_done) {
   write_file_atomically(path("drafts/aa.wif"), "no draft");
   const Ran ran = exported({"--target", "raw", "--size", "16"});
   EXPECT_EQ(ran.code, kBadInput);
@@ -87,7 +86,7 @@ TEST_F(Export, what_failed_is_said_at_the_end_and_the_rest_is_done) {
       << ran.said;
 }
 
-TEST_F(Export, resume_makes_what_is_missing_or_of_another_draft) {
+TEST_F(Export, resume_makes_missing_and_outdated_sets) {
   const Args again{"--target", "raw", "--size", "16", "--resume"};
   EXPECT_EQ(exported(again).code, kDone);
   EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
@@ -154,7 +153,7 @@ TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
   EXPECT_NE(ran.said.find("no draft in it (.wif, .dtx, .wpo)"), std::string::npos) << ran.said;
 }
 
-TEST_F(Export, watch_exports_again_what_changes) {
+TEST_F(Export, watch_exports_changed_drafts_again) {
   write_file_atomically(path("drafts/c.dtx"), dtx());
   const pid_t child = fork();
   if (child == 0) {
@@ -167,7 +166,7 @@ TEST_F(Export, watch_exports_again_what_changes) {
     return what();
   };
   EXPECT_TRUE(comes([&] { return has("a/texture_set.json"); }));
-  // While the first sets may still be made: such a change is not to be missed.
+  // The first sets may still be in progress: a change during that time must not be missed.
   fs::copy_file(fixture_path("luminescence.wif"), path("drafts/a.wif"), fs::copy_options::overwrite_existing);
   const auto ends = [&] { return list("a")["repeat"]["ends"].get<int>(); };
   const int before = ends();

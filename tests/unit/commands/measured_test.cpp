@@ -1,7 +1,6 @@
-// presets/cloths against what real cloths send back (tests/measured/README.md): half an octave, root mean square of
-// log2(ours / measured) where the measured is above 3 percent of its peak. The satin's table turns light and eye
-// round with another answer than before, which no cloth of ours does: by how much, the table itself tells, and so much
-// is allowed on top.
+// presets/cloths against measured radiance (tests/measured/README.md): at most half an octave, root mean square of
+// log2(ours / measured) where the measured value is above 3 percent of its peak. The table of the satin is not
+// reciprocal, but our cloths are: the deviation of the table from reciprocity is computed and allowed on top.
 
 #include <cmath>
 #include <fstream>
@@ -20,8 +19,8 @@ constexpr double kHalfAnOctave = 0.5, kSeen = 0.03;
 struct MeasuredCloth {
   const char* table;
   const char* name;
-  bool shape_alone;             // one column, whose height does not count
-  bool answers_change = false;  // when light and eye change places
+  bool shape_only;  // one column of relative radiance
+  bool not_reciprocal = false;
 };
 constexpr MeasuredCloth kCloths[] = {{"sadeghi2013.csv", "linen_plain", false},
                                      {"sadeghi2013.csv", "silk_crepe_de_chine", false},
@@ -30,7 +29,7 @@ constexpr MeasuredCloth kCloths[] = {{"sadeghi2013.csv", "linen_plain", false},
                                      {"irawan2012.csv", "silk_charmeuse", true},
                                      {"irawan2012.csv", "cotton_twill", true}};
 
-/// Numbers of each row after `skip` fields; of the rows that begin with `with`.
+/// The numbers after `skip` fields of the rows that begin with `with`.
 std::vector<std::vector<double>> rows_of(const std::string& path, const std::string& with, int skip) {
   std::ifstream in(path);
   std::string line;
@@ -56,24 +55,24 @@ double peak_of(const Rows& measured) {
   return peak;
 }
 
-/// In octaves, by the view's angle: what each view's rows lack for light and eye to change places without a
-/// difference (radiance for a unit of irradiance across the beam is the BRDF times the light's cosine). Least squares
-/// over all pairs that the table has; their mean over the rows that count is 0, since the height is not at fault.
-std::map<double, double> lacking_by_view(const Rows& measured) {
+/// The correction in octaves, by view angle, that makes the table reciprocal (radiance per unit irradiance across the
+/// beam is the BRDF times the cosine of the light). Least squares over all pairs in the table; its mean over the rows
+/// that count is 0, since the overall level is not in question.
+std::map<double, double> reciprocity_correction(const Rows& measured) {
   struct Pair {
     double view, other, octaves;
   };
   const double least = kSeen * peak_of(measured);
   const auto cosine = [](double degrees) { return std::cos(degrees * std::numbers::pi / 180); };
   std::vector<Pair> pairs;
-  std::map<double, double> lacking, counts;
+  std::map<double, double> correction, counts;
   for (size_t i = 0; i < measured.size(); ++i) {
     const auto& a = measured[i];
-    lacking[a[0]] = 0;
+    correction[a[0]] = 0;
     for (size_t c = 2; c < a.size(); ++c) counts[a[0]] += a[c] > least ? 1 : 0;
     for (size_t k = 0; k < measured.size(); ++k) {
       const auto& b = measured[k];
-      // Of the same plane, as it stands or turned by half: the tables' halves are warp and weft.
+      // The same plane, directly or rotated by half a turn; the halves of a table are warp and weft.
       const bool same_plane = i / (measured.size() / 2) == k / (measured.size() / 2);
       const bool turned = (b[0] == a[1] && b[1] == a[0]) || (b[0] == -a[1] && b[1] == -a[0]);
       if (!same_plane || !turned || std::abs(a[0]) == std::abs(a[1])) continue;
@@ -83,43 +82,43 @@ std::map<double, double> lacking_by_view(const Rows& measured) {
     }
   }
   for (int step = 0; step < 200; ++step) {
-    for (auto& [view, octaves] : lacking) {
+    for (auto& [view, octaves] : correction) {
       double sum = 0, count = 0;
       for (const Pair& p : pairs)
-        if (p.view == view) sum += lacking[p.other] - p.octaves, ++count;
+        if (p.view == view) sum += correction[p.other] - p.octaves, ++count;
       if (count > 0) octaves = sum / count;
     }
   }
   double sum = 0, count = 0;
-  for (const auto& [view, octaves] : lacking) sum += octaves * counts[view], count += counts[view];
-  for (auto& [view, octaves] : lacking) octaves -= sum / count;
-  return lacking;
+  for (const auto& [view, octaves] : correction) sum += octaves * counts[view], count += counts[view];
+  for (auto& [view, octaves] : correction) octaves -= sum / count;
+  return correction;
 }
 
-/// Root mean square of it over the rows that count: a cloth that obeys reciprocity is at least so far off.
-double own_break(const Rows& measured, const std::map<double, double>& lacking) {
+/// Its root mean square over the rows that count: the least error of a reciprocal cloth.
+double non_reciprocity(const Rows& measured, const std::map<double, double>& correction) {
   double squares = 0, count = 0;
   for (const auto& row : measured)
     for (size_t c = 2; c < row.size(); ++c)
-      if (row[c] > kSeen * peak_of(measured)) squares += lacking.at(row[0]) * lacking.at(row[0]), ++count;
+      if (row[c] > kSeen * peak_of(measured)) squares += correction.at(row[0]) * correction.at(row[0]), ++count;
   return std::sqrt(squares / count);
 }
 
-/// In octaves. Rows of both: angles of view and light, radiances. `lacking`: added to what was measured, by view.
-double octaves_off(const Rows& measured, const Rows& ours, bool shape_alone,
-                   const std::map<double, double>& lacking = {}) {
+/// Error in octaves. Rows: angles of view and light, radiances. `correction`: added to the measured value, by view.
+double octaves_off(const Rows& measured, const Rows& ours, bool shape_only,
+                   const std::map<double, double>& correction = {}) {
   const double least = kSeen * peak_of(measured);
   double sum = 0, squares = 0, count = 0;
   for (size_t i = 0; i < measured.size(); ++i) {
     for (size_t c = 2; c < measured[i].size(); ++c) {
       if (measured[i][c] <= least) continue;
-      const double value = shape_alone ? (ours[i][2] + ours[i][3] + ours[i][4]) / 3 : ours[i][c];
-      const double lacks = lacking.empty() ? 0 : lacking.at(measured[i][0]);
+      const double value = shape_only ? (ours[i][2] + ours[i][3] + ours[i][4]) / 3 : ours[i][c];
+      const double lacks = correction.empty() ? 0 : correction.at(measured[i][0]);
       const double off = std::log2(std::max(value, 1e-6) / measured[i][c]) - lacks;
       sum += off, squares += off * off, ++count;
     }
   }
-  const double mean = shape_alone ? sum / count : 0;
+  const double mean = shape_only ? sum / count : 0;
   return std::sqrt(squares / count - mean * mean);
 }
 
@@ -137,21 +136,21 @@ class Measured : public ScratchFolder {
       ASSERT_EQ(ours.size(), measured.size());
       for (size_t i = 0; i < ours.size(); ++i)
         ASSERT_TRUE(ours[i][0] == measured[i][0] && ours[i][1] == measured[i][1]);
-      const std::map<double, double> lacking = lacking_by_view(measured);
-      const double broken = own_break(measured, lacking);
-      const double most = cloth.answers_change ? std::hypot(kHalfAnOctave, broken) : kHalfAnOctave;
-      const double off = octaves_off(measured, ours, cloth.shape_alone);
+      const std::map<double, double> correction = reciprocity_correction(measured);
+      const double broken = non_reciprocity(measured, correction);
+      const double most = cloth.not_reciprocal ? std::hypot(kHalfAnOctave, broken) : kHalfAnOctave;
+      const double off = octaves_off(measured, ours, cloth.shape_only);
       figure(method + " of " + cloth.name + ", octaves off", most, off);
-      figure("of them made reciprocal", most, octaves_off(measured, ours, cloth.shape_alone, lacking));
-      figure("the table's own break of reciprocity", most, broken);
+      figure("after making the table reciprocal", most, octaves_off(measured, ours, cloth.shape_only, correction));
+      figure("non-reciprocity of the table", most, broken);
       EXPECT_LT(off, most) << cloth.name;
     }
   }
 };
 
-TEST_F(Measured, far_field_of_cloths_is_as_measured) { compare("cloth"); }
+TEST_F(Measured, far_field_agrees_with_measurements) { compare("cloth"); }
 
-TEST_F(Measured, cloths_are_sent_back_as_measured_by_the_traced_threads) { compare("reference"); }
+TEST_F(Measured, traced_threads_agree_with_measurements) { compare("reference"); }
 
 }  // namespace
 }  // namespace weftlight::commands

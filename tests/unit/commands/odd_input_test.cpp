@@ -1,4 +1,4 @@
-// Odd names, odd files and odd command lines: right, or refused in one line with the exit code of the contract.
+// Odd names, files and command lines: handled correctly, or rejected in one line with the exit code of the contract.
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -29,7 +29,7 @@ int shell(const std::string& before, const std::string& args, const std::string&
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST_F(OddInput, text_that_is_no_utf8_is_valid_json) {
+TEST_F(OddInput, text_that_is_not_utf8_becomes_valid_json) {
   const std::string latin = draft_bytes() +
                             "\n[CONTENTS]\nC\xE9"
                             "f=true\n[CAF\xE9]\n1=x\n[CAF\xE9 2]\n1=y\n";
@@ -42,13 +42,13 @@ TEST_F(OddInput, text_that_is_no_utf8_is_valid_json) {
   EXPECT_NE(info["warnings"].dump().find("CAF\xC3\xA9"), std::string::npos) << info["warnings"].dump(1);
 }
 
-TEST_F(OddInput, a_title_escaped_by_the_file_itself_is_valid_json) {
+TEST_F(OddInput, an_escaped_title_becomes_valid_json) {
   const std::string odd = draft_bytes() + "\n[TEXT]\nTitle=caf?\n[PRIVATE WEFTLIGHT TEXT]\nTitle=caf\\xe9\n";
   ASSERT_EQ(shell("", "info --json '" + written("odd.wif", odd) + "'", ">'" + path("out.json") + "'"), kDone);
   EXPECT_TRUE(nlohmann::json::accept(read_file(path("out.json")).bytes));
 }
 
-TEST_F(OddInput, what_is_no_file_is_refused_at_once) {
+TEST_F(OddInput, pipes_and_devices_are_rejected_at_once) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   for (const std::string& name : {std::string("/dev/zero"), path("pipe"), path("")}) {
     const Ran ran = run({"info", name});
@@ -58,7 +58,7 @@ TEST_F(OddInput, what_is_no_file_is_refused_at_once) {
   EXPECT_EQ(run({"render", draft(), "-o", path("a.png"), "--mesh", path("pipe")}).code, kBadInput);
 }
 
-TEST_F(OddInput, a_full_device_is_told_of) {
+TEST_F(OddInput, a_full_device_is_reported) {
   const std::string file = "'" + draft() + "'";
   EXPECT_EQ(shell("", "info " + file, ">/dev/full 2>/dev/null"), kNotWritten);
   EXPECT_EQ(shell("", "info --json " + file, ">/dev/full 2>/dev/null"), kNotWritten);
@@ -72,14 +72,14 @@ TEST_F(OddInput, a_full_device_is_told_of) {
   EXPECT_NE(ran.said.find("/dev/full: cannot be written: the disk is full"), std::string::npos) << ran.said;
 }
 
-TEST_F(OddInput, a_pipe_takes_a_converted_draft) {
+TEST_F(OddInput, a_draft_can_be_converted_into_a_pipe) {
   ASSERT_EQ(shell("", "convert '" + draft() + "' /dev/stdout", "| cat >'" + path("copy.wif") + "'"), kDone);
   EXPECT_EQ(read_file(path("copy.wif")).bytes, draft_bytes());
   ASSERT_EQ(shell("(echo before;", "convert '" + draft() + "' /dev/stdout; echo after)", ">'" + path("all") + "'"), 0);
   EXPECT_EQ(read_file(path("all")).bytes, "before\n" + draft_bytes() + "after\n");
 }
 
-TEST_F(OddInput, pictures_respect_what_is_read_only_and_links) {
+TEST_F(OddInput, pictures_respect_read_only_files_and_links) {
   written("locked.png", "mine");
   ::chmod(path("locked.png").c_str(), 0444);
   const Ran ran = run({"drawdown", draft(), "-o", path("locked.png")});
@@ -93,7 +93,7 @@ TEST_F(OddInput, pictures_respect_what_is_read_only_and_links) {
   EXPECT_EQ(read_file(path("there/real.png")).bytes.substr(1, 3), "PNG");
 }
 
-TEST_F(OddInput, a_mistyped_verb_names_the_nearest) {
+TEST_F(OddInput, a_mistyped_verb_names_the_closest) {
   for (const auto& [word, verb] : std::vector<std::pair<std::string, std::string>>{
            {"rendr", "render"}, {"drawdwn", "drawdown"}, {"exprot", "export"}, {"inf", "info"}}) {
     const Ran ran = run({word});
@@ -137,7 +137,7 @@ TEST_F(OddInput, odd_values_are_bad_usage_in_a_short_line) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(OddInput, a_drawdown_is_what_its_name_says) {
+TEST_F(OddInput, the_extension_of_a_drawdown_selects_its_format) {
   const std::vector<std::pair<std::string, std::string>> heads{
       {"a.svg", "<?xml"},   {"a.pdf", "%PDF"}, {"a.jpg", "\xFF\xD8\xFF"},
       {"a.PNG", "\x89PNG"}, {"a.txt", "0"},    {"a", "0"}};
@@ -160,7 +160,7 @@ TEST_F(OddInput, a_broken_lod_table_is_reported_and_replaced) {
   const std::string env = "WEFTLIGHT_PRESETS='" + presets + "'", said = ">/dev/null 2>'" + path("said") + "'";
   for (const char* what : {"folder", "broken", "missing"}) {
     if (what == std::string("folder")) std::filesystem::create_directory(presets + "/lod_table.csv");
-    if (what == std::string("broken")) std::ofstream(presets + "/lod_table.csv") << "not,a\nladder";
+    if (what == std::string("broken")) std::ofstream(presets + "/lod_table.csv") << "not,a\ntable";
     const int code = shell(env, line, said);
     if (code == kNoGraphics) GTEST_SKIP() << "no graphics here";
     EXPECT_EQ(code, kDone) << what;

@@ -1,4 +1,4 @@
-// A draft hung by its own yarns to the end: in a picture, and as a mesh. The cushion falls the soonest.
+// The drape of a draft, simulated completely, in a picture and as a mesh. The cushion is the fastest.
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,7 +20,7 @@ class OwnDrape : public ScratchFolder {
   const std::string draft_ = fixture_path("twill.wif");
 };
 
-/// The farthest that a vertex of one lies from its own of the other, mm.
+/// The largest distance between corresponding vertices, mm.
 float farthest(const Mesh& a, const Mesh& b) {
   float most = 0;
   for (size_t i = 0; i < std::min(a.position_mm.size(), b.position_mm.size()); ++i)
@@ -28,7 +28,7 @@ float farthest(const Mesh& a, const Mesh& b) {
   return most;
 }
 
-TEST_F(OwnDrape, is_drawn_kept_and_written) {
+TEST_F(OwnDrape, is_drawn_cached_and_written) {
   const std::vector<std::string> line{"render", draft_,        "--mesh", "cushion", "--simulate-drape",
                                       "-o",     path("a.png"), "--size", "48x32",   "--samples",
                                       "1"};
@@ -38,7 +38,7 @@ TEST_F(OwnDrape, is_drawn_kept_and_written) {
   EXPECT_EQ(drawn.said.find("warning"), std::string::npos) << drawn.said;
   Design design = open_design(draft_).design;
   design.scene.mesh = "cushion", design.scene.simulated_drape = true;
-  ASSERT_TRUE(is_draped(design)) << "it is kept for the next picture";
+  ASSERT_TRUE(is_draped(design)) << "it is cached for the next picture";
 
   const Ran written = run({"drape", draft_, "-o", path("own.glb"), "--mesh", "cushion"});
   ASSERT_EQ(written.code, kDone) << written.said;
@@ -48,8 +48,8 @@ TEST_F(OwnDrape, is_drawn_kept_and_written) {
   ASSERT_TRUE(own.mesh) << own.error;
   EXPECT_EQ(own.mesh->index, shipped.mesh->index);
   EXPECT_LT(farthest(*load_design_drape(design).mesh, *own.mesh), 0.01f) << "the one that is drawn";
-  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "not as its kind hangs";
-  for (const glm::vec3& place : own.mesh->position_mm) ASSERT_GT(place.y, -0.5f);
+  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "it is not the generic drape";
+  for (const glm::vec3& p : own.mesh->position_mm) ASSERT_GT(p.y, -0.5f);
 }
 
 TEST_F(OwnDrape, options_keep_their_earlier_names) {
@@ -63,7 +63,7 @@ TEST_F(OwnDrape, options_keep_their_earlier_names) {
   EXPECT_EQ(help.find("--own-drape"), std::string::npos);
 }
 
-TEST_F(OwnDrape, is_simulated_and_written_whole_where_none_is_kept) {
+TEST_F(OwnDrape, is_simulated_and_written_if_none_is_cached) {
   const Ran written = run({"drape", draft_, "-o", path("own.glb"), "--mesh", "cushion"});
   ASSERT_EQ(written.code, kDone) << written.said;
   const ReadMesh own = read_mesh(path("own.glb")), shipped = load_drape("cushion"),
@@ -71,11 +71,11 @@ TEST_F(OwnDrape, is_simulated_and_written_whole_where_none_is_kept) {
   ASSERT_TRUE(own.mesh) << own.error;
   ASSERT_TRUE(body.mesh) << body.error;
   EXPECT_EQ(own.mesh->index, shipped.mesh->index);
-  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "not as its kind hangs";
-  EXPECT_EQ(files(), (std::set<std::string>{"own.glb", "own_body.glb"})) << "nothing was left";
+  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "it is not the generic drape";
+  EXPECT_EQ(files(), (std::set<std::string>{"own.glb", "own_body.glb"})) << "no temporary files remain";
 }
 
-TEST_F(OwnDrape, is_not_simulated_for_a_place_that_cannot_be_written) {
+TEST_F(OwnDrape, is_not_simulated_if_the_output_cannot_be_written) {
   const Ran ran = run({"drape", draft_, "-o", path("none/own.glb"), "--mesh", "cushion"});
   EXPECT_EQ(ran.code, kNotWritten);
   EXPECT_NE(ran.said.find("none"), std::string::npos) << ran.said;

@@ -19,15 +19,15 @@ namespace {
 
 class Pictures : public ScratchFolder {
  protected:
-  /// The first 16 ends and picks of a shipped draft: every thread more is baked, and traced as a body.
+  /// The first 16 ends and picks of a shipped draft, since baking and tracing take time for every thread.
   std::string corner_of(const std::string& draft) {
     const wif::WifRead read = wif::read_wif(read_file(presets_dir() + "/drafts/" + draft + ".wif").bytes);
     const Design& d = read.file->design;
     return written(draft + ".wif", write_new_wif(with_size(d, 16, 16, d.draft.shafts, d.draft.treadles)));
   }
-  /// A draft drawn and traced: how far they are apart. None without graphics.
+  /// The difference of the rendered and the traced picture of a draft. Empty without graphics.
   std::optional<double> difference(const std::string& draft, const std::vector<std::string>& scene) {
-    // As many samples as there are: what differs is not their noise.
+    // The largest number of samples, so that noise does not count.
     const Ran drawn = picture("render", draft, scene, {"-o", path("drawn.exr"), "--samples", "34"});
     if (drawn.code == kNoGraphics) return std::nullopt;
     EXPECT_EQ(drawn.code, kDone) << drawn.said;
@@ -51,8 +51,7 @@ class Pictures : public ScratchFolder {
   }
 };
 
-// A mesh drawn with fewer triangles keeps its shape while the weave slides over it: 0.40, where all triangles leave
-// 0.09.
+// A mesh with fewer triangles keeps its shape but moves the weave: 0.40, against 0.09 with all triangles.
 TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
   const std::optional<double> off =
       difference(presets_dir() + "/drafts/starter.wif", {"--mesh", "tablecloth", "--yarns-per-pixel", "0.3"});
@@ -60,7 +59,7 @@ TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
   EXPECT_LT(*off, 0.15);
 }
 
-// Places under another thread's edge have no horizons of their own. Lit as if they lay on top: 0.33, else 0.22.
+// Samples under the edge of another thread have no horizons. Lit as if they were on top: 0.33, otherwise 0.22.
 TEST_F(Pictures, light_under_the_edges_of_threads_is_the_traced_light) {
   const std::optional<double> off =
       difference(corner_of("twill_2_2"), {"--mesh", "plane", "--view", "-30,20", "--yarns-per-pixel", "0.06"});
@@ -68,7 +67,7 @@ TEST_F(Pictures, light_under_the_edges_of_threads_is_the_traced_light) {
   EXPECT_LT(*off, 0.27);
 }
 
-// The maps of a dense weave have no gaps, its threads have. Drawn opaque: 0.49, else 0.19.
+// The maps of a dense weave have no gaps, but its threads have. Drawn opaque: 0.49, otherwise 0.19.
 TEST_F(Pictures, what_is_behind_shows_through_the_pinholes_of_a_near_weave) {
   const std::optional<double> off =
       difference(corner_of("twill_2_2"), {"--mesh", "plane", "--view", "20,15", "--yarns-per-pixel", "0.04"});
@@ -82,7 +81,7 @@ double sum_of(const Image& image) {
   return all;
 }
 
-/// What `render` and `reference` show of one scene: how far they are apart, and the brightness of one over the other's.
+/// The difference of `render` and `reference` for one scene, and their brightness ratio.
 std::pair<double, double> drawn_and_traced(PictureSetup& setup, const PictureOptions& o,
                                            const ReferenceScene& threads) {
   const Design& d = setup.design;
@@ -98,9 +97,9 @@ std::pair<double, double> drawn_and_traced(PictureSetup& setup, const PictureOpt
   return {relative_rms(truth, ours), sum_of(ours) / sum_of(truth)};
 }
 
-// Straight on, each set-up of lights and a picture from all around. What is behind the cloth is left out: it fills the
-// picture. Measured: a twill 0.09 to 0.17 off and 1.02 to 1.11 as bright, a
-// satin 0.25 to 0.36, noise of 64 samples and pinholes and all, and 1.02 to 1.13.
+// At normal view, for each lighting preset and an environment map; the cloth fills the picture. Measured: difference
+// 0.09 to 0.17 and brightness 1.02 to 1.11 for a twill; 0.25 to 0.36, including noise and pinholes, and 1.02 to 1.13
+// for a satin.
 TEST_F(Pictures, the_preview_is_the_traced_cloth_under_every_light) {
   Image hall{128, 64, 3, std::vector<float>(size_t{3} * 128 * 64, 0.15f)};
   for (int y = 16; y < 30; ++y)
@@ -133,8 +132,8 @@ TEST_F(Pictures, the_preview_is_the_traced_cloth_under_every_light) {
   }
 }
 
-// Mean of what a small picture of a sphere shows, red and blue.
-TEST_F(Pictures, each_set_up_of_lights_lights_the_cloth_another_way) {
+// Compares the mean red and blue of a small picture of a sphere.
+TEST_F(Pictures, every_lighting_preset_looks_different) {
   PictureOptions o;
   o.file = corner_of("plain"), o.out = path("lit.exr"), o.mesh = "sphere", o.method = "cloth";
   o.width = 64, o.height = 48;
@@ -161,7 +160,7 @@ TEST_F(Pictures, each_set_up_of_lights_lights_the_cloth_another_way) {
   }
 }
 
-TEST_F(Pictures, a_turntable_is_one_turn_in_even_steps) {
+TEST_F(Pictures, a_turntable_is_one_turn_in_equal_steps) {
   const std::vector<std::string> line{"render", corner_of("plain"), "--mesh",  "skirt", "--size", "64x48", "--method",
                                       "cloth",  "--lights",         "gallery", "-o"};
   const auto drawn = [&](const std::string& out, const std::vector<std::string>& more) {

@@ -1,4 +1,4 @@
-// `response`: a table of what the flat cloth sends back.
+// `response`: the table of the far-field radiance of the flat cloth.
 
 #include <cmath>
 #include <fstream>
@@ -44,7 +44,7 @@ class Response : public ScratchFolder {
   }
 };
 
-/// Round white matt threads side by side, straight, all of the warp on top.
+/// Straight, round, white, matt threads side by side; all of the warp is on top.
 Design white_cylinders() {
   Recipe all_up;
   all_up.shafts = 1, all_up.threading = {0}, all_up.tieup = {{0}}, all_up.treadling = {0};
@@ -58,7 +58,7 @@ Design white_cylinders() {
   return d;
 }
 
-/// Warp satin of a shining yarn: red ends, blue picks.
+/// A warp satin of glossy yarn: red ends, blue picks.
 Design two_coloured_satin() {
   Design d = satin(8, 3, Face::kFront, {8, 8});
   d = with_colors(std::move(d), {{0.8f, 0.1f, 0.1f}, {0.1f, 0.1f, 0.8f}}, {{0, 1}}, {{1, 1}});
@@ -68,9 +68,9 @@ Design two_coloured_satin() {
   return with_sett(with_yarns(std::move(d), yarn, yarn));
 }
 
-// Of a round white cylinder the mean of n.l over what is seen is pi / 4 where light and eye lie in the plane of its
-// axis, times the cosine of the light; over pi for a Lambertian one.
-TEST_F(Response, white_matt_cylinders_send_a_quarter_of_the_cosine) {
+// For a round white cylinder with light and viewer in the plane of its axis, the mean of n.l over the visible side is
+// pi / 4 times the cosine of the light; divided by pi for a Lambertian surface.
+TEST_F(Response, white_matt_cylinders_reflect_a_quarter_of_the_cosine) {
   for (const char* method : {"cloth", "reference"}) {
     for (const Row& row : respond(
              white_cylinders(), {"--method", method, "--plane", "warp", "--views", "0,40", "--lights", "-60:60:30"})) {
@@ -82,7 +82,7 @@ TEST_F(Response, white_matt_cylinders_send_a_quarter_of_the_cosine) {
   }
 }
 
-TEST_F(Response, light_and_eye_may_change_places) {
+TEST_F(Response, the_response_is_reciprocal) {
   for (const char* method : {"cloth", "reference"}) {
     const std::vector<Row> rows = respond(two_coloured_satin(), {"--method", method, "--views", "-50,-20,10,35",
                                                                  "--lights", "-50,-20,10,35", "--spp", "32"});
@@ -90,7 +90,7 @@ TEST_F(Response, light_and_eye_may_change_places) {
     for (size_t i = 0; i < rows.size(); ++i) {
       const size_t plane = i / 16 * 16, view = i % 16 / 4, light = i % 4;
       const Row &row = rows[i], &turned = rows[plane + light * 4 + view];
-      // What a unit of the plane sends, times the eye's cosine, is the same both ways.
+      // The radiance times the cosine of the viewer is symmetric.
       const double a = row.r * std::cos(radians(row.view)), b = turned.r * std::cos(radians(turned.view));
       EXPECT_NEAR(a / b, 1, 0.12) << method << ' ' << row.plane << ' ' << row.view << ' ' << row.light;
     }
@@ -99,19 +99,19 @@ TEST_F(Response, light_and_eye_may_change_places) {
 
 TEST_F(Response, the_back_is_the_complement) {
   for (const char* method : {"cloth", "reference", "repeat"}) {
-    const std::vector<std::string> asked{"--method", method, "--views", "0,40", "--lights", "-30,20"};
-    std::vector<std::string> behind = asked;
-    behind.insert(behind.end(), {"--face", "back"});
-    for (const Row& row : respond(two_coloured_satin(), asked)) EXPECT_GT(row.r, 1.5 * row.b) << method;
-    for (const Row& row : respond(two_coloured_satin(), behind)) EXPECT_GT(row.b, 1.5 * row.r) << method;
+    const std::vector<std::string> options{"--method", method, "--views", "0,40", "--lights", "-30,20"};
+    std::vector<std::string> back = options;
+    back.insert(back.end(), {"--face", "back"});
+    for (const Row& row : respond(two_coloured_satin(), options)) EXPECT_GT(row.r, 1.5 * row.b) << method;
+    for (const Row& row : respond(two_coloured_satin(), back)) EXPECT_GT(row.b, 1.5 * row.r) << method;
   }
 }
 
-TEST_F(Response, methods_agree_on_a_cloth_from_afar) {
-  const std::vector<std::string> asked{"--views", "0,45", "--lights", "-60:60:20", "--spp", "64", "--method"};
+TEST_F(Response, methods_agree_in_the_far_field) {
+  const std::vector<std::string> options{"--views", "0,45", "--lights", "-60:60:20", "--spp", "64", "--method"};
   std::vector<std::vector<Row>> tables;
   for (const char* method : {"reference", "cloth", "repeat", "auto"}) {
-    std::vector<std::string> line = asked;
+    std::vector<std::string> line = options;
     line.push_back(method);
     tables.push_back(respond(two_coloured_satin(), line));
   }
@@ -126,7 +126,7 @@ TEST_F(Response, methods_agree_on_a_cloth_from_afar) {
   }
 }
 
-TEST_F(Response, what_it_cannot_do_leaves_nothing_behind) {
+TEST_F(Response, errors_leave_no_files) {
   const std::string draft = fixture_path("twill.wif"), out = path("out.csv");
   for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
            {},

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of the test's own, removed after it, and the whole command line run in it.
+// A temporary folder for a test, and the whole command line run in the process of the test.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ inline std::string fixture_path(const std::string& name) {
 
 class ScratchFolder : public ScratchTest {
  protected:
-  /// Every file below the folder, by its name from there.
+  /// Every file below the folder, by relative path.
   std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_)) {
@@ -31,7 +31,7 @@ class ScratchFolder : public ScratchTest {
   }
 };
 
-/// The exit code of `weftlight ARGS`, and what it said on stderr and on stdout.
+/// The exit code of `weftlight ARGS`; said: stderr, out: stdout.
 struct Ran {
   int code = -1;
   std::string said, out;

@@ -1,4 +1,4 @@
-// analyse, diff, print, weave, and drafts that are not WIF.
+// analyse, diff, print, weave, and drafts in other formats.
 
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
   EXPECT_EQ(diff_command({fixture_path("twill.wif"), path("none.wif")}), kBadInput);
 }
 
-TEST_F(WeaverVerbs, print_writes_what_its_name_says_or_refuses) {
+TEST_F(WeaverVerbs, the_extension_of_print_selects_the_format) {
   EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.pdf"), {}}), kDone);
   EXPECT_TRUE(read_file(path("a.pdf")).bytes.starts_with("%PDF"));
   EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.svg"), {print::kLetter, 5}}), kDone);
@@ -128,7 +128,7 @@ TEST_F(WeaverVerbs, print_takes_parts_and_papers) {
   EXPECT_FALSE(std::filesystem::exists(path("no.pdf")));
 }
 
-TEST_F(WeaverVerbs, weave_keeps_its_numbers_in_the_file) {
+TEST_F(WeaverVerbs, weave_keeps_its_parameters_in_the_file) {
   EXPECT_EQ(weave_command({"twill", path("t.wif"), {"ratio=3/1"}, 8, 8, false}), kDone);
   const OpenedDesign opened = open_design(path("t.wif"));
   ASSERT_TRUE(opened.ok);
@@ -150,7 +150,7 @@ TEST_F(WeaverVerbs, another_programs_draft_becomes_a_wif) {
   EXPECT_EQ(drawdown_of(path("plain.wif")), "1010\n0101\n");
 }
 
-TEST_F(WeaverVerbs, a_picture_of_points_comes_back_as_the_same_drawdown) {
+TEST_F(WeaverVerbs, a_picture_of_points_gives_the_same_drawdown) {
   const std::string cloth = drawdown_of(fixture_path("twill.wif"));
   for (const char* name : {"points.png", "points.tif"}) {
     EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path(name), Face::kFront, true}), kDone);
@@ -182,7 +182,7 @@ TEST_F(WeaverVerbs, a_picture_becomes_weaves_with_bounded_floats) {
       run({"convert", path("photo.png"), path("small.wif"), "--ends", "60", "--colors", "4", "--floats", "3"}).code,
       kDone);
   EXPECT_EQ(info("small.wif")["ends"], 60);
-  EXPECT_EQ(info("small.wif")["picks"], 40) << "it keeps its shape";
+  EXPECT_EQ(info("small.wif")["picks"], 40) << "it keeps its proportions";
   EXPECT_LE(longest("small.wif"), 3);
   EXPECT_EQ(run({"convert", fixture_path("twill.wif"), path("no.wif"), "--colors", "4"}).code, kUsage);
   EXPECT_EQ(run({"convert", path("photo.png"), path("no.wif"), "--colors", "1"}).code, kUsage);

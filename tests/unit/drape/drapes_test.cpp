@@ -1,4 +1,4 @@
-// The shipped drapes: quick simulations, and the meshes in presets as they were simulated in full.
+// The shipped drapes: quick simulations, and the fully simulated meshes in presets.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST_P(EachDrape, FramesAreUnitAndAgreeWithTheTriangles) {
   EXPECT_LE(turned, mesh.index.size() / 3 / 200);  // only in the sharpest creases
 }
 
-/// How much longer the threads are than in the pattern: edges that run along warp or weft.
+/// Relative stretch of the edges along warp or weft, sorted.
 std::vector<float> thread_stretch(const Mesh& mesh) {
   std::vector<float> stretch;
   for (size_t t = 0; t < mesh.index.size(); ++t) {
@@ -77,17 +77,17 @@ std::vector<float> thread_stretch(const Mesh& mesh) {
   return stretch;
 }
 
-TEST_P(EachDrape, PatternMillimetresAreMillimetresOfCloth) {
+TEST_P(EachDrape, PatternLengthsAreClothLengths) {
   const std::vector<float> stretch = thread_stretch(shipped(GetParam()));
   ASSERT_FALSE(stretch.empty());
   EXPECT_NEAR(stretch[stretch.size() / 2], 0, 0.01f);
-  // The tops': where they are creased and gathered, and in bands that carry them, two threads in a hundred.
+  // Tops: up to two percent of the threads are shorter in creases and gathers, or longer in bands that carry weight.
   const bool is_top = GetParam() == "tunic" || GetParam() == "shirt";
   EXPECT_GT(stretch[stretch.size() / 50], is_top ? -0.13f : -0.05f);
   EXPECT_LT(stretch[stretch.size() * 49 / 50], is_top ? 0.06f : 0.05f);
 }
 
-/// Vertices further inside than the tolerance; `lowered` as the mesh was let down.
+/// Number of vertices inside the body; `lowered`: how far the mesh was lowered.
 template <class Body>
 int inside(const Mesh& mesh, Body body, float lowered) {
   return static_cast<int>(std::count_if(mesh.position_mm.begin(), mesh.position_mm.end(), [&](Vec3 p) {
@@ -118,7 +118,7 @@ TEST(Drapes, PiecesHaveTheirRealSize) {
   }
 }
 
-/// Edges of the welded surface that only one triangle has, counted by the number of loops they form.
+/// Number of loops formed by the border edges of the welded surface.
 int open_loops(const Mesh& mesh) {
   const PositionOrder before;
   const auto edge_before = [&](const std::pair<Vec3, Vec3>& a, const std::pair<Vec3, Vec3>& b) {
@@ -164,7 +164,7 @@ TEST(Drapes, GarmentsAreClosedAtTheirSeams) {
   EXPECT_EQ(open_loops(shipped("cushion")), 0);
 }
 
-/// Whether the way from p to q goes through a triangle.
+/// Whether the segment from p to q passes through a triangle.
 bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) {
   const auto volume = [](Vec3 o, Vec3 x, Vec3 y, Vec3 z) { return dot(glm::cross(x - o, y - o), z - o); };
   if (volume(a, b, c, p) * volume(a, b, c, q) >= 0) return false;
@@ -172,7 +172,7 @@ bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) {
   return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
 }
 
-/// Share of the first `triangles` that an edge of another one of them goes through, which shares no place with it.
+/// Fraction of the first `triangles` that are pierced by an edge of another of them without a common vertex.
 double pierced(const Mesh& mesh, size_t triangles) {
   constexpr float kCell_mm = 16;
   std::map<std::array<int, 3>, std::vector<size_t>> cells;  // by their middle; no edge is longer than a cell
@@ -205,11 +205,11 @@ double pierced(const Mesh& mesh, size_t triangles) {
   return static_cast<double>(found) / static_cast<double>(triangles);
 }
 
-TEST(Drapes, TheTopsClothsHardlyPassThroughThemselves) {
+TEST(Drapes, TopsHardlyIntersectThemselves) {
   for (const char* name : kTops) {
     const Drape top = std::string(name).starts_with("tunic") ? tunic() : weftlight::drape::shirt();
     const Mesh mesh = shipped(name);
-    const size_t cloth = top.pattern.index.size() / 3;  // what is laid on it comes after
+    const size_t cloth = top.pattern.index.size() / 3;  // second layers follow
     EXPECT_LT(cloth, mesh.index.size() / 3);
     const double share = pierced(mesh, cloth);
     RecordProperty(name, std::to_string(share));
@@ -217,7 +217,7 @@ TEST(Drapes, TheTopsClothsHardlyPassThroughThemselves) {
   }
 }
 
-TEST(Drapes, TheTopsThreadsAreAsLongAsTheyWereWoven) {
+TEST(Drapes, ThreadsOfTopsKeepTheirLength) {
   for (const char* name : kTops) {
     const std::vector<float> stretch = thread_stretch(shipped(name));
     EXPECT_NEAR(stretch[stretch.size() / 2], 0, 0.01f) << name;
@@ -239,7 +239,7 @@ TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
   }
 }
 
-TEST(Drapes, LimpAndStiffOnesAreThePatternsToo) {
+TEST(Drapes, LimpAndStiffDrapesHaveTheSamePattern) {
   for (const std::string& name : drape_names()) {
     for (const DrapeStiffness stiffness : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
       if (name == "plane") continue;
@@ -251,8 +251,8 @@ TEST(Drapes, LimpAndStiffOnesAreThePatternsToo) {
   }
 }
 
-TEST(Drapes, TheStifferTheClothTheMoreItCovers) {
-  // Cusick's drape coefficient, of what is round.
+TEST(Drapes, StifferClothHasALargerDrapeCoefficient) {
+  // Cusick's drape coefficient on round supports.
   const auto covers = [](const char* name, double support_mm, double side_mm) {
     std::array<double, 3> out{};
     for (const DrapeStiffness stiffness : kDrapeStiffnesses)
@@ -266,7 +266,7 @@ TEST(Drapes, TheStifferTheClothTheMoreItCovers) {
   }
 }
 
-TEST(Drapes, ABendingLengthChoosesHowItHangs) {
+TEST(Drapes, TheBendingLengthSelectsTheStiffness) {
   EXPECT_EQ(drape_stiffness_of(12), DrapeStiffness::kLimp);
   EXPECT_EQ(drape_stiffness_of(19), DrapeStiffness::kMedium);
   EXPECT_EQ(drape_stiffness_of(30), DrapeStiffness::kStiff);
@@ -288,15 +288,15 @@ TEST(Drapes, ACushionIsFilled) {
   }
 }
 
-TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
+TEST(Drapes, ParametersInterpolateTheShippedStiffnesses) {
   const DrapeParameters shirting = drape_parameters(19.2, 0.33);
   EXPECT_EQ(shirting.bending_half_mm, 38);
   EXPECT_EQ(drape_file("skirt", shirting), "skirt_19.0mm_0.35mm_v2");
-  EXPECT_EQ(drape_parameters(19.1, 0.34), shirting) << "nobody sees that";
+  EXPECT_EQ(drape_parameters(19.1, 0.34), shirting) << "the difference is too small to see";
   EXPECT_EQ(drape_parameters(0, 0), drape_parameters(19, 0.5)) << "not known";
   EXPECT_EQ(drape_parameters(1e9, 1e9).bending_half_mm, 120);
   EXPECT_EQ(drape_parameters(std::nan(""), std::nan("")), drape_parameters(19, 0.5));
-  // Of the tablecloth, whose shipped hangs are of 12, 19 and 30 mm.
+  // The shipped tablecloths have bending lengths of 12, 19 and 30 mm.
   Fabric limp, stiff;
   Fall thin, thick;
   apply_parameters(limp, thin, drape_parameters(12, 0.2));
@@ -307,7 +307,7 @@ TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
   EXPECT_NEAR(thick.cloth_gap_mm - thin.cloth_gap_mm, 1.0, 1e-6);
 }
 
-TEST(Drapes, AFallThatIsLeftGivesNothing) {
+TEST(Drapes, AStoppedSimulationIsEmpty) {
   int asked = 0;
   EXPECT_TRUE(simulate_drape(
                   "sphere", drape_parameters(15, 0.4), [&](double) { return ++asked < 3; }, kQuick)
@@ -325,7 +325,7 @@ TEST(Drapes, AFlatDiscHasTheCoefficientOfItsArea) {
   EXPECT_NEAR(drape_coefficient(square, 150, 720'000), (360'000 - 70'686) / (720'000 - 70'686.0), 0.02);
 }
 
-TEST(Drapes, AnUnknownNameGivesNothing) {
+TEST(Drapes, AnUnknownNameIsEmpty) {
   EXPECT_TRUE(simulate_drape("tent").position_mm.empty());
   EXPECT_TRUE(body_mesh("tent").position_mm.empty());
 }

@@ -1,4 +1,4 @@
-// The solver against what physics says by hand, on small cloths.
+// The solver against results computed by hand, on small cloths.
 
 #include "drape/solver.h"
 
@@ -29,21 +29,21 @@ Pattern sheet(int columns, int rows, float cell_mm, float height_mm) {
 }
 
 Fall seconds(double s) {
-  Fall how;
-  how.seconds = s;
-  return how;
+  Fall settings;
+  settings.seconds = s;
+  return settings;
 }
 
-TEST(Solver, FallsFreelyAsGravitySays) {
+TEST(Solver, FreeFallFollowsGravity) {
   SimulatedCloth cloth = make_cloth(sheet(5, 5, 10, 1000), {}, 10);
-  Fall how = seconds(0.2);
-  how.drag_per_second = 0;
-  simulate(cloth, nothing_near, how);
+  Fall settings = seconds(0.2);
+  settings.drag_per_second = 0;
+  simulate(cloth, nothing_near, settings);
   const double fallen = 0.5 * 9810 * 0.2 * 0.2;
   for (const Vec3d& p : cloth.position) EXPECT_NEAR(1000 - p[1], fallen, 0.02 * fallen);
 }
 
-TEST(Solver, WeighsWhatItsAreaWeighs) {
+TEST(Solver, MassFollowsTheArea) {
   const Fabric fabric;
   const SimulatedCloth cloth = make_cloth(sheet(11, 21, 10, 0), fabric, 10);
   double mass = 0;
@@ -63,11 +63,11 @@ TEST(Solver, AFlatSheetIsAtRest) {
   }
 }
 
-TEST(Solver, RestsOnTheGroundAtItsSkin) {
+TEST(Solver, RestsOnTheGroundAtTheBodyGap) {
   SimulatedCloth cloth = make_cloth(sheet(9, 9, 10, 30), {}, 10);
-  const Fall how = seconds(1.5);
-  simulate(cloth, ground, how);
-  for (const Vec3d& p : cloth.position) EXPECT_NEAR(p[1], how.body_gap_mm, 0.1);
+  const Fall settings = seconds(1.5);
+  simulate(cloth, ground, settings);
+  for (const Vec3d& p : cloth.position) EXPECT_NEAR(p[1], settings.body_gap_mm, 0.1);
 }
 
 TEST(Solver, FrictionHoldsOnAGentleSlopeAndNotOnASteepOne) {
@@ -94,8 +94,8 @@ TEST(Solver, AHeldRowCarriesTheSheet) {
   EXPECT_NEAR(cloth.position[2][1], 500 - 200, 6);  // hangs straight down, hardly stretched
 }
 
-/// A strip that hangs from its upper row, bent to a right angle down its middle; all of it is held for the first third
-/// of a second. How far from straight it is below once let go: 1 flat, 0 folded.
+/// A strip that hangs from its upper row, folded to a right angle along its middle and held for a third of a second.
+/// Returns its width at the bottom after the release: 1 flat, 0 folded.
 double unbent(double crease_per_mm) {
   Pattern pattern;
   constexpr int kColumns = 9, kRows = 13;
@@ -113,20 +113,20 @@ double unbent(double crease_per_mm) {
   SimulatedCloth cloth = make_cloth(pattern, fabric, 14);
   const std::vector<double> free = cloth.inverse_mass;
   std::fill(cloth.inverse_mass.begin(), cloth.inverse_mass.end(), 0.0);
-  Fall how = seconds(2);
-  how.move_held = [&](SimulatedCloth& led, double time, double) {
-    if (time > 0.33) std::copy_n(free.begin(), kColumns * (kRows - 1), led.inverse_mass.begin());
+  Fall settings = seconds(2);
+  settings.move_held = [&](SimulatedCloth& held, double time, double) {
+    if (time > 0.33) std::copy_n(free.begin(), kColumns * (kRows - 1), held.inverse_mass.begin());
   };
-  simulate(cloth, nothing_near, how);
+  simulate(cloth, nothing_near, settings);
   return length(cloth.position[kColumns - 1] - cloth.position[0]) / 80;
 }
 
-TEST(Solver, AFoldThatWasHeldStaysInClothThatCreases) {
+TEST(Solver, AHeldFoldStaysInClothThatCreases) {
   EXPECT_GT(unbent(0), 0.85);
   EXPECT_LT(unbent(0.03), 0.8);
 }
 
-TEST(Solver, WhatIsGatheredGoesIntoTheShorter) {
+TEST(Solver, ASeamHasTheLengthOfItsShorterSide) {
   Pattern pattern;
   const auto place = [](Vec2 uv) { return Vec3{uv[0], 500 + uv[1], 0}; };
   const Piece wide = add_piece(
@@ -150,7 +150,7 @@ TEST(Solver, WhatIsGatheredGoesIntoTheShorter) {
   EXPECT_NEAR(seam->rest_mm, 6, 1e-4);
 }
 
-TEST(Smoothing, TakesTheWavesOfACellAndLeavesThoseOfEight) {
+TEST(Smoothing, RemovesWavesOfACellAndKeepsThoseOfEight) {
   const auto height = [](float wave_cells) {
     Pattern pattern = sheet(33, 9, 10, 0);
     for (uint32_t i = 0; i < pattern.position_mm.size(); ++i)
@@ -173,10 +173,10 @@ TEST(Solver, SheetsStayApart) {
         return Vec3{uv[0] - 37, 20, 43 - uv[1]};
       });
   SimulatedCloth cloth = make_cloth(pattern, {}, 14);
-  Fall how = seconds(1.5);
-  simulate(cloth, ground, how);
-  for (size_t i = 0; i < 81; ++i) EXPECT_NEAR(cloth.position[i][1], how.body_gap_mm, 0.5);
-  for (size_t i = 81; i < 162; ++i) EXPECT_GT(cloth.position[i][1], how.body_gap_mm + 2);
+  Fall settings = seconds(1.5);
+  simulate(cloth, ground, settings);
+  for (size_t i = 0; i < 81; ++i) EXPECT_NEAR(cloth.position[i][1], settings.body_gap_mm, 0.5);
+  for (size_t i = 81; i < 162; ++i) EXPECT_GT(cloth.position[i][1], settings.body_gap_mm + 2);
 }
 
 TEST(Pairs, FindsWhatABruteForceSearchFinds) {
@@ -200,7 +200,7 @@ TEST(Pairs, FindsWhatABruteForceSearchFinds) {
   EXPECT_EQ(pairs.size(), expected);
 }
 
-TEST(Bodies, DistancesAreTrueAtKnownPlaces) {
+TEST(Bodies, DistancesAreExactAtKnownPoints) {
   EXPECT_NEAR(ball({0, 2 * kBallRadius + 7, 0}), 7, 1e-3f);
   EXPECT_NEAR(table({0, kTableHeight + 5, 0}), 5, 1e-3f);
   EXPECT_NEAR(table({kTableRadius + 9, kTableHeight - 14, 0}), 9, 1e-3f);

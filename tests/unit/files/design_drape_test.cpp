@@ -1,4 +1,5 @@
-// A cloth's own drape: simulated once, kept by what it hangs by, and never taken where what is kept is no drape.
+// The simulated drape of a fabric: cached by the parameters of the fabric; broken or foreign files in the cache are
+// ignored.
 
 #include "files/design_drape.h"
 
@@ -25,24 +26,24 @@ Design sheeting() {
   return d;
 }
 
-/// Each with a cache of its own.
+/// Every test has its own cache.
 class DesignDrape : public ScratchTest {
  protected:
   void SetUp() override { setenv("XDG_CACHE_HOME", dir_.c_str(), 1); }
   void TearDown() override { unsetenv("XDG_CACHE_HOME"); }
-  /// As if it had been simulated: the limp one, so that it is told from the sheeting's.
-  static void keep(const Design& d) {
+  /// Puts the limp version into the cache as if it had been simulated; it differs from that of the sheeting.
+  static void put_into_cache(const Design& d) {
     const std::string path = kept_drape_path(d);
     fs::create_directories(fs::path(path).parent_path());
     fs::copy_file(fs::path(presets_dir()) / "meshes/sphere_limp.glb", path, fs::copy_options::overwrite_existing);
   }
 };
 
-TEST_F(DesignDrape, KeptIsShownWhereTheSceneAsks) {
+TEST_F(DesignDrape, CachedDrapeIsShownIfTheSceneAsks) {
   Design d = sheeting();
   const std::string shipped = drape_key(d);
   EXPECT_FALSE(is_draped(d));
-  keep(d);
+  put_into_cache(d);
   EXPECT_TRUE(is_draped(d));
   EXPECT_NE(drape_key(d), shipped);
   const Mesh limp = load_design_drape(d).mesh.value_or(Mesh{});
@@ -52,7 +53,7 @@ TEST_F(DesignDrape, KeptIsShownWhereTheSceneAsks) {
   EXPECT_NE(load_design_drape(d).mesh.value_or(Mesh{}).position_mm, limp.position_mm);
 }
 
-TEST_F(DesignDrape, ColoursAndWeaveKeepItYarnAndSettDoNot) {
+TEST_F(DesignDrape, KeyDependsOnYarnAndSettOnly) {
   Design d = sheeting();
   const std::string kept = kept_drape_path(d);
   Design other = d;
@@ -66,19 +67,19 @@ TEST_F(DesignDrape, ColoursAndWeaveKeepItYarnAndSettDoNot) {
   EXPECT_EQ(kept_drape_path(other), "");
 }
 
-TEST_F(DesignDrape, WhatIsBrokenOrOfAnotherDrapeIsNotTaken) {
+TEST_F(DesignDrape, BrokenAndForeignFilesAreIgnored) {
   const Design d = sheeting();
-  keep(d);
+  put_into_cache(d);
   const std::string path = kept_drape_path(d);
   fs::resize_file(path, 1000);
   EXPECT_FALSE(is_draped(d));
-  EXPECT_TRUE(load_design_drape(d).mesh) << "the shipped one stands in";
+  EXPECT_TRUE(load_design_drape(d).mesh) << "the shipped one is used";
   fs::copy_file(fs::path(presets_dir()) / "meshes/skirt.glb", path, fs::copy_options::overwrite_existing);
   EXPECT_FALSE(is_draped(d));
   EXPECT_TRUE(load_design_drape(d).mesh);
 }
 
-TEST_F(DesignDrape, LeftHalfwayNothingIsKept) {
+TEST_F(DesignDrape, AStoppedSimulationIsNotCached) {
   const Design d = sheeting();
   int asked = 0;
   EXPECT_EQ(drape_cloth(d, [&](double) { return ++asked < 3; }), "");
@@ -86,7 +87,7 @@ TEST_F(DesignDrape, LeftHalfwayNothingIsKept) {
   EXPECT_FALSE(fs::exists(kept_drape_path(d)));
 }
 
-TEST_F(DesignDrape, AFolderThatCannotBeMadeIsSaid) {
+TEST_F(DesignDrape, AnErrorOfTheCacheFolderIsReported) {
   written("weftlight", "a file in the way");
   EXPECT_NE(drape_cloth(sheeting()).find("weftlight"), std::string::npos);
 }

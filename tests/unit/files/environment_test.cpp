@@ -1,4 +1,4 @@
-// Pictures of the light from all around: what is kept of them, and what is refused.
+// Environment maps: what is kept of them, and what is rejected.
 
 #include "files/environment.h"
 
@@ -21,7 +21,7 @@ Image grey(int width, int height, float value) {
   return {width, height, 3, std::vector<float>(static_cast<size_t>(3 * width * height), value)};
 }
 
-/// Over the whole sphere, of the first channel.
+/// Integral of the first channel over the sphere.
 double energy(const Image& image) {
   double sum = 0;
   const double step = kPi / image.height;
@@ -32,7 +32,7 @@ double energy(const Image& image) {
   return sum;
 }
 
-TEST_F(Environments, LargePicturesAreMadeSmallAndKeepTheirLight) {
+TEST_F(Environments, LargePicturesAreScaledDownAndKeepTheirLight) {
   Image large = grey(4096, 2048, 0.25f);
   std::minstd_rand random(7);
   for (int i = 0; i < 300; ++i) large.texels[random() % large.texels.size()] = static_cast<float>(random() % 90000);
@@ -43,7 +43,7 @@ TEST_F(Environments, LargePicturesAreMadeSmallAndKeepTheirLight) {
     EXPECT_TRUE(read.remarks.empty());
     EXPECT_EQ(read.picture->width, kEnvironmentWidth);
     EXPECT_EQ(read.picture->height, kEnvironmentWidth / 2);
-    EXPECT_NEAR(energy(*read.picture) / energy(large), 1, 0.004) << name;  // .hdr has eight bits a channel
+    EXPECT_NEAR(energy(*read.picture) / energy(large), 1, 0.004) << name;  // .hdr has eight bits per channel
   }
 }
 
@@ -56,7 +56,7 @@ TEST_F(Environments, WhiteStaysWhiteAtAnySize) {
   }
 }
 
-TEST_F(Environments, WhatIsNoLightIsTakenAsNoneAndSaid) {
+TEST_F(Environments, InvalidValuesAreReplacedAndReported) {
   Image odd = grey(64, 32, 0.5f);
   odd.texels[3] = -4, odd.texels[7] = std::nanf(""), odd.texels[11] = -std::numeric_limits<float>::infinity();
   odd.texels[15] = std::numeric_limits<float>::infinity();
@@ -71,12 +71,12 @@ TEST_F(Environments, WhatIsNoLightIsTakenAsNoneAndSaid) {
 }
 
 TEST_F(Environments, RefusesWithReasons) {
-  const auto refused = [&](const std::string& name, const char* why, bool by_its_head = true) {
+  const auto refused = [&](const std::string& name, const char* why, bool by_its_header = true) {
     const ReadEnvironment read = read_environment(path(name));
     EXPECT_FALSE(read.picture);
     EXPECT_NE(read.error.find(name), std::string::npos) << read.error;
     EXPECT_NE(read.error.find(why), std::string::npos) << read.error;
-    EXPECT_EQ(environment_problem(path(name)), by_its_head ? read.error : "");
+    EXPECT_EQ(environment_problem(path(name)), by_its_header ? read.error : "");
   };
   ASSERT_EQ(write_image(path("square.exr"), grey(64, 64, 1), PixelType::kFloat), "");
   ASSERT_EQ(write_image(path("flat.png"), grey(64, 32, 1), PixelType::kU8), "");
@@ -89,7 +89,7 @@ TEST_F(Environments, RefusesWithReasons) {
   refused("tiny.exr", "at least 4 x 2");
   written("words.hdr", "these are words\n");
   refused("words.hdr", "give an .hdr or an .exr that is whole");
-  // Sizes are judged before memory is taken.
+  // Sizes are checked before memory is allocated.
   written("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1000000 +X 2000000\n");
   refused("huge.hdr", "scale it down");
   written("empty.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 32768\n");
@@ -100,7 +100,7 @@ TEST_F(Environments, RefusesWithReasons) {
   refused("half.exr", "broken", false);
 }
 
-TEST_F(Environments, BytesChangedAtRandomNeverEndTheProgram) {
+TEST_F(Environments, RandomlyChangedBytesNeverCrash) {
   std::minstd_rand random(11);
   Image noise = grey(32, 16, 1);
   for (float& v : noise.texels) v = static_cast<float>(random() % 1000) / 250;

@@ -42,7 +42,7 @@ TEST_P(RoundTrip, KeepsEveryTexel) {
   }
 }
 
-// Colour under alpha 0 must come back: a gap's colour bleeds into its neighbours when engines filter.
+// Colour under alpha 0 must survive, since engines filter it into the neighbours of a gap.
 INSTANTIATE_TEST_SUITE_P(
     All, RoundTrip,
     testing::Values(Kind{"grey8.png", PixelType::kU8, 1, 1e-6f}, Kind{"rgb8.png", PixelType::kU8, 3, 1e-6f},
@@ -59,7 +59,7 @@ TEST(Image, RowZeroIsTheTop) {
   EXPECT_EQ(read_image(scratch / "top.png").image->texels, image.texels);
 }
 
-TEST(Image, ValuesOutOfRangeStayFinite) {
+TEST(Image, OutOfRangeValuesStayFinite) {
   const Scratch scratch("range");
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const Image image{4, 1, 1, {nan, inf, -inf, 1e6f}};
@@ -79,7 +79,7 @@ TEST(Image, EncodesPngInMemory) {
   for (size_t i = 0; i < image.texels.size(); ++i) ASSERT_NEAR(back.image->texels[i], image.texels[i], 1e-6f);
 }
 
-TEST(Image, RefusesWhatCannotBe) {
+TEST(Image, InvalidImagesAreErrors) {
   const Scratch scratch("refuse");
   EXPECT_NE(write_image(scratch / "none.png", Image{}, PixelType::kU8), "");
   EXPECT_NE(write_image(scratch / "short.png", Image{4, 4, 3, {0.0f}}, PixelType::kU8), "");

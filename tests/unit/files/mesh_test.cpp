@@ -76,7 +76,7 @@ TEST(MeshFile, TwoFacesHaveTheirOwnMaterials) {
   EXPECT_NE(write_mesh(scratch / "faces.glb", sheet(), &front, &back), "");
 }
 
-TEST(MeshFile, RefusesToWriteABrokenMesh) {
+TEST(MeshFile, ABrokenMeshIsNotWritten) {
   const Scratch scratch("nowrite");
   Mesh mesh = sheet();
   mesh.index[0] = 99;
@@ -86,7 +86,7 @@ TEST(MeshFile, RefusesToWriteABrokenMesh) {
   EXPECT_TRUE(std::filesystem::is_empty(scratch.folder));
 }
 
-// A hand-made .gltf whose buffer is a data URI: one triangle of positions (3 floats), uv, 8-bit indices.
+// A .gltf with one triangle whose buffer is a data URI: positions (3 floats), uv, 8-bit indices.
 std::string base64(const std::vector<unsigned char>& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
@@ -159,7 +159,7 @@ TEST(MeshFile, AppliesNodeTransforms) {
   EXPECT_NEAR(read.mesh->tangent[0][1], -1, 1e-4);
 }
 
-TEST(MeshFile, MirroredNodesKeepTheFrontInFront) {
+TEST(MeshFile, MirroredNodesKeepTheFront) {
   const Scratch scratch("mirror");
   json root = triangle();
   root["nodes"][0]["scale"] = {-1, 1, 1};
@@ -180,19 +180,19 @@ TEST(MeshFile, ReadsStripsAndUnindexed) {
 
 struct Broken {
   const char* name;
-  void (*harm)(json&);
-  const char* says;
+  void (*damage)(json&);
+  const char* expected;
 };
 
 class BrokenGltf : public testing::TestWithParam<Broken> {};
 
-TEST_P(BrokenGltf, IsRefusedWithAReason) {
+TEST_P(BrokenGltf, IsRejectedWithAReason) {
   const Scratch scratch("broken");
   json root = triangle();
-  GetParam().harm(root);
+  GetParam().damage(root);
   const ReadMesh read = read_json(scratch, root);
   EXPECT_FALSE(read.mesh);
-  EXPECT_NE(read.error.find(GetParam().says), std::string::npos) << read.error;
+  EXPECT_NE(read.error.find(GetParam().expected), std::string::npos) << read.error;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -262,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(
                "position"}),
     [](const auto& broken) { return std::string(broken.param.name); });
 
-TEST(MeshFile, TruncatedGlbAtEveryLengthIsRefused) {
+TEST(MeshFile, GlbTruncatedAtAnyLengthIsRejected) {
   const Scratch scratch("truncated");
   ASSERT_EQ(write_mesh(scratch / "whole.glb", sheet(), nullptr), "");
   const auto size = std::filesystem::file_size(scratch / "whole.glb");
@@ -274,7 +274,7 @@ TEST(MeshFile, TruncatedGlbAtEveryLengthIsRefused) {
   }
 }
 
-TEST(MeshFile, ABufferIsARegularFileOfTheFolder) {
+TEST(MeshFile, ABufferMustBeARegularFileInTheFolder) {
   const Scratch scratch("buffers");
   std::filesystem::create_directories(scratch / "in/deeper");
   ASSERT_EQ(write_mesh(scratch / "in/sheet.gltf", sheet(), nullptr), "");
@@ -288,7 +288,7 @@ TEST(MeshFile, ABufferIsARegularFileOfTheFolder) {
   EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf").mesh) << "a pipe";
 }
 
-TEST(MeshFile, DeeplyNestedJsonIsRefused) {
+TEST(MeshFile, DeeplyNestedJsonIsRejected) {
   const Scratch scratch("deep");
   std::ofstream(scratch / "deep.gltf") << R"({"asset":{"version":"2.0"},"extras":)" << std::string(200000, '[');
   EXPECT_NE(read_mesh(scratch / "deep.gltf").error.find("nested"), std::string::npos);

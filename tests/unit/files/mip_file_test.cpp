@@ -17,7 +17,7 @@ Image level_of(int width, int height, int channels, int k) {
   return image;
 }
 
-/// Writes all levels, the second half of each before the next; what went wrong.
+/// Writes all levels. Returns an error, or an empty string.
 std::string write(const std::string& path, MipContainer container, int width, int height, int channels, bool srgb) {
   std::string problem;
   const auto file = MipFile::open(path, container, width, height, channels, srgb, problem);
@@ -54,10 +54,10 @@ uint64_t number_at(const std::string& bytes, size_t at, size_t size) {
   return out;
 }
 
-TEST_P(Containers, AKtx2IsWhatItsSpecificationSays) {
+TEST_P(Containers, AKtx2FollowsItsSpecification) {
   const Scratch scratch("ktx2");
   const std::string path = scratch / "x.ktx2";
-  const int channels = GetParam(), held = channels == 1 ? 1 : 4;
+  const int channels = GetParam(), stored = channels == 1 ? 1 : 4;
   ASSERT_EQ(write(path, MipContainer::kKtx2, 32, 8, channels, channels > 1), "");
   std::ifstream in(path, std::ios::binary);
   const std::string b(std::istreambuf_iterator<char>(in), {});
@@ -69,25 +69,25 @@ TEST_P(Containers, AKtx2IsWhatItsSpecificationSays) {
   const uint64_t descriptor = number_at(b, 48, 4), length = number_at(b, 52, 4);
   EXPECT_EQ(descriptor, 80u + 6 * 24u);
   EXPECT_EQ(number_at(b, descriptor, 4), length);
-  EXPECT_EQ(length, 4u + 24u + 16u * static_cast<uint64_t>(held));
+  EXPECT_EQ(length, 4u + 24u + 16u * static_cast<uint64_t>(stored));
   uint64_t before = b.size();
   for (size_t k = 0; k < 6; ++k) {
     const uint64_t offset = number_at(b, 80 + 24 * k, 8), size = number_at(b, 88 + 24 * k, 8);
     const Image wanted = level_of(std::max(32 >> k, 1), std::max(8 >> k, 1), channels, static_cast<int>(k));
-    ASSERT_EQ(size, static_cast<uint64_t>(wanted.width * wanted.height * held));
+    ASSERT_EQ(size, static_cast<uint64_t>(wanted.width * wanted.height * stored));
     EXPECT_EQ(offset % 4, 0u);
     ASSERT_LE(offset + size, before) << "the smallest level comes first";
     before = offset;
     for (int i = 0; i < wanted.width * wanted.height; ++i) {
-      for (int c = 0; c < held; ++c) {
-        const auto byte = static_cast<float>(static_cast<uint8_t>(b[offset + static_cast<uint64_t>(i * held + c)]));
+      for (int c = 0; c < stored; ++c) {
+        const auto byte = static_cast<float>(static_cast<uint8_t>(b[offset + static_cast<uint64_t>(i * stored + c)]));
         EXPECT_NEAR(byte, c < channels ? 255 * wanted.texels[static_cast<size_t>(i * channels + c)] : 255.0f, 0.51f);
       }
     }
   }
 }
 
-TEST(MipFile, SaysWhatIsWrong) {
+TEST(MipFile, ReportsErrors) {
   const Scratch scratch("mip-wrong");
   std::string problem;
   EXPECT_EQ(MipFile::open(scratch / "x.dds", MipContainer::kDds, 0, 8, 4, false, problem), nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-// The simplest mesh with a size.
+// A simple mesh of known size.
 
 #include "drape/mesh.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A small set to export, and what its list says: for the tests of what a set's images hold and of its files.
+// A small design to export, its options, and the list of its set.
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 
 namespace weftlight::texture_set {
 
-/// A two-coloured herringbone with a yarn of each kind; 16 ends x 4 picks a repeat, so it is not square.
+/// A two-coloured herringbone with a yarn of each kind; its repeat has 16 ends x 4 picks and is not square.
 inline Design sample_design() {
   Design design = herringbone({2, 2}, 8, {32, 16});
   design.title = "Sample";

@@ -1,4 +1,4 @@
-// What the images of an exported set hold: means, normals, roughness, mips, which way up.
+// The contents of the images of an exported set: means, normals, roughness, mipmaps, orientation.
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(TextureSet, GreenOfTheNormalsRunsAsTheEngineWants) {
+TEST(TextureSet, GreenOfNormalsFollowsTheEngine) {
   const Scratch scratch("green");
   ASSERT_EQ(write_texture_set(scratch / "up", sample_design(), sheet(), options_for(ExportTarget::kGltf, 64)), "");
   ASSERT_EQ(write_texture_set(scratch / "down", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 64)), "");
@@ -50,7 +50,7 @@ TEST(TextureSet, AverageColourSurvivesResampling) {
   }
 }
 
-TEST(TextureSet, WhatNormalsLoseGoesIntoRoughness) {
+TEST(TextureSet, LostNormalVarianceGoesIntoRoughness) {
   SurfaceTexel left, right;
   left.coverage = right.coverage = 1;
   left.slope_cov = right.slope_cov = {0.01f, 0, 0.04f};
@@ -79,7 +79,7 @@ TEST(TextureSet, GapColourDoesNotBleed) {
   EXPECT_NEAR(rim.coverage, 0.25f, 1e-6);
 }
 
-TEST(TextureSet, RoughAcrossTheFibreOfWarpAndWeft) {
+TEST(TextureSet, YarnsAreRougherAcrossTheFibre) {
   Design design = plain({2, 2});
   design.yarns[0].twist = Twist::kNone;
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
@@ -96,11 +96,11 @@ TEST(TextureSet, RoughAcrossTheFibreOfWarpAndWeft) {
   EXPECT_GT(along_v, 0.9 * weft);
 }
 
-TEST(TextureSet, MipsHoldRougherSurfacesTheCoarserTheyAre) {
+TEST(TextureSet, CoarserMipsAreRougher) {
   const Scratch scratch("mips");
   ASSERT_EQ(write_texture_set(scratch / "raw", sample_design(), {}, options_for(ExportTarget::kRaw, 64)), "");
   const std::string file = scratch / "raw/sample_front_mips.exr";
-  const std::array<size_t, 3> levels{0, 2, 4};  // of which the first is half the set's size
+  const std::array<size_t, 3> levels{0, 2, 4};  // the first has half the size of the set
   double before = 0;
   for (size_t level : levels) {
     const ReadImage mip = read_image(file, static_cast<int>(level));
@@ -116,7 +116,7 @@ TEST(TextureSet, MipsHoldRougherSurfacesTheCoarserTheyAre) {
   EXPECT_FALSE(read_image(file, 6).image) << "32 texels end at level 5";
 }
 
-/// Mean slant of the fibres on the ends, right of up.
+/// Mean slant of the fibres on the ends, positive to the right.
 double warp_slant(const std::string& file) {
   const ReadImage read = read_image(file);
   if (!read.image) return 0;
@@ -129,7 +129,7 @@ double warp_slant(const std::string& file) {
   return sum / static_cast<double>(read.image->width * read.image->height);
 }
 
-TEST(TextureSet, YarnsAreTwistedAlikeOnBothFaces) {
+TEST(TextureSet, TwistIsTheSameOnBothFaces) {
   const Scratch scratch("twist");
   Design design = sample_design();
   for (Yarn& yarn : design.yarns) yarn.twist = Twist::kZ;
@@ -137,10 +137,10 @@ TEST(TextureSet, YarnsAreTwistedAlikeOnBothFaces) {
   const double front = warp_slant(scratch / "raw/sample_front_tangent.png");
   const double back = warp_slant(scratch / "raw/sample_back_tangent.png");
   EXPECT_GT(std::abs(front), 0.01);
-  EXPECT_LT(front * back, 0) << "the back's images are seen mirrored";
+  EXPECT_LT(front * back, 0) << "the images of the back are mirrored";
 }
 
-TEST(TextureSet, OcclusionDarkensWhereThreadsDive) {
+TEST(TextureSet, OcclusionIsDarkBetweenThreads) {
   const Scratch scratch("occlusion");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), {}, options_for(ExportTarget::kUnityUrp, 128)), "");
   const Image occlusion = *read_image(scratch / "set/sample_Occlusion.png").image;
@@ -149,7 +149,7 @@ TEST(TextureSet, OcclusionDarkensWhereThreadsDive) {
   EXPECT_GT(*most, 0.9f);
 }
 
-/// Plain weave with one white end in black, and one red pick: neither half turn nor mirror is the same.
+/// Black plain weave with one white end and one red pick: it differs from its mirror images and its half turn.
 Design asymmetric_design() {
   Design design = plain({8, 8});
   design.draft.palette = {{0.05f, 0.05f, 0.05f}, {1, 1, 1}, {1, 0, 0}};
@@ -184,7 +184,7 @@ double mean_of(const Image& image, int channel) {
   return sum / (static_cast<double>(image.texels.size()) / image.channels);
 }
 
-TEST(TextureSet, PinholesAreNoWindows) {
+TEST(TextureSet, PinholesStayOpaque) {
   EXPECT_EQ(alpha_for(ExportTarget::kGltf, Alpha::kAuto, 0.99f), Alpha::kOpaque);
   EXPECT_EQ(alpha_for(ExportTarget::kGltf, Alpha::kAuto, 0.96f), Alpha::kOpaque) << "its folds would show through";
   EXPECT_EQ(alpha_for(ExportTarget::kGltf, Alpha::kAuto, 0.57f), Alpha::kBlend);
@@ -193,10 +193,10 @@ TEST(TextureSet, PinholesAreNoWindows) {
   EXPECT_EQ(alpha_for(ExportTarget::kGltf, Alpha::kMask, 0.99f), Alpha::kMask);
 }
 
-TEST(TextureSet, OneSampleATexelWillDoWhereThreadsAreWide) {
+TEST(TextureSet, OneSamplePerTexelIsEnoughForWideThreads) {
   const Design design = twill({2, 2}, Lean::kRight, {8, 8});
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
-  const int size = 64 * static_cast<int>(cloth.ends.size());  // the least that is sampled once a texel
+  const int size = 64 * static_cast<int>(cloth.ends.size());  // the smallest size with one sample per texel
   const SurfaceTexels once = make_surface(cloth, bake(cloth, {size, size, 0}), size, size);
   const SurfaceTexels often = make_surface(cloth, bake(cloth, {4 * size, 4 * size, 0}), size, size);
   double colour = 0, normal = 0, mean = 0;
@@ -212,7 +212,7 @@ TEST(TextureSet, OneSampleATexelWillDoWhereThreadsAreWide) {
   EXPECT_NEAR(mean / count, 0, 5e-4);
 }
 
-/// Roughness of the narrow axis, and the coverage above one half, by level.
+/// Roughness of the narrow axis, and fraction of texels with coverage above one half, by level.
 struct MipFigures {
   std::vector<double> roughness, covered;
 };
@@ -233,7 +233,7 @@ MipFigures mips_of(const std::string& folder, int levels) {
   return out;
 }
 
-TEST(TextureSet, MipsOfOurOwnGrowRougherAndKeepWhatIsCutOut) {
+TEST(TextureSet, PrefilteredMipsGrowRougherAndKeepTheMask) {
   const Scratch scratch("own-mips");
   Design design = plain({2, 2});
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);

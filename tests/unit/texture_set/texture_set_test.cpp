@@ -1,5 +1,4 @@
-// The files of an exported set: which there are, what they are called, what the lists beside them say, and what becomes
-// of those that were there before.
+// The files of an exported set: their names, the lists of them, and what happens to files that were there before.
 
 #include "texture_set/texture_set.h"
 
@@ -94,7 +93,7 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   EXPECT_EQ(found, expected);
   std::ifstream readme(folder + "/README.md");
   EXPECT_EQ(std::count(std::istreambuf_iterator<char>(readme), {}, '\n'), 3);
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "something temporary was left";
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "a temporary file remains";
 }
 
 TEST(TextureSet, NamesAreThoseOfTheEngines) {
@@ -111,13 +110,13 @@ TEST(TextureSet, SizesArePowersOfTwoNearTheProportions) {
   EXPECT_EQ(texture_size(0.001f, 10, 512).width, 16);
 }
 
-TEST(TextureSet, NamesOfFilesAreTame) {
+TEST(TextureSet, FileNamesAreSafe) {
   EXPECT_EQ(file_name_of("My draft (2)"), "My_draft_2");
   EXPECT_EQ(file_name_of("../../etc"), "etc");
   EXPECT_EQ(file_name_of("\xC3\xA4"), "cloth");
 }
 
-TEST(TextureSet, FoldersOfOthersAreLeftAlone) {
+TEST(TextureSet, ForeignFilesAreNotTouched) {
   const Scratch scratch("others");
   fs::create_directories(scratch / "mine");
   std::ofstream(scratch / "mine/letter.txt") << "dear";
@@ -129,11 +128,11 @@ TEST(TextureSet, FoldersOfOthersAreLeftAlone) {
   EXPECT_TRUE(fs::exists(scratch / "mine/letter.txt"));
 }
 
-TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
+TEST(TextureSet, OnlyFilesListedByTheSameSetAreReplaced) {
   const Scratch scratch("same");
   const TextureSetOptions options = options_for(ExportTarget::kGltf, 32);
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
-  // An artist's own work stands beside it; an older version of the set had an image more.
+  // A foreign file is beside the set; an older version of the set had one more image.
   std::ofstream(scratch / "set/scene.blend") << "work";
   json list = list_of(scratch / "set");
   std::ofstream(scratch / "set/sample_old.png") << "old";
@@ -142,17 +141,17 @@ TEST(TextureSet, OnlyWhatTheSameSetListsIsReplaced) {
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
   EXPECT_TRUE(fs::exists(scratch / "set/scene.blend"));
   EXPECT_FALSE(fs::exists(scratch / "set/sample_old.png"));
-  // What was not listed is another's, whatever its name.
+  // A file that is not listed is foreign, whatever its name.
   list = list_of(scratch / "set");
   list["files"].erase(std::find(list["files"].begin(), list["files"].end(), "sample_orm.png"));
   std::ofstream(scratch / "set/texture_set.json") << list;
   std::ofstream(scratch / "set/sample_orm.png") << "painted over";
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
   EXPECT_EQ(fs::file_size(scratch / "set/sample_orm.png"), 12u);
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "something temporary was left";
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "a temporary file remains";
 }
 
-TEST(TextureSet, SetsOfOthersAreNotReplaced) {
+TEST(TextureSet, OtherSetsAreNotReplaced) {
   const Scratch scratch("sets");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
   EXPECT_NE(existing_files_problem(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
@@ -164,7 +163,7 @@ TEST(TextureSet, SetsOfOthersAreNotReplaced) {
   EXPECT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
 }
 
-TEST(TextureSet, FailureLeavesTheOldSet) {
+TEST(TextureSet, AFailedExportKeepsTheOldSet) {
   const Scratch scratch("failure");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
   Mesh broken = sheet();
@@ -175,8 +174,8 @@ TEST(TextureSet, FailureLeavesTheOldSet) {
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1);
 }
 
-TEST(TextureSet, BandsAreTheWholeCutUp) {
-  // Eight times as many texels as one piece may have, of a cloth of few threads; and one of many.
+TEST(TextureSet, BandsHaveNoSeams) {
+  // The face is larger than one piece may be.
   Design design = sample_design();
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
   FaceOptions options;
@@ -185,7 +184,7 @@ TEST(TextureSet, BandsAreTheWholeCutUp) {
   const FaceSource source(cloth, options);
   ASSERT_LT(source.band(), 2048);
   const SurfaceTexels a = source.rows(0, source.band()), b = source.rows(source.band(), 2 * source.band());
-  // No seam: neighbours across the bands differ no more than neighbours within.
+  // Rows across the border of two bands differ no more than rows within a band.
   const auto apart = [](const SurfaceTexels& p, int y, const SurfaceTexels& q, int z) {
     double sum = 0;
     for (int x = 0; x < p.texels.width; ++x) {
@@ -201,7 +200,7 @@ TEST(TextureSet, BandsAreTheWholeCutUp) {
   EXPECT_LT(apart(a, last, b, 0), 1.5 * within + 1);
 }
 
-TEST(TextureSet, AMillimetreIsAMillimetre) {
+TEST(TextureSet, EveryTargetHasTheSameScale) {
   const Mesh quad = scale_quad();
   for (size_t i = 0; i < 4; ++i) {
     const size_t j = (i + 1) % 4;
@@ -211,7 +210,7 @@ TEST(TextureSet, AMillimetreIsAMillimetre) {
                                  static_cast<double>(quad.uv_mm[j][1] - quad.uv_mm[i][1]));
     EXPECT_NEAR(along, uv, 1e-3);
   }
-  // Every engine's file has the same scale.
+  // The files of all engines have the same scale.
   const Scratch scratch("scale");
   const Cloth cloth = lay_out(sample_design(), drawdown(sample_design().draft), Face::kFront, Period::kRepeat);
   const std::string scale = number(1 / static_cast<double>(cloth.width_mm)),
@@ -236,7 +235,7 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(TextureSet, UnityReadsEachMapAsItIs) {
+TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
   const Scratch scratch("unity-maps");
   for (const ExportTarget target : {ExportTarget::kUnityUrp, ExportTarget::kUnityHdrp}) {
     const std::string folder = scratch / target_name(target);
@@ -251,8 +250,8 @@ TEST(TextureSet, UnityReadsEachMapAsItIs) {
   }
 }
 
-/// HDRP adds its smoothness and normal, less a half and doubled, to those of the cloth that it is laid over.
-TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
+/// HDRP maps smoothness and normal from 0..1 to -1..1 and adds them to those of the base material.
+TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
   ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(ExportTarget::kUnityHdrp, 128)), "");
   const Image map = *read_image(scratch / "h/sample_ThreadMap.png").image;
@@ -264,11 +263,12 @@ TEST(TextureSet, HdrpsThreadMapChangesNothingOnTheMean) {
   EXPECT_NEAR(mean[1], 0.5, 0.02) << "normal, y";
   EXPECT_NEAR(mean[2], 0.5, 0.01) << "smoothness";
   EXPECT_NEAR(mean[3], 0.5, 0.02) << "normal, x";
-  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for the thread slot of HDRP/Fabric"), std::string::npos);
+  EXPECT_NE(text_of(scratch / "h/README.md").find("ThreadMap is for the thread slot of HDRP/Fabric"),
+            std::string::npos);
 }
 
-/// Unity's inspector would set these, but an import does not: a blended material without them is drawn opaque.
-TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
+/// Unity's inspector sets these, but an import does not: without them a blended material is drawn opaque.
+TEST(TextureSet, UnityMaterialsSetBlending) {
   const Scratch scratch("unity");
   TextureSetOptions options = options_for(ExportTarget::kUnityUrp, 32);
   const auto material = [&](ExportTarget target, Alpha alpha) {
@@ -288,7 +288,7 @@ TEST(TextureSet, UnityMaterialsSayHowTheyBlend) {
   }
 }
 
-TEST(TextureSet, SaysWhereAMaskCloses) {
+TEST(TextureSet, WarnsIfTheGapsOfAMaskWouldClose) {
   Design design = plain({2, 2});
   TextureSetOptions options = options_for(ExportTarget::kGltf, 128);
   options.alpha = Alpha::kMask;
@@ -296,12 +296,12 @@ TEST(TextureSet, SaysWhereAMaskCloses) {
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
   EXPECT_EQ(warnings_of(design, options).size(), 1u);
   options.mips = MipContainer::kKtx2;
-  EXPECT_TRUE(warnings_of(design, options).empty()) << "mips of our own keep what is cut out";
+  EXPECT_TRUE(warnings_of(design, options).empty()) << "prefiltered mipmaps keep the mask";
   options.mips = {}, options.target = ExportTarget::kUnreal;
-  EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer is told to";
+  EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer keeps the coverage";
 }
 
-TEST(TextureSet, TilesOfManyRepeats) {
+TEST(TextureSet, TilesOfSeveralRepeats) {
   const Design design = sample_design();
   const Cloth one = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
   const Cloth many = tiled(one, 3, 2);

@@ -149,12 +149,12 @@ TEST(ShedControl, EitherWayKeepsTheDrawdown) {
     Design d;
     d.draft = random_draft(random, 30, 40, 6, 7);
     const BitMatrix cells = drawdown(d.draft);
-    const Design lifted = to_liftplan(d), trodden = to_treadling(d);
-    ASSERT_TRUE(is_consistent(lifted) && is_consistent(trodden));
+    const Design lifted = to_liftplan(d), by_treadles = to_treadling(d);
+    ASSERT_TRUE(is_consistent(lifted) && is_consistent(by_treadles));
     ASSERT_EQ(drawdown(lifted.draft), cells);
-    ASSERT_EQ(drawdown(trodden.draft), cells);
+    ASSERT_EQ(drawdown(by_treadles.draft), cells);
     ASSERT_EQ(drawdown(to_treadling(lifted).draft), cells);
-    ASSERT_EQ(trodden.draft.shed_control, ShedControl::kTreadling);
+    ASSERT_EQ(by_treadles.draft.shed_control, ShedControl::kTreadling);
   }
 }
 

@@ -24,9 +24,9 @@ Design two_two_twill(int ends, int picks) { return twill({2, 2}, Lean::kRight, {
 int most_treadles_per_pick(const BitMatrix& treadling) {
   int most = 0;
   for (int p = 0; p < treadling.rows(); ++p) {
-    int feet = 0;
-    for (int t = 0; t < treadling.cols(); ++t) feet += treadling.get(p, t);
-    most = std::max(most, feet);
+    int pressed = 0;
+    for (int t = 0; t < treadling.cols(); ++t) pressed += treadling.get(p, t);
+    most = std::max(most, pressed);
   }
   return most;
 }
@@ -286,12 +286,12 @@ TEST(Skeleton, WeavesTheSameWithinTheTreadlesPerPick) {
   for (int round = 0; round < 60; ++round) {
     Design d;
     d.draft = random_draft(random, 12, 20, 6, 5);
-    const int feet = 1 + static_cast<int>(random() % 3);
-    const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 500000);
-    ASSERT_LE(most_treadles_per_pick(s.treadling), feet);
+    const int treadles_per_pick = 1 + static_cast<int>(random() % 3);
+    const Skeleton s = skeleton_tieup(lifts(d.draft), treadles_per_pick, 500000);
+    ASSERT_LE(most_treadles_per_pick(s.treadling), treadles_per_pick);
     ASSERT_LE(s.at_least, s.tieup.rows());
     ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));
-    const Design next = to_skeleton(d, feet);
+    const Design next = to_skeleton(d, treadles_per_pick);
     ASSERT_TRUE(is_consistent(next));
     ASSERT_EQ(drawdown(next.draft), drawdown(d.draft));
   }

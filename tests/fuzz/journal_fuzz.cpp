@@ -1,5 +1,5 @@
-// Any bytes as a journal, and journals that were torn or changed anywhere: reading never crashes, and gives an entry
-// that was written or none.
+// Any bytes as a journal, and journals truncated or changed anywhere: parsing never crashes, and returns an entry that
+// was written or none.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ using namespace weftlight::session;
 
 namespace {
 
-/// The lines of the input as what the document said, one state after the other.
+/// The lines of the input as successive states of the document.
 std::vector<std::string> states_of(std::string_view input) {
   std::vector<std::string> states(1);
   for (const char c : input) {
@@ -33,15 +33,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::string journal = journal_start({note, states.front()});
   for (size_t i = 1; i < states.size(); ++i) journal += journal_entry(states[i - 1], states[i]);
   const auto whole = read_journal(journal);
-  require(whole && whole->text == states.back() && whole->note == note, "what was written comes back");
-  // Torn, then one byte changed, where the input says.
+  require(whole && whole->text == states.back() && whole->note == note, "the last state is read back");
+  // Truncated, then one byte changed, at positions from the input.
   const size_t dice = size > 1 ? static_cast<size_t>(data[0]) << 8 | data[1] : 0;
   std::string torn = journal.substr(0, journal.size() - dice % journal.size());
   torn[dice % torn.size()] = static_cast<char>(torn[dice % torn.size()] ^ (1 + dice % 255));
   if (const auto read = read_journal(torn)) {
     bool written = false;
     for (const std::string& state : states) written |= state == read->text;
-    require(written, "only what was written is read");
+    require(written, "only written states are read");
   }
   return 0;
 }

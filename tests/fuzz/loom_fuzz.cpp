@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const size_t piece = 1 + data[0] % 16;
   for (size_t at = 0; at < bytes.size(); at += piece)
     for (LoomReport& report : in_pieces.parse(bytes.substr(at, piece))) pieces.push_back(std::move(report));
-  require(whole.size() == pieces.size(), "as many reports");
+  require(whole.size() == pieces.size(), "the same number of reports");
   for (size_t i = 0; i < whole.size(); ++i) {
     require(whole[i].kind == pieces[i].kind && whole[i].shafts == pieces[i].shafts && whole[i].on == pieces[i].on &&
                 whole[i].text == pieces[i].text,

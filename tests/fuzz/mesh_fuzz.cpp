@@ -1,4 +1,4 @@
-// Any bytes as a .glb or .gltf: reading never crashes, and a mesh that is read can be drawn.
+// Any bytes as a .glb or .gltf: parsing never crashes, and a mesh that is read can be drawn.
 
 #include <unistd.h>
 
@@ -32,10 +32,10 @@ void require_drawable(const Mesh& mesh) {
   require(mesh.normal.size() == n && mesh.tangent.size() == n && mesh.uv_mm.size() == n,
           "attributes are as long as each other");
   require(!mesh.index.empty() && mesh.index.size() % 3 == 0, "there are whole triangles");
-  for (const uint32_t i : mesh.index) require(i < n, "a corner is a vertex");
+  for (const uint32_t i : mesh.index) require(i < n, "an index is a vertex");
   for (size_t i = 0; i < n; ++i) {
-    for (int k = 0; k < 3; ++k) require(std::isfinite(mesh.position_mm[i][k]), "positions are numbers");
-    for (int k = 0; k < 2; ++k) require(std::isfinite(mesh.uv_mm[i][k]), "texture coordinates are numbers");
+    for (int k = 0; k < 3; ++k) require(std::isfinite(mesh.position_mm[i][k]), "positions are finite");
+    for (int k = 0; k < 2; ++k) require(std::isfinite(mesh.uv_mm[i][k]), "texture coordinates are finite");
     require(is_unit(mesh.normal[i]), "normals are of unit length");
     require(is_unit(mesh.tangent[i]), "tangents are of unit length");
   }
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
   const ReadMesh read = read_mesh(scratch_path());
-  require(read.mesh.has_value() == read.error.empty(), "a refusal says why");
+  require(read.mesh.has_value() == read.error.empty(), "a rejection has a reason");
   if (read.mesh) require_drawable(*read.mesh);
   return 0;
 }

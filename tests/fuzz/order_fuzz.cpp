@@ -1,4 +1,4 @@
-// Any text as an order of sections: it is read or refused, within bounds, and what it makes is consistent.
+// Any text as an order of sections: it is read or rejected, within limits, and the result is consistent.
 
 #include <cstdint>
 #include <string_view>
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (order.why.empty()) {
     const std::string written = order_text(order.items);
     const Order again = read_order(written);
-    require(again.why.empty() && again.items == order.items, "an order comes back as it went");
+    require(again.why.empty() && again.items == order.items, "an order survives writing and reading");
   }
   Design design;
   design.draft = blank_draft(6, 2, 3, 3);
@@ -25,8 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   assembly.order = std::string(text);
   const Assembled made = assembled(design, System::kWarp, assembly);
   require(is_consistent(made.design), "a design is consistent");
-  require(made.why.empty() || made.design == design, "what cannot be leaves the draft");
+  require(made.why.empty() || made.design == design, "an impossible order leaves the draft");
   const std::string name = section_name(text);
-  require(name.empty() || read_order(name).items == std::vector<OrderItem>{{name, {}, 1}}, "a name is a section's");
+  require(name.empty() || read_order(name).items == std::vector<OrderItem>{{name, {}, 1}},
+          "a valid name reads as a section");
   return 0;
 }

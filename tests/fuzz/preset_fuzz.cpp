@@ -1,5 +1,5 @@
-// Any bytes as what a preset holds beside its draft: yarns, look, scene, loom and weaves. Whatever they say, every
-// number is in its range, and what was read is written and read again the same.
+// Any bytes as the private sections of a preset: yarns, look, scene, loom and weaves. Every number is in its range, and
+// the design survives writing and reading.
 
 #include <cmath>
 #include <cstdint>
@@ -18,7 +18,7 @@ using namespace weftlight::wif;
 
 namespace {
 
-/// Plain weave on two threads each way, as a ready yarn's file begins.
+/// Plain weave of two ends and picks, the start of a yarn preset.
 const std::string& beginning() {
   static const std::string text = write_new_wif(straight_draft(2));
   return text;
@@ -29,14 +29,14 @@ void check(const Design& design) {
   for (const Yarn& yarn : design.yarns) {
     require(clamped(yarn) == yarn, "a yarn is within its ranges");
     const int fibre = fibre_of(yarn);
-    require(fibre >= 0 && fibre < static_cast<int>(yarn_presets().size()), "a yarn is most like one of the ready ones");
-    require(std::isfinite(lustre(yarn)), "lustre is a number");
+    require(fibre >= 0 && fibre < static_cast<int>(yarn_presets().size()), "a yarn has a closest preset");
+    require(std::isfinite(lustre(yarn)), "lustre is finite");
   }
   const Scene& s = design.scene;
   for (const float number : {s.view_azimuth, s.view_elevation, s.view_distance, s.pan_x, s.pan_y, s.light_azimuth,
                              s.light_elevation, s.light_strength, s.sky_strength, s.background.r, s.background.g,
                              s.background.b, design.look.tolerance, design.look.exposure_ev})
-    require(std::isfinite(number), "scene and look are numbers");
+    require(std::isfinite(number), "scene and look are finite");
 }
 
 }  // namespace
@@ -44,15 +44,15 @@ void check(const Design& design) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string bytes = beginning() + std::string(reinterpret_cast<const char*>(data), size);
   const WifRead read = read_wif(bytes);
-  require(read.file.has_value() || !read.diagnostics.empty(), "a refusal says why");
+  require(read.file.has_value() || !read.diagnostics.empty(), "a rejection has a reason");
   if (!read.file) return 0;
   const Design& design = read.file->design;
   check(design);
   require(write_wif(*read.file, design) == bytes, "an unedited file keeps its bytes");
   if (design.draft.ends() > 64 || design.draft.picks() > 64) return 0;
   const WifRead again = read_wif(write_new_wif(design));
-  require(again.file.has_value(), "what is written can be read");
+  require(again.file.has_value(), "the written file can be read");
   check(again.file->design);
-  require(again.file->design == design, "and says the same");
+  require(again.file->design == design, "and gives the same design");
   return 0;
 }

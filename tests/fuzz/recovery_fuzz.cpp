@@ -1,5 +1,5 @@
-// A recovery folder with anything in it: looking through it never crashes, says of what cannot be read why, and leaves
-// alone what no session made.
+// A recovery folder with any content: listing it never crashes, gives a reason for unreadable journals, and keeps files
+// that no session made.
 
 #include <unistd.h>
 
@@ -23,7 +23,7 @@ std::string_view take(std::string_view& input, size_t size) {
   return front;
 }
 
-/// A name that cannot leave the folder.
+/// A file name without path separators.
 std::string name_of(std::string_view bytes) {
   std::string name;
   for (const char c : bytes)
@@ -58,12 +58,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   {
     Recovery recovery(root.string());
     for (const LeftWork& left : recovery.left_behind()) {
-      require(read_left(left).has_value() == left.problem.empty(), "what is offered can be read, or says why not");
+      require(read_left(left).has_value() == left.problem.empty(), "an offered journal can be read or has a reason");
       recovery.discard(left);
-      require(!fs::is_regular_file(left.journal), "what is discarded is gone");
+      require(!fs::is_regular_file(left.journal), "a discarded journal is deleted");
     }
   }
-  require(fs::exists(fs::symlink_status(root / "mine")), "what is not ours stays");
+  require(fs::exists(fs::symlink_status(root / "mine")), "other files are kept");
   std::error_code ignored;
   fs::remove_all(root, ignored);
   return 0;

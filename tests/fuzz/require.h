@@ -1,5 +1,5 @@
 #pragma once
-// What a fuzz target holds true: where it is not, the run ends and the input is kept.
+// Assertion of a fuzz target: if it fails, the run ends and the input is kept.
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Any bytes on the clipboard as colours or thicknesses of threads: reading them never crashes, and a draft that takes
-// them stays whole.
+// Any bytes on the clipboard as colours or thicknesses of threads: parsing never crashes, and a draft stays consistent
+// when they are applied.
 
 #include <cstdint>
 #include <string_view>
@@ -11,9 +11,9 @@ using namespace weftlight::draft;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const ThreadPropertiesRead read = read_thread_properties({reinterpret_cast<const char*>(data), size});
-  require(read.properties.has_value() == read.problem.empty(), "a refusal says why");
+  require(read.properties.has_value() == read.problem.empty(), "a rejection has a reason");
   if (!read.properties) return 0;
-  require(read.properties->size() > 0, "there is something to take over");
+  require(read.properties->size() > 0, "there is at least one value");
   constexpr int kThreads[] = {-1, 0, 3, 4, 8, 99};
   Design design;
   design.draft = blank_draft(9, 7, 4, 5);

@@ -1,4 +1,4 @@
-// Any words as the numbers of any weave: a draft of the asked size is made, and making it never crashes.
+// Any text as parameters of any weave: generating never crashes and gives a draft of the requested size.
 
 #include <cstdint>
 #include <string_view>
@@ -15,15 +15,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const ClothSize asked{1 + data[1] % 40, 1 + data[2] % 40};
   std::string_view rest(reinterpret_cast<const char*>(data + 3), size - 3);
   WeaveValues values;
-  for (const WeaveParameter& number : kind.parameters) {  // a line a number
+  for (const WeaveParameter& parameter : kind.parameters) {  // one line per parameter
     const size_t end = rest.find('\n');
-    values.emplace_back(number.id, rest.substr(0, end));
+    values.emplace_back(parameter.id, rest.substr(0, end));
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
   }
   const GeneratedWeave made = new_draft(kind, values, asked);
   require(is_consistent(made.design), "a design is consistent");
-  require(made.design.draft.ends() == asked.ends && made.design.draft.picks() == asked.picks, "it has the asked size");
+  require(made.design.draft.ends() == asked.ends && made.design.draft.picks() == asked.picks,
+          "it has the requested size");
   const WeaveValues allowed = allowed_values(kind, values);
-  require(allowed == allowed_values(kind, allowed), "what is allowed stays as it is");
+  require(allowed == allowed_values(kind, allowed), "allowed values are not changed again");
   return 0;
 }

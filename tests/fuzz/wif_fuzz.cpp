@@ -1,4 +1,4 @@
-// Any bytes: reading never crashes, and what it gives survives every way of writing.
+// Any bytes: parsing never crashes, and the design survives every form of writing.
 
 #include <cstdint>
 #include <string_view>
@@ -19,7 +19,7 @@ Design read_again(const std::string& bytes, const char* what) {
   return std::move(read.file->design);
 }
 
-/// An edit or three, chosen by the input itself.
+/// One to three edits, chosen by the input.
 Design edited(Design design, uint64_t dice) {
   const auto upto = [&dice](int n) {
     dice = dice * 6364136223846793005u + 1442695040888963407u;
@@ -70,20 +70,20 @@ Design edited(Design design, uint64_t dice) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const WifRead read = read_wif(bytes);
-  require(read.file.has_value() || !read.diagnostics.empty(), "a refusal says why");
+  require(read.file.has_value() || !read.diagnostics.empty(), "a rejection has a reason");
   if (!read.file) return 0;
   const Design& design = read.file->design;
   require(is_consistent(design), "a design is consistent");
   require(write_wif(*read.file, design) == bytes, "an unedited file keeps its bytes");
-  // Huge drafts are allowed, but slow to write a thousand times.
+  // Huge drafts are valid, but too slow to write here.
   constexpr int kMax = 600;
   const Draft& d = design.draft;
   if (d.ends() > kMax || d.picks() > kMax || d.shafts > kMax || d.treadles > kMax || d.palette.size() > kMax ||
       design.notes.size() > kMax)
     return 0;
-  require(read_again(write_new_wif(design), "a new file is read") == design, "a new file holds the design");
+  require(read_again(write_new_wif(design), "a new file can be read") == design, "a new file holds the design");
   const Design now = edited(design, size * 31 + (size > 9 ? data[size / 2] : 0));
-  require(read_again(write_wif(*read.file, now), "an edited file is read") == now, "an edited file holds the edit");
+  require(read_again(write_wif(*read.file, now), "an edited file can be read") == now, "an edited file holds the edit");
   const Design plain = read_again(write_plain_wif(design), "a plain file is read");
   require(drawdown(plain.draft) == drawdown(d), "a plain file keeps the cloth");
   return 0;

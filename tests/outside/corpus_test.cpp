@@ -1,5 +1,5 @@
-// Files written by other programs, with the facts that an independent reader gives of them. The folder is
-// named by WEFTLIGHT_WIF_CORPUS; nothing of it is part of this project.
+// Files of other programs, compared with the results of an independent reader. WEFTLIGHT_WIF_CORPUS names the folder,
+// which is not part of this project.
 
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ std::map<std::string, std::string> facts_of(const WifFile& file) {
 void expect_facts(const Facts& expected, const WifFile& file) {
   for (const auto& [column, found] : facts_of(file)) {
     const std::string& recorded = expected.value.at(column);
-    // The independent reader gives no colours where a thread names none of the table's.
+    // The independent reader gives no colours if a thread names a colour that is not in the table.
     if (column.find("_rgb_") != std::string::npos && (recorded == "partial" || recorded == "none")) continue;
     if (column == "source_program" && recorded == "?") {
       EXPECT_EQ(found, "") << expected.file;
@@ -102,7 +102,7 @@ void expect_facts(const Facts& expected, const WifFile& file) {
   }
 }
 
-/// New and plain files of the same design: all of it, and the same cloth.
+/// A new file keeps the whole design, a plain file the cloth.
 void expect_other_forms(const std::string& name, const Design& design) {
   const WifRead made = read_wif(write_new_wif(design));
   ASSERT_TRUE(made.file) << name;
@@ -123,7 +123,7 @@ size_t differing_lines(const std::string& a, const std::string& b) {
   return count;
 }
 
-/// Threading the first end otherwise changes one line of a file that lists that end, and reads back.
+/// Another threading of the first end changes one line, if the file lists that end, and reads back.
 void expect_small_edit(const std::string& name, const WifFile& file) {
   Design now = file.design;
   const bool on = now.draft.threading.get(0, 0);
@@ -146,9 +146,9 @@ void expect_clear_refusal(const std::string& file, const std::vector<Diagnostic>
   std::printf("refused: %s:%d: %s; %s\n", file.c_str(), error->line, error->text.c_str(), error->remedy.c_str());
 }
 
-TEST(corpus, every_file_matches_or_is_refused) {
+TEST(corpus, every_file_matches_or_is_rejected) {
   const std::string dir = corpus_dir();
-  if (dir.empty()) GTEST_SKIP() << "WEFTLIGHT_WIF_CORPUS names no folder with an INDEX.tsv";
+  if (dir.empty()) GTEST_SKIP() << "WEFTLIGHT_WIF_CORPUS is not a folder with an INDEX.tsv";
   const std::vector<Facts> index = read_index(dir);
   ASSERT_GT(index.size(), 100u);
   int refused = 0;

@@ -1,4 +1,4 @@
-// Drafts of other programs and the WIF that each must become, from a folder of their own
+// Drafts of other programs and the WIF expected for each, from a folder
 // ($WEFTLIGHT_OTHER_FORMATS: dtx/, wpo/, wanted_wif/, bad_dtx/); skipped where it is absent.
 
 #include "wif/other_formats.h"
@@ -24,7 +24,7 @@ std::vector<Rgb> colors_of(const Draft& d, const Threads& threads) {
   return colors;
 }
 
-/// A .wpo does not tell of threads past those on shafts and treadles: nothing of the wanted draft may hang there.
+/// A .wpo does not store threads after the last one in use: in the expected draft these must be empty.
 Draft without_tail(Draft d, int ends, int picks, const std::string& name) {
   EXPECT_GE(d.ends(), ends) << name;
   EXPECT_GE(d.picks(), picks) << name;
@@ -56,7 +56,7 @@ void expect_same_draft(const Draft& got, const Draft& wanted, const std::string&
 
 TEST(other_formats, every_sample_becomes_its_wif) {
   const std::string dir = formats_dir();
-  if (dir.empty()) GTEST_SKIP() << "WEFTLIGHT_OTHER_FORMATS names no folder with wanted_wif";
+  if (dir.empty()) GTEST_SKIP() << "WEFTLIGHT_OTHER_FORMATS is not a folder with wanted_wif";
   int files = 0;
   for (const char* folder : {"dtx", "wpo"})
     for (const auto& entry : std::filesystem::directory_iterator(dir + "/" + folder)) {
@@ -88,9 +88,9 @@ TEST(other_formats, every_sample_becomes_its_wif) {
   EXPECT_GE(files, 12);
 }
 
-TEST(other_formats, bad_ones_are_refused_or_read_with_a_warning) {
+TEST(other_formats, bad_files_are_rejected_or_read_with_a_warning) {
   const std::string dir = formats_dir();
-  if (dir.empty()) GTEST_SKIP() << "WEFTLIGHT_OTHER_FORMATS names no folder with wanted_wif";
+  if (dir.empty()) GTEST_SKIP() << "WEFTLIGHT_OTHER_FORMATS is not a folder with wanted_wif";
   for (const auto& entry : std::filesystem::directory_iterator(dir + "/bad_dtx")) {
     const std::string name = entry.path().filename().string();
     const WifRead read = read_draft(read_file(entry.path().string()).bytes);

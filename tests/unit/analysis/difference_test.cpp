@@ -8,13 +8,13 @@
 namespace weftlight::analysis {
 namespace {
 
-TEST(Compare, TheSameIsTheSame) {
+TEST(Compare, EqualDesignsHaveNoDifferences) {
   const Comparison c = compare(straight_twill(4, 4), straight_twill(4, 4));
   EXPECT_TRUE(c.differences.empty());
   EXPECT_TRUE(c.same_cloth);
 }
 
-TEST(Compare, ALiftplanOfTheSameClothDiffersInItsDriveAlone) {
+TEST(Compare, ALiftplanOfTheSameClothDiffersInShedControlAlone) {
   const Comparison c = compare(straight_twill(4, 4), to_liftplan(straight_twill(4, 4)));
   ASSERT_EQ(c.differences.size(), 1u);
   EXPECT_EQ(c.differences[0].what, "shed control");
@@ -47,12 +47,12 @@ TEST(Compare, SizesThatDiffer) {
   EXPECT_EQ(c.differences[0].b, "70");
 }
 
-TEST(Compare, ListsThreadsAsPeopleDo) {
+TEST(Compare, ListsRangesOfThreads) {
   EXPECT_EQ(thread_list({0, 1, 2, 5, 7, 8}), "1-3, 6, 8, 9");
   EXPECT_EQ(thread_list({}), "");
 }
 
-TEST(Compare, DifferingCrossingsAreFoundWhereTheyAre) {
+TEST(Compare, DifferingCrossingsInTheCommonPart) {
   BitMatrix x(10, 70), y(8, 80);
   x.set(1, 3, true);
   x.set(2, 68, true);
@@ -70,7 +70,7 @@ TEST(Compare, DifferingCrossingsAreFoundWhereTheyAre) {
   EXPECT_EQ(differing_regions(differ, 1).size(), 1u);
 }
 
-TEST(Compare, AnEndAndAPickThatCrossAreTwoPlaces) {
+TEST(Compare, AnEndAndAPickThatCrossAreTwoRegions) {
   BitMatrix differ(12, 12);
   for (int i = 0; i < 12; ++i) {
     differ.set(i, 4, true);

@@ -26,7 +26,7 @@ TEST(Floats, RunOverTheEdgeOfTheRepeat) {
   expect_floats({"10000", "00111", "01010", "10101", "11000"}, 3, 3, 4, 3);
 }
 
-TEST(Floats, NeverBoundIsAsLongAsTheCloth) {
+TEST(Floats, AFloatThatIsNeverBoundIsAsLongAsTheCloth) {
   expect_floats({"111", "111"}, 2, 0, 0, 3);
   expect_floats({"000", "000"}, 0, 2, 3, 0);
   expect_floats({"1"}, 1, 0, 0, 1);
@@ -69,7 +69,7 @@ TEST(LongFloats, AreListedTheLongestFirst) {
   EXPECT_TRUE(long_floats(m, 5).listed.empty());
 }
 
-TEST(LongFloats, OfVeryManyTheLongestAreKept) {
+TEST(LongFloats, OnlyTheLongestAreKept) {
   // 2/2 twill has floats of 2 in every thread; one end floats over ten picks.
   BitMatrix m(200, 200);
   for (int p = 0; p < 200; ++p)

@@ -25,12 +25,12 @@ Design shirting() {
   return d;
 }
 
-TEST(ClothHandle, IsWhatASumByHandGives) {
+TEST(ClothHandle, AgreesWithACalculationByHand) {
   const ClothHandle hand = cloth_handle(shirting());
   // 4000 threads of 20 g a kilometre in a metre of each system, 1.05 times as long as the cloth: 168 g.
   EXPECT_NEAR(hand.kg_per_m2, 0.168, 0.001);
   // 20 tex are 0.01316 mm2 of cotton, 125.3 fibres of 1.05e-4 mm2. Free they bend with 6000 x 0.01316 x 1.05e-4 / 4 pi
-  // = 6.597e-4 N mm2; cohesion 0.38 sqrt(125.3) = 4.254, at a lean of pi 0.167 x 0.8 = 0.419 1 + 3.254 x 0.419 / 0.469
+  // = 6.597e-4 N mm2; cohesion 0.38 sqrt(125.3) = 4.254, at a twist of pi 0.167 x 0.8 = 0.419 1 + 3.254 x 0.419 / 0.469
   // = 3.907; four threads a mm: 10.31e-3 N mm.
   EXPECT_NEAR(hand.bending_n_m, 10.31e-6, 0.03e-6);
   // Cube root of 10.31e-6 N m over 0.168 x 9.81 N/m2.
@@ -54,7 +54,7 @@ TEST(ClothHandle, HeavierYarnsAndCloserSettsWeighMore) {
   EXPECT_NEAR(cloth_handle(given).kg_per_m2, cloth_handle(heavy).kg_per_m2, 1e-6);
 }
 
-TEST(ClothHandle, WhereOneYarnHasGoneFlatNoneIsBoundByGum) {
+TEST(ClothHandle, IfOneYarnIsFlatNoneIsBoundByGum) {
   Design organdie = shirting();
   organdie.yarns.push_back(organdie.yarns[0]);
   organdie.yarns[0].flattening = organdie.yarns[1].flattening = 1;
@@ -66,7 +66,7 @@ TEST(ClothHandle, WhereOneYarnHasGoneFlatNoneIsBoundByGum) {
   EXPECT_NEAR(cloth_handle(boiled).bending_n_m / cloth_handle(soft).bending_n_m, 1, 1e-6);
 }
 
-TEST(ClothHandle, ACountThatIsSetWeighsWhateverTheThickness) {
+TEST(ClothHandle, ASetCountGivesTheWeightWhateverTheThickness) {
   Design lofty = shirting();
   lofty.yarns[0].diameter_mm *= 1.5f;
   EXPECT_NEAR(cloth_handle(lofty).kg_per_m2, cloth_handle(shirting()).kg_per_m2, 1e-9);
@@ -74,7 +74,7 @@ TEST(ClothHandle, ACountThatIsSetWeighsWhateverTheThickness) {
   EXPECT_NEAR(cloth_handle(lofty).kg_per_m2 / cloth_handle(shirting()).kg_per_m2, 2.25, 0.05) << "in whole micrometres";
 }
 
-TEST(ClothHandle, ACrepesTwistContractsTheClothAndMakesItLimp) {
+TEST(ClothHandle, CrepeTwistContractsTheClothAndMakesItLimp) {
   Design silk = shirting();
   for (const Yarn& ready : yarn_presets())
     if (ready.name == "Silk") silk.yarns[0] = *with_count(ready, "66 den");
@@ -89,14 +89,14 @@ TEST(ClothHandle, ACrepesTwistContractsTheClothAndMakesItLimp) {
   // 54.7 filaments, 1 + (0.38 sqrt(54.7) - 1) x 0.19 / 0.24 times as stiff as loose ones, and the path is longer.
   EXPECT_NEAR(organzine.bending_n_m / crepe.bending_n_m, 1.12 * 2.434, 0.02);
   EXPECT_LT(crepe.bending_length_mm, 0.75 * organzine.bending_length_mm);
-  // Staple yarn needs its twist, which binds it; plies take it back.
+  // The twist of staple yarn binds its fibres; plying balances it.
   for (const auto& [plies, unevenness] : {std::pair(1, 12.0f), std::pair(2, 4.0f)}) {
     yarn.plies = plies, yarn.unevenness = unevenness;
     EXPECT_GT(twisted(0.31f).bending_n_m, organzine.bending_n_m);
   }
 }
 
-TEST(ClothHandle, ADraftWithoutThreadsHasNone) {
+TEST(ClothHandle, IsZeroWithoutThreads) {
   const ClothHandle hand = cloth_handle(Design{});
   EXPECT_EQ(hand.kg_per_m2, 0);
   EXPECT_EQ(hand.bending_length_mm, 0);

@@ -23,7 +23,7 @@ Design plain_cloth(int ends, int picks) {
   return d;
 }
 
-TEST(LoomUse, CountsHeddlesLiftsAndFeet) {
+TEST(LoomUse, CountsHeddlesLiftsAndTreadles) {
   const Draft d = treadled({"100", "010", "100", "000", "011"}, {"110", "001", "000"}, {"100", "110", "001"});
   const LoomUse use = loom_use(d);
   EXPECT_EQ(use.heddles, (std::vector<int>{2, 2, 1}));
@@ -51,7 +51,7 @@ TEST(Sett, IsHalfTheWrapsInPlainWeaveAndTwoThirdsInTwill) {
   EXPECT_EQ(wraps_per_cm(0), 0);
 }
 
-TEST(Yarn, WeighsWhatItsCountSays) {
+TEST(Yarn, WeighsAsItsCount) {
   for (const Yarn& fibre : yarn_presets()) {
     Design d = plain_cloth(10, 10);
     d.yarns = {*with_count(fibre, "30 tex")};
@@ -121,7 +121,11 @@ TEST(Yarn, EachYarnAndColourIsNamed) {
   EXPECT_EQ(r.needs[2].yarn, 1);
 }
 
+<<<<<<< HEAD
 TEST(Yarn, NumbersOutOfRangeCountAsTheLimit) {
+=======
+TEST(Yarn, ExtremeParametersGiveFiniteNumbers) {
+>>>>>>> words-wa
   Design d = plain_cloth(3, 3);
   d.draft.warp.spacing_mm = {0, 0, 0};
   EXPECT_TRUE(yarn_report(d, {}).needs.empty()) << "a cloth of no width";

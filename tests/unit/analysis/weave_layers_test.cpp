@@ -7,13 +7,13 @@
 namespace weftlight::analysis {
 namespace {
 
-TEST(Layers, PlainAndTwillHangTogether) {
+TEST(Layers, PlainAndTwillAreConnected) {
   EXPECT_LE(weave_layers(matrix_of({"10", "01"})).size(), 1u);
   EXPECT_LE(weave_layers(matrix_of({"1100", "0110", "0011", "1001"})).size(), 1u);
   EXPECT_LE(weave_layers(BitMatrix()).size(), 1u);
 }
 
-TEST(Layers, DoubleClothComesApart) {
+TEST(Layers, DoubleClothHasTwoLayers) {
   const auto found = weave_layers(matrix_of({"1000", "1110", "0010", "1011"}));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0], (WeaveLayer{{0, 2}, {0, 2}}));
@@ -21,7 +21,7 @@ TEST(Layers, DoubleClothComesApart) {
   EXPECT_FALSE(found[0].loose());
 }
 
-TEST(Layers, LoosePickAndLooseEndAreNamed) {
+TEST(Layers, FindsLoosePickAndLooseEnd) {
   // Pick 3 is over every end; end 3 is under every pick.
   const auto found = weave_layers(matrix_of({"100", "010", "000"}));
   ASSERT_EQ(found.size(), 3u);
@@ -31,12 +31,12 @@ TEST(Layers, LoosePickAndLooseEndAreNamed) {
   EXPECT_TRUE(found[0].loose() && found[2].loose());
 }
 
-TEST(Layers, NothingInterlacedIsAllLoose) {
+TEST(Layers, WithoutInterlacingAllThreadsAreLoose) {
   EXPECT_EQ(weave_layers(matrix_of({"11", "11"})).size(), 4u);
   EXPECT_EQ(weave_layers(matrix_of({"1"})), (std::vector<WeaveLayer>{{{0}, {}}, {{}, {0}}}));
 }
 
-// Threads that reach one another by "lies over", both ways, cannot be parted.
+// Threads that reach each other through the relation "lies over" cannot be separated.
 int slow_layer_count(const BitMatrix& m) {
   const int ends = m.cols(), n = ends + m.rows();
   std::vector<std::vector<char>> over(n, std::vector<char>(n, 0));

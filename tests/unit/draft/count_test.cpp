@@ -7,7 +7,7 @@
 namespace weftlight::draft {
 namespace {
 
-TEST(Count, UnitsOfTheTradeAreKnown) {
+TEST(Count, UnitsOfTheTrade) {
   EXPECT_NEAR(tex_of(1, CountUnit::kNe), 590.54, 0.01);
   EXPECT_NEAR(tex_of(20, CountUnit::kNe), 29.53, 0.01);
   EXPECT_NEAR(tex_of(30, CountUnit::kNm), 33.333, 0.001);
@@ -18,7 +18,7 @@ TEST(Count, UnitsOfTheTradeAreKnown) {
     for (const double count : {0.5, 7.0, 120.0}) EXPECT_NEAR(count_of(tex_of(count, unit), unit), count, 1e-9);
 }
 
-TEST(Count, IsReadAsItIsWritten) {
+TEST(Count, IsReadFromItsUsualNotation) {
   EXPECT_NEAR(tex_from_text("Ne 8/2").value_or(0), 147.6, 0.1);
   EXPECT_NEAR(tex_from_text("8/2 Ne").value_or(0), 147.6, 0.1);
   EXPECT_NEAR(tex_from_text("Nm30/2").value_or(0), 66.67, 0.01);
@@ -30,8 +30,8 @@ TEST(Count, IsReadAsItIsWritten) {
     EXPECT_FALSE(tex_from_text(text)) << text;
 }
 
-TEST(Count, OfARoundThreadIsItsSection) {
-  // The yarn presets state theirs: Ne 8/2 cotton 0.45 mm, 150 den polyester 0.16 mm.
+TEST(Count, DiameterOfARoundThread) {
+  // As in the yarn presets: Ne 8/2 cotton 0.45 mm, 150 den polyester 0.16 mm.
   EXPECT_NEAR(diameter_from_tex_mm(147.6, 1.52, 0.6), 0.45, 0.005);
   EXPECT_NEAR(diameter_from_tex_mm(16.67, 1.39, 0.6), 0.16, 0.005);
   EXPECT_NEAR(tex_from_diameter(diameter_from_tex_mm(40, 1.5, 0.55), 1.5, 0.55), 40, 1e-9);

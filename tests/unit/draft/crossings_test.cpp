@@ -24,7 +24,7 @@ Design liftplan_design(std::mt19937& random, bool rising) {
   return d;
 }
 
-TEST(Crossings, OfABlockAreThoseOfItsCellsOneAfterTheOther) {
+TEST(Crossings, ABlockEqualsItsCellsPaintedInOrder) {
   std::mt19937 random(3);
   for (const bool rising : {true, false}) {
     const Design before = liftplan_design(random, rising);
@@ -41,7 +41,7 @@ TEST(Crossings, OfABlockAreThoseOfItsCellsOneAfterTheOther) {
   }
 }
 
-TEST(Crossings, AllInvertedAreTheOtherFace) {
+TEST(Crossings, InvertingAllGivesTheOtherFace) {
   std::mt19937 random(4);
   const Design before = liftplan_design(random, true);
   const Design after = with_inverted(before, whole_grid(before.draft, BitGrid::kDrawdown));

@@ -26,7 +26,7 @@ TEST(Drawdown, FiveEndSatin) {
   EXPECT_EQ(text_of(drawdown(d)), (Rows{"10000", "00100", "00001", "01000", "00010"}));
 }
 
-TEST(Drawdown, SinkingShedTurnsTheFaces) {
+TEST(Drawdown, SinkingShedExchangesTheFaces) {
   Draft d = treadled(kStraight4, {"1000", "0100", "0010", "0001"}, kStraight4);
   d.rising = false;
   EXPECT_EQ(text_of(drawdown(d)), (Rows{"0111", "1011", "1101", "1110"}));
@@ -52,7 +52,7 @@ TEST(Drawdown, SeveralTreadlesAddUp) {
   EXPECT_EQ(text_of(drawdown(d)), (Rows{"1110", "1001", "1111", "0000"}));
 }
 
-TEST(Drawdown, LiftplanDrivesWhenChosen) {
+TEST(Drawdown, LiftplanAsShedControl) {
   Draft d = treadled(kStraight4, {"1111"}, {"1", "1"});
   d.liftplan = matrix_of({"1010", "0101"});
   EXPECT_EQ(text_of(drawdown(d)), (Rows{"1111", "1111"}));
@@ -141,7 +141,7 @@ bool all_changes_inside(const BitMatrix& was, const BitMatrix& is, const CellRec
   return true;
 }
 
-TEST(UpdateDrawdown, EqualsTheWholeAfterRandomEdits) {
+TEST(UpdateDrawdown, EqualsAFullDrawdownAfterRandomEdits) {
   std::mt19937 random(3);
   Design design;
   design.draft = random_draft(random, 70, 65, 8, 10);
@@ -163,7 +163,7 @@ TEST(UpdateDrawdown, EqualsTheWholeAfterRandomEdits) {
   }
 }
 
-TEST(UpdateDrawdown, OneTreadledPickGivesThatPick) {
+TEST(UpdateDrawdown, OneChangedPickGivesThatPick) {
   Design design;
   design.draft = treadled(kStraight4, {"1100", "0110", "0011", "1001"}, kStraight4);
   BitMatrix cells = drawdown(design.draft);
@@ -189,7 +189,7 @@ TEST(BitMatrix, ResizeKeepsWhatBothSizesShare) {
   EXPECT_TRUE(m.get(3, 64));
   EXPECT_EQ(m.count(), 1);
   m.resize(70, 200);
-  EXPECT_EQ(m.count(), 1) << "cells that were cut come back empty";
+  EXPECT_EQ(m.count(), 1) << "cells that were cut are empty again";
 }
 
 TEST(BitMatrix, TransposeTwiceIsTheSame) {

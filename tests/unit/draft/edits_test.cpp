@@ -25,7 +25,7 @@ TEST(Edits, TreadlingMovesThePickToTheClickedTreadle) {
   EXPECT_EQ(text_of(with_treadling(straight_twill(4, 4), 0, 2, true, false).draft.treadling)[0], "1010");
 }
 
-TEST(Edits, ManyThreadsAtOnceAreEachOfThem) {
+TEST(Edits, ManyThreadsAtOnceEqualOneByOne) {
   const Design d = straight_twill(4, 4);
   const std::vector<int> threads{0, 3, 99, -1};
   Design one_by_one = d;
@@ -89,7 +89,7 @@ TEST(Edits, DrawdownPaintMovesEveryEndOfTheShaft) {
   EXPECT_EQ(with_drawdown_cell(d, 3, 0, true), d) << "an end on no shaft cannot be lifted";
 }
 
-TEST(Edits, DrawdownPaintReachesItsAimOnEveryShed) {
+TEST(Edits, DrawdownPaintWorksForEveryShed) {
   std::mt19937 random(17);
   for (int round = 0; round < 300; ++round) {
     Design d;
@@ -108,7 +108,7 @@ TEST(Edits, DrawdownPaintReachesItsAimOnEveryShed) {
   }
 }
 
-TEST(Edits, SizeKeepsTheClothAndGoesOnWithTheStripes) {
+TEST(Edits, SizeKeepsTheClothAndContinuesTheStripes) {
   Design d = straight_twill(4, 4);
   d.draft.palette.push_back({1, 0, 0});
   d.draft.warp.color = {0, 2, 0, 2};
@@ -149,12 +149,12 @@ TEST(ShedControl, EitherWayKeepsTheDrawdown) {
     Design d;
     d.draft = random_draft(random, 30, 40, 6, 7);
     const BitMatrix cells = drawdown(d.draft);
-    const Design lifted = to_liftplan(d), trodden = to_treadling(d);
-    ASSERT_TRUE(is_consistent(lifted) && is_consistent(trodden));
+    const Design lifted = to_liftplan(d), by_treadles = to_treadling(d);
+    ASSERT_TRUE(is_consistent(lifted) && is_consistent(by_treadles));
     ASSERT_EQ(drawdown(lifted.draft), cells);
-    ASSERT_EQ(drawdown(trodden.draft), cells);
+    ASSERT_EQ(drawdown(by_treadles.draft), cells);
     ASSERT_EQ(drawdown(to_treadling(lifted).draft), cells);
-    ASSERT_EQ(trodden.draft.shed_control, ShedControl::kTreadling);
+    ASSERT_EQ(by_treadles.draft.shed_control, ShedControl::kTreadling);
   }
 }
 
@@ -169,7 +169,7 @@ TEST(ShedControl, TreadlesAreTheFewestInOrderOfUse) {
   EXPECT_EQ(to_treadling(next), next);
 }
 
-TEST(Consistency, FindsWhatDoesNotFit) {
+TEST(Consistency, FindsBrokenInvariants) {
   EXPECT_TRUE(is_consistent(Design{}));
   EXPECT_TRUE(is_consistent(straight_twill(4, 4)));
   Design d = straight_twill(4, 4);

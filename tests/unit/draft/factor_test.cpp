@@ -1,4 +1,4 @@
-// From drawdowns and lifts back to threading, tie-up and treadling.
+// Factoring drawdowns and lifts into threading, tie-up and treadling.
 
 #include "draft/factor.h"
 
@@ -24,9 +24,9 @@ Design two_two_twill(int ends, int picks) { return twill({2, 2}, Lean::kRight, {
 int most_treadles_per_pick(const BitMatrix& treadling) {
   int most = 0;
   for (int p = 0; p < treadling.rows(); ++p) {
-    int feet = 0;
-    for (int t = 0; t < treadling.cols(); ++t) feet += treadling.get(p, t);
-    most = std::max(most, feet);
+    int pressed = 0;
+    for (int t = 0; t < treadling.cols(); ++t) pressed += treadling.get(p, t);
+    most = std::max(most, pressed);
   }
   return most;
 }
@@ -60,7 +60,7 @@ TEST(Factor, FewestShaftsAndTreadlesOfAnyDrawdown) {
   }
 }
 
-TEST(Factor, ItsOwnDrawdownLeavesADraftAsItIs) {
+TEST(Factor, ItsOwnDrawdownLeavesADraftUnchanged) {
   std::mt19937 random(5);
   for (int round = 0; round < 300; ++round) {
     const Draft d = random_draft(random, 18, 16, 6, 5);
@@ -72,7 +72,7 @@ TEST(Factor, ItsOwnDrawdownLeavesADraftAsItIs) {
   }
 }
 
-TEST(Factor, AnyChangeOfTheDrawdownIsWovenAndMostNumbersStay) {
+TEST(Factor, AnyDrawdownIsWovenAndMostNumberingStays) {
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {
     Draft d = random_draft(random, 18, 16, 6, 5);
@@ -92,7 +92,7 @@ TEST(Factor, AnyChangeOfTheDrawdownIsWovenAndMostNumbersStay) {
   }
 }
 
-TEST(Factor, SaysWhatIsWantingAndOffersTheNearest) {
+TEST(Factor, SaysWhatIsMissingAndOffersTheClosestWeave) {
   // Eight ends of an 8-shaft satin and a loom with four.
   const Draft satin8 = satin(8, 3, Face::kBack, {16, 16}).draft;
   const BitMatrix cells = drawdown(satin8);
@@ -107,11 +107,12 @@ TEST(Factor, SaysWhatIsWantingAndOffersTheNearest) {
   for (int p = 0; p < 16; ++p)
     for (int e = 0; e < 16; ++e) wrong += shown.get(p, e) != cells.get(p, e);
   EXPECT_EQ(near.wrong, wrong);
-  EXPECT_EQ(near.wrong, 32) << "each of four kinds of two ends is woven as another: four crossings an end";
+  EXPECT_EQ(near.wrong, 32)
+      << "four distinct columns of two ends each are woven as another one: four crossings per end";
 }
 
-TEST(Factor, ADraftMovesToASmallerLoomWhereItsClothAllows) {
-  // A point threading over eight shafts of which the tie-up tells four apart.
+TEST(Factor, ADraftMovesToASmallerLoomIfItsClothAllows) {
+  // A point threading on eight shafts, of which only four weave differently.
   Draft d = blank_draft(16, 16, 8, 8);
   for (int i = 0; i < 16; ++i) {
     d.threading.set(i, i % 8, true);
@@ -119,7 +120,7 @@ TEST(Factor, ADraftMovesToASmallerLoomWhereItsClothAllows) {
   }
   for (int t = 0; t < 8; ++t)
     for (int s = 0; s < 8; ++s) d.tieup.set(t, s, (t + s) % 4 < 2);
-  EXPECT_EQ(within_loom(d, {8, 8}).draft, d) << "it fits as it is";
+  EXPECT_EQ(within_loom(d, {8, 8}).draft, d) << "it fits unchanged";
   const Factored small = within_loom(d, {4, 4});
   EXPECT_TRUE(small.done());
   EXPECT_LE(small.draft.shafts, 4);
@@ -131,7 +132,7 @@ TEST(Factor, ADraftMovesToASmallerLoomWhereItsClothAllows) {
   EXPECT_EQ(smaller.draft, d);
 }
 
-TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
+TEST(Factor, TheClosestWeaveFitsTheLoom) {
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
     Draft d = random_draft(random, 30, 24, 9, 9);
@@ -146,9 +147,8 @@ TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
   }
 }
 
-// The fault that a weaver met: a click in the drawdown turned the tie-up into a liftplan, and going back numbered
-// all treadles anew.
-TEST(PaintedDrawdown, WholeRowsAreAsTheirCellsOneByOne) {
+// A former defect: a click in the drawdown turned the tie-up into a liftplan, and going back renumbered all treadles.
+TEST(PaintedDrawdown, WholeRowsEqualTheirCellsOneByOne) {
   std::mt19937 random(3);
   for (int round = 0; round < 40; ++round) {
     Design d;
@@ -160,7 +160,7 @@ TEST(PaintedDrawdown, WholeRowsAreAsTheirCellsOneByOne) {
     const Write write = round % 2 == 0 ? Write::kAdd : Write::kErase;
     const Selection all = whole_grid(d.draft, BitGrid::kDrawdown);
     const Design at_once = painted_crossings(d, all, 0, 0, cells, write).design;
-    // A wider block is not taken row by row.
+    // A wider block does not take the path for whole rows.
     BitMatrix wide = cells;
     wide.resize(12, 71);
     EXPECT_EQ(at_once, painted_crossings(d, all, 0, 0, wide, write).design);
@@ -171,7 +171,7 @@ TEST(PaintedDrawdown, KeepsTheTieUp) {
   const Design d = two_two_twill(16, 16);
   const Design next = with_drawdown_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
   EXPECT_EQ(next.draft.shed_control, ShedControl::kTreadling);
-  EXPECT_EQ(next.draft.treadles, 5) << "one treadle more, for that pick";
+  EXPECT_EQ(next.draft.treadles, 5) << "one more treadle for that pick";
   for (int t = 0; t < 4; ++t) EXPECT_EQ(text_of(next.draft.tieup)[t], text_of(d.draft.tieup)[t]);
   for (int p = 0; p < 16; ++p) EXPECT_EQ(next.draft.treadling.first(p), p == 5 ? 4 : p % 4);
   const Design back = with_drawdown_cell(next, 2, 5, drawdown(d.draft).get(5, 2));
@@ -180,7 +180,7 @@ TEST(PaintedDrawdown, KeepsTheTieUp) {
   EXPECT_EQ(text_of(back.draft.tieup)[4], "0000") << "and the new one free for the next";
 }
 
-TEST(PaintedDrawdown, ATreadleOfOnePickAloneIsTiedAnew) {
+TEST(PaintedDrawdown, ATreadleOfASinglePickIsTiedAnew) {
   const Design d = two_two_twill(4, 4);
   const Design next = with_drawdown_cell(d, 0, 0, false);
   EXPECT_EQ(next.draft.treadles, 4);
@@ -188,7 +188,7 @@ TEST(PaintedDrawdown, ATreadleOfOnePickAloneIsTiedAnew) {
   EXPECT_NE(text_of(next.draft.tieup)[0], text_of(d.draft.tieup)[0]);
 }
 
-TEST(PaintedDrawdown, SaysWhatTheLoomCannot) {
+TEST(PaintedDrawdown, SaysWhyTheLoomCannot) {
   Design d = two_two_twill(16, 16);
   d.loom.shafts = d.loom.treadles = 4;
   const Painted painted = painted_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
@@ -196,7 +196,7 @@ TEST(PaintedDrawdown, SaysWhatTheLoomCannot) {
   EXPECT_EQ(painted.why, "this takes 5 treadles, and the loom has 4");
 }
 
-TEST(PaintedDrawdown, WhereTheDrawdownRulesOneCrossingChangesAlone) {
+TEST(PaintedDrawdown, LeadingDrawdownChangesOneCrossingAlone) {
   const Design d = with_leading(two_two_twill(16, 16), Leading::kDrawdown);
   BitMatrix cells = drawdown(d.draft);
   cells.set(5, 2, !cells.get(5, 2));
@@ -207,7 +207,7 @@ TEST(PaintedDrawdown, WhereTheDrawdownRulesOneCrossingChangesAlone) {
   for (int e = 0; e < 16; ++e) EXPECT_EQ(next.draft.threading.first(e), e == 2 ? 4 : e % 4);
 }
 
-TEST(PaintedDrawdown, ALockKeepsWhatFollows) {
+TEST(PaintedDrawdown, ALockProtectsGridsThatFollow) {
   const Design d = with_lock(two_two_twill(8, 8), true);
   EXPECT_EQ(with_drawdown_cell(d, 0, 0, false), d);
   EXPECT_FALSE(painted_cell(d, 0, 0, false).why.empty());
@@ -221,7 +221,7 @@ TEST(PaintedDrawdown, ALockKeepsWhatFollows) {
   EXPECT_NE(with_liftplan(plan, 0, 3, true), plan);
 }
 
-TEST(PaintedDrawdown, OfAnyDraftShowsWhatWasPainted) {
+TEST(PaintedDrawdown, OfAnyDraftShowsThePaintedCell) {
   std::mt19937 random(19);
   for (int round = 0; round < 400; ++round) {
     Design d;
@@ -271,7 +271,7 @@ TEST(WithoutSpare, WhatComesAfterMovesUp) {
 
 TEST(ShedControl, GoingToTheLiftplanAndBackKeepsTheTreadles) {
   Design d = two_two_twill(8, 8);
-  // The weaver's own order: tabby on treadles 1 and 2, the twill on 3 to 6.
+  // The weaver's numbering: tabby on treadles 1 and 2, the twill on 3 to 6.
   d.draft = treadled({"1000", "0100", "0010", "0001"}, {"1010", "0101", "1100", "0110", "0011", "1001"},
                      {"001000", "000100", "000010", "000001", "001000", "000100"});
   const Draft same = to_treadling(to_liftplan(d)).draft;
@@ -288,7 +288,7 @@ TEST(ShedControl, GoingToTheLiftplanAndBackKeepsTheTreadles) {
   for (int p = 0; p < 5; ++p) EXPECT_EQ(back.draft.treadling.first(p), d.draft.treadling.first(p));
 }
 
-TEST(ShedControl, MoreTreadlesThanAskedForChangesNothing) {
+TEST(ShedControl, MoreTreadlesThanAllowedChangesNothing) {
   Design d;
   std::mt19937 random(2);
   d.draft = random_draft(random, 10, 60, 8, 2);
@@ -298,9 +298,9 @@ TEST(ShedControl, MoreTreadlesThanAskedForChangesNothing) {
   EXPECT_EQ(to_treadling(d).draft.treadles, treadles_needed(d.draft));
 }
 
-TEST(Skeleton, FourShaftsAndTwoFeet) {
-  // All fourteen sheds of four shafts from the four shafts alone would take up to three feet; with two feet six
-  // treadles make the six sheds of two shafts and the four of one.
+TEST(Skeleton, FourShaftsAndTwoTreadlesPerPick) {
+  // All fourteen sheds of four shafts from the four shafts alone would take up to three treadles per pick; with two,
+  // six treadles make the six sheds of two shafts and the four of one.
   const BitMatrix lifts = matrix_of({"1000", "0100", "0010", "0001", "1100", "0110", "0011", "1001", "1010", "0101"});
   const Skeleton s = skeleton_tieup(lifts, 2);
   EXPECT_EQ(s.tieup.rows(), 4);
@@ -308,23 +308,23 @@ TEST(Skeleton, FourShaftsAndTwoFeet) {
   EXPECT_EQ(text_of(skeleton_tieup(lifts, 1).tieup), text_of(lifts));
 }
 
-TEST(Skeleton, WeavesTheSameWithAsManyFeetAsAllowed) {
+TEST(Skeleton, WeavesTheSameWithinTheTreadlesPerPick) {
   std::mt19937 random(29);
   for (int round = 0; round < 60; ++round) {
     Design d;
     d.draft = random_draft(random, 12, 20, 6, 5);
-    const int feet = 1 + static_cast<int>(random() % 3);
-    const Skeleton s = skeleton_tieup(lifts(d.draft), feet, 500000);
-    ASSERT_LE(most_treadles_per_pick(s.treadling), feet);
+    const int treadles_per_pick = 1 + static_cast<int>(random() % 3);
+    const Skeleton s = skeleton_tieup(lifts(d.draft), treadles_per_pick, 500000);
+    ASSERT_LE(most_treadles_per_pick(s.treadling), treadles_per_pick);
     ASSERT_LE(s.at_least, s.tieup.rows());
     ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));
-    const Design next = to_skeleton(d, feet);
+    const Design next = to_skeleton(d, treadles_per_pick);
     ASSERT_TRUE(is_consistent(next));
     ASSERT_EQ(drawdown(next.draft), drawdown(d.draft));
   }
 }
 
-TEST(Skeleton, FindsTheTreadlesThatLiftsWereMadeFrom) {
+TEST(Skeleton, FindsTheTreadlesOfTheLifts) {
   std::mt19937 random(31);
   for (int round = 0; round < 20; ++round) {
     BitMatrix treadles(5, 12);

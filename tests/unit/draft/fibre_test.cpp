@@ -1,4 +1,4 @@
-// Fibre, cross-section, lustre and hairiness: choices of a yarn's numbers that read back as they were made.
+// Fibre, cross-section, lustre and hairiness: set from and computed back from a yarn's parameters.
 
 #include "draft/fibre.h"
 
@@ -14,7 +14,7 @@
 namespace weftlight::draft {
 namespace {
 
-TEST(Fibre, EachReadyYarnIsOfItsOwn) {
+TEST(Fibre, EachPresetIsOfItsOwnFibre) {
   const auto all = yarn_presets();
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Yarn& yarn = all[static_cast<size_t>(i)];
@@ -23,7 +23,7 @@ TEST(Fibre, EachReadyYarnIsOfItsOwn) {
   }
 }
 
-TEST(Fibre, AFinishLeavesItWhatItIs) {
+TEST(Fibre, AFinishKeepsTheFibre) {
   Yarn tweed = yarn_preset("Wool");
   tweed.fibre_um = 45, tweed.groove_depth = 0.25f, tweed.hairiness = 1;
   tweed.lobes.fuzz = 0.6f, tweed.lobes.along_width = 0.7f, tweed.lobes.across_width = 0.8f;
@@ -37,7 +37,7 @@ TEST(Fibre, AFinishLeavesItWhatItIs) {
   EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(damask))].name, "Linen");
 }
 
-TEST(Fibre, AChoiceKeepsWhatTheSpinnerMade) {
+TEST(Fibre, AnotherFibreKeepsThicknessAndTwist) {
   Yarn yarn = yarn_preset("Cotton");
   yarn.name = "Mine", yarn.diameter_mm = 0.7f, yarn.turns_per_m = 123, yarn.irregularity = 0.1f;
   for (int i = 0; i < static_cast<int>(yarn_presets().size()); ++i) {
@@ -50,7 +50,7 @@ TEST(Fibre, AChoiceKeepsWhatTheSpinnerMade) {
   }
 }
 
-TEST(Fibre, AnotherCrossSectionReadsBackAndBringsTheYarnBack) {
+TEST(Fibre, ACrossSectionIsRecognisedAndReversible) {
   for (const Yarn& ready : yarn_presets()) {
     const CrossSection own = cross_section(ready);
     EXPECT_EQ(with_cross_section(ready, own), ready) << ready.name;
@@ -60,7 +60,7 @@ TEST(Fibre, AnotherCrossSectionReadsBackAndBringsTheYarnBack) {
       EXPECT_EQ(yarn, clamped(yarn)) << ready.name;
       EXPECT_EQ(cross_section(yarn), section) << ready.name;
       EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name, ready.name) << kCrossSectionNames[s];
-      EXPECT_NEAR(lustre(yarn), 0.5f, 1e-3f) << ready.name << ": as bright as such a fibre is";
+      EXPECT_NEAR(lustre(yarn), 0.5f, 1e-3f) << ready.name << ": usual lustre of the fibre";
       const Yarn back = with_cross_section(yarn, own);
       EXPECT_NEAR(back.lobes.across_width, ready.lobes.across_width, 1e-5f);
       EXPECT_NEAR(back.lobes.layers, ready.lobes.layers, 1e-4f);
@@ -71,7 +71,7 @@ TEST(Fibre, AnotherCrossSectionReadsBackAndBringsTheYarnBack) {
   }
 }
 
-TEST(Fibre, FlatSidesThrowLightTogetherAndBeansSpreadIt) {
+TEST(Fibre, FlatSidesNarrowTheHighlightAndBeansWidenIt) {
   const Yarn& round = yarn_preset("Polyester filament");
   const Yarn trilobal = with_cross_section(round, CrossSection::kTrilobal),
              bean = with_cross_section(round, CrossSection::kBean),
@@ -80,13 +80,13 @@ TEST(Fibre, FlatSidesThrowLightTogetherAndBeansSpreadIt) {
   EXPECT_LT(trilobal.lobes.transmission, round.lobes.transmission);
   EXPECT_GT(bean.lobes.along_width, round.lobes.along_width);
   EXPECT_LT(film.lobes.across_width, trilobal.lobes.across_width);
-  // The shorter the way through a fibre, the paler what comes out.
+  // The shorter the path through a fibre, the paler its light.
   EXPECT_LT(film.lobes.inner_depth, bean.lobes.inner_depth);
   EXPECT_LT(bean.lobes.inner_depth, trilobal.lobes.inner_depth);
   EXPECT_LT(trilobal.lobes.inner_depth, 1);
 }
 
-TEST(Fibre, SlidersReadBackWhatTheySet) {
+TEST(Fibre, SlidersReadBackTheirValues) {
   for (const Yarn& ready : yarn_presets()) {
     float width = 100;
     for (const float bright : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
@@ -115,19 +115,19 @@ TEST(Fibre, ACountFollowsTheThicknessUntilItIsSet) {
   EXPECT_NEAR(packing_fraction(yarn), 0.6, 1e-6);
   Yarn set = *with_count(yarn, "Ne 8/2");
   EXPECT_NEAR(set.tex, 147.6f, 0.1f);
-  EXPECT_NEAR(set.diameter_mm, 0.9f * std::sqrt(147.6f / (4 * fine)), 0.001f) << "as much thinner as it is lighter";
+  EXPECT_NEAR(set.diameter_mm, 0.9f * std::sqrt(147.6f / (4 * fine)), 0.001f) << "thinner in proportion to the weight";
   set.diameter_mm = 0.7f;
-  EXPECT_NEAR(tex_of(set), 147.6f, 0.1f) << "loftier, and as heavy as it was";
+  EXPECT_NEAR(tex_of(set), 147.6f, 0.1f) << "loftier, of the same weight";
   EXPECT_LT(packing_fraction(set), 0.3);
-  EXPECT_NEAR(tex_of(set, 1.4f), 4 * tex_of(set), 0.01f) << "the draft's own thickness: more of the same yarn";
+  EXPECT_NEAR(tex_of(set, 1.4f), 4 * tex_of(set), 0.01f) << "a thicker thread of the same yarn";
   EXPECT_NEAR(tex_of(with_thickness(set, 1.4f)), 4 * tex_of(set), 0.01f);
-  EXPECT_NEAR(with_count(set, "Ne 4/2")->diameter_mm, 0.7f * std::sqrt(2.0f), 0.001f) << "keeps its loft";
+  EXPECT_NEAR(with_count(set, "Ne 4/2")->diameter_mm, 0.7f * std::sqrt(2.0f), 0.001f) << "keeps its packing";
   const Yarn unset = *with_count(set, "  ");
   EXPECT_EQ(unset.tex, 0);
   EXPECT_EQ(unset.diameter_mm, 0.7f);
 }
 
-TEST(Fibre, NoSliderOfItsLooksChangesACount) {
+TEST(Fibre, OpticalSlidersKeepTheCount) {
   for (const bool is_set : {true, false})
     for (Yarn yarn : yarn_presets()) {
       if (!is_set) yarn.tex = 0;
@@ -139,12 +139,12 @@ TEST(Fibre, NoSliderOfItsLooksChangesACount) {
       for (size_t s = 0; s < kCrossSectionNames.size(); ++s)
         EXPECT_EQ(tex_of(with_cross_section(yarn, static_cast<CrossSection>(s))), tex) << yarn.name;
       if (is_set) {
-        EXPECT_EQ(tex_of(with_fibre(yarn, 2)), tex) << yarn.name << ": of another fibre, as heavy";
+        EXPECT_EQ(tex_of(with_fibre(yarn, 2)), tex) << yarn.name << ": another fibre, the same weight";
       }
     }
 }
 
-TEST(Fibre, ACountIsUndoneWithTheThicknessThatCameOfIt) {
+TEST(Fibre, UndoRevertsCountAndThickness) {
   Design design;
   design.yarns = {yarn_preset("Wool")};
   History history(design);
@@ -156,7 +156,7 @@ TEST(Fibre, ACountIsUndoneWithTheThicknessThatCameOfIt) {
   EXPECT_NEAR(tex_of(history.now().yarns[0]), 178.6f, 0.1f);
 }
 
-TEST(Fibre, CountsAreThoseTheReadyYarnsWereMadeFrom) {
+TEST(Fibre, CountsOfThePresets) {
   const std::pair<const char*, const char*> counts[] = {{"Cotton", "Ne 8/2"},
                                                         {"Mercerised cotton", "Ne 10/2"},
                                                         {"Linen", "16/2 lea"},

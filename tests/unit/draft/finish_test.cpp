@@ -1,4 +1,4 @@
-// What a finish makes of yarns.
+// The effect of finishes on yarns.
 
 #include "draft/finish.h"
 
@@ -12,10 +12,10 @@
 namespace weftlight::draft {
 namespace {
 
-TEST(Finish, NoneLeavesEveryYarnAsItIs) {
+TEST(Finish, NoneLeavesEveryYarnUnchanged) {
   for (const Yarn& yarn : yarn_presets()) EXPECT_EQ(finished(yarn, {}), yarn) << yarn.name;
   Yarn odd;
-  odd.diameter_mm = 99;  // out of range, and nobody asked
+  odd.diameter_mm = 99;  // out of range, and not clamped without a finish
   EXPECT_EQ(finished(odd, {}), odd);
 }
 
@@ -27,7 +27,7 @@ TEST(Finish, RaisedIsAllNap) {
   EXPECT_LT(after.hairiness, before.hairiness) << "no streaks along a thread";
 }
 
-TEST(Finish, MercerisedCottonIsTheReadyYarn) {
+TEST(Finish, MercerisedCottonEqualsThePreset) {
   const Yarn a = finished(yarn_preset("Cotton"), {0, 1, 0}), b = yarn_preset("Mercerised cotton");
   EXPECT_NEAR(a.lobes.along_width, b.lobes.along_width, 0.01f);
   EXPECT_NEAR(a.lobes.layers, b.lobes.layers, 0.05f);

@@ -59,7 +59,7 @@ TEST(Generators, DamaskBlocksMeetInACleanCut) {
   }
 }
 
-TEST(Generators, AnyNumbersMakeAConsistentDraft) {
+TEST(Generators, AnyParametersMakeAConsistentDraft) {
   for (const int wild : {-1000, -1, 0, 1, 2, 3, 7, 1000}) {
     const ClothSize size{wild, wild};
     const OverUnder order{wild, 1};
@@ -89,7 +89,7 @@ TEST(Generators, AnyNumbersMakeAConsistentDraft) {
   EXPECT_TRUE(is_consistent(twill({}, Lean::kRight, {4, 4})));
 }
 
-TEST(Sett, FewerInterlacingsLieCloser) {
+TEST(Sett, FewerInterlacingsGiveACloserSett) {
   const Yarn yarn = yarn_preset("Cotton");
   const auto spacing = [&](Design d) {
     return with_sett(with_yarns(std::move(d), yarn, yarn)).draft.warp.spacing_mm[0];

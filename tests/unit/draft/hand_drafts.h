@@ -31,7 +31,7 @@ inline BitMatrix matrix_of(const Rows& rows) {
   return m;
 }
 
-/// Each grid as rows of 0 and 1: threading a row an end, tie-up a row a treadle, treadling a row a pick.
+/// Each grid as rows of 0 and 1: threading by end, tie-up by treadle, treadling by pick.
 inline Draft treadled(const Rows& threading, const Rows& tieup, const Rows& treadling) {
   const int shafts = static_cast<int>(threading[0].size()), treadles = static_cast<int>(tieup.size());
   Draft d = blank_draft(static_cast<int>(threading.size()), static_cast<int>(treadling.size()), shafts, treadles);
@@ -51,7 +51,7 @@ inline Design straight_twill(int ends, int picks) {
   return design;
 }
 
-/// The definition, a crossing at a time.
+/// The drawdown by its definition, crossing by crossing.
 inline BitMatrix slow_drawdown(const Draft& d) {
   BitMatrix out(d.picks(), d.ends());
   for (int p = 0; p < d.picks(); ++p) {

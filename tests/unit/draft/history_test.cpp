@@ -30,7 +30,7 @@ TEST(History, UndoAndRedoWalkTheLabels) {
   EXPECT_EQ(h.now().title, "c");
 }
 
-TEST(History, NewStepDropsWhatWasUndone) {
+TEST(History, ANewStepDropsTheRedoSteps) {
   History h(called("a"));
   h.commit(called("b"), "to b");
   h.undo();
@@ -62,7 +62,7 @@ TEST(History, OneDragIsOneStep) {
   EXPECT_FALSE(h.can_undo());
 }
 
-TEST(History, DragThatTakesItselfBackLeavesNoStep) {
+TEST(History, ADragThatRevertsItselfLeavesNoStep) {
   History h(called("a"));
   h.commit(called("b"), "paint", 7);
   h.commit(called("a"), "paint", 7);
@@ -73,7 +73,7 @@ TEST(History, DragThatTakesItselfBackLeavesNoStep) {
   EXPECT_EQ(h.now().title, "a");
 }
 
-TEST(History, GoesToAnyStepAndKeepsWhatLiesAhead) {
+TEST(History, GoesToAnyStepAndKeepsLaterSteps) {
   History h(called("a"));
   h.commit(called("b"), "to b");
   h.mark_saved();
@@ -91,10 +91,10 @@ TEST(History, GoesToAnyStepAndKeepsWhatLiesAhead) {
   EXPECT_TRUE(h.is_saved(1));
   EXPECT_FALSE(h.is_saved(2));
   h.go_to(99);
-  EXPECT_EQ(h.now().title, "c") << "the last there is";
+  EXPECT_EQ(h.now().title, "c") << "clamped to the last step";
   h.go_to(1);
   h.commit(called("d"), "to d");
-  EXPECT_EQ(h.steps(), 3u) << "what lay ahead is gone once something else is done";
+  EXPECT_EQ(h.steps(), 3u) << "a new step drops the later ones";
 }
 
 TEST(History, SavedMarkIsAPosition) {
@@ -113,7 +113,7 @@ TEST(History, SavedMarkIsAPosition) {
   EXPECT_FALSE(h.is_saved());
 }
 
-TEST(History, SaveWithinADragIsNotTheDragsEnd) {
+TEST(History, SavingWithinADragDoesNotMarkItsEnd) {
   History h(called("a"));
   h.commit(called("b"), "paint", 7);
   h.mark_saved();
@@ -121,7 +121,7 @@ TEST(History, SaveWithinADragIsNotTheDragsEnd) {
   EXPECT_FALSE(h.is_saved());
 }
 
-TEST(History, MarkedUnsavedNoStepIsTheSavedOne) {
+TEST(History, MarkedUnsavedNoStepIsSaved) {
   History h(called("a"));
   h.commit(called("b"), "to b");
   h.mark_unsaved();

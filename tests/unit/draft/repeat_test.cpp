@@ -16,7 +16,7 @@ TEST(Repeats, OfStructure) {
   EXPECT_EQ(odd.picks, 2);
 }
 
-TEST(Repeats, OfDesignHoldColoursYarnsAndSett) {
+TEST(Repeats, OfDesignIncludeColoursYarnsAndSett) {
   Design d;
   d.draft = treadled({"10", "01", "10", "01", "10", "01", "10", "01"}, {"10", "01"}, {"10", "01", "10", "01"});
   const BitMatrix cells = drawdown(d.draft);
@@ -25,7 +25,7 @@ TEST(Repeats, OfDesignHoldColoursYarnsAndSett) {
   colour.draft.warp.color = {0, 0, 1, 1, 0, 0, 1, 1};
   EXPECT_EQ(design_repeat(colour, cells).ends, 4);
   colour.draft.palette[1] = colour.draft.palette[0];
-  EXPECT_EQ(design_repeat(colour, cells).ends, 2) << "colours that look alike are alike";
+  EXPECT_EQ(design_repeat(colour, cells).ends, 2) << "equal colours count as one";
   Design yarn = d;
   yarn.yarns.emplace_back().diameter_mm = 2;
   yarn.draft.warp.yarn[3] = 1;
@@ -38,7 +38,7 @@ TEST(Repeats, OfDesignHoldColoursYarnsAndSett) {
   EXPECT_EQ(design_repeat(spaced, cells).picks, 2);
 }
 
-TEST(WarpShare, CountsCrossings) {
+TEST(WarpUpFraction, CountsCrossings) {
   EXPECT_DOUBLE_EQ(warp_up_fraction(matrix_of({"1110", "0111"})), 0.75);
   EXPECT_DOUBLE_EQ(warp_up_fraction(BitMatrix()), 0.0);
 }

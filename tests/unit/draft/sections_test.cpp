@@ -1,4 +1,4 @@
-// Sections: an order as text, as a list, and as threads.
+// Orders of sections as text, as a list and as threads.
 
 #include "draft/generators/sections.h"
 
@@ -15,19 +15,19 @@ std::string again(std::string_view text) {
   return order_text(order.items);
 }
 
-TEST(Sections, AnOrderIsReadAsItIsSaid) {
+TEST(Sections, OrdersAreReadInTheirNotations) {
   EXPECT_EQ(again("A 4x, (B C) 3x, A"), "A 4x, (B C) 3x, A");
   EXPECT_EQ(again("4x A 3x(B C) A"), "A 4x, (B C) 3x, A");
   EXPECT_EQ(again("A x4 ( B,C )3 A"), "A 4x, (B C) 3x, A");
-  EXPECT_EQ(again("A, 4x B"), "A B 4x") << "after a comma a count is of what follows";
-  EXPECT_EQ(again("A 4x B"), "A 4x, B") << "else of what stands before it";
+  EXPECT_EQ(again("A, 4x B"), "A B 4x") << "after a comma a count belongs to the next item";
+  EXPECT_EQ(again("A 4x B"), "A 4x, B") << "otherwise to the item before it";
   EXPECT_EQ(again("((A 2x) 2x)"), "((A 2x) 2x)");
   EXPECT_EQ(again("Rand_1 \xC3\x84"), "Rand_1 \xC3\x84");
   EXPECT_EQ(again(""), "");
   EXPECT_EQ(again("()"), "()");
 }
 
-TEST(Sections, WhatCannotBeReadIsSaidWithItsPlace) {
+TEST(Sections, ErrorsNameTheirPosition) {
   EXPECT_EQ(read_order("A (B").why, "a bracket is not closed at character 3");
   EXPECT_EQ(read_order("A ) B").why, "an unmatched closing bracket at character 3");
   EXPECT_EQ(read_order("A, 3x").why, "a repeat count without a section at character 4");
@@ -40,7 +40,7 @@ TEST(Sections, WhatCannotBeReadIsSaidWithItsPlace) {
   EXPECT_NE(read_order(many).why, "");
 }
 
-TEST(Sections, TheListHasARowAnItem) {
+TEST(Sections, TheListHasOneRowPerItem) {
   std::vector<OrderItem> items = read_order("A 4x (B C 2x) 3x D").items;
   const std::vector<OrderRow> rows = order_rows(items);
   ASSERT_EQ(rows.size(), 5u);
@@ -53,7 +53,7 @@ TEST(Sections, TheListHasARowAnItem) {
   EXPECT_EQ(order_text(items), "A 4x, (C 7x) 3x, D");
 }
 
-TEST(Sections, NamesCannotBeTakenForCounts) {
+TEST(Sections, NamesCannotBeCounts) {
   EXPECT_EQ(section_name(" left border "), "left_border");
   EXPECT_EQ(section_name("4x"), "S4x");
   EXPECT_EQ(section_name("(a)"), "a");
@@ -88,7 +88,7 @@ std::string shafts(const Design& d) {
   return text;
 }
 
-TEST(Sections, TheThreadsAreMadeByTheOrder) {
+TEST(Sections, TheOrderMakesTheThreads) {
   const Design d = draw();
   const Assembled made = assembled(d, System::kWarp, both(d, "Up 2x (Up Down) Up"));
   ASSERT_EQ(made.why, "");
@@ -100,18 +100,18 @@ TEST(Sections, TheThreadsAreMadeByTheOrder) {
   EXPECT_EQ(assembled_threads(made.design.warp_assembly, read_order("Up 9x").items), 36);
 }
 
-TEST(Sections, AChangedSectionMakesThemAnew) {
+TEST(Sections, AChangedSectionRemakesTheThreads) {
   const Design d = draw();
   Design made = assembled(d, System::kWarp, both(d, "Up Down Up")).design;
   Design other = d;
   for (int i = 0; i < 4; ++i) other.draft.threading.set(i, i, false), other.draft.threading.set(i, 3, true);
   const Assembly changed = with_section(made.warp_assembly, section_of(other, {System::kWarp, 0, 2}, "Up"));
-  EXPECT_EQ(changed.sections.size(), 2u) << "in the place of that of its name";
+  EXPECT_EQ(changed.sections.size(), 2u) << "replaces the section of its name";
   made = assembled(made, System::kWarp, changed).design;
   EXPECT_EQ(shafts(made), "44432144");
 }
 
-TEST(Sections, PicksFollowTheirDrive) {
+TEST(Sections, PicksFollowTheShedControl) {
   Design d = draw();
   Assembly a = with_section({}, section_of(d, {System::kWeft, 0, 2}, "A"));
   a.order = "A 3x";
@@ -122,10 +122,10 @@ TEST(Sections, PicksFollowTheirDrive) {
   EXPECT_TRUE(is_consistent(made.design));
   d.draft.shed_control = ShedControl::kLiftplan;
   d.draft.treadling = BitMatrix(4, 4);
-  EXPECT_NE(assembled(d, System::kWeft, a).why, "") << "sections of treadles make no liftplan";
+  EXPECT_NE(assembled(d, System::kWeft, a).why, "") << "sections with treadles cannot make a liftplan";
 }
 
-TEST(Sections, WhatCannotBeLeavesTheDraft) {
+TEST(Sections, ImpossibleOrdersLeaveTheDraft) {
   const Design d = draw();
   for (const char* order : {"Up (", "Sideways", "Up 100000x 100000x", "(((Up 99999x) 99999x) 99999x)"}) {
     const Assembled made = assembled(d, System::kWarp, both(d, order));
@@ -134,11 +134,11 @@ TEST(Sections, WhatCannotBeLeavesTheDraft) {
   }
   const Assembled none = assembled(d, System::kWarp, both(d, ""));
   EXPECT_EQ(none.why, "");
-  EXPECT_EQ(none.design.draft, d.draft) << "no order yet: the threads stay, the sections are kept";
+  EXPECT_EQ(none.design.draft, d.draft) << "without an order the threads stay and the sections are stored";
   EXPECT_EQ(none.design.warp_assembly.sections.size(), 2u);
 }
 
-TEST(Sections, StaleColoursAndYarnsAreTheFirst) {
+TEST(Sections, MissingColoursAndYarnsBecomeTheFirst) {
   Design d = draw();
   Assembly a = both(d, "Up");
   a.sections[0].threads.color[0] = 77;

@@ -24,14 +24,14 @@ Rows treadling(const Design& d) { return text_of(d.draft.treadling); }
 Rows cloth(const Design& d) { return text_of(drawdown(d.draft)); }
 constexpr Selection kFirstThreeEnds{BitGrid::kThreading, 0, 3, 0, 4};
 
-TEST(Selection, ReadsWhatIsSeen) {
+TEST(Selection, ReadsTheCellsOfEachGrid) {
   const Draft d = twill_design().draft;
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kThreading, 1, 4, 1, 4})), (Rows{"100", "010", "001"}));
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kTieup, 0, 2, 0, 3})), (Rows{"10", "11", "01"}));
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kTreadling, 0, 4, 3, 5})), (Rows{"0001", "1000"}));
   const Rows all = text_of(drawdown(d));
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kDrawdown, 2, 5, 1, 3})), (Rows{all[1].substr(2, 3), all[2].substr(2, 3)}));
-  EXPECT_EQ(cells_of(d, {BitGrid::kThreading, 7, 9, 0, 4}), BitMatrix()) << "outside is nothing, not a crash";
+  EXPECT_EQ(cells_of(d, {BitGrid::kThreading, 7, 9, 0, 4}), BitMatrix()) << "empty outside the grid";
 }
 
 TEST(Selection, PastedEndsLeaveTheirOtherShafts) {
@@ -45,12 +45,12 @@ TEST(Selection, PastedEndsLeaveTheirOtherShafts) {
   EXPECT_EQ(threading(added)[0], "1000");
   const Design erased =
       with_block(twill_design(), BitGrid::kThreading, 0, 0, matrix_of({"1010", "0101"}), Write::kErase);
-  EXPECT_EQ(threading(erased), (Rows{"0000", "0000", "0010", "0001", "1000", "0100"})) << "only under its marks";
+  EXPECT_EQ(threading(erased), (Rows{"0000", "0000", "0010", "0001", "1000", "0100"})) << "only the cells of its marks";
   const Design raised = with_block(twill_design(), BitGrid::kLiftplan, 0, 0, matrix_of({"1000"}), Write::kErase);
   EXPECT_EQ(raised.draft.liftplan.row(0)[0], 0b0010u);
 }
 
-TEST(Selection, WhatHangsOverTheEdgeIsLeftOut) {
+TEST(Selection, BlocksAreClippedToTheGrid) {
   const BitMatrix block = matrix_of({"1111", "0000", "0000", "0000"});
   EXPECT_EQ(threading(with_block(twill_design(), BitGrid::kThreading, 4, 0, block, Write::kThreads)),
             (Rows{"1000", "0100", "0010", "0001", "1000", "1000"}));
@@ -59,7 +59,7 @@ TEST(Selection, WhatHangsOverTheEdgeIsLeftOut) {
     EXPECT_EQ(with_block(twill_design(), BitGrid::kTieup, far, far, block, Write::kInside), twill_design());
 }
 
-TEST(Selection, CrossingsFollowTheLoomAndSayWhatTheyCannot) {
+TEST(Selection, CrossingsFollowTheThreadingAndReportTheRest) {
   Design d = twill_design();
   // Ends 1 and 5 share shaft 1.
   const Design up = with_block(d, BitGrid::kDrawdown, 0, 2, matrix_of({"1"}), Write::kInside);
@@ -81,10 +81,10 @@ TEST(Selection, CrossingsFollowTheLoomAndSayWhatTheyCannot) {
 
   const BitMatrix same = cells_of(d.draft, whole_grid(d.draft, BitGrid::kDrawdown));
   EXPECT_EQ(with_block(d, BitGrid::kDrawdown, 0, 0, same, Write::kInside), d)
-      << "what changes nothing keeps the treadles";
+      << "an edit without effect keeps the treadles";
 }
 
-TEST(Selection, ASinkingShedIsPastedAsItIsSeen) {
+TEST(Selection, CrossingsArePastedIntoASinkingShed) {
   Design d = with_block(twill_design(), BitGrid::kDrawdown, 0, 0, matrix_of({"0"}), Write::kInside);
   d.draft.rising = false;
   const BitMatrix block = matrix_of({"1001", "0110"});
@@ -121,11 +121,11 @@ TEST(SelectionEdits, MirroringWholeEndsTakesTheirColoursAlong) {
   EXPECT_EQ(marks_only.draft.warp, twill_design().draft.warp);
   const Design part = with_mirrored_across(twill_design(), {BitGrid::kThreading, 0, 2, 0, 2});
   EXPECT_EQ(threading(part)[0], "0100");
-  EXPECT_EQ(part.draft.warp, twill_design().draft.warp) << "a part of the shafts is no whole thread";
+  EXPECT_EQ(part.draft.warp, twill_design().draft.warp) << "some of the shafts are not whole threads";
   EXPECT_EQ(with_mirrored_across(mirrored, kFirstThreeEnds), twill_design());
 }
 
-TEST(SelectionEdits, MirrorsAndTurnsByHand) {
+TEST(SelectionEdits, MirrorsAndHalfTurns) {
   EXPECT_EQ(threading(with_mirrored_down(twill_design(), kFirstThreeEnds)),
             (Rows{"0001", "0010", "0100", "0001", "1000", "0100"}));
   const Selection picks{BitGrid::kTreadling, 0, 4, 0, 4};
@@ -165,14 +165,14 @@ TEST(SelectionEdits, RepeatsFillTheRestOrAll) {
   EXPECT_EQ(plain.draft.shed_control, ShedControl::kTreadling);
 }
 
-TEST(SelectionEdits, APlainWeaveTiledOverTheDrawdown) {
+TEST(SelectionEdits, APlainWeaveRepeatedOverTheDrawdown) {
   Design d = twill_design();
   d = with_block(std::move(d), BitGrid::kDrawdown, 0, 0, matrix_of({"10", "01"}), Write::kInside);
   d = with_repeated(std::move(d), {BitGrid::kDrawdown, 0, 2, 0, 2}, RepeatExtent::kAll);
   EXPECT_EQ(cloth(d), (Rows{"101010", "010101", "101010", "010101", "101010"}));
 }
 
-TEST(SelectionEdits, AnEmptyOrForeignSelectionChangesNothing) {
+TEST(SelectionEdits, AnEmptyOrInvalidSelectionChangesNothing) {
   const Design d = twill_design();
   for (const Selection& s : {Selection{}, Selection{BitGrid::kThreading, 9, 12, 0, 4},
                              Selection{BitGrid::kTieup, 3, 1, 0, 4}, Selection{BitGrid::kDrawdown, -5, 0, 0, 4}}) {
@@ -187,7 +187,7 @@ TEST(SelectionEdits, AnEmptyOrForeignSelectionChangesNothing) {
   }
 }
 
-TEST(SelectionEdits, EveryEditKeepsADraftConsistentAndTwiceIsWhereItBegan) {
+TEST(SelectionEdits, EditsKeepADraftConsistentAndMirrorsAreInvolutions) {
   std::mt19937 random(20261121);
   for (int round = 0; round < 200; ++round) {
     Design d;
@@ -207,7 +207,7 @@ TEST(SelectionEdits, EveryEditKeepsADraftConsistentAndTwiceIsWhereItBegan) {
   }
 }
 
-TEST(BlockText, ComesBackAsItWent) {
+TEST(BlockText, RoundTrips) {
   const CellBlock block{BitGrid::kTreadling, matrix_of({"1010", "0000", "0111"})};
   EXPECT_EQ(block_text(block), "weftlight cells: treadling, 4 x 3\n#.#.\n....\n.###\n");
   EXPECT_EQ(read_block_text(block_text(block)).block, block);
@@ -218,7 +218,7 @@ TEST(BlockText, ComesBackAsItWent) {
   EXPECT_EQ(block_text({BitGrid::kDrawdown, BitMatrix(4096, 1025)}), "");
 }
 
-TEST(BlockText, TakesWhatPeopleAndSpreadsheetsWrite) {
+TEST(BlockText, AcceptsHandwrittenAndSpreadsheetText) {
   const BitMatrix cells = matrix_of({"1001", "0110"});
   for (const char* text :
        {"1001\n0110\n", "#..#\r\n.##.\r\n", "X--X\r-xx-", "1 0 0 1\n0 1 1 0\n", "1\t0\t0\t1\n0\t1\t1\t0\n\n",
@@ -230,7 +230,7 @@ TEST(BlockText, TakesWhatPeopleAndSpreadsheetsWrite) {
   }
 }
 
-TEST(BlockText, RefusesWithAReason) {
+TEST(BlockText, RejectsWithAReason) {
   for (const std::string& text :
        {std::string(), std::string("\n\n"), std::string("Dear weaver"), std::string("weftlight cells: "),
         std::string("weftlight cells: warp, 2 x 2\n##\n##\n"), std::string("weftlight cells: threading, 9 x 9\n"),

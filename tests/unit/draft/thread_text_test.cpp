@@ -18,7 +18,7 @@ Design striped() {
 
 constexpr int kAll[] = {0, 1, 2, 3, 4, 5};
 
-TEST(ThreadText, ColoursGoToOtherThreadsAloneAndOverAndOver) {
+TEST(ThreadText, ColoursArePastedAloneAndRepeated) {
   const Design d = striped();
   const std::string text = color_text(d.draft, System::kWarp, std::vector<int>{0, 1, 3});
   EXPECT_EQ(text, "weftlight colours: #10357A #000000 #FFFFFF\n");
@@ -30,7 +30,7 @@ TEST(ThreadText, ColoursGoToOtherThreadsAloneAndOverAndOver) {
   EXPECT_EQ(pasted.draft.palette, d.draft.palette);
 }
 
-TEST(ThreadText, AColourThatAnotherDraftLacksJoinsItsPalette) {
+TEST(ThreadText, AMissingColourIsAddedToThePalette) {
   Design other;
   other.draft = blank_draft(4, 4, 2, 2);
   const ThreadPropertiesRead read = read_thread_properties(color_text(striped().draft, System::kWarp, kAll));
@@ -52,7 +52,7 @@ TEST(ThreadText, ThicknessesComeBackExactly) {
   EXPECT_EQ(pasted.draft.weft.color, d.draft.weft.color);
 }
 
-TEST(ThreadText, AnythingElseIsRefusedWithAReason) {
+TEST(ThreadText, OtherTextIsRejectedWithAReason) {
   for (const char* text : {"", "1010\n0101", "weftlight colours:", "weftlight colours: #12345",
                            "weftlight colours: #12345G", "weftlight thickness: 0.5 thick", "weftlight thickness: -3",
                            "weftlight thickness: nan", "weftlight thickness: 1e30", "weftlight cells: threading\n#."}) {

@@ -36,7 +36,7 @@ int longest_run_down(const BitMatrix& m, bool of) {
   return longest;
 }
 
-TEST(WeaveTable, EveryWeaveMakesADraftWithItsFirstNumbersAndAtTheirEnds) {
+TEST(WeaveTable, EveryWeaveMakesADraftWithDefaultAndExtremeParameters) {
   std::set<std::string> ids;
   for (const WeaveKind& kind : weave_kinds()) {
     EXPECT_TRUE(ids.insert(kind.id).second) << kind.id;
@@ -57,7 +57,7 @@ TEST(WeaveTable, EveryWeaveMakesADraftWithItsFirstNumbersAndAtTheirEnds) {
   }
 }
 
-TEST(WeaveTable, WildTextMakesADraftAndSaysWhatWasWrong) {
+TEST(WeaveTable, InvalidTextMakesADraftAndIsReported) {
   std::mt19937 random(5);
   for (const WeaveKind& kind : weave_kinds())
     for (int round = 0; round < 8; ++round) {
@@ -71,7 +71,7 @@ TEST(WeaveTable, WildTextMakesADraftAndSaysWhatWasWrong) {
     }
 }
 
-TEST(WeaveTable, TheRepeatOfAWeaveIsItsOwn) {
+TEST(WeaveTable, RepeatOfAWeave) {
   const ClothSize twill = repeat_of(*find_weave("twill"), {{"ratio", "3/1/1/3"}});
   EXPECT_EQ(twill.ends, 8);
   EXPECT_EQ(twill.picks, 8);
@@ -91,19 +91,19 @@ TEST(WeaveTable, WholeRepeatsFitEveryWeave) {
     const Repeat found = design_repeat(design, drawdown(design.draft));
     EXPECT_EQ(size.ends % found.ends, 0) << kind.id;
     EXPECT_EQ(size.picks % found.picks, 0) << kind.id;
-    EXPECT_LE(found.ends, repeat.ends) << kind.id << " does not close at its edge";
-    EXPECT_LE(found.picks, repeat.picks) << kind.id << " does not close at its edge";
+    EXPECT_LE(found.ends, repeat.ends) << kind.id << " does not repeat at its edge";
+    EXPECT_LE(found.picks, repeat.picks) << kind.id << " does not repeat at its edge";
   }
 }
 
-TEST(WeaveTable, SizesAreWholeRepeatsNearWhatWasAsked) {
+TEST(WeaveTable, SizesAreWholeRepeatsNearTheRequest) {
   EXPECT_EQ(whole_repeats({14, 8}, {48, 48}).ends, 42);
   EXPECT_EQ(whole_repeats({14, 8}, {50, 3}).ends, 56);
   EXPECT_EQ(whole_repeats({14, 8}, {50, 3}).picks, 8);
   EXPECT_EQ(whole_repeats({0, 0}, {50, 3}).ends, 50);
 }
 
-TEST(WeaveTable, ANewDraftKeepsItsNumbersAndIsWovenOverByOthers) {
+TEST(WeaveTable, ANewDraftKeepsItsParametersUntilAnotherWeaveCoversIt) {
   const GeneratedWeave made = new_draft(*find_weave("herringbone"), {{"band", "12"}}, {48, 24});
   EXPECT_EQ(made.why, "");
   EXPECT_NE(made.design.draft.warp.color[0], made.design.draft.weft.color[0]);
@@ -112,19 +112,19 @@ TEST(WeaveTable, ANewDraftKeepsItsNumbersAndIsWovenOverByOthers) {
   EXPECT_EQ(with_weave(made.design, made.design.weaves[0]).design, made.design);
 }
 
-TEST(Satin, OtherShaftsBringTheStepAlong) {
+TEST(Satin, ChangingTheShaftsChangesTheStep) {
   const WeaveKind& satin = *find_weave("satin");
   const auto brought = [&](const char* shafts, const char* step) {
     const WeaveValues v = allowed_values(satin, {{"shafts", shafts}, {"step", step}});
     return v[1].second + " by " + v[2].second;
   };
-  EXPECT_EQ(brought("8", "4"), "8 by 3") << "4 would fall back to the first end after two picks";
+  EXPECT_EQ(brought("8", "4"), "8 by 3") << "4 would return to the first end after two picks";
   EXPECT_EQ(brought("5", "5"), "5 by 3");
   EXPECT_EQ(brought("6", "3"), "5 by 3");
   EXPECT_EQ(brought("100", "7"), "64 by 7");
 }
 
-TEST(Satin, HasOnlyStepsThatMakeOne) {
+TEST(Satin, HasOnlyValidSteps) {
   EXPECT_EQ(satin_steps(5), (std::vector<int>{2, 3}));
   EXPECT_EQ(satin_steps(8), (std::vector<int>{3, 5}));
   EXPECT_TRUE(satin_steps(6).empty());
@@ -166,11 +166,11 @@ TEST(Network, StaysOnTheNetworkAndFollowsTheLine) {
     const int above = (draw[e] - line[e] % 8 + 8) % 8;
     EXPECT_LT(above, 4) << "the first shaft at or above the line";
   }
-  // A flat line is the initial by itself.
+  // A flat line gives the initial itself.
   EXPECT_EQ(network_threading(initial, {0, 0, 0, 0, 0}, 8), (std::vector<int>{0, 1, 2, 3, 0}));
 }
 
-TEST(Crackle, NeverPutsTwoEndsOfOneParityTogether) {
+TEST(Crackle, AdjacentEndsAlternateOddAndEven) {
   for (const char* profile : {"A2 B2 C2 D2 C2 B2", "A C B D", "ADCB"}) {
     const Design d = find_weave("crackle")->make({{"profile", profile}, {"picks", "2"}}, {400, 8}).design;
     for (int e = 1; e < 100; ++e)
@@ -178,30 +178,30 @@ TEST(Crackle, NeverPutsTwoEndsOfOneParityTogether) {
   }
 }
 
-TEST(Substitution, SummerAndWinterAsItsOwnFamilyMakesIt) {
+TEST(Substitution, SummerAndWinterEqualsItsOwnGenerator) {
   const auto& unit = block_templates()[0];
   const std::vector<int> blocks = {0, 1, 1, 0};
   const Design by_template = substituted(unit, blocks, {}, {16, 16}).design;
   EXPECT_EQ(by_template.draft.shafts, 4);
-  // On the threads of a marked block the pattern shafts stay down in pattern picks: weft floats of three.
+  // Pattern picks leave the pattern shafts of a marked block down: weft floats of three.
   const Rows rows = woven(by_template);
-  EXPECT_EQ(rows[0].substr(0, 4), "1000") << "block A is marked: its tie-down alone is up";
-  EXPECT_EQ(rows[0].substr(4, 4), "1101") << "block B is not";
+  EXPECT_EQ(rows[0].substr(0, 4), "1000") << "block A is marked: only its tie-down end is up";
+  EXPECT_EQ(rows[0].substr(4, 4), "1101") << "block B is not marked";
   EXPECT_EQ(rows[1].substr(0, 8), "10101010") << "tabby";
 }
 
-TEST(Substitution, AnOwnTemplateAndWhatIsWrongWithIt) {
+TEST(Substitution, UserTemplatesAndTheirErrors) {
   const BlockTemplate own{"own", "Own", 0, "a b", "a b"};
   EXPECT_EQ(woven(substituted(own, {0}, {}, {4, 2}).design), (Rows{"1010", "0101"}));
   EXPECT_FALSE(substituted({"own", "Own", 0, "1 2", "a"}, {0}, {}, {4, 2}).why.empty());
   EXPECT_FALSE(substituted({"own", "Own", 0, "", ""}, {0}, {}, {4, 2}).why.empty());
 }
 
-TEST(DoubleCloth, WeavesEachLayerAndLeavesTheOtherOut) {
+TEST(DoubleCloth, EachLayerWeavesIndependently) {
   const Rows rows = woven(double_cloth(DoubleCloth::kLayers, {1, 1}, {4, 4}));
   EXPECT_EQ(rows, (Rows{"1000", "1011", "0010", "1110"}));
   const Rows wide = woven(double_cloth(DoubleCloth::kDoubleWidth, {1, 1}, {4, 4}));
-  EXPECT_EQ(wide, (Rows{"1000", "1011", "1110", "0010"})) << "above, below, below, above";
+  EXPECT_EQ(wide, (Rows{"1000", "1011", "1110", "0010"})) << "upper, lower, lower, upper";
 }
 
 TEST(Picture, ColoursAreReducedDarkToLight) {
@@ -211,7 +211,7 @@ TEST(Picture, ColoursAreReducedDarkToLight) {
   ASSERT_EQ(r.palette.size(), 2u);
   EXPECT_LT(r.palette[0].r, r.palette[1].r);
   EXPECT_EQ(r.index, (std::vector<int>{0, 0, 1, 1, 0, 0, 1, 1}));
-  EXPECT_EQ(reduced_colors(picture, 9).palette.size(), 2u) << "there are no more";
+  EXPECT_EQ(reduced_colors(picture, 9).palette.size(), 2u) << "the picture has no more";
 }
 
 TEST(Picture, FloatsAreBoundedOnBothFaces) {
@@ -219,7 +219,7 @@ TEST(Picture, FloatsAreBoundedOnBothFaces) {
   for (int round = 0; round < 40; ++round) {
     const int longest = 3 + static_cast<int>(random() % 6);
     BitMatrix cells(40 + static_cast<int>(random() % 30), 40 + static_cast<int>(random() % 30));
-    // Blots: large plain areas, the worst there is.
+    // Large plain areas, the worst case.
     for (int r = 0; r < cells.rows(); ++r)
       for (int c = 0; c < cells.cols(); ++c) cells.set(r, c, (r / 13 + c / 17 + round) % 2 == 0);
     const BitMatrix bound = with_bounded_floats(cells, longest);
@@ -250,7 +250,7 @@ Pixels drawn(int kind, int width, int height) {
   return out;
 }
 
-TEST(Picture, OfAnyKindKeepsTheLimitOfFloats) {
+TEST(Picture, AnyPictureKeepsTheLimitOfFloats) {
   constexpr int kSizes[][2] = {{40, 40}, {97, 61}, {13, 17}, {8, 8}, {5, 90}, {150, 110}};
   for (int kind = 0; kind < 6; ++kind)
     for (const auto& [width, height] : kSizes)
@@ -265,7 +265,7 @@ TEST(Picture, OfAnyKindKeepsTheLimitOfFloats) {
           }
 }
 
-TEST(Picture, DarkIsWarpFacedAndPlainWeaveOfFloatsOfOne) {
+TEST(Picture, DarkIsWarpFacedAndFloatsOfOneArePlainWeave) {
   const BitMatrix shaded = picture_weave(drawn(0, 80, 80), {5, 7, 8});
   const auto warp_up = [&](int from, int to) {
     int up = 0;
@@ -289,7 +289,7 @@ TEST(Picture, BecomesAJacquardDraft) {
   EXPECT_EQ(drawdown(design->draft), cells);
 }
 
-TEST(Place, OverAllThreadsAWeaveBecomesTheDraftAndItsNumbersCanBeChanged) {
+TEST(ApplyWeave, OverAllThreadsReplacesTheDraftAndKeepsItsParameters) {
   Design d = with_size(Design{}, 24, 24, 2, 2);
   d.title = "Mine";
   const GeneratedWeave made = with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 0, 24, 0, 24));
@@ -306,7 +306,7 @@ TEST(Place, OverAllThreadsAWeaveBecomesTheDraftAndItsNumbersCanBeChanged) {
   EXPECT_EQ(changed.design.draft.warp.color, d.draft.warp.color);
 }
 
-TEST(Place, OverSomeThreadsTheRestStaysAsItIs) {
+TEST(ApplyWeave, OverSomeThreadsKeepsTheRest) {
   const Design d = with_weave(with_size(Design{}, 24, 24, 2, 2), use_of("plain", {}, 0, 24, 0, 24)).design;
   const GeneratedWeave made = with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 8, 8, 4, 8));
   EXPECT_EQ(made.why, "");
@@ -319,13 +319,13 @@ TEST(Place, OverSomeThreadsTheRestStaysAsItIs) {
   EXPECT_EQ(made.design.draft.threading.first(1), 1);
 }
 
-TEST(Place, SaysWhyNot) {
+TEST(ApplyWeave, SaysWhyNot) {
   const Design d = with_size(Design{}, 24, 24, 2, 2);
   EXPECT_FALSE(with_weave(d, use_of("nonsense", {}, 0, 24, 0, 24)).why.empty());
   EXPECT_FALSE(with_weave(d, use_of("plain", {}, 30, 4, 0, 24)).why.empty());
 }
 
-TEST(Place, OnASinkingShedAndByLiftplan) {
+TEST(ApplyWeave, OnASinkingShedAndByLiftplan) {
   Design d = with_rising(with_size(Design{}, 12, 12, 2, 2), false);
   const BitMatrix wanted = drawdown(twill({3, 1}, Lean::kRight, {12, 12}).draft);
   EXPECT_EQ(drawdown(with_weave(d, use_of("twill", {{"ratio", "3/1"}}, 0, 12, 0, 12)).design.draft), wanted);
@@ -335,8 +335,8 @@ TEST(Place, OnASinkingShedAndByLiftplan) {
   EXPECT_EQ(plan.draft.shed_control, ShedControl::kLiftplan);
 }
 
-// Found by the fuzzer: two layers of 3,290 shafts each are no loom's.
-TEST(WeaveTable, RatiosOfManyShaftsMakeSoundDraftsAndSayWhatWasTaken) {
+// Found by the fuzzer: two layers of 3,290 shafts each exceed the limit.
+TEST(WeaveTable, RatiosOfManyShaftsMakeConsistentDraftsAndAreReported) {
   for (const WeaveKind& kind : weave_kinds()) {
     if (std::ranges::none_of(kind.parameters,
                              [](const WeaveParameter& n) { return std::string_view(n.id) == "ratio"; }))

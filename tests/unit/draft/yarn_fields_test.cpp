@@ -1,4 +1,4 @@
-// One table for a yarn's numbers: what the docs say of them is what the program does.
+// The table of a yarn's parameters, and that docs/yarns.md agrees with it.
 
 #include "draft/yarn_fields.h"
 
@@ -46,7 +46,7 @@ void expect_sound(const FieldFacts& f, float usual, std::set<std::string>& seen)
   EXPECT_GT(std::string(f.source).size(), 4u) << f.key;
 }
 
-TEST(YarnFields, DocsHoldTheTable) {
+TEST(YarnFields, DocsContainTheTable) {
   std::ifstream file(WEFTLIGHT_SOURCE_DIR "/docs/yarns.md");
   std::stringstream docs;
   docs << file.rdbuf();
@@ -61,7 +61,7 @@ TEST(YarnFields, RangesHoldTheDefaultsAndTheSliders) {
   for (const YarnField<Lobes>& f : kLobeFields) expect_sound(f.facts, yarn.lobes.*f.member, seen);
 }
 
-TEST(YarnFields, AreHeldInTheirRanges) {
+TEST(YarnFields, AreClampedToTheirRanges) {
   for (const YarnField<Lobes>& f : kLobeFields) {
     for (const float wild : {-1e30f, 1e30f, std::numeric_limits<float>::quiet_NaN()}) {
       Lobes lobes;

@@ -1,11 +1,11 @@
-// Whole cloths: weave, sett of the finished cloth, yarns by count. presets/cloths holds what these give.
+// Whole cloths: weave, sett of the finished cloth, yarns by count. Their output is presets/cloths.
 //
 // Setts are customary constructions (J. J. Pizzuto, Fabric Science; S. Adanur, Handbook of Weaving, 2001), and counts
-// those that such cloths are woven of at them: denim 14 oz of Ne 6 by Ne 5; chambray and chintz of Ne 40, 112 by 90 an
+// are the usual ones at these setts: denim 14 oz of Ne 6 by Ne 5; chambray and chintz of Ne 40, 112 by 90 an
 // inch; oxford, two ends of Ne 40 by Ne 14, 2 x 53 by 63; gabardine of Nm 60/2, 2 : 1; tweed of woollen Nm 5.6
 // (Harris); flannel of woollen Nm 15; linen of lea 25, table damask on five shafts of lea 40. Silks are raw silk of
-// 20/22 denier, so many threads together, as the trade describes cloth of 14 to 36 momme; boiled off they lose 24 %
-// (sericin is 22 to 25 % of raw silk: J. G. Cook, Handbook of Textile Fibres, 1984). How thick each thread stands in
+// 20/22 denier, several threads together, as usual for cloth of 14 to 36 momme; boiled off they lose 24 %
+// (sericin is 22 to 25 % of raw silk: J. G. Cook, Handbook of Textile Fibres, 1984). The thickness of the threads in
 // the finished cloth is by eye; docs/measured.md holds the weights.
 
 #include <cmath>
@@ -18,11 +18,11 @@
 namespace weftlight::wif {
 namespace {
 
-constexpr float kReeled = 4;         // silk from the cocoon, unlike the library's, which is spun
-constexpr float kBoiledOff = 0.76f;  // of raw silk's weight, without its gum
+constexpr float kReeled = 4;         // reeled silk; the preset is spun silk
+constexpr float kBoiledOff = 0.76f;  // weight after degumming over that of raw silk
 
-/// The preset spun to a count, so thick in the finished cloth (washing and milling open its yarns, and threads that
-/// touch close it); `turns` a metre, of singles.
+/// The preset spun to a count, with the given thickness in the finished cloth (washing and milling open yarns, contact
+/// between threads closes them); `turns` per metre, of the singles.
 Yarn spun(const char* preset, const char* name, const char* count, float diameter_mm, float turns, int plies = 1) {
   Yarn yarn = yarn_preset(preset);
   yarn.name = std::string(name) + " " + count;
@@ -38,14 +38,14 @@ Yarn boiled_off(Yarn yarn) {
   return yarn;
 }
 
-/// Threads of finished cloth a centimetre.
+/// Sett of the finished cloth, threads per centimetre.
 Design set_at(Design design, float ends_per_cm, float picks_per_cm) {
   design.draft.warp.spacing_mm.assign(design.draft.warp.color.size(), 10 / ends_per_cm);
   design.draft.weft.spacing_mm.assign(design.draft.weft.color.size(), 10 / picks_per_cm);
   return design;
 }
 
-/// Shown on that form.
+/// Shown on that mesh.
 Design worn(Design design, const char* mesh, float azimuth, float elevation, float distance = 1) {
   design.scene.mesh = mesh;
   design.scene.view_azimuth = azimuth, design.scene.view_elevation = elevation;
@@ -53,19 +53,19 @@ Design worn(Design design, const char* mesh, float azimuth, float elevation, flo
   return design;
 }
 
-/// Lit from there.
+/// Direction of the key light.
 Design lit(Design design, float azimuth, float elevation) {
   design.scene.light_azimuth = azimuth, design.scene.light_elevation = elevation;
   return design;
 }
 
-// The measured cloths (tests/measured). Sett, thickness and dye are free within what such cloths have, and were fitted
-// together with the lobes; yarn_presets.cpp keeps the lobes.
+// The measured cloths (tests/measured). Sett, thickness and dye vary within the usual range of such cloths and were
+// fitted together with the lobes; yarn_presets.cpp keeps the lobes.
 
-/// Linear-light reflectance as the palette holds it.
+/// Linear reflectance as a palette colour.
 Rgb dye(float r, float g, float b) {
   const auto channel = [](float v) { return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; };
-  // In 255ths, as plain WIF keeps them.
+  // In steps of 1/255, as in plain WIF.
   const auto whole = [&](float v) { return std::round(255 * channel(v)) / 255; };
   return {whole(r), whole(g), whole(b)};
 }
@@ -74,11 +74,11 @@ Yarn fitted(const char* preset, const char* name, const char* count, float diame
   Yarn yarn = spun(preset, name, count, diameter_mm, turns);
   yarn.flattening = flattening;
   yarn.twist = Twist::kZ;
-  yarn.unevenness = 0;  // as it was fitted
+  yarn.unevenness = 0;  // as in the fit
   return yarn;
 }
 
-/// In two dyes, threads so far apart (mm).
+/// In two colours, with the given spacings (mm).
 Design measured(Design d, Rgb warp_dye, Rgb weft_dye, const Yarn& warp, const Yarn& weft, float ends_mm,
                 float picks_mm) {
   d = with_colors(std::move(d), {warp_dye, weft_dye}, {{0, 1}}, {{1, 1}});
@@ -120,7 +120,7 @@ Design polyester_charmeuse() {
   weft.groove_depth = 0.049f;
   weft.lobes.specular = 1, weft.lobes.along_width = 0.103f, weft.lobes.across_width = 0.0585f, weft.lobes.layers = 16,
   weft.lobes.inner = 0.0148f, weft.lobes.body = 1;
-  // Set so close that it is opaque, as charmeuse is.
+  // So close a sett that it is opaque, as charmeuse is.
   return titled(
       worn(measured(make_design(crowfoot, {16, 16}), rose, rose, warp, weft, 0.161f, 0.388f), "skirt", 15, 12),
       "Polyester satin charmeuse, measured",
@@ -159,11 +159,10 @@ Design denim() {
   Yarn warp = spun("Cotton", "Ring-spun cotton", "Ne 6", 0.376f, 560),
        weft = spun("Cotton", "Cotton", "Ne 5", 0.406f, 480);
   warp.twist = weft.twist = Twist::kZ;
-  // Indigo stays on the outside of rope-dyed ends, and wears off where they stand proud: light and dark along and
-  // between.
+  // Indigo stays on the outside of rope-dyed ends and wears off where they protrude: variation along and between ends.
   warp.irregularity = 0.07f, warp.melange = 0.4f, warp.fibre_um = 35;
   weft.irregularity = 0.05f;
-  // Ring-spun with slubs on purpose, as denim is.
+  // Ring-spun with intended slubs, as denim is.
   warp.unevenness = 26, weft.unevenness = 20;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
   return titled(worn(std::move(d), "shirt", 20, 10, 0.8f), "Denim",
@@ -224,7 +223,7 @@ Design flannel() {
   Design d = with_colors(twill({2, 2}, Lean::kRight, {128, 128}), palette({0x9b9ea4, 0x9b9ea4}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Wool", "Woollen", "Nm 15", 0.366f, 250);
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.unevenness = 20, yarn.melange = 0.8f;
-  d.finish.raised = 1;  // a nap over the weave
+  d.finish.raised = 1;  // napped
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
   return titled(worn(std::move(d), "tunic", 25, 10, 0.8f), "Flannel",
                 {"2/2 twill of grey melange, woollen Nm 15, 19 by 17 a centimetre, milled and raised."});
@@ -283,7 +282,7 @@ Design damask() {
   Design d = with_colors(figured_damask(), palette({0xf3efe4, 0xe7e0cf}), {{0, 1}}, {{1, 1}});
   Yarn yarn = spun("Linen", "Bleached linen", "40 lea", 0.238f, 480);
   yarn.irregularity = 0.03f, yarn.fibre_um = 30, yarn.groove_depth = 0.3f;
-  // Beetled and calendered: flat threads that shine along themselves.
+  // Beetled and calendered: flat threads, glossy along their length.
   yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
   return titled(

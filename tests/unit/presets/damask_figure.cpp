@@ -1,5 +1,5 @@
-// The figure of presets/cloths/damask.wif: an ogee lattice, half a drop of it, with a rosette and a lily in its fields.
-// It is its own mirror both ways, so that a quarter of it says which blocks of five shafts lift.
+// The figure of presets/cloths/damask.wif: a half-drop ogee lattice with a rosette and a lily in its fields. It is
+// symmetric in both directions, so that a quarter of it gives the blocks of five shafts.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kAcross = 48, kUp = 64;  // units of five threads in a quarter of the figure
-constexpr float kSquash = 0.8f;        // flowers stand a little taller than wide
+constexpr float kSquash = 0.8f;        // flowers are a little taller than wide
 constexpr float kFlower = 30;          // radius, units
 
 struct Polar {
@@ -21,14 +21,14 @@ struct Polar {
 };
 Polar polar(float x, float y) { return {std::hypot(x, kSquash * y), std::atan2(kSquash * y, x)}; }
 
-/// 1 in the middle of one of `count` petals, 0 between two; `turn` in petals.
+/// 1 in the middle of one of `count` petals, 0 between two; `turn`: rotation in petals.
 float petal(float angle, float count, float turn = 0) {
   const float at = angle * count / (2 * kPi) + turn;
   return 1 - 2 * std::abs(at - std::round(at));
 }
 
-/// The stem of the ogee, so many units within it (negative: outside), at a height of 0 to 1: a thick line, a thin one
-/// beside it, three leaves on its inner side.
+/// The stem of the ogee at a distance inside it (units; negative: outside) and a height of 0 to 1: a thick line, a thin
+/// line beside it, three leaves on the inner side.
 bool stem(float inside, float height) {
   const float along = height * 3 - std::floor(height * 3);
   const float leaf = 1.5f + 8 * std::sin(kPi * along) * std::pow(along, 0.6f);
@@ -56,7 +56,7 @@ bool lily(Polar at) {
   return r < std::max(0.34f + 0.66f * std::pow(wide, 1.1f), 0.2f + 0.42f * std::pow(between, 1.6f));
 }
 
-/// Whether the figure is at that unit of the quarter, counted from its middle.
+/// Whether the figure covers that unit of the quarter, counted from its middle.
 bool figured(int column, int row) {
   const float x = static_cast<float>(column) + 0.5f, y = static_cast<float>(row) + 0.5f;
   const float turn = kPi * y / kUp, edge = kAcross / 2.0f * (1 + std::cos(turn));
@@ -65,7 +65,7 @@ bool figured(int column, int row) {
          (x < edge ? rosette(polar(x, y)) : lily(polar(kAcross - x, kUp - y)));
 }
 
-/// Shafts or treadles in turn, five to a unit: up a quarter and back.
+/// Shafts or treadles in order, five per unit: forwards through a quarter and back.
 std::vector<int> there_and_back(int units) {
   std::vector<int> out;
   for (int unit = 0; unit < 2 * units; ++unit)

@@ -1,5 +1,5 @@
-// The shipped drafts and yarns are what their recipes give, and cloth that a weaver would weave.
-// WEFTLIGHT_UPDATE_PRESETS=1 writes the files anew.
+// The shipped drafts and yarns equal the output of their recipes, and are sound cloth.
+// WEFTLIGHT_UPDATE_PRESETS=1 rewrites the files.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ std::string presets_path(const std::string& path) {
 
 bool updating() { return std::getenv("WEFTLIGHT_UPDATE_PRESETS") != nullptr; }
 
-TEST(Presets, FilesAreWhatTheRecipesGive) {
+TEST(Presets, FilesEqualTheRecipes) {
   for (const PresetRecipe& recipe : preset_recipes()) {
     const std::string path = presets_path(recipe.path), bytes = write_new_wif(recipe.design);
     if (updating()) {
@@ -51,7 +51,7 @@ analysis::ClothHandle hand_of(const std::string& cloth) {
 
 struct UsualCloth {
   const char *name, *said;
-  int least, most;  // g/m2 of such cloths in the trade
+  int least, most;  // usual weight of such cloths, g/m2
   const char* hang;
 };
 // Cottons and wools: J. J. Pizzuto's Fabric Science, the mills' own lists in ounces a square yard (33.9 g/m2); silks in
@@ -78,7 +78,7 @@ constexpr UsualCloth kUsual[] = {
     {"ottoman", "furnishing", 250, 420, "medium"},
 };
 
-TEST(Presets, YarnsOfClothsAreOfTheirOwnFibre) {
+TEST(Presets, YarnsOfClothsHaveTheirFibre) {
   for (const PresetRecipe& recipe : cloth_recipes()) {
     for (const Yarn& yarn : recipe.design.yarns) {
       const std::string fibre = yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name;
@@ -96,7 +96,7 @@ TEST(Presets, YarnsOfClothsAreOfTheirOwnFibre) {
   }
 }
 
-TEST(Presets, ClothsWeighAndHangAsSuchClothsDo) {
+TEST(Presets, ClothsHaveUsualWeightAndBendingLength) {
   std::ifstream file(WEFTLIGHT_SOURCE_DIR "/docs/measured.md");
   std::stringstream docs;
   docs << file.rdbuf();
@@ -118,7 +118,7 @@ TEST(Presets, ClothsWeighAndHangAsSuchClothsDo) {
             }));
 }
 
-TEST(Presets, FilesReadWithoutAComplaint) {
+TEST(Presets, FilesReadWithoutDiagnostics) {
   for (const PresetRecipe& recipe : preset_recipes()) {
     const WifRead read = read_wif(read_file(presets_path(recipe.path)).bytes);
     ASSERT_TRUE(read.file) << recipe.path;
@@ -148,9 +148,9 @@ TEST(Presets, AreSoundCloth) {
     const LongestFloats f = longest_floats(cells);
     const auto [least, most] = std::minmax({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
     EXPECT_GE(least, 1) << recipe.path << ": a thread is never bound";
-    EXPECT_LE(most, 8) << recipe.path << ": a float would catch";
+    EXPECT_LE(most, 8) << recipe.path << ": a float would snag";
     EXPECT_LE(weave_layers(cells).size(), 1u) << recipe.path;
-    // The sheet of the draft holds whole repeats, so that it can be laid side by side.
+    // The draft has whole repeats, so that it can be tiled.
     const Repeat r = design_repeat(d, cells);
     EXPECT_EQ(d.draft.ends() % r.ends, 0);
     for (const System system : {System::kWarp, System::kWeft}) {

@@ -21,27 +21,27 @@ Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float opennes
   return with_sett(with_yarns(std::move(design), warp, weft), openness);
 }
 
-// The preset spun heavier: the angle of the fibres, hence the look, stays.
+// The preset spun heavier, with the same twist angle and appearance.
 Yarn heavy(Yarn yarn, float diameter_mm) {
   const float scale = diameter_mm / yarn.diameter_mm;
   yarn = with_thickness(std::move(yarn), diameter_mm);
   yarn.name = "Heavy " + yarn.name;
   yarn.name[6] = static_cast<char>(std::tolower(static_cast<unsigned char>(yarn.name[6])));
   yarn.turns_per_m = std::round(yarn.turns_per_m / scale);
-  yarn.fibre_um = std::round(yarn.fibre_um * std::sqrt(scale));  // grooves widen and grow in number alike
+  yarn.fibre_um = std::round(yarn.fibre_um * std::sqrt(scale));  // grooves get wider and more numerous
   return yarn;
 }
 
-// Colours mix in linear light, where a warm weft would turn the deep blue grey: the weft is a cool one.
-// Deep water at the edges, pale at the heart, a line of gold between the stars.
+// A cool weft: colours mix in linear light, and a warm weft would turn the deep blue grey. The stars are dark at the
+// edges and pale in the centre, with a golden line between them.
 Design starter() {
   constexpr int kRepeat = 70;  // ends and picks of one star
   Design d = undulating_twill({3, 2, 1, 2}, 2, true, {kRepeat, kRepeat});
   d = with_colors(std::move(d), palette({0x10357a, 0x125f9c, 0x2496a8, 0x7cc4bd, 0xe6b04a, 0xd6e7ea}),
                   {{4, 1}, {0, 10}, {1, 10}, {2, 9}, {3, 11}, {2, 9}, {1, 10}, {0, 10}}, {{5, 1}});
-  // A throw's yarns: a star is a hand wide, and is seen across a table.
+  // Heavy yarns: a star is about 10 cm wide and visible across a table.
   d = in_yarns(std::move(d), heavy(yarn("Mercerised cotton"), 1.2f), heavy(yarn("Silk"), 1.1f));
-  // Near enough that the first sight shows the stars, with the table's edge and its folds.
+  // Close enough to show the stars, with the edge of the table and the folds.
   d.scene.view_distance = 0.62f;
   d.scene.view_elevation = 26;
   d.scene.pan_y = -0.08f;
@@ -170,7 +170,7 @@ Design summer_winter() {
                 {"Two blocks, light on the one face where dark on the other."});
 }
 
-// Two plain weaves, dark and light, one on the other; in squares they change places, and each square is a pocket.
+// Double cloth of two plain weaves, dark and light, that are exchanged in squares; each square is a pocket.
 // Two blocks of four shafts: dark, light, dark, light.
 Design double_weave() {
   constexpr int kSquare = 24;  // threads of a square, half of them on each face
@@ -188,7 +188,7 @@ Design double_weave() {
   for (int p = 0; p < 2 * kSquare; ++p) recipe.treadling.push_back(p / kSquare * 4 + p % 4);
   Design d = with_colors(make_design(recipe, {4 * kSquare, 4 * kSquare}), palette({0x24385c, 0xe8d9b5}),
                          {{0, 1}, {1, 1}}, {{0, 1}, {1, 1}});
-  // Each layer at the sett of a plain weave of its own.
+  // Each layer has the sett of a plain weave.
   const Design alone = in_yarns(plain({2, 2}), yarn("Cotton"), yarn("Cotton"));
   d = with_yarns(std::move(d), yarn("Cotton"), yarn("Cotton"));
   for (const System system : {System::kWarp, System::kWeft})
@@ -234,7 +234,7 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/summer_and_winter.wif", summer_winter()},
       {"drafts/double_weave.wif", double_weave()},
   };
-  // What the chart and the pictures that tests keep are measured on is spun evenly.
+  // Even yarns in the drafts of the chart and of golden images.
   for (PresetRecipe& recipe : all)
     for (Yarn& yarn : recipe.design.yarns) yarn.unevenness = 0;
   for (const Yarn& preset : yarn_presets()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});

@@ -1,5 +1,5 @@
 #pragma once
-// How each shipped draft is made. presets/drafts and presets/yarns hold what these give; a test compares.
+// Recipes of the shipped drafts. Their output is presets/drafts and presets/yarns; a test compares.
 
 #include <initializer_list>
 #include <string>
@@ -16,9 +16,9 @@ struct PresetRecipe {
   Design design;
 };
 std::vector<PresetRecipe> preset_recipes();
-/// Those of presets/cloths, which are among them.
+/// Only those of presets/cloths.
 std::vector<PresetRecipe> cloth_recipes();
-/// Satin on five shafts, warp-faced where a figure of flowers in an ogee is: 480 ends by 640 picks, no colours.
+/// Five-shaft satin, warp-faced in the figure (flowers in an ogee lattice): 480 ends by 640 picks, without colours.
 Design figured_damask();
 
 /// 0xRRGGBB, sRGB as in a palette.

@@ -1,4 +1,4 @@
-// Printed drafts: how many sheets, what they are, and that odd drafts print too.
+// Printed drafts: number and content of the sheets, and extreme drafts.
 
 #include "print/print.h"
 
@@ -27,11 +27,11 @@ TEST(Print, APdfOfASmallDraftIsADraftSheetAndLists) {
   EXPECT_EQ(p.sheets, 2);
 }
 
-TEST(Print, SvgAndPngAreAFileASheet) {
+TEST(Print, SvgAndPngAreOneFilePerSheet) {
   const Printed svg = printed(overshot_design(40, 40), PrintFormat::kSvg, {});
   ASSERT_EQ(svg.files.size(), static_cast<size_t>(svg.sheets));
   EXPECT_NE(svg.files[0].find("<svg"), std::string::npos);
-  EXPECT_NE(svg.files[0].find("210mm"), std::string::npos) << "as large as the paper";
+  EXPECT_NE(svg.files[0].find("210mm"), std::string::npos) << "the size of the paper";
   PrintOptions coarse;
   coarse.png_dpi = 40;
   const Printed png = printed(overshot_design(40, 40), PrintFormat::kPng, coarse);
@@ -39,7 +39,7 @@ TEST(Print, SvgAndPngAreAFileASheet) {
   EXPECT_EQ(png.files[0].substr(1, 3), "PNG");
 }
 
-TEST(Print, ALargeScaleTakesMoreSheetsAndTooManyAreRefused) {
+TEST(Print, ALargeScaleTakesMoreSheetsAndTooManyAreRejected) {
   PrintOptions large;
   large.cell_mm = 5;
   const int one = printed(overshot_design(96, 96), PrintFormat::kPdf, {}).sheets;
@@ -50,7 +50,7 @@ TEST(Print, ALargeScaleTakesMoreSheetsAndTooManyAreRefused) {
   EXPECT_NE(refused.why.find("choose a smaller scale"), std::string::npos);
 }
 
-TEST(Print, OddDraftsPrintToo) {
+TEST(Print, ExtremeDraftsPrint) {
   Design d = with_size(Design{}, 1, 1, 1, 1);
   EXPECT_EQ(printed(d, PrintFormat::kPdf, {}).why, "");
   d = to_liftplan(overshot_design(30, 30));
@@ -63,7 +63,7 @@ TEST(Print, OddDraftsPrintToo) {
   EXPECT_EQ(printed(with_size(Design{}, 40, 40, 300, 40), PrintFormat::kPdf, {}).why, "") << "more shafts than a sheet";
 }
 
-TEST(Print, OnlyWhatWasChosenIsPrinted) {
+TEST(Print, OnlySelectedPartsArePrinted) {
   const Design d = overshot_design(40, 40);
   PrintOptions o;
   o.parts = {true, false, false, false, false};
@@ -76,7 +76,7 @@ TEST(Print, OnlyWhatWasChosenIsPrinted) {
   EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "nothing was selected for printing");
 }
 
-TEST(Print, ThePlannedClothAndTheNameAreOnPaper) {
+TEST(Print, ThePlannedClothAndTheNameArePrinted) {
   Design d = overshot_design(40, 40);
   d.title.clear();
   PrintOptions o, planned;
@@ -92,10 +92,10 @@ TEST(Print, ThePlannedClothAndTheNameAreOnPaper) {
   named.name = "towel";
   EXPECT_NE(sheet(named), sheet(o));
   d.title = "Towel";
-  EXPECT_EQ(sheet(named), sheet(o)) << "its title stands over it";
+  EXPECT_EQ(sheet(named), sheet(o)) << "its title is printed instead";
 }
 
-TEST(Print, TheSheetIsSeenBeforeItIsPrinted) {
+TEST(Print, PreviewOfASheet) {
   const Design d = overshot_design(96, 96);
   PrintOptions o;
   o.cell_mm = 5;
@@ -105,15 +105,15 @@ TEST(Print, TheSheetIsSeenBeforeItIsPrinted) {
   EXPECT_EQ(first.width, 420);
   EXPECT_EQ(first.height, 594);
   ASSERT_EQ(first.pixels.size(), 420u * 594u);
-  EXPECT_EQ(first.pixels.front(), 0xffffffffu) << "white paper round it";
+  EXPECT_EQ(first.pixels.front(), 0xffffffffu) << "white margin";
   EXPECT_GT(std::count(first.pixels.begin(), first.pixels.end(), first.pixels.front()), 420 * 100);
   EXPECT_NE(first.pixels, picture_of_sheet(d, o, 1, 2).pixels);
-  EXPECT_EQ(picture_of_sheet(d, o, 999, 2).sheet, first.sheets - 1) << "there is no such sheet: the last";
+  EXPECT_EQ(picture_of_sheet(d, o, 999, 2).sheet, first.sheets - 1) << "clamped to the last sheet";
   o.cell_mm = 20;
   EXPECT_NE(picture_of_sheet(overshot_design(900, 900), o, 0, 2).why, "");
 }
 
-TEST(Print, Pick1StandsAtTheTopOrAtTheBottom) {
+TEST(Print, Pick1IsAtTheTopOrAtTheBottom) {
   // Of two picks all of warp and all of weft, the darker one is the first.
   Design d = with_size(Design{}, 8, 8, 2, 2);
   d.draft.palette = {{0, 0, 0}, {1, 1, 1}};
@@ -129,7 +129,7 @@ TEST(Print, Pick1StandsAtTheTopOrAtTheBottom) {
   o.pick1_bottom = true;
   const SheetPicture up = picture_of_sheet(d, o, 0, 2);
   ASSERT_EQ(down.pixels.size(), up.pixels.size());
-  // The weft's bar: its dark half stands first, or last.
+  // The colour bar of the weft: its dark half is first or last.
   const auto dark_above = [](const SheetPicture& s) {
     int64_t sum = 0, all = 0;
     for (int y = 0; y < s.height; ++y)
@@ -138,11 +138,11 @@ TEST(Print, Pick1StandsAtTheTopOrAtTheBottom) {
           sum += y, ++all;
     return static_cast<double>(sum) / static_cast<double>(std::max<int64_t>(all, 1));
   };
-  EXPECT_LT(dark_above(down) + 20, dark_above(up)) << "twice five millimetres lower at the least";
+  EXPECT_LT(dark_above(down) + 20, dark_above(up)) << "at least ten millimetres lower";
 }
 
-TEST(Print, TheGridsStandWhereTheWindowHasThem) {
-  // Everything is white but one colour: the bars and the drawdown are not seen, the marks are.
+TEST(Print, TheGridsAreArrangedAsInTheWindow) {
+  // The palette is white, so that only marks are dark, not the bars and the drawdown.
   Design d = overshot_design(12, 12);
   for (Rgb& c : d.draft.palette) c = {1, 1, 1};
   PrintOptions o;
@@ -162,10 +162,10 @@ TEST(Print, TheGridsStandWhereTheWindowHasThem) {
   const auto [right_x, above_y] = marks(o);
   o.end1_right = false;
   const auto [left_x, same_y] = marks(o);
-  EXPECT_LT(std::abs(right_x - left_x), 20) << "the treadling stands at the right either way";
+  EXPECT_LT(std::abs(right_x - left_x), 20) << "the treadling is on the right in both cases";
   EXPECT_NEAR(same_y, above_y, 2);
   o.threading_below = true;
-  EXPECT_GT(marks(o).second, above_y + 30) << "threading and tie-up under the drawdown";
+  EXPECT_GT(marks(o).second, above_y + 30) << "threading and tie-up below the drawdown";
 }
 
 /// Shares of red, green and blue among the pixels of the swatch.

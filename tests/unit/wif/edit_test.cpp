@@ -1,4 +1,4 @@
-// An edit changes the lines it concerns and no other.
+// An edit changes only the lines that it concerns.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(edit, none_gives_the_same_bytes) {
 
 TEST(edit, threading) {
   expect_change(diff_of("twill.wif", [](Design& d) { d = with_threading(d, 2, 0, true); }), {"3=3\r\n"}, {"3=1\r\n"});
-  // Spacing round "=", several shafts, and both lines of a doubled key.
+  // Spacing around "=", several shafts, and both lines of a repeated key.
   expect_change(diff_of("untidy.wif", [](Design& d) { d.draft.threading.set(0, 2, true); }), {"1 = 1\n"},
                 {"1 = 1,3\n"});
   expect_change(diff_of("untidy.wif", [](Design& d) { d = with_threading(d, 1, 3, true); }), {"2 = 2\n", "2 = 3\n"},
@@ -64,7 +64,7 @@ TEST(edit, a_comment_behind_a_number_stays) {
                 {"4 = 0   ; a pick\n"});
 }
 
-TEST(edit, tieup_carries_the_liftplan_beside_it) {
+TEST(edit, tieup_updates_the_liftplan_of_the_file) {
   expect_change(diff_of("twill.wif", [](Design& d) { d = with_tieup(d, 0, 2, true); }), {"1=1,2\r\n"}, {"1=1,2,3\r\n"});
   expect_change(diff_of("both_agree.wif", [](Design& d) { d = with_tieup(d, 0, 2, true); }),
                 {"1=1,2\r\n", "1=1,2\r\n", "5=1,2\r\n"}, {"1=1,2,3\r\n", "1=1,2,3\r\n", "5=1,2,3\r\n"});
@@ -95,10 +95,10 @@ TEST(edit, a_new_section_is_listed_in_contents) {
                 {"TEXT=true\r\n", "\r\n", "[TEXT]\r\n", "Title=Point\r\n"});
 }
 
-TEST(edit, text_of_the_files_own_encoding) {
+TEST(edit, text_in_the_encoding_of_the_file) {
   expect_change(diff_of("latin1.wif", [](Design& d) { d.author = "Zoë"; }), {"Author=A weaver\r\n"},
                 {"Author=Zo\xEB\r\n"});
-  // What Latin-1 lacks turns the file into UTF-8; nothing else changes.
+  // A character that Latin-1 lacks converts the file to UTF-8; nothing else changes.
   const LineDiff diff = diff_of("latin1.wif", [](Design& d) { d.author = "織る人"; });
   expect_change(diff,
                 {"Title=K\xF6rper f\xFCr \xC4rmel\r\n", "Author=A weaver\r\n",
@@ -112,7 +112,7 @@ TEST(edit, text_of_the_files_own_encoding) {
   });
 }
 
-TEST(edit, words_of_another_encoding_are_carried_over_whole) {
+TEST(edit, text_in_another_encoding_is_converted_whole) {
   const WifFile file =
       opened("[WARP]\nThreads=1\nUnits=cent\xEDmetros\nSpacing=1\n[WEFT]\nThreads=1\n[TREADLING]\n1=3\n[TIEUP]\n1=1\n");
   Design now = to_liftplan(file.design);
@@ -127,7 +127,7 @@ TEST(edit, text_that_one_line_cannot_hold) {
   EXPECT_EQ(diff.added[1], "Title=One Two \\ three\r\n");
 }
 
-TEST(edit, another_programs_title_wins_over_our_exact_one) {
+TEST(edit, a_title_changed_by_another_program_is_kept) {
   const WifFile file = opened(fixture("twill.wif"));
   Design now = file.design;
   now.title = "One\nTwo";
@@ -150,7 +150,7 @@ TEST(edit, colors) {
                           d.draft.palette.push_back({0, 1, 0});
                         }),
                 {"entries = 2\n"}, {"3 = 0,999,0\n", "entries = 3\n"});
-  // One colour for a whole system without rows is its default; one thread is a row of its own.
+  // One colour for a whole system without rows becomes its default; one thread gets a row.
   expect_change(
       diff_of("liftplan.wif", [](Design& d) { std::fill(d.draft.warp.color.begin(), d.draft.warp.color.end(), 0); }),
       {"Color=2\r\n"}, {"Color=1\r\n"});
@@ -178,7 +178,7 @@ TEST(edit, measures_in_the_files_own_units) {
                 {"4=.1\r\n"}, {"4=0.2\r\n"});
   expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_spacing(d, System::kWarp, 0, 2.54f); }), {},
                 {"1=72\r\n"});
-  // Left to the yarn where the file has a default.
+  // From the yarn, where the file has a default.
   expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_spacing(d, System::kWarp, 1, kFromYarn); }),
                 {"2=40\r\n"}, {"2=0\r\n"});
 }
@@ -192,12 +192,12 @@ TEST(edit, size) {
   EXPECT_EQ(fewer.added, (Lines{"Threads=6\r\n"}));
   expect_change(diff_of("twill.wif", [](Design& d) { d = with_size(d, 8, 8, 4, 5); }), {"Treadles=4\r\n"},
                 {"Treadles=5\r\n", "5=0\r\n"});
-  // The rows of tables that are not edited go with their threads.
+  // Rows of other tables are removed with their threads.
   const LineDiff symbols = diff_of("measures.wif", [](Design& d) { d = with_size(d, 3, 4, 2, 2); });
   EXPECT_EQ(symbols.removed, (Lines{"Threads=4\r\n", "4=2\r\n", "4=4\r\n"}));
 }
 
-TEST(edit, rising_in_the_files_own_words) {
+TEST(edit, rising_in_the_dialect_of_the_file) {
   expect_change(diff_of("untidy.wif", [](Design& d) { d = with_rising(d, false); }), {"rising shed = yes\n"},
                 {"rising shed = no\n"});
   expect_change(diff_of("measures.wif", [](Design& d) { d = with_rising(d, false); }), {"Rising Shed=on\r\n"},
@@ -216,7 +216,7 @@ TEST(edit, shed_control) {
   }
 }
 
-TEST(edit, unknown_lines_survive_a_change_of_drive) {
+TEST(edit, unknown_lines_survive_a_change_of_shed_control) {
   const WifFile file = opened(fixture("untidy.wif"));
   const std::string bytes = write_wif(file, to_liftplan(file.design));
   for (const char* kept :
@@ -249,7 +249,7 @@ TEST(edit, a_count_is_one_line_and_only_where_it_is_set) {
   two.yarns.resize(2);
   two.yarns[1].name = "Chambray";
   const std::string old = write_wif(file, two);
-  EXPECT_EQ(old.find("Tex="), std::string::npos) << "a file of before knows no count";
+  EXPECT_EQ(old.find("Tex="), std::string::npos) << "older files have no count";
   file = opened(old);
   EXPECT_EQ(write_wif(file, file.design), old);
   Design counted = file.design;
@@ -258,10 +258,10 @@ TEST(edit, a_count_is_one_line_and_only_where_it_is_set) {
   expect_change(line_diff(old, with_count), {}, {"2 Tex=14.76\r\n"});
   const WifFile again = opened(with_count);
   EXPECT_EQ(again.design, counted);
-  EXPECT_EQ(write_wif(again, file.design), old) << "not set any more";
+  EXPECT_EQ(write_wif(again, file.design), old) << "unset again";
 }
 
-TEST(edit, going_back_to_defaults_removes_the_private_sections) {
+TEST(edit, defaults_remove_the_private_sections) {
   const WifFile file = opened(fixture("twill.wif"));
   Design now = file.design;
   now.look.exposure_ev = 1;
@@ -279,7 +279,7 @@ TEST(edit, mixed_line_ends_stay) {
   expect_change(diff_of("twill_cr.wif", [](Design& d) { d = with_threading(d, 2, 0, true); }), {"3=3\r"}, {"3=1\r"});
 }
 
-TEST(edit, gaps_are_filled_only_where_the_edit_needs_it) {
+TEST(edit, gaps_are_filled_only_where_needed) {
   expect_change(diff_of("gaps.wif", [](Design& d) { d.title = "Mended"; }), {"Title=Two and two twill\r\n"},
                 {"Title=Mended\r\n"});
   diff_of("gaps.wif", [](Design& d) { d = with_size(d, 8, 8, 5, 7); });

@@ -1,4 +1,4 @@
-// The light that a cloth is looked at in is kept by name; a name that nobody knows is the studio, and said so.
+// Lighting presets are stored by id; an unknown id is read as the studio, with a warning.
 
 #include "draft/lights.h"
 
@@ -9,18 +9,18 @@
 namespace weftlight::wif {
 namespace {
 
-TEST(Lights, AreKeptByName) {
+TEST(Lights, AreStoredById) {
   Design design;
   design.draft = blank_draft(4, 4, 2, 2);
-  for (const LightingPreset& setup : kLightingPresets) {
-    design.scene = lit_by(design.scene, setup);
+  for (const LightingPreset& preset : kLightingPresets) {
+    design.scene = lit_by(design.scene, preset);
     const WifRead read = read_wif(write_new_wif(design));
     ASSERT_TRUE(read.file);
-    EXPECT_EQ(read.file->design.scene, design.scene) << setup.id;
+    EXPECT_EQ(read.file->design.scene, design.scene) << preset.id;
   }
 }
 
-TEST(Lights, ThePathOfAPictureAndTheExposureAreKept) {
+TEST(Lights, EnvironmentMapAndExposureAreStored) {
   Design design;
   design.draft = blank_draft(4, 4, 2, 2);
   design.scene = lit_by_environment(design.scene, "/pictures/old hall;1.EXR");
@@ -32,7 +32,7 @@ TEST(Lights, ThePathOfAPictureAndTheExposureAreKept) {
   EXPECT_EQ(read.file->design.look, design.look);
 }
 
-TEST(Lights, AnUnknownNameIsTheStudio) {
+TEST(Lights, AnUnknownIdIsTheStudio) {
   Design design;
   design.draft = blank_draft(4, 4, 2, 2);
   design.scene.lights = "gallery";

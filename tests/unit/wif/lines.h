@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of the reader and writer share: fixtures, and the lines by which two files differ.
+// Shared by the tests of reader and writer: fixtures, and the lines in which two files differ.
 
 #include <string>
 #include <string_view>
@@ -22,7 +22,7 @@ struct LineDiff {
 /// By the longest common subsequence of lines.
 LineDiff line_diff(std::string_view before, std::string_view after);
 
-/// Whether a diagnostic of that line holds the words.
+/// Whether a diagnostic of that line contains the text.
 bool says(const WifRead& read, int line, std::string_view words);
 
 }  // namespace weftlight::wif

@@ -28,7 +28,7 @@ std::string error_of(const WifRead& read) {
   return "";
 }
 
-TEST(Dtx, AllThatASmallOneSays) {
+TEST(Dtx, EverythingInASmallFile) {
   const WifRead read = read_draft(kDtx);
   ASSERT_TRUE(read.file) << error_of(read);
   const Design& design = read.file->design;
@@ -46,10 +46,10 @@ TEST(Dtx, AllThatASmallOneSays) {
   EXPECT_EQ(d.warp.color, (std::vector<int>{0, 1, 0, 1}));
   EXPECT_NEAR(d.warp.spacing_mm[1], 1.06f, 1e-5f);
   EXPECT_NEAR(d.warp.spacing_mm[3], 2.12f, 1e-5f);
-  EXPECT_NEAR(d.weft.spacing_mm[0], 2.12f, 1e-5f) << "four steps, where nothing is said";
+  EXPECT_NEAR(d.weft.spacing_mm[0], 2.12f, 1e-5f) << "four steps by default";
 }
 
-TEST(Dtx, SaysWhatIsWrongAndWhere) {
+TEST(Dtx, ErrorsNameTheirLine) {
   EXPECT_EQ(error_of(read_draft(replaced(kDtx, "1 1, 2 0", "1 1, 7 0"))),
             "24: pick 2 names treadle 7, and there are 2");
   EXPECT_EQ(error_of(read_draft(replaced(kDtx, "1 2\r\n3 0", "1 x\r\n3 0"))), "16: 'x' is not a shaft");
@@ -58,7 +58,7 @@ TEST(Dtx, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(error_of(read_draft(replaced(kDtx, "%%shafts 3", "%%shafts 99999999"))), "");
 }
 
-TEST(Dtx, AColourThatIsNotThereIsAWarning) {
+TEST(Dtx, AMissingColourIsAWarning) {
   const WifRead read = read_draft(replaced(kDtx, "1 1 0\r\n@@Warp S", "1 9 0\r\n@@Warp S"));
   ASSERT_TRUE(read.file);
   EXPECT_EQ(read.file->design.draft.weft.color, (std::vector<int>{1, 0, 0}));
@@ -104,7 +104,7 @@ TEST(Wpo, OfEveryKind) {
   EXPECT_FALSE(read_draft(wpo(101, true)).file->design.draft.rising);
 }
 
-TEST(Wpo, CutAnywhereIsRefusedOrReadWithoutItsColours) {
+TEST(Wpo, TruncatedFilesAreRejectedOrReadWithoutColours) {
   const std::string whole = wpo(102);
   for (size_t size = 3; size < whole.size(); ++size) {
     const WifRead read = read_wpo(whole.substr(0, size));
@@ -119,7 +119,7 @@ TEST(Wpo, CutAnywhereIsRefusedOrReadWithoutItsColours) {
   EXPECT_EQ(error_of(read_draft(later)), "0: version 8 of .wpo is not known");
 }
 
-TEST(Format, IsKnownByItsFirstBytes) {
+TEST(Format, IsDetectedFromTheFirstBytes) {
   EXPECT_EQ(format_of("[WIF]\n"), DraftFormat::kWif);
   EXPECT_EQ(format_of(""), DraftFormat::kWif);
   EXPECT_EQ(format_of("{\n"), DraftFormat::kWif);

@@ -1,4 +1,4 @@
-// Each rule of reading, on a draft written for it.
+// Each rule of the reader, on a file written for it.
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(read, untidy_file) {
   EXPECT_TRUE(says(read, 30, "not listed"));
 }
 
-TEST(read, both_drives) {
+TEST(read, tieup_and_liftplan) {
   EXPECT_FALSE(says(read_wif(fixture("both_agree.wif")), 92, "liftplan differs"));
   const WifRead differ = read_wif(fixture("both_differ.wif"));
   ASSERT_TRUE(differ.file);
@@ -131,7 +131,7 @@ TEST(read, encodings) {
   EXPECT_EQ(opened(fixture("utf8.wif")).design.author, "織る人");
 }
 
-TEST(read, what_is_missing_is_said_with_its_line) {
+TEST(read, missing_data_is_reported_with_its_line) {
   const WifRead read = read_wif(fixture("gaps.wif"));
   ASSERT_TRUE(read.file);
   EXPECT_EQ(read.file->design.draft.shafts, 4);
@@ -144,7 +144,7 @@ TEST(read, what_is_missing_is_said_with_its_line) {
   EXPECT_TRUE(says(read, 0, "Range"));
 }
 
-TEST(read, refuses_what_is_no_draft) {
+TEST(read, rejects_what_is_not_a_draft) {
   const std::string rest = "[WARP]\nThreads=2\n[WEFT]\nThreads=";
   for (const std::string& bytes : {std::string(), std::string("hello"), std::string("\xFF\xFE[\0W\0", 6), rest + "0\n",
                                    rest + "100001\n", std::string("[WARP]\nThreads=99999\n[WEFT]\nThreads=99999\n"),
@@ -158,7 +158,7 @@ TEST(read, refuses_what_is_no_draft) {
   }
 }
 
-TEST(read, odd_lines_are_listed_one_by_one) {
+TEST(read, irregular_lines_are_reported) {
   const WifRead read = read_wif(fixture("odd_lines.wif"));
   ASSERT_TRUE(read.file);
   EXPECT_EQ(read.file->source_program, "Weftlight") << "the first of two counts";
@@ -181,7 +181,7 @@ TEST(read, odd_lines_are_listed_one_by_one) {
   EXPECT_TRUE(says(read, 54, "in [NOTES] has no ="));
 }
 
-TEST(read, many_like_warnings_are_one) {
+TEST(read, similar_warnings_are_merged) {
   std::string bytes = "[WARP]\nThreads=1\n[WEFT]\nThreads=1\n[THREADING]\n";
   for (int i = 1; i < 1000; ++i) bytes += std::to_string(i) + "=1\n";
   const WifRead read = read_wif(bytes);
@@ -190,15 +190,15 @@ TEST(read, many_like_warnings_are_one) {
   EXPECT_TRUE(says(read, 7, "997 more"));
 }
 
-TEST(read, a_long_empty_tail_is_named) {
+TEST(read, a_long_tail_of_unused_threads_is_reported) {
   const WifRead read = read_wif("[WARP]\nThreads=1200\n[WEFT]\nThreads=3\n[THREADING]\n1=1\n2=2\n");
   ASSERT_TRUE(read.file);
   EXPECT_EQ(read.file->design.draft.ends(), 1200);
   EXPECT_TRUE(says(read, 1, "first 2 of 1200 ends"));
 }
 
-// What such files cost, more sections or yarns and less: tests/bench (read_sections, read_yarns).
-TEST(read, fifty_thousand_sections_are_kept_as_they_were) {
+// Time for such files: tests/bench (read_sections, read_yarns).
+TEST(read, fifty_thousand_sections_are_kept_unchanged) {
   constexpr int kSections = 50000;
   const std::string twill = fixture("twill.wif");
   std::string bytes = twill;
@@ -207,7 +207,7 @@ TEST(read, fifty_thousand_sections_are_kept_as_they_were) {
   const WifRead read = read_wif(bytes);
   ASSERT_TRUE(read.file);
   EXPECT_TRUE(read.file->design == opened(twill).design);
-  EXPECT_LE(read.diagnostics.size(), 1u);  // one for all that [CONTENTS] does not name
+  EXPECT_LE(read.diagnostics.size(), 1u);  // one for all sections missing in [CONTENTS]
   EXPECT_EQ(write_wif(*read.file, read.file->design), bytes);
   Design edited = read.file->design;
   edited.title = "Another";
@@ -216,7 +216,7 @@ TEST(read, fifty_thousand_sections_are_kept_as_they_were) {
   EXPECT_TRUE(opened(after).design == edited);
 }
 
-TEST(read, yarns_are_as_many_as_are_stated_and_no_more_than_4096) {
+TEST(read, as_many_yarns_as_stated_but_at_most_4096) {
   constexpr int kMax = 4096;
   for (const int stated : {kMax, 2'000'000'000}) {
     std::string bytes = fixture("twill.wif") + "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=" + std::to_string(stated) + "\r\n";

@@ -1,5 +1,5 @@
-// node engines.js WEFTLIGHT THREE_FOLDER CHROMIUM BLENDER DRAFT OUT: of docs/make_engines.sh. The draft's cloth over a ball in the
-// preview, in the reference, in three.js and in Blender, each as a .png in OUT: one mesh, one view, one light, an even sky.
+// node engines.js WEFTLIGHT THREE_FOLDER CHROMIUM BLENDER DRAFT OUT, for docs/make_engines.sh. Renders the cloth of a draft over a
+// ball in the preview, the reference, three.js and Blender, each as a .png in OUT, with the same mesh, view, light and sky.
 'use strict';
 const fs = require('fs');
 const path = require('path');
@@ -7,8 +7,8 @@ const { execFileSync, spawnSync } = require('child_process');
 const { shown } = require('../tests/engines/three_js.js');
 
 const kWidth = 320, kHeight = 260, kMesh = 'sphere', kView = [20, 30], kLight = [-40, 50];
-const kSky = 0.3, kIrradiance = 3.2, kDiscDeg = 3;  // radiance; of the light, at right angles; half its angle
-const kFieldDeg = 26, kGirth = 0.86, kMargin = 1.14;  // of core/render_data/camera.cpp
+const kSky = 0.3, kIrradiance = 3.2, kDiscDeg = 3;  // radiance; irradiance at normal incidence; half angle of the light
+const kFieldDeg = 26, kGirth = 0.86, kMargin = 1.14;  // as in core/render_data/camera.cpp
 
 const towards = ([azimuth, elevation]) => {
   const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
@@ -17,7 +17,7 @@ const towards = ([azimuth, elevation]) => {
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/// The light as an equirectangular .hdr, whose middle lies at -z.
+/// Writes the light as an equirectangular .hdr with its middle at -z.
 function write_environment(file) {
   const wide = 1024, high = 512, light = towards(kLight), inside = Math.cos(kDiscDeg * Math.PI / 180);
   const disc = kIrradiance / (2 * Math.PI * (1 - inside)) + kSky;
@@ -33,7 +33,7 @@ function write_environment(file) {
   fs.writeFileSync(file, Buffer.concat([Buffer.from(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${high} +X ${wide}\n`), texels]));
 }
 
-/// The editor's frame of what a .gltf holds (metres), as place_camera() has it.
+/// The camera of the editor for a .gltf (metres), as in place_camera().
 function frame_of(file) {
   const gltf = JSON.parse(fs.readFileSync(file));
   const bounds = gltf.accessors[gltf.meshes[0].primitives[0].attributes.POSITION];

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws docs/engines/*.jpg: preview, reference, three.js and Blender side by side. Needs node, Chromium, three.js (./check fetches
-# it), Blender with numpy, and ImageMagick.
+# Renders docs/engines/*.jpg: preview, reference, three.js and Blender side by side. Needs node, Chromium, three.js (installed by
+# ./check), Blender with numpy, and ImageMagick.
 # Usage: docs/make_engines.sh [path of weftlight]; DRAFTS="denim satin_8" for some of them.
 source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh" engines "$@"
 

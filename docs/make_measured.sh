@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws docs/measured/*.svg: what measured cloths send back, and what ours do; 32,768 rays a direction of the traced
-# threads (SPP=32). Usage: docs/make_measured.sh [weftlight]; KEEP=FOLDER keeps the tables.
+# Draws docs/measured/*.svg: radiance of measured cloths and of ours; 32,768 rays per direction for the traced threads
+# (SPP=32). Usage: docs/make_measured.sh [weftlight]; KEEP=FOLDER keeps the tables.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 weftlight=${1:-$root/build/release/weftlight}
@@ -8,8 +8,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$root/docs/measured"
 
-# Six panels, both planes by three views; logarithmic upwards, three decades. Columns of the joined table: plane, view,
-# light, measured, cloth, reference. `free`: ours are scaled by one factor, for what was measured has no height.
+# Six panels: two planes by three views; the y axis is logarithmic over three decades. Columns of the joined table: plane, view,
+# light, measured, cloth, reference. `free`: ours are scaled by one factor, since the measured values are relative.
 svg() {  # name title free
   awk -F, -v title="$2" -v free="$3" '
   function y(v, o) { v = log(v < 1e-9 ? 1e-9 : v) / log(10); if (v < low) v = low; if (v > low + 3) v = low + 3

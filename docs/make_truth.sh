@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/truth.md: the cloth ray traced thread by thread, the preview, and their difference
-# (absolute, four times as bright). Needs ImageMagick. Usage: docs/make_truth.sh [path of weftlight]
+# Renders the pictures of docs/truth.md: the ray-traced threads, the preview, and their absolute difference, four times as
+# bright. Needs ImageMagick. Usage: docs/make_truth.sh [path of weftlight]
 source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh" truth "$@"
 
 scene() {  # name draft options...
@@ -10,7 +10,7 @@ scene() {  # name draft options...
   "$weftlight" render "$draft" -o "$work/auto.png" --size 420x320 --samples 48 "$@"
   convert "$work/truth.png" "$work/auto.png" -compose difference -composite -evaluate multiply 4 "$work/difference.png"
   for part in truth auto difference; do convert "$work/$part.png" -quality 90 "$out/${name}_$part.jpg"; done
-  # Relative RMSE of the shown pixels, for the table.
+  # Relative RMSE of the pixels, for the table.
   printf '%s %s\n' "$name" "$(compare -metric RMSE "$work/truth.png" "$work/auto.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/')"
 }
 

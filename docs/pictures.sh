@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by make_*.sh with the name of their folder and the path of weftlight, where it is not the release build.
+# Sourced by make_*.sh with the name of the output folder and, unless it is the release build, the path of weftlight.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=$root/docs/$1

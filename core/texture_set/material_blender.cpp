@@ -126,7 +126,7 @@ both = nodes.new("ShaderNodeMixShader")
 links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], both.inputs[0])
 links.new(face(""), both.inputs[1])
 links.new(face("_back"), both.inputs[2])
-links.new(both.outputs["Shader"], nodes["Material Output"].inputs["SurfaceTexels"])
+links.new(both.outputs["Shader"], nodes["Material Output"].inputs["Surface"])
 for thing in bpy.context.selected_objects:
     if thing.type == "MESH":
         without_back(thing.data)

@@ -114,9 +114,9 @@ constexpr const char* kMesh = R"(    def Mesh "{FACE}" (
 
 constexpr const char* kPreview = R"(        def Material "{MATERIAL}"
         {
-            token outputs:surface.connect = </{PRIM}/Materials/{MATERIAL}/SurfaceTexels.outputs:surface>
+            token outputs:surface.connect = </{PRIM}/Materials/{MATERIAL}/Surface.outputs:surface>
 
-            def Shader "SurfaceTexels"
+            def Shader "Surface"
             {
                 uniform token info:id = "UsdPreviewSurface"
                 color3f inputs:diffuseColor.connect = </{PRIM}/Materials/{MATERIAL}/basecolor.outputs:rgb>

@@ -178,7 +178,7 @@ RunVerb add_export(CLI::App& verb) {
   const auto options = std::make_shared<ExportOptions>();
   ExportOptions& o = *options;
   verb.add_option("files", o.files, tr("Drafts (.wif, .dtx, .wpo), or folders of drafts"))->required();
-  verb.add_option("--target", o.targets, tr("ExportTarget programs, separated by commas; default: gltf"))
+  verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft
       ->check(
@@ -244,23 +244,29 @@ RunVerb add_response(CLI::App& verb) {
 }
 
 RunVerb add_drape(CLI::App& verb) {
-  const auto options = std::make_shared<DrapeOptions>();
-  DrapeOptions& o = *options;
+  struct Options {
+    DrapeOptions command;
+    std::string hang;  // the earlier name of --stiffness
+  };
+  const auto options = std::make_shared<Options>();
+  DrapeOptions& o = options->command;
   verb.add_option("name", o.name,
                   fill(tr("{drapes} or all; or a draft, to drape its own fabric"), arg("drapes", all_drape_names())))
       ->required();
   verb.add_option("--mesh", o.mesh, tr("Drape for a draft; default: the one in its scene"));
-  auto* stiffness = verb.add_option("--stiffness", o.stiffness,
-                                    tr("Drape stiffness of a generic fabric; default: medium; all: every one"))
-                        ->check(CLI::IsMember({"limp", "medium", "stiff"}));
-  verb.add_option("--hang", o.stiffness)  // the earlier name
-      ->check(CLI::IsMember({"limp", "medium", "stiff"}))
-      ->excludes(stiffness)
-      ->group("");
+  verb.add_option("--stiffness", o.stiffness, tr("Drape stiffness of a generic fabric; default: medium"))
+      ->check(CLI::IsMember({"limp", "medium", "stiff"}));
+  verb.add_option("--hang", options->hang)->check(CLI::IsMember({"limp", "medium", "stiff"}))->group("");
   verb.add_option("-o,--output", o.out, tr("Output file: .glb or .gltf; for all: a folder"))
       ->required()
       ->check(some_path());
-  return [options] { return drape_command(*options); };
+  return [options] {
+    DrapeOptions& command = options->command;
+    if (!command.stiffness.empty() && !options->hang.empty())
+      return fail(kUsage, tr("--hang is the earlier name of --stiffness; give only one of them"));
+    if (command.stiffness.empty()) command.stiffness = options->hang;
+    return drape_command(command);
+  };
 }
 
 constexpr Verb kClothVerbs[] = {

@@ -1,4 +1,4 @@
-// Costs named in the paper's section 4 (colour texture under 1 s, 0.5 s a shadow map) and what an edit costs.
+// Costs from section 4 of the paper (colour texture below 1 s, shadow map 0.5 s), and the cost of an edit.
 
 #include <benchmark/benchmark.h>
 
@@ -10,7 +10,7 @@
 namespace weftlight::cloth {
 namespace {
 
-/// A straight draft of 8 shafts, satin of step 5, of the yarn's own spacing.
+/// A straight draft on 8 shafts, satin of step 5, with the default spacing of the yarn.
 Design satin_design(int ends, int picks) {
   Design d;
   d.draft = blank_draft(ends, picks, 8, 8);
@@ -42,10 +42,10 @@ void BM_ShadowMap(benchmark::State& state) {
 }
 BENCHMARK(BM_ShadowMap)->Unit(benchmark::kMillisecond);
 
-constexpr int kEnds = 1285, kPicks = 3058, kWindow = 2048;  // a map that a window shows whole: texels a side
+constexpr int kEnds = 1285, kPicks = 3058, kWindow = 2048;  // texels per side of a map that is completely visible
 
-/// What follows a painted cell, with so many horizons (the preview bakes 4 where texels are as wide as threads):
-/// drawdown, layout and maps of the front face, brought up to date.
+/// Updates drawdown, layout and maps of the front face after a painted cell, with a number of horizons (the preview
+/// bakes 4 if texels are as wide as threads).
 void paint(benchmark::State& state, Design now, const std::function<void(Draft&)>& flip) {
   BitMatrix cells = drawdown(now.draft);
   Cloth cloth = laid_out(now);
@@ -64,7 +64,7 @@ void paint(benchmark::State& state, Design now, const std::function<void(Draft&)
 void flip(BitMatrix& bits, int row, int col) { bits.set(row, col, !bits.get(row, col)); }
 
 void BM_PaintThreadingCell(benchmark::State& state) {
-  // The end hangs on one shaft or on none.
+  // The end is on one shaft or on none.
   paint(state, satin_design(kEnds, kPicks), [](Draft& d) { flip(d.threading, 640, 0); });
 }
 void BM_PaintTieupCell(benchmark::State& state) {
@@ -73,7 +73,7 @@ void BM_PaintTieupCell(benchmark::State& state) {
 void BM_PaintLiftplanCell(benchmark::State& state) {
   paint(state, to_liftplan(satin_design(kEnds, kPicks)), [](Draft& d) { flip(d.liftplan, 1500, 2); });
 }
-/// One crossing: an end alone on its shaft, in one pick.
+/// One crossing: an end that is alone on its shaft, in one pick.
 void BM_PaintOneCrossing(benchmark::State& state) {
   Design design = to_liftplan(satin_design(kEnds, kPicks));
   design.draft.shafts = 9;

@@ -1,4 +1,4 @@
-// Speed of drawdowns and of what follows from them.
+// Speed of drawdowns and of results computed from them.
 
 #include <benchmark/benchmark.h>
 
@@ -57,7 +57,7 @@ void drawdown_10000_random_liftplan(benchmark::State& state) {
 }
 BENCHMARK(drawdown_10000_random_liftplan)->Unit(benchmark::kMillisecond);
 
-// One painted cell of a jacquard-sized draft, there and back.
+// One painted cell of a Jacquard-sized draft, set and cleared.
 enum class Cell { kThreading, kTieup, kTreadling, kLiftplan };
 
 void update_1285_x_3058(benchmark::State& state) {

@@ -5,7 +5,7 @@
 namespace weftlight::drape {
 namespace {
 
-/// One simulated second (of the tablecloth's four) with its set-up: 10,201 particles, 1,920 substeps.
+/// One simulated second of the four of the tablecloth, with setup: 10,201 particles, 1,920 substeps.
 void tablecloth_second(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(simulate_drape("tablecloth", 0.25f));
 }

@@ -1,4 +1,4 @@
-// What an export costs, part by part, at 1024^2.
+// The cost of the parts of an export at 1024^2.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>

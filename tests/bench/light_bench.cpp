@@ -1,4 +1,4 @@
-// Tables, cube maps and evaluations a second of the lobes. VRST 2003 gives 140 s for BRDF and cube maps.
+// Speed of tables, cube maps and evaluations of the lobes. VRST 2003 reports 140 s for BRDF and cube maps.
 
 #include <benchmark/benchmark.h>
 
@@ -26,7 +26,7 @@ void brdf_tables_of_a_cloth(benchmark::State& state) {
 }
 BENCHMARK(brdf_tables_of_a_cloth)->Unit(benchmark::kMillisecond);
 
-/// What rungs `cloth` and `repeat` read, of one face of a 2/2 twill.
+/// The data of methods `cloth` and `repeat` for one face of a 2/2 twill.
 void far_field_of(benchmark::State& state) {
   Design design;
   design.draft = blank_draft(4, 4, 4, 4);
@@ -56,7 +56,7 @@ std::vector<glm::vec3> directions(int count, unsigned seed) {
   return all;
 }
 
-/// Cotton, with fuzz; one by one as a shader does, with what the directions share made once.
+/// Cotton with fuzz, evaluated one by one as in a shader; values that depend only on the directions are computed once.
 void yarn_evaluations_one_by_one(benchmark::State& state) {
   const auto yarn = yarn_lobes(Lobes{}, {0.6f, 0.3f, 0.1f});
   const auto shared = formulas::lobe_shared(yarn);

@@ -1,5 +1,5 @@
 #pragma once
-// A screen for benchmarks of the window's panels, and the large drafts that are drawn on it.
+// A screen for benchmarks of the panels, and the large drafts for it.
 
 #include <imgui.h>
 
@@ -26,7 +26,7 @@ struct Size {
 };
 inline constexpr Size kJacquard{1285, 3058}, kLarge{10000, 10000};
 
-/// 32 shafts; treadled, or by a liftplan in no order.
+/// 32 shafts; with treadling, or with a random liftplan.
 inline Design design_of(Size size, ShedControl shed_control) {
   Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {size.ends, size.picks});
   if (shed_control == ShedControl::kTreadling) return design;
@@ -37,7 +37,7 @@ inline Design design_of(Size size, ShedControl shed_control) {
   return design;
 }
 
-/// What panels need around them, without a window.
+/// The context of panels without a window.
 class Screen {
  public:
   Screen() : context_(gl::HeadlessContext::create(problem_)) {
@@ -65,7 +65,7 @@ class Screen {
   const Style& style() const { return style_; }
   ImDrawData& drawn() { return *ImGui::GetDrawData(); }
 
-  /// One frame of the document, drawn by draw(PanelContext&). Its gestures are carried out, nothing else.
+  /// One frame of the document, drawn by draw(PanelContext&). Only its gestures are applied.
   template <typename Draw>
   void frame(const Document& document, DocumentView& view, const Draw& draw) {
     map_.clear();

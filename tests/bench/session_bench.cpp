@@ -1,5 +1,5 @@
-// Speed of what a hand does in the window, on the largest drafts: opening, strokes, undo, inverting, saving, and one
-// frame of the draft's grids while they are panned.
+// Speed of interaction with the largest drafts: opening, strokes, undo, inverting, saving, and one frame of the grids
+// while panning.
 
 #include <benchmark/benchmark.h>
 #include <imgui.h>
@@ -26,7 +26,7 @@ Edit to_shaft(int shaft) {
   return {"Paint", [shaft](Design d) { return with_threading(std::move(d), d.draft.ends() / 2, shaft, true); }};
 }
 
-/// A cell painted in the threading, and the drawdown after it; each a step of its own.
+/// Paints a cell of the threading and updates the drawdown; each is a separate undo step.
 void stroke(benchmark::State& state, Size size, ShedControl shed_control) {
   Document document(design_of(size, shed_control));
   int shaft = 0;
@@ -75,7 +75,7 @@ void draw_grids(PanelContext& c, DraftPictures& pictures) {
   ImGui::End();
 }
 
-/// One frame of the grids, moved on by a few threads, at so many pixels a thread.
+/// One frame of the grids, panned by a few threads, at a number of pixels per thread.
 void pan(benchmark::State& state, Size size, float pitch) {
   Screen screen;
   if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());

@@ -1,5 +1,5 @@
-// Speed of what follows an edit on its way to the graphics card, as the window's worker does it: drawdown, layout, maps
-// of both faces, threads and the answer from afar.
+// Speed of the stages between an edit and the graphics card, as in the worker of the window: drawdown, layout, maps of
+// both faces, threads and the far-field BRDF.
 
 #include <benchmark/benchmark.h>
 
@@ -25,7 +25,7 @@ std::shared_ptr<const Design> kept(Design design) {
   return std::make_shared<const Design>(std::move(design));
 }
 
-/// 32 shafts, picks in no order: what repeats nowhere.
+/// 32 shafts with random picks, so that nothing repeats.
 Design large_design(int ends, int picks, ShedControl shed_control) {
   std::mt19937 random(1);
   Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {ends, picks});
@@ -43,7 +43,7 @@ Design large_design(int ends, int picks, ShedControl shed_control) {
   return design;
 }
 
-/// A new draft, until its first picture can be drawn, or its last.
+/// A new draft until its first, or its final, picture can be drawn.
 void cloth_from(benchmark::State& state, const Design& design, Effort effort) {
   const auto shown = kept(design);
   for (auto _ : state) {
@@ -52,12 +52,12 @@ void cloth_from(benchmark::State& state, const Design& design, Effort effort) {
   }
 }
 
-/// Edits of a cloth that is shown whole, there and back.
+/// An edit of a completely visible cloth, and its reversal.
 void edited(benchmark::State& state, const Design& design, const std::function<void(Draft&)>& edit, Effort effort) {
   Stages stages;
   Design next = design;
   stages.update(kept(design));
-  // Shown whole, a pixel for two threads and a half.
+  // Completely visible, 2.5 threads per pixel.
   stages.set_visible_part({0, 0, 1e6f, 1e6f, 1.2f});
   for (auto _ : state) {
     edit(next.draft);

@@ -1,4 +1,4 @@
-// Reading and saving a WIF of about 130 KB, the size of a long draft with all its rows; and files of very many sections
+// Reading and saving a WIF of about 130 KB, the size of a long draft with all rows; and files with very many sections
 // or yarns.
 
 #include <benchmark/benchmark.h>
@@ -9,7 +9,7 @@
 namespace weftlight::wif {
 namespace {
 
-/// 2,600 ends and picks on 16 shafts, all rows listed.
+/// 2,600 ends and picks on 16 shafts, with all rows listed.
 std::string long_draft() {
   constexpr int kThreads = 2600, kShafts = 16;
   Design design;
@@ -43,7 +43,7 @@ std::string small_draft() {
   return write_new_wif(design);
 }
 
-/// Files that are no draft of anybody's, but shall be read in a time that grows as they do.
+/// Unrealistic files that must still be read in linear time.
 void read_sections(benchmark::State& state) {
   std::string bytes = small_draft();
   for (int64_t i = 0; i < state.range(0); ++i) bytes += "[PRIVATE X " + std::to_string(i) + "]\r\nA=1\r\n";

@@ -1,5 +1,5 @@
-// One whole frame of the window, without the system's window and without the picture of the cloth: menus, header,
-// grids, inspector, status line, and what differs from the frame before.
+// One complete frame of the user interface without a system window and without the picture of the cloth: menus, header,
+// grids, inspector, status line, and the difference to the previous frame.
 
 #include <benchmark/benchmark.h>
 #include <imgui.h>
@@ -34,7 +34,7 @@ using namespace weftlight::bench;
 
 enum Tab { kThreads, kYarns, kCloth, kAnalysis };
 
-/// As the editor draws it (app/editor_frame.cpp), with its own of what panels keep.
+/// Draws like the editor (app/editor_frame.cpp), with its own panel state.
 class WholeWindow {
  public:
   explicit WholeWindow(Design design) : desk_(std::move(design)) {
@@ -45,7 +45,7 @@ class WholeWindow {
 
   DocumentView& view() { return desk_.view(); }
   const Document& document() const { return desk_.document(); }
-  /// Counts what is to be drawn anew.
+  /// Counts what has to be redrawn.
   size_t frame(Screen& screen, Tab tab) {
     screen.frame(desk_.document(), desk_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
     return damage_.of(screen.drawn()).size();
@@ -106,7 +106,7 @@ Design starter() { return twill({2, 2}, Lean::kRight, {70, 70}); }
 Design jacquard() { return design_of(kJacquard, ShedControl::kTreadling); }
 Design large() { return design_of(kLarge, ShedControl::kTreadling); }
 
-/// A frame in which the draft is moved on by a few threads; `pitch` 0: it fits, and nothing moves.
+/// A frame in which the draft is panned by a few threads; `pitch` 0: it fits and does not move.
 void whole_frame(benchmark::State& state, Design (*design)(), float pitch, Tab tab) {
   Screen screen;
   if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());

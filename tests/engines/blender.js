@@ -1,16 +1,16 @@
 // node blender.js WEFTLIGHT BLENDER DRAFT...
-// Exports each draft for Blender on the plane, shows it there in Cycles under one sun by the set's own script (blender.py), and
-// holds the mean radiance of what covers against what texture_set.json says that the cloth sends, and what is covered, by
-// pixels of 0.5 to 20 mm, against the coverage of the cloth, and what comes through the threads. Leaves with 0, 1 (too far apart) or 77 (Blender is not
-// installed, or cannot read .glb). With --table it prints every figure.
+// Exports each draft for Blender on the plane and renders it in Cycles under one sun with the script of the set (blender.py).
+// Compares the mean radiance of the covered area with the radiance of the cloth in texture_set.json, the covered fraction for
+// pixels of 0.5 to 20 mm with the coverage of the cloth, and the transmission of the threads. Exits with 0, 1 (difference too
+// large) or 77 (Blender is not installed, or cannot read .glb). --table prints all values.
 'use strict';
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const { execFileSync, spawnSync } = require('child_process');
 
-// Of the cloth, mean over the azimuths of views and lights, at each elevation.
-const of_cloth = (angle, open) => angle <= 60 && !open ? 0.1 : 0.25;  // open: gaps close at a slant, Blender's do not
+// Tolerance against the cloth at each elevation, mean over the azimuths of views and lights.
+const of_cloth = (angle, open) => angle <= 60 && !open ? 0.1 : 0.25;  // open: gaps of cloth close at oblique views, those in Blender do not
 const kError = 0.25;                     // RMS of the difference over the RMS of the cloth, to 60 degrees
 const kCoverTolerance = 0.05, kCoverPixels = [240, 60, 6];
 const kWindowM = 0.12, kPixels = 48, kSamples = 48;
@@ -18,11 +18,11 @@ const kWindowM = 0.12, kPixels = 48, kSamples = 48;
 const luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
 const sum = (rows, of) => rows.reduce((s, r) => s + of(r), 0);
 
-/// What Blender sends for the pairs; null: it cannot.
+/// Radiance in Blender for the pairs of directions; null if Blender cannot read the set.
 function shown(blender, set, name, pairs, folder) {
   const out = path.join(folder, 'seen.json'), query = path.join(folder, 'query.json');
   fs.writeFileSync(query, JSON.stringify({ glb: path.join(set, `${name}.glb`), script: path.join(set, `${name}.py`), window_m: kWindowM, pixels: kPixels, samples: kSamples, pairs, out }));
-  // Debian's Blender finds its modules where the system's Python has them.
+  // Blender of Debian uses the modules of the system's Python.
   const ran = spawnSync(blender, ['-b', '--factory-startup', '-P', path.join(__dirname, 'blender.py'), '--', query],
     { env: { ...process.env, PATH: `/usr/bin:/bin:${process.env.PATH}` }, encoding: 'utf8' });
   if (/No module named 'numpy'/.test(ran.stdout + ran.stderr)) return null;
@@ -48,17 +48,17 @@ function judge({ name, rows, cover, through, behind }) {
   for (const angle of new Set(rows.map((r) => r.angle.toFixed(0)))) {
     const part = rows.filter((r) => r.angle.toFixed(0) === angle);
     const ratio = sum(part, (r) => r.blender) / sum(part, (r) => r.cloth);
-    console.log(`${name}: ${angle} degrees: Blender sends ${ratio.toFixed(3)} of the cloth`);
+    console.log(`${name}: ${angle} degrees: radiance in Blender is ${ratio.toFixed(3)} of that of the cloth`);
     if (Math.abs(ratio - 1) > of_cloth(+angle, cover.length > 0)) ++far;
   }
   const flat = rows.filter((r) => r.angle <= 60);
   const error = Math.sqrt(sum(flat, (r) => (r.blender - r.cloth) ** 2) / sum(flat, (r) => r.cloth ** 2));
-  console.log(`${name}: to 60 degrees its RMS error is ${error.toFixed(3)}`);
+  console.log(`${name}: RMS error up to 60 degrees is ${error.toFixed(3)}`);
   if (error > kError) ++far;
-  console.log(`${name}: lit from behind Blender sends ${behind.toFixed(3)} of what it does lit from before; its threads let ${through} of their body's through`);
+  console.log(`${name}: radiance lit from behind is ${behind.toFixed(3)} of that lit from the front; the diffuse transmission of its threads is ${through}`);
   if (behind < 0.15 * through || behind > 1.3 * through) ++far;
   for (const c of cover) {
-    console.log(`${name}: by pixels of ${c.mm} mm ${c.blender.toFixed(3)} is covered, of the cloth ${c.wanted.toFixed(3)}`);
+    console.log(`${name}: coverage for pixels of ${c.mm} mm is ${c.blender.toFixed(3)}, that of the cloth ${c.wanted.toFixed(3)}`);
     if (Math.abs(c.blender - c.wanted) > kCoverTolerance) ++far;
   }
   return far;
@@ -73,7 +73,7 @@ function main(args) {
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'weftlight-blender-'));
     try {
       const result = measure(weftlight, blender, draft, folder);
-      if (!result) { console.log('skipped: Blender has no numpy, without which it reads no .glb (python3-numpy)'); return 77; }
+      if (!result) { console.log('skipped: Blender has no numpy and cannot read .glb (python3-numpy)'); return 77; }
       if (table) for (const r of result.rows) console.log([result.name, r.angle.toFixed(1), r.cloth.toFixed(5), r.blender.toFixed(5)].join(','));
       far += judge(result);
     } finally {

@@ -1,6 +1,6 @@
-"""blender -b -P blender.py -- QUERY: shows a set's mesh in Cycles, flat, under one sun, and writes the mean radiance of
-each pair of directions (RGBA). QUERY (.json): glb, script ("" for the importer's own material), window_m, pixels (of a pair: its own), samples,
-pairs, out; or picture in place of pairs, and out (.png)."""
+"""blender -b -P blender.py -- QUERY: renders the mesh of a set in Cycles, flat, under one sun, and writes the mean radiance
+for each pair of directions (RGBA). QUERY (.json): glb, script ("" for the material of the importer), window_m, pixels (a pair may have its own), samples,
+pairs, out; or picture instead of pairs, and out (.png)."""
 import json
 import os
 import sys
@@ -9,7 +9,7 @@ import bpy
 import numpy
 from mathutils import Matrix, Vector
 
-numpy.bool = bool  # which the importer of 3.4 asks for, and numpy 1.24 no longer has
+numpy.bool = bool  # the importer of 3.4 uses it, but numpy 1.24 has removed it
 query = json.load(open(sys.argv[sys.argv.index("--") + 1]))
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=query["glb"])
@@ -17,7 +17,7 @@ cloth = [thing for thing in bpy.context.scene.objects if thing.type == "MESH"]
 if query["script"]:
     for thing in cloth:
         thing.select_set(True)
-    text = bpy.data.texts.load(query["script"])  # as the Scripting tab runs it: its file is none that is there
+    text = bpy.data.texts.load(query["script"])  # like the Scripting tab, with a file name that does not exist
     shown = os.path.join(bpy.data.filepath or "untitled.blend", text.name)
     exec(compile(text.as_string(), shown, "exec"), {"__name__": "__main__", "__file__": shown})
 scene = bpy.context.scene
@@ -50,7 +50,7 @@ def of_gltf(v):
 
 
 def look_along(thing, towards, up):
-    """Its -z points away from `towards`; its y as near to `up` as can be."""
+    """Points -z away from `towards`, and y as close to `up` as possible."""
     z = towards.normalized()
     x = up.cross(z).normalized()
     thing.matrix_world = Matrix.Translation(middle + z) @ Matrix((x, z.cross(x), z)).transposed().to_4x4()
@@ -76,7 +76,7 @@ def mean_of(pair):
 
 
 def tone(c):
-    """Khronos PBR Neutral and sRGB, as the editor shows linear light."""
+    """Khronos PBR Neutral and sRGB, the tone mapping of the editor."""
     least = c.min(axis=1, keepdims=True)
     c = c - numpy.where(least < 0.08, least - 6.25 * least * least, 0.04)
     peak = numpy.maximum(c.max(axis=1, keepdims=True), 1e-6)
@@ -88,7 +88,7 @@ def tone(c):
 
 
 def picture(of):
-    """In the editor's frame, under one light far off and an even sky, as .png."""
+    """Renders a .png with the camera of the editor under one distant light and a uniform sky."""
     world = bpy.data.worlds.new("sky")
     world.use_nodes = True
     world.node_tree.nodes["Background"].inputs["Color"].default_value = (of["sky"], of["sky"], of["sky"], 1)

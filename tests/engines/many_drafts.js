@@ -1,26 +1,26 @@
 // node many_drafts.js WEFTLIGHT DRAFT [parallel|memory]
-// The examples of docs/engines.md for many drafts: a run over a folder whose memory does not grow with their number, and
-// jobs under GNU parallel that give the same bytes as one run. Leaves with 0, 1 or 77 (what it needs is not there).
+// The examples of docs/engines.md for many drafts: memory does not grow with their number in a run over a folder, and jobs
+// under GNU parallel give the same bytes as one run. Exits with 0, 1 or 77 (a requirement is missing).
 'use strict';
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const { spawn, spawnSync } = require('child_process');
 
-// 200 were measured: 175 MB after 40, 176 MB at the end; WEFTLIGHT_DRAFTS=200 does it again.
+// Measured with 200 (WEFTLIGHT_DRAFTS=200): 175 MB after 40, 176 MB at the end.
 const kDrafts = { parallel: 6, memory: Number(process.env.WEFTLIGHT_DRAFTS || 40) };
-const kEarly = 20;        // sets after which memory is taken as that of any number
+const kEarly = 20;        // number of sets after which memory must not grow
 const kMaxGrowth = 1.1;
 const kArguments = ['--target', 'gltf', '--size', '16', '-o'];
 
-/// The most memory that a process has held so far, kB; 0: it is gone.
+/// Peak memory of a process so far, kB; 0 if it has ended.
 function peak_kb(pid) {
   try {
     return Number(/VmHWM:\s+(\d+)/.exec(fs.readFileSync(`/proc/${pid}/status`, 'utf8'))[1]);
   } catch { return 0; }
 }
 
-/// Peaks when `kEarly` sets stood and at the end.
+/// Peak memory after `kEarly` sets and at the end.
 function peaks_of_run(weftlight, drafts, sets) {
   const child = spawn(weftlight, ['export', drafts, '--jobs', '1', ...kArguments, sets], { stdio: ['ignore', 'ignore', 'inherit'] });
   const seen = { early: 0, last: 0 };
@@ -32,7 +32,7 @@ function peaks_of_run(weftlight, drafts, sets) {
   }, 20);
   return new Promise((done, fail) => child.on('exit', (code) => {
     clearInterval(timer);
-    return code ? fail(new Error(`export leaves with ${code}`)) : done(seen);
+    return code ? fail(new Error(`export exits with ${code}`)) : done(seen);
   }));
 }
 
@@ -62,13 +62,13 @@ function parallel(weftlight, drafts, folder) {
   const a = bytes_below(one), b = bytes_below(many);
   const apart = [...a.keys()].filter((name) => !b.has(name) || !a.get(name).equals(b.get(name)));
   apart.forEach((name) => console.error(`${name} differs under parallel`));
-  console.log(`${a.size} files, ${apart.length} apart`);
+  console.log(`${a.size} files, ${apart.length} differ`);
   return apart.length || a.size !== b.size ? 1 : 0;
 }
 
 async function main([weftlight, draft, what]) {
   if (what === 'parallel' && spawnSync('parallel', ['--version']).status !== 0) { console.log('skipped: GNU parallel is not installed'); return 77; }
-  if (what === 'memory' && !peak_kb(process.pid)) { console.log('skipped: this system does not tell what memory a process has held'); return 77; }
+  if (what === 'memory' && !peak_kb(process.pid)) { console.log('skipped: this system does not report the peak memory of a process'); return 77; }
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'weftlight-many-')), drafts = path.join(folder, 'drafts');
   try {
     fs.mkdirSync(drafts);

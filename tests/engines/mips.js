@@ -1,6 +1,6 @@
 // node mips.js WEFTLIGHT THREE_FOLDER DRAFT...
-// Sets with mips of our own as three.js reads them: .ktx2 by the parser of its KTX2Loader, .dds by its DDSLoader; every
-// level there, and both containers of the same texels. Leaves with 0, 1 or 77 (three is not installed).
+// Reads prefiltered mipmaps with three.js: .ktx2 by the parser of its KTX2Loader, .dds by its DDSLoader. All levels must be
+// there, with the same texels in both containers. Exits with 0, 1 or 77 (three is not installed).
 'use strict';
 const fs = require('fs');
 const os = require('os');
@@ -10,14 +10,14 @@ const { pathToFileURL } = require('url');
 
 const kSize = 128;
 
-/// Red and blue stand the other way round in a .dds; DDSLoader puts them right.
+/// Red and blue are swapped in a .dds; DDSLoader swaps them back.
 function differs(ktx, dds) {
   const wrong = [];
   if (ktx.levels.length !== 8 || dds.mipmaps.length !== 8) wrong.push(`${ktx.levels.length} and ${dds.mipmaps.length} levels`);
   ktx.levels.forEach((level, k) => {
     const a = level.levelData, b = dds.mipmaps[k] ? dds.mipmaps[k].data : [];
     if (a.length !== b.length || a.length !== 4 * (kSize >> k) ** 2) wrong.push(`level ${k}: ${a.length} and ${b.length} bytes`);
-    else if (a.some((v, i) => v !== b[i])) wrong.push(`level ${k}: other texels`);
+    else if (a.some((v, i) => v !== b[i])) wrong.push(`level ${k}: texels differ`);
   });
   return wrong;
 }
@@ -41,7 +41,7 @@ async function main([weftlight, three, ...drafts]) {
         const colour = map === 'basecolor' || map === 'sheen';
         const wrong = differs(ktx, dds);
         if (ktx.vkFormat !== (colour ? 43 : 37)) wrong.push(`format ${ktx.vkFormat}`);
-        if (ktx.dataFormatDescriptor[0].transferFunction !== (colour ? 2 : 1)) wrong.push('another transfer function');
+        if (ktx.dataFormatDescriptor[0].transferFunction !== (colour ? 2 : 1)) wrong.push('wrong transfer function');
         for (const w of wrong) { console.error(`${name}_${map}: ${w}`); ++far; }
       }
     } finally {

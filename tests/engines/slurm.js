@@ -1,6 +1,6 @@
 // node slurm.js WEFTLIGHT DRAFT
-// The array job of docs/engines.md under a Slurm of its own on this machine: munge, controller and node in a folder that goes
-// away again. It must give the same bytes as one run. Leaves with 0, 1 or 77 (Slurm is not installed, or not for this user).
+// The array job of docs/engines.md on a temporary Slurm on this machine: munge, controller and node in a temporary folder. It
+// must give the same bytes as one run. Exits with 0, 1 or 77 (Slurm is not installed, or not usable by this user).
 'use strict';
 const fs = require('fs');
 const net = require('net');
@@ -9,14 +9,14 @@ const path = require('path');
 const { spawn, spawnSync } = require('child_process');
 
 const kDrafts = 6;
-const kPatienceMs = 120000;
+const kTimeoutMs = 120000;
 const kArguments = ['--target', 'gltf', '--size', '16', '-o'];
 const kDaemons = ['munged', 'slurmctld', 'slurmd'];
 
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 const found = (name) => [...(process.env.PATH || '').split(':'), '/usr/sbin', '/usr/bin'].map((folder) => path.join(folder, name)).find((file) => fs.existsSync(file));
 
-/// A port that nobody listens on now.
+/// A free port.
 function free_port() {
   return new Promise((done) => {
     const server = net.createServer().listen(0, '127.0.0.1', () => {
@@ -58,7 +58,7 @@ PartitionName=all Nodes=${host} Default=YES MaxTime=INFINITE State=UP
   fs.writeFileSync(path.join(folder, 'munge.key'), require('crypto').randomBytes(1024), { mode: 0o400 });
 }
 
-/// The three daemons in the foreground, so that they end with us.
+/// Starts the three daemons in the foreground, so that they end with this process.
 function started(folder) {
   const at = (name) => path.join(folder, name);
   const commands = [
@@ -69,10 +69,10 @@ function started(folder) {
   return commands.map(([program, ...rest]) => spawn(program, rest, { stdio: 'ignore', env: { ...process.env, SLURM_CONF: at('slurm.conf') } }));
 }
 
-/// Asks until `ready` says so of the output.
+/// Repeats the command until `ready` accepts its output.
 async function until(folder, command, ready) {
   const env = { ...process.env, SLURM_CONF: path.join(folder, 'slurm.conf') };
-  for (const end = Date.now() + kPatienceMs; Date.now() < end; await wait(300)) {
+  for (const end = Date.now() + kTimeoutMs; Date.now() < end; await wait(300)) {
     const asked = spawnSync(command[0], command.slice(1), { env, encoding: 'utf8' });
     if (asked.status === 0 && ready(asked.stdout)) return asked.stdout;
   }
@@ -80,7 +80,7 @@ async function until(folder, command, ready) {
   throw new Error(`${command.join(' ')}: not in time\n${logs.map((file) => fs.readFileSync(file, 'utf8').slice(-1500)).join('\n')}`);
 }
 
-/// As docs/engines.md has it.
+/// The job of docs/engines.md.
 function job(weftlight, drafts, sets) {
   return `#!/bin/bash
 #SBATCH --cpus-per-task=1 --time=00:10:00
@@ -102,8 +102,8 @@ function bytes_below(folder) {
 
 async function main([weftlight, draft]) {
   if (!kDaemons.every(found) || !found('sbatch')) { console.log('skipped: Slurm is not installed (slurm-wlm)'); return 77; }
-  if (process.getuid() !== 0) { console.log('skipped: a Slurm that starts jobs needs root'); return 77; }
-  // The daemons go by a path of no more than 107 bytes to their socket.
+  if (process.getuid() !== 0) { console.log('skipped: Slurm needs root to start jobs'); return 77; }
+  // The path of a socket has at most 107 bytes.
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'weftlight-slurm-')), at = (name) => path.join(folder, name);
   let daemons = [];
   try {
@@ -121,7 +121,7 @@ async function main([weftlight, draft]) {
     const a = bytes_below(at('one')), b = bytes_below(at('many'));
     const apart = [...a.keys()].filter((name) => !b.has(name) || !a.get(name).equals(b.get(name)));
     apart.forEach((name) => console.error(`${name} differs under Slurm`));
-    console.log(`${a.size} files of ${kDrafts} array tasks, ${apart.length} apart`);
+    console.log(`${a.size} files of ${kDrafts} array tasks, ${apart.length} differ`);
     return apart.length || a.size !== b.size ? 1 : 0;
   } finally {
     const ended = daemons.map((child) => new Promise((done) => (child.exitCode !== null ? done() : child.on('exit', done))));

@@ -1,7 +1,8 @@
 // node three_js.js WEFTLIGHT THREE_FOLDER CHROMIUM DRAFT...
-// Exports each draft as .glb on the plane, shows it in three.js in headless Chromium, and holds the mean radiance of what
-// covers against what texture_set.json says that the material sends and that the cloth sends, and against rung `engine` from
-// afar; and what is covered, by pixels of 0.1 to 20 mm, against the coverage of the cloth. Leaves with 0, 1 (too far apart) or 77 (something is not installed). With --table it prints every figure.
+// Exports each draft as .glb on the plane and renders it with three.js in headless Chromium. Compares the mean radiance of the
+// covered area with the predicted radiance of the material and of the cloth in texture_set.json and with the far field of
+// method `engine`; and the covered fraction for pixels of 0.1 to 20 mm with the coverage of the cloth. Exits with 0, 1
+// (difference too large) or 77 (something is not installed). --table prints all values.
 'use strict';
 const fs = require('fs');
 const http = require('http');
@@ -9,21 +10,21 @@ const os = require('os');
 const path = require('path');
 const { execFileSync, spawn, spawnSync } = require('child_process');
 
-const kEngineTolerance = 0.08;  // of the prediction, mean over azimuths: highlights differ by the mips that are seen
-// Of the cloth, mean over the azimuths of views and lights, at each elevation.
-const of_cloth = (angle, open) => angle <= 60 && !open ? 0.1 : 0.25;  // open: gaps close at a slant, an engine's do not
+const kEngineTolerance = 0.08;  // against the prediction, mean over azimuths: highlights depend on the mip levels
+// Tolerance against the cloth at each elevation, mean over the azimuths of views and lights.
+const of_cloth = (angle, open) => angle <= 60 && !open ? 0.1 : 0.25;  // open: gaps of cloth close at oblique views, those in an engine do not
 const kClothError = 0.25;       // RMS of the difference over the RMS of the cloth, to 60 degrees
-const kOpenError = 0.3;         // of open cloth
-const kMethodTolerance = 0.05;    // of the rung, mean over planes and lights, to 60 degrees
+const kOpenError = 0.3;         // for open cloth
+const kMethodTolerance = 0.05;    // against the method, mean over planes and lights, up to 60 degrees
 const kMethodViews = [0, 43, 59], kMethodLights = [-43, 43];
-const kWindowM = 0.12;          // of the plane that is seen
-const kNearPixels = 192, kFarPixels = 20;  // across it: 0.6 mm, and 6 mm as for the rung
+const kWindowM = 0.12;          // side of the visible part of the plane
+const kNearPixels = 192, kFarPixels = 20;  // across it: 0.6 mm, and 6 mm for the comparison with the method
 const kCoverTolerance = 0.05;   // of coverage, at every distance and view
 const kCoverViews = [0, 43, 60], kCoverPixels = [1200, 300, 120, 30, 6];
-const kPatienceMs = 300000;
+const kTimeoutMs = 300000;
 const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.glb': 'model/gltf-binary' };
 
-/// `told` gets what the page sends.
+/// Calls `told` with the result of the page.
 function serve(folders, told) {
   const server = http.createServer((request, response) => {
     const name = decodeURIComponent(request.url.split('?')[0]);
@@ -40,7 +41,7 @@ function serve(folders, told) {
   return new Promise((done) => server.listen(0, '127.0.0.1', () => done(server)));
 }
 
-/// What the page sends, in a Chromium of its own that is ended then.
+/// The result of the page in a separate Chromium, which is ended afterwards.
 async function shown(chromium, folders, profile) {
   let told;
   const result = new Promise((done) => { told = done; });
@@ -48,10 +49,10 @@ async function shown(chromium, folders, profile) {
   const args = ['--headless', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader',
     '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', `--user-data-dir=${profile}`,
     `http://127.0.0.1:${server.address().port}/page.html`];
-  // A group of its own: its helpers would outlive it and write into the profile while that is removed.
+  // A separate process group: helper processes would outlive Chromium and write into the profile while it is removed.
   const child = spawn(chromium, args, { stdio: 'ignore', detached: true });
   const ended = new Promise((done) => child.on('exit', () => done({ error: 'Chromium ended' })));
-  const late = new Promise((done) => setTimeout(() => done({ error: 'the page told nothing' }), kPatienceMs).unref());
+  const late = new Promise((done) => setTimeout(() => done({ error: 'the page sent no result' }), kTimeoutMs).unref());
   try {
     const value = await Promise.race([result, ended, late]);
     if (value.error) throw new Error(value.error);
@@ -72,16 +73,16 @@ const unit = (plane, angle) => {
   return plane === 'warp' ? [0, Math.sin(a), Math.cos(a)] : [Math.sin(a), 0, Math.cos(a)];
 };
 
-/// What rung `engine` sends from afar; none where there is no graphics.
+/// The far field of method `engine`; empty without graphics.
 function of_method(weftlight, draft, folder) {
-  const table = path.join(folder, 'rung.csv');
+  const table = path.join(folder, 'method.csv');
   const asked = spawnSync(weftlight, ['response', draft, '--method', 'engine', '--plane', 'both', `--views=${kMethodViews}`,
     `--lights=${kMethodLights}`, '-o', table], { stdio: ['ignore', 'ignore', 'inherit'] });
   if (asked.status === 4) return [];
   if (asked.status !== 0) throw new Error('weftlight response failed');
   return fs.readFileSync(table, 'utf8').trim().split('\n').slice(1).map((row) => {
     const [plane, view, light, ...rgb] = row.split(',');
-    return { view: unit(plane, +view), light: unit(plane, +light), rung: rgb.map(Number), pixels: kFarPixels };
+    return { view: unit(plane, +view), light: unit(plane, +light), method: rgb.map(Number), pixels: kFarPixels };
   });
 }
 
@@ -98,7 +99,7 @@ async function measure(weftlight, three, chromium, draft, folder) {
       : url === '/query.json' ? path.join(folder, 'query.json') : path.join(__dirname, path.basename(url));
   const seen = await shown(chromium, folders, path.join(folder, 'profile'));
   return { name, rows: pairs.map((p, i) => ({ angle: degrees(p.view), view: p.view, cloth: luminance(p.cloth), engine: luminance(p.engine), three: luminance(seen[i]) / Math.max(seen[i][3], 1e-3) })),
-    far: far.map((p, i) => ({ angle: degrees(p.view), rung: luminance(p.rung), three: luminance(seen[pairs.length + i]) })),
+    far: far.map((p, i) => ({ angle: degrees(p.view), method: luminance(p.method), three: luminance(seen[pairs.length + i]) })),
     cover: cover.map((p, i) => ({ deg: p.deg, mm: 1000 * kWindowM / p.pixels, wanted: list.alpha === 'opaque' ? 1 : list.coverage, three: seen[pairs.length + far.length + i][3] })) };
 }
 
@@ -107,28 +108,28 @@ function judge(result) {
   const open = result.cover[0].wanted < 1;
   for (const angle of new Set(result.rows.map((r) => r.angle.toFixed(0)))) {
     const rows = result.rows.filter((r) => r.angle.toFixed(0) === angle), of = (who) => rows.reduce((s, r) => s + r[who], 0);
-    const foretold = of('three') / of('engine'), cloth = of('three') / of('cloth');
-    console.log(`${result.name}: ${angle} degrees: three.js sends ${cloth.toFixed(3)} of the cloth, ${foretold.toFixed(3)} of what was foretold`);
-    if (Math.abs(foretold - 1) > kEngineTolerance || Math.abs(cloth - 1) > of_cloth(+angle, open)) ++far;
+    const predicted = of('three') / of('engine'), cloth = of('three') / of('cloth');
+    console.log(`${result.name}: ${angle} degrees: radiance in three.js is ${cloth.toFixed(3)} of that of the cloth, ${predicted.toFixed(3)} of the prediction`);
+    if (Math.abs(predicted - 1) > kEngineTolerance || Math.abs(cloth - 1) > of_cloth(+angle, open)) ++far;
   }
   for (const angle of kMethodViews) {
     const rows = result.far.filter((r) => Math.abs(r.angle - angle) < 0.5);
     if (!rows.length) continue;
-    const ratio = rows.reduce((s, r) => s + r.three, 0) / rows.reduce((s, r) => s + r.rung, 0);
-    console.log(`${result.name}: ${angle} degrees: three.js sends ${ratio.toFixed(3)} of rung engine`);
+    const ratio = rows.reduce((s, r) => s + r.three, 0) / rows.reduce((s, r) => s + r.method, 0);
+    console.log(`${result.name}: ${angle} degrees: radiance in three.js is ${ratio.toFixed(3)} of that of method engine`);
     if (Math.abs(ratio - 1) > kMethodTolerance) ++far;
   }
   const dense = result.rows.filter((r) => r.angle <= 60);
   const error = Math.sqrt(dense.reduce((s, r) => s + (r.three - r.cloth) ** 2, 0) / dense.reduce((s, r) => s + r.cloth ** 2, 0));
-  console.log(`${result.name}: to 60 degrees its RMS error is ${error.toFixed(3)}`);
+  console.log(`${result.name}: RMS error up to 60 degrees is ${error.toFixed(3)}`);
   if (error > (open ? kOpenError : kClothError)) ++far;
   for (const c of result.cover) {
     if (Math.abs(c.three - c.wanted) <= kCoverTolerance) continue;
-    console.error(`${result.name}: ${c.deg} degrees, pixels of ${c.mm} mm: ${c.three.toFixed(3)} is covered, of the cloth ${c.wanted.toFixed(3)}`);
+    console.error(`${result.name}: ${c.deg} degrees, pixels of ${c.mm} mm: coverage is ${c.three.toFixed(3)}, that of the cloth ${c.wanted.toFixed(3)}`);
     ++far;
   }
   const worst = Math.max(...result.cover.map((c) => Math.abs(c.three - c.wanted)));
-  console.log(`${result.name}: its coverage is within ${worst.toFixed(3)} at every distance`);
+  console.log(`${result.name}: the error of the coverage is at most ${worst.toFixed(3)} at every distance`);
   return far;
 }
 

@@ -1,6 +1,6 @@
 // node u3m.js WEFTLIGHT AJV_FOLDER DRAFT...
-// Holds exported .u3m files against the published schema, which lies in the folder WEFTLIGHT_U3M, and .u3ma against the
-// header fields that its specification asks for. Leaves with 0, 1 (an issue) or 77 (schema or validator are not there).
+// Validates exported .u3m files against the published schema in the folder $WEFTLIGHT_U3M, and the headers of .u3ma against its
+// specification. Exits with 0, 1 (an issue) or 77 (schema or validator are missing).
 'use strict';
 const fs = require('fs');
 const os = require('os');
@@ -28,7 +28,7 @@ function issues_of_json(ajv_folder, schemas, file) {
   return wrong;
 }
 
-/// Every entry of the central directory and its local header.
+/// Checks every entry of the central directory and its local header.
 function issues_of_archive(file) {
   const bytes = fs.readFileSync(file), wrong = [];
   const expect = (name, found, wanted) => { if (found !== wanted) wrong.push(`${file}: ${name} is ${found}, not ${wanted}`); };

@@ -1,5 +1,5 @@
-"""unreal.py WEFTLIGHT DRAFT...: runs a set's import script against a stand-in for Unreal's own module, which knows no more
-than which calls were made: twice, since artists export again. Not a test of Unreal."""
+"""unreal.py WEFTLIGHT DRAFT...: runs the import script of a set against a mock of Unreal's module, which only records
+calls. Runs it twice, since artists export again. Not a test of Unreal."""
 import json
 import os
 import runpy
@@ -10,7 +10,7 @@ from unittest.mock import MagicMock
 
 
 class Editor:
-    """Content that is kept between two runs."""
+    """Content that is kept between the two runs."""
 
     def __init__(self):
         self.assets, self.imported, self.flags, self.slots = {}, [], {}, set()
@@ -24,7 +24,7 @@ class Editor:
 
     def create(self, name, into, *_):
         path = into + "/" + name
-        assert path not in self.assets, path + " is there already: Unreal would give None"
+        assert path not in self.assets, path + " exists already: Unreal would return None"
         return self.asset(path)
 
     def take(self, tasks):

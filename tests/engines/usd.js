@@ -1,6 +1,6 @@
 // node usd.js WEFTLIGHT TINYUSDZ_FOLDER DRAFT...
-// Exported .usda and .usdz are read by tinyusdz, .usdz is aligned as its specification asks, and the .mtlx is well formed:
-// every node that is named is there. Leaves with 0, 1 or 77 (tinyusdz is not installed).
+// Reads exported .usdz with tinyusdz, checks the alignment of the .usdz, and that the .mtlx is well formed: every node that is
+// referenced exists. Exits with 0, 1 or 77 (tinyusdz is not installed).
 'use strict';
 const fs = require('fs');
 const os = require('os');
@@ -29,12 +29,12 @@ function issues_of_mtlx(file) {
   }
   if (open.length) wrong.push(`${file}: <${open.pop()}> is not closed`);
   const names = new Set([...text.matchAll(/ name="([^"]+)"/g)].map((m) => m[1]));
-  for (const [, name] of text.matchAll(/ (?:nodename|nodegraph|output)="([^"]+)"/g)) if (!names.has(name)) wrong.push(`${file}: names ${name}, which is not there`);
-  for (const [, image] of text.matchAll(/type="filename" value="([^"]+)"/g)) if (!fs.existsSync(path.join(path.dirname(file), image))) wrong.push(`${file}: ${image} is not there`);
+  for (const [, name] of text.matchAll(/ (?:nodename|nodegraph|output)="([^"]+)"/g)) if (!names.has(name)) wrong.push(`${file}: refers to ${name}, which is missing`);
+  for (const [, image] of text.matchAll(/type="filename" value="([^"]+)"/g)) if (!fs.existsSync(path.join(path.dirname(file), image))) wrong.push(`${file}: ${image} is missing`);
   return wrong;
 }
 
-/// It is built for browsers: what it looks for there is put in its place.
+/// tinyusdz is built for browsers: defines the globals that it needs.
 async function reader(folder) {
   process.type = 'renderer';
   globalThis.window = globalThis;

@@ -1,6 +1,6 @@
 // node validate.js WEFTLIGHT VALIDATOR_MODULE DRAFT
-// Exports the draft on several meshes and holds every .glb against the Khronos validator. Leaves with 0,
-// 1 (an issue) or 77 (the validator is not installed).
+// Exports the draft on several meshes and validates every .glb with the Khronos validator. Exits with 0, 1 (an issue) or 77
+// (the validator is not installed).
 'use strict';
 const fs = require('fs');
 const os = require('os');

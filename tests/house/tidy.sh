@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# clang-tidy's list (.clang-tidy) on the C++ files that differ from a base: $WEFTLIGHT_TIDY_BASE, else where the branch
-# left main, else the commit before. $1: the source folder; $2: the build folder, with compile_commands.json. A changed
-# header is read through the .cpp beside it. 77: not checked here, and why.
+# Runs clang-tidy (.clang-tidy) on the C++ files that differ from a base: $WEFTLIGHT_TIDY_BASE, else the point where the branch
+# left main, else the previous commit. $1: source folder; $2: build folder with compile_commands.json. A changed header is
+# checked through the .cpp beside it. Exits with 77, and says why, if it cannot check.
 set -euo pipefail
 cd "$1"
 tool=$(command -v clang-tidy-14 || command -v clang-tidy) || { echo "clang-tidy is not installed: not checked"; exit 77; }

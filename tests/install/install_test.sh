@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs into an empty folder and runs the program from there: it must use the files that lie beside it, not those
-# of the source tree. Usage: install_test.sh CMAKE BUILD SOURCE
+# Installs into an empty folder and runs the program from there: it must use the installed files, not those of the source
+# tree. Usage: install_test.sh CMAKE BUILD SOURCE
 set -euo pipefail
 cmake=$1 build=$2 source=$3
-unset WEFTLIGHT_PRESETS WEFTLIGHT_SHADERS
+unset WEFTLIGHT_PRESETS WEFTLIGHT_SHADERS WEFTLIGHT_LANGUAGES
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
 fail() { echo "failed: $*" >&2; exit 1; }
@@ -36,9 +36,9 @@ fi
 ((code == 0)) || fail "render: $(cat "$root/said")"
 [[ -s $root/picture.png ]] || fail "there is no picture"
 
-# What is broken there is what it stumbles over.
+# Broken installed files must cause errors, which shows that they are used.
 echo broken >"$share/weftlight/presets/lod_table.csv"
-render 2>"$root/said" || fail "render with a broken ladder"
-grep -q "$share/weftlight/presets/lod_table.csv" "$root/said" || fail "the ladder is not the installed one: $(cat "$root/said")"
+render 2>"$root/said" || fail "render with a broken LOD table"
+grep -q "$share/weftlight/presets/lod_table.csv" "$root/said" || fail "the LOD table is not the installed one: $(cat "$root/said")"
 echo "#error installed" >"$share/weftlight/shaders/cloth.frag"
 ! render 2>"$root/said" || fail "the shaders are not the installed ones"

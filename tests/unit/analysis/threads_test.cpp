@@ -121,11 +121,7 @@ TEST(Yarn, EachYarnAndColourIsNamed) {
   EXPECT_EQ(r.needs[2].yarn, 1);
 }
 
-<<<<<<< HEAD
 TEST(Yarn, NumbersOutOfRangeCountAsTheLimit) {
-=======
-TEST(Yarn, ExtremeParametersGiveFiniteNumbers) {
->>>>>>> words-wa
   Design d = plain_cloth(3, 3);
   d.draft.warp.spacing_mm = {0, 0, 0};
   EXPECT_TRUE(yarn_report(d, {}).needs.empty()) << "a cloth of no width";

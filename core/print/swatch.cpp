@@ -55,7 +55,7 @@ class Swatch {
     for (const ThreadBody& t : cloth.ends) end_color_.push_back(srgb_from_linear(t.colour));
     for (const ThreadBody& t : cloth.picks) pick_color_.push_back(srgb_from_linear(t.colour));
     for (int i = 0; i < layer_count(cloth); ++i) {
-      const auto l = cloth.layers.empty() ? cloth::Layer{0, cloth.up.cols(), 0, cloth.up.rows()}
+      const auto l = cloth.layers.empty() ? cloth::ClothLayer{0, cloth.up.cols(), 0, cloth.up.rows()}
                                           : cloth.layers[static_cast<size_t>(i)];
       Places& places = layers_.emplace_back();
       for (const double mm : across_mm) places.across.push_back(place_of(cloth.ends, l.first_end, l.ends, mm));

@@ -1,6 +1,6 @@
-#include <glm/gtc/matrix_inverse.hpp>
+#include "render_data/map_patch.h"
 
-#include "render_data/patch.h"
+#include <glm/gtc/matrix_inverse.hpp>
 
 namespace weftlight::render_data {
 namespace {

@@ -1,7 +1,8 @@
+#include "render_data/named_views.h"
+
 #include <algorithm>
 
 #include "render_data/camera.h"
-#include "render_data/views.h"
 
 namespace weftlight::render_data {
 

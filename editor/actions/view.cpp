@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "actions/action_parts.h"
-#include "render_data/views.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::actions {
 namespace {

@@ -10,7 +10,7 @@
 #include "files/files.h"
 #include "gl/pipeline.h"
 #include "light/lod_table.h"
-#include "render_data/views.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::commands {
 namespace {

@@ -15,9 +15,9 @@
 #include "light/lod_table.h"
 #include "render_data/ambient.h"
 #include "render_data/light_rig.h"
+#include "render_data/map_patch.h"
 #include "render_data/method_weights.h"
 #include "render_data/packed_maps.h"
-#include "render_data/patch.h"
 
 namespace weftlight::gl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render_data/views.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::session {
 namespace {

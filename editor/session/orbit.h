@@ -2,7 +2,7 @@
 // The camera around the cloth, as the weaver turns it; not part of the design until it is kept.
 
 #include "draft/design.h"
-#include "render_data/views.h"
+#include "render_data/named_views.h"
 #include "session/names.h"
 
 namespace weftlight::session {

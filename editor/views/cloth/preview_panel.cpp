@@ -7,7 +7,7 @@
 #include "cloth/cloth.h"
 #include "draft/methods.h"
 #include "light/formulas.h"
-#include "render_data/views.h"
+#include "render_data/named_views.h"
 #include "session/reference_tracer.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"

@@ -6,7 +6,7 @@
 #include "command.h"
 #include "commands/picture_setup.h"
 #include "render_data/camera.h"
-#include "render_data/views.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::orientation {
 namespace {

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <new>
 #include <numbers>
+
+#include "base/caught.h"
 
 namespace weftlight::files {
 namespace {
@@ -151,6 +154,8 @@ ReadEnvironment read_from(const std::string& path) {
 ReadEnvironment read_environment(const std::string& path) {
   try {
     return read_from(path);
+  } catch (const std::bad_alloc&) {
+    return {{}, path + ": " + kNoMemory, {}};
   } catch (const std::exception& e) {
     return {{}, path + ": " + e.what() + "; the file is broken", {}};
   }

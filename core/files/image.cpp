@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "files/files.h"
 #include "files/image_rows.h"
@@ -238,8 +239,8 @@ std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, i
     if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
     if (file->out && file->out->open(path, spec)) return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
     problem = path + ": " + (file->out ? file->out->geterror() : OIIO::geterror());
-  } catch (const std::exception& e) {
-    problem = path + ": " + e.what();
+  } catch (...) {
+    problem = path + ": " + words_of_thrown();
   }
   return nullptr;
 }
@@ -308,8 +309,8 @@ ReadImage read_image(const std::string& path, int level) {
   if (!std::filesystem::is_regular_file(path, ec)) return {{}, path + ": no such file"};
   try {
     return read_from(path, level);
-  } catch (const std::exception& e) {
-    return {{}, path + ": " + e.what()};
+  } catch (...) {
+    return {{}, path + ": " + words_of_thrown()};
   }
 }
 

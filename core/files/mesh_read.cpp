@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "files/files.h"
 
@@ -554,8 +555,8 @@ Mesh read_checked(const std::string& path) {
 ReadMesh read_mesh(const std::string& path) {
   try {
     return {read_checked(path), {}};
-  } catch (const std::exception& e) {
-    return {{}, path + ": " + e.what()};
+  } catch (...) {
+    return {{}, path + ": " + words_of_thrown()};
   }
 }
 

@@ -59,9 +59,9 @@ int write_all(int fd, std::string_view bytes) {
 
 /// The file a chain of symbolic links ends at, which may not be there yet.
 fs::path target_of(fs::path path) {
-  constexpr int kMostLinks = 32;
+  constexpr int kMaxLinks = 32;
   std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path, error); ++i) {
     const fs::path next = fs::read_symlink(path, error);
     if (error) break;
     path = next.is_absolute() ? next : path.parent_path() / next;
@@ -122,8 +122,8 @@ struct Beside {
 };
 Beside make_beside(const std::string& target) {
   using platform::LockAnswer;
-  constexpr int kMostTries = 10;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 10;
+  for (int i = 0; i < kMaxTries; ++i) {
     Beside made{temporary_beside(target), {}, 0};
     made.lock = platform::FileLock::make(made.path);
     made.failed = made.lock.answer() == LockAnswer::kNoFile ? made.lock.cause() : 0;

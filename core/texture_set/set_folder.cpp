@@ -77,7 +77,7 @@ void remove_staged(const fs::path& made) {
   fs::remove_all(made, ec);
 }
 
-void sweep_leftovers(const fs::path& folder) {
+void remove_stale_files(const fs::path& folder) {
   std::error_code ec;
   const fs::path beside = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::vector<fs::path> found;
@@ -168,11 +168,11 @@ std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
 }
 
 Staging make_staging(const fs::path& folder, std::string& problem) {
-  constexpr int kMostTries = 10;
+  constexpr int kMaxTries = 10;
   std::error_code ec;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), ec);
-  sweep_leftovers(folder);
-  for (int i = 0; i < kMostTries; ++i) {
+  remove_stale_files(folder);
+  for (int i = 0; i < kMaxTries; ++i) {
     Staging made{temporary_beside(folder.string()), {}};
     if (!fs::create_directory(made.folder, ec)) {
       problem = folder.string() + ": cannot be made: " + ec.message();

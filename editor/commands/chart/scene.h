@@ -6,7 +6,7 @@
 #include <string>
 
 #include "commands/chart/names.h"
-#include "light/ladder.h"
+#include "light/lod_table.h"
 
 namespace weftlight::chart {
 

@@ -15,10 +15,10 @@
 #include "paths.h"
 #include "scarce_memory.h"
 #include "session/background_writer.h"
+#include "session/draft_thumbnails.h"
 #include "session/export_plan.h"
 #include "session/export_preview.h"
 #include "session/exporter.h"
-#include "session/file_looks.h"
 #include "session/journal.h"
 #include "session/recovery.h"
 #include "session/reference_tracer.h"
@@ -154,19 +154,19 @@ TEST_F(NoMemory, ATracedPictureSaysSoAndTheNextComes) {
 }
 
 TEST_F(NoMemory, APictureOfAFileIsNotThereAndTheOthersAre) {
-  FileLooks looks("", [] {});
+  DraftThumbnails looks("", [] {});
   const std::string file = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/drafts/starter.wif";
-  std::vector<std::pair<std::string, FileLook>> made;
+  std::vector<std::pair<std::string, DraftThumbnail>> made;
   const auto comes = [&] { return comes_true([&] { return !(made = looks.take()).empty(); }); };
   {
     const Scarce scarce(kLittle);
     looks.ask(file);
     ASSERT_TRUE(comes());
   }
-  EXPECT_EQ(made[0].second.state, FileLook::State::kUnreadable);
+  EXPECT_EQ(made[0].second.state, DraftThumbnail::State::kUnreadable);
   looks.ask(file);
   ASSERT_TRUE(comes());
-  EXPECT_EQ(made[0].second.state, FileLook::State::kThere);
+  EXPECT_EQ(made[0].second.state, DraftThumbnail::State::kThere);
 }
 
 }  // namespace

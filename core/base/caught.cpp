@@ -7,16 +7,16 @@ namespace weftlight::base {
 namespace {
 
 std::string words() {
-  constexpr const char* kUnknown = "it went wrong for an unknown reason";
+  const char* const unknown = tr("an unknown error");
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return kNoMemory;
+    return tr(kNoMemory);
   } catch (const std::exception& e) {
     const std::string said = e.what();
-    return said.empty() ? kUnknown : said;
+    return said.empty() ? unknown : said;
   } catch (...) {
-    return kUnknown;
+    return unknown;
   }
 }
 
@@ -26,7 +26,7 @@ std::string words_of_thrown() noexcept {
   try {
     return words();
   } catch (...) {
-    return "no memory";  // so short that it takes none
+    return "no memory";  // short enough to need no allocation
   }
 }
 

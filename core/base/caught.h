@@ -1,16 +1,18 @@
 #pragma once
-// What a job throws, as words for people: where threads run jobs, nothing may be thrown on.
+// Exceptions of a job as text for users. A thread that runs jobs lets no exception out.
 
 #include <string>
 
+#include "base/text.h"
+
 namespace weftlight::base {
 
-inline constexpr const char* kNoMemory = "there is not enough memory";
+inline constexpr const char* kNoMemory = mark("there is not enough memory");
 
-/// In a handler: what was thrown. Never empty.
+/// Inside a catch block: the text of the exception. Never empty.
 std::string words_of_thrown() noexcept;
 
-/// Runs `job`; what it threw, in words; empty: nothing.
+/// Runs `job`. Returns the text of what it threw, or an empty string.
 template <class Job>
 std::string caught(const Job& job) noexcept {
   try {

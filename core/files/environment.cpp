@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <new>
 #include <numbers>
 
+#include "base/caught.h"
 #include "files/file_problem.h"
 
 namespace weftlight::files {
@@ -179,6 +181,8 @@ ReadEnvironment read_from(const std::string& path) {
 ReadEnvironment read_environment(const std::string& path) {
   try {
     return read_from(path);
+  } catch (const std::bad_alloc&) {
+    return {{}, file_problem(path, base::tr(base::kNoMemory)), {}};
   } catch (const std::exception& e) {
     return {{}, broken_file(path, e.what()), {}};
   }

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "files/file_problem.h"
 #include "files/files.h"
@@ -244,8 +245,8 @@ std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, i
     if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
     if (file->out && file->out->open(path, spec)) return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
     problem = file_problem(path, file->out ? file->out->geterror() : OIIO::geterror());
-  } catch (const std::exception& e) {
-    problem = file_problem(path, e.what());
+  } catch (...) {
+    problem = file_problem(path, base::words_of_thrown());
   }
   return nullptr;
 }
@@ -316,8 +317,8 @@ ReadImage read_image(const std::string& path, int level) {
   if (!std::filesystem::is_regular_file(path, ec)) return {{}, file_problem(path, tr("no such file"))};
   try {
     return read_from(path, level);
-  } catch (const std::exception& e) {
-    return {{}, file_problem(path, e.what())};
+  } catch (...) {
+    return {{}, file_problem(path, base::words_of_thrown())};
   }
 }
 

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/caught.h"
 #include "base/files.h"
 #include "files/file_problem.h"
 #include "files/files.h"
@@ -565,8 +566,8 @@ Mesh read_checked(const std::string& path) {
 ReadMesh read_mesh(const std::string& path) {
   try {
     return {read_checked(path), {}};
-  } catch (const std::exception& e) {
-    return {{}, file_problem(path, e.what())};
+  } catch (...) {
+    return {{}, file_problem(path, base::words_of_thrown())};
   }
 }
 

@@ -207,7 +207,7 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
     const Job& job = jobs[static_cast<size_t>(j)];
     const std::string thrown = caught([&] { run_job(job, run); });
     if (!thrown.empty())
-      tell(run, kNotWritten,
+      report(run, kNotWritten,
            fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
   });
   if (jobs.size() > 1) {

@@ -111,8 +111,10 @@ FORMULA float facet_density(vec2 slopes, vec2 h) {
 // of light that few facets mirror.
 const float kUnseenFacets = 0.01f;
 
-// By what fuzz and light scattered more than once are coloured.
-FORMULA vec3 hair_of(YarnLobes y) { return y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f); }
+// Schlick's (1 - cosine)^5 over a hemisphere, and Fresnel's term with it: by that light is coloured which facets scatter
+// more than once.
+const float kMeanGrazing = 1.0f / 21.0f;
+FORMULA vec3 mean_fresnel(YarnLobes y) { return y.f0 + (y.f90 - y.f0) * kMeanGrazing; }
 
 // What system_answer() makes of the key light; mirrors: density of the facets that mirror it, 1 of light from behind.
 FORMULA vec3 key_from_afar(YarnLobes y, vec4 broad, float mirrors, vec3 l, vec3 v) {
@@ -121,7 +123,7 @@ FORMULA vec3 key_from_afar(YarnLobes y, vec4 broad, float mirrors, vec3 l, vec3 
   float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
   vec3 fresnel = y.f0 + (y.f90 - y.f0) * pile_grazing(y.pile, k);
   vec3 body = l.z > 0.0f ? y.body : y.body + y.through;
-  return body * broad.x + fresnel * (mirrors * broad.y) + hair_of(y) * broad.z;
+  return body * broad.x + fresnel * (mirrors * broad.y) + y.fuzz_colour * broad.z + mean_fresnel(y) * broad.w;
 }
 
 // One system of threads from afar. broad: its response (core/light/cloth_response.h); of light from behind
@@ -131,7 +133,7 @@ FORMULA Answer system_answer(YarnLobes y, vec4 broad, vec2 slopes, float share, 
   float mirrors = l.z > 0.0f ? facet_density(slopes, half_slopes(l, v)) * share + kUnseenFacets : 1.0f;
   Answer a;
   a.key = key_from_afar(y, broad, mirrors, l, v);
-  a.soft = y.body * sky.x + hair_of(y) * sky.y;
+  a.soft = y.body * sky.x + y.fuzz_colour * sky.y;
   a.glossy = y.f0 * (sky.z - sky.w) + y.f90 * sky.w;
   return a;
 }

@@ -51,7 +51,7 @@ struct Lit {
 /// [view][light].
 struct Sums {
   std::vector<float> body;
-  std::vector<glm::vec2> side;                              // mirrored; fuzz and the like
+  std::vector<glm::vec3> side;                              // mirrored; fuzz; what facets scatter more than once
   std::array<std::vector<float>, kFacetMoments> leaning{};  // body, times each of the place's moments
 };
 
@@ -61,13 +61,14 @@ using Lights = std::array<glm::vec3, kBehindLights>;
 void look_out(Lit& p, const formulas::LobeFrame& frame, bool own, const Views& views) {
   const ThreadPlace& place = *p.place;
   const bool plain = place.normal == place.side;
+  const glm::vec3 shares = body_shares(place.lobes);
   for (size_t v = kLowViews; v <= kTop; ++v) {
     const float facing = glm::dot(place.side, views[v]);
     if (facing <= 0 || place.open[v] <= 0 || (!plain && own != (glm::dot(place.normal, views[v]) > 0))) continue;
     const glm::vec3 local = formulas::lobe_local(frame, views[v]);
     const formulas::LobeSide side = formulas::lobe_side(place.lobes, p.shared, local);
     const float seen = place.area * facing;
-    p.out.push_back({v, views[v], local, seen, seen * p.shared.body_scale.g * side.enters.g, side});
+    p.out.push_back({v, views[v], local, seen, seen * glm::dot(p.shared.body_scale * side.enters, shares), side});
   }
 }
 
@@ -78,7 +79,9 @@ Lit lit_place(const ThreadPlace& place, const glm::vec3& normal, const Views& vi
   look_out(p, frame, normal == place.normal, views);
   if (place.behind.empty()) p.out.clear();
   if (p.out.empty()) return p;
-  const float both = std::max(lobes.body.g + lobes.through.g, 1e-6f);
+  const glm::vec3 shares = body_shares(lobes);
+  const float body = channel_mean(lobes.body), through = channel_mean(lobes.through),
+              both = std::max(body + through, 1e-6f);
   const auto [low, high] = std::minmax_element(place.behind.begin(), place.behind.end());
   p.first = *low;
   p.bare.assign(*high - *low + 1u, 0.0f);
@@ -87,7 +90,7 @@ Lit lit_place(const ThreadPlace& place, const glm::vec3& normal, const Views& vi
     const glm::vec3 local = formulas::lobe_local(frame, lights[i]);
     const bool faces = local.z > 0;
     const formulas::LobeSide side = formulas::lobe_side(lobes, p.shared, {local.x, local.y, std::abs(local.z)});
-    const float bare = std::abs(local.z) * side.enters.g * (faces ? lobes.body.g : lobes.through.g) / both;
+    const float bare = std::abs(local.z) * glm::dot(side.enters, shares) * (faces ? body : through) / both;
     p.bare[i - p.first] = bare, p.cleared[i - p.first] = bare * side.clear;
     if (faces) p.in.push_back({i, lights[i], local, side});
   }
@@ -97,27 +100,29 @@ Lit lit_place(const ThreadPlace& place, const glm::vec3& normal, const Views& vi
 /// Fresnel's term of what mirrors, over that which pictures give it.
 float fresnel_over_drawn(const ThreadPlace& p, float grazing) {
   const float rising = formulas::pile_grazing(p.lobes.pile, grazing), f90 = p.lobes.f90;
-  return (p.lobes.f0.g + (f90 - p.lobes.f0.g) * rising) / (p.drawn.f0.g + (f90 - p.drawn.f0.g) * rising + 1e-6f);
+  const float f0 = channel_mean(p.lobes.f0), drawn = channel_mean(p.drawn.f0);
+  return (f0 + (f90 - f0) * rising) / (drawn + (f90 - drawn) * rising + 1e-6f);
 }
 
 /// Without what the body sends.
-glm::vec2 sent_by_side(const Lit& p, const In& in, const Out& out) {
+glm::vec3 sent_by_side(const Lit& p, const In& in, const Out& out) {
   const formulas::YarnLobes& lobes = p.place->lobes;
   const float veiled = 1 - in.side.clear * out.side.clear;
   formulas::YarnLobes mirror = lobes;
   mirror.f0 = glm::vec3(1), mirror.f90 = 1;
   const float mirrored = formulas::lobe_specular(mirror, p.shared, in.side, out.side, in.local, out.local).g;
   const float grazing = std::max(1 - 0.5f * glm::length(in.towards + out.towards), 0.0f);
-  float combed = p.shared.multiple.g * in.side.lost * out.side.lost;
+  glm::vec3 combed(0);
   if (lobes.fuzz > 0) {
-    const float again = lobes.body.g * p.shared.mean_enters.g * in.side.fuzz.y * out.side.fuzz.y /
-                        (kPi * std::max(out.side.fuzz.w, 1e-4f));
-    combed += lobes.fuzz_colour.g * lobes.fuzz * (veiled / (4 * kPi * (in.side.mu + out.side.mu)) + again);
+    const glm::vec3 again = lobes.body * p.shared.mean_enters *
+                            (in.side.fuzz.y * out.side.fuzz.y / (kPi * std::max(out.side.fuzz.w, 1e-4f)));
+    combed = lobes.fuzz_colour * lobes.fuzz * (veiled / (4 * kPi * (in.side.mu + out.side.mu)) + again);
   }
   const ThreadPlace& place = *p.place;
-  const float drawn_hair = lobes.fuzz > 0 ? place.drawn.fuzz_colour.g : place.drawn.f0.g / std::max(lobes.f90, 1e-3f);
-  return glm::vec2(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_drawn(place, grazing),
-                   combed / std::max(drawn_hair, 1e-4f)) *
+  const float recurring = channel_mean(p.shared.multiple) * in.side.lost * out.side.lost;
+  return glm::vec3(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_drawn(place, grazing),
+                   channel_mean(combed) / std::max(channel_mean(place.drawn.fuzz_colour), 1e-6f),
+                   recurring / std::max(channel_mean(formulas::mean_fresnel(place.drawn)), 1e-6f)) *
          (in.local.z * out.seen * place.groove);
 }
 
@@ -144,7 +149,8 @@ std::array<float, 2> tones_of(const ClothResponse& response, const Cloth& cloth)
   std::array<float, 2> out;
   for (size_t s = 0; s < 2; ++s) {
     const Linear& c = response.systems[s].colour;
-    out[s] = tone_of(formulas::yarn_of(mean_yarn(cloth, s == 0 ? cloth.ends : cloth.picks), {c.r, c.g, c.b}));
+    const glm::vec3 colour = glm::max(glm::vec3(c.r, c.g, c.b), kDarkestChannel);
+    out[s] = tone_of(formulas::yarn_of(mean_yarn(cloth, s == 0 ? cloth.ends : cloth.picks), colour));
   }
   return out;
 }
@@ -216,7 +222,7 @@ void write_system(SystemResponse& out, const Sums& sums, const std::vector<Facet
       const size_t from = counted_view(v), at = from * kBehindLights + i, to = 4 * (v * kBehindLights + i);
       const float part = scale / std::max(seen[from], 1e-9f);
       out.behind[to] = sums.body[at] * part;
-      out.behind[to + 1] = sums.side[at].x * part, out.behind[to + 2] = sums.side[at].y * part;
+      for (size_t k = 0; k < 3; ++k) out.behind[to + 1 + k] = sums.side[at][static_cast<int>(k)] * part;
       std::ranges::copy(lean_of(sums, facets[from], at), out.behind_lean.begin() + static_cast<ptrdiff_t>(to));
     }
   }

@@ -51,17 +51,25 @@ struct Point {
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
   float peak = 0;              // density of those slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
-  float f0 = 0, f90 = 0, pile = 1, hair = 0;  // green
+  // Means of the channels.
+  float f0 = 0, f90 = 0, pile = 1, hair = 0;
   // Of the colours that the table leaves out, as pictures take them.
-  float tone = 0, drawn_f0 = 0, drawn_hair = 0;
+  float tone = 0, drawn_f0 = 0, drawn_hair = 0, drawn_recurring = 0;
 };
 
 /// Before the place: cosine of it, times share that is not hidden.
-void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
-  from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
+void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine,
+                const glm::vec3& shares) {
+  from.cosine[i] = cosine, from.lit[i] = cosine * glm::dot(side.enters, shares);
   from.lost[i] = cosine * side.lost, from.veil[i] = cosine * side.fuzz.y;
   from.clear[i] = side.clear, from.shadow[i] = side.area;
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
+}
+
+/// What comes out of the body of light that fuzz scatters both ways, of all that it is coloured by.
+float again_of(const formulas::YarnLobes& lobes, const formulas::LobeShared& shared) {
+  return channel_mean(lobes.fuzz_colour * lobes.body * shared.mean_enters) /
+         std::max(channel_mean(lobes.fuzz_colour), 1e-6f);
 }
 
 /// With a normal of the place: that between its plies for the views before which it faces, else the section's.
@@ -71,16 +79,19 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   const formulas::LobeShared shared = formulas::lobe_shared(lobes);
   p.system = place.system, p.area = place.area;
   p.above = place.area * std::max(place.side.z, 0.0f) * place.open[kV - 1];
-  p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
+  const glm::vec3 shares = body_shares(lobes);
+  p.fuzz = lobes.fuzz, p.body_scale = glm::dot(shared.body_scale, shares), p.multiple = channel_mean(shared.multiple);
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = place.groove;
-  p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.pile = lobes.pile;
-  p.hair = lobes.fuzz_colour.g, p.drawn_f0 = place.drawn.f0.g;
-  p.drawn_hair = lobes.fuzz > 0 ? place.drawn.fuzz_colour.g : p.drawn_f0 / std::max(p.f90, 1e-3f);
-  p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
+  p.tone = channel_mean(lobes.body), p.f0 = channel_mean(lobes.f0), p.f90 = lobes.f90, p.pile = lobes.pile;
+  p.hair = channel_mean(lobes.fuzz_colour), p.drawn_f0 = channel_mean(place.drawn.f0);
+  p.drawn_hair = channel_mean(place.drawn.fuzz_colour);
+  p.drawn_recurring = channel_mean(formulas::mean_fresnel(place.drawn));
+  p.again = lobes.fuzz * again_of(lobes, shared) /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
   p.height_mm = place.height_mm, p.around = place.around, p.facets = facet_moments(normal);
   const bool plain = place.normal == place.side, own = normal == place.normal;
   const formulas::LobeFrame frame = formulas::lobe_frame(normal, place.fibre);
+  const float through = channel_mean(lobes.through);
   std::array<formulas::LobeSide, kV> sides;
   for (size_t v = 0; v < kV; ++v) {
     const float facing = glm::dot(place.side, w[v]);
@@ -89,7 +100,7 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
     if (plain || own == (glm::dot(place.normal, w[v]) > 0)) p.seen[v] = facing;
-    p.enters[v] = side.enters.g, p.lost[v] = side.lost, p.veil[v] = side.fuzz.y;
+    p.enters[v] = glm::dot(side.enters, shares), p.lost[v] = side.lost, p.veil[v] = side.fuzz.y;
     p.clear[v] = side.clear, p.shadow[v] = side.area;
     p.along[v] = local.x, p.across[v] = local.y, p.mu[v] = side.mu;
   }
@@ -97,18 +108,18 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
     const size_t v = view_of_light(i);
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     if (glm::dot(place.side, w[v]) > 0 && place.open[v] > 0)
-      take_light(p.front, i, sides[v], local, std::max(local.z, 0.0f));
-    if (local.z >= 0 || place.open[v] <= 0 || lobes.body.g <= 0 || lobes.through.g <= 0) continue;
-    const float behind = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
-    p.front.lit[i] = -local.z * behind * lobes.through.g / lobes.body.g;
+      take_light(p.front, i, sides[v], local, std::max(local.z, 0.0f), shares);
+    if (local.z >= 0 || place.open[v] <= 0 || p.tone <= 0 || through <= 0) continue;
+    const glm::vec3 behind = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters;
+    p.front.lit[i] = -local.z * glm::dot(behind, shares) * through / p.tone;
   }
   return p;
 }
 
-/// Over points, of [view][light]: what leaves by the body, what mirrors, fuzz and what is scattered more than once.
+/// Over points, of [view][light]: what leaves by the body, what mirrors, fuzz, what facets scatter more than once.
 struct SentSums {
-  std::vector<float> body, mirror, hair;
-  SentSums() : body(kV * kL), mirror(kV * kL), hair(kV * kL) {}
+  std::vector<float> body, mirror, hair, recurring;
+  SentSums() : body(kV * kL), mirror(kV * kL), hair(kV * kL), recurring(kV * kL) {}
 };
 
 struct Sums {
@@ -127,7 +138,7 @@ struct Sums {
         std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
     };
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
-    rows(front.body, kL), rows(front.mirror, kL), rows(front.hair, kL);
+    rows(front.body, kL), rows(front.mirror, kL), rows(front.hair, kL), rows(front.recurring, kL);
     rows(all, kL);
     for (auto& of : leaning) rows(of, kL);
     for (auto* of : {&seen, &height, &seen_around}) one(*of);
@@ -154,15 +165,15 @@ void rise(PerLight& rising, float pile, const float* grazing) {
 
 /// What one point sends one view, of each light.
 struct Sent {
-  PerLight scattered, mirrored, combed;
+  PerLight scattered, mirrored, combed, recurred;
 };
 
 /// rising: of Fresnel's term towards grazing, of the row of this view.
 void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& rising, size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
-  const float body = seen * p.enters[view] * p.body_scale, over_hair = grooved / std::max(p.drawn_hair, 1e-4f);
+  const float body = seen * p.enters[view] * p.body_scale, over_hair = grooved / std::max(p.drawn_hair, 1e-6f);
   const float veil = over_hair * p.hair * p.veil[view] * p.again, once = over_hair * p.hair * p.fuzz / (4 * kPi);
-  const float lost = over_hair * p.lost[view] * p.multiple;
+  const float lost = grooved / std::max(p.drawn_recurring, 1e-6f) * p.lost[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
   // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
   // then runs on vectors.
@@ -181,7 +192,8 @@ void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& risin
     const float fresnel = (f0 + (f90 - f0) * rising[i]) / (drawn_f0 + (f90 - drawn_f0) * rising[i] + 1e-6f);
     sent.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
     sent.scattered[i] = body * from.lit[i] * unveiled;
-    sent.combed[i] = once * cosine * veiled * over + veil * from.veil[i] + lost * from.lost[i];
+    sent.combed[i] = once * cosine * veiled * over + veil * from.veil[i];
+    sent.recurred[i] = lost * from.lost[i];
   }
 }
 
@@ -194,6 +206,7 @@ void accumulate(SentSums& to, size_t view, const Sent& sent) {
   accumulate(to.body, view, sent.scattered);
   accumulate(to.mirror, view, sent.mirrored);
   accumulate(to.hair, view, sent.combed);
+  accumulate(to.recurring, view, sent.recurred);
 }
 
 using Grazing = std::vector<float>;
@@ -209,9 +222,10 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   rise(rising, p.pile, &grazing[view * kL]);
   send(sent, p, p.front, rising, view);
   accumulate(sums.front, view, sent);
-  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_hair;
+  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_hair, recurring = p.drawn_recurring;
   for (size_t i = 0; i < kL; ++i)
-    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.combed[i] * hair;
+    all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.combed[i] * hair +
+             sent.recurred[i] * recurring;
   accumulate(sums.all, view, all);
   for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.leaning[k], view, all, p.facets[k]);
 }
@@ -368,7 +382,8 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
       for (size_t k = 0; k < kFacetMoments; ++k)
         out.lean[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kSteepestLean, kSteepestLean);
       const float correction = scale * cover.correction(all, cover.rise(all, products), above);
-      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair}) (*of)[at] *= correction;
+      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.hair, &sums.front.recurring})
+        (*of)[at] *= correction;
     }
   }
   return scale;
@@ -420,8 +435,9 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
         system.broad[4 * at] = sent.body[at] / seen;
         system.broad[4 * at + 1] = sent.mirror[at] / (seen * (density + formulas::kUnseenFacets));
         system.broad[4 * at + 2] = sent.hair[at] / seen;
-        system.broad[4 * at + 3] = sums[s].seen[v] / seen;
+        system.broad[4 * at + 3] = sent.recurring[at] / seen;
       }
+      system.seen[v] = sums[s].seen[v] / seen;
     }
   }
 }
@@ -443,7 +459,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   out.sky = 0;
   for (SystemResponse& s : out.systems) {
     s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
-    s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f);
+    s.seen.assign(kV, 0.0f), s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f);
     s.behind_lean = s.behind, s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});

@@ -20,20 +20,21 @@ using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
 
 struct SystemResponse {
   // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()
-  // of shaders/rungs.glsl times the share, and kUnseenFacets), fuzz and light scattered more than once, share of what
-  // is seen. Directions: light/thread_places.h. Over all the cloth that is seen.
+  // of shaders/rungs.glsl times the share, and kUnseenFacets), fuzz (times its colour), light that facets scatter more
+  // than once (times mean_fresnel() there). Directions: light/thread_places.h. Over all the cloth that is seen.
   std::vector<float> broad;
   // The same of [view][light from behind] (thread_places.h): through the threads or onto their sides, body times body
-  // and through, what mirrors as it is, no share. Other threads stop most of it.
+  // and through, what mirrors as it is. Other threads stop most of it.
   std::vector<float> behind;
   std::vector<float> behind_lean;  // as `lean`, of what comes by the body and through
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
   std::vector<float> lean;
-  // RGBA of [view], under a sky that is 1 everywhere: body (times the thread's colour), fuzz and light scattered more
-  // than once, mirrored light without Fresnel's term, that times its rise at grazing.
+  // RGBA of [view], under a sky that is 1 everywhere: body (times the thread's colour), fuzz (times its own), mirrored
+  // light without Fresnel's term, and what facets scatter more than once, that times its rise at grazing.
   std::vector<float> sky;
   FacetMoments facets{};         // of the maps, seen from above
+  std::vector<float> seen;       // [view]: share of it in what is seen
   std::vector<float> height_mm;  // [view]: mean height of what is seen
   FacetSlopes slopes{};
   float share = 0;  // of the cover at normal view, as rays see it; both sum to 1

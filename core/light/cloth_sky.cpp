@@ -74,14 +74,15 @@ float open_towards(const ThreadPlace& p, const glm::vec3& l) {
 struct Facets {
   const ThreadPlace* place;
   formulas::LobeShared shared;
-  glm::vec3 root{0};  // of the covariance of slopes: lower triangle xx, xy, yy
+  float f0 = 0, drawn_f0 = 0;  // means of the channels
+  glm::vec3 root{0};           // of the covariance of slopes: lower triangle xx, xy, yy
 };
 
 std::vector<Facets> facets_of(const std::vector<ThreadPlace>& places) {
   std::vector<Facets> out;
   out.reserve(places.size());
   for (const ThreadPlace& p : places) {
-    Facets f{&p, formulas::lobe_shared(p.lobes)};
+    Facets f{&p, formulas::lobe_shared(p.lobes), channel_mean(p.lobes.f0), channel_mean(p.drawn.f0)};
     f.root.x = std::sqrt(f.shared.cov.x), f.root.y = f.shared.cov.y / f.root.x;
     f.root.z = std::sqrt(std::max(f.shared.cov.z - f.root.y * f.root.y, 0.0f));
     out.push_back(f);
@@ -119,10 +120,10 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
     const float area = formulas::gaussian_area(mu, std::sqrt(formulas::variance_along(facets.shared.cov, wi.x, wi.y)));
     const float masked = mu / (area * side.mu + side.area * mu - mu * side.mu);  // over side.area: projected
     const float rising = formulas::pile_grazing(y.pile, std::max(1 - facing, 0.0f));
-    const float fresnel = y.f0.g + (y.f90 - y.f0.g) * rising;
+    const float fresnel = facets.f0 + (y.f90 - facets.f0) * rising;
     const float clear = y.fuzz > 0 ? std::exp(-std::min(y.fuzz_depth / mu, 80.0f)) : 1.0f;
     const float sent = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
-    const float drawn = p.drawn.f0.g + (y.f90 - p.drawn.f0.g) * rising;
+    const float drawn = facets.drawn_f0 + (y.f90 - facets.drawn_f0) * rising;
     const float taken = sent * fresnel / (drawn + 1e-6f);
     sum.all += taken, sum.rising += taken * rising;
     sum.light += sent * fresnel, sum.from += sent * fresnel * l;
@@ -138,8 +139,8 @@ void add_place(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const glm
   const formulas::LobeSide side = formulas::lobe_side(p.lobes, facets.shared, wo);
   const formulas::Answer sky = formulas::facet_sky(p.lobes, facets.shared, side);
   const glm::vec3 reflected = glm::reflect(-v, n);
-  const float glossy = weight * sky.glossy.g * formulas::mirrored_seen(reflected);
-  drawn.all += weight * sky.soft.g * formulas::facet_seen(n) + glossy;
+  const float glossy = weight * channel_mean(sky.glossy) * formulas::mirrored_seen(reflected);
+  drawn.all += weight * channel_mean(sky.soft) * formulas::facet_seen(n) + glossy;
   drawn.glossy += glossy, drawn.from += glossy * formulas::mirrored_seen_from(reflected);
   add_mirrored(mirrored, facets, frame, side, wo, slopes, weight);
 }
@@ -163,7 +164,7 @@ class SkyTaker {
   void take(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
 
  private:
-  glm::vec2 scattered(size_t system, size_t view, SentSky& sent) const;
+  glm::vec3 scattered(size_t system, size_t view, SentSky& sent) const;
 
   ClothResponse& response_;
   std::vector<glm::vec4> parts_;
@@ -172,15 +173,16 @@ class SkyTaker {
   std::array<formulas::YarnLobes, 2> yarns_;
 };
 
-/// Body; fuzz and light scattered more than once.
-glm::vec2 SkyTaker::scattered(size_t system, size_t view, SentSky& sent) const {
+/// Body; fuzz; what facets scatter more than once.
+glm::vec3 SkyTaker::scattered(size_t system, size_t view, SentSky& sent) const {
   const float* row = &response_.systems[system].broad[4 * view * kResponseLights];
-  const float body = yarns_[system].body.g, hair = formulas::hair_of(yarns_[system]).g;
-  glm::vec2 sum(0);
+  const glm::vec3 tones(channel_mean(yarns_[system].body), channel_mean(yarns_[system].fuzz_colour),
+                        channel_mean(formulas::mean_fresnel(yarns_[system])));
+  glm::vec3 sum(0);
   for (size_t i = 0; i < kResponseLights; ++i) {
-    const glm::vec2 broad(row[4 * i], row[4 * i + 2]);
+    const glm::vec3 broad(row[4 * i], row[4 * i + 2], row[4 * i + 3]);
     sum += broad * parts_[i].w;
-    sent.soft += (broad.x * body + broad.y * hair) * parts_[i];
+    sent.soft += glm::dot(broad, tones) * parts_[i];
   }
   return sum;
 }
@@ -198,11 +200,13 @@ void SkyTaker::take(size_t view, const glm::vec3& v, const std::array<float, 2>&
   glm::vec4& near_sky = response_.near_sky[view];
   for (size_t s = 0; s < 2; ++s) {
     const float part = scale[s] / std::max(seen, 1e-9f);
-    const glm::vec2 soft = scattered(s, view, sent);
-    const glm::vec4 sky(soft, mirrored[s].all * part, mirrored[s].rising * part);
+    const glm::vec3 soft = scattered(s, view, sent);
+    const glm::vec4 sky(soft.x, soft.y, mirrored[s].all * part + soft.z,
+                        mirrored[s].rising * part + soft.z * formulas::kMeanGrazing);
     std::copy_n(glm::value_ptr(sky), 4, &response_.systems[s].sky[4 * view]);
     const formulas::YarnLobes& y = yarns_[s];
-    const float all = y.body.g * sky.x + formulas::hair_of(y).g * sky.y + y.f0.g * (sky.z - sky.w) + y.f90 * sky.w;
+    const float all = channel_mean(y.body) * sky.x + channel_mean(y.fuzz_colour) * sky.y +
+                      channel_mean(y.f0) * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
     near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kLeastFactor, kMostFactor) : 1.0f;
     sent.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);

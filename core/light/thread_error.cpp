@@ -78,7 +78,7 @@ class Sampler {
   std::array<std::vector<formulas::YarnLobes>, 2> lobes_;
 };
 
-/// Green, of the light alone: add_sample() of rung_yarn.glsl without the tones of fibres.
+/// Mean of the channels, of the light alone: add_sample() of rung_yarn.glsl without the tones of fibres.
 float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, const glm::vec3& v) {
   const auto hit = scene_.first_thread(grid_, at, v, kViewCells);
   if (hit.system < 0) return 0;
@@ -100,7 +100,7 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   const formulas::YarnLobes lobes =
       formulas::yarn_widen(lobes_[system][thread], scene_.slope_spread(p, pattern.fibre_tan, v, side.x, side.y));
   const float sent =
-      formulas::facet_answer(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key.g;
+      channel_mean(formulas::facet_answer(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key);
   if (sent <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
   return sent * texel.groove;
 }

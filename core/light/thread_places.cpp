@@ -166,7 +166,8 @@ void Placer::dress(ThreadPlace& p, int thread, const thread_formulas::ThreadScen
   p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
-  const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  const glm::vec3 colour =
+      glm::max(thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b}), kDarkestChannel);
   const Lobes& lobes = cloth_.yarns[static_cast<size_t>(body.yarn)].lobes;
   p.lobes = yarn_lobes(lobes, {colour.r, colour.g, colour.b});
   p.lobes.slope_cov +=
@@ -197,7 +198,9 @@ void Placer::look_down(int first, int count, ThreadPlaces& out) {
 }
 
 void Placer::look_around(ThreadPlace& p, glm::vec3 at, int thread, Seen from) {
-  const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
+  const auto can_see = [&](size_t view) {
+    return glm::dot(p.side, views_[view]) > 0 || channel_mean(p.lobes.through) > 0;
+  };
   Directions open;
   open.reserve(high_views_.size());
   for (size_t k = from == Seen::kTopAlone ? high_views_.size() - 1 : 0; k < high_views_.size(); ++k)
@@ -229,7 +232,7 @@ void Placer::look_behind(ThreadPlace& p, glm::vec3 at, int thread) {
   for (size_t k = 0; k < lights_.size(); ++k) {
     const bool faces = p.side.x * lights_.x[k] + p.side.y * lights_.y[k] + p.side.z * lights_.z[k] > 0;
     if (faces) side.take(lights_, k);
-    else if (p.lobes.through.g > 0) through.take(lights_, k);
+    else if (channel_mean(p.lobes.through) > 0) through.take(lights_, k);
   }
   shadows_.cast(through, at, p.system, thread);
   shadows_.cast(side, at, p.system, thread);

@@ -36,6 +36,10 @@ constexpr size_t view_of_light(size_t i) {
 std::array<glm::vec3, kResponseViews> response_views();
 std::array<glm::vec3, kBehindLights> behind_lights();
 
+/// The darkest that a channel of a place is taken for, linear: 1 of 255. What is measured are ratios, which no colour
+/// at all would not tell; pictures take them times the colour itself, and so send nothing of what is black.
+inline constexpr float kDarkestChannel = 1 / (255 * 12.92f);
+
 struct ThreadPlace {
   int system = 0;  // 0 warp, 1 weft
   float area = 0;  // of the thread that the place stands for, over that of the cloth's plane

@@ -29,6 +29,13 @@ interop::YarnData mean_yarn(const Cloth& cloth, const std::vector<ThreadBody>& t
 /// Lobes of a thread of this colour. Out-of-range values are clamped; never NaN.
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour);
 
+/// Mean of the channels: what stands for a colour where one number does. No channel counts for more than another, and
+/// none alone: a pure colour has nothing in the others.
+inline float channel_mean(const glm::vec3& c) { return (c.r + c.g + c.b) / 3; }
+
+/// Shares of the channels, sum 1, in what a yarn's body sends: for means over the channels of what only it meets.
+glm::vec3 body_shares(const formulas::YarnLobes& lobes);
+
 /// The vectors that a batch runs on: the compiler's baseline, or AVX2 with FMA where the processor has them.
 enum class Vectors { kBaseline, kAvx2 };
 Vectors widest_vectors();

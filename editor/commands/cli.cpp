@@ -270,7 +270,8 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
       ->check(environment_name())
       ->excludes(lights);
   verb->add_flag("--surroundings", o.surroundings, "The environment's picture behind the cloth");
-  verb->add_option("--exposure", t.exposure, "Stops; auto: by what the cloth reflects. An .exr takes the stops alone")
+  verb->add_option("--exposure", t.exposure,
+                   "Stops; auto: lifts a cloth the more, the less it reflects. An .exr takes the stops alone")
       ->check(exposure_form());
   add_face(verb, t.face);
   verb->add_option("--stats", o.stats, "Write costs as JSON")->check(some_name());

@@ -127,7 +127,7 @@ MaybeEdit draw_exposure(PanelContext& c) {
   if (slider(c, kExposure, exposure))
     edit = scene_edit("Exposure", [exposure](Design& d) { d.look.exposure_ev = exposure; });
   row_label(c, "Exposed",
-            "By the cloth: what it reflects lifts dark cloths and holds white ones back, beside the stops");
+            "By the cloth: the less it reflects, the more it is lifted, white ones the least, beside the stops");
   constexpr const char* kBy[] = {"By the cloth", "As it is"};
   int by = c.design.look.automatic_exposure ? 0 : 1;
   if (segmented(c, "look.automatic_exposure", kBy, by))

@@ -66,10 +66,10 @@ void take_light(LitFrom& from, size_t i, const formulas::LobeSide& side, const g
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
 }
 
-/// What comes out of the body of light that fuzz scatters both ways, of all that it is coloured by.
+/// What comes out of the body of light that fuzz scatters both ways, over the body's colour: of both colours that it
+/// takes the deeper.
 float again_of(const formulas::YarnLobes& lobes, const formulas::LobeShared& shared) {
-  return channel_mean(lobes.fuzz_colour * lobes.body * shared.mean_enters) /
-         std::max(channel_mean(lobes.fuzz_colour), 1e-6f);
+  return channel_mean(lobes.fuzz_colour * lobes.body * shared.mean_enters) / std::max(channel_mean(lobes.body), 1e-6f);
 }
 
 /// With a normal of the place: that between its plies for the views before which it faces, else the section's.
@@ -172,7 +172,7 @@ struct Sent {
 void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& rising, size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
   const float body = seen * p.enters[view] * p.body_scale, over_hair = grooved / std::max(p.drawn_hair, 1e-6f);
-  const float veil = over_hair * p.hair * p.veil[view] * p.again, once = over_hair * p.hair * p.fuzz / (4 * kPi);
+  const float again = seen * p.veil[view] * p.again, once = over_hair * p.hair * p.fuzz / (4 * kPi);
   const float lost = grooved / std::max(p.drawn_recurring, 1e-6f) * p.lost[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
   // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
@@ -191,8 +191,8 @@ void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& risin
     const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
     const float fresnel = (f0 + (f90 - f0) * rising[i]) / (drawn_f0 + (f90 - drawn_f0) * rising[i] + 1e-6f);
     sent.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
-    sent.scattered[i] = body * from.lit[i] * unveiled;
-    sent.combed[i] = once * cosine * veiled * over + veil * from.veil[i];
+    sent.scattered[i] = body * from.lit[i] * unveiled + again * from.veil[i];
+    sent.combed[i] = once * cosine * veiled * over;
     sent.recurred[i] = lost * from.lost[i];
   }
 }

@@ -34,7 +34,7 @@ FaceSource source_of(const Design& design, Face face, Target target) {
 /// the last step is no more than those from 8 on together, or than a hundredth.
 template <class Make>
 void expect_even(const Make& make, const std::string& what) {
-  for (const Target target : {Target::kGltf, Target::kUnreal, Target::kBlender}) {
+  for (const Target target : {Target::kGltf, Target::kUnreal}) {
     for (const Face face : {Face::kFront, Face::kBack}) {
       const FaceSource eight = source_of(make(8), face, target), one = source_of(make(1), face, target),
                        none = source_of(make(0), face, target);

@@ -1,7 +1,7 @@
 // The cloth, by method: METHOD is its name, SHADE its function (the loader puts them there).
 #include "frame.glsl"
 #include "cloth_fetch.glsl"
-#include "rung_METHOD.glsl"
+#include "method_METHOD.glsl"
 
 out vec4 out_color;
 
@@ -13,7 +13,7 @@ void main() {
   for (light_at = 0; light_at <= last_light(); ++light_at) {
     vec4 more = SHADE(side, seen_lights(side), f);
     color = vec4(color.rgb + more.rgb, more.a);
-    if (frame.rungs.w > 0.5) break;   // false colours
+    if (frame.methods.w > 0.5) break;   // false colours
   }
 #else
   Lights lights = seen_lights(side);

@@ -4,7 +4,7 @@
 #include "horizon.glsl"
 #include "tables.glsl"
 #include "lobes.glsl"
-#include "rungs.glsl"
+#include "methods.glsl"
 #include "engine.glsl"
 #include "lattice.glsl"
 

@@ -20,7 +20,7 @@ const int kSheenDisney = 4;
 const int kSheenNoneDisney = 5;          // none, over Disney's body
 
 const float kEngineF0 = 0.04f;          // of dielectrics, in every engine
-const float kLeastEngineAlpha = 0.002f;  // roughness 0.045
+const float kMinEngineAlpha = 0.002f;  // roughness 0.045
 
 struct EngineMaterial {
   vec3 base;
@@ -116,8 +116,8 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float nl = min(wi.z, 1.0f);
   float nv = clamp(wo.z, 1.0e-3f, 1.0f);
   vec3 h = normalize(wi + wo);
-  float ax = clamp(m.alpha.x, kLeastEngineAlpha, 1.0f);
-  float ay = clamp(m.alpha.y, kLeastEngineAlpha, 1.0f);
+  float ax = clamp(m.alpha.x, kMinEngineAlpha, 1.0f);
+  float ay = clamp(m.alpha.y, kMinEngineAlpha, 1.0f);
   float q = h.x * h.x / (ax * ax) + h.y * h.y / (ay * ay) + h.z * h.z;
   float d = 1.0f / (kPi * ax * ay * q * q);
   float g_o = nl * length(vec3(ax * wo.x, ay * wo.y, nv));

@@ -8,7 +8,7 @@
 #define FORMULA
 #endif
 
-const float kLeastFilterCosine = 1.0e-3f;
+const float kMinFilterCosine = 1.0e-3f;
 
 // 1 - openness, smooth: what is left of a gap of width `gap` between round threads of height `rim` seen under an
 // angle of tangent `slope`: their outlines are wider by rim * (secant - 1).
@@ -24,7 +24,7 @@ FORMULA float gap_left(float gap, float rim, float slope) {
 // Coverage seen along w of cloth that covers `coverage` at normal view. gap_mm: mean gap along x and
 // along y; rim_mm: height of the threads at its rim.
 FORMULA float coverage_by_view(float coverage, vec2 gap_mm, float rim_mm, vec3 w) {
-  float z = max(abs(w.z), kLeastFilterCosine);
+  float z = max(abs(w.z), kMinFilterCosine);
   float open = gap_left(gap_mm.x, rim_mm, abs(w.x) / z) * gap_left(gap_mm.y, rim_mm, abs(w.y) / z);
   return 1.0f - (1.0f - clamp(coverage, 0.0f, 1.0f)) * open;
 }
@@ -36,7 +36,7 @@ FORMULA float coverage_by_view(float coverage, vec2 gap_mm, float rim_mm, vec3 w
 // A ray that leaves the lower system climbs `lift` while it runs lift * tangent across the threads of
 // the upper one, and meets one with the chance of their share.
 FORMULA vec2 system_masking(vec2 share, vec2 areas, float lift, vec3 w) {
-  float z = max(abs(w.z), kLeastFilterCosine);
+  float z = max(abs(w.z), kMinFilterCosine);
   float over_warp = exp(-min(max(-lift, 0.0f) * share.y * abs(w.y) / z, 40.0f));  // wefts stop moves along y
   float over_weft = exp(-min(max(lift, 0.0f) * share.x * abs(w.x) / z, 40.0f));
   vec2 seen = vec2(areas.x * over_warp, areas.y * over_weft);
@@ -54,7 +54,7 @@ FORMULA float footprint_yarns(vec2 dx, vec2 dy, float spacing_mm) {
 // one rung has given way to the next, none below the one before (equal: a rung is left out). Each blend takes the half
 // octave before, so that no seam shows: there the next one is a little less true than it must be, but only a part of what
 // is seen, and where it is true enough alone nothing finer is paid for.
-FORMULA vec4 rung_weights(float yarns, vec3 edges) {
+FORMULA vec4 lod_weights(float yarns, vec3 edges) {
   float x = log2(max(yarns, 1.0e-6f));
   float cell = smoothstep(-0.5f, 0.0f, x - log2(max(edges.x, 1.0e-6f)));
   float repeat = smoothstep(-0.5f, 0.0f, x - log2(max(edges.y, 1.0e-6f)));

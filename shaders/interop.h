@@ -58,7 +58,7 @@ struct FrameData {
                               // z: normal offset in mm; w: opacity of the cloth to the key light
   vec4 tile;                  // xy: repeats a millimetre; zw: repeats at the mesh's uv origin
   vec4 ground;                // x: height mm; y: radius mm; zw: centre x, z mm
-  vec4 rungs;                 // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
+  vec4 methods;               // xyz: edges between the rungs, yarns a pixel; w: 1 shows which rung is where
   vec4 hair;                  // stray fibres: x: pieces that each is drawn with; zw: mean length on the
                               // mesh's front and back, mm
   vec4 lattices[2];           // of rung yarn: footprints from which on each finer lattice is needed (lattice.glsl)
@@ -69,7 +69,7 @@ struct FrameData {
                  // by which the environment's picture is turned, and 1 where it shows
 };
 
-// The lobes of a yarn as the shaders take them (yarn_of() of rungs.glsl), or means of several yarns.
+// The lobes of a yarn as the shaders take them (yarn_of() of methods.glsl), or means of several yarns.
 struct YarnData {
   float along_width;  // RMS slopes
   float across_width;
@@ -165,9 +165,9 @@ inline constexpr std::array<const char*, kSamplerCount> kSamplerNames{
     "response_map",        "slopes_map",          "seen_map",       "more_shadow_map",
     "environment_map"};
 
-enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kHair, kAttributeCount };
+enum Attribute : unsigned { kPosition, kNormal, kTangent, kUv, kSky, kFlyaway, kAttributeCount };
 inline constexpr std::array<const char*, kAttributeCount> kAttributeNames{"in_position", "in_normal", "in_tangent",
-                                                                          "in_uv_mm",    "in_sky",    "in_hair"};
+                                                                          "in_uv_mm",    "in_sky",    "in_flyaway"};
 
 static_assert(sizeof(interop::FrameData) ==
               (32 + 4 * (3 + SH_COEFFICIENTS + 10) + MORE_LIGHTS * 24 + 12) * sizeof(float));

@@ -1,5 +1,5 @@
 // Where rung `yarn` takes its samples in a pixel, and how many: rank-1 lattices of 1 to 34 points (Fibonacci's numbers),
-// each enough up to a footprint that was measured (core/light/ladder.h). GLSL 3.30 and C++20.
+// each enough up to a footprint that was measured (core/light/lod_table.h). GLSL 3.30 and C++20.
 //
 // Based on: Dammertz, Keller 2008 (image synthesis by rank-1 lattices); Roberts 2018 (R2: the shift of each pass, so
 //   that passes fill in what the ones before left).
@@ -9,7 +9,7 @@
 #endif
 
 const int kLattices = 8;            // of 1, 2, 3, 5, 8, 13, 21, 34 points
-const int kMostYarnSamples = 34;
+const int kMaxYarnSamples = 34;
 
 // Points of lattice i, and the generator that spreads them most evenly.
 FORMULA ivec2 lattice_of(int i) {

@@ -28,9 +28,9 @@
 #endif
 
 const float kPi = 3.14159265f;
-const float kLeastVariance = 2.5e-5f;  // RMS slope 0.005, about the sun's radius: D stays within half floats
-const float kMostVariance = 1.0e8f;
-const float kLeastCosine = 1.0e-4f;    // 89.994 degrees; below it 1 / mu is held
+const float kMinVariance = 2.5e-5f;  // RMS slope 0.005, about the sun's radius: D stays within half floats
+const float kMaxVariance = 1.0e8f;
+const float kMinCosine = 1.0e-4f;    // 89.994 degrees; below it 1 / mu is held
 
 struct YarnLobes {
   vec3 slope_cov;      // covariance of the facets' slopes (xx, xy, yy), >= 0; x along the fibre
@@ -57,7 +57,7 @@ struct LobeShared {
 
 // Where one direction lies in the tables.
 struct LobePlace {
-  float mu;            // cosine, held above kLeastCosine
+  float mu;            // cosine, held above kMinCosine
   float area;          // projected area of the facets, over that of the plane's unit area
   float rim;           // mu + sine * along
   float opening;       // coordinates of the albedo table
@@ -69,7 +69,7 @@ struct LobePlace {
 
 // What one set of lobes has for one direction.
 struct LobeSide {
-  float mu;            // cosine, held above kLeastCosine
+  float mu;            // cosine, held above kMinCosine
   float area;          // projected area of the facets, over that of the plane's unit area
   float lost;          // 1 - albedo of single scattering
   vec3 enters;         // 1 - albedo of the whole specular part
@@ -89,8 +89,8 @@ FORMULA float gaussian_area(float mu, float sigma) {
 }
 
 FORMULA vec3 safe_covariance(vec3 c) {
-  float xx = clamp(c.x, kLeastVariance, kMostVariance);
-  float yy = clamp(c.z, kLeastVariance, kMostVariance);
+  float xx = clamp(c.x, kMinVariance, kMaxVariance);
+  float yy = clamp(c.z, kMinVariance, kMaxVariance);
   float bound = 0.99f * sqrt(xx) * sqrt(yy);
   return vec3(xx, clamp(c.y, -bound, bound), yy);
 }
@@ -156,12 +156,12 @@ FORMULA LobeShared lobe_shared(YarnLobes y) {
 
 FORMULA LobePlace lobe_place(LobeShared s, vec3 w) {
   LobePlace p;
-  p.mu = max(w.z, kLeastCosine);
+  p.mu = max(w.z, kMinCosine);
   float sine2 = max(w.x * w.x + w.y * w.y, 1.0e-10f);
   float sigma2 = max(variance_along(s.cov, w.x, w.y), 1.0e-10f * s.cov.x);
   p.area = gaussian_area(p.mu, sqrt(sigma2));
   float along = sigma2 / sine2;
-  float across = max(s.cov.x + s.cov.z - along, kLeastVariance);
+  float across = max(s.cov.x + s.cov.z - along, kMinVariance);
   p.mixed = clamp(1.0f - (s.cov.x * s.cov.z - s.cov.y * s.cov.y) / (along * across), 0.0f, 1.0f);
   p.along = spread_coordinate(along);
   p.across = spread_coordinate(across);

@@ -1,12 +1,12 @@
 // The threads as texels of four whole numbers each: how the records lie in them, and how each is taken out again.
-// GLSL 3.30 and C++20 (core/upload/thread_block.h fills them from these same structs; interop.h has their sizes).
+// GLSL 3.30 and C++20 (core/render_data/thread_block.h fills them from these same structs; interop.h has their sizes).
 //
 //   a head for each layer; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the
 //   yarns' lobes
 
 #include "interop.h"
 #include "thread_texture.glsl"
-#include "thread_swell.glsl"
+#include "thread_thickness.glsl"
 
 #ifndef FORMULA
 #define FORMULA

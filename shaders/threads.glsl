@@ -30,12 +30,12 @@
 
 // Steps of a ray in one crossing's cell: so many for a rise as high as the cloth is above its middle plane.
 const float kStepsInTop = 5.0f;
-const int kLeastStepsInCell = 4;
-const int kMostStepsInCell = 10;
+const int kMinStepsInCell = 4;
+const int kMaxStepsInCell = 10;
 // Where the nearest thread is further off than such a step, the ray goes so much of the distance, which strand_near()
 // gives short for a thread wider than high and roughly over a bend.
 const float kSafe = 0.8f;
-const int kMostHalvings = 24;   // among 2^24 threads
+const int kMaxHalvings = 24;   // among 2^24 threads
 const int kBinsAThread = 4;
 
 // One thread between two crossings.
@@ -136,7 +136,7 @@ FORMULA int thread_at(ThreadGrid g, int system, float place) {
     if (body.centre + body.half_room > place) last = middle;
     else thread = min(middle + 1, last);
     ++k;
-  } while (k < kMostHalvings && thread < last);
+  } while (k < kMaxHalvings && thread < last);
   return thread;
 #endif
 }
@@ -148,8 +148,8 @@ FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, i
   return 1.0f / half_sizes;
 #else
   int other = 1 - system;
-  float f = swell_at(body.swell, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
-  return 1.0f / swollen(half_sizes, body.half_room, f);
+  float f = thickness_factor(body.swell, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
+  return 1.0f / uneven_section(half_sizes, body.half_room, f);
 #endif
 }
 
@@ -270,9 +270,9 @@ FORMULA float cell_exit(Crossing c, vec2 at, vec2 lean, float way) {
 
 // The least step of a ray in a cell: a cord's crossing is many times as high as a fine thread over it is thick.
 FORMULA float step_in_cell(ThreadGrid g, Crossing c, float rise) {
-  float most = float(kMostStepsInCell);
+  float most = float(kMaxStepsInCell);
   if (g.layers > 1) most *= max(0.5f * (g.top - g.bottom) / g.reach, 1.0f);
-  float step = rise / clamp(ceil(rise * kStepsInTop / g.reach), float(kLeastStepsInCell), most);
+  float step = rise / clamp(ceil(rise * kStepsInTop / g.reach), float(kMinStepsInCell), most);
   return min(step, min(c.warp.half_height, c.weft.half_height));
 }
 
@@ -435,15 +435,15 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
 // Variances of the slopes of the surface that a sample covers, along the fibre (tan_fibre: its tangent to the axis),
 // between both, across it. dx, dy: sides of the sample on the middle plane, seen along v.
 FORMULA vec3 slope_spread(ThreadPoint t, float tan_fibre, vec3 v, vec2 dx, vec2 dy) {
-  const float kMost = 0.25f;   // all that is seen of a round thread
+  const float kMax = 0.25f;   // all that is seen of a round thread
   float scale = 1.0f / max(dot(t.normal, v), 0.25f);
   vec3 a = vec3(dx, 0.0f) - v * (dot(vec2(t.normal.x, t.normal.y), dx) * scale);
   vec3 b = vec3(dy, 0.0f) - v * (dot(vec2(t.normal.x, t.normal.y), dy) * scale);
   vec2 along = vec2(dot(a, t.axis), dot(b, t.axis)) * t.bend.x;
   vec2 around = vec2(dot(a, t.around), dot(b, t.around)) * t.bend.y;
   // Of a box of width 1 the variance is 1/12.
-  float x = min(dot(along, along) / 12.0f, kMost);
-  float y = min(dot(around, around) / 12.0f, kMost);
+  float x = min(dot(along, along) / 12.0f, kMax);
+  float y = min(dot(around, around) / 12.0f, kMax);
   float square = 1.0f / (1.0f + tan_fibre * tan_fibre);
   float turned = tan_fibre * tan_fibre;
   return vec3(x + turned * y, tan_fibre * (y - x), turned * x + y) * square;

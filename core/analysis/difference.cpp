@@ -102,11 +102,11 @@ Comparison compare(const Design& a, const Design& b) {
   const auto shed = [](const Draft& d) { return std::string(d.rising ? "rising" : "sinking"); };
   c.text("shed", shed(x), shed(y));
   const auto drive = [](const Draft& d) {
-    return std::string(d.drive == Drive::kLiftplan ? "liftplan" : "tie-up and treadling");
+    return std::string(d.drive == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
   };
   c.text("driven by", drive(x), drive(y));
   c.rows("threading", x.threading, y.threading);
-  if (x.drive == Drive::kTreadling && y.drive == Drive::kTreadling) {
+  if (x.drive == ShedControl::kTreadling && y.drive == ShedControl::kTreadling) {
     c.rows("tie-up", x.tieup, y.tieup);
     c.rows("treadling", x.treadling, y.treadling);
   }

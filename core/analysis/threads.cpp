@@ -38,7 +38,7 @@ double total_mm(const Design& design, const Threads& threads) {
   return sum;
 }
 
-double swollen(double mm, double shrinkage) { return mm / (1 - std::clamp(shrinkage, 0.0, 0.9)); }
+double uneven_section(double mm, double shrinkage) { return mm / (1 - std::clamp(shrinkage, 0.0, 0.9)); }
 
 struct Sums {
   int64_t threads = 0;
@@ -88,7 +88,7 @@ LoomUse loom_use(const Draft& draft) {
     use.ends_in_several += heddles > 1;
   }
   for (int p = 0; p < draft.picks(); ++p) use.empty_picks += named.first(p) < 0;
-  if (draft.drive != Drive::kTreadling) return use;
+  if (draft.drive != ShedControl::kTreadling) return use;
   use.treads = marks_of_columns(draft.treadling);
   for (int p = 0; p < draft.picks(); ++p) use.most_feet = std::max(use.most_feet, draft.treadling.count(p));
   return use;
@@ -112,8 +112,8 @@ YarnReport yarn_report(const Design& design, const ClothPlan& plan) {
   out.picks = std::llround(d.picks() * along);
   out.ends_per_cm = d.ends() / draft_width * 10;
   out.picks_per_cm = d.picks() / draft_length * 10;
-  out.loom_width_mm = swollen(width, plan.weft_shrinkage);
-  const double woven_warp = swollen(length, plan.warp_shrinkage) * (1 + std::max(plan.warp_take_up, 0.0));
+  out.loom_width_mm = uneven_section(width, plan.weft_shrinkage);
+  const double woven_warp = uneven_section(length, plan.warp_shrinkage) * (1 + std::max(plan.warp_take_up, 0.0));
   out.warp_length_mm = woven_warp + std::max(plan.loom_waste_mm, 0.0);
   const double pick_mm = out.loom_width_mm * (1 + std::max(plan.weft_take_up, 0.0));
   add_needs(design, plan, System::kWarp, across, out.warp_length_mm, out);

@@ -56,9 +56,9 @@ int write_all(int fd, std::string_view bytes) {
 
 /// The file a chain of symbolic links ends at, which may not be there yet.
 fs::path target_of(fs::path path) {
-  constexpr int kMostLinks = 32;
+  constexpr int kMaxLinks = 32;
   std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path, error); ++i) {
     const fs::path next = fs::read_symlink(path, error);
     if (error) break;
     path = next.is_absolute() ? next : path.parent_path() / next;

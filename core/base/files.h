@@ -10,13 +10,13 @@
 
 namespace weftlight::base {
 
-inline constexpr uint64_t kMostFileBytes = uint64_t{1} << 30;
+inline constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 
 struct FileBytes {
   std::string bytes, error;  // the error does not name the file
 };
 /// Regular files only: a pipe or a device is refused and not waited for. Larger than `most` is refused.
-FileBytes read_file(const std::string& path, uint64_t most = kMostFileBytes);
+FileBytes read_file(const std::string& path, uint64_t most = kMaxFileBytes);
 
 /// Writes to the file that a link leads to, keeps the permissions of the old one, and refuses what is read-only.
 /// Devices, pipes and the standard streams are written as they stand.

@@ -6,13 +6,13 @@
 
 #include "base/loops.h"
 #include "cloth/bake_parts.h"
-#include "cloth/layers.h"
+#include "cloth/layer_plan.h"
 
 namespace weftlight::cloth {
 namespace {
 
 constexpr int kBandRows = 32;
-constexpr int kLargestMap = 16384, kLargestWhole = 1 << 22, kMostAzimuths = 64;
+constexpr int kLargestMap = 16384, kLargestWhole = 1 << 22, kMaxAzimuths = 64;
 // Threads further away than this many spacings are taken not to stand above nearer ones.
 constexpr float kShadowReach = 4.0f;
 
@@ -113,7 +113,7 @@ int height_of(const TexelRect& r) { return r.y1 - r.y0; }
 
 Maps empty_maps(int w, int h, const MapsSize& size) {
   Maps m;
-  m.azimuths = std::clamp(size.azimuths, 0, kMostAzimuths);
+  m.azimuths = std::clamp(size.azimuths, 0, kMaxAzimuths);
   m.horizon.resize(static_cast<size_t>(m.azimuths));
   // Filling the planes touches more memory than it computes: spread it too.
   const auto make = [&](int i) {

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "cloth/swell.h"
+#include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
@@ -26,7 +26,7 @@ constexpr float kHeldByNeighbours = 0.45f;
 constexpr float kTension = 0.75f;  // 1: Catmull and Rom's; less: a stiffer pull, less bulge
 // Share of the crimp that the stiffer system keeps at least. Small: a thick thread cannot bend about fine ones that
 // lie closer than its own radius.
-constexpr float kLeastShare = 0.02f;
+constexpr float kMinShare = 0.02f;
 
 int wrap(int i, int n) {
   const int r = i % n;
@@ -124,7 +124,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
   const int ends = lines.ends(), picks = window.pick1 - window.pick0;
   lines.warp_mm.resize(static_cast<size_t>(ends) * static_cast<size_t>(picks));
   lines.weft_mm.resize(lines.warp_mm.size());
-  const bool swell = swells(cloth, System::kWarp) || swells(cloth, System::kWeft);
+  const bool swell = uneven(cloth, System::kWarp) || uneven(cloth, System::kWeft);
   const auto rise = [&](size_t at, std::ptrdiff_t stride) {
     return kRises[static_cast<size_t>(cells.run(at, -stride) * (kFloatReach + 1) + cells.run(at, stride))];
   };
@@ -136,7 +136,7 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
       const size_t at =
           static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) + static_cast<size_t>(e + kFloatReach);
       const float sum = w.stiffness + f.stiffness;
-      const float share = sum > 0.0f ? std::clamp(f.stiffness / sum, kLeastShare, 1.0f - kLeastShare) : 0.5f;
+      const float share = sum > 0.0f ? std::clamp(f.stiffness / sum, kMinShare, 1.0f - kMinShare) : 0.5f;
       const float apart = swell ? half_section(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
                                       half_section(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
                                 : 0.5f * (w.height + f.height);

@@ -26,7 +26,7 @@ struct ThreadBody {
   float height_mm = 0;   // full height of it
   Linear colour;         // linear light
   int yarn = 0;          // index into Cloth::yarns
-  float swell = 0;       // spread of its thickness along it, over the mean (swell.h)
+  float swell = 0;       // spread of its thickness along it, over the mean (thickness.h)
 };
 
 /// Threads that lie side by side, in a cloth of several layers: runs of its ends and picks.

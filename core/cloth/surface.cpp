@@ -10,15 +10,15 @@
 #include <functional>
 #include <numbers>
 
-#include "cloth/swell.h"
+#include "cloth/thickness.h"
 
 namespace weftlight::cloth {
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
-constexpr float kLeastShown = 1e-6f;      // rounding of the covers, not a sliver of thread
-constexpr double kMostSamples = 1 << 24;  // of one map, before threads are sampled more sparsely
+constexpr float kMinShown = 1e-6f;       // rounding of the covers, not a sliver of thread
+constexpr double kMaxSamples = 1 << 24;  // of one map, before threads are sampled more sparsely
 // The square of an ellipse's slope has no mean up to its edge: it is taken to this share of the radius.
 constexpr float kSteepest = 0.985f;
 
@@ -61,7 +61,7 @@ float unit_or_less(float x) { return std::min(x, 1.0f); }
 
 SampleGrid sample_grid(const Cloth& cloth, int width, int height, int samples_a_thread) {
   SampleGrid grid{width, height, 1, 1};
-  const double room = kMostSamples / (static_cast<double>(width) * height);
+  const double room = kMaxSamples / (static_cast<double>(width) * height);
   const int y = per_texel(cloth.picks.size(), height, samples_a_thread, room);
   grid.per_texel_x =
       per_texel(cloth.ends.size(), width, samples_a_thread, std::max(std::sqrt(room), std::floor(room / y)));
@@ -134,7 +134,7 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
                              dy_mm_, dx_mm_)),
       columns_(across(System::kWarp, x0, x1)),
       rows_(across(System::kWeft, y0, y1)),
-      swells_{cloth::swells(cloth, System::kWarp), cloth::swells(cloth, System::kWeft)} {
+      uneven_{cloth::uneven(cloth, System::kWarp), cloth::uneven(cloth, System::kWeft)} {
   column_steps_.reserve(columns_.size());
   for (int x = x0; x < x1; ++x)
     column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
@@ -290,11 +290,11 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
     // Threads that swell are of another width at each place along.
-    const Across column = swells_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
+    const Across column = uneven_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
                                                  [&](int t) { return half_section(cloth_, System::kWarp, t, step); })
                                      : columns_[i];
     const Across across_row =
-        swells_[1] ? across_at(System::kWeft, y, even_row.lowest,
+        uneven_[1] ? across_at(System::kWeft, y, even_row.lowest,
                                [&](int t) { return half_section(cloth_, System::kWeft, t, column_steps_[i]); })
                    : even_row;
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
@@ -312,7 +312,7 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     }
     const bool warp_first = warp >= weft;
     out[i] = warp_first ? finish(System::kWarp, column, end, warp) : finish(System::kWeft, across_row, pick, weft);
-    if (std::min(warp, weft) > kLeastShown)
+    if (std::min(warp, weft) > kMinShown)
       beside.push_back({static_cast<int>(i), warp_first ? finish(System::kWeft, across_row, pick, weft)
                                                         : finish(System::kWarp, column, end, warp)});
   }
@@ -336,7 +336,7 @@ void LayeredSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     const auto most = std::ranges::max_element(seen, {}, &SurfaceSample::cover);
     out[i] = *most;
     for (const SurfaceSample& s : seen)
-      if (&s != &*most && s.cover > kLeastShown) beside.push_back({static_cast<int>(i), s});
+      if (&s != &*most && s.cover > kMinShown) beside.push_back({static_cast<int>(i), s});
   }
 }
 

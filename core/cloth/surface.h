@@ -101,7 +101,7 @@ class SurfaceSampler {
   static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm, float step, float step_along);
   Textures warp_texture_, weft_texture_;
   std::vector<Across> columns_, rows_;
-  bool swells_[2];  // whether threads of the system are of uneven thickness
+  bool uneven_[2];  // whether threads of the system are of uneven thickness
   std::vector<CentreStep> column_steps_;
   CentreLines lines_;
   std::vector<Along> warp_along_;  // of this row, by end of the window

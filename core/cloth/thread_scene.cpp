@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "cloth/centre_line.h"
-#include "cloth/layers.h"
-#include "cloth/swell.h"
+#include "cloth/layer_plan.h"
+#include "cloth/thickness.h"
 
 namespace weftlight::cloth {
 namespace {

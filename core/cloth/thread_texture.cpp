@@ -13,9 +13,9 @@ constexpr float kToneLength = 14.0f;
 // A plied yarn is twisted against its singles, which lays its fibres nearly along the axis.
 constexpr float kFibreTwistInPly = -0.2f;
 constexpr float kPlyRelief = 0.14f;  // of the thread's height
-constexpr int kMostTurns = 1 << 22;  // keeps phases exact enough in float
+constexpr int kMaxTurns = 1 << 22;   // keeps phases exact enough in float
 
-int rounded(float x) { return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMostTurns, 1.0f * kMostTurns))); }
+int rounded(float x) { return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMaxTurns, 1.0f * kMaxTurns))); }
 
 }  // namespace
 

@@ -17,12 +17,12 @@ std::string_view without_trailing_space(std::string_view line) {
   return line.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-constexpr size_t kMostLines = static_cast<size_t>(kMaxThreads) + 2;  // a head, the rows, and one to know of more
+constexpr size_t kMaxLines = static_cast<size_t>(kMaxThreads) + 2;  // a head, the rows, and one to know of more
 
-/// Lines at \n, \r\n or \r, up to kMostLines; empty ones at the end fall away.
+/// Lines at \n, \r\n or \r, up to kMaxLines; empty ones at the end fall away.
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
-  while (!text.empty() && lines.size() < kMostLines) {
+  while (!text.empty() && lines.size() < kMaxLines) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());
     lines.push_back(without_trailing_space(text.substr(0, end)));
     const bool pair = text.substr(end, 2) == "\r\n";

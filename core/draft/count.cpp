@@ -11,7 +11,7 @@ namespace weftlight::draft {
 namespace {
 
 constexpr double kPound_g = 453.59237, kYard_m = 0.9144;
-constexpr double kLeast_tex = 0.1, kMost_tex = 100'000;
+constexpr double kMin_tex = 0.1, kMax_tex = 100'000;
 
 /// Grams of a kilometre at a count of one, of the units that count lengths.
 double grams_at_one(CountUnit unit) {
@@ -86,7 +86,7 @@ std::optional<double> tex_from_text(std::string_view text) {
   for (const UnitName& known : kNames) {
     if (known.name != p.word) continue;
     const double tex = tex_of(*count, known.unit) * *plies;
-    return tex >= kLeast_tex && tex <= kMost_tex ? std::optional(tex) : std::nullopt;
+    return tex >= kMin_tex && tex <= kMax_tex ? std::optional(tex) : std::nullopt;
   }
   return std::nullopt;
 }

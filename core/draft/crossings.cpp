@@ -122,7 +122,7 @@ Painted woven(Design design, const Selection& s, int a, int b, const BitMatrix& 
 Painted painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
   if (std::string why = why_locked(design, BitGrid::kDrawdown); !why.empty())
     return {std::move(design), std::move(why)};
-  const bool alone = design.loom.authority == Authority::kDrawdown;
+  const bool alone = design.loom.leading == Leading::kDrawdown;
   return alone ? woven(std::move(design), s, a, b, cells, write) : lifted(std::move(design), s, a, b, cells, write);
 }
 
@@ -141,18 +141,18 @@ LoomSize loom_size(const Design& design) {
 
 std::string why_locked(const Design& design, BitGrid grid) {
   if (!design.loom.locked) return {};
-  const bool drawdown_rules = design.loom.authority == Authority::kDrawdown;
+  const bool drawdown_rules = design.loom.leading == Leading::kDrawdown;
   if (drawdown_rules == (grid == BitGrid::kDrawdown)) {
     const bool treadles = grid == BitGrid::kTieup || grid == BitGrid::kTreadling;
-    if (design.loom.authority != Authority::kLiftplan || !treadles) return {};
+    if (design.loom.leading != Leading::kLiftplan || !treadles) return {};
     return "tie-up and treadling follow the liftplan and are locked";
   }
   return drawdown_rules ? "this follows the drawdown and is locked" : "the drawdown follows and is locked";
 }
 
-Design with_authority(Design design, Authority authority) {
-  if (authority == Authority::kLiftplan) design = to_liftplan(std::move(design));
-  design.loom.authority = authority;
+Design with_leading(Design design, Leading leading) {
+  if (leading == Leading::kLiftplan) design = to_liftplan(std::move(design));
+  design.loom.leading = leading;
   return design;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Painting the drawdown, and what of a draft may be painted at all: what rules (Loom::authority) and what follows.
+// Painting the drawdown, and what of a draft may be painted at all: what rules (Loom::leading) and what follows.
 
 #include <string>
 
@@ -32,7 +32,7 @@ std::string why_locked(const Design& design, BitGrid grid);
 inline bool may_paint(const Design& design, BitGrid grid) { return why_locked(design, grid).empty(); }
 
 /// What rules from now on. The liftplan: the draft is driven by its liftplan.
-Design with_authority(Design design, Authority authority);
+Design with_leading(Design design, Leading leading);
 Design with_lock(Design design, bool locked);
 
 }  // namespace weftlight::draft

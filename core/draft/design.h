@@ -12,7 +12,7 @@
 
 namespace weftlight::draft {
 
-/// Rung of the ladder of methods (MODEL, section 5); kAuto chooses by footprint.
+/// Shading method of methods (MODEL, section 5); kAuto chooses by footprint.
 enum class Method { kAuto, kFlat, kVrst03, kIrawan, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
 
 struct Look {
@@ -27,7 +27,7 @@ struct Look {
 /// its right; elevation 90 is straight above.
 struct Scene {
   std::string mesh = "tablecloth";  // name in presets/meshes, or a path to .glb/.gltf
-  bool own_drape = false;           // simulated with this cloth's own stiffness, not with that of its kind
+  bool simulated_drape = false;     // simulated with this cloth's own stiffness, not with that of its kind
   float view_azimuth = 25, view_elevation = 22;
   float view_distance = 1.0f;  // 1 frames the mesh
   float pan_x = 0, pan_y = 0;  // in frame widths
@@ -44,11 +44,11 @@ struct Scene {
 
 /// Which grids rule and which follow: the threading with what lifts its shafts, the threading with the liftplan
 /// alone, or the drawdown, from which threading and lifts are found.
-enum class Authority { kThreading, kLiftplan, kDrawdown };
+enum class Leading { kThreading, kLiftplan, kDrawdown };
 
 /// How a draft is worked, and on what loom.
 struct Loom {
-  Authority authority = Authority::kThreading;
+  Leading leading = Leading::kThreading;
   bool locked = false;           // what follows cannot be painted
   int shafts = 0, treadles = 0;  // 0..kMaxShafts that the loom has; 0: not said
   int next_pick = 0;             // the pick that is woven next, 0..kMaxThreads
@@ -77,7 +77,7 @@ struct ThreadSection {
   std::string name;
   BitMatrix rows;  // threads x shafts (of ends), x treadles, or x shafts of a liftplan
   Threads threads;
-  Drive drive = Drive::kTreadling;  // what the rows of picks name
+  ShedControl drive = ShedControl::kTreadling;  // what the rows of picks name
   bool operator==(const ThreadSection&) const = default;
 };
 

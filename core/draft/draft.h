@@ -45,14 +45,14 @@ struct Threads {
 };
 
 /// What lifts the shafts: treadles through the tie-up, or the liftplan.
-enum class Drive { kTreadling, kLiftplan };
+enum class ShedControl { kTreadling, kLiftplan };
 
 /// Invariants: threading is ends x shafts, tieup treadles x shafts, treadling
 /// picks x treadles, liftplan picks x shafts; colour and yarn indices are in range.
 struct Draft {
   int shafts = 0, treadles = 0;
   bool rising = true;  // true: the tie-up and liftplan name the shafts that rise
-  Drive drive = Drive::kTreadling;
+  ShedControl drive = ShedControl::kTreadling;
   BitMatrix threading, tieup, treadling, liftplan;
   Threads warp, weft;
   std::vector<Rgb> palette;

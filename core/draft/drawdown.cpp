@@ -213,7 +213,7 @@ void redo_ends(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, cons
 }  // namespace
 
 BitMatrix lifts(const Draft& draft) {
-  if (draft.drive == Drive::kLiftplan) return draft.liftplan;
+  if (draft.drive == ShedControl::kLiftplan) return draft.liftplan;
   BitMatrix out(draft.picks(), draft.shafts);
   for (int p = 0; p < draft.picks(); ++p) {
     for_each_bit(draft.treadling.row(p),

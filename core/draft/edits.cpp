@@ -188,16 +188,16 @@ Design with_rising(Design design, bool rising) {
 
 Design to_liftplan(Design design) {
   design.draft.liftplan = lifts(design.draft);
-  design.draft.drive = Drive::kLiftplan;
+  design.draft.drive = ShedControl::kLiftplan;
   return design;
 }
 
 Design to_treadling(Design design, int most_treadles) {
   Draft& d = design.draft;
-  if (d.drive == Drive::kTreadling && single_treadled(d.treadling)) return design;
+  if (d.drive == ShedControl::kTreadling && single_treadled(d.treadling)) return design;
   const BitMatrix lift = lifts(d);
   Draft like = d;
-  like.drive = Drive::kTreadling;
+  like.drive = ShedControl::kTreadling;
   for (int p = 0; p < d.picks(); ++p)
     if (like.treadling.count(p) > 1) std::ranges::fill(like.treadling.row(p), 0);
   if (like.treadling.count() == 0) {
@@ -213,7 +213,7 @@ Design to_treadling(Design design, int most_treadles) {
     d.tieup.resize(1, d.shafts);
     d.treadling.resize(d.picks(), 1);
   }
-  if (design.loom.authority == Authority::kLiftplan) design.loom.authority = Authority::kThreading;
+  if (design.loom.leading == Leading::kLiftplan) design.loom.leading = Leading::kThreading;
   return design;
 }
 
@@ -224,8 +224,8 @@ Design to_skeleton(Design design, int feet) {
   d.treadles = skeleton.tieup.rows();
   d.tieup = std::move(skeleton.tieup);
   d.treadling = std::move(skeleton.treadling);
-  d.drive = Drive::kTreadling;
-  if (design.loom.authority == Authority::kLiftplan) design.loom.authority = Authority::kThreading;
+  d.drive = ShedControl::kTreadling;
+  if (design.loom.leading == Leading::kLiftplan) design.loom.leading = Leading::kThreading;
   return design;
 }
 

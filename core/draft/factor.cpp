@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "draft/drawdown.h"
-#include "draft/labels.h"
+#include "draft/row_labels.h"
 
 namespace weftlight::draft {
 namespace {
@@ -49,16 +49,16 @@ Pair pair_for(const BitMatrix& tieup, std::span<const uint64_t> lift) {
 }
 
 // The picks of a treadled draft before its treadles are given out anew.
-struct Treading {
+struct TreadleAssignment {
   std::vector<char> kept;   // the pick's lift and its row of the treadling stay
   std::vector<Pair> both;   // the two treadles that lift a changed pick
   std::vector<char> fixed;  // of each treadle: its ties may not change
 };
 
-Treading treading_of(const Draft& d, const BitMatrix& now) {
+TreadleAssignment treading_of(const Draft& d, const BitMatrix& now) {
   const auto picks = static_cast<size_t>(d.picks());
-  Treading t{std::vector<char>(picks, 0), std::vector<Pair>(picks, {-1, -1}),
-             std::vector<char>(static_cast<size_t>(d.treadles), 0)};
+  TreadleAssignment t{std::vector<char>(picks, 0), std::vector<Pair>(picks, {-1, -1}),
+                      std::vector<char>(static_cast<size_t>(d.treadles), 0)};
   const BitMatrix was = lifts(d);
   bool two_feet = false;
   for (int p = 0; p < d.picks(); ++p) {
@@ -77,30 +77,30 @@ Treading treading_of(const Draft& d, const BitMatrix& now) {
   return t;
 }
 
-Labelling treadles_of(const Draft& d, const Treading& treading, const BitMatrix& now) {
+Labelling treadles_of(const Draft& d, const TreadleAssignment& treadle_assignment, const BitMatrix& now) {
   std::vector<char> takes_part;
   for (int p = 0; p < d.picks(); ++p)
-    takes_part.push_back(!treading.kept[p] && treading.both[p].first < 0 && now.first(p) >= 0);
+    takes_part.push_back(!treadle_assignment.kept[p] && treadle_assignment.both[p].first < 0 && now.first(p) >= 0);
   BitMatrix ties = d.tieup;
   ties.resize(d.treadles, now.cols());
   Labelling l = labelling_of(now, takes_part, ties);
-  l.fixed = treading.fixed;
+  l.fixed = treadle_assignment.fixed;
   for (int p = 0; p < d.picks(); ++p)
     if (d.treadling.count(p) == 1) l.old_label[p] = d.treadling.first(p);
   for (int t = 0; t < d.treadles; ++t) l.empty[t] = ties.first(t) < 0;
   return l;
 }
 
-void tread(Draft& d, const Labelling& l, const Treading& treading, const BitMatrix& now) {
+void tread(Draft& d, const Labelling& l, const TreadleAssignment& treadle_assignment, const BitMatrix& now) {
   const std::vector<char> used_before = used_columns(d.treadling);
   BitMatrix treadling(d.picks(), l.labels());
   for (int p = 0; p < d.picks(); ++p) {
     const auto on = [&](int treadle) { treadling.set(p, treadle, true); };
-    if (treading.kept[p]) {
+    if (treadle_assignment.kept[p]) {
       for_each_bit(d.treadling.row(p), on);
-    } else if (treading.both[p].first >= 0) {
-      on(treading.both[p].first);
-      on(treading.both[p].second);
+    } else if (treadle_assignment.both[p].first >= 0) {
+      on(treadle_assignment.both[p].first);
+      on(treadle_assignment.both[p].second);
     } else if (l.label(p) >= 0) {
       on(l.label(p));
     }
@@ -141,14 +141,14 @@ BitMatrix lifts_of(const Draft& like, const Labelling& l, const BitMatrix& colum
 }
 
 // Distinct rows and how many threads have each.
-struct Kinds {
+struct DistinctRows {
   std::vector<int> row;  // a row of each kind
   std::vector<int64_t> threads;
   std::vector<int> kind;  // of each row
 };
 
-Kinds kinds_of(const BitMatrix& m) {
-  Kinds k;
+DistinctRows distinct_rows_of(const BitMatrix& m) {
+  DistinctRows k;
   const std::vector<int> first = first_equal_rows(m);
   std::vector<int> at(first.size(), -1);
   for (int r = 0; r < m.rows(); ++r) {
@@ -168,7 +168,7 @@ Kinds kinds_of(const BitMatrix& m) {
 // where `empty_is_free`.
 BitMatrix with_fewer_kinds(BitMatrix m, int most, bool empty_is_free) {
   constexpr size_t kMany = 1024;
-  Kinds k = kinds_of(m);
+  DistinctRows k = distinct_rows_of(m);
   const auto is_free = [&](size_t kind) { return empty_is_free && m.first(k.row[kind]) < 0; };
   std::vector<size_t> alive;
   int counted = 0;
@@ -235,16 +235,16 @@ Factored with_lifts(const Draft& like, const BitMatrix& now, int most_treadles) 
     out.draft.threading.resize(like.ends(), now.cols());
     out.draft.liftplan.resize(like.picks(), now.cols());
   }
-  if (like.drive == Drive::kLiftplan) {
+  if (like.drive == ShedControl::kLiftplan) {
     out.draft.tieup.resize(like.treadles, now.cols());
     out.draft.liftplan = now;
     return out;
   }
-  const Treading treading = treading_of(like, now);
-  Labelling l = treadles_of(like, treading, now);
+  const TreadleAssignment treadle_assignment = treading_of(like, now);
+  Labelling l = treadles_of(like, treadle_assignment, now);
   out.treadles = l.groups();
   if (give_labels(l, most_treadles)) {
-    tread(out.draft, l, treading, now);
+    tread(out.draft, l, treadle_assignment, now);
   } else {
     out.draft = like;
     out.why = wanting(l.groups(), "treadles", most_treadles);
@@ -300,7 +300,7 @@ Draft without_numbers(const Draft& like) {
 }
 
 bool fits(const Draft& d, LoomSize most) {
-  return d.shafts <= most.shafts && (d.drive == Drive::kLiftplan || d.treadles <= most.treadles);
+  return d.shafts <= most.shafts && (d.drive == ShedControl::kLiftplan || d.treadles <= most.treadles);
 }
 
 }  // namespace
@@ -315,7 +315,7 @@ Factored within_loom(const Draft& like, LoomSize most) {
   return out;
 }
 
-Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most) {
+Factored closest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most) {
   const Factored exact = with_drawdown(like, cells, most);
   if (exact.done() && fits(exact.draft, most)) return exact;
   // Where the weaver's own numbers stand in the way: without them.
@@ -324,7 +324,7 @@ Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize mo
   const std::string why = exact.done() ? out.why : exact.why;
   if (!out.done()) {
     BitMatrix near = transposed(with_fewer_kinds(transposed(cells), std::max(most.shafts, 1), false));
-    if (like.drive == Drive::kTreadling)
+    if (like.drive == ShedControl::kTreadling)
       near = with_fewer_kinds(std::move(near), std::max(most.treadles, 1), like.rising);
     out = with_drawdown(like, near, most);
     if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);

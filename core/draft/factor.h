@@ -16,10 +16,10 @@ struct LoomSize {
 
 /// A draft that weaves what was asked, or why the loom cannot.
 struct Factored {
-  Draft draft;                   // unless done(): as it was given, or (nearest_drawdown) what comes nearest
+  Draft draft;                   // unless done(): as it was given, or (closest_drawdown) what comes nearest
   std::string why;               // "this takes 12 shafts, and there are 8"; empty: done
   int shafts = 0, treadles = 0;  // the fewest that would do; 0: not found out
-  int64_t wrong = 0;             // crossings that `draft` shows otherwise (nearest_drawdown)
+  int64_t wrong = 0;             // crossings that `draft` shows otherwise (closest_drawdown)
   bool done() const { return why.empty(); }
 };
 
@@ -34,7 +34,7 @@ Factored with_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most)
 
 /// The same with wrong crossings where the loom is too small: the columns (rows) that cost the fewest
 /// crossings are woven as the most like of the others. Exact at each step, not over all steps.
-Factored nearest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most);
+Factored closest_drawdown(const Draft& like, const BitMatrix& cells, LoomSize most);
 
 /// The same cloth on a loom of that size. The weaver's numbers stay where all of them fit.
 Factored within_loom(const Draft& like, LoomSize most);

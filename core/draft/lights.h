@@ -11,7 +11,7 @@
 
 namespace weftlight::draft {
 
-struct LightSetup {
+struct LightingPreset {
   const char* id;  // Scene::lights, and the file in presets/lights
   const char* label;
   const char* tip;
@@ -21,7 +21,7 @@ struct LightSetup {
   Rgb lit, shaded;  // of a white ball in it, as the picker shows it
 };
 
-inline constexpr std::array<LightSetup, 6> kLightSetups{{
+inline constexpr std::array<LightingPreset, 6> kLightSetups{{
     {"studio",
      "Studio",
      "A soft box above, fills from the side and behind: for colour",
@@ -85,8 +85,8 @@ inline constexpr std::array<LightSetup, 6> kLightSetups{{
 }};
 
 /// The set-up of that name, or the first when there is none.
-constexpr const LightSetup& light_setup(std::string_view id) {
-  for (const LightSetup& setup : kLightSetups)
+constexpr const LightingPreset& light_setup(std::string_view id) {
+  for (const LightingPreset& setup : kLightSetups)
     if (id == setup.id) return setup;
   return kLightSetups.front();
 }
@@ -112,7 +112,7 @@ inline Scene lit_by_environment(Scene scene, std::string path) {
 }
 
 /// The scene in that light.
-inline Scene lit_by(Scene scene, const LightSetup& setup) {
+inline Scene lit_by(Scene scene, const LightingPreset& setup) {
   scene.lights = setup.id;
   scene.light_azimuth = setup.azimuth, scene.light_elevation = setup.elevation;
   scene.light_strength = setup.key, scene.sky_strength = setup.sky;

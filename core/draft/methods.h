@@ -12,7 +12,7 @@ namespace weftlight::draft {
 
 struct MethodFacts {
   Method method;
-  std::string_view name;  // in files, verbs and tables, and of its shader: rung_NAME.glsl
+  std::string_view name;  // in files, verbs and tables, and of its shader: method_NAME.glsl
   const char* label;      // in the panels
   bool drawn;             // by the renderer, for the window and `render`
   bool threads;           // one by one, so that it needs them and shows what is between them
@@ -33,7 +33,7 @@ inline constexpr std::array<MethodFacts, 10> kMethods{{
 }};
 
 /// Those that `auto` chooses among, fine to coarse.
-inline constexpr std::array kRungs{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
+inline constexpr std::array kShadedMethods{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
 
 constexpr const MethodFacts& method_facts(Method method) { return kMethods[static_cast<size_t>(method)]; }
 constexpr std::string_view method_name(Method method) { return method_facts(method).name; }

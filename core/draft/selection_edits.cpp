@@ -109,43 +109,43 @@ Design with_moved(Design design, const Selection& selection, int a, int b, bool 
   return with_block(std::move(design), s.grid, a, b, block, Write::kThreads);
 }
 
-Design with_mirrored_across(Design design, const Selection& selection, bool with_looks) {
+Design with_mirrored_across(Design design, const Selection& selection, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
-  if (whole_along_a(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_looks);
+  if (whole_along_a(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_properties);
   return turned(std::move(design), s, mirrored_across);
 }
 
-Design with_mirrored_down(Design design, const Selection& selection, bool with_looks) {
+Design with_mirrored_down(Design design, const Selection& selection, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
-  if (whole_along_b(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_looks);
+  if (whole_along_b(design.draft, s)) return with_reversed_threads(std::move(design), *threads_of(s), with_properties);
   return turned(std::move(design), s, mirrored_down);
 }
 
-Design with_half_turn(Design design, const Selection& selection, bool with_looks) {
+Design with_half_turn(Design design, const Selection& selection, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   if (!holds_whole_threads(design.draft, s)) return turned(std::move(design), s, half_turned);
-  return with_mirrored_down(with_mirrored_across(std::move(design), s, with_looks), s, with_looks);
+  return with_mirrored_down(with_mirrored_across(std::move(design), s, with_properties), s, with_properties);
 }
 
-Design with_shifted(Design design, const Selection& selection, int da, int db, bool with_looks) {
+Design with_shifted(Design design, const Selection& selection, int da, int db, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   int& along_threads = s.grid == BitGrid::kThreading ? da : db;
   if (holds_whole_threads(design.draft, s))
-    design = with_turned_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_looks);
+    design = with_turned_threads(std::move(design), *threads_of(s), std::exchange(along_threads, 0), with_properties);
   if (da == 0 && db == 0) return design;
   return turned(std::move(design), s, [da, db](const BitMatrix& cells) { return shifted(cells, da, db); });
 }
 
-Design with_repeated(Design design, const Selection& selection, Reach reach, bool with_looks) {
+Design with_repeated(Design design, const Selection& selection, Reach reach, bool with_properties) {
   const Selection s = clipped(selection, design.draft);
   if (s.empty()) return design;
   const auto threads = threads_of(s);
   if (threads && (s.grid != BitGrid::kLiftplan || holds_whole_threads(design.draft, s)))
-    return with_repeated_threads(std::move(design), *threads, reach, with_looks);
+    return with_repeated_threads(std::move(design), *threads, reach, with_properties);
   const BitMatrix one = cells_of(design.draft, s);
   const Selection to = repeat_target(design.draft, s, reach);
   const BitMatrix many = block_of(to.rows(), to.columns(), [&](int r, int c) {

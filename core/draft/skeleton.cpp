@@ -17,9 +17,9 @@ namespace {
 
 using Set = std::vector<uint64_t>;  // of shafts
 
-constexpr size_t kMostCandidates = 1024;
-constexpr size_t kMostLifts = 256;  // that are tried in pairs; of more each has a treadle of its own
-constexpr size_t kMostWays = 256;   // of making one lift
+constexpr size_t kMaxCandidates = 1024;
+constexpr size_t kMaxLifts = 256;  // that are tried in pairs; of more each has a treadle of its own
+constexpr size_t kMaxWays = 256;   // of making one lift
 
 bool within(const Set& a, const Set& b) {
   for (size_t w = 0; w < a.size(); ++w)
@@ -48,8 +48,8 @@ int size_of(const Set& a) {
 // The lifts, then what they have in common, by twos and further.
 std::vector<Set> candidates_of(const std::vector<Set>& lifts) {
   std::vector<Set> found = lifts;
-  for (size_t i = 0; i < found.size() && found.size() < kMostCandidates; ++i)
-    for (size_t k = 0; k < lifts.size() && found.size() < kMostCandidates; ++k) {
+  for (size_t i = 0; i < found.size() && found.size() < kMaxCandidates; ++i)
+    for (size_t k = 0; k < lifts.size() && found.size() < kMaxCandidates; ++k) {
       Set both = common(found[i], lifts[k]);
       if (!is_empty(both) && std::ranges::find(found, both) == found.end()) found.push_back(std::move(both));
     }
@@ -60,7 +60,7 @@ using Way = std::vector<int>;  // candidates that together are a lift
 
 void add_ways(std::vector<Way>& ways, const std::vector<Set>& all, const std::vector<int>& inside, const Set& lift,
               size_t from, const Way& way, const Set& sum, int feet) {
-  for (size_t i = from; i < inside.size() && ways.size() < kMostWays; ++i) {
+  for (size_t i = from; i < inside.size() && ways.size() < kMaxWays; ++i) {
     const Set& next = all[static_cast<size_t>(inside[i])];
     if (within(next, sum)) continue;
     Way more = way;
@@ -170,14 +170,14 @@ Skeleton skeleton_tieup(const BitMatrix& lifts, int feet, int steps) {
     }
     lift_of[p] = lift_of[first[p]];
   }
-  if (distinct.size() > kMostLifts) feet = 1;
+  if (distinct.size() > kMaxLifts) feet = 1;
   const std::vector<Set> all = feet > 1 ? candidates_of(distinct) : distinct;
   Search search;
-  bool all_ways = all.size() < kMostCandidates;
+  bool all_ways = all.size() < kMaxCandidates;
   for (size_t i = 0; i < distinct.size(); ++i) {
     search.ways.push_back(feet > 1 ? ways_of(all, distinct[i], feet) : std::vector<Way>{{static_cast<int>(i)}});
     search.best_chosen.push_back(0);
-    all_ways = all_ways && search.ways.back().size() < kMostWays;
+    all_ways = all_ways && search.ways.back().size() < kMaxWays;
   }
   // Each lift by a treadle of its own is always a way: the largest set inside it is itself, and comes first.
   search.best = static_cast<int>(distinct.size());

@@ -44,7 +44,7 @@ void put_in_order(Threads& t, std::span<const ThreadSource> order) {
 }
 
 /// As they stand; beyond the last one, more of its kind.
-Order looks_in_place(int old_count, size_t count) {
+Order properties_in_place(int old_count, size_t count) {
   Order order(count);
   for (size_t i = 0; i < count; ++i) order[i].thread = std::min(static_cast<int>(i), old_count - 1);
   return order;
@@ -79,12 +79,12 @@ void turn_row(std::span<uint64_t> row, const BitMatrix& from, int r, int step) {
 /// What moves on when a draft advances: shafts of the threading, treadles, or shafts of the liftplan.
 BitMatrix& advancing_grid(Draft& d, System system) {
   if (system == System::kWarp) return d.threading;
-  return d.drive == Drive::kLiftplan ? d.liftplan : d.treadling;
+  return d.drive == ShedControl::kLiftplan ? d.liftplan : d.treadling;
 }
 
 }  // namespace
 
-Design with_thread_order(Design design, System system, std::span<const ThreadSource> order, bool with_looks) {
+Design with_thread_order(Design design, System system, std::span<const ThreadSource> order, bool with_properties) {
   Draft& d = design.draft;
   if (!is_possible(d, system, order)) return design;
   if (system == System::kWarp) {
@@ -94,28 +94,28 @@ Design with_thread_order(Design design, System system, std::span<const ThreadSou
     d.liftplan = in_order(d.liftplan, order);
   }
   Threads& t = d.threads(system);
-  put_in_order(t, with_looks ? Order(order.begin(), order.end()) : looks_in_place(t.size(), order.size()));
+  put_in_order(t, with_properties ? Order(order.begin(), order.end()) : properties_in_place(t.size(), order.size()));
   return design;
 }
 
-Design with_bare_threads(Design design, System system, int at, int count, bool with_looks) {
+Design with_bare_threads(Design design, System system, int at, int count, bool with_properties) {
   const int n = design.draft.threads(system).size();
   if (n == 0 || count <= 0 || count > kMaxThreads - n) return design;
   at = std::clamp(at, 0, n);
   Order order = same_order(n);
   order.insert(order.begin() + at, static_cast<size_t>(count), {std::min(at, n - 1), true});
-  return with_thread_order(std::move(design), system, order, with_looks);
+  return with_thread_order(std::move(design), system, order, with_properties);
 }
 
-Design without_threads(Design design, const ThreadRange& range, bool with_looks) {
+Design without_threads(Design design, const ThreadRange& range, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
   order.erase(order.begin() + r.first, order.begin() + r.end);
-  return with_thread_order(std::move(design), r.system, order, with_looks);
+  return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_doubled_threads(Design design, const ThreadRange& range, bool mirrored, bool with_looks) {
+Design with_doubled_threads(Design design, const ThreadRange& range, bool mirrored, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
@@ -125,35 +125,35 @@ Design with_doubled_threads(Design design, const ThreadRange& range, bool mirror
     copy.erase(copy.begin());
   }
   order.insert(order.begin() + r.end, copy.begin(), copy.end());
-  return with_thread_order(std::move(design), r.system, order, with_looks);
+  return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_reversed_threads(Design design, const ThreadRange& range, bool with_looks) {
+Design with_reversed_threads(Design design, const ThreadRange& range, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
   std::reverse(order.begin() + r.first, order.begin() + r.end);
-  return with_thread_order(std::move(design), r.system, order, with_looks);
+  return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_turned_threads(Design design, const ThreadRange& range, int steps, bool with_looks) {
+Design with_turned_threads(Design design, const ThreadRange& range, int steps, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
   for (int i = r.first; i < r.end; ++i)
     order[static_cast<size_t>(i)].thread = r.first + wrapped(int64_t{i} - r.first - steps, r.count());
-  return with_thread_order(std::move(design), r.system, order, with_looks);
+  return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_repeated_threads(Design design, const ThreadRange& range, Reach reach, bool with_looks) {
+Design with_repeated_threads(Design design, const ThreadRange& range, Reach reach, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   const Order order =
       over_reach(r, design.draft.threads(r.system).size(), reach, [n = r.count()](int i) { return wrapped(i, n); });
-  return with_thread_order(std::move(design), r.system, order, with_looks);
+  return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, bool with_looks) {
+Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
   const int n = r.count(), period = std::max(1, 2 * n - 2);
@@ -161,13 +161,13 @@ Design with_point_repeat(Design design, const ThreadRange& range, Reach reach, b
     const int k = wrapped(i, period);
     return k < n ? k : period - k;
   });
-  return with_thread_order(std::move(design), r.system, order, with_looks);
+  return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 
-Design with_advancing_repeat(Design design, const ThreadRange& range, int step, bool with_looks) {
+Design with_advancing_repeat(Design design, const ThreadRange& range, int step, bool with_properties) {
   const ThreadRange r = clipped(range, design.draft);
   if (r.count() <= 0) return design;
-  design = with_repeated_threads(std::move(design), r, Reach::kToEnd, with_looks);
+  design = with_repeated_threads(std::move(design), r, Reach::kToEnd, with_properties);
   BitMatrix& grid = advancing_grid(design.draft, r.system);
   if (grid.cols() == 0) return design;
   const int columns = grid.cols();

@@ -5,8 +5,8 @@
 
 #include "drape/bodies.h"
 #include "drape/garments.h"
-#include "drape/hang.h"
 #include "drape/soft_goods.h"
+#include "drape/stiffness.h"
 #include "drape/vec.h"
 
 namespace weftlight::drape {
@@ -122,19 +122,19 @@ const std::vector<std::string>& drape_names() {
   return names;
 }
 
-Mesh simulate_drape(const std::string& name, Hang hang, float steps_scale) {
+Mesh simulate_drape(const std::string& name, DrapeStiffness hang, float steps_scale) {
   if (name == "plane") return plane();
   std::optional<Drape> drape = made(name);
   if (!drape) return {};
-  drape->fabric = in_hang(drape->fabric, hang);
+  drape->fabric = with_stiffness(drape->fabric, hang);
   return finish(std::move(*drape), name, steps_scale);
 }
 
-Mesh simulate_drape(const std::string& name, const OwnHang& hang, const std::function<bool(double share)>& go_on,
+Mesh simulate_drape(const std::string& name, const DrapeHandle& hang, const std::function<bool(double share)>& go_on,
                     float steps_scale) {
   std::optional<Drape> drape = made(name);
   if (!drape) return {};
-  hang_itself(drape->fabric, drape->fall, hang);
+  apply_handle(drape->fabric, drape->fall, hang);
   bool left = false;
   drape->fall.go_on = [&](double share) { return !go_on || (left = !go_on(share), !left); };
   Mesh mesh = finish(std::move(*drape), name, steps_scale);
@@ -142,7 +142,7 @@ Mesh simulate_drape(const std::string& name, const OwnHang& hang, const std::fun
 }
 
 Mesh simulate_drape(const std::string& name, float steps_scale) {
-  return simulate_drape(name, Hang::kMedium, steps_scale);
+  return simulate_drape(name, DrapeStiffness::kMedium, steps_scale);
 }
 
 Mesh body_mesh(const std::string& name) { return mesh_of_body(name); }

@@ -1,8 +1,8 @@
 // The shirt: what it has beside its bodice - cuffs, a stand, a collar that falls over it, and its second layers.
 
 #include "drape/bodice.h"
+#include "drape/fabric_layers.h"
 #include "drape/garments.h"
-#include "drape/layers.h"
 
 namespace weftlight::drape {
 

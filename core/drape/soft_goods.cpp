@@ -99,8 +99,8 @@ Drape cushion() {
   drape.fall.body_friction = 1.2;
   drape.fall.push = [pattern](const Cloth& cloth, double time, std::vector<Vec3d>& push) {
     // A full one would hold a fifth of its side's cube; soft ones are filled less.
-    constexpr double kPascal = 900, kMost = 70, kSide = kCushionSide, kVolume = 0.165 * kSide * kSide * kSide;
-    const double pascal = std::clamp(kPascal * (1 - volume_of(pattern, cloth) / kVolume), 0.0, kMost);
+    constexpr double kPascal = 900, kMax = 70, kSide = kCushionSide, kVolume = 0.165 * kSide * kSide * kSide;
+    const double pascal = std::clamp(kPascal * (1 - volume_of(pattern, cloth) / kVolume), 0.0, kMax);
     press_out(pattern, pascal * std::fmin(1.0, time / 0.1), cloth, push);
   };
   return drape;

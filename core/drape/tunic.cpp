@@ -1,8 +1,8 @@
 // The tunic: a smock that hangs from its neckband, into which it is gathered, as the sleeves are into the cuffs.
 
 #include "drape/bodice.h"
+#include "drape/fabric_layers.h"
 #include "drape/garments.h"
-#include "drape/layers.h"
 
 namespace weftlight::drape {
 

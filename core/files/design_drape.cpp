@@ -4,21 +4,21 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "analysis/hand.h"
+#include "analysis/handle.h"
 #include "base/files.h"
 #include "base/resources.h"
 #include "base/user_folders.h"
-#include "drape/hang.h"
+#include "drape/stiffness.h"
 
 namespace weftlight::files {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMostKept = 48;  // of half a megabyte each
+constexpr size_t kMaxKept = 48;  // of half a megabyte each
 
 /// Without the ending, of the three of its kind.
 std::string shipped_file(const Design& design) {
-  return drape_file(design.scene.mesh, hang_of(analysis::cloth_hand(design).bending_length_mm));
+  return drape_file(design.scene.mesh, drape_stiffness_of(analysis::cloth_handle(design).bending_length_mm));
 }
 
 std::string shipped_path(const std::string& file) {
@@ -48,9 +48,9 @@ ReadMesh load_kept(const Design& design) {
   return kept;
 }
 
-OwnHang own_hang_of(const Design& design) {
-  const analysis::ClothHand hand = analysis::cloth_hand(design);
-  return own_hang(hand.bending_length_mm, hand.thickness_mm);
+DrapeHandle own_hang_of(const Design& design) {
+  const analysis::ClothHandle hand = analysis::cloth_handle(design);
+  return drape_handle(hand.bending_length_mm, hand.thickness_mm);
 }
 
 }  // namespace
@@ -82,13 +82,13 @@ std::string drape_cloth(const Design& design, const std::function<bool(double sh
   const Mesh mesh = simulate_design_drape(design, go_on);
   if (mesh.position_mm.empty()) return {};
   std::string problem = write_mesh(path, mesh, nullptr);
-  if (problem.empty()) keep_newest(folder.string(), ".glb", kMostKept);
+  if (problem.empty()) keep_newest(folder.string(), ".glb", kMaxKept);
   return problem;
 }
 
 std::string drape_key(const Design& design) {
   if (!can_drape(design)) return design.scene.mesh;
-  if (design.scene.own_drape) {
+  if (design.scene.simulated_drape) {
     // With its time: one that was broken may have been made anew.
     const std::string path = kept_drape_path(design);
     std::error_code ec;
@@ -99,7 +99,7 @@ std::string drape_key(const Design& design) {
 }
 
 ReadMesh load_design_drape(const Design& design) {
-  ReadMesh read = design.scene.own_drape ? load_kept(design) : ReadMesh{};
+  ReadMesh read = design.scene.simulated_drape ? load_kept(design) : ReadMesh{};
   if (!read.mesh) read = load_shipped(design);
   // Its form is that of the drape, however the cloth hangs.
   if (read.mesh && can_drape(design)) read.mesh->name = design.scene.mesh;

@@ -124,10 +124,10 @@ ReadEnvironment read_from(const std::string& path) {
   const OIIO::ImageSpec& spec = in->spec();
   const Channels channels = channels_of(spec);
   // Tiles are read in whole rows of them.
-  constexpr int64_t kMostValues = int64_t{1} << 26;  // 256 MB
+  constexpr int64_t kMaxValues = int64_t{1} << 26;  // 256 MB
   const int band = std::min(spec.tile_height > 0 ? spec.tile_height : kBandRows, spec.height);
   const int64_t values = int64_t{spec.width} * band * channels.count;
-  if (values > kMostValues) return {{}, path + ": its tiles are too large; save it in scan lines", {}};
+  if (values > kMaxValues) return {{}, path + ": its tiles are too large; save it in scan lines", {}};
   std::vector<float> rows(static_cast<size_t>(values));
   Gather gather(spec.width, spec.height);
   for (int y = 0; y < spec.height; y += band) {

@@ -17,7 +17,7 @@
 namespace weftlight::files {
 namespace {
 
-constexpr int kMostSide = 16384;
+constexpr int kMaxSide = 16384;
 
 /// Little-endian numbers one after the other.
 class Bytes {
@@ -123,7 +123,7 @@ MipFile::~MipFile() = default;
 
 std::unique_ptr<MipFile> MipFile::open(const std::string& path, MipContainer container, int width, int height,
                                        int channels, bool srgb, std::string& problem) {
-  const bool fits = width >= 1 && width <= kMostSide && height >= 1 && height <= kMostSide;
+  const bool fits = width >= 1 && width <= kMaxSide && height >= 1 && height <= kMaxSide;
   if (!fits || (channels != 1 && channels != 3 && channels != 4)) {
     problem = path + ": an image of " + std::to_string(width) + " x " + std::to_string(height) + " x " +
               std::to_string(channels) + " channels cannot be written";

@@ -10,7 +10,7 @@
 #include <bit>
 #include <cmath>
 
-#include "cloth/layers.h"
+#include "cloth/layer_plan.h"
 
 namespace weftlight::light {
 namespace {

@@ -11,10 +11,10 @@
 #include <numbers>
 
 #include "base/loops.h"
-#include "light/behind_response.h"
 #include "light/cloth_sky.h"
 #include "light/facet_regression.h"
 #include "light/formulas.h"
+#include "light/transmission_response.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
@@ -54,7 +54,7 @@ struct Point {
   // Means of the channels.
   float f0 = 0, f90 = 0, pile = 1, hair = 0;
   // Of the colours that the table leaves out, as pictures take them.
-  float tone = 0, drawn_f0 = 0, drawn_hair = 0, drawn_recurring = 0;
+  float tone = 0, drawn_f0 = 0, drawn_flyaway = 0, drawn_recurring = 0;
 };
 
 /// Before the place: cosine of it, times share that is not hidden.
@@ -73,7 +73,7 @@ float again_of(const formulas::YarnLobes& lobes, const formulas::LobeShared& sha
 }
 
 /// With a normal of the place: that between its plies for the views before which it faces, else the section's.
-Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::array<glm::vec3, kV>& w) {
+Point measure(const ThreadSample& place, const glm::vec3& normal, const std::array<glm::vec3, kV>& w) {
   Point p;
   const formulas::YarnLobes& lobes = place.lobes;
   const formulas::LobeShared shared = formulas::lobe_shared(lobes);
@@ -84,7 +84,7 @@ Point measure(const ThreadPlace& place, const glm::vec3& normal, const std::arra
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = place.groove;
   p.tone = channel_mean(lobes.body), p.f0 = channel_mean(lobes.f0), p.f90 = lobes.f90, p.pile = lobes.pile;
   p.hair = channel_mean(lobes.fuzz_colour), p.drawn_f0 = channel_mean(place.drawn.f0);
-  p.drawn_hair = channel_mean(place.drawn.fuzz_colour);
+  p.drawn_flyaway = channel_mean(place.drawn.fuzz_colour);
   p.drawn_recurring = channel_mean(formulas::mean_fresnel(place.drawn));
   p.again = lobes.fuzz * again_of(lobes, shared) /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
@@ -171,8 +171,8 @@ struct Sent {
 /// rising: of Fresnel's term towards grazing, of the row of this view.
 void send(Sent& sent, const Point& p, const LitFrom& from, const PerLight& rising, size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
-  const float body = seen * p.enters[view] * p.body_scale, over_hair = grooved / std::max(p.drawn_hair, 1e-6f);
-  const float again = seen * p.veil[view] * p.again, once = over_hair * p.hair * p.fuzz / (4 * kPi);
+  const float body = seen * p.enters[view] * p.body_scale, over_flyaway = grooved / std::max(p.drawn_flyaway, 1e-6f);
+  const float again = seen * p.veil[view] * p.again, once = over_flyaway * p.hair * p.fuzz / (4 * kPi);
   const float lost = grooved / std::max(p.drawn_recurring, 1e-6f) * p.lost[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
   // Kept apart from what is written, which might be any of the point's floats as far as the compiler knows: the loop
@@ -222,7 +222,7 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   rise(rising, p.pile, &grazing[view * kL]);
   send(sent, p, p.front, rising, view);
   accumulate(sums.front, view, sent);
-  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_hair, recurring = p.drawn_recurring;
+  const float tone = p.tone, f0 = p.drawn_f0, more = p.f90 - f0, hair = p.drawn_flyaway, recurring = p.drawn_recurring;
   for (size_t i = 0; i < kL; ++i)
     all[i] = sent.scattered[i] * tone + sent.mirrored[i] * (f0 + more * rising[i]) + sent.combed[i] * hair +
              sent.recurred[i] * recurring;
@@ -274,7 +274,7 @@ void add_slopes(FacetSlopes& slopes, const glm::vec3& n, const glm::vec3& fibre,
 }
 
 /// Means over the whole map, which need no directions and so many more texels.
-void take_means(ClothResponse& out, const Maps& maps) {
+void measure_means(ClothResponse& out, const Maps& maps) {
   const int step_x = std::max(1, maps.coverage.width / kMeanTexels),
             step_y = std::max(1, maps.coverage.height / kMeanTexels);
   float all = 0;
@@ -315,7 +315,7 @@ using Moments = FacetMoments;
 
 /// Slopes and moments of what is seen from above, and how much of each system. A texel of a map is of one system: where
 /// the slits between threads are narrower than texels, the shares of a map are off by a quarter.
-std::array<Moments, 2> take_top(ClothResponse& out, const ThreadPlaces& threads) {
+std::array<Moments, 2> take_top(ClothResponse& out, const ThreadSamples& threads) {
   std::array<Moments, 2> sums{};
   std::array<float, 2> seen{};
   for (const TopPlace& p : threads.top) {
@@ -335,7 +335,7 @@ std::array<Moments, 2> take_top(ClothResponse& out, const ThreadPlaces& threads)
 /// Rise of the warp's share of what is seen with its share of the crossings around. Places lie evenly over all threads,
 /// so what is seen of a system in a region is the mean over its places there, hidden ones too: least squares give the
 /// rise, beyond that from above, which is 1. Warp and weft tell the same, each with its own places.
-std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadPlaces& threads) {
+std::vector<float> seen_rises(const std::array<Sums, 2>& sums, const ThreadSamples& threads) {
   std::vector<float> out(kV);
   for (size_t s = 0; s < 2; ++s) {
     const float mean = std::max(s == 0 ? threads.around_mean : 1 - threads.around_mean, 1e-3f);
@@ -390,8 +390,8 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
 }
 
 /// Points of the places, with the slopes of those that are seen from above.
-std::vector<Point> points_of(const std::vector<ThreadPlace>& places, const std::array<glm::vec3, kV>& w) {
-  const auto turns_away = [&w](const ThreadPlace& p) {
+std::vector<Point> points_of(const std::vector<ThreadSample>& places, const std::array<glm::vec3, kV>& w) {
+  const auto turns_away = [&w](const ThreadSample& p) {
     return p.normal != p.side && std::any_of(w.begin(), w.end(), [&p](const glm::vec3& v) {
              return glm::dot(p.normal, v) <= 0 && glm::dot(p.side, v) > 0;
            });
@@ -410,9 +410,9 @@ std::vector<Point> points_of(const std::vector<ThreadPlace>& places, const std::
 
 /// What mirrors is measured at few places, so it stands over the slopes of just these; the shader multiplies by those
 /// of many.
-std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadPlace>& places) {
+std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& places) {
   std::array<FacetSlopes, 2> out{};
-  for (const ThreadPlace& p : places) {
+  for (const ThreadSample& p : places) {
     const float weight = p.area * std::max(p.side.z, 0.0f) * p.open[kV - 1];
     const glm::vec3& cov = p.lobes.slope_cov;
     if (weight > 0) add_slopes(out[static_cast<size_t>(p.system)], p.normal, p.fibre, {cov.x, cov.z}, weight);
@@ -460,16 +460,16 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   for (SystemResponse& s : out.systems) {
     s.broad.assign(4 * kV * kL, 0.0f), s.lean.assign(kFacetMoments * kV * kL, 0.0f);
     s.seen.assign(kV, 0.0f), s.height_mm.assign(kV, 0.0f), s.behind.assign(4 * kV * kBehindLights, 0.0f);
-    s.behind_lean = s.behind, s.sky.assign(4 * kV, 0.0f);
+    s.transmission_lean = s.behind, s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
   out.near_sky.assign(kV, glm::vec4(1, 1, 0, 0));
   out.seen_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();
-  const ThreadPlaces threads = thread_places(cloth, samples, kBehindPlaces * samples);
+  const ThreadSamples threads = thread_samples(cloth, samples, kBehindPlaces * samples);
   const std::vector<Point> points = points_of(threads.places, w);
-  take_means(out, maps);
+  measure_means(out, maps);
   const std::array<Moments, 2> moments = take_top(out, threads);
   const Grazing grazing = grazing_of(w);
   std::array<Sums, 2> sums;
@@ -484,8 +484,8 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   write_tables(out, sums, slopes_of(threads.places), w);
   PerView seen;
   for (size_t v = 0; v < kV; ++v) seen[v] = sums[0].seen[v] + sums[1].seen[v];
-  take_behind(out, cloth, threads, seen);
-  take_sky(out, cloth, threads.places, scale, seen);
+  measure_transmission(out, cloth, threads, seen);
+  measure_sky(out, cloth, threads.places, scale, seen);
   return out;
 }
 

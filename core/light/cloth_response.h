@@ -1,14 +1,14 @@
 #pragma once
 // How a cloth answers light from afar, measured on its own threads, one system at a time: what of
 // its facets light and eye both see, and how their slopes lie. Rungs `cloth` and `repeat` read it
-// (shaders/rungs.glsl says how); it depends on the yarns' lobes, so it is made anew when they change.
+// (shaders/methods.glsl says how); it depends on the yarns' lobes, so it is made anew when they change.
 
 #include <array>
 #include <vector>
 
 #include "cloth/maps.h"
 #include "light/names.h"
-#include "light/thread_places.h"
+#include "light/thread_samples.h"
 
 namespace weftlight::light {
 
@@ -20,13 +20,13 @@ using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
 
 struct SystemResponse {
   // RGBA of [view][light]: body (times the thread's colour), what mirrors (over its closed form, facet_density()
-  // of shaders/rungs.glsl times the share, and kUnseenFacets), fuzz (times its colour), light that facets scatter more
-  // than once (times mean_fresnel() there). Directions: light/thread_places.h. Over all the cloth that is seen.
+  // of shaders/methods.glsl times the share, and kUnseenFacets), fuzz (times its colour), light that facets scatter
+  // more than once (times mean_fresnel() there). Directions: light/thread_samples.h. Over all the cloth that is seen.
   std::vector<float> broad;
-  // The same of [view][light from behind] (thread_places.h): through the threads or onto their sides, body times body
+  // The same of [view][light from behind] (thread_samples.h): through the threads or onto their sides, body times body
   // and through, what mirrors as it is. Other threads stop most of it.
   std::vector<float> behind;
-  std::vector<float> behind_lean;  // as `lean`, of what comes by the body and through
+  std::vector<float> transmission_lean;  // as `lean`, of what comes by the body and through
   // [view][light], of each moment: how all that is sent rises where the facets of a place have more of it than those
   // of the whole cloth (`facets`); over the mean. Least squares over what is seen.
   std::vector<float> lean;
@@ -49,8 +49,8 @@ struct ClothResponse {
   // [view]: mean directions of the sky that is sent, by body and fuzz and as it is mirrored.
   std::vector<std::array<glm::vec3, 2>> sky_from;
   // [view]: what warp and weft send of an even sky, over what rung `yarn` makes of it place by place
-  // (shaders/rungs.glsl, facet_seen() and on); what the mean direction of the mirrored sky is beyond the rung's, along
-  // the view and up.
+  // (shaders/methods.glsl, facet_seen() and on); what the mean direction of the mirrored sky is beyond the rung's,
+  // along the view and up.
   std::vector<glm::vec4> near_sky;
   // [view]: how the warp's share of what is seen rises with its share of the crossings around. 1 from above; more at a
   // slant, where the fewer threads lie hidden between the others.

@@ -22,7 +22,7 @@ constexpr int kRings = 20, kTurns = 40;               // lights of equal parts o
 constexpr float kPart = 2 * kPi / (kRings * kTurns);  // sr
 constexpr size_t kDeviates = 1021;                    // prime: places share no run of them
 constexpr size_t kFacets = 4;                         // of a place, for each view
-constexpr float kLeastFactor = 0.4f, kMostFactor = 2.5f;
+constexpr float kMinFactor = 0.4f, kMaxFactor = 2.5f;
 
 /// The part of an even sky that each light of the tables stands for, between whose nodes answers run straight: its
 /// directions, summed, and sr.
@@ -59,7 +59,7 @@ std::vector<glm::vec2> deviates() {
 }
 
 /// What of a light from `l` the place sees, between the views.
-float open_towards(const ThreadPlace& p, const glm::vec3& l) {
+float open_towards(const ThreadSample& p, const glm::vec3& l) {
   const formulas::vec2 at = formulas::response_coord(l);
   const float x = at.x * kViewAzimuths, across = x - std::floor(x);
   const size_t low = static_cast<size_t>(x) % kViewAzimuths, high = (low + 1) % kViewAzimuths;
@@ -72,16 +72,16 @@ float open_towards(const ThreadPlace& p, const glm::vec3& l) {
 
 /// A place with what all views share.
 struct Facets {
-  const ThreadPlace* place;
+  const ThreadSample* place;
   formulas::LobeShared shared;
   float f0 = 0, drawn_f0 = 0;  // means of the channels
   glm::vec3 root{0};           // of the covariance of slopes: lower triangle xx, xy, yy
 };
 
-std::vector<Facets> facets_of(const std::vector<ThreadPlace>& places) {
+std::vector<Facets> facets_of(const std::vector<ThreadSample>& places) {
   std::vector<Facets> out;
   out.reserve(places.size());
-  for (const ThreadPlace& p : places) {
+  for (const ThreadSample& p : places) {
     Facets f{&p, formulas::lobe_shared(p.lobes), channel_mean(p.lobes.f0), channel_mean(p.drawn.f0)};
     f.root.x = std::sqrt(f.shared.cov.x), f.root.y = f.shared.cov.y / f.root.x;
     f.root.z = std::sqrt(std::max(f.shared.cov.z - f.root.y * f.root.y, 0.0f));
@@ -104,7 +104,7 @@ struct Drawn {  // by rung `yarn`
 /// What the place mirrors of the sky that it sees. weight: of its area towards the view.
 void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame& frame, const formulas::LobeSide& side,
                   const glm::vec3& wo, const glm::vec2* slopes, float weight) {
-  const ThreadPlace& p = *facets.place;
+  const ThreadSample& p = *facets.place;
   const formulas::YarnLobes& y = p.lobes;
   for (size_t k = 0; k < kFacets; ++k) {
     const glm::vec3 slope(facets.root.x * slopes[k].x, facets.root.y * slopes[k].x + facets.root.z * slopes[k].y, 1);
@@ -116,7 +116,7 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
     if (wi.z <= 0 || l.z <= 0 || glm::dot(p.side, l) <= 0) continue;
     const float open = open_towards(p, l);
     if (open <= 0) continue;
-    const float mu = std::max(wi.z, formulas::kLeastCosine);
+    const float mu = std::max(wi.z, formulas::kMinCosine);
     const float area = formulas::gaussian_area(mu, std::sqrt(formulas::variance_along(facets.shared.cov, wi.x, wi.y)));
     const float masked = mu / (area * side.mu + side.area * mu - mu * side.mu);  // over side.area: projected
     const float rising = formulas::pile_grazing(y.pile, std::max(1 - facing, 0.0f));
@@ -131,7 +131,7 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
 }
 
 void add_place(Mirrored& mirrored, Drawn& drawn, const Facets& facets, const glm::vec3& v, const glm::vec2* slopes) {
-  const ThreadPlace& p = *facets.place;
+  const ThreadSample& p = *facets.place;
   const float weight = p.area * glm::dot(p.side, v) * p.groove;
   const glm::vec3 n = glm::dot(p.normal, v) > 0 ? p.normal : p.side;
   const formulas::LobeFrame frame = formulas::lobe_frame(n, p.fibre);
@@ -153,7 +153,7 @@ struct SentSky {
 
 class SkyTaker {
  public:
-  SkyTaker(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadPlace>& places)
+  SkyTaker(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& places)
       : response_(response), parts_(sky_parts()), deviates_(deviates()), facets_(facets_of(places)) {
     deviates_.insert(deviates_.end(), deviates_.begin(), deviates_.begin() + kFacets);
     for (size_t s = 0; s < 2; ++s) {
@@ -191,7 +191,7 @@ void SkyTaker::take(size_t view, const glm::vec3& v, const std::array<float, 2>&
   std::array<Mirrored, 2> mirrored;
   std::array<Drawn, 2> drawn;
   for (size_t i = 0; i < facets_.size(); ++i) {
-    const ThreadPlace& p = *facets_[i].place;
+    const ThreadSample& p = *facets_[i].place;
     if (p.open[view] <= 0 || glm::dot(p.side, v) <= 0) continue;
     const size_t s = static_cast<size_t>(p.system);
     add_place(mirrored[s], drawn[s], facets_[i], v, &deviates_[(i * kFacets + view) % kDeviates]);
@@ -208,7 +208,7 @@ void SkyTaker::take(size_t view, const glm::vec3& v, const std::array<float, 2>&
     const float all = channel_mean(y.body) * sky.x + channel_mean(y.fuzz_colour) * sky.y +
                       channel_mean(y.f0) * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
-    near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kLeastFactor, kMostFactor) : 1.0f;
+    near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
     sent.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
     sent.drawn.glossy += part * drawn[s].glossy, sent.drawn.from += part * drawn[s].from;
   }
@@ -223,8 +223,8 @@ void SkyTaker::take(size_t view, const glm::vec3& v, const std::array<float, 2>&
 
 }  // namespace
 
-void take_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadPlace>& places,
-              const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen) {
+void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& places,
+                 const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen) {
   SkyTaker taker(response, cloth, places);
   const std::array<glm::vec3, kResponseViews> views = response_views();
   for_each_job(kResponseViews, [&](int i) {

@@ -19,8 +19,8 @@ using formulas::EngineMaterial;
 using formulas::EngineParts;
 
 constexpr int kRounds = 3;  // of least squares, for what couples the parts
-constexpr float kLeastBase = 0.25f;
-constexpr float kMostScale = 4.0f;                           // of base colour and of sheen
+constexpr float kMinBase = 0.25f;
+constexpr float kMaxScale = 4.0f;                            // of base colour and of sheen
 constexpr size_t kUnknowns = 6;                              // base r, g, b, f0, f90, sheen
 constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;        // of the search, in logarithms
 constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // of the variances, where all of the spread is in them
@@ -260,8 +260,8 @@ Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
     most_sheen = std::max({most_sheen, t.material.sheen.r, t.material.sheen.g, t.material.sheen.b});
   const bool fixed = model.most_f0 <= formulas::kEngineF0,
              plain = model.sheen == formulas::kSheenNone || model.sheen == formulas::kSheenNoneDisney;
-  return {{kLeastBase, kLeastBase, kLeastBase, fixed ? formulas::kEngineF0 : 0, model.grazing ? 0.0f : 1.0f, 0},
-          {kMostScale, kMostScale, kMostScale, model.most_f0, 1, plain ? 0 : std::min(kMostScale, 1 / most_sheen)}};
+  return {{kMinBase, kMinBase, kMinBase, fixed ? formulas::kEngineF0 : 0, model.grazing ? 0.0f : 1.0f, 0},
+          {kMaxScale, kMaxScale, kMaxScale, model.most_f0, 1, plain ? 0 : std::min(kMaxScale, 1 / most_sheen)}};
 }
 
 /// The best for these widths of the lobe and this roughness of the sheen.

@@ -6,12 +6,12 @@
 #include <map>
 #include <utility>
 
-#include "cloth/layers.h"
+#include "cloth/layer_plan.h"
 
 namespace weftlight::light {
 namespace {
 
-constexpr float kMostSlope = 4.0f;  // 76 degrees: one grazing facet is not a wide lobe
+constexpr float kMaxSlope = 4.0f;  // 76 degrees: one grazing facet is not a wide lobe
 // So many a side:
 constexpr int kFacets = 4;       // of a pixel
 constexpr int kLobeFacets = 48;  // of a window of lobes: what shows between floats is a thin strip
@@ -212,9 +212,9 @@ FootprintLobe footprint_lobe(std::span<const LobePart> parts) {
   const Axes axes = axes_over(normal);
   float total = 1e-9f;
   for (const LobePart& p : parts) {
-    const float up = std::max(glm::dot(p.normal, normal), 1 / kMostSlope);
+    const float up = std::max(glm::dot(p.normal, normal), 1 / kMaxSlope);
     const glm::vec2 slope =
-        glm::clamp(glm::vec2(glm::dot(p.normal, axes.t), glm::dot(p.normal, axes.b)) / up, -kMostSlope, kMostSlope);
+        glm::clamp(glm::vec2(glm::dot(p.normal, axes.t), glm::dot(p.normal, axes.b)) / up, -kMaxSlope, kMaxSlope);
     out.covariance += p.weight * (p.covariance + glm::vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y));
     out.grain += p.weight * p.grain, total += p.weight;
   }

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "light/names.h"
-#include "light/thread_places.h"
+#include "light/thread_samples.h"
 
 namespace weftlight::light {
 

@@ -35,12 +35,12 @@ inline float exp(float x) {
 
 #define FORMULA inline
 #include "shaders/filter.glsl"
-#include "shaders/hair.glsl"
+#include "shaders/flyaway.glsl"
 #include "shaders/horizon.glsl"
 #include "shaders/lattice.glsl"
 #include "shaders/lobes.glsl"
-#include "shaders/rung_colors.glsl"
-#include "shaders/rungs.glsl"
+#include "shaders/method_colors.glsl"
+#include "shaders/methods.glsl"
 // clang-format off: it builds on those above
 #include "shaders/engine.glsl"
 // clang-format on

@@ -17,14 +17,14 @@ namespace {
 constexpr int kOpenings = 20, kSpreads = 24;  // entries of the albedo table
 constexpr int kFuzzOpenings = 32, kFuzzDepths = 16;
 constexpr float kWidestSlope = 1.0e3f;  // stands for infinity: the albedo no longer changes
-constexpr float kLeastSlope = 5.0e-3f;
+constexpr float kMinSlope = 5.0e-3f;
 constexpr float kGaussianReach = 4.25f;  // deviations; beyond lie 2e-5 of the facets
 constexpr int kAlongNodes = 16, kAcrossNodes = 8, kLineNodes = 24;
 
 float coordinate(int i, int n) { return static_cast<float>(i) / static_cast<float>(n - 1); }
 
 float slope_of(float coordinate) {
-  return std::clamp(coordinate / std::max(1.0f - coordinate, 1.0e-6f), kLeastSlope, kWidestSlope);
+  return std::clamp(coordinate / std::max(1.0f - coordinate, 1.0e-6f), kMinSlope, kWidestSlope);
 }
 
 template <class V>

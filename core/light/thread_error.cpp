@@ -8,7 +8,7 @@
 #include "base/loops.h"
 #include "cloth/thread_scene.h"
 #include "light/engine_texels.h"
-#include "light/thread_places.h"
+#include "light/thread_samples.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
@@ -19,7 +19,7 @@ using Scene = thread_formulas::ThreadScene;
 constexpr int kPixels = 48;                       // a footprint and view
 constexpr float kFewPixels = 1.25f;               // what so many may leave out
 constexpr glm::ivec2 kFine{89, 34};               // Fibonacci's, as formulas::lattice_of()
-constexpr int kViewCells = 48, kLightCells = 24;  // as rung_yarn.glsl
+constexpr int kViewCells = 48, kLightCells = 24;  // as method_yarn.glsl
 // Of the threads themselves against the traced truth, without any error of sampling (docs/chart.md).
 constexpr float kModelError = 0.05f;
 // Of the error with the samples, and with the footprint beyond the widest that is measured: as the chart's four cloths.
@@ -51,7 +51,7 @@ class Sampler {
         lobes_[s].push_back(yarn_lobes(cloth.yarns[static_cast<size_t>(body.yarn)].lobes, body.colour));
     }
   }
-  /// Mean of the points of a lattice, as rung_yarn.glsl (shade_yarn) takes them.
+  /// Mean of the points of a lattice, as method_yarn.glsl (shade_yarn) takes them.
   float mean(glm::vec2 middle, const PixelSides& pixel, glm::ivec2 lattice, float turn, const glm::vec3& l,
              const glm::vec3& v) {
     const float part = 1 / std::sqrt(static_cast<float>(lattice.x));
@@ -78,7 +78,7 @@ class Sampler {
   std::array<std::vector<formulas::YarnLobes>, 2> lobes_;
 };
 
-/// Mean of the channels, of the light alone: add_sample() of rung_yarn.glsl without the tones of fibres.
+/// Mean of the channels, of the light alone: add_sample() of method_yarn.glsl without the tones of fibres.
 float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, const glm::vec3& v) {
   const auto hit = scene_.first_thread(grid_, at, v, kViewCells);
   if (hit.system < 0) return 0;
@@ -197,15 +197,15 @@ ThreadErrors thread_errors(const Cloth& whole) {
   return out;
 }
 
-Ladder fitted(Ladder ladder, const ThreadErrors& errors) {
-  if (!errors.measured) return ladder;
-  for (LadderPoint& p : ladder) {
+LodTable fitted(LodTable lod_table, const ThreadErrors& errors) {
+  if (!errors.measured) return lod_table;
+  for (LodPoint& p : lod_table) {
     if (p.method != Method::kYarn) continue;
     const float own = kFewPixels * error_at(errors, p.samples, p.yarns_per_pixel);
     p.filtering_error = std::min(own, p.filtering_error);
     p.model_error = std::min(std::sqrt(own * own + kModelError * kModelError), p.model_error);
   }
-  return ladder;
+  return lod_table;
 }
 
 }  // namespace weftlight::light

@@ -1,11 +1,11 @@
 #pragma once
-// How far few samples a pixel are off near the threads of one cloth: footprints alone do not know a weave. Rung `yarn`
-// (shaders/rung_yarn.glsl) is run at some pixels, by its lattices and by a much finer one.
+// How far few samples a pixel are off near the threads of one cloth: footprints alone do not know a weave.
+// SampledMethod `yarn` (shaders/method_yarn.glsl) is run at some pixels, by its lattices and by a much finer one.
 
 #include <array>
 
 #include "cloth/cloth.h"
-#include "light/ladder.h"
+#include "light/lod_table.h"
 #include "light/names.h"
 
 namespace weftlight::light {
@@ -29,6 +29,6 @@ ThreadErrors thread_errors(const Cloth& cloth);
 
 /// The ladder for that cloth: rows of rung `yarn` with what was measured where that is less. As it is where nothing
 /// was.
-Ladder fitted(Ladder ladder, const ThreadErrors& errors);
+LodTable fitted(LodTable lod_table, const ThreadErrors& errors);
 
 }  // namespace weftlight::light

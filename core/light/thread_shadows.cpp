@@ -14,7 +14,7 @@ namespace {
 
 // From crossing to crossing; of the thread that the place is on, which it leaves at a slant, more.
 constexpr int kPieces = 6, kOwnPieces = 8;
-constexpr int kMostRings = 24;  // of threads
+constexpr int kMaxRings = 24;  // of threads
 
 /// A straight tube between two sections. Along it s, across it a, z up; from the place.
 struct Piece {
@@ -125,7 +125,7 @@ void Directions::take(const Directions& from, size_t k) {
 
 /// The place, and the threads about it, counted from those over and under it.
 struct ThreadShadows::Around {
-  static constexpr int kMiddle = kMostRings + 1;
+  static constexpr int kMiddle = kMaxRings + 1;
   glm::vec3 from;
   int system, thread;
   bool only_it, down;
@@ -208,7 +208,7 @@ void ThreadShadows::cast_layer(Directions& open, const ThreadGrid& g, Around& ar
   Directions through;
   through.reserve(open.size());
   for (int s = 0; s < 2; ++s) around.fetch(scene_, g, s, 0);
-  for (int ring = 0; ring <= kMostRings && open.size() > 0; ++ring) {
+  for (int ring = 0; ring <= kMaxRings && open.size() > 0; ++ring) {
     float away = 1e9f;  // from the place to all that is left of the threads
     for (int s = 0; s < 2; ++s) {
       for (const int turn : {-1, 1}) {

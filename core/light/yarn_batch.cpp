@@ -13,7 +13,7 @@ namespace weftlight::light {
 namespace {
 
 constexpr size_t kBlock = 64;  // pairs; all stages of a block stay in the first cache
-constexpr size_t kMostFuzzOpenings = 64;
+constexpr size_t kMaxFuzzOpenings = 64;
 
 template <class T>
 struct alignas(32) Lanes : std::array<T, kBlock> {};  // one number of every pair
@@ -37,7 +37,7 @@ struct Shared {
   formulas::YarnLobes yarn;
   formulas::LobeShared lobes;
   const Table& albedo;
-  std::array<float, kMostFuzzOpenings> fuzz_lost{};  // fuzz_table(.., depth of the yarn).y
+  std::array<float, kMaxFuzzOpenings> fuzz_lost{};  // fuzz_table(.., depth of the yarn).y
   int fuzz_openings = 2;
   float fuzz_mean = 0;  // fuzz_table(.., depth of the yarn).w
 };
@@ -45,7 +45,7 @@ struct Shared {
 Shared shared_of(const formulas::YarnLobes& yarn) {
   Shared s{yarn, formulas::lobe_shared(yarn), light_tables().albedo};
   s.fuzz_openings = light_tables().fuzz.nx;
-  assert(s.fuzz_openings <= static_cast<int>(kMostFuzzOpenings));
+  assert(s.fuzz_openings <= static_cast<int>(kMaxFuzzOpenings));
   if (yarn.fuzz <= 0) return s;
   const float depth = formulas::fuzz_place(yarn, 1).y;
   for (int i = 0; i < s.fuzz_openings; ++i) {

@@ -62,11 +62,11 @@ std::vector<LoomReport> LoomReader::take(std::string_view bytes) {
 }
 
 std::optional<uint32_t> raised_shafts(const Draft& draft, const BitMatrix& lifts, int pick) {
-  if (draft.shafts > kMostShafts || pick < 0 || pick >= lifts.rows()) return {};
+  if (draft.shafts > kMaxLoomShafts || pick < 0 || pick >= lifts.rows()) return {};
   uint32_t named = 0;
   for (int s = 0; s < draft.shafts; ++s)
     if (lifts.get(pick, s)) named |= uint32_t{1} << s;
-  const uint32_t all = draft.shafts == kMostShafts ? ~uint32_t{0} : (uint32_t{1} << draft.shafts) - 1;
+  const uint32_t all = draft.shafts == kMaxLoomShafts ? ~uint32_t{0} : (uint32_t{1} << draft.shafts) - 1;
   return draft.rising ? named : all & ~named;
 }
 

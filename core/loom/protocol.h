@@ -16,7 +16,7 @@ namespace weftlight::loom {
 /// kPlain: "C0000000f". kSeguin: the same after "=". kToikaEs: four bytes, big-endian, and nothing comes back.
 enum class Protocol { kPlain, kSeguin, kToikaEs };
 
-inline constexpr int kMostShafts = 32;  // that a line of eight digits can name
+inline constexpr int kMaxLoomShafts = 32;  // that a line of eight digits can name
 
 /// Shafts to raise, bit 0 is shaft 1.
 std::string raise_command(Protocol protocol, uint32_t shafts);

@@ -16,7 +16,7 @@ Answer raised(const Weaving& w, Place place) {
   if (!shafts)
     return {place,
             {},
-            "the line can name " + std::to_string(kMostShafts) + " shafts, and the draft has " +
+            "the line can name " + std::to_string(kMaxLoomShafts) + " shafts, and the draft has " +
                 std::to_string(w.draft.shafts)};
   place.waiting = true;
   return {place, raise_command(w.protocol, *shafts), {}};

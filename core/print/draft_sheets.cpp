@@ -34,7 +34,7 @@ Plan plan_of(const Draft& d, const PrintOptions& o) {
   p.ends = d.ends();
   p.picks = d.picks();
   p.shafts = d.shafts;
-  p.sides = d.drive == Drive::kLiftplan ? d.shafts : d.treadles;
+  p.sides = d.drive == ShedControl::kLiftplan ? d.shafts : d.treadles;
   const double fits = std::min(room_across(o) / (p.ends + p.side_columns()), room_down(o) / (p.picks + p.head_rows()));
   p.cell = o.cell_mm > 0 ? std::clamp(o.cell_mm, 0.5, 20.0) : std::clamp(fits, kSmallestCell, kLargestCell);
   const auto share = [&](double room, int fixed, int threads) {
@@ -134,7 +134,7 @@ void draw_threading(const Pen& pen, const Drawing& g, const Part& part) {
 
 void draw_sides(const Pen& pen, const Drawing& g, const Part& part) {
   const Draft& d = g.draft();
-  const bool plan = d.drive == Drive::kLiftplan;
+  const bool plan = d.drive == ShedControl::kLiftplan;
   const BitMatrix& rows = plan ? d.liftplan : d.treadling;
   for (int p = part.pick0; p < part.pick1; ++p) {
     for (int t = 0; t < g.plan.sides; ++t)
@@ -199,7 +199,7 @@ void draw_title(const Pen& pen, const Drawing& g, const Part& part, int sheet) {
   pen.text(kMargin, kMargin + 4.5, 5, title, kInk, true);
   std::string facts = std::to_string(d.ends()) + " ends, " + std::to_string(d.picks()) + " picks, " +
                       std::to_string(d.shafts) + " shafts";
-  if (d.drive == Drive::kTreadling) facts += ", " + std::to_string(d.treadles) + " treadles";
+  if (d.drive == ShedControl::kTreadling) facts += ", " + std::to_string(d.treadles) + " treadles";
   facts += d.rising ? ", rising shed" : ", sinking shed";
   if (!g.design.author.empty()) facts = g.design.author + "    " + facts;
   pen.text(kMargin, kMargin + 9.5, 2.8, facts, kMuted);
@@ -220,7 +220,7 @@ void draw_title(const Pen& pen, const Drawing& g, const Part& part, int sheet) {
 std::vector<Sheet> draft_sheets(const Design& design, const PrintOptions& options, std::string& why) {
   const Plan plan = plan_of(design.draft, options);
   const int64_t sheets = int64_t{plan.sheets_across} * plan.sheets_down;
-  if (sheets > kMostSheets) {
+  if (sheets > kMaxSheets) {
     why = "this takes " + std::to_string(sheets) + " sheets; give a smaller scale";
     return {};
   }

@@ -12,7 +12,7 @@ namespace weftlight::print {
 namespace {
 
 constexpr double kLine = 4.4, kSize = 3;  // mm
-constexpr int kMostLines = 4000;          // of one list; a longer one is cut, and says so
+constexpr int kMaxLines = 4000;           // of one list; a longer one is cut, and says so
 
 /// One line of a list: where it stands, then words, each with a chip of colour or none.
 struct Word {
@@ -36,7 +36,7 @@ std::string marks_of(const BitMatrix& m, int row) {
 void list_rows(std::vector<Line>& out, const char* title, const BitMatrix& rows, int group) {
   out.push_back({title, {}});
   for (int first = 0; first < rows.rows(); first += group) {
-    if (out.size() > static_cast<size_t>(kMostLines)) return out.push_back({"", {{"and so on", -1}}});
+    if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{"and so on", -1}}});
     const int last = std::min(first + group, rows.rows());
     Line line{std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(last), {}};
     for (int i = first; i < last; ++i) line.words.push_back({marks_of(rows, i), -1});
@@ -60,7 +60,7 @@ void list_colors(std::vector<Line>& out, const char* title, const Threads& threa
     if (line.words.size() < 8 && i < threads.size()) continue;
     line.head = std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(i);
     out.push_back(std::exchange(line, {}));
-    if (out.size() > static_cast<size_t>(kMostLines)) return out.push_back({"", {{"and so on", -1}}});
+    if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{"and so on", -1}}});
   }
 }
 
@@ -106,7 +106,7 @@ std::vector<Line> lines_of(const Design& design, const PrintOptions& options) {
   if (!parts.lists) return out;
   list_rows(out, "Threading, shaft of each end", d.threading, kGroup);
   list_colors(out, "Warp colours", d.warp);
-  if (d.drive == Drive::kTreadling) {
+  if (d.drive == ShedControl::kTreadling) {
     list_rows(out, "Tie-up, shafts of each treadle", d.tieup, 2);
     list_rows(out, "Treadling, treadle of each pick", d.treadling, kGroup);
   } else {

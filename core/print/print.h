@@ -61,7 +61,7 @@ struct PrintOptions {
   bool operator==(const PrintOptions&) const = default;
 };
 inline constexpr double kSmallestCell = 1.6;  // mm, where the scale is not said
-inline constexpr int kMostSheets = 400;
+inline constexpr int kMaxSheets = 400;
 
 struct Printed {
   std::vector<std::string> files;  // PDF: one; SVG and PNG: one a sheet

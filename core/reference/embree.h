@@ -11,7 +11,7 @@
 
 namespace weftlight::reference {
 
-/// Nearest hit of one ray.
+/// ClosestWeave hit of one ray.
 inline void trace_ray(RTCScene scene, RTCRayHit& ray) {
 #if RTC_VERSION_MAJOR >= 4
   rtcIntersect1(scene, &ray);

@@ -10,7 +10,7 @@
 namespace weftlight::reference {
 namespace {
 
-constexpr int kMostLayers = 8;           // of cloth behind cloth, through gaps
+constexpr int kMaxLayers = 8;            // of cloth behind cloth, through gaps
 constexpr float kEnterThicknesses = 30;  // how far before a point a ray enters the cloth there
 
 /// Runs row(y) for every row on `threads` threads (0: all cores); each pixel has its own seed, so the bits do not
@@ -49,10 +49,10 @@ struct LocalFrame {
 /// other face, or begin inside a thread. They are leaned towards it until it looks down on the face by a little more
 /// than a ray needs that enters so far off.
 void lean_to(MeshHit& hit, glm::vec3 direction) {
-  constexpr float kLeast = 1.1f / kEnterThicknesses;
+  constexpr float kMin = 1.1f / kEnterThicknesses;
   const float side = hit.front ? -1.0f : 1.0f, cosine = side * glm::dot(hit.normal, direction);
-  if (cosine >= kLeast) return;
-  hit.normal = glm::normalize(hit.normal + direction * (side * (kLeast - cosine)));
+  if (cosine >= kMin) return;
+  hit.normal = glm::normalize(hit.normal + direction * (side * (kMin - cosine)));
   hit.weft = glm::normalize(hit.weft - hit.normal * glm::dot(hit.weft, hit.normal));
   hit.warp = glm::cross(hit.normal, hit.weft);
 }
@@ -95,7 +95,7 @@ struct DrapeTrace {
         picture.light ? picture.light(sampler)
                       : LightSample{picture.light_towards, picture.light_irradiance, picture.light_radius_rad};
     const bool stopped = body && body->intersect(picture.eye, direction, 0, stop);
-    for (int layer = 0; layer < kMostLayers; ++layer) {
+    for (int layer = 0; layer < kMaxLayers; ++layer) {
       MeshHit hit;
       if (!cloth.intersect(picture.eye, direction, t_min, hit)) return glm::vec4(0);
       if (stopped && stop.t < hit.t) return glm::vec4(0);

@@ -50,7 +50,7 @@ struct ClothTracer::Point {
 };
 
 ClothTracer::ClothTracer(const TubeScene& tubes) : tubes_(tubes), textures_(thread_textures(tubes.cloth())) {
-  hair_mm_ = 2e-4f * std::max(tubes.z_max() - tubes.z_min(), 1e-4f);
+  ray_epsilon_mm_ = 2e-4f * std::max(tubes.z_max() - tubes.z_min(), 1e-4f);
 }
 
 ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) const {
@@ -94,13 +94,13 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
 /// Light from behind must cross the thread itself first; every other thread stops it.
 bool ClothTracer::shadowed(const Point& p, glm::vec3 towards) const {
   const bool front = glm::dot(p.smooth, towards) > 0;
-  const glm::vec3 from = p.position + p.smooth * (front ? hair_mm_ : -hair_mm_);
+  const glm::vec3 from = p.position + p.smooth * (front ? ray_epsilon_mm_ : -ray_epsilon_mm_);
   if (front) return tubes_.occluded(from, towards, 0);
   TubeHit exit;
   float start = 0;
   for (int crossings = 0; crossings < 4 && tubes_.intersect(from, towards, start, exit); ++crossings) {
     if (exit.system != p.system || exit.thread != p.thread) return true;
-    start = exit.t + hair_mm_;
+    start = exit.t + ray_epsilon_mm_;
   }
   return false;
 }
@@ -139,7 +139,7 @@ Seen ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, cons
     weight *= formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
                                      p.local_out) *
               (kPi * p.groove);
-    const glm::vec3 from = p.position + p.smooth * hair_mm_;
+    const glm::vec3 from = p.position + p.smooth * ray_epsilon_mm_;
     if (!tubes_.intersect(from, direction, 0, hit)) {
       if (around.sky) seen.radiance += weight * around.sky(direction);
       return seen;

@@ -63,7 +63,7 @@ class ClothTracer {
 
   const TubeScene& tubes_;
   std::array<std::vector<ThreadTexture>, 2> textures_;
-  float hair_mm_;  // offset of secondary rays
+  float ray_epsilon_mm_;  // offset of secondary rays
 };
 
 }  // namespace weftlight::reference

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cloth/centre_line.h"
-#include "cloth/layers.h"
-#include "cloth/swell.h"
+#include "cloth/layer_plan.h"
+#include "cloth/thickness.h"
 #include "reference/embree.h"
 
 namespace weftlight::reference {

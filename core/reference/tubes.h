@@ -36,7 +36,7 @@ class TubeScene {
   TubeScene(const TubeScene&) = delete;
   TubeScene& operator=(const TubeScene&) = delete;
 
-  /// Nearest tube along the ray from t_min on. False: the ray leaves the cloth.
+  /// ClosestWeave tube along the ray from t_min on. False: the ray leaves the cloth.
   bool intersect(glm::vec3 origin, glm::vec3 direction, float t_min, TubeHit& hit) const;
   bool occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const;
   /// All tubes lie between these heights.

@@ -6,7 +6,7 @@
 
 #include "files/files.h"
 #include "texture_set/names.h"
-#include "texture_set/surface.h"
+#include "texture_set/surface_texels.h"
 
 namespace weftlight::texture_set {
 

@@ -8,12 +8,12 @@
 namespace weftlight::texture_set {
 namespace {
 
-constexpr int kLeastSide = 16;
-constexpr int kAzimuths = 16;                            // of the horizon, which occlusion is made from
-constexpr int64_t kMostCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
-constexpr int64_t kMostRawTexels = int64_t{1} << 22;     // with the horizons that raw sets keep
-constexpr int64_t kMostPieceTexels = int64_t{1} << 16;   // of the maps, about 5 MB
-constexpr int kMostPieceSide = 16384;                    // of a window of the maps
+constexpr int kMinSide = 16;
+constexpr int kAzimuths = 16;                           // of the horizon, which occlusion is made from
+constexpr int64_t kMaxCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
+constexpr int64_t kMaxRawTexels = int64_t{1} << 22;     // with the horizons that raw sets keep
+constexpr int64_t kMaxPieceTexels = int64_t{1} << 16;   // of the maps, about 5 MB
+constexpr int kMaxPieceSide = 16384;                    // of a window of the maps
 constexpr int kSmallSide = 1024;
 constexpr int kSamplesAThread = 4;
 // Texels a thread from which on one sample each will do: samples know what share of them a thread covers. Of a cotton
@@ -45,7 +45,7 @@ int supersampling(const Cloth& cloth, TextureSize size) {
 
 /// By how much the maps of the whole are coarser than the samples of the set, a side.
 int coarsening(const Cloth& cloth, TextureSize size, int factor, bool horizon) {
-  const int64_t most = horizon ? kMostRawTexels : kMostCoarseTexels;
+  const int64_t most = horizon ? kMaxRawTexels : kMaxCoarseTexels;
   const int width = size.width * factor, height = size.height * factor;
   int shrink = 1;
   while (int64_t{width} / shrink * (int64_t{height} / shrink) > most) shrink *= 2;
@@ -105,7 +105,7 @@ TextureSize texture_size(float width_mm, float depth_mm, int size) {
     const double exact =
         static_cast<double>(size) * static_cast<double>(mm) / static_cast<double>(std::max(longer, 1e-6f));
     const double power = std::exp2(std::round(std::log2(std::max(exact, 1.0))));
-    return std::clamp(static_cast<int>(power), std::min(kLeastSide, size), size);
+    return std::clamp(static_cast<int>(power), std::min(kMinSide, size), size);
   };
   return {side(width_mm), side(depth_mm)};
 }
@@ -132,14 +132,14 @@ FaceSource::FaceSource(Cloth cloth, const FaceOptions& options)
   }
   const int64_t row = int64_t{width} * factor_ * factor_;
   band_ = height;
-  while (band_ > 1 && row * band_ > kMostPieceTexels) band_ /= 2;
-  take_footprints();
-  take_means();
+  while (band_ > 1 && row * band_ > kMaxPieceTexels) band_ /= 2;
+  measure_footprints();
+  measure_means();
   finish(small_, 0, small_.texels.height, 0);
-  take_range();
+  measure_range();
 }
 
-void FaceSource::take_range() {
+void FaceSource::measure_range() {
   small_.low_mm = 1e9f, small_.high_mm = -1e9f;
   double sum = 0;
   for (const SurfaceTexel& t : small_.texels.at_) {
@@ -160,7 +160,7 @@ void FaceSource::measure(const Maps& maps) {
   scores_ = score_engine(texels, cloth_, response, options_.model, fit_);
 }
 
-void FaceSource::take_footprints() {
+void FaceSource::measure_footprints() {
   const float texel_mm = small_.width_mm / static_cast<float>(small_.texels.width);
   const float window_mm = lobe_window_mm(options_.footprint_mm, thread_spacing_mm(cloth_));
   const int step = 1 << std::max(static_cast<int>(std::lround(std::log2(std::max(window_mm / texel_mm, 1.0f)))), 0);
@@ -192,7 +192,7 @@ void FaceSource::take_footprints() {
   });
 }
 
-void FaceSource::take_means() {
+void FaceSource::measure_means() {
   double cover = 0, count = 0, seen = 0;
   std::array<double, 3> base{};
   for (const SurfaceTexel& t : small_.texels.at_) {
@@ -231,7 +231,7 @@ void FaceSource::finish(Surface& surface, int y0, int whole_height, int threads)
     if (footprints.width > 0) {
       const RowBetween lobes(footprints, (static_cast<float>(y0 + y) + 0.5f) / static_cast<float>(whole_height));
       for (int x = 0; x < width; ++x)
-        take_footprint(row[x], lobes.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
+        measure_footprint(row[x], lobes.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
     }
     for (int x = 0; x < width; ++x) {
       SurfaceTexel& t = row[x];
@@ -243,7 +243,7 @@ void FaceSource::finish(Surface& surface, int y0, int whole_height, int threads)
   });
 }
 
-void FaceSource::take_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const {
+void FaceSource::measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const {
   texel.slope_cov = glm::mix(texel.slope_cov, lobe, share_);
   // Whose way its lobe runs, the longer part of the wider axis: so that neighbours agree, as those of one system do.
   if (share_ > 0.5f) texel.system = texel.slope_cov.z > texel.slope_cov.x ? 1 : 0;
@@ -273,7 +273,7 @@ Surface FaceSource::raw_rows(int y0, int y1) const {
               out.texels.at_.begin());
     return out;
   }
-  const int step = std::min(width, kMostPieceSide / factor_);
+  const int step = std::min(width, kMaxPieceSide / factor_);
   for (int x = 0; x < width; x += step) {
     const Surface part = piece(x, x + step, y0, y1);
     for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);

@@ -9,7 +9,7 @@
 #include "light/engine_fit.h"
 #include "light/engine_texels.h"
 #include "texture_set/names.h"
-#include "texture_set/surface.h"
+#include "texture_set/surface_texels.h"
 
 namespace weftlight::texture_set {
 
@@ -55,10 +55,10 @@ class FaceSource {
 
  private:
   void measure(const Maps& maps);
-  void take_footprints();
-  void take_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
-  void take_means();
-  void take_range();
+  void measure_footprints();
+  void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
+  void measure_means();
+  void measure_range();
   void finish(Surface& surface, int y0, int whole_height, int threads) const;
   Surface piece(int x0, int x1, int y0, int y1) const;
 

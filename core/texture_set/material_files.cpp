@@ -49,7 +49,7 @@ std::string image_named(const SetFacts& set, const std::string& suffix, Face fac
 }
 
 float mean_transmission(const SetFacts& set) {
-  constexpr float kLeast = 0.005f;
+  constexpr float kMin = 0.005f;
   const Cloth& cloth = set.front.cloth();
   float sum = 0;
   for (const auto* threads : {&cloth.ends, &cloth.picks}) {
@@ -59,7 +59,7 @@ float mean_transmission(const SetFacts& set) {
     }
   }
   const float mean = sum / static_cast<float>(std::max<size_t>(cloth.ends.size() + cloth.picks.size(), 1));
-  return mean < kLeast ? 0 : std::min(mean, 1.0f);
+  return mean < kMin ? 0 : std::min(mean, 1.0f);
 }
 
 std::string digest(const std::string& text) {

@@ -84,14 +84,14 @@ int raised(const BitMatrix& cells) {
 }
 
 std::string construction_of(const Design& design, const BitMatrix& cells) {
-  constexpr int kMostDobbyShafts = 28;
+  constexpr int kMaxDobbyShafts = 28;
   const int n = cells.cols(), step = step_of(cells);
   if (n == 2 && cells.rows() == 2 && step == 1) return "Plain weave";
   if (step == 1) return "Twill - right hand (Z)";
   if (step == n - 1) return "Twill - left hand (S)";
   const int up = raised(cells);
   if (step > 1 && n >= 5 && (up == 1 || up == n - 1)) return "Satin";
-  return design.draft.shafts > kMostDobbyShafts ? "Jacquard" : "Dobby";
+  return design.draft.shafts > kMaxDobbyShafts ? "Jacquard" : "Dobby";
 }
 
 json physics(const SetFacts& set) {

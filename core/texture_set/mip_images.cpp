@@ -11,7 +11,7 @@ namespace weftlight::texture_set {
 namespace {
 
 constexpr float kCut = 0.5f;  // of a mask
-constexpr float kMostScale = 4;
+constexpr float kMaxScale = 4;
 
 std::vector<float> coverages(const Surface& surface) {
   std::vector<float> out;
@@ -36,7 +36,7 @@ std::vector<float> mask_scales(const Surface& small, TextureSize size) {
     const auto kept = static_cast<size_t>(wanted * static_cast<double>(all.size()) + 0.5);
     const float last = kept > 0 ? all[kept - 1] : 1.0f;  // the least that is to stay
     out.push_back(first || kept == 0 ? 1.0f
-                                     : std::clamp(kCut / std::max(last, 1e-3f) * 1.001f, 1 / kMostScale, kMostScale));
+                                     : std::clamp(kCut / std::max(last, 1e-3f) * 1.001f, 1 / kMaxScale, kMaxScale));
     if (level.texels.width == 1 && level.texels.height == 1) return out;
     level = half_of(level);
   }

@@ -75,7 +75,7 @@ bool dead(const std::string& process) {
   return id > 0 && ::kill(static_cast<pid_t>(id), 0) != 0 && errno == ESRCH;
 }
 
-void sweep_leftovers(const fs::path& folder) {
+void remove_stale_files(const fs::path& folder) {
   std::error_code ec;
   const fs::path beside = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   const std::string start = folder.stem().string() + kPart;
@@ -156,7 +156,7 @@ std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
 fs::path make_staging(const fs::path& folder, std::string& problem) {
   std::error_code ec;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), ec);
-  sweep_leftovers(folder);
+  remove_stale_files(folder);
   const fs::path made = temporary_beside(folder.string());
   if (!fs::create_directory(made, ec)) {
     problem = folder.string() + ": cannot be made: " + ec.message();

@@ -10,8 +10,8 @@
 namespace weftlight::texture_set {
 namespace {
 
-constexpr float kMostRepeats = 40;  // of the tile across a swatch
-constexpr float kExrShare = 0.7f;   // that piz leaves of half floats of our maps
+constexpr float kMaxRepeats = 40;  // of the tile across a swatch
+constexpr float kExrShare = 0.7f;  // that piz leaves of half floats of our maps
 
 /// A material that comes in one file with its images holds them a second time.
 bool is_packed_too(Target target) {
@@ -49,7 +49,7 @@ SetPreview preview_set(const Design& design, Face face, const TextureSetOptions&
   const float texels = static_cast<float>(surface.texels.width) * static_cast<float>(surface.texels.height);
   out.bytes_a_texel = bytes / texels * (is_packed_too(options.target) ? 2.0f : 1.0f);
   const float repeats = std::max(2.0f, std::ceil(swatch_mm / std::max(surface.width_mm, 0.1f)));
-  out.swatch = lit_swatch(source.small(), swatch_width, swatch_height, std::min(repeats, kMostRepeats));
+  out.swatch = lit_swatch(source.small(), swatch_width, swatch_height, std::min(repeats, kMaxRepeats));
   return out;
 }
 

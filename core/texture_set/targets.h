@@ -10,7 +10,7 @@
 #include "files/files.h"
 #include "light/engine_fit.h"
 #include "texture_set/names.h"
-#include "texture_set/surface.h"
+#include "texture_set/surface_texels.h"
 
 namespace weftlight::texture_set {
 

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr size_t kMostTileThreads = 8192;  // of a system, in a tile of many repeats
-constexpr float kLeastTexelsAThread = 2;
+constexpr size_t kMaxTileThreads = 8192;  // of a system, in a tile of many repeats
+constexpr float kMinTexelsAThread = 2;
 constexpr float kOpenCover = 0.9f;  // from which down gaps are seen
-constexpr int kLeastSize = 16, kMostSize = 8192;
+constexpr int kMinSize = 16, kMaxSize = 8192;
 
 std::string millimetres(float v) {
   char text[32];
@@ -150,7 +150,7 @@ SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options
 
 int repeats_for(float mm, float tile_mm, size_t threads) {
   const int wanted = static_cast<int>(std::ceil(tile_mm / std::max(mm, 1e-3f) - 1e-3f));
-  const int most = static_cast<int>(std::max<size_t>(kMostTileThreads / std::max<size_t>(threads, 1), 1));
+  const int most = static_cast<int>(std::max<size_t>(kMaxTileThreads / std::max<size_t>(threads, 1), 1));
   return std::clamp(wanted, 1, most);
 }
 
@@ -317,8 +317,8 @@ Cloth tiled(const Cloth& cloth, int across, int up) {
 int size_for(const Design& design, float texels_per_mm, float tile_mm) {
   const Cloth cloth = cloth_of(design, drawdown(design.draft), Face::kFront, tile_mm);
   const float longer = std::max(cloth.width_mm, cloth.depth_mm) * texels_per_mm;
-  int size = kLeastSize;
-  while (size < kMostSize && static_cast<float>(size) < longer) size *= 2;
+  int size = kMinSize;
+  while (size < kMaxSize && static_cast<float>(size) < longer) size *= 2;
   return size;
 }
 
@@ -357,7 +357,7 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
   std::vector<std::string> out;
-  if (each < kLeastTexelsAThread)
+  if (each < kMinTexelsAThread)
     out.push_back("a thread gets " + millimetres(each) +
                   " texels; give a larger --size (or a smaller tile) to see threads");
   if (options.alpha == Alpha::kMask && !options.mips && !keeps_masks(options.target) && cover_of(cloth) < kOpenCover)

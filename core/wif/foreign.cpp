@@ -24,17 +24,17 @@ std::string text_of_foreign(std::string_view text) {
   return one_line(to_utf8(text.substr(0, kLongest), encoding));
 }
 
-WifRead foreign_file(std::optional<WifFile> file, const char* format, Findings& findings) {
+WifRead foreign_file(std::optional<WifFile> file, const char* format, Diagnostics& diagnostics) {
   WifRead out;
-  if (file && !findings.has_error()) {
+  if (file && !diagnostics.has_error()) {
     file->bytes = write_new_wif(file->design);
     file->format = format;
-    file->has_liftplan = file->design.draft.drive == Drive::kLiftplan;
+    file->has_liftplan = file->design.draft.drive == ShedControl::kLiftplan;
     file->has_tieup = file->has_treadling = !file->has_liftplan;
     file->rising_stated = true;
     out.file = std::move(file);
   }
-  out.diagnostics = findings.take();
+  out.diagnostics = diagnostics.take();
   return out;
 }
 

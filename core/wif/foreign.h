@@ -15,6 +15,6 @@ Rgb color_of_bytes(int r, int g, int b, int most);
 /// UTF-8 of text that is UTF-8 or Latin-1, cut to a line of 1,000 bytes.
 std::string text_of_foreign(std::string_view text);
 /// The file as if it had been a WIF, with what was found.
-WifRead foreign_file(std::optional<WifFile> file, const char* format, Findings& findings);
+WifRead foreign_file(std::optional<WifFile> file, const char* format, Diagnostics& diagnostics);
 
 }  // namespace weftlight::wif

@@ -13,9 +13,9 @@ namespace weftlight::wif {
 
 /// A diagnostic for each kind of finding, with the further lines it concerns, or their number. Its texts are lines of
 /// UTF-8, whatever of the file they quote.
-class Findings {
+class Diagnostics {
  public:
-  /// Findings of the same non-empty `kind` are joined.
+  /// Diagnostics of the same non-empty `kind` are joined.
   void add(Severity severity, int line_index, std::string_view kind, const std::string& text,
            const std::string& remedy);
   void warn(int line_index, std::string_view kind, const std::string& text, const std::string& remedy) {
@@ -36,22 +36,22 @@ class Findings {
 };
 
 /// How one table of a thread system is kept: rows listed, or one value for all.
-struct ColumnHabits {
+struct ColumnDialect {
   bool list_all = false;  // rows are in the file
   double fallback = -1;   // what a row not listed means: palette index or millimetres
 };
 
-struct SystemHabits {
-  ColumnHabits color, spacing, thickness;
+struct SystemDialect {
+  ColumnDialect color, spacing, thickness;
   WifUnit unit;
 };
 
 /// The file's own way of saying things.
-struct WifHabits {
+struct WifDialect {
   int range_low = 0, range_high = 255;
   int palette_base = 1;        // number of the first row of [COLOR TABLE]
   int default_color_base = 1;  // of Color= in [WARP] and [WEFT] (Luminescence: 0)
-  SystemHabits warp, weft;
+  SystemDialect warp, weft;
   int treadle_base = 1;                 // number that [TREADLING] gives the first treadle
   bool has_liftplan = false;            // a liftplan is kept beside the treadling
   std::vector<std::string> zero_based;  // sections whose rows count from 0
@@ -61,15 +61,15 @@ struct WifHabits {
 
 struct ParsedWif {
   WifText text;
-  WifHabits habits;
+  WifDialect dialect;
   Design design;
 };
 
 /// Everything of [PRIVATE WEFTLIGHT ...], once the drive is known: yarns, thread yarns, look, scene, exact
 /// values, and the grids of the drive that sleeps.
-void read_private_sections(const WifText& text, const WifHabits& habits, Findings& findings, Design& design);
+void read_private_sections(const WifText& text, const WifDialect& dialect, Diagnostics& diagnostics, Design& design);
 
 /// Reads a file; nothing but findings when it cannot be used. `info` is given the facts for the user.
-std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, WifFile* info = nullptr);
+std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnostics, WifFile* info = nullptr);
 
 }  // namespace weftlight::wif

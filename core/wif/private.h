@@ -49,8 +49,8 @@ inline constexpr int kMaxSections = 500;
 inline constexpr int kMaxWeaveUses = 1000;
 inline constexpr std::string_view kWeaveNumber = "Number ";
 
-/// By value of the enum Authority.
-inline constexpr const char* kAuthorityNames[] = {"threading", "liftplan", "drawdown"};
+/// By value of the enum Leading.
+inline constexpr const char* kLeadingNames[] = {"threading", "liftplan", "drawdown"};
 
 /// A channel as WIF holds it: a whole number of low..high, rounded half up.
 inline int channel_number(float channel, int low, int high) {

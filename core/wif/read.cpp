@@ -23,8 +23,8 @@ namespace {
 
 struct Reader {
   const WifText& text;
-  Findings& findings;
-  WifHabits& habits;
+  Diagnostics& diagnostics;
+  WifDialect& dialect;
   Design& design;
 
   Draft& draft() const { return design.draft; }
@@ -45,7 +45,7 @@ std::optional<int> int_of(const Reader& r, const WifKey* key) {
   if (!key) return std::nullopt;
   const std::optional<int> value = leading_int(key->value);
   if (!value) {
-    r.findings.warn(key->line, {}, std::string(key->key) + " is not a number", "ignored; write a whole number");
+    r.diagnostics.warn(key->line, {}, std::string(key->key) + " is not a number", "ignored; write a whole number");
   }
   return value;
 }
@@ -67,8 +67,8 @@ int read_thread_count(const Reader& r, const char* system, std::initializer_list
   const char* what = system[1] == 'A' ? "ends" : "picks";
   int count = int_of(r, key).value_or(0);
   if (count > kMaxThreads) {
-    r.findings.add(Severity::kError, key->line, {}, place + " is " + std::to_string(count),
-                   "at most " + std::to_string(kMaxThreads) + " can be opened; correct the count");
+    r.diagnostics.add(Severity::kError, key->line, {}, place + " is " + std::to_string(count),
+                      "at most " + std::to_string(kMaxThreads) + " can be opened; correct the count");
     return 0;
   }
   if (count <= 0) {
@@ -76,10 +76,11 @@ int read_thread_count(const Reader& r, const char* system, std::initializer_list
     for (const char* table : tables) count = std::max(count, largest_key(r.text.find(table)));
     const int line = key ? key->line : r.line_of(system);
     if (count == 0) {
-      r.findings.add(Severity::kError, line, {}, std::string("the draft has no ") + what,
-                     "give their number as Threads= in [" + std::string(system) + "]");
+      r.diagnostics.add(Severity::kError, line, {}, std::string("the draft has no ") + what,
+                        "give their number as Threads= in [" + std::string(system) + "]");
     } else {
-      r.findings.warn(line, {}, place + " is missing", "taken as " + std::to_string(count) + ", the last line listed");
+      r.diagnostics.warn(line, {}, place + " is missing",
+                         "taken as " + std::to_string(count) + ", the last line listed");
     }
   }
   return count;
@@ -107,8 +108,8 @@ int read_shaft_count(const Reader& r) {
   const WifKey* key = r.text.find("WEAVING", "Shafts");
   const int stated = int_of(r, key).value_or(0);
   if (stated > kMaxShafts) {
-    r.findings.add(Severity::kError, key->line, {}, "[WEAVING] Shafts is " + std::to_string(stated),
-                   "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
+    r.diagnostics.add(Severity::kError, key->line, {}, "[WEAVING] Shafts is " + std::to_string(stated),
+                      "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
     return 0;
   }
   int used = 0, used_line = -1;
@@ -121,12 +122,12 @@ int read_shaft_count(const Reader& r) {
     }
   }
   if (stated > 0 && used > stated) {
-    r.findings.warn(used_line, {},
-                    "shaft " + std::to_string(used) + " is used but [WEAVING] Shafts is " + std::to_string(stated),
-                    "read with " + std::to_string(used) + " shafts; correct the one or the other");
+    r.diagnostics.warn(used_line, {},
+                       "shaft " + std::to_string(used) + " is used but [WEAVING] Shafts is " + std::to_string(stated),
+                       "read with " + std::to_string(used) + " shafts; correct the one or the other");
   } else if (stated <= 0) {
-    r.findings.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Shafts is missing",
-                    "taken as " + std::to_string(std::max(used, 1)) + ", the highest shaft used");
+    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Shafts is missing",
+                       "taken as " + std::to_string(std::max(used, 1)) + ", the highest shaft used");
   }
   return std::max({stated, used, 1});
 }
@@ -143,24 +144,24 @@ void find_treadle_base(const Reader& r, int stated) {
     last = std::max(last, key.number);
   }
   if (!zero || (stated > 0 && last >= stated)) return;
-  r.habits.zero_based.push_back("TIEUP");
+  r.dialect.zero_based.push_back("TIEUP");
   int line = -1;
-  if (largest_value(r, "TREADLING", line) <= last) r.habits.treadle_base = 0;
-  r.findings.add(Severity::kNote, r.line_of("TIEUP"), {}, "[TIEUP] counts from 0", "read so; nothing to do");
+  if (largest_value(r, "TREADLING", line) <= last) r.dialect.treadle_base = 0;
+  r.diagnostics.add(Severity::kNote, r.line_of("TIEUP"), {}, "[TIEUP] counts from 0", "read so; nothing to do");
 }
 
 int read_treadle_count(const Reader& r) {
   const WifKey* key = r.text.find("WEAVING", "Treadles");
   const int stated = int_of(r, key).value_or(0);
   if (stated > kMaxShafts) {
-    r.findings.add(Severity::kError, key->line, {}, "[WEAVING] Treadles is " + std::to_string(stated),
-                   "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
+    r.diagnostics.add(Severity::kError, key->line, {}, "[WEAVING] Treadles is " + std::to_string(stated),
+                      "at most " + std::to_string(kMaxShafts) + " can be opened; correct the count");
     return 0;
   }
   find_treadle_base(r, stated);
   int line = -1;
-  int used = std::min(largest_value(r, "TREADLING", line) + 1 - r.habits.treadle_base, kMaxShafts);
-  const int shift = 1 - r.habits.base_of("TIEUP");
+  int used = std::min(largest_value(r, "TREADLING", line) + 1 - r.dialect.treadle_base, kMaxShafts);
+  const int shift = 1 - r.dialect.base_of("TIEUP");
   if (const WifSection* tieup = r.text.find("TIEUP")) {
     for (const WifKey& k : tieup->keys) {
       if (k.number < kMaxShafts && k.number + shift > used && leading_int(k.value).value_or(0) != 0) {
@@ -170,12 +171,12 @@ int read_treadle_count(const Reader& r) {
     }
   }
   if (stated > 0 && used > stated) {
-    r.findings.warn(line, {},
-                    "treadle " + std::to_string(used) + " is used but [WEAVING] Treadles is " + std::to_string(stated),
-                    "read with " + std::to_string(used) + " treadles; correct the one or the other");
+    r.diagnostics.warn(
+        line, {}, "treadle " + std::to_string(used) + " is used but [WEAVING] Treadles is " + std::to_string(stated),
+        "read with " + std::to_string(used) + " treadles; correct the one or the other");
   } else if (stated <= 0 && (used > 0 || !r.text.find("LIFTPLAN"))) {
-    r.findings.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Treadles is missing",
-                    "taken as " + std::to_string(std::max(used, 1)) + ", the highest treadle used");
+    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {}, "[WEAVING] Treadles is missing",
+                       "taken as " + std::to_string(std::max(used, 1)) + ", the highest treadle used");
   }
   return std::max({stated, used, 1});
 }
@@ -184,9 +185,9 @@ void read_rising(const Reader& r, WifFile* info) {
   const WifKey* key = r.text.find("WEAVING", "Rising Shed");
   const std::optional<bool> value = key ? word_as_bool(key->value) : std::nullopt;
   if (!value) {
-    r.findings.warn(key ? key->line : r.line_of("WEAVING"), {},
-                    key ? "Rising Shed is neither true nor false" : "[WEAVING] does not say Rising Shed",
-                    "read as rising; write Rising Shed=true, or false for a sinking shed");
+    r.diagnostics.warn(key ? key->line : r.line_of("WEAVING"), {},
+                       key ? "Rising Shed is neither true nor false" : "[WEAVING] does not say Rising Shed",
+                       "read as rising; write Rising Shed=true, or false for a sinking shed");
   }
   r.draft().rising = value.value_or(true);
   if (info) info->rising_stated = value.has_value();
@@ -197,27 +198,27 @@ void read_lists(Reader& r, const char* name, BitMatrix& bits, const char* what, 
   const WifSection* section = r.text.find(name);
   if (!section) return;
   const bool is_tieup = section->name == "TIEUP";  // its base is known already
-  const int base = is_tieup ? r.habits.base_of(name) : row_base(*section, bits.rows());
+  const int base = is_tieup ? r.dialect.base_of(name) : row_base(*section, bits.rows());
   if (base == 0 && !is_tieup) {
-    r.habits.zero_based.push_back(name);
-    r.findings.add(Severity::kNote, r.line_of(name), {}, std::string("[") + name + "] counts from 0",
-                   "read so; nothing to do");
+    r.dialect.zero_based.push_back(name);
+    r.diagnostics.add(Severity::kNote, r.line_of(name), {}, std::string("[") + name + "] counts from 0",
+                      "read so; nothing to do");
   }
   std::vector<int> list;
-  each_row(*section, bits.rows(), base, r.findings, [&](int row, const WifKey& key) {
+  each_row(*section, bits.rows(), base, r.diagnostics, [&](int row, const WifKey& key) {
     leading_ints(key.value, list);
     if (list.empty()) {
-      r.findings.warn(key.line, section->name + " value",
-                      "[" + section->name + "] has a value that is not a list of numbers",
-                      std::string("ignored; write the numbers of its ") + what);
+      r.diagnostics.warn(key.line, section->name + " value",
+                         "[" + section->name + "] has a value that is not a list of numbers",
+                         std::string("ignored; write the numbers of its ") + what);
     }
     for (const int value : list) {
       if (value >= value_base && value - value_base < bits.cols()) {
         bits.set(row, value - value_base, true);
       } else if (value != 0) {
-        r.findings.warn(key.line, section->name + " shaft",
-                        "[" + section->name + "] names " + what + " " + std::to_string(value),
-                        "ignored; there are " + std::to_string(bits.cols()));
+        r.diagnostics.warn(key.line, section->name + " shaft",
+                           "[" + section->name + "] names " + what + " " + std::to_string(value),
+                           "ignored; there are " + std::to_string(bits.cols()));
       }
     }
   });
@@ -227,9 +228,9 @@ void note_differing_liftplan(const Reader& r, const BitMatrix& liftplan) {
   const BitMatrix from_treadles = lifts(r.draft());
   for (int pick = 0; pick < liftplan.rows(); ++pick) {
     if (std::ranges::equal(liftplan.row(pick), from_treadles.row(pick))) continue;
-    r.findings.warn(r.line_of("LIFTPLAN"), {},
-                    "the liftplan differs from tie-up and treadling, first at pick " + std::to_string(pick + 1),
-                    "tie-up and treadling were used; remove one of the two");
+    r.diagnostics.warn(r.line_of("LIFTPLAN"), {},
+                       "the liftplan differs from tie-up and treadling, first at pick " + std::to_string(pick + 1),
+                       "tie-up and treadling were used; remove one of the two");
     return;
   }
 }
@@ -240,25 +241,27 @@ void read_drive(Reader& r, WifFile* info) {
   const bool has_tieup = r.text.find("TIEUP"), has_treadling = r.text.find("TREADLING");
   const bool has_liftplan = r.text.find("LIFTPLAN");
   read_lists(r, "TIEUP", draft.tieup, "shafts");
-  read_lists(r, "TREADLING", draft.treadling, "treadles", r.habits.treadle_base);
+  read_lists(r, "TREADLING", draft.treadling, "treadles", r.dialect.treadle_base);
   BitMatrix liftplan(draft.picks(), draft.shafts);
   read_lists(r, "LIFTPLAN", liftplan, "shafts");
-  draft.drive = Drive::kTreadling;
+  draft.drive = ShedControl::kTreadling;
   const bool treadles_lift = has_tieup && has_treadling && lifts(draft).count() > 0;
-  if (!treadles_lift && (liftplan.count() > 0 || (has_liftplan && !has_treadling))) draft.drive = Drive::kLiftplan;
-  if (draft.drive == Drive::kLiftplan) {
+  if (!treadles_lift && (liftplan.count() > 0 || (has_liftplan && !has_treadling)))
+    draft.drive = ShedControl::kLiftplan;
+  if (draft.drive == ShedControl::kLiftplan) {
     draft.treadling = BitMatrix(draft.picks(), draft.treadles);
     draft.liftplan = std::move(liftplan);
   } else {
     if (has_liftplan) note_differing_liftplan(r, liftplan);
     if (!has_liftplan && !has_treadling) {
-      r.findings.warn(-1, {}, "there is neither a treadling nor a liftplan",
-                      "every pick is empty; add [TREADLING] or [LIFTPLAN]");
+      r.diagnostics.warn(-1, {}, "there is neither a treadling nor a liftplan",
+                         "every pick is empty; add [TREADLING] or [LIFTPLAN]");
     } else if (!has_tieup) {
-      r.findings.warn(r.line_of("TREADLING"), {}, "there is a treadling but no tie-up", "no shaft moves; add [TIEUP]");
+      r.diagnostics.warn(r.line_of("TREADLING"), {}, "there is a treadling but no tie-up",
+                         "no shaft moves; add [TIEUP]");
     }
   }
-  r.habits.has_liftplan = has_liftplan;
+  r.dialect.has_liftplan = has_liftplan;
   if (info) {
     info->has_liftplan = has_liftplan;
     info->has_treadling = has_treadling;
@@ -272,7 +275,7 @@ void note_empty_tail(const Reader& r, const BitMatrix& rows, const char* system,
   int used = rows.rows();
   while (used > 0 && rows.first(used - 1) < 0) --used;
   if (used == 0 || rows.rows() < kLong || rows.rows() < used * kTimes) return;
-  r.findings.add(
+  r.diagnostics.add(
       Severity::kNote, r.line_of(system), {},
       "only the first " + std::to_string(used) + " of " + std::to_string(rows.rows()) + " " + what + " are used",
       "resize the draft to " + std::to_string(used) + " to see its cloth alone");
@@ -288,18 +291,18 @@ void read_notes(const Reader& r) {
     if (key.number <= kMaxNotes) last = std::max(last, key.number);
   }
   if (last < base) return;
-  if (base == 0) r.habits.zero_based.push_back("NOTES");
+  if (base == 0) r.dialect.zero_based.push_back("NOTES");
   r.design.notes.resize(static_cast<size_t>(last - base + 1));
-  each_row(*notes, last - base + 1, base, r.findings,
+  each_row(*notes, last - base + 1, base, r.diagnostics,
            [&](int line, const WifKey& key) { r.design.notes[static_cast<size_t>(line)] = r.words(&key); });
 }
 
 void read_head(const Reader& r, WifFile* info) {
   if (!r.text.find("WIF")) {
-    r.findings.add(Severity::kNote, 0, {}, "the file does not start with [WIF]",
-                   "read as WIF; \"save for other programs\" writes the heading");
+    r.diagnostics.add(Severity::kNote, 0, {}, "the file does not start with [WIF]",
+                      "read as WIF; \"save for other programs\" writes the heading");
   } else if (!r.wif("Version")) {
-    r.findings.add(Severity::kNote, r.line_of("WIF"), {}, "[WIF] does not give a Version", "read as version 1.1");
+    r.diagnostics.add(Severity::kNote, r.line_of("WIF"), {}, "[WIF] does not give a Version", "read as version 1.1");
   }
   r.design.title = r.words(r.text.find("TEXT", "Title"));
   r.design.author = r.words(r.text.find("TEXT", "Author"));
@@ -310,9 +313,9 @@ void read_head(const Reader& r, WifFile* info) {
   info->source_version = r.words(r.wif("Source Version"));
 }
 
-bool is_usable(const WifText& text, Findings& findings) {
+bool is_usable(const WifText& text, Diagnostics& diagnostics) {
   const auto refuse = [&](std::string what, std::string remedy) {
-    findings.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, std::move(what), std::move(remedy));
+    diagnostics.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, std::move(what), std::move(remedy));
     return false;
   };
   if (text.lines.empty()) return refuse("the file is empty", "choose a WIF file");
@@ -330,33 +333,33 @@ bool is_usable(const WifText& text, Findings& findings) {
 }  // namespace
 
 // What is odd about the lines themselves: check_lines.cpp.
-void check_lines(const WifText& text, Findings& findings);
-void check_contents(const WifText& text, Findings& findings);
+void check_lines(const WifText& text, Diagnostics& diagnostics);
+void check_contents(const WifText& text, Diagnostics& diagnostics);
 // Colours and measures of the threads: read_threads.cpp.
-void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Draft& draft, WifFile* info);
+void read_threads(const WifText& text, Diagnostics& diagnostics, WifDialect& dialect, Draft& draft, WifFile* info);
 
-std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, WifFile* info) {
+std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnostics, WifFile* info) {
   constexpr size_t kMaxBytes = size_t{1} << 28;
   if (bytes.size() > kMaxBytes) {
-    findings.add(Severity::kError, -1, {}, "the file is larger than 256 MB", "choose a WIF file");
+    diagnostics.add(Severity::kError, -1, {}, "the file is larger than 256 MB", "choose a WIF file");
     return std::nullopt;
   }
   ParsedWif parsed{scan_wif(bytes), {}, {}};
-  Reader r{parsed.text, findings, parsed.habits, parsed.design};
-  if (!is_usable(r.text, findings)) return std::nullopt;
+  Reader r{parsed.text, diagnostics, parsed.dialect, parsed.design};
+  if (!is_usable(r.text, diagnostics)) return std::nullopt;
   read_head(r, info);
-  check_lines(r.text, findings);
-  check_contents(r.text, findings);
+  check_lines(r.text, diagnostics);
+  check_contents(r.text, diagnostics);
   const int ends = read_thread_count(r, "WARP", {"THREADING", "WARP COLORS"});
   const int picks = read_thread_count(r, "WEFT", {"TREADLING", "LIFTPLAN", "WEFT COLORS"});
   Draft& draft = r.draft();
   draft.shafts = read_shaft_count(r);
   draft.treadles = read_treadle_count(r);
   if (static_cast<int64_t>(ends) * picks > kMaxCells) {
-    findings.add(Severity::kError, -1, {}, std::to_string(ends) + " ends by " + std::to_string(picks) + " picks",
-                 "this is more than the " + std::to_string(kMaxCells) + " crossings that can be opened");
+    diagnostics.add(Severity::kError, -1, {}, std::to_string(ends) + " ends by " + std::to_string(picks) + " picks",
+                    "this is more than the " + std::to_string(kMaxCells) + " crossings that can be opened");
   }
-  if (findings.has_error()) return std::nullopt;
+  if (diagnostics.has_error()) return std::nullopt;
   draft.warp.resize(ends);
   draft.weft.resize(picks);
   draft.threading = BitMatrix(ends, draft.shafts);
@@ -367,23 +370,23 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Findings& findings, W
   read_lists(r, "THREADING", draft.threading, "shafts");
   read_drive(r, info);
   note_empty_tail(r, draft.threading, "WARP", "ends");
-  note_empty_tail(r, draft.drive == Drive::kLiftplan ? draft.liftplan : draft.treadling, "WEFT", "picks");
-  read_threads(r.text, findings, r.habits, draft, info);
+  note_empty_tail(r, draft.drive == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, "WEFT", "picks");
+  read_threads(r.text, diagnostics, r.dialect, draft, info);
   read_notes(r);
-  read_private_sections(r.text, r.habits, findings, r.design);
+  read_private_sections(r.text, r.dialect, diagnostics, r.design);
   return parsed;
 }
 
 WifRead read_wif(std::string_view bytes) {
-  Findings findings;
+  Diagnostics diagnostics;
   WifRead result;
   WifFile file;
-  if (std::optional<ParsedWif> parsed = parse_wif(bytes, findings, &file)) {
+  if (std::optional<ParsedWif> parsed = parse_wif(bytes, diagnostics, &file)) {
     file.bytes = std::string(bytes);
     file.design = std::move(parsed->design);
     result.file = std::move(file);
   }
-  result.diagnostics = findings.take();
+  result.diagnostics = diagnostics.take();
   return result;
 }
 

@@ -49,14 +49,14 @@ std::vector<DtxSection> sections_of_dtx(std::string_view bytes) {
 
 struct Dtx {
   std::vector<DtxSection> sections;
-  Findings& findings;
+  Diagnostics& diagnostics;
 
   const DtxSection* find(std::string_view name) const {
     const auto found = std::ranges::find(sections, name, &DtxSection::name);
     return found == sections.end() ? nullptr : &*found;
   }
   std::nullopt_t refuse(int line, std::string what, std::string remedy) const {
-    findings.add(Severity::kError, line, {}, std::move(what), std::move(remedy));
+    diagnostics.add(Severity::kError, line, {}, std::move(what), std::move(remedy));
     return std::nullopt;
   }
 };
@@ -112,9 +112,9 @@ bool read_threading(const Dtx& dtx, Draft& d) {
   const int listed = static_cast<int>(words.size()), ends = std::max(listed, stated);
   if (ends == 0) return dtx.refuse(section->line, "the threading is empty", "save the draft again"), false;
   if (stated > 0 && stated < listed)
-    dtx.findings.warn(section->line, {},
-                      "%%ends is " + std::to_string(stated) + " but the threading has " + std::to_string(listed),
-                      "the threading was taken");
+    dtx.diagnostics.warn(section->line, {},
+                         "%%ends is " + std::to_string(stated) + " but the threading has " + std::to_string(listed),
+                         "the threading was taken");
   d.shafts = std::max(count_in(dtx, "shafts", kMaxShafts), 1);
   std::vector<int> shaft_of;
   for (const Word& word : words) {
@@ -167,9 +167,9 @@ bool set_picks(const Dtx& dtx, const DtxSection& section, size_t listed, Draft& 
   if (count == 0 || count > static_cast<size_t>(kMaxThreads) || static_cast<int64_t>(count) * d.ends() > kMaxCells)
     return dtx.refuse(section.line, std::to_string(count) + " picks cannot be opened", "save the draft again"), false;
   if (stated > 0 && static_cast<size_t>(stated) < listed)
-    dtx.findings.warn(section.line, {},
-                      "%%picks is " + std::to_string(stated) + " but there are " + std::to_string(listed),
-                      "those that are there were taken");
+    dtx.diagnostics.warn(section.line, {},
+                         "%%picks is " + std::to_string(stated) + " but there are " + std::to_string(listed),
+                         "those that are there were taken");
   d.weft.resize(static_cast<int>(count));
   return true;
 }
@@ -211,7 +211,7 @@ bool read_liftplan(const Dtx& dtx, const DtxSection& section, Draft& d) {
   d.shafts = static_cast<int>(shafts);
   d.threading.resize(d.ends(), d.shafts);
   d.treadles = std::max(count_in(dtx, "treadles", kMaxShafts), 1);
-  d.drive = Drive::kLiftplan;
+  d.drive = ShedControl::kLiftplan;
   d.liftplan = BitMatrix(d.picks(), d.shafts);
   for (int p = 0; p < static_cast<int>(section.data.size()); ++p) {
     const std::string_view text = section.data[static_cast<size_t>(p)].text;
@@ -227,15 +227,15 @@ void read_palette(const Dtx& dtx, Draft& d) {
   const DtxSection* colors = dtx.find("WARP COLORS");
   if (!colors) colors = dtx.find("WEFT COLORS");
   if (!section && colors)
-    dtx.findings.warn(colors->line, {}, "threads have colours, but there is no @@Color Palette",
-                      "black and white were taken");
+    dtx.diagnostics.warn(colors->line, {}, "threads have colours, but there is no @@Color Palette",
+                         "black and white were taken");
   if (!section) return;
   d.palette.clear();
   std::vector<int> list;
   for (const DtxLine& line : section->data) {
     leading_ints(line.text, list);
     if (list.size() < 3 || d.palette.size() >= static_cast<size_t>(kMaxColors)) {
-      dtx.findings.warn(line.line, "palette", "a line of the palette is not red, green and blue", "it became black");
+      dtx.diagnostics.warn(line.line, "palette", "a line of the palette is not red, green and blue", "it became black");
       list.assign(3, 0);
     }
     d.palette.push_back(color_of_bytes(list[0], list[1], list[2], 255));
@@ -249,8 +249,8 @@ void read_colors(const Dtx& dtx, const char* name, Draft& d, Threads& threads) {
   const auto color = [&](const Word& word) {
     const int index = leading_int(word.text).value_or(-1);
     if (index >= 0 && static_cast<size_t>(index) < d.palette.size()) return index;
-    dtx.findings.warn(word.line, name, std::string(name) + ": there is no colour " + word.text.substr(0, 20),
-                      "the first was taken; the palette has " + std::to_string(d.palette.size()));
+    dtx.diagnostics.warn(word.line, name, std::string(name) + ": there is no colour " + word.text.substr(0, 20),
+                         "the first was taken; the palette has " + std::to_string(d.palette.size()));
     return 0;
   };
   for (size_t i = 0; i < threads.color.size(); ++i)
@@ -274,11 +274,11 @@ void note_unknown(const Dtx& dtx) {
   for (const DtxSection& section : dtx.sections) {
     const bool known = std::ranges::any_of(kKnown, [&](const char* name) { return section.name == name; });
     if (!known)
-      dtx.findings.add(Severity::kNote, section.line, "unknown section", "@@" + section.name + " is not known",
-                       "it was left out");
+      dtx.diagnostics.add(Severity::kNote, section.line, "unknown section", "@@" + section.name + " is not known",
+                          "it was left out");
     if (section.name == "PRIVATE" && !section.data.empty())
-      dtx.findings.add(Severity::kNote, section.line, {}, "@@Private holds what only Fiberworks knows",
-                       "it was left out");
+      dtx.diagnostics.add(Severity::kNote, section.line, {}, "@@Private holds what only Fiberworks knows",
+                          "it was left out");
   }
 }
 
@@ -293,7 +293,7 @@ std::optional<WifFile> read_sections(const Dtx& dtx) {
   } else if (!read_tieup(dtx, d) || !read_treadling(dtx, d)) {
     return {};
   }
-  if (dtx.findings.has_error()) return {};
+  if (dtx.diagnostics.has_error()) return {};
   d.tieup.resize(d.treadles, d.shafts);
   d.treadling.resize(d.picks(), d.treadles);
   d.liftplan.resize(d.picks(), d.shafts);
@@ -319,15 +319,15 @@ std::optional<WifFile> read_sections(const Dtx& dtx) {
 }  // namespace
 
 WifRead read_dtx(std::string_view bytes) {
-  Findings findings;
+  Diagnostics diagnostics;
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const Dtx dtx{sections_of_dtx(bytes), findings};
+  const Dtx dtx{sections_of_dtx(bytes), diagnostics};
   std::optional<WifFile> file;
   if (bytes.size() > kMaxForeignBytes) dtx.refuse(-1, "the file is larger than 64 MB", "choose a .dtx file");
   else if (dtx.sections.empty() || dtx.sections.front().name != "STARTDTX")
     dtx.refuse(0, "the file does not begin with @@StartDTX", "choose a .dtx file");
   else file = read_sections(dtx);
-  return foreign_file(std::move(file), "dtx", findings);
+  return foreign_file(std::move(file), "dtx", diagnostics);
 }
 
 }  // namespace weftlight::wif

@@ -36,10 +36,10 @@ std::vector<float> as_floats(std::string_view value) {
 
 struct Source {
   const WifText& text;
-  Findings& findings;
+  Diagnostics& diagnostics;
 
   void unusable(const WifKey& key) const {
-    findings.warn(key.line, "private", "a value of Weftlight's own is not usable", "the default was used");
+    diagnostics.warn(key.line, "private", "a value of Weftlight's own is not usable", "the default was used");
   }
 };
 
@@ -127,7 +127,7 @@ void read_finish(const Source& s, Finish& finish) {
 void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads& threads) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
-  each_row(*section, threads.size(), 1, s.findings, [&](int thread, const WifKey& key) {
+  each_row(*section, threads.size(), 1, s.diagnostics, [&](int thread, const WifKey& key) {
     const int yarn = leading_int(key.value).value_or(0);
     if (yarn >= 1 && static_cast<size_t>(yarn) <= yarns) {
       threads.yarn[static_cast<size_t>(thread)] = yarn - 1;
@@ -142,7 +142,7 @@ void read_scene(const Source& s, const WifSection& section, Scene& scene) {
   read_color(s, section, "Background", scene.background);
   const WifKey* mesh = section.find("Mesh");
   scene.mesh = mesh ? words(s, *mesh) : std::string{};
-  if (const WifKey* own = section.find("Own Drape")) scene.own_drape = word_as_bool(own->value).value_or(false);
+  if (const WifKey* own = section.find("Own Drape")) scene.simulated_drape = word_as_bool(own->value).value_or(false);
   if (const WifKey* lights = section.find("Lights")) {
     const std::string name = words(s, *lights);
     scene.lights = is_environment(name) ? name : light_setup(name).id;
@@ -183,8 +183,8 @@ void read_loom(const Source& s, Loom& loom) {
   const WifSection* section = private_section(s.text, "LOOM");
   if (!section) return;
   if (const WifKey* key = section->find("Authority"))
-    for (size_t i = 0; i < std::size(kAuthorityNames); ++i)
-      if (same_word(kAuthorityNames[i], key->value)) loom.authority = static_cast<Authority>(i);
+    for (size_t i = 0; i < std::size(kLeadingNames); ++i)
+      if (same_word(kLeadingNames[i], key->value)) loom.leading = static_cast<Leading>(i);
   if (const WifKey* key = section->find("Locked")) loom.locked = word_as_bool(key->value).value_or(false);
   loom.shafts = count_of(*section, "Shafts", kMaxShafts);
   loom.treadles = count_of(*section, "Treadles", kMaxShafts);
@@ -255,7 +255,7 @@ ThreadSection read_section(const Source& s, const WifSection& section, const std
   ThreadSection out;
   if (const WifKey* key = section.find(prefix + "Name")) out.name = words(s, *key);
   if (const WifKey* key = section.find(prefix + "Lifts"); key && word_as_bool(key->value) == true)
-    out.drive = Drive::kLiftplan;
+    out.drive = ShedControl::kLiftplan;
   const WifKey* rows = section.find(prefix + "Rows");
   out.rows =
       rows_from(rows ? rows->value : std::string_view(), count_of(section, (prefix + "Columns").c_str(), kMaxShafts));
@@ -272,11 +272,11 @@ ThreadSection read_section(const Source& s, const WifSection& section, const std
 void read_assembly(const Source& s, const char* name, Assembly& assembly) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
-  constexpr int64_t kMostBits = int64_t{1} << 28;  // of all its rows
+  constexpr int64_t kMaxBits = int64_t{1} << 28;  // of all its rows
   if (const WifKey* order = section->find("Order")) assembly.order = words(s, *order);
   const int count = count_of(*section, "Sections", kMaxSections);
   int64_t bits = 0;
-  for (int i = 1; i <= count && bits < kMostBits; ++i) {
+  for (int i = 1; i <= count && bits < kMaxBits; ++i) {
     assembly.sections.push_back(read_section(s, *section, std::to_string(i) + " "));
     const BitMatrix& rows = assembly.sections.back().rows;
     bits += int64_t{rows.rows()} * rows.cols();
@@ -305,11 +305,11 @@ void read_exact_text(const Source& s, Design& design) {
   }
 }
 
-void read_exact_colors(const Source& s, const WifHabits& habits, Draft& draft) {
+void read_exact_colors(const Source& s, const WifDialect& dialect, Draft& draft) {
   const WifSection* section = private_section(s.text, "COLORS");
   if (!section) return;
-  const auto number = [&](float channel) { return channel_number(channel, habits.range_low, habits.range_high); };
-  each_row(*section, static_cast<int>(draft.palette.size()), 1, s.findings, [&](int index, const WifKey& key) {
+  const auto number = [&](float channel) { return channel_number(channel, dialect.range_low, dialect.range_high); };
+  each_row(*section, static_cast<int>(draft.palette.size()), 1, s.diagnostics, [&](int index, const WifKey& key) {
     Rgb& color = draft.palette[static_cast<size_t>(index)];
     const std::vector<float> c = as_floats(key.value);
     if (c.size() != 3) return s.unusable(key);
@@ -322,7 +322,7 @@ void read_exact_colors(const Source& s, const WifHabits& habits, Draft& draft) {
 void read_exact_measures(const Source& s, const char* name, std::vector<float>& measures) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
-  each_row(*section, static_cast<int>(measures.size()), 1, s.findings, [&](int thread, const WifKey& key) {
+  each_row(*section, static_cast<int>(measures.size()), 1, s.diagnostics, [&](int thread, const WifKey& key) {
     const std::optional<float> mm = as_float(key.value);
     float& public_mm = measures[static_cast<size_t>(thread)];
     if (mm && public_mm == kFromYarn) public_mm = *mm;
@@ -333,7 +333,7 @@ void read_sleeping(const Source& s, const char* name, BitMatrix& bits) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
   std::vector<int> list;
-  each_row(*section, bits.rows(), 1, s.findings, [&](int row, const WifKey& key) {
+  each_row(*section, bits.rows(), 1, s.diagnostics, [&](int row, const WifKey& key) {
     leading_ints(key.value, list);
     for (const int value : list) {
       if (value >= 1 && value <= bits.cols()) bits.set(row, value - 1, true);
@@ -343,8 +343,8 @@ void read_sleeping(const Source& s, const char* name, BitMatrix& bits) {
 
 }  // namespace
 
-void read_private_sections(const WifText& text, const WifHabits& habits, Findings& findings, Design& design) {
-  const Source s{text, findings};
+void read_private_sections(const WifText& text, const WifDialect& dialect, Diagnostics& diagnostics, Design& design) {
+  const Source s{text, diagnostics};
   read_yarns(s, design);
   read_finish(s, design.finish);
   read_thread_yarns(s, "WARP YARNS", design.yarns.size(), design.draft.warp);
@@ -356,12 +356,12 @@ void read_private_sections(const WifText& text, const WifHabits& habits, Finding
   read_assembly(s, "WARP SECTIONS", design.warp_assembly);
   read_assembly(s, "WEFT SECTIONS", design.weft_assembly);
   read_exact_text(s, design);
-  read_exact_colors(s, habits, design.draft);
+  read_exact_colors(s, dialect, design.draft);
   read_exact_measures(s, "WARP SPACING", design.draft.warp.spacing_mm);
   read_exact_measures(s, "WEFT SPACING", design.draft.weft.spacing_mm);
   read_exact_measures(s, "WARP THICKNESS", design.draft.warp.thickness_mm);
   read_exact_measures(s, "WEFT THICKNESS", design.draft.weft.thickness_mm);
-  if (design.draft.drive == Drive::kLiftplan) {
+  if (design.draft.drive == ShedControl::kLiftplan) {
     read_sleeping(s, "TREADLING", design.draft.treadling);
   } else {
     read_sleeping(s, "LIFTPLAN", design.draft.liftplan);

@@ -13,14 +13,14 @@ constexpr double kDecipointsPerInch = 720.0;  // by convention; the text of WIF 
 
 struct Context {
   const WifText& text;
-  Findings& findings;
-  WifHabits& habits;
+  Diagnostics& diagnostics;
+  WifDialect& dialect;
   Draft& draft;
 };
 
 int base_of_rows(Context& c, const WifSection& section, int count) {
   const int base = row_base(section, count);
-  if (base == 0) c.habits.zero_based.push_back(section.name);
+  if (base == 0) c.dialect.zero_based.push_back(section.name);
   return base;
 }
 
@@ -41,21 +41,22 @@ void read_range(Context& c, int largest_channel) {
   std::vector<int> list;
   if (key) leading_ints(key->value, list);
   if (list.size() >= 2 && list[0] >= 0 && list[1] > list[0]) {
-    c.habits.range_low = list[0];
-    c.habits.range_high = list[1];
+    c.dialect.range_low = list[0];
+    c.dialect.range_high = list[1];
     return;
   }
-  c.habits.range_high = largest_channel <= 255 ? 255 : largest_channel <= 999 ? 999 : std::max(65535, largest_channel);
-  c.findings.warn(key ? key->line : -1, {}, "[COLOR PALETTE] gives no usable Range",
-                  "colours were read as 0," + std::to_string(c.habits.range_high) + "; write Range= as two numbers");
+  c.dialect.range_high = largest_channel <= 255 ? 255 : largest_channel <= 999 ? 999 : std::max(65535, largest_channel);
+  c.diagnostics.warn(
+      key ? key->line : -1, {}, "[COLOR PALETTE] gives no usable Range",
+      "colours were read as 0," + std::to_string(c.dialect.range_high) + "; write Range= as two numbers");
 }
 
 Rgb color_of(Context& c, const int* channel, int line) {
-  const double low = c.habits.range_low, high = c.habits.range_high;
+  const double low = c.dialect.range_low, high = c.dialect.range_high;
   float out[3];
   for (int i = 0; i < 3; ++i) {
     if (channel[i] < low || channel[i] > high) {
-      c.findings.warn(line, "channel", "a colour is outside Range", "taken as the nearest that is inside");
+      c.diagnostics.warn(line, "channel", "a colour is outside Range", "taken as the nearest that is inside");
     }
     out[i] = static_cast<float>((std::clamp<double>(channel[i], low, high) - low) / (high - low));
   }
@@ -77,14 +78,15 @@ bool read_palette(Context& c) {
     }
   }
   if (last < base) return false;
-  c.habits.palette_base = base;
-  if (base == 0) c.habits.zero_based.push_back("COLOR TABLE");
+  c.dialect.palette_base = base;
+  if (base == 0) c.dialect.zero_based.push_back("COLOR TABLE");
   read_range(c, largest_channel);
   c.draft.palette.assign(static_cast<size_t>(last - base + 1), Rgb{});
-  each_row(*table, last - base + 1, base, c.findings, [&](int index, const WifKey& key) {
+  each_row(*table, last - base + 1, base, c.diagnostics, [&](int index, const WifKey& key) {
     leading_ints(key.value, list);
     if (list.size() < 3) {
-      c.findings.warn(key.line, "rgb", "a colour has fewer than three numbers", "read as black; write red,green,blue");
+      c.diagnostics.warn(key.line, "rgb", "a colour has fewer than three numbers",
+                         "read as black; write red,green,blue");
       return;
     }
     c.draft.palette[static_cast<size_t>(index)] = color_of(c, list.data(), key.line);
@@ -108,47 +110,47 @@ void default_palette(Context& c) {
   if (range) read_range(c, 255);
   c.draft.palette = {stated_rgb(c, "WARP").value_or(Rgb{0, 0, 0}), stated_rgb(c, "WEFT").value_or(Rgb{1, 1, 1})};
   std::fill(c.draft.weft.color.begin(), c.draft.weft.color.end(), 1);
-  c.habits.warp.color.fallback = 0;
-  c.habits.weft.color.fallback = 1;
-  c.findings.add(Severity::kNote, -1, {}, "there is no color table",
-                 "warp and weft were given two colours; paint them as you like");
+  c.dialect.warp.color.fallback = 0;
+  c.dialect.weft.color.fallback = 1;
+  c.diagnostics.add(Severity::kNote, -1, {}, "there is no color table",
+                    "warp and weft were given two colours; paint them as you like");
 }
 
 int color_index(Context& c, int number, int base, int line) {
   const int count = static_cast<int>(c.draft.palette.size());
   const int index = std::clamp(number, base, base + count - 1) - base;
   if (index != number - base) {
-    c.findings.warn(line, "color index", "color " + std::to_string(number) + " is not in the color table",
-                    "color " + std::to_string(index + base) + " was used; correct one of them");
+    c.diagnostics.warn(line, "color index", "color " + std::to_string(number) + " is not in the color table",
+                       "color " + std::to_string(index + base) + " was used; correct one of them");
   }
   return index;
 }
 
-void read_colors(Context& c, const char* system, Threads& threads, ColumnHabits& habit, int implied) {
+void read_colors(Context& c, const char* system, Threads& threads, ColumnDialect& habit, int implied) {
   const WifKey* key = c.text.find(system, "Color");
   const std::optional<int> stated = key ? leading_int(key->value) : std::nullopt;
-  const int fallback = stated ? color_index(c, *stated, c.habits.default_color_base, key->line)
+  const int fallback = stated ? color_index(c, *stated, c.dialect.default_color_base, key->line)
                               : std::min(implied, static_cast<int>(c.draft.palette.size()) - 1);
   std::fill(threads.color.begin(), threads.color.end(), fallback);
   habit.fallback = fallback;
   const WifSection* rows = c.text.find(std::string(system) + " COLORS");
   if (!rows) return;
   habit.list_all = true;
-  each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.findings,
+  each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.diagnostics,
            [&](int thread, const WifKey& row) {
              if (const std::optional<int> number = leading_int(row.value)) {
-               threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.habits.palette_base, row.line);
+               threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.dialect.palette_base, row.line);
              }
            });
 }
 
-void read_units(Context& c, const char* system, SystemHabits& habits) {
+void read_units(Context& c, const char* system, SystemDialect& dialect) {
   const WifKey* key = c.text.find(system, "Units");
   if (!key) {
     for (const char* name : {"Spacing", "Thickness"}) {
       if (const WifKey* measure = c.text.find(system, name)) {
-        c.findings.warn(measure->line, {}, std::string("[") + system + "] gives no Units",
-                        "read as centimeters; write Units=");
+        c.diagnostics.warn(measure->line, {}, std::string("[") + system + "] gives no Units",
+                           "read as centimeters; write Units=");
         return;
       }
     }
@@ -157,17 +159,17 @@ void read_units(Context& c, const char* system, SystemHabits& habits) {
   size_t size = 0;
   while (size < key->value.size() && !is_blank(key->value[size]) && key->value[size] != ';') ++size;
   const std::string unit = uppercase(key->value.substr(0, size));
-  habits.unit.name = to_utf8(key->value.substr(0, size), c.text.encoding);
+  dialect.unit.name = to_utf8(key->value.substr(0, size), c.text.encoding);
   if (unit == "INCHES" || unit == "INCH" || unit == "ENGLISH") {
-    habits.unit.mm = kMmPerInch;
+    dialect.unit.mm = kMmPerInch;
   } else if (unit == "DECIPOINTS" || unit == "DECIPOINT") {
-    habits.unit.mm = kMmPerInch / kDecipointsPerInch;
+    dialect.unit.mm = kMmPerInch / kDecipointsPerInch;
   } else if (unit != "CENTIMETERS" && unit != "CENTIMETER" && unit != "CENTIMETRES" && unit != "CM") {
-    c.findings.warn(key->line, {}, "Units is neither Inches, Centimeters nor Decipoints", "read as centimeters");
+    c.diagnostics.warn(key->line, {}, "Units is neither Inches, Centimeters nor Decipoints", "read as centimeters");
   }
   if (unit == "ENGLISH") {
-    c.findings.add(Severity::kNote, key->line, {}, "Units=" + habits.unit.name + " is not a unit of WIF",
-                   "read as inches");
+    c.diagnostics.add(Severity::kNote, key->line, {}, "Units=" + dialect.unit.name + " is not a unit of WIF",
+                      "read as inches");
   }
 }
 
@@ -175,11 +177,11 @@ void read_units(Context& c, const char* system, SystemHabits& habits) {
 std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
   bool comma = false;
   const std::optional<double> value = leading_real(key.value, &comma);
-  if (comma) c.findings.warn(key.line, "comma", "a measure has a decimal comma", "read as a point; write a point");
+  if (comma) c.diagnostics.warn(key.line, "comma", "a measure has a decimal comma", "read as a point; write a point");
   const float mm = static_cast<float>(value.value_or(-1) * unit_mm);
   if (!value || *value < 0 || !std::isfinite(mm)) {
-    c.findings.warn(key.line, "measure", "a spacing or thickness is not a usable number",
-                    "ignored; write a number of 0 or more");
+    c.diagnostics.warn(key.line, "measure", "a spacing or thickness is not a usable number",
+                       "ignored; write a number of 0 or more");
     return std::nullopt;
   }
   return mm > 0 ? mm : kFromYarn;
@@ -187,7 +189,7 @@ std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
 
 /// Spacing or thickness: a row's own measure, or the system's times the row's (or the system's) zoom.
 void read_measures(Context& c, const std::string& system, const std::string& name, std::vector<float>& out,
-                   ColumnHabits& habit, double unit_mm) {
+                   ColumnDialect& habit, double unit_mm) {
   const WifKey* stated = c.text.find(system, name);
   const float base = stated ? measure(c, *stated, unit_mm).value_or(kFromYarn) : kFromYarn;
   const WifKey* zoom_key = c.text.find(system, name + " Zoom");
@@ -199,14 +201,14 @@ void read_measures(Context& c, const std::string& system, const std::string& nam
   const std::string table = system + " " + uppercase(name);
   if (const WifSection* rows = c.text.find(table + " ZOOM")) {
     habit.list_all = true;
-    each_row(*rows, count, row_base(*rows, count), c.findings, [&](int thread, const WifKey& row) {
+    each_row(*rows, count, row_base(*rows, count), c.diagnostics, [&](int thread, const WifKey& row) {
       if (const std::optional<int> times = leading_int(row.value)) out[static_cast<size_t>(thread)] = zoomed(*times);
     });
   }
   habit.list_all = habit.list_all || zoom > 1;
   if (const WifSection* rows = c.text.find(table)) {
     habit.list_all = true;
-    each_row(*rows, count, base_of_rows(c, *rows, count), c.findings, [&](int thread, const WifKey& row) {
+    each_row(*rows, count, base_of_rows(c, *rows, count), c.diagnostics, [&](int thread, const WifKey& row) {
       if (const std::optional<float> mm = measure(c, row, unit_mm)) out[static_cast<size_t>(thread)] = *mm;
     });
   }
@@ -252,7 +254,7 @@ std::vector<std::string> read_symbols(Context& c, const std::string& system, int
   if (number) fallback = at(leading_int(number->value).value_or(0));
   std::vector<std::string> result(static_cast<size_t>(count), fallback);
   if (rows) {
-    each_row(*rows, count, row_base(*rows, count), c.findings, [&](int thread, const WifKey& row) {
+    each_row(*rows, count, row_base(*rows, count), c.diagnostics, [&](int thread, const WifKey& row) {
       result[static_cast<size_t>(thread)] = at(leading_int(row.value).value_or(0));
     });
   }
@@ -261,18 +263,18 @@ std::vector<std::string> read_symbols(Context& c, const std::string& system, int
 
 }  // namespace
 
-void read_threads(const WifText& text, Findings& findings, WifHabits& habits, Draft& draft, WifFile* info) {
-  Context c{text, findings, habits, draft};
-  if (is_luminescence(text)) habits.default_color_base = 0;
+void read_threads(const WifText& text, Diagnostics& diagnostics, WifDialect& dialect, Draft& draft, WifFile* info) {
+  Context c{text, diagnostics, dialect, draft};
+  if (is_luminescence(text)) dialect.default_color_base = 0;
   if (read_palette(c)) {
-    read_colors(c, "WARP", draft.warp, habits.warp.color, 0);
-    read_colors(c, "WEFT", draft.weft, habits.weft.color, 1);
+    read_colors(c, "WARP", draft.warp, dialect.warp.color, 0);
+    read_colors(c, "WEFT", draft.weft, dialect.weft.color, 1);
   } else {
     default_palette(c);
   }
   for (const System system : {System::kWarp, System::kWeft}) {
     const char* name = system == System::kWarp ? "WARP" : "WEFT";
-    SystemHabits& own = system == System::kWarp ? habits.warp : habits.weft;
+    SystemDialect& own = system == System::kWarp ? dialect.warp : dialect.weft;
     Threads& threads = draft.threads(system);
     read_units(c, name, own);
     read_measures(c, name, "Spacing", threads.spacing_mm, own.spacing, own.unit.mm);

@@ -52,13 +52,13 @@ struct Bytes {
 
 struct Wpo {
   Bytes in;
-  Findings& findings;
+  Diagnostics& diagnostics;
   Draft d;
   int version = 0, kind = 0;
   float spacing_mm[2] = {kFromYarn, kFromYarn};  // of ends, of picks
 
   bool refuse(std::string what, std::string remedy) const {
-    findings.add(Severity::kError, -1, {}, std::move(what), std::move(remedy));
+    diagnostics.add(Severity::kError, -1, {}, std::move(what), std::move(remedy));
     return false;
   }
   bool cut(const char* where) const {
@@ -100,10 +100,10 @@ struct Wpo {
     for (int e = 0; e < d.ends(); ++e) {
       const int shaft = threading[static_cast<size_t>(e)];
       if (shaft > d.shafts)
-        findings.warn(-1, "shaft",
-                      "end " + std::to_string(e + 1) + " is on shaft " + std::to_string(shaft) + ", and there are " +
-                          std::to_string(d.shafts),
-                      "it was left on none");
+        diagnostics.warn(-1, "shaft",
+                         "end " + std::to_string(e + 1) + " is on shaft " + std::to_string(shaft) + ", and there are " +
+                             std::to_string(d.shafts),
+                         "it was left on none");
       else if (shaft > 0) d.threading.set(e, shaft - 1, true);
     }
     return true;
@@ -117,7 +117,7 @@ struct Wpo {
 
   bool read_liftplan() {
     if (!set_picks(in.number())) return false;
-    d.drive = Drive::kLiftplan;
+    d.drive = ShedControl::kLiftplan;
     d.liftplan = in.masks(d.picks(), d.shafts);
     return !in.short_ || cut("liftplan");
   }
@@ -137,10 +137,10 @@ struct Wpo {
     for (int p = 0; p < d.picks(); ++p) {
       const int treadle = treadles[static_cast<size_t>(p)];
       if (treadle > d.treadles)
-        findings.warn(-1, "treadle",
-                      "pick " + std::to_string(p + 1) + " names treadle " + std::to_string(treadle) +
-                          ", and there are " + std::to_string(d.treadles),
-                      "it was left without");
+        diagnostics.warn(-1, "treadle",
+                         "pick " + std::to_string(p + 1) + " names treadle " + std::to_string(treadle) +
+                             ", and there are " + std::to_string(d.treadles),
+                         "it was left without");
       else if (treadle > 0) d.treadling.set(p, treadle - 1, true);
     }
     return true;
@@ -154,7 +154,7 @@ struct Wpo {
       if (!in.short_) d.palette.push_back(color_of_bytes(r, g, b, most));
     }
     if (!d.palette.empty()) return;
-    findings.warn(-1, {}, "the file has no palette", "the warp became black, the weft white");
+    diagnostics.warn(-1, {}, "the file has no palette", "the warp became black, the weft white");
     d.palette = {{0, 0, 0}, {1, 1, 1}};
   }
 
@@ -163,10 +163,10 @@ struct Wpo {
       const int color = i < colors.size() ? colors[i] : colors.empty() ? 0 : colors.front();
       const bool there = static_cast<size_t>(color) < d.palette.size();
       if (!there)
-        findings.warn(-1, what,
-                      std::string(what) + " names colour " + std::to_string(color + 1) + ", and there are " +
-                          std::to_string(d.palette.size()),
-                      "the first was taken");
+        diagnostics.warn(-1, what,
+                         std::string(what) + " names colour " + std::to_string(color + 1) + ", and there are " +
+                             std::to_string(d.palette.size()),
+                         "the first was taken");
       threads.color[i] = there ? color : 0;
     }
   }
@@ -185,8 +185,9 @@ struct Wpo {
     take_colors(weft_colors, "a pick", d.weft);
     std::ranges::fill(d.warp.spacing_mm, spacing_mm[0]);
     std::ranges::fill(d.weft.spacing_mm, spacing_mm[1]);
-    findings.add(Severity::kNote, -1, {}, "thickness and spacing of single threads are kept in a way that is not known",
-                 "all have the spacing of the head; give others by hand");
+    diagnostics.add(Severity::kNote, -1, {},
+                    "thickness and spacing of single threads are kept in a way that is not known",
+                    "all have the spacing of the head; give others by hand");
     return true;
   }
 };
@@ -194,15 +195,15 @@ struct Wpo {
 }  // namespace
 
 WifRead read_wpo(std::string_view bytes) {
-  Findings findings;
+  Diagnostics diagnostics;
   std::optional<WifFile> file;
-  Wpo wpo{{bytes.substr(0, kMaxForeignBytes)}, findings, {}};
+  Wpo wpo{{bytes.substr(0, kMaxForeignBytes)}, diagnostics, {}};
   if (wpo.read()) {
     file.emplace();
     file->design.draft = std::move(wpo.d);
     file->source_program = "WeavePoint";
   }
-  return foreign_file(std::move(file), "wpo", findings);
+  return foreign_file(std::move(file), "wpo", diagnostics);
 }
 
 }  // namespace weftlight::wif

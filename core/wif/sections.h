@@ -25,13 +25,13 @@ struct WifEntries {
 
 /// All that a design says, but for [WIF] and [CONTENTS]; in the order one-pass readers want. Weftlight's
 /// private sections come last, each only when it says something that WIF's own do not.
-std::vector<WifEntries> sections_of(const Design& design, const WifHabits& habits);
+std::vector<WifEntries> sections_of(const Design& design, const WifDialect& dialect);
 
 /// The public sections alone.
-std::vector<WifEntries> public_sections_of(const Design& design, const WifHabits& habits);
+std::vector<WifEntries> public_sections_of(const Design& design, const WifDialect& dialect);
 
 /// Appends Weftlight's private sections (private_sections.cpp).
-void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifHabits& habits);
+void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifDialect& dialect);
 
 /// "1,3,4" of the set bits of a row, counted from `base`; "0" for none, empty where 0 is a number.
 std::string bit_list(const BitMatrix& bits, int row, int base = 1);

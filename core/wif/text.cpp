@@ -15,13 +15,13 @@ void split_lines(WifText& text) {
   const std::string_view bytes = text.bytes;
   uint32_t begin = text.bom ? static_cast<uint32_t>(kBom.size()) : 0;
   const uint32_t size = static_cast<uint32_t>(bytes.size());
-  text.lines.reserve(std::min<size_t>(size / 10 + 1, kMostLines));
+  text.lines.reserve(std::min<size_t>(size / 10 + 1, kMaxLines));
   for (uint32_t i = begin; i < size; ++i) {
     const char c = bytes[i];
     if (c != '\n' && c != '\r') continue;
     const uint32_t eol = c == '\r' && i + 1 < size && bytes[i + 1] == '\n' ? 2 : 1;
-    if (text.lines.size() == kMostLines) {
-      text.refused = "more than " + std::to_string(kMostLines) + " lines";
+    if (text.lines.size() == kMaxLines) {
+      text.refused = "more than " + std::to_string(kMaxLines) + " lines";
       return;
     }
     text.lines.push_back({begin, i - begin, eol});
@@ -85,8 +85,8 @@ void find_sections(WifText& text) {
   for (size_t h = 0; h < headers.size(); ++h) {
     const auto& [line, name] = headers[h];
     const int end = h + 1 < headers.size() ? headers[h + 1].first : count;
-    if (text.sections.size() == kMostSections) {
-      text.refused = "more than " + std::to_string(kMostSections) + " sections";
+    if (text.sections.size() == kMaxTextSections) {
+      text.refused = "more than " + std::to_string(kMaxTextSections) + " sections";
       return;
     }
     section_at(text, line == text.second_warp_colors ? "WEFT COLORS" : name).blocks.push_back({line, line + 1, end});

@@ -14,7 +14,7 @@
 namespace weftlight::wif {
 
 /// More are refused: a draft of the most ends and picks, every table in full, has half of them.
-inline constexpr size_t kMostLines = 4'000'000, kMostSections = 100'000;
+inline constexpr size_t kMaxLines = 4'000'000, kMaxTextSections = 100'000;
 
 /// Numbers by name, asked for without a copy of it.
 struct NameHash {

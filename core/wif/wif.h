@@ -56,9 +56,9 @@ std::string write_wif(const WifFile& opened, const Design& now);
 /// A new file for a design that was never a file.
 std::string write_new_wif(const Design& design);
 
-enum class PlainDrive { kAsIs, kLiftplan, kTreadling };
+enum class PlainShedControl { kAsIs, kLiftplan, kTreadling };
 /// "Save for other programs": ASCII, CRLF, one-pass section order, no private sections, both a tie-up
 /// and a liftplan.
-std::string write_plain_wif(const Design& design, PlainDrive drive = PlainDrive::kAsIs);
+std::string write_plain_wif(const Design& design, PlainShedControl drive = PlainShedControl::kAsIs);
 
 }  // namespace weftlight::wif

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "draft/edits.h"
+#include "wif/line_edits.h"
 #include "wif/numbers.h"
-#include "wif/patch.h"
 
 namespace weftlight::wif {
 namespace {
@@ -22,8 +22,8 @@ std::optional<Attempt> attempt(const WifText& text, const std::vector<WifEntries
   std::optional<std::string> bytes = patched(text, before, now, reach);
   if (!bytes) return std::nullopt;
   Attempt result{std::move(*bytes), {}, false};
-  Findings findings;
-  if (std::optional<ParsedWif> parsed = parse_wif(result.bytes, findings)) {
+  Diagnostics diagnostics;
+  if (std::optional<ParsedWif> parsed = parse_wif(result.bytes, diagnostics)) {
     result.design = std::move(parsed->design);
     result.read = true;
   }
@@ -54,15 +54,15 @@ std::string whole_file(const std::vector<WifEntries>& sections) {
   return out;
 }
 
-WifHabits new_habits(const Draft& draft) {
-  WifHabits habits;
+WifDialect new_habits(const Draft& draft) {
+  WifDialect dialect;
   for (const System system : {System::kWarp, System::kWeft}) {
     const Threads& threads = draft.threads(system);
-    ColumnHabits& color = system == System::kWarp ? habits.warp.color : habits.weft.color;
+    ColumnDialect& color = system == System::kWarp ? dialect.warp.color : dialect.weft.color;
     color.list_all = true;
     color.fallback = threads.size() > 0 ? threads.color.front() : 0;
   }
-  return habits;
+  return dialect;
 }
 
 /// A liftplan draft's tie-up says nothing: treadle = shaft is what other programs expect beside one.
@@ -108,11 +108,11 @@ std::vector<std::string> plain_notes(const std::vector<std::string>& notes) {
 
 std::string write_wif(const WifFile& opened, const Design& now) {
   if (now == opened.design) return opened.bytes;
-  Findings findings;
-  const std::optional<ParsedWif> parsed = parse_wif(opened.bytes, findings);
+  Diagnostics diagnostics;
+  const std::optional<ParsedWif> parsed = parse_wif(opened.bytes, diagnostics);
   if (!parsed) return write_new_wif(now);
-  const std::vector<WifEntries> before = sections_of(opened.design, parsed->habits);
-  const std::vector<WifEntries> after = sections_of(now, parsed->habits);
+  const std::vector<WifEntries> before = sections_of(opened.design, parsed->dialect);
+  const std::vector<WifEntries> after = sections_of(now, parsed->dialect);
   // The fewest lines first; more only where what was left out of the file would make them read otherwise.
   std::string fallback;
   const auto try_text = [&](const WifText& text) -> std::optional<std::string> {
@@ -134,17 +134,17 @@ std::string write_wif(const WifFile& opened, const Design& now) {
 
 std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_habits(design.draft))); }
 
-std::string write_plain_wif(const Design& design, PlainDrive drive) {
-  Design plain = drive == PlainDrive::kLiftplan    ? to_liftplan(design)
-                 : drive == PlainDrive::kTreadling ? to_treadling(design)
-                                                   : design;
-  if (plain.draft.drive == Drive::kLiftplan) plain = with_straight_tieup(std::move(plain));
+std::string write_plain_wif(const Design& design, PlainShedControl drive) {
+  Design plain = drive == PlainShedControl::kLiftplan    ? to_liftplan(design)
+                 : drive == PlainShedControl::kTreadling ? to_treadling(design)
+                                                         : design;
+  if (plain.draft.drive == ShedControl::kLiftplan) plain = with_straight_tieup(std::move(plain));
   plain.title = to_ascii(plain.title);
   plain.author = to_ascii(plain.author);
   plain.notes = plain_notes(plain.notes);
-  WifHabits habits = new_habits(plain.draft);
-  habits.has_liftplan = true;
-  return whole_file(public_sections_of(plain, habits));
+  WifDialect dialect = new_habits(plain.draft);
+  dialect.has_liftplan = true;
+  return whole_file(public_sections_of(plain, dialect));
 }
 
 }  // namespace weftlight::wif

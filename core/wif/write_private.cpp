@@ -84,7 +84,7 @@ WifEntries scene_of(const Scene& scene) {
   WifEntries section{"SCENE", {}};
   if (scene == Scene{}) return section;
   if (!scene.mesh.empty()) add(section, "Mesh", escaped(scene.mesh), true);
-  if (scene.own_drape) add(section, "Own Drape", "true");
+  if (scene.simulated_drape) add(section, "Own Drape", "true");
   add_fields(section, "", kSceneFloats, scene);
   if (scene.lights != Scene{}.lights) add(section, "Lights", escaped(scene.lights), true);
   if (scene.surroundings) add(section, "Surroundings", "true");
@@ -103,7 +103,7 @@ WifEntries view_of(const NamedView& view, size_t number) {
 WifEntries loom_of(const Loom& loom) {
   WifEntries section{"LOOM", {}};
   if (loom == Loom{}) return section;
-  add(section, "Authority", kAuthorityNames[static_cast<size_t>(loom.authority)]);
+  add(section, "Authority", kLeadingNames[static_cast<size_t>(loom.leading)]);
   add(section, "Locked", loom.locked ? "true" : "false");
   add(section, "Shafts", std::to_string(loom.shafts));
   add(section, "Treadles", std::to_string(loom.treadles));
@@ -158,7 +158,7 @@ WifEntries assembly_entries(const char* name, const Assembly& assembly) {
     const std::string prefix = std::to_string(i + 1) + " ";
     add(section, prefix + "Name", escaped(s.name), true);
     add(section, prefix + "Columns", std::to_string(s.rows.cols()));
-    if (s.drive == Drive::kLiftplan) add(section, prefix + "Lifts", "true");
+    if (s.drive == ShedControl::kLiftplan) add(section, prefix + "Lifts", "true");
     add(section, prefix + "Rows", rows_text(s.rows));
     add_column(section, prefix + "Colors", s.threads.color, 0, from_1);
     add_column(section, prefix + "Yarns", s.threads.yarn, 0, from_1);
@@ -180,12 +180,12 @@ WifEntries exact_text_of(const Design& design) {
   return section;
 }
 
-WifEntries exact_colors_of(const std::vector<Rgb>& palette, const WifHabits& habits) {
+WifEntries exact_colors_of(const std::vector<Rgb>& palette, const WifDialect& dialect) {
   WifEntries section{"COLORS", {}};
-  const double span = habits.range_high - static_cast<double>(habits.range_low);
+  const double span = dialect.range_high - static_cast<double>(dialect.range_low);
   const auto held = [&](float channel) {
-    const int number = channel_number(channel, habits.range_low, habits.range_high);
-    return static_cast<float>((static_cast<double>(number) - habits.range_low) / span) == channel;
+    const int number = channel_number(channel, dialect.range_low, dialect.range_high);
+    return static_cast<float>((static_cast<double>(number) - dialect.range_low) / span) == channel;
   };
   for (size_t i = 0; i < palette.size(); ++i) {
     const Rgb& c = palette[i];
@@ -214,7 +214,7 @@ WifEntries sleeping(const char* name, const BitMatrix& bits) {
 
 }  // namespace
 
-void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifHabits& habits) {
+void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifDialect& dialect) {
   const Draft& draft = design.draft;
   push_if_any(out, yarns_of(design));
   push_if_any(out, finish_of(design.finish));
@@ -228,12 +228,12 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   push_if_any(out, assembly_entries("WARP SECTIONS", design.warp_assembly));
   push_if_any(out, assembly_entries("WEFT SECTIONS", design.weft_assembly));
   push_if_any(out, exact_text_of(design));
-  push_if_any(out, exact_colors_of(draft.palette, habits));
+  push_if_any(out, exact_colors_of(draft.palette, dialect));
   push_if_any(out, exact_measures_of("WARP SPACING", draft.warp.spacing_mm));
   push_if_any(out, exact_measures_of("WEFT SPACING", draft.weft.spacing_mm));
   push_if_any(out, exact_measures_of("WARP THICKNESS", draft.warp.thickness_mm));
   push_if_any(out, exact_measures_of("WEFT THICKNESS", draft.weft.thickness_mm));
-  const bool treadled = draft.drive == Drive::kTreadling;
+  const bool treadled = draft.drive == ShedControl::kTreadling;
   push_if_any(out, treadled ? sleeping("LIFTPLAN", draft.liftplan) : sleeping("TREADLING", draft.treadling));
 }
 

@@ -13,7 +13,7 @@ namespace weftlight::actions {
 using Actions = std::vector<Action>;
 
 inline Action& add(Actions& all, const char* menu, const char* id, const char* label, const char* shortcut,
-                   std::function<void(Desk&)> run) {
+                   std::function<void(ActionHost&)> run) {
   Action& a = all.emplace_back();
   a.item.id = id;
   a.item.menu = menu;

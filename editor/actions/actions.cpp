@@ -21,7 +21,7 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent, const s
   return all;
 }
 
-std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& desk) {
+std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& desk) {
   std::vector<ActionItem> items;
   for (const Action& a : actions) {
     items.push_back(a.item);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actions/desk.h"
+#include "actions/action_host.h"
 #include "actions/names.h"
 #include "session/action_item.h"
 
@@ -14,10 +14,10 @@ namespace weftlight::actions {
 
 struct Action {
   ActionItem item;  // `enabled` and `checked` are filled in by show()
-  std::function<void(Desk&)> run;
-  std::function<bool(const Desk&)> enabled = nullptr;       // null: always
-  std::function<bool(const Desk&)> checked = nullptr;       // null: never
-  std::function<std::string(const Desk&)> label = nullptr;  // null: as it stands in the item
+  std::function<void(ActionHost&)> run;
+  std::function<bool(const ActionHost&)> enabled = nullptr;       // null: always
+  std::function<bool(const ActionHost&)> checked = nullptr;       // null: never
+  std::function<std::string(const ActionHost&)> label = nullptr;  // null: as it stands in the item
 };
 
 /// `recent`: files offered under File. `keys`: shortcuts that the weaver gave, by action (Settings::keys). `views`:
@@ -26,6 +26,6 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent,
                                  const std::map<std::string, std::string>& keys = {},
                                  const std::vector<std::string>& views = {});
 /// The table as the panels show it, with what holds now.
-std::vector<ActionItem> show(const std::vector<Action>& actions, const Desk& desk);
+std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& desk);
 
 }  // namespace weftlight::actions

@@ -13,14 +13,14 @@ namespace {
 
 void add_recent(Actions& all, const std::vector<std::string>& recent) {
   constexpr const char* kMenu = "Open recent";
-  constexpr size_t kMost = 10;  // of a menu; the page with pictures shows all
-  add(all, "File", "recent", "All, with pictures\xE2\x80\xA6", "Ctrl+Shift+O", [](Desk& e) {
+  constexpr size_t kMax = 10;  // of a menu; the page with pictures shows all
+  add(all, "File", "recent", "All, with pictures\xE2\x80\xA6", "Ctrl+Shift+O", [](ActionHost& e) {
     e.show_gallery(false);
   }).item.submenu = kMenu;
-  for (size_t i = 0; i < std::min(recent.size(), kMost); ++i) {
+  for (size_t i = 0; i < std::min(recent.size(), kMax); ++i) {
     const std::string& path = recent[i];
     Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().c_str(), "",
-                    [path](Desk& e) { e.open_path(path); });
+                    [path](ActionHost& e) { e.open_path(path); });
     a.item.submenu = kMenu;
     a.item.group = i == 0;
   }
@@ -31,64 +31,65 @@ Action& on_tab(Action& a) {
   return a;
 }
 
-void copy_path(Desk& e) {
+void copy_path(ActionHost& e) {
   e.set_clipboard(e.document().path());
   e.say("Copied " + e.document().path());
 }
 
 /// What is done with the file of the draft that is shown.
 void add_file_of_draft(Actions& all) {
-  const auto has_file = [](const Desk& e) { return !e.document().path().empty(); };
-  new_group(on_tab(add(all, "File", "duplicate", "Duplicate", "", [](Desk& e) { e.duplicate(); })));
-  on_tab(add(all, "File", "reload", "Read the file again", "", [](Desk& e) { e.reload(); })).enabled = has_file;
+  const auto has_file = [](const ActionHost& e) { return !e.document().path().empty(); };
+  new_group(on_tab(add(all, "File", "duplicate", "Duplicate", "", [](ActionHost& e) { e.duplicate(); })));
+  on_tab(add(all, "File", "reload", "Read the file again", "", [](ActionHost& e) { e.reload(); })).enabled = has_file;
   on_tab(add(all, "File", "copy_path", "Copy the file's path", "", copy_path)).enabled = has_file;
-  on_tab(add(all, "File", "show_in_folder", "Open its folder", "", [](Desk& e) { e.show_in_folder(); })).enabled =
+  on_tab(add(all, "File", "show_in_folder", "Open its folder", "", [](ActionHost& e) { e.show_in_folder(); })).enabled =
       has_file;
 }
 
 void add_closing(Actions& all) {
-  new_group(on_tab(add(all, "File", "close", "Close", "Ctrl+W", [](Desk& e) { e.close_tab(); })));
-  on_tab(add(all, "File", "close_others", "Close the others", "", [](Desk& e) { e.close_other_tabs(); })).enabled =
-      [](const Desk& e) { return e.tabs() > 1; };
-  on_tab(add(all, "File", "close_right", "Close those to the right", "", [](Desk& e) {
+  new_group(on_tab(add(all, "File", "close", "Close", "Ctrl+W", [](ActionHost& e) { e.close_tab(); })));
+  on_tab(add(all, "File", "close_others", "Close the others", "", [](ActionHost& e) {
+    e.close_other_tabs();
+  })).enabled = [](const ActionHost& e) { return e.tabs() > 1; };
+  on_tab(add(all, "File", "close_right", "Close those to the right", "", [](ActionHost& e) {
     e.close_tabs_to_right();
-  })).enabled = [](const Desk& e) { return e.tab_place() + 1 < e.tabs(); };
+  })).enabled = [](const ActionHost& e) { return e.tab_place() + 1 < e.tabs(); };
 }
 
 }  // namespace
 
 void add_file_actions(Actions& all, const std::vector<std::string>& recent) {
-  add(all, "File", "new", "New draft\xE2\x80\xA6", "Ctrl+N", [](Desk& e) { e.new_draft(); });
+  add(all, "File", "new", "New draft\xE2\x80\xA6", "Ctrl+N", [](ActionHost& e) { e.new_draft(); });
   int number = 0;
   for (const WeaveKind& weave : weave_kinds())
     add(all, "", (std::string("new.") + weave.id).c_str(),
         (std::string("New draft: ") + weave.name + "\xE2\x80\xA6").c_str(), "",
-        [at = number++](Desk& e) { e.new_draft_of(at); });
-  add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](Desk& e) { e.open(); });
+        [at = number++](ActionHost& e) { e.new_draft_of(at); });
+  add(all, "File", "open", "Open\xE2\x80\xA6", "Ctrl+O", [](ActionHost& e) { e.open(); });
   add_recent(all, recent);
-  new_group(on_tab(add(all, "File", "save", "Save", "Ctrl+S", [](Desk& e) { e.save(); })));
-  on_tab(add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](Desk& e) { e.save_as(); }));
-  add(all, "File", "save_all", "Save all", "Ctrl+Alt+S", [](Desk& e) { e.save_all(); }).enabled = [](const Desk& e) {
-    return e.any_unsaved();
-  };
-  add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](Desk& e) { e.save_for_others(); });
-  new_group(
-      add(all, "File", "export", "Export texture set\xE2\x80\xA6", "Ctrl+E", [](Desk& e) { e.export_textures(); }));
-  add(all, "File", "print", "Print\xE2\x80\xA6", "Ctrl+Shift+P", [](Desk& e) { e.ask_print(); });
-  Action& left =
-      add(all, "File", "recovery", "Bring back unsaved work\xE2\x80\xA6", "", [](Desk& e) { e.offer_recovery(); });
-  left.enabled = [](const Desk& e) { return e.has_left_work(); };
+  new_group(on_tab(add(all, "File", "save", "Save", "Ctrl+S", [](ActionHost& e) { e.save(); })));
+  on_tab(add(all, "File", "save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", [](ActionHost& e) { e.save_as(); }));
+  add(all, "File", "save_all", "Save all", "Ctrl+Alt+S", [](ActionHost& e) { e.save_all(); }).enabled =
+      [](const ActionHost& e) { return e.any_unsaved(); };
+  add(all, "File", "save_plain", "Save for other programs\xE2\x80\xA6", "", [](ActionHost& e) { e.save_for_others(); });
+  new_group(add(all, "File", "export", "Export texture set\xE2\x80\xA6", "Ctrl+E",
+                [](ActionHost& e) { e.export_textures(); }));
+  add(all, "File", "print", "Print\xE2\x80\xA6", "Ctrl+Shift+P", [](ActionHost& e) { e.ask_print(); });
+  Action& left = add(all, "File", "recovery", "Bring back unsaved work\xE2\x80\xA6", "",
+                     [](ActionHost& e) { e.offer_recovery(); });
+  left.enabled = [](const ActionHost& e) { return e.has_left_work(); };
   add_file_of_draft(all);
   add_closing(all);
-  add(all, "File", "quit", "Quit", "Ctrl+Q", [](Desk& e) { e.quit(); });
+  add(all, "File", "quit", "Quit", "Ctrl+Q", [](ActionHost& e) { e.quit(); });
 }
 
 void add_library_actions(Actions& all) {
-  add(all, "Library", "library", "All, with pictures\xE2\x80\xA6", "Ctrl+L", [](Desk& e) { e.show_gallery(true); });
+  add(all, "Library", "library", "All, with pictures\xE2\x80\xA6", "Ctrl+L",
+      [](ActionHost& e) { e.show_gallery(true); });
   bool first = true;
   for (const LibraryFile& file : library_files()) {
     Action& a = add(all, "Library", ("library." + file.id).c_str(), file.name.c_str(), "",
-                    [path = file.path](Desk& e) { e.open_copy(path); });
+                    [path = file.path](ActionHost& e) { e.open_copy(path); });
     a.item.submenu = file.cloth ? "Cloths" : "";
     a.item.group = std::exchange(first, false);
   }

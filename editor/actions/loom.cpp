@@ -5,18 +5,18 @@
 namespace weftlight::actions {
 
 void add_loom_actions(Actions& all) {
-  const auto at_loom = [](const Desk& e) { return e.view().at_loom.open; };
-  const auto one = [&all](const char* id, const char* label, const char* key, std::function<void(Desk&)> run) {
+  const auto at_loom = [](const ActionHost& e) { return e.view().at_loom.open; };
+  const auto one = [&all](const char* id, const char* label, const char* key, std::function<void(ActionHost&)> run) {
     Action& a = add(all, "Draft", id, label, key, std::move(run));
     a.item.submenu = "At the loom";
     return &a;
   };
-  one("loom", "Weave at the loom", "F9", [](Desk& e) { e.toggle_loom(); })->checked = at_loom;
+  one("loom", "Weave at the loom", "F9", [](ActionHost& e) { e.toggle_loom(); })->checked = at_loom;
   all.back().item.group = true;
-  one("loom_next", "Next pick", "", [](Desk& e) { e.step_at_loom(true); })->enabled = at_loom;
-  one("loom_back", "Pick before", "", [](Desk& e) { e.step_at_loom(false); })->enabled = at_loom;
-  one("loom_connect", "Send to loom", "", [](Desk& e) { e.connect_loom(); })->enabled = at_loom;
-  one("loom_disconnect", "Send to no loom", "", [](Desk& e) { e.disconnect_loom(); })->enabled = at_loom;
+  one("loom_next", "Next pick", "", [](ActionHost& e) { e.step_at_loom(true); })->enabled = at_loom;
+  one("loom_back", "Pick before", "", [](ActionHost& e) { e.step_at_loom(false); })->enabled = at_loom;
+  one("loom_connect", "Send to loom", "", [](ActionHost& e) { e.connect_loom(); })->enabled = at_loom;
+  one("loom_disconnect", "Send to no loom", "", [](ActionHost& e) { e.disconnect_loom(); })->enabled = at_loom;
 }
 
 }  // namespace weftlight::actions

@@ -4,23 +4,23 @@
 
 #include "actions/action_parts.h"
 #include "draft/block_text.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "session/typing.h"
 
 namespace weftlight::actions {
 namespace {
 
-using SelectionEdit = Design (*)(Design, const Selection&, bool with_looks);
-using ThreadEdit = Design (*)(Design, const ThreadRange&, bool with_looks);
+using SelectionEdit = Design (*)(Design, const Selection&, bool with_properties);
+using ThreadEdit = Design (*)(Design, const ThreadRange&, bool with_properties);
 constexpr const char* kTurn = "Mirror and turn";
 constexpr const char* kShift = "Shift by one";
 constexpr const char* kRepeat = "Repeat";
 constexpr const char* kThreads = "Threads";
 
-const Selection& selected(const Desk& e) { return e.view().select.selected; }
-bool has_selection(const Desk& e) { return !selected(e).empty(); }
-bool has_threads(const Desk& e) { return threads_of(selected(e)).has_value(); }
-bool has_block(const Desk& e) { return e.view().select.held.has_value(); }
+const Selection& selected(const ActionHost& e) { return e.view().select.selected; }
+bool has_selection(const ActionHost& e) { return !selected(e).empty(); }
+bool has_threads(const ActionHost& e) { return threads_of(selected(e)).has_value(); }
+bool has_block(const ActionHost& e) { return e.view().select.held.has_value(); }
 
 Action& on_selection(Action& a, const char* submenu = "") {
   a.item.submenu = submenu;
@@ -33,8 +33,8 @@ Action& add_edit(Actions& all, const char* submenu, const char* id, const char* 
                  SelectionEdit edit) {
   return on_selection(
       add(all, "Edit", id, label, key,
-          [=](Desk& e) {
-            const bool looks = e.view().select.with_looks;
+          [=](ActionHost& e) {
+            const bool looks = e.view().select.with_properties;
             e.commit({label, [s = selected(e), edit, looks](Design d) { return edit(std::move(d), s, looks); }});
           }),
       submenu);
@@ -43,8 +43,8 @@ Action& add_edit(Actions& all, const char* submenu, const char* id, const char* 
 Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
                         ThreadEdit edit) {
   Action& a = on_selection(add(all, "Edit", id, label, key,
-                               [=](Desk& e) {
-                                 const bool looks = e.view().select.with_looks;
+                               [=](ActionHost& e) {
+                                 const bool looks = e.view().select.with_properties;
                                  e.commit({label, [t = *threads_of(selected(e)), edit, looks](Design d) {
                                              return edit(std::move(d), t, looks);
                                            }});
@@ -55,7 +55,7 @@ Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const
 }
 
 /// False, and said why, when the cells are too many.
-bool copy_selection(Desk& e) {
+bool copy_selection(ActionHost& e) {
   const Selection s = selected(e);
   const std::string size = size_text(s.grid, s.columns(), s.rows());
   if (int64_t{s.columns()} * s.rows() > kMaxBlockCells) {
@@ -67,19 +67,19 @@ bool copy_selection(Desk& e) {
   return true;
 }
 
-void cut_selection(Desk& e) {
+void cut_selection(ActionHost& e) {
   if (!copy_selection(e)) return;
   e.commit({"Cut", [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
 }
 
-void paste(Desk& e, bool as_marks) {
+void paste(ActionHost& e, bool as_marks) {
   BlockRead read = read_block_text(e.clipboard());
   if (!read.block) return e.say(read.problem);
   hold_block(e.view().select, e.document().now().draft, std::move(*read.block), as_marks);
   if (const auto grid = bit_grid_of(e.hover().grid)) hold_block_over(e.view().select, *grid, e.hover().cell);
 }
 
-void select_all(Desk& e) {
+void select_all(ActionHost& e) {
   SelectState& s = e.view().select;
   const auto hovered = bit_grid_of(e.hover().grid);
   const BitGrid grid = hovered ? *hovered : s.selected.empty() ? BitGrid::kThreading : s.selected.grid;
@@ -88,7 +88,7 @@ void select_all(Desk& e) {
   s.tool = Tool::kSelect;
 }
 
-void select_whole_threads(Desk& e) {
+void select_whole_threads(ActionHost& e) {
   Selection s = selected(e);
   const Selection all = whole_grid(e.document().now().draft, s.grid);
   if (s.grid == BitGrid::kThreading) s.b0 = all.b0, s.b1 = all.b1;
@@ -96,27 +96,28 @@ void select_whole_threads(Desk& e) {
   select_cells(e.view().select, s);
 }
 
-void insert_threads(Desk& e) {
+void insert_threads(ActionHost& e) {
   const ThreadRange t = *threads_of(selected(e));
-  e.commit({"Insert threads", [t, looks = e.view().select.with_looks](Design d) {
+  e.commit({"Insert threads", [t, looks = e.view().select.with_properties](Design d) {
               return with_bare_threads(std::move(d), t.system, t.first, t.count(), looks);
             }});
 }
 
-void delete_threads(Desk& e) {
+void delete_threads(ActionHost& e) {
   const ThreadRange t = *threads_of(selected(e));
   const bool all = t.count() >= e.document().now().draft.threads(t.system).size();
   if (all)
     return e.say(t.system == System::kWarp ? "A draft keeps at least one end" : "A draft keeps at least one pick");
-  e.commit({"Delete threads",
-            [t, looks = e.view().select.with_looks](Design d) { return without_threads(std::move(d), t, looks); }});
+  e.commit({"Delete threads", [t, looks = e.view().select.with_properties](Design d) {
+              return without_threads(std::move(d), t, looks);
+            }});
   select_cells(e.view().select, {});
 }
 
 /// One thing at a time: the shape being drawn, the drag, the block in hand, the selection; before them what could not
 /// be woven.
-void let_go(Desk& e) {
-  if (e.view().refusal) return e.view().refusal.reset();
+void let_go(ActionHost& e) {
+  if (e.view().rejected_edit) return e.view().rejected_edit.reset();
   if (e.view().shape) return e.view().shape.reset();
   SelectState& s = e.view().select;
   if (s.drag == SelectDrag::kNone) {
@@ -128,9 +129,9 @@ void let_go(Desk& e) {
 
 void add_clipboard(Actions& all) {
   new_group(on_selection(add(all, "Edit", "cut", "Cut", "Ctrl+X", cut_selection)));
-  on_selection(add(all, "Edit", "copy", "Copy", "Ctrl+C", [](Desk& e) { copy_selection(e); }));
-  on_selection(add(all, "Edit", "paste", "Paste", "Ctrl+V", [](Desk& e) { paste(e, false); })).enabled = nullptr;
-  on_selection(add(all, "Edit", "paste_add", "Paste marks on top", "Ctrl+Shift+V", [](Desk& e) {
+  on_selection(add(all, "Edit", "copy", "Copy", "Ctrl+C", [](ActionHost& e) { copy_selection(e); }));
+  on_selection(add(all, "Edit", "paste", "Paste", "Ctrl+V", [](ActionHost& e) { paste(e, false); })).enabled = nullptr;
+  on_selection(add(all, "Edit", "paste_add", "Paste marks on top", "Ctrl+Shift+V", [](ActionHost& e) {
     paste(e, true);
   })).enabled = nullptr;
   add_edit(all, "", "clear", "Delete", "Delete",
@@ -138,20 +139,21 @@ void add_clipboard(Actions& all) {
   new_group(add(all, "Edit", "select_all", "Select all of a grid", "Ctrl+A", select_all));
   on_selection(add(all, "Edit", "select_threads", "Select whole threads", "Ctrl+Shift+A", select_whole_threads))
       .enabled = has_threads;
-  add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const Desk& e) {
-    return has_selection(e) || has_block(e) || e.view().shape || e.view().refusal;
+  add(all, "Edit", "select_none", "Select nothing", "Escape", let_go).enabled = [](const ActionHost& e) {
+    return has_selection(e) || has_block(e) || e.view().shape || e.view().rejected_edit;
   };
 }
 
 using BlockTurn = BitMatrix (*)(const BitMatrix&);
 
 /// Of the block in hand, else of what is selected.
-void turn(Desk& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
+void turn(ActionHost& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
   if (has_block(e)) return turn_held_block(e.view().select, of_block);
   const Selection s = selected(e);
   const bool crossings = s.grid == BitGrid::kDrawdown;
   const BitMatrix wanted = crossings ? of_block(cells_of(e.document().now().draft, s)) : BitMatrix();
-  e.commit({label, [s, edit, looks = e.view().select.with_looks](Design d) { return edit(std::move(d), s, looks); }});
+  e.commit(
+      {label, [s, edit, looks = e.view().select.with_properties](Design d) { return edit(std::move(d), s, looks); }});
   const std::string missed = missed_text(e.document().now().draft, s.grid, s.a0, s.b0, wanted);
   if (!missed.empty()) e.say(label + missed);
 }
@@ -167,7 +169,7 @@ BitMatrix turned_on(const BitMatrix& cells) {
 BitMatrix turned_back(const BitMatrix& cells) { return half_turned(turned_on(cells)); }
 
 /// With the clock, as it is seen: a grid that is drawn mirrored turns the other way.
-void quarter_turn(Desk& e) {
+void quarter_turn(ActionHost& e) {
   const SelectState& state = e.view().select;
   const BitGrid grid = state.held ? state.held->grid : selected(e).grid;
   const Cell right = screen_step(grid, e.settings(), 1, 0);
@@ -199,14 +201,15 @@ void quarter_turn(Desk& e) {
 void add_turns(Actions& all) {
   const auto add_turn = [&all](const char* id, const char* label, const char* key, SelectionEdit edit,
                                BlockTurn of_block) {
-    Action& a = on_selection(add(all, "Edit", id, label, key, [=](Desk& e) { turn(e, label, edit, of_block); }), kTurn);
-    a.enabled = [](const Desk& e) { return has_selection(e) || has_block(e); };
+    Action& a =
+        on_selection(add(all, "Edit", id, label, key, [=](ActionHost& e) { turn(e, label, edit, of_block); }), kTurn);
+    a.enabled = [](const ActionHost& e) { return has_selection(e) || has_block(e); };
     return &a;
   };
   new_group(*add_turn("mirror_across", "Mirror left to right", "Shift+H", with_mirrored_across, mirrored_across));
   add_turn("mirror_down", "Mirror top to bottom", "Shift+V", with_mirrored_down, mirrored_down);
   on_selection(add(all, "Edit", "quarter_turn", "Turn by a quarter", "R", quarter_turn), kTurn).enabled =
-      [](const Desk& e) { return has_selection(e) || has_block(e); };
+      [](const ActionHost& e) { return has_selection(e) || has_block(e); };
   add_turn("half_turn", "Turn by half", "Shift+R", with_half_turn, half_turned);
   add_turn(
       "invert", "Invert", "Ctrl+I", [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); },
@@ -243,15 +246,16 @@ void add_threads(Actions& all) {
   add_thread_edit(
       all, kThreads, "double_mirrored", "Insert a mirrored copy after (shared point)", "Ctrl+Shift+D",
       [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
-  Action& looks = on_selection(add(all, "Edit", "with_looks", "Whole threads take their colours along", "",
-                                   [](Desk& e) { e.view().select.with_looks = !e.view().select.with_looks; }),
-                               kThreads);
+  Action& looks =
+      on_selection(add(all, "Edit", "with_properties", "Whole threads take their colours along", "",
+                       [](ActionHost& e) { e.view().select.with_properties = !e.view().select.with_properties; }),
+                   kThreads);
   looks.enabled = nullptr;
-  looks.checked = [](const Desk& e) { return e.view().select.with_looks; };
+  looks.checked = [](const ActionHost& e) { return e.view().select.with_properties; };
 }
 
 /// What an arrow does: the block in hand, or the selected marks, go one cell that way.
-void step(Desk& e, int dx, int dy) {
+void step(ActionHost& e, int dx, int dy) {
   SelectState& s = e.view().select;
   const Design& design = e.document().now();
   const BitGrid grid = s.held ? s.held->grid : s.selected.grid;
@@ -265,9 +269,9 @@ void step(Desk& e, int dx, int dy) {
     e.commit(*edit);
 }
 
-void shift_by_one(Desk& e, const char* label, int dx, int dy) {
+void shift_by_one(ActionHost& e, const char* label, int dx, int dy) {
   const Cell by = screen_step(selected(e).grid, e.settings(), dx, dy);
-  const bool looks = e.view().select.with_looks;
+  const bool looks = e.view().select.with_properties;
   e.commit(
       {label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
 }
@@ -285,7 +289,7 @@ void add_shifts(Actions& all) {
     const Arrow& way = kArrows[i];
     on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), kLabels[i],
                      (std::string("Alt+") + way.key).c_str(),
-                     [label = kLabels[i], way](Desk& e) { shift_by_one(e, label, way.dx, way.dy); }),
+                     [label = kLabels[i], way](ActionHost& e) { shift_by_one(e, label, way.dx, way.dy); }),
                  kShift);
   }
 }
@@ -294,29 +298,29 @@ void add_shifts(Actions& all) {
 void add_keys(Actions& all) {
   for (const Arrow& way : kArrows) {
     const std::string name = way.name, key = way.key;
-    add(all, "", ("move_" + name).c_str(), ("Move the selection " + name).c_str(), key.c_str(), [way](Desk& e) {
+    add(all, "", ("move_" + name).c_str(), ("Move the selection " + name).c_str(), key.c_str(), [way](ActionHost& e) {
       step(e, way.dx, way.dy);
-    }).enabled = [](const Desk& e) { return has_selection(e) || has_block(e); };
+    }).enabled = [](const ActionHost& e) { return has_selection(e) || has_block(e); };
     add(all, "", ("extend_" + name).c_str(), ("Extend the selection " + name).c_str(), ("Shift+" + key).c_str(),
-        [way](Desk& e) {
+        [way](ActionHost& e) {
           const Cell by = screen_step(selected(e).grid, e.settings(), way.dx, way.dy);
           extend_selection(e.view().select, e.document().now().draft, by.a, by.b);
         })
         .enabled = has_selection;
   }
-  add(all, "", "drop", "Put down what is being pasted", "Enter", [](Desk& e) {
+  add(all, "", "drop", "Put down what is being pasted", "Enter", [](ActionHost& e) {
     if (const MaybeEdit edit = drop_block(e.view().select, e.document().now(), false)) e.commit(*edit);
   }).enabled = has_block;
 }
 
 void add_tools(Actions& all) {
   const auto tool = [&all](const char* id, const char* label, const char* key, Tool to) {
-    Action& a = add(all, "Edit", id, label, key, [to](Desk& e) {
+    Action& a = add(all, "Edit", id, label, key, [to](ActionHost& e) {
       e.view().select.tool = to;
       e.view().shape.reset();
       e.view().cursor.typed = 0;
     });
-    a.checked = [to](const Desk& e) { return e.view().select.tool == to; };
+    a.checked = [to](const ActionHost& e) { return e.view().select.tool == to; };
     a.item.submenu = "Tools";
     return &a;
   };
@@ -326,12 +330,12 @@ void add_tools(Actions& all) {
   tool("tool_rectangle", "Rectangle tool", "U", Tool::kRectangle);
   tool("tool_filled", "Filled rectangle tool", "Shift+U", Tool::kFilledRectangle);
   tool("tool_fill", "Fill tool", "G", Tool::kFill);
-  tool("tool_type", "Type shaft and treadle numbers", "N", Tool::kType)->run = [](Desk& e) {
+  tool("tool_type", "Type shaft and treadle numbers", "N", Tool::kType)->run = [](ActionHost& e) {
     begin_typing(e.view(), e.document().now().draft, e.hover());
   };
   const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
-    Action& a = add(all, "Edit", id, label, key, [on](Desk& e) { e.view().*on = !(e.view().*on); });
-    a.checked = [on](const Desk& e) { return e.view().*on; };
+    Action& a = add(all, "Edit", id, label, key, [on](ActionHost& e) { e.view().*on = !(e.view().*on); });
+    a.checked = [on](const ActionHost& e) { return e.view().*on; };
     a.item.submenu = "Symmetric pen";
   };
   mirror("mirror_ends", "Draw mirrored across the ends", "M", &DocumentView::mirror_ends);

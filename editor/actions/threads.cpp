@@ -5,39 +5,40 @@
 
 #include "actions/action_parts.h"
 #include "draft/edits.h"
-#include "draft/look_text.h"
+#include "draft/thread_text.h"
 
 namespace weftlight::actions {
 namespace {
 
-Action& add_one(Actions& all, const char* id, const char* label, const char* key, std::function<void(Desk&)> run) {
+Action& add_one(Actions& all, const char* id, const char* label, const char* key,
+                std::function<void(ActionHost&)> run) {
   Action& a = add(all, "Draft", id, label, key, std::move(run));
   a.item.submenu = "Threads";
   return a;
 }
 
 Action& add_focus(Actions& all, const char* id, const char* label, const char* key, const char* control) {
-  return add_one(all, id, label, key, [control](Desk& e) { e.focus(control); });
+  return add_one(all, id, label, key, [control](ActionHost& e) { e.focus(control); });
 }
 
-void choose_other_system(Desk& e) {
+void choose_other_system(ActionHost& e) {
   ThreadChoice& choice = e.view().chosen;
   choice = {choice.system == System::kWarp ? System::kWeft : System::kWarp, {}, -1, {}, false, false};
 }
 
-void choose_alike(Desk& e) {
+void choose_alike(ActionHost& e) {
   ThreadChoice& choice = e.view().chosen;
   choice.threads = threads_alike(e.document().now().draft, choice.system, choice.threads);
 }
 
-void choose_every_other(Desk& e) {
+void choose_every_other(ActionHost& e) {
   ThreadChoice& choice = e.view().chosen;
   const std::vector<int> all = concerned(choice, e.document().now().draft);
   choice.threads.clear();
   for (size_t i = 0; i < all.size(); i += 2) choice.threads.push_back(all[i]);
 }
 
-void leave_to_yarn(Desk& e) {
+void leave_to_yarn(ActionHost& e) {
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
   e.commit({thread_label("Thickness and spacing", choice.system, threads.size()),
@@ -60,20 +61,20 @@ Design with_colors_of(Design d, System from) {
 /// The same of their thicknesses.
 Design with_thickness_of(Design d, System from) {
   const System to = from == System::kWarp ? System::kWeft : System::kWarp;
-  const ThreadLooks looks{{}, d.draft.threads(from).thickness_mm};
+  const ThreadProperties looks{{}, d.draft.threads(from).thickness_mm};
   std::vector<int> threads(static_cast<size_t>(d.draft.threads(to).size()));
   std::iota(threads.begin(), threads.end(), 0);
-  return with_looks(std::move(d), to, threads, looks);
+  return with_properties(std::move(d), to, threads, looks);
 }
 
-void copy_bar(Desk& e, const char* label, Design (*with)(Design, System), System from) {
+void copy_bar(ActionHost& e, const char* label, Design (*with)(Design, System), System from) {
   e.commit({label, [=](Design d) { return with(std::move(d), from); }});
 }
 
-using LookText = std::string (*)(const Draft&, System, std::span<const int>);
+using ThreadText = std::string (*)(const Draft&, System, std::span<const int>);
 
 /// Of the chosen threads, or of all of the system.
-void copy_looks(Desk& e, const char* what, LookText text) {
+void copy_properties(ActionHost& e, const char* what, ThreadText text) {
   const ThreadChoice& choice = e.view().chosen;
   const Draft& d = e.document().now().draft;
   const std::vector<int> threads = concerned(choice, d);
@@ -81,43 +82,44 @@ void copy_looks(Desk& e, const char* what, LookText text) {
   e.say("Copied the " + thread_label(what, choice.system, threads.size()));
 }
 
-void paste_looks(Desk& e) {
-  const LooksRead read = read_look_text(e.clipboard());
+void paste_properties(ActionHost& e) {
+  const ThreadPropertiesRead read = read_look_text(e.clipboard());
   if (!read.looks) return e.say(read.problem);
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
   const char* what = read.looks->colors.empty() ? "Paste thickness" : "Paste colours";
   e.commit({thread_label(what, choice.system, threads.size()),
             [threads, system = choice.system, looks = *read.looks](Design d) {
-              return with_looks(std::move(d), system, threads, looks);
+              return with_properties(std::move(d), system, threads, looks);
             }});
 }
 
 }  // namespace
 
 void add_thread_actions(Actions& all) {
-  const auto some = [](const Desk& e) { return !e.view().chosen.threads.empty(); };
+  const auto some = [](const ActionHost& e) { return !e.view().chosen.threads.empty(); };
   new_group(add_focus(all, "threads.choose", "Choose threads\xE2\x80\xA6", "Ctrl+T", "threads.which"));
   add_one(all, "threads.swap", "Warp or weft", "", choose_other_system);
   add_one(all, "threads.alike", "Choose all alike", "", choose_alike).enabled = some;
   add_one(all, "threads.every_other", "Choose every other", "", choose_every_other);
-  add_one(all, "threads.clear", "Choose none", "", [](Desk& e) { e.view().chosen.threads.clear(); }).enabled = some;
+  add_one(all, "threads.clear", "Choose none", "", [](ActionHost& e) { e.view().chosen.threads.clear(); }).enabled =
+      some;
   new_group(add_focus(all, "threads.set_thickness", "Thickness\xE2\x80\xA6", "T", "threads.thickness"));
   add_focus(all, "threads.set_spacing", "Spacing\xE2\x80\xA6", "", "threads.spacing");
   add_focus(all, "threads.set_sett", "Ends or picks in a centimetre or inch\xE2\x80\xA6", "", "threads.sett");
   new_group(add_one(all, "threads.weft_as_warp", "Weft colours as the warp", "",
-                    [](Desk& e) { copy_bar(e, "Weft colours as the warp", with_colors_of, System::kWarp); }));
+                    [](ActionHost& e) { copy_bar(e, "Weft colours as the warp", with_colors_of, System::kWarp); }));
   add_one(all, "threads.warp_as_weft", "Warp colours as the weft", "",
-          [](Desk& e) { copy_bar(e, "Warp colours as the weft", with_colors_of, System::kWeft); });
+          [](ActionHost& e) { copy_bar(e, "Warp colours as the weft", with_colors_of, System::kWeft); });
   add_one(all, "threads.weft_thick_as_warp", "Weft thickness as the warp", "",
-          [](Desk& e) { copy_bar(e, "Weft thickness as the warp", with_thickness_of, System::kWarp); });
+          [](ActionHost& e) { copy_bar(e, "Weft thickness as the warp", with_thickness_of, System::kWarp); });
   add_one(all, "threads.warp_thick_as_weft", "Warp thickness as the weft", "",
-          [](Desk& e) { copy_bar(e, "Warp thickness as the weft", with_thickness_of, System::kWeft); });
+          [](ActionHost& e) { copy_bar(e, "Warp thickness as the weft", with_thickness_of, System::kWeft); });
   new_group(add_one(all, "threads.copy_colors", "Copy their colours", "Ctrl+Alt+C",
-                    [](Desk& e) { copy_looks(e, "colours", color_text); }));
+                    [](ActionHost& e) { copy_properties(e, "colours", color_text); }));
   add_one(all, "threads.copy_thickness", "Copy their thickness", "",
-          [](Desk& e) { copy_looks(e, "thickness", thickness_text); });
-  add_one(all, "threads.paste_looks", "Paste colours or thickness", "Ctrl+Alt+V", paste_looks);
+          [](ActionHost& e) { copy_properties(e, "thickness", thickness_text); });
+  add_one(all, "threads.paste_properties", "Paste colours or thickness", "Ctrl+Alt+V", paste_properties);
   add_one(all, "threads.from_yarn", "Leave thickness and spacing to the yarn", "", leave_to_yarn);
 }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "actions/action_parts.h"
-#include "upload/views.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::actions {
 namespace {
@@ -15,16 +15,16 @@ void add_drawdown_looks(Actions& all) {
   for (int i = 0; i < 3; ++i) {
     const auto look = static_cast<DrawdownStyle>(i);
     Action& a = add(all, "View", kLooks[i].first, kLooks[i].second, "",
-                    [look](Desk& e) { e.settings().drawdown_style = look; });
-    a.checked = [look](const Desk& e) { return e.settings().drawdown_style == look; };
+                    [look](ActionHost& e) { e.settings().drawdown_style = look; });
+    a.checked = [look](const ActionHost& e) { return e.settings().drawdown_style == look; };
     a.item.group = i == 0;
   }
   Action& back = add(all, "View", "back", "Back of the cloth in the drawdown", "Ctrl+B",
-                     [](Desk& e) { e.view().face = e.view().face == Face::kFront ? Face::kBack : Face::kFront; });
-  back.checked = [](const Desk& e) { return e.view().face == Face::kBack; };
+                     [](ActionHost& e) { e.view().face = e.view().face == Face::kFront ? Face::kBack : Face::kFront; });
+  back.checked = [](const ActionHost& e) { return e.view().face == Face::kBack; };
   const auto option = [&all](const char* id, const char* label, const char* key, bool Settings::*on) {
-    Action& a = add(all, "View", id, label, key, [on](Desk& e) { e.settings().*on = !(e.settings().*on); });
-    a.checked = [on](const Desk& e) { return e.settings().*on; };
+    Action& a = add(all, "View", id, label, key, [on](ActionHost& e) { e.settings().*on = !(e.settings().*on); });
+    a.checked = [on](const ActionHost& e) { return e.settings().*on; };
   };
   option("end1_right", "End 1 at the right", "", &Settings::end1_right);
   option("pick1_bottom", "Pick 1 at the bottom", "", &Settings::pick1_bottom);
@@ -35,9 +35,10 @@ void add_drawdown_looks(Actions& all) {
 }
 
 void add_moves(Actions& all) {
-  new_group(add(all, "View", "go_to", "Go to an end or pick\xE2\x80\xA6", "Ctrl+G", [](Desk& e) { e.ask_thread(); }));
+  new_group(
+      add(all, "View", "go_to", "Go to an end or pick\xE2\x80\xA6", "Ctrl+G", [](ActionHost& e) { e.ask_thread(); }));
   const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(DocumentView&)) {
-    add(all, "View", id, label, key, [how](Desk& e) { how(e.view()); }).item.submenu = "Move about";
+    add(all, "View", id, label, key, [how](ActionHost& e) { how(e.view()); }).item.submenu = "Move about";
   };
   // Beyond the edge; the layout brings it back to what there is.
   constexpr float kFar = 1e9f;
@@ -45,7 +46,7 @@ void add_moves(Actions& all) {
   move("go_last", "Last end and pick", "End", [](DocumentView& w) { w.scroll_end = w.scroll_pick = kFar; });
   // Down on the screen, whichever way the picks are read.
   const auto page = [&all](const char* id, const char* label, const char* key, int down) {
-    add(all, "View", id, label, key, [down](Desk& e) {
+    add(all, "View", id, label, key, [down](ActionHost& e) {
       page_picks(e.view(), e.settings().pick1_bottom ? -down : down);
     }).item.submenu = "Move about";
   };
@@ -56,7 +57,7 @@ void add_moves(Actions& all) {
 }
 
 /// To the next place that differs from the other draft, round and round.
-void step_place(Desk& e, int by) {
+void step_place(ActionHost& e, int by) {
   const Report* r = e.last_report();
   if (r == nullptr || r->other != e.view().other || r->places.empty()) return e.say("No crossing differs");
   const int places = static_cast<int>(r->places.size());
@@ -69,44 +70,46 @@ void add_heavy_lines(Actions& all) {
   for (const int every : {0, 4, 5, 6, 8, 10}) {
     const std::string words = every == 0 ? "None" : "Every " + std::to_string(every) + " threads";
     Action& a = add(all, "View", ("heavy." + std::to_string(every)).c_str(), words.c_str(), "",
-                    [every](Desk& e) { e.settings().heavy_lines = every; });
+                    [every](ActionHost& e) { e.settings().heavy_lines = every; });
     a.item.submenu = "Heavier lines";
-    a.checked = [every](const Desk& e) { return e.settings().heavy_lines == every; };
+    a.checked = [every](const ActionHost& e) { return e.settings().heavy_lines == every; };
   }
 }
 
 void add_comparison(Actions& all) {
-  const auto held = [](const Desk& e) { return e.view().other != nullptr; };
-  new_group(add(all, "View", "compare_draft", "Compare with a draft\xE2\x80\xA6", "", [](Desk& e) { e.ask_other(); }));
-  add(all, "View", "next_difference", "Next difference", "F3", [](Desk& e) { step_place(e, 1); }).enabled = held;
-  add(all, "View", "previous_difference", "Previous difference", "Shift+F3", [](Desk& e) {
+  const auto held = [](const ActionHost& e) { return e.view().other != nullptr; };
+  new_group(
+      add(all, "View", "compare_draft", "Compare with a draft\xE2\x80\xA6", "", [](ActionHost& e) { e.ask_other(); }));
+  add(all, "View", "next_difference", "Next difference", "F3", [](ActionHost& e) { step_place(e, 1); }).enabled = held;
+  add(all, "View", "previous_difference", "Previous difference", "Shift+F3", [](ActionHost& e) {
     step_place(e, -1);
   }).enabled = held;
-  add(all, "View", "compare_done", "Compare no longer", "", [](Desk& e) { e.view().other = nullptr; }).enabled = held;
+  add(all, "View", "compare_done", "Compare no longer", "", [](ActionHost& e) { e.view().other = nullptr; }).enabled =
+      held;
 }
 
 void add_views(Actions& all, const std::vector<std::string>& kept) {
   constexpr const char* kMenu = "Views of the cloth";
-  new_group(
-      add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0", [](Desk& e) { e.reset_view(); }));
-  add(all, "View", "keep_view", "Begin with this view of the cloth", "", [](Desk& e) { e.keep_view(); });
+  new_group(add(all, "View", "reset_view", "Reset the view of the cloth", "Ctrl+Shift+0",
+                [](ActionHost& e) { e.reset_view(); }));
+  add(all, "View", "keep_view", "Begin with this view of the cloth", "", [](ActionHost& e) { e.keep_view(); });
   const auto in_menu = [](Action& a) { a.item.submenu = kMenu; };
   for (const ShippedView& view : kShippedViews)
     in_menu(add(all, "View", (std::string("view.") + view.id).c_str(), view.label, "",
-                [name = std::string(view.id)](Desk& e) { e.go_to_view(name); }));
+                [name = std::string(view.id)](ActionHost& e) { e.go_to_view(name); }));
   for (size_t i = 0; i < kept.size(); ++i) {
     Action& a = add(all, "View", ("view.kept:" + kept[i]).c_str(), kept[i].c_str(), "",
-                    [name = kept[i]](Desk& e) { e.go_to_view(name); });
+                    [name = kept[i]](ActionHost& e) { e.go_to_view(name); });
     a.item.group = i == 0;
     in_menu(a);
   }
   Action& keep = add(all, "View", "view_keep_as", "Keep this view as\xE2\x80\xA6", "Ctrl+Shift+K",
-                     [](Desk& e) { e.keep_view_as(); });
+                     [](ActionHost& e) { e.keep_view_as(); });
   keep.item.group = true;
   in_menu(keep);
   Action& change =
-      add(all, "View", "views_change", "Rename or drop views\xE2\x80\xA6", "", [](Desk& e) { e.change_views(); });
-  change.enabled = [](const Desk& e) { return !e.document().now().views.empty(); };
+      add(all, "View", "views_change", "Rename or drop views\xE2\x80\xA6", "", [](ActionHost& e) { e.change_views(); });
+  change.enabled = [](const ActionHost& e) { return !e.document().now().views.empty(); };
   in_menu(change);
 }
 
@@ -114,31 +117,31 @@ void add_views(Actions& all, const std::vector<std::string>& kept) {
 
 void add_view_actions(Actions& all, const std::vector<std::string>& kept_views) {
   add(all, "View", "zoom_in", "Larger cells", "Ctrl++",
-      [](Desk& e) { e.view().pitch = zoomed_pitch(e.view().pitch, 1); });
+      [](ActionHost& e) { e.view().pitch = zoomed_pitch(e.view().pitch, 1); });
   add(all, "View", "zoom_out", "Smaller cells", "Ctrl+-",
-      [](Desk& e) { e.view().pitch = zoomed_pitch(e.view().pitch, -1); });
-  add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](Desk& e) { e.view().pitch = 0; });
+      [](ActionHost& e) { e.view().pitch = zoomed_pitch(e.view().pitch, -1); });
+  add(all, "View", "fit", "Fit the draft", "Ctrl+0", [](ActionHost& e) { e.view().pitch = 0; });
   add_moves(all);
   add_heavy_lines(all);
   add_drawdown_looks(all);
   add_views(all, kept_views);
   Action& floats = add(all, "View", "show_floats", "Long floats in the drawdown", "F5",
-                       [](Desk& e) { e.view().show_floats = !e.view().show_floats; });
-  floats.checked = [](const Desk& e) { return e.view().show_floats; };
+                       [](ActionHost& e) { e.view().show_floats = !e.view().show_floats; });
+  floats.checked = [](const ActionHost& e) { return e.view().show_floats; };
   add_comparison(all);
   Action& inspector = add(all, "View", "inspector", "Inspector", "F4",
-                          [](Desk& e) { e.settings().inspector = !e.settings().inspector; });
+                          [](ActionHost& e) { e.settings().inspector = !e.settings().inspector; });
   inspector.item.group = true;
-  inspector.checked = [](const Desk& e) { return e.settings().inspector; };
+  inspector.checked = [](const ActionHost& e) { return e.settings().inspector; };
   const auto tab = [&all](const char* id, const char* label, const char* key, int by) {
-    add(all, "View", id, label, key, [by](Desk& e) { e.show_tab(by); }).enabled = [](const Desk& e) {
+    add(all, "View", id, label, key, [by](ActionHost& e) { e.show_tab(by); }).enabled = [](const ActionHost& e) {
       return e.tabs() > 1;
     };
   };
   tab("next_tab", "Next draft", "Ctrl+Tab", 1);
   tab("previous_tab", "Draft before", "Ctrl+Shift+Tab", -1);
-  add(all, "View", "show_remarks", "Remarks on the file", "", [](Desk& e) { e.show_remarks(); });
-  add(all, "View", "theme", "Light or dark", "", [](Desk& e) { e.toggle_theme(); });
+  add(all, "View", "show_remarks", "Remarks on the file", "", [](ActionHost& e) { e.show_remarks(); });
+  add(all, "View", "theme", "Light or dark", "", [](ActionHost& e) { e.toggle_theme(); });
 }
 
 }  // namespace weftlight::actions

@@ -8,25 +8,25 @@
 #include "app/window.h"
 #include "base/user_folders.h"
 #include "session/file_identity.h"
-#include "session/leftovers.h"
 #include "session/own_output.h"
+#include "session/stale_files.h"
 
 namespace weftlight::app {
 namespace {
 
 /// The flag that would replace what is not its own, and why; empty: all may be written.
 std::string refused_flag(const EditorOptions& o) {
-  const auto refusal = [](const char* flag, const std::string& path, const std::string& why) {
+  const auto rejected_edit = [](const char* flag, const std::string& path, const std::string& why) {
     return why.empty() ? why : std::string(flag) + " " + path + ": " + why;
   };
   std::string refused;
   if (!o.live_export.empty())
-    refused = refusal("--live-export", o.live_export,
-                      session::LiveExport(o.live_export, base::state_folder()).refusal(o.file));
+    refused = rejected_edit("--live-export", o.live_export,
+                            session::LiveExport(o.live_export, base::state_folder()).rejected_edit(o.file));
   if (refused.empty() && !o.ui_map.empty())
-    refused = refusal("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
+    refused = rejected_edit("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
   if (refused.empty() && session::same_file(o.ui_map, o.live_export))
-    refused = refusal("--ui-map", o.ui_map, "--live-export writes there; give two files");
+    refused = rejected_edit("--ui-map", o.ui_map, "--live-export writes there; give two files");
   return refused;
 }
 
@@ -40,7 +40,7 @@ int run_editor(const EditorOptions& options) {
   // A file that may not grow is an error to be told, and no end of the window.
   std::signal(SIGXFSZ, SIG_IGN);
   const Settings settings = load_settings();
-  for (const std::string& file : {options.live_export, options.ui_map}) session::sweep_leftovers(file);
+  for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   std::string error;
   const auto window = Window::open(settings.width, settings.height, error);
   if (!window) {

@@ -9,7 +9,7 @@
 #include "files/files.h"
 #include "session/file_names.h"
 #include "session/gallery.h"
-#include "session/leftovers.h"
+#include "session/stale_files.h"
 
 namespace weftlight::app {
 namespace {
@@ -75,7 +75,7 @@ void Editor::open_path(const std::string& path) {
     session_.show(there->id);
     return look_at_file();
   }
-  sweep_leftovers(path);
+  remove_stale_files(path);
   OpenResult result = open_document(path);
   if (!result.document) return report(std::move(result.remarks), path);
   remember(settings_, path);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "actions/action_host.h"
 #include "actions/actions.h"
-#include "actions/desk.h"
 #include "app/file_dialog.h"
 #include "app/names.h"
 #include "app/preview_pane.h"
@@ -36,12 +36,12 @@
 
 namespace weftlight::app {
 
-class Editor : public Desk {
+class Editor : public ActionHost {
  public:
   Editor(Window& window, const EditorOptions& options);
   void run();
 
-  // What the actions do (actions/desk.h).
+  // What the actions do (actions/action_host.h).
   const Document& document() const override { return session_.active().document; }
   DocumentView& view() override { return session_.active().view; }
   const DocumentView& view() const override { return session_.active().view; }
@@ -86,7 +86,7 @@ class Editor : public Desk {
   void ask_thread() override;
   void ask_weave() override;
   void ask_sections() override;
-  void ask_nearest() override;
+  void ask_closest_weave() override;
   void focus(std::string control) override { focus_ = std::move(control); }
   Hover hover() const override { return notes_.hover; }
   Settings& settings() override { return settings_; }
@@ -114,8 +114,8 @@ class Editor : public Desk {
   void draw_panels(PanelContext& c, float tabs_height, const std::vector<ActionItem>& items);
   std::vector<Tab> tabs_of() const;
   /// What the weaver does with them, to be done once the frame is through.
-  TabWish draw_tabs(PanelContext& c, float height);
-  void carry_out(const TabWish& wish);
+  TabRequest draw_tabs(PanelContext& c, float height);
+  void carry_out(const TabRequest& requested);
   /// What the panels of a frame asked for, in their order.
   void carry_out(Intents& wanted);
   void change_settings(const SettingsChange& change);
@@ -126,13 +126,13 @@ class Editor : public Desk {
   void draw_status(PanelContext& c, const WindowLayout& layout);
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
   /// What was refused in a gesture that is over, and what comes nearest to it.
-  void find_nearest();
+  void find_closest_weave();
   /// What the panels are to know of the draft; started anew only while somebody looks.
   const Report* report();
-  void take_input();
-  void take_waiting_input();
-  void take_key(const std::string& key);
-  bool take_export_news();
+  void apply_input();
+  void apply_waiting_input();
+  void apply_key(const std::string& key);
+  bool update_export();
   void run_action(const std::string& id);
   double sleep_s();
 
@@ -146,7 +146,7 @@ class Editor : public Desk {
   void open_beside(Document document, Origin origin);
   void edited();
   /// True when there is something to show of the cloth's own drape.
-  bool take_drape_news();
+  bool update_drape();
   void report(std::vector<Diagnostic> remarks, const std::string& path);
   void ask(Dialog dialog, std::function<void(int button)> then);
   /// Once the weaver decided about what is unsaved in it.
@@ -170,7 +170,7 @@ class Editor : public Desk {
 
   // editor_loom.cpp
   /// What the loom said; true when there is something to show.
-  bool take_loom_news();
+  bool update_loom();
   void carry_out(const LoomStep& step);
   bool carry_out(const TypedKey& typed);
   void draw_loom_window(PanelContext& c, const WindowLayout& layout);

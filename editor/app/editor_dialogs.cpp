@@ -73,18 +73,18 @@ void Editor::ask_sections() {
   ask(std::move(p), [](int) {});
 }
 
-void Editor::find_nearest() {
-  std::optional<Refusal>& refusal = view().refusal;
-  if (!refusal || refusal->nearest || strokes_.going_on()) return;
-  refusal->nearest = nearest_to(document().now(), *refusal->wish);
-  if (!refusal->nearest) refusal.reset();
+void Editor::find_closest_weave() {
+  std::optional<RejectedEdit>& rejected_edit = view().rejected_edit;
+  if (!rejected_edit || rejected_edit->nearest || strokes_.going_on()) return;
+  rejected_edit->nearest = nearest_to(document().now(), *rejected_edit->requested);
+  if (!rejected_edit->nearest) rejected_edit.reset();
 }
 
-void Editor::ask_nearest() {
+void Editor::ask_closest_weave() {
   constexpr uint64_t kNearestStrokes = uint64_t{5} << 60;  // apart from those of the mouse, of weaves and sections
-  if (!view().refusal || !view().refusal->nearest) return;
-  NearestPrompt p{view().refusal->nearest, document().snapshot(), kNearestStrokes | ++weaves_asked_};
-  Edit edit{"Nearest that the loom weaves", [nearest = p.nearest](const Design&) { return *nearest->design; }};
+  if (!view().rejected_edit || !view().rejected_edit->nearest) return;
+  ClosestWeavePrompt p{view().rejected_edit->nearest, document().snapshot(), kNearestStrokes | ++weaves_asked_};
+  Edit edit{"ClosestWeave that the loom weaves", [nearest = p.nearest](const Design&) { return *nearest->design; }};
   edit.stroke = p.stroke;
   commit(edit);
   view().nearest = p.nearest;

@@ -7,16 +7,16 @@
 
 #include "actions/keys.h"
 #include "app/editor.h"
-#include "session/views.h"
+#include "session/scene_views.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/analysis/comparison_panel.h"
 #include "views/analysis/report_panel.h"
 #include "views/analysis/yarn_need_panel.h"
+#include "views/draft/closest_weave_notice.h"
 #include "views/draft/draft_header.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/draft_panel.h"
-#include "views/draft/nearest_notice.h"
 #include "views/inspector/accuracy_rows.h"
 #include "views/inspector/palette_panel.h"
 #include "views/inspector/scene_panel.h"
@@ -96,9 +96,9 @@ double Editor::sleep_s() {
 void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
-  const bool dialog_changed = take_export_news() | take_dialog_news(dialog_, dialog_busy_);
-  const bool cloth_changed = preview_.poll() | dialog_changed | reporter_.poll() | take_loom_news() |
-                             take_drape_news() | carry_out(type_after_wait(view(), document().now(), now));
+  const bool dialog_changed = update_export() | update_dialog(dialog_, dialog_busy_);
+  const bool cloth_changed = preview_.poll() | dialog_changed | reporter_.poll() | update_loom() | update_drape() |
+                             carry_out(type_after_wait(view(), document().now(), now));
   // What it holds may lay it out anew, and the map wants it to stand still.
   if (dialog_changed) frames_due_ = std::max(frames_due_, 2);
   if (cloth_changed && !preview_.picture().refining) frames_due_ = std::max(frames_due_, 2);
@@ -109,14 +109,14 @@ void Editor::frame() {
   if (tip_due) tip_at_s_ = -1;
   if (restyle_ || now == 0) window_.use_style(style_);
   restyle_ = false;
-  take_waiting_input();
+  apply_waiting_input();
   const float ratio = window_.pixel_ratio();
   preview_.ask({seen_scene(view(), document().now()), document().now().look, static_cast<int>(pane_.x * ratio),
-                static_cast<int>(pane_.y * ratio), settings_.show_rungs, settings_.compare,
+                static_cast<int>(pane_.y * ratio), settings_.show_methods, settings_.compare,
                 settings_.by_time ? settings_.picture_ms : 0},
                strokes_.going_on());
   window_.begin_frame();
-  take_input();
+  apply_input();
   draw_window();
   window_.end_frame(style_.color.window);
   map_file_.frame(map_);
@@ -125,11 +125,11 @@ void Editor::frame() {
 
 /// However long a picture takes, what the hand did meanwhile is edited and journalled first: a frame of input after
 /// the other, without drawing any.
-void Editor::take_waiting_input() {
+void Editor::apply_waiting_input() {
   const double until = Window::seconds() + kInputS;
   while (window_.has_input() && Window::seconds() < until && !leaving_) {
     window_.begin_frame();
-    take_input();
+    apply_input();
     draw_window();
     Window::drop_frame();
     window_.wait(0);
@@ -137,7 +137,7 @@ void Editor::take_waiting_input() {
 }
 
 /// True when there is something to show.
-bool Editor::take_export_news() {
+bool Editor::update_export() {
   std::string news = exporter_.take_error();
   if (news.empty()) news = exporter_.take_message();
   if (news.empty()) news = sets_.take_message();
@@ -145,11 +145,11 @@ bool Editor::take_export_news() {
   return sets_.take_news() || !news.empty();
 }
 
-void Editor::take_input() {
+void Editor::apply_input() {
   bool pressed = false;
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
   strokes_.frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
-  for (const std::string& key : window_.take_keys()) take_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
+  for (const std::string& key : window_.take_keys()) apply_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
   if (std::holds_alternative<std::monostate>(dialog_) || std::holds_alternative<GalleryPrompt>(dialog_))
     for (const std::string& path : window_.take_dropped_files()) {
       if (std::exchange(dialog_, {}).index() != 0) close_popups();
@@ -158,7 +158,7 @@ void Editor::take_input() {
 }
 
 /// A key that is no text: closes what stands open, or runs its action.
-void Editor::take_key(const std::string& key) {
+void Editor::apply_key(const std::string& key) {
   if (!keys_.waiting.empty()) {
     keys_.pressed = key;
     return;
@@ -186,7 +186,7 @@ bool Editor::carry_out(const TypedKey& typed) {
 
 void Editor::draw_window() {
   follow_shown();
-  find_nearest();
+  find_closest_weave();
   map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
   notes_ = {};
@@ -205,7 +205,7 @@ void Editor::draw_window() {
   const std::vector<ActionItem> items = show(actions_, *this);
   wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
   const float tabs_height = tab_strip_height(style_, session_.all().size());
-  const TabWish wish = draw_tabs(c, tabs_height);
+  const TabRequest requested = draw_tabs(c, tabs_height);
   draw_panels(c, tabs_height, items);
   wanted.add_action(draw_context_menu(c, items, &ActionItem::on_selection, "context", c.frame.selection_menu));
   wanted.add_action(draw_tab_menu(c, items, tabs_));
@@ -218,7 +218,7 @@ void Editor::draw_window() {
   ImGui::PopFont();
   carry_out(wanted);
   // Now that nothing of the frame is still about the draft that was shown.
-  carry_out(wish);
+  carry_out(requested);
   if (view().select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
   if (!view().select.notice.empty()) say(std::exchange(view().select.notice, {}));
   window_.use_crosshair(notes_.crosshair);
@@ -264,23 +264,23 @@ std::vector<Tab> Editor::tabs_of() const {
   return tabs;
 }
 
-TabWish Editor::draw_tabs(PanelContext& c, float height) {
+TabRequest Editor::draw_tabs(PanelContext& c, float height) {
   if (height <= 0) return {};
   const ImGuiViewport* view = ImGui::GetMainViewport();
   begin_fixed("Tabs", {view->WorkPos, {view->WorkSize.x, height}}, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  const TabWish wish = draw_tab_strip(c, tabs_of(), session_.active().id, tabs_);
+  const TabRequest requested = draw_tab_strip(c, tabs_of(), session_.active().id, tabs_);
   ImGui::End();
-  return wish;
+  return requested;
 }
 
-void Editor::carry_out(const TabWish& wish) {
-  if (wish.kind == TabWish::Kind::kNone) return;
+void Editor::carry_out(const TabRequest& requested) {
+  if (requested.kind == TabRequest::Kind::kNone) return;
   frames_due_ = kFramesAfterEvent;
-  if (wish.kind == TabWish::Kind::kMove) return session_.move(wish.id, wish.place);
-  if (wish.kind == TabWish::Kind::kClose) return close(wish.id);
-  tabs_.menu_due = wish.kind == TabWish::Kind::kMenu;
-  if (wish.id == session_.active().id) return;
-  session_.show(wish.id);
+  if (requested.kind == TabRequest::Kind::kMove) return session_.move(requested.id, requested.place);
+  if (requested.kind == TabRequest::Kind::kClose) return close(requested.id);
+  tabs_.menu_due = requested.kind == TabRequest::Kind::kMenu;
+  if (requested.id == session_.active().id) return;
+  session_.show(requested.id);
   look_at_file();
 }
 
@@ -298,7 +298,7 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
   draw_draft_header(c, document().name(), items);
   draw_draft(c, draft_pictures_);
   ImGui::End();
-  draw_nearest_notice(c, l.draft.at, {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
+  draw_closest_weave_notice(c, l.draft.at, {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
   draw_splitter(c, l);
 
   begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
@@ -358,11 +358,11 @@ const Report* Editor::last_report() const {
 }
 
 float Editor::split_of(float room, float height) {
-  constexpr float kLeast = 0.42f, kMost = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
+  constexpr float kMin = 0.42f, kMax = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
   // Chosen with the first pitch, and kept while threads are added.
   if (view().pitch <= 0)
-    fitted_split_ = fitting_width(document().now().draft, style_, room * kLeast, room * kMost,
+    fitted_split_ = fitting_width(document().now().draft, style_, room * kMin, room * kMax,
                                   std::max(1.0f, height - style_.px(kAround))) /
                     room;
   return fitted_split_;
@@ -394,7 +394,8 @@ void Editor::draw_question(PanelContext& c) {
   DialogAnswer answer = draw_dialog(c, dialog_);
   c.wanted.add(std::move(answer.edit));
   if (answer.answer == Answer::kNone) return;
-  if (std::holds_alternative<NearestPrompt>(dialog_)) c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
+  if (std::holds_alternative<ClosestWeavePrompt>(dialog_))
+    c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);
   if (answer.answer == Answer::kDone && then) then(answer.button);

@@ -31,7 +31,7 @@ void Editor::carry_out(const LoomStep& step) {
   if (step.edit) commit(*step.edit);
 }
 
-bool Editor::take_loom_news() {
+bool Editor::update_loom() {
   // The loom weaves the draft that it was given, not the one that is looked at meanwhile.
   if (loom_state_ != LoomLink::State::kOff && loom_of_ != session_.active().id) loom_.disconnect();
   const LoomLink::News news = loom_.take();

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editor.h"
-#include "session/views.h"
+#include "session/scene_views.h"
 
 namespace weftlight::app {
 
@@ -22,7 +22,7 @@ void Editor::toggle_flat() {
   frames_due_ = std::max(frames_due_, 3);
 }
 
-bool Editor::take_drape_news() {
+bool Editor::update_drape() {
   const Draper::News news = draper_.take_news();
   if (!news.said.empty()) say(news.said);
   if (news.draped) preview_.submit(hung());

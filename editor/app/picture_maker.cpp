@@ -14,11 +14,11 @@ constexpr double kBusyRestS = 2;        // while the worker makes a better cloth
 constexpr double kBusyPollS = 0.01;     // how often the worker is asked
 constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
-constexpr int kMostAPass = 4;           // the lattice of 8 samples
+constexpr int kMaxAPass = 4;            // the lattice of 8 samples
 constexpr double kPassMs = 30;          // the next pass takes more samples below, fewer above twice it
 constexpr float kAsGood = 0.1f;         // a tolerance that differs by less is the same
 constexpr double kRefineMs = 4000;      // for all passes of one picture
-constexpr float kLeastScale = 0.3f, kMostMovingScale = 0.9f;
+constexpr float kMinScale = 0.3f, kMaxMovingScale = 0.9f;
 
 }  // namespace
 
@@ -56,14 +56,14 @@ float PictureMaker::moving_scale() const {
   // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
   const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
   if ((full_ms_ > 0 ? full_ms_ : all_pixels_ms) <= kMovingBudgetMs) return 1;
-  return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kLeastScale, kMostMovingScale);
+  return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kMinScale, kMaxMovingScale);
 }
 
 Frame PictureMaker::frame_of(const PictureRequest& request) const {
   Frame frame;
   frame.width = request.width;
   frame.height = request.height;
-  frame.false_color_rungs = request.show_rungs;
+  frame.false_color_methods = request.show_methods;
   return frame;
 }
 
@@ -96,7 +96,7 @@ double PictureMaker::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRe
 
 bool PictureMaker::can_refine() const {
   const bool threads =
-      stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.rung_shares[0] > 0.005f);
+      stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.method_weights[0] > 0.005f);
   return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
 }
 
@@ -118,7 +118,7 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   frame.render_scale = scale;
   frame.timed = true;
   if (passes_ == 0 && ms_a_sample_ > 0)
-    all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMostYarnSamples);
+    all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMaxYarnSamples);
   const int samples = formulas::lattice_of(lattice_a_pass_).x;
   frame.samples = samples;
   frame.all_samples = all_samples_;
@@ -139,12 +139,12 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
     (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
   drawn_scale_ = scale;
   if (scale < 1) return;
-  constexpr float kMostlyThreads = 0.3f;
-  if (stats_.gpu_ms > 0 && stats_.rung_shares[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples;
+  constexpr float kMaxlyThreads = 0.3f;
+  if (stats_.gpu_ms > 0 && stats_.method_weights[0] > kMaxlyThreads) ms_a_sample_ = stats_.gpu_ms / samples;
   ++passes_;
   samples_ += samples;
   spent_ms_ += stats_.gpu_ms;
-  if (stats_.gpu_ms < kPassMs) lattice_a_pass_ = std::min(kMostAPass, lattice_a_pass_ + 1);
+  if (stats_.gpu_ms < kPassMs) lattice_a_pass_ = std::min(kMaxAPass, lattice_a_pass_ + 1);
   if (stats_.gpu_ms > 2 * kPassMs) lattice_a_pass_ = std::max(0, lattice_a_pass_ - 1);
 }
 
@@ -165,8 +165,8 @@ void PictureMaker::follow_reference(const PictureRequest& request, bool changed)
 TraceJob PictureMaker::job_of(const PictureRequest& request) {
   TraceJob job{design_, request.scene, 0, {}, {}};
   Frame frame = frame_of(request);
-  if (request.show_rungs) {
-    frame.false_color_rungs = false;
+  if (request.show_methods) {
+    frame.false_color_methods = false;
     frame.samples = formulas::lattice_of(lattice_a_pass_).x, frame.all_samples = all_samples_;
     renderer_->draw(request.scene, request.look, frame);
   }

@@ -21,7 +21,7 @@ struct PictureRequest {
   Scene scene;
   Look look;
   int width = 0, height = 0;  // pixels
-  bool show_rungs = false;
+  bool show_methods = false;
   Compare compare = Compare::kOff;
   float budget_ms = 0;  // of the cloth's pass at rest: the tolerance that keeps within it; 0: the look's
   bool operator==(const PictureRequest&) const = default;

@@ -8,8 +8,8 @@
 
 #include "analysis/difference.h"
 #include "analysis/floats.h"
-#include "analysis/layers.h"
 #include "analysis/threads.h"
+#include "analysis/weave_layers.h"
 #include "commands/commands.h"
 #include "draft/factor.h"
 #include "draft/fibre.h"
@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Findings {
+struct DraftAnalysis {
   Repeat structure, design;
   LongestFloats longest;
   LongFloats floats;
@@ -34,10 +34,10 @@ struct Findings {
 
 /// None: no price.
 std::optional<double> price_in(std::string_view text) {
-  constexpr double kMost = 1e6;
+  constexpr double kMax = 1e6;
   double price = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), price);
-  if (error != std::errc() || end != text.data() + text.size() || !(price >= 0 && price <= kMost)) return {};
+  if (error != std::errc() || end != text.data() + text.size() || !(price >= 0 && price <= kMax)) return {};
   return price;
 }
 
@@ -74,7 +74,7 @@ bool take_prices(const Design& design, const std::vector<std::string>& prices, C
   return true;
 }
 
-Findings findings_of(const Design& design, const AnalyseOptions& options) {
+DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   return {structure_repeat(cells), design_repeat(design, cells),
           longest_floats(cells),   long_floats(cells, options.float_limit),
@@ -95,7 +95,7 @@ const Rgb& color_of(const Design& design, const YarnNeed& need) {
   return design.draft.palette[static_cast<size_t>(need.color)];
 }
 
-Json floats_json(const Findings& f, int limit) {
+Json floats_json(const DraftAnalysis& f, int limit) {
   Json listed = Json::array();
   for (const Float& x : f.floats.listed)
     listed.push_back({{"system", name_of(x.system)},
@@ -113,7 +113,7 @@ Json floats_json(const Findings& f, int limit) {
           {"listed", listed}};
 }
 
-Json layers_json(const Findings& f) {
+Json layers_json(const DraftAnalysis& f) {
   Json list = Json::array();
   for (const Layer& layer : f.layers)
     list.push_back({{"loose", layer.loose()}, {"ends", from_one(layer.ends)}, {"picks", from_one(layer.picks)}});
@@ -146,7 +146,7 @@ Json yarn_json(const Design& design, const YarnReport& yarn) {
   return json;
 }
 
-std::string as_json(const Design& design, const Findings& f, const AnalyseOptions& options) {
+std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseOptions& options) {
   const Json json = {{"repeat",
                       {{"ends", f.structure.ends},
                        {"picks", f.structure.picks},
@@ -169,7 +169,7 @@ std::string as_json(const Design& design, const Findings& f, const AnalyseOption
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-void print_layers(const Findings& f) {
+void print_layers(const DraftAnalysis& f) {
   if (f.layers.size() <= 1) return void(std::printf("hangs together  yes\n"));
   std::printf("hangs together  no: %zu layers, front to back\n", f.layers.size());
   for (const Layer& layer : f.layers) {
@@ -181,7 +181,7 @@ void print_layers(const Findings& f) {
   }
 }
 
-void print_floats(const Findings& f, int limit) {
+void print_floats(const DraftAnalysis& f, int limit) {
   std::printf("longest float   warp %d front, %d back; weft %d front, %d back\n", f.longest.warp_front,
               f.longest.warp_back, f.longest.weft_front, f.longest.weft_back);
   std::printf("floats over %-3d %lld\n", limit, static_cast<long long>(f.floats.count));
@@ -194,7 +194,7 @@ void print_floats(const Findings& f, int limit) {
   if (f.floats.listed.size() > kShown) std::printf("  ... all with --json\n");
 }
 
-void print_loom(const Findings& f) {
+void print_loom(const DraftAnalysis& f) {
   std::printf("heddles         ");
   for (size_t s = 0; s < f.loom.heddles.size(); ++s)
     std::printf("%s%zu: %d", s > 0 ? ", " : "", s + 1, f.loom.heddles[s]);
@@ -205,7 +205,7 @@ void print_loom(const Findings& f) {
               f.interlacings.warp, f.interlacings.weft);
 }
 
-void print_yarn(const Design& design, const Findings& f) {
+void print_yarn(const Design& design, const DraftAnalysis& f) {
   const YarnReport& y = f.yarn;
   std::printf("sett            %.1f ends/cm, %.1f picks/cm\n", y.ends_per_cm, y.picks_per_cm);
   for (size_t i = 0; i < design.yarns.size(); ++i) {
@@ -236,7 +236,7 @@ int analyse_command(const AnalyseOptions& options) {
   if (!opened.ok) return kBadInput;
   AnalyseOptions priced = options;
   if (!take_prices(opened.design, options.prices, priced.plan)) return kUsage;
-  const Findings f = findings_of(opened.design, priced);
+  const DraftAnalysis f = analysis_of(opened.design, priced);
   if (options.json) {
     std::printf("%s\n", as_json(opened.design, f, options).c_str());
     return kDone;

@@ -36,7 +36,7 @@ class Run {
   int all() {
     keep_earlier();
     for (const bool automatic : {false, true}) {
-      if (automatic) bench_.use_ladder(ladder_of(rows_));
+      if (automatic) bench_.use_lod_table(lod_table_of(rows_));
       for (const ChartRow& cell : cells_) {
         if ((cell.method == Method::kAuto) != automatic || !part_.holds(cell) || known(cell)) continue;
         if (const int code = add(cell); code != kDone) return code;
@@ -107,7 +107,7 @@ class Run {
   int finish() {
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%-78s\n", "drawing");
     const std::vector<ChartRow> rows = in_order();
-    std::string error = write_file_atomically(dir_ + "/ladder.csv", ladder_csv(ladder_of(rows)));
+    std::string error = write_file_atomically(dir_ + "/lod_table.csv", lod_table_csv(lod_table_of(rows)));
     const std::vector<Brightness> brightness = albedo(error);
     const std::vector<TruthNoise> noise = truth_noise(error);
     if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);
@@ -132,7 +132,7 @@ class Run {
               ChartRow cell;
               cell.scene = kChartScenes[scene].name, cell.view_deg = view;
               cell.yarns_per_pixel = footprint, cell.method = method;
-              if (method == Method::kYarn) cell.samples = formulas::kMostYarnSamples;
+              if (method == Method::kYarn) cell.samples = formulas::kMaxYarnSamples;
               const auto row = bench_.under(light, cell, error);
               if (!row) return {};
               out << light_name(light) << ',' << cell.scene << ',' << view << ',' << footprint << ','
@@ -214,11 +214,11 @@ class Run {
 
 /// The other process has a bench of its own.
 std::unique_ptr<DrawCounter> start_counter(const ChartEffort& effort) {
-  return DrawCounter::start([effort, bench = std::shared_ptr<ChartBench>()](const CountedDraw& what,
-                                                                            const Ladder& ladder, int pixels) mutable {
+  return DrawCounter::start([effort, bench = std::shared_ptr<ChartBench>()](
+                                const CountedDraw& what, const LodTable& lod_table, int pixels) mutable {
     std::string error;
     if (!bench) bench = ChartBench::create(effort, nullptr, error);
-    return bench && bench->draw_counted(what, ladder, pixels);
+    return bench && bench->draw_counted(what, lod_table, pixels);
   });
 }
 

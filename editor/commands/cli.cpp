@@ -147,7 +147,7 @@ std::vector<std::string> drawn_methods() {
 
 /// Degrees from the normal, as text: "0,30,60" or, from first to last by steps, "-80:80:5".
 constexpr double kSteepest = 89.9;
-constexpr size_t kMostAngles = 10000;
+constexpr size_t kMaxAngles = 10000;
 
 std::string parse_angles(const std::string& text, std::vector<double>& out) {
   out.clear();
@@ -169,12 +169,12 @@ std::string parse_angles(const std::string& text, std::vector<double>& out) {
     if (numbers.size() != 3 || numbers[2] <= 0 || numbers[1] < numbers[0])
       return "'" + text + "' is not of the form FROM:TO:STEP, upwards";
     const double count = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-9) + 1;
-    if (count > static_cast<double>(kMostAngles)) return "'" + text + "': too many angles; take a wider step";
+    if (count > static_cast<double>(kMaxAngles)) return "'" + text + "': too many angles; take a wider step";
     for (int k = 0; k < static_cast<int>(count); ++k) out.push_back(numbers[0] + k * numbers[2]);
   } else {
     out = numbers;
   }
-  if (out.size() > kMostAngles) return "'" + text + "': too many angles";
+  if (out.size() > kMaxAngles) return "'" + text + "': too many angles";
   const bool inside = std::all_of(out.begin(), out.end(), [](double a) { return std::abs(a) <= kSteepest; });
   return inside ? std::string{} : "'" + text + "': angles lie between -89.9 and 89.9 degrees";
 }
@@ -194,7 +194,7 @@ void add_response_options(CLI::App* verb, ResponseOptions& o, std::string& views
                           std::string& face) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
   verb->add_option("-o,--output", o.out, "Table (.csv)")->required();
-  verb->add_option("--method", o.method, "Rung of the ladder, or reference")->check(CLI::IsMember(all_methods()));
+  verb->add_option("--method", o.method, "Shading method, or reference")->check(CLI::IsMember(all_methods()));
   verb->add_option("--plane", o.plane, "What the plane of incidence holds beside the normal")
       ->check(CLI::IsMember({"warp", "weft", "both"}));
   verb->add_option("--views", views, "Degrees from the normal; 0,30,60")->check(angles_into(o.views_deg));
@@ -206,7 +206,7 @@ void add_response_options(CLI::App* verb, ResponseOptions& o, std::string& views
 
 std::vector<std::string> light_names() {
   std::vector<std::string> names;
-  for (const LightSetup& setup : kLightSetups) names.push_back(setup.id);
+  for (const LightingPreset& setup : kLightSetups) names.push_back(setup.id);
   return names;
 }
 
@@ -224,7 +224,7 @@ struct PictureText {
 
 /// "auto", "auto+0.5", or stops alone.
 bool parse_exposure(const std::string& text, bool& automatic, float& stops) {
-  constexpr float kMost = 20;
+  constexpr float kMax = 20;
   constexpr std::string_view kAuto = "auto";
   automatic = text.starts_with(kAuto);
   stops = 0;
@@ -236,7 +236,7 @@ bool parse_exposure(const std::string& text, bool& automatic, float& stops) {
   }
   if (number.starts_with('+')) number.remove_prefix(1);
   const auto read = std::from_chars(number.data(), number.data() + number.size(), stops);
-  return read.ec == std::errc{} && read.ptr == number.data() + number.size() && std::abs(stops) <= kMost;
+  return read.ec == std::errc{} && read.ptr == number.data() + number.size() && std::abs(stops) <= kMax;
 }
 
 CLI::Validator exposure_form() {
@@ -255,9 +255,10 @@ void add_picture_options(CLI::App* verb, PictureOptions& o, PictureText& t) {
   verb->add_option("file", o.file, "Draft (.wif)")->required();
   verb->add_option("-o,--output", o.out, "Picture: .png or .exr")->required()->check(some_name());
   verb->add_option("--mesh", o.mesh, "A shipped drape or a .glb/.gltf file");
-  verb->add_flag("--own-drape", o.own_drape, "A shipped drape, simulated with this cloth's own stiffness (seconds)");
+  verb->add_flag("--own-drape", o.simulated_drape,
+                 "A shipped drape, simulated with this cloth's own stiffness (seconds)");
   verb->add_option("--size", t.size, "Pixels, WxH")->check(pair_of('x', "WxH"));
-  verb->add_option("--method", o.method, "Rung of the ladder")->check(CLI::IsMember(drawn_methods()));
+  verb->add_option("--method", o.method, "Shading method")->check(CLI::IsMember(drawn_methods()));
   verb->add_option("--yarns-per-pixel", o.yarns_per_pixel, "Footprint at the middle of the picture")
       ->check(above_zero());
   verb->add_option("--view", t.view, "Azimuth,elevation in degrees")->check(pair_of(',', "AZ,EL"));
@@ -440,8 +441,8 @@ CommandLine run_command_line(int argc, char** argv) {
   convert_verb->add_option("in", convert.in, "Draft (.wif)")->required();
   convert_verb->add_option("out", convert.out, "New file")->required()->check(some_name());
   convert_verb->add_flag("--plain", convert.plain, "Save for other programs and looms");
-  auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "Drive by a liftplan");
-  convert_verb->add_flag("--treadling", to_treadles, "Drive by tie-up and treadling")->excludes(lifts_flag);
+  auto* lifts_flag = convert_verb->add_flag("--liftplan", to_lifts, "ShedControl by a liftplan");
+  convert_verb->add_flag("--treadling", to_treadles, "ShedControl by tie-up and treadling")->excludes(lifts_flag);
 
   auto* shafts_option = convert_verb->add_option("--shafts", convert.loom.shafts, "Shafts that the loom has")
                             ->check(whole_number(1, kMaxShafts));
@@ -465,12 +466,12 @@ CommandLine run_command_line(int argc, char** argv) {
   add_picture_options(render_verb, picture, picture_text);
   auto* reference_verb = app.add_subcommand("reference", "The same picture by ray tracing the threads");
   add_picture_options(reference_verb, picture, picture_text);
-  constexpr int kMost = formulas::kMostYarnSamples;
+  constexpr int kMax = formulas::kMaxYarnSamples;
   auto* samples =
       render_verb
           ->add_option("--samples", picture.samples,
                        "Samples a pixel near the threads, whatever the tolerance: 1, 2, 3, 5, 8, 13, 21 or " +
-                           std::to_string(kMost) + ", or what of these is next below")
+                           std::to_string(kMax) + ", or what of these is next below")
           ->check(whole_number(1, 1024));
   auto* tolerance = render_verb
                         ->add_option("--tolerance", picture.tolerance,
@@ -559,7 +560,9 @@ CommandLine run_command_line(int argc, char** argv) {
   drawdown.face = drawdown_face == "back" ? Face::kBack : Face::kFront;
   response.face = response_face == "back" ? Face::kBack : Face::kFront;
   if (response.lights_deg.empty()) parse_angles("-80:80:5", response.lights_deg);
-  convert.drive = to_lifts ? ConvertDrive::kLiftplan : to_treadles ? ConvertDrive::kTreadling : ConvertDrive::kAsIs;
+  convert.drive = to_lifts      ? ConvertShedControl::kLiftplan
+                  : to_treadles ? ConvertShedControl::kTreadling
+                                : ConvertShedControl::kAsIs;
   if ((render_verb->parsed() || reference_verb->parsed()) && !take_picture_text(picture, picture_text)) {
     result.exit_code = kUsage;
     return result;

@@ -34,11 +34,11 @@ struct DrawdownOptions {
   bool points = false;  // a picture with a pixel a crossing, as Jacquard machines read
   WayUp way{};          // of a coloured picture
 };
-enum class ConvertDrive { kAsIs, kLiftplan, kTreadling };
+enum class ConvertShedControl { kAsIs, kLiftplan, kTreadling };
 struct ConvertOptions {
   std::string in, out;
   bool plain = false;
-  ConvertDrive drive = ConvertDrive::kAsIs;
+  ConvertShedControl drive = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // that it is to fit
   bool nearest = false;    // what does not fit is woven as nearly as it can be
   files::PictureDraft picture{};
@@ -46,8 +46,8 @@ struct ConvertOptions {
 /// NaN or empty: as the design says.
 struct PictureOptions {
   std::string file, out, mesh, method, stats;
-  bool own_drape = false;  // simulated with the cloth's own stiffness, and kept
-  std::string view_name;   // kept with the draft, or one that every draft has; the options below rule over it
+  bool simulated_drape = false;  // simulated with the cloth's own stiffness, and kept
+  std::string view_name;         // kept with the draft, or one that every draft has; the options below rule over it
   int width = 1280, height = 800;
   float yarns_per_pixel = 0;  // 0: as the scene frames it
   float view_azimuth, view_elevation, light_azimuth, light_elevation;

@@ -13,21 +13,22 @@ namespace {
 bool asks_for_loom(const ConvertOptions& o) { return o.loom != LoomSize{}; }
 
 std::string converted(const WifFile& file, const Design& design, const ConvertOptions& options) {
-  const bool liftplan = options.drive == ConvertDrive::kLiftplan, treadling = options.drive == ConvertDrive::kTreadling;
+  const bool liftplan = options.drive == ConvertShedControl::kLiftplan,
+             treadling = options.drive == ConvertShedControl::kTreadling;
   if (options.plain) {
-    return write_plain_wif(design, liftplan    ? PlainDrive::kLiftplan
-                                   : treadling ? PlainDrive::kTreadling
-                                               : PlainDrive::kAsIs);
+    return write_plain_wif(design, liftplan    ? PlainShedControl::kLiftplan
+                                   : treadling ? PlainShedControl::kTreadling
+                                               : PlainShedControl::kAsIs);
   }
   return liftplan || treadling || asks_for_loom(options) ? write_wif(file, design) : file.bytes;
 }
 
 /// Driven as asked; an exit code, with the problem printed.
 int drive(Design& design, const ConvertOptions& options) {
-  if (options.drive == ConvertDrive::kLiftplan) design = to_liftplan(std::move(design));
-  if (options.drive != ConvertDrive::kTreadling) return kDone;
+  if (options.drive == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
+  if (options.drive != ConvertShedControl::kTreadling) return kDone;
   design = to_treadling(std::move(design));
-  if (design.draft.drive == Drive::kTreadling) return kDone;
+  if (design.draft.drive == ShedControl::kTreadling) return kDone;
   std::fprintf(stderr, "%s: the draft needs more than %d treadles; keep its liftplan\n", options.in.c_str(),
                kMaxShafts);
   return kBadInput;
@@ -43,7 +44,7 @@ int fit(Design& design, const ConvertOptions& options) {
     return kBadInput;
   }
   if (!fitted.done()) {
-    fitted = nearest_drawdown(design.draft, drawdown(design.draft), options.loom);
+    fitted = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
     const long long all = static_cast<long long>(design.draft.ends()) * design.draft.picks();
     std::printf("%lld of %lld crossings differ\n", static_cast<long long>(fitted.wrong), all);
   }

@@ -5,7 +5,7 @@
 #include "base/files.h"
 #include "commands/commands.h"
 #include "commands/status_line.h"
-#include "drape/hang.h"
+#include "drape/stiffness.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 
@@ -22,10 +22,10 @@ int write_one(const Mesh& mesh, const std::string& path) {
   return not_written(problem);
 }
 
-Hang hang_called(const std::string& name) {
-  for (const Hang hang : kHangs)
+DrapeStiffness hang_called(const std::string& name) {
+  for (const DrapeStiffness hang : kHangs)
     if (name == kHangNames[static_cast<size_t>(hang)]) return hang;
-  return Hang::kMedium;
+  return DrapeStiffness::kMedium;
 }
 
 /// NAME.glb and, where the drape lies on something, NAME_body.glb beside it.
@@ -60,7 +60,7 @@ int usage(const std::string& what) {
 
 /// The one that a picture kept, else simulated.
 Mesh own_mesh(Design& design) {
-  design.scene.own_drape = true;
+  design.scene.simulated_drape = true;
   if (is_draped(design)) return load_design_drape(design).mesh.value_or(Mesh{});
   StatusLine status;
   Mesh mesh = simulate_design_drape(design, [&status](double share) {
@@ -110,7 +110,7 @@ int drape_command(const DrapeOptions& options) {
   for (const std::string& name : drape_names()) {
     const std::filesystem::path folder(options.out);
     if (const int exit = write_drape(name, simulate_drape(name), folder / (name + ".glb")); exit != kDone) return exit;
-    for (const Hang hang : {Hang::kLimp, Hang::kStiff}) {
+    for (const DrapeStiffness hang : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
       // The plane has one alone; what the others lie on is written.
       if (drape_file(name, hang) == name) continue;
       const int exit = write_one(simulate_drape(name, hang), (folder / (drape_file(name, hang) + ".glb")).string());

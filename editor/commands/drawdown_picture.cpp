@@ -12,9 +12,9 @@
 namespace weftlight::commands {
 namespace {
 
-constexpr int64_t kMostPixels = int64_t{1} << 27;  // 1.6 GB of float texels
-constexpr int64_t kMostDrawn = 4'000'000;          // crossings of a drawing
-constexpr double kCellMm = 2, kLongestMm = 1000;   // of a drawing
+constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
+constexpr int64_t kMaxDrawn = 4'000'000;          // crossings of a drawing
+constexpr double kCellMm = 2, kLongestMm = 1000;  // of a drawing
 constexpr double kPointsPerMm = 72 / 25.4;
 
 const Rgb& color_at(const BitMatrix& cells, const Draft& draft, WayUp way, int x, int y) {
@@ -55,7 +55,7 @@ void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, WayUp way, d
 }  // namespace
 
 std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way) {
-  if (int64_t{cells.rows()} * cells.cols() > kMostPixels) return too_many(path, cells, "text");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
   const int size = cell_size(cells);
   Image image{cells.cols() * size, cells.rows() * size, 3, {}};
   image.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
@@ -69,7 +69,7 @@ std::string write_drawdown_image(const std::string& path, const BitMatrix& cells
 }
 
 std::string write_drawdown_points(const std::string& path, const BitMatrix& cells) {
-  if (int64_t{cells.rows()} * cells.cols() > kMostPixels) return too_many(path, cells, "text");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many(path, cells, "text");
   Image image{cells.cols(), cells.rows(), 3, {}};
   image.texels.reserve(static_cast<size_t>(cells.cols()) * static_cast<size_t>(cells.rows()) * 3);
   for (int pick = 0; pick < cells.rows(); ++pick)
@@ -79,7 +79,7 @@ std::string write_drawdown_points(const std::string& path, const BitMatrix& cell
 }
 
 std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft, WayUp way) {
-  if (int64_t{cells.rows()} * cells.cols() > kMostDrawn) return too_many(path, cells, "a .png");
+  if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many(path, cells, "a .png");
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
   return write_through(path, [&](const std::string& beside) -> std::string {

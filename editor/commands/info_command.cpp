@@ -46,7 +46,7 @@ void print_text(const std::string& path, const OpenedDesign& opened, const Longe
   std::printf("ends            %d\npicks           %d\nshafts          %d\ntreadles        %d\n", draft.ends(),
               draft.picks(), draft.shafts, draft.treadles);
   std::printf("shed            %s\n", draft.rising ? "rising" : "sinking");
-  std::printf("driven by       %s\n", draft.drive == Drive::kLiftplan ? "liftplan" : "tie-up and treadling");
+  std::printf("driven by       %s\n", draft.drive == ShedControl::kLiftplan ? "liftplan" : "tie-up and treadling");
   std::printf("longest float   warp %d front, %d back; weft %d front, %d back\n", floats.warp_front, floats.warp_back,
               floats.weft_front, floats.weft_back);
   std::printf("repeat          %d ends, %d picks\n", repeat.ends, repeat.picks);

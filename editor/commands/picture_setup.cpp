@@ -8,8 +8,8 @@
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "gl/pipeline.h"
-#include "light/ladder.h"
-#include "upload/views.h"
+#include "light/lod_table.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::commands {
 namespace {
@@ -19,7 +19,7 @@ std::string extension_of(const std::string& path) { return std::filesystem::path
 void take_options(Design& design, const PictureOptions& o) {
   Scene& scene = design.scene;
   if (!o.mesh.empty()) scene.mesh = o.mesh;
-  if (o.own_drape) scene.own_drape = true;
+  if (o.simulated_drape) scene.simulated_drape = true;
   if (is_environment(o.lights)) scene = lit_by_environment(scene, o.lights);
   else if (!o.lights.empty()) scene = lit_by(scene, light_setup(o.lights));
   if (o.surroundings) scene.surroundings = true;
@@ -35,7 +35,7 @@ void take_options(Design& design, const PictureOptions& o) {
 
 /// The cloth's own drape, where the scene asks for it and it is not kept yet.
 void drape(const Design& design, StatusLine& status) {
-  if (!design.scene.own_drape || !can_drape(design) || is_draped(design)) return;
+  if (!design.scene.simulated_drape || !can_drape(design) || is_draped(design)) return;
   const std::string problem = drape_cloth(design, [&status](double share) {
     status.say("draping, " + std::to_string(static_cast<int>(100 * share)) + " %");
     return true;
@@ -82,7 +82,7 @@ int PictureSetup::open(const PictureOptions& o) {
   context = HeadlessContext::create(error);
   if (context) renderer = Renderer::create(error);
   if (!renderer) return fail(kNoGraphics, "no graphics: " + error);
-  if (const std::string& problem = renderer->ladder_problem(); !problem.empty())
+  if (const std::string& problem = renderer->lod_table_problem(); !problem.empty())
     std::fprintf(stderr, "weftlight: %s\n", problem.c_str());
   const Draft& d = design.draft;
   status.say("weaving " + std::to_string(d.ends()) + " ends by " + std::to_string(d.picks()) + " picks");

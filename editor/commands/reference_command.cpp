@@ -3,7 +3,7 @@
 
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
-#include "upload/reference_scene.h"
+#include "render_data/reference_scene.h"
 
 namespace weftlight::commands {
 namespace {

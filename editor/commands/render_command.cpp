@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/picture_setup.h"
-#include "light/ladder.h"
-#include "upload/rung_shares.h"
+#include "light/lod_table.h"
+#include "render_data/method_weights.h"
 #include "wif/wif.h"
 
 namespace weftlight::commands {
@@ -16,8 +16,8 @@ namespace {
 std::string write_stats(const std::string& path, const FrameStats& stats, float tolerance, const PictureOptions& o) {
   const nlohmann::json json{{"method", method_name(stats.method)},
                             {"gpu_ms", stats.gpu_ms},
-                            {"hair_ms", stats.hair_ms},
-                            {"hairs", stats.hairs},
+                            {"flyaway_ms", stats.flyaway_ms},
+                            {"hairs", stats.flyaways},
                             {"shaded_pixels", stats.shaded_pixels},
                             {"tolerance", tolerance},
                             {"estimated_error", stats.estimated_error},

@@ -13,8 +13,8 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
-#include "upload/far_answer.h"
-#include "upload/stages.h"
+#include "render_data/far_field.h"
+#include "render_data/stages.h"
 
 namespace weftlight::commands {
 namespace {
@@ -53,7 +53,7 @@ Cloth one_face(const Design& design, Face face) {
 }
 
 Radiances worked_out(const Cloth& cloth, const std::vector<Directions>& directions) {
-  const FarAnswer answer = far_answer(cloth);
+  const FarField answer = far_field(cloth);
   Radiances out;
   for (const Directions& d : directions)
     out.push_back(radiance_from_afar(answer, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
@@ -88,7 +88,7 @@ FlatPatch far_patch(const PackedCloth& packed, Face face) {
   patch.step_x_mm = {side(packed.width_mm) / kDrawnPixels, 0};
   patch.step_y_mm = {0, side(packed.depth_mm) / kDrawnPixels};
   patch.face = face;
-  patch.samples = formulas::kMostYarnSamples;
+  patch.samples = formulas::kMaxYarnSamples;
   patch.light_irradiance = glm::vec3(1);
   return patch;
 }

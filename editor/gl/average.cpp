@@ -11,8 +11,8 @@ bool Average::build(std::string& error) {
 
 void Average::draw(GLuint from, GLuint to) {
   glBindFramebuffer(GL_FRAMEBUFFER, to);
-  glUseProgram(program_.peek());
-  glUniform1i(glGetUniformLocation(program_.peek(), "pass_map"), 0);
+  glUseProgram(program_.preview_bake());
+  glUniform1i(glGetUniformLocation(program_.preview_bake(), "pass_map"), 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, from);
   glBindVertexArray(nothing_.get());

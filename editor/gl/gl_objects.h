@@ -26,7 +26,7 @@ class GlName {
     if (!name_) Make(name_);
     return name_;
   }
-  GLuint peek() const { return name_; }
+  GLuint preview_bake() const { return name_; }
   void reset() {
     if (name_) Free(std::exchange(name_, 0));
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "light/tables.h"
-#include "upload/response_block.h"
+#include "render_data/response_block.h"
 
 namespace weftlight::gl {
 namespace {
@@ -64,7 +64,7 @@ void upload_cube(GlTexture& texture, const std::vector<float>& texels, int size)
 }  // namespace
 
 void GpuCloth::upload_tables() {
-  if (albedo_.peek()) return;
+  if (albedo_.preview_bake()) return;
   const LightTables& tables = light_tables();
   glBindTexture(GL_TEXTURE_3D, albedo_.get());
   glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RGBA, GL_FLOAT,
@@ -158,7 +158,7 @@ void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCro
 }
 
 void GpuCloth::upload_threads(const std::vector<glm::uvec4>& records) {
-  thread_kind_ = upload::thread_kind(records);
+  thread_kind_ = render_data::thread_kind(records);
   glBindTexture(GL_TEXTURE_2D, threads_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH, static_cast<GLsizei>(records.size() / THREAD_MAP_WIDTH),
                0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, records.data());
@@ -204,11 +204,11 @@ void GpuCloth::upload_response(const ResponseTables& tables) {
 void GpuCloth::bind() {
   for (size_t k = 0; k < kPackedKinds; ++k) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kFormats[k].slot));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].peek());
+    glBindTexture(GL_TEXTURE_2D_ARRAY, textures_[k].preview_bake());
   }
   const auto bind_to = [](int slot, GLenum target, const GlTexture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(slot));
-    glBindTexture(target, texture.peek());
+    glBindTexture(target, texture.preview_bake());
   };
   bind_to(kThreadSlot, GL_TEXTURE_2D, threads_);
   bind_to(kCrossingSlot, GL_TEXTURE_2D_ARRAY, crossings_);

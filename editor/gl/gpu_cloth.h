@@ -5,9 +5,9 @@
 
 #include "gl/gl_objects.h"
 #include "gl/names.h"
+#include "render_data/packed_maps.h"
+#include "render_data/thread_block.h"
 #include "shaders/interop.h"
-#include "upload/packed_maps.h"
-#include "upload/thread_block.h"
 
 namespace weftlight::gl {
 

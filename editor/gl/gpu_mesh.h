@@ -5,7 +5,7 @@
 
 #include "gl/gl_objects.h"
 #include "gl/names.h"
-#include "upload/ambient.h"
+#include "render_data/ambient.h"
 
 namespace weftlight::gl {
 
@@ -22,7 +22,7 @@ class GpuMesh {
   void sort(glm::vec3 eye, TriangleOrder order, bool coarse);
   void draw_cloth();
   void draw_body();
-  GLuint ground_sky() const { return ground_sky_.peek(); }
+  GLuint ground_sky() const { return ground_sky_.preview_bake(); }
 
  private:
   struct Part {

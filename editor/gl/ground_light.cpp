@@ -33,17 +33,17 @@ void GroundLight::update(GLuint sun_depth, GLuint ground_sky) {
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
   glBindVertexArray(nothing_.get());
-  glUseProgram(bake_.peek());
+  glUseProgram(bake_.preview_bake());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 }
 
 void GroundLight::draw() {
   glActiveTexture(GL_TEXTURE0 + kGroundSlot);
-  glBindTexture(GL_TEXTURE_2D, light_.peek());
+  glBindTexture(GL_TEXTURE_2D, light_.preview_bake());
   glBindVertexArray(nothing_.get());
   glEnable(GL_BLEND);
-  glUseProgram(program_.peek());
+  glUseProgram(program_.preview_bake());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 // The folders whose names this one uses without saying whose they are; what those use comes with them.
 
-#include "upload/names.h"
+#include "render_data/names.h"
 
 namespace weftlight {
 namespace gl {
-using namespace upload;
+using namespace render_data;
 }  // namespace gl
 }  // namespace weftlight

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "base/worker.h"
-#include "upload/stages.h"
+#include "render_data/stages.h"
 
 namespace weftlight::gl {
 namespace {
@@ -147,7 +147,7 @@ std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer
   StageResult result = stages.update(std::move(design), Effort::kOnce);
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
   if (result.lights) renderer.set_lights(std::move(*result.lights));
-  if (result.all_maps) renderer.upload(stages.take_packed());
+  if (result.all_maps) renderer.upload(stages.release_packed());
   return std::move(result.problem);
 }
 

@@ -10,25 +10,25 @@
 
 #include "gl/average.h"
 #include "gl/gpu_cloth.h"
-#include "gl/gpu_hairs.h"
+#include "gl/gpu_flyaways.h"
 #include "gl/gpu_mesh.h"
 #include "gl/ground_light.h"
+#include "gl/render_target.h"
 #include "gl/shader_program.h"
 #include "gl/sun_shadow.h"
-#include "gl/target.h"
 #include "light/formulas.h"
-#include "light/ladder.h"
-#include "upload/camera.h"
-#include "upload/exposure.h"
-#include "upload/rung_shares.h"
-#include "upload/shipped_ladder.h"
+#include "light/lod_table.h"
+#include "render_data/camera.h"
+#include "render_data/exposure.h"
+#include "render_data/method_weights.h"
+#include "render_data/shipped_lod_table.h"
 
 namespace weftlight::gl {
 namespace {
 
 constexpr int kFullTaps = 12, kQuickTaps = 4;
 // Rungs that a program of `auto` holds.
-constexpr int kYarnRung = 1, kCellRung = 2, kRepeatRung = 4, kAllRungs = 15;
+constexpr int kYarnMethod = 1, kCellMethod = 2, kRepeatMethod = 4, kAllMethods = 15;
 constexpr float kFullRadius = 2.2f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
 
 interop::vec4 vec(glm::vec3 v, float w) { return {v.x, v.y, v.z, w}; }
@@ -37,7 +37,7 @@ struct DrawnFrame {
   Scene scene;
   Look look;
   Frame frame;
-  int rungs = kAllRungs;
+  int methods = kAllMethods;
   bool gaps = false;  // what is behind shows
   SceneLight light{};
 };
@@ -54,7 +54,7 @@ struct Renderer::Parts {
   GlTexture environment;  // the rig's picture, if it has one
   SunShadow sun;
   GroundLight ground;
-  GpuHairs hairs;
+  GpuFlyaways flyaways;
   Target screen{false}, linear{true};
   Average average;
   GlBuffer frame_block;
@@ -67,18 +67,18 @@ struct Renderer::Parts {
   std::map<std::array<int, 7>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, hair_timer;
-  bool queried = false, hairs_queried = false, software = false;
+  bool queried = false, flyaways_queried = false, software = false;
   double software_ms = 0, software_hair_ms = 0;
   FrameStats stats;
   DrawnFrame last;
-  ShippedLadder shipped = shipped_ladder();
-  Ladder asked = shipped.ladder, ladder = asked;  // of any cloth, and fitted to this one
+  ShippedLodTable shipped = shipped_lod_table();
+  LodTable asked = shipped.lod_table, lod_table = asked;  // of any cloth, and fitted to this one
 
   bool build(std::string& error);
   void set_lights(LightRig lights);
-  const ClothProgram& cloth_program(Method method, int taps, int rungs, bool more_lit, ThreadKind kind = {});
-  int rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
-  void tell_rungs(const DrawnFrame& drawn);
+  const ClothProgram& cloth_program(Method method, int taps, int methods, bool more_lit, ThreadKind kind = {});
+  int methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
+  void tell_methods(const DrawnFrame& drawn);
   Plan plan_for(const DrawnFrame& drawn) const;
   interop::FrameData frame_data(const DrawnFrame& drawn, const Camera& camera, bool linear_out,
                                 const GpuMesh& on) const;
@@ -93,8 +93,8 @@ struct Renderer::Parts {
   /// Share of the key light that the cloth keeps from what is behind it.
   float opacity() const { return std::min(1.0f, cloth.data().systems[0].coverage + cloth.data().systems[1].coverage); }
   std::array<glm::vec4, 6> ground_drawn{};  // what the light on the ground was made by
-  RungShares shares;                        // of the last picture
-  void fit_ladder() { ladder = fitted(asked, cloth.errors()); }
+  MethodWeights shares;                     // of the last picture
+  void fit_lod_table() { lod_table = fitted(asked, cloth.errors()); }
   bool has_gaps() const;
   void take_queries(bool wait);
 };
@@ -108,11 +108,11 @@ bool Renderer::Parts::build(std::string& error) {
   backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
   if (!error.empty()) return false;
   body = build_program("body.vert", "body.frag", taps, error);
-  if (!error.empty() || !sun.build(error) || !ground.build(error) || !hairs.build(error) || !average.build(error))
+  if (!error.empty() || !sun.build(error) || !ground.build(error) || !flyaways.build(error) || !average.build(error))
     return false;
   // Without a graphics card the first picture is a quick one, by a program of its own.
-  error = software ? cloth_program(Method::kAuto, kQuickTaps, kRepeatRung, false).problem
-                   : cloth_program(Method::kAuto, kFullTaps, kAllRungs & ~kCellRung, false).problem;
+  error = software ? cloth_program(Method::kAuto, kQuickTaps, kRepeatMethod, false).problem
+                   : cloth_program(Method::kAuto, kFullTaps, kAllMethods & ~kCellMethod, false).problem;
   return error.empty();
 }
 
@@ -122,28 +122,28 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
   constexpr int kMoving = 2;
   const bool moving = drawn.frame.render_scale < 1;
   const int all = moving ? std::min(kMoving, drawn.frame.all_samples) : drawn.frame.all_samples;
-  Plan plan = plan_of(ladder, {drawn.look.tolerance, all});
+  Plan plan = plan_of(lod_table, {drawn.look.tolerance, all});
   plan.samples = std::min(all, drawn.frame.samples);
   if (drawn.frame.exact_samples) plan.lattices = {};
-  const bool straight_to_repeat = plan.rungs[1] <= plan.rungs[0];
-  if (!cloth.has_threads()) plan.rungs[0] = 0;
-  if (straight_to_repeat) plan.rungs[1] = plan.rungs[0];
+  const bool straight_to_repeat = plan.methods[1] <= plan.methods[0];
+  if (!cloth.has_threads()) plan.methods[0] = 0;
+  if (straight_to_repeat) plan.methods[1] = plan.methods[0];
   // One answer for all the cloth holds where its pattern is no longer seen, and there it is the better: measured for
   // this cloth, not by footprint.
-  plan.rungs[2] = std::max(plan.rungs[1], cloth.data().even_yarns);
+  plan.methods[2] = std::max(plan.methods[1], cloth.data().even_yarns);
   return plan;
 }
 
 /// more_lit: with the lights of an environment beside the key light. kind: the cloth that it is for.
-const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int rungs, bool more_lit,
+const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int methods, bool more_lit,
                                                                     ThreadKind kind) {
   ClothProgram& made =
-      cloth_programs[{static_cast<int>(method), taps, rungs, more_lit, kind.even, kind.one_layer, kind.smooth}];
-  if (!made.program.peek() && made.problem.empty()) {
+      cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer, kind.smooth}];
+  if (!made.program.preview_bake() && made.problem.empty()) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
                                      "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
-                                     "RUNGS " + std::to_string(rungs)};
+                                     "METHODS " + std::to_string(methods)};
     if (taps == kQuickTaps) defines.push_back("QUICK");
     if (more_lit) defines.push_back("MORE_LIT");
     if (kind.even) defines.push_back("EVEN_THREADS");
@@ -227,9 +227,10 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   }
   const glm::vec3 centre = prepared.bounds.centre();
   data.ground = {prepared.ground_mm, prepared.ground_half_mm, centre.x, centre.z};
-  data.rungs = {plan.rungs[0], plan.rungs[1], plan.rungs[2], drawn.frame.false_color_rungs ? 1.0f : 0.0f};
-  const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
-  data.hair = {static_cast<float>(hair_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0], growth.length_mm[1]};
+  data.methods = {plan.methods[0], plan.methods[1], plan.methods[2], drawn.frame.false_color_methods ? 1.0f : 0.0f};
+  const FlyawayGrowth growth = flyaway_growth(cloth.data(), drawn.frame.front);
+  data.hair = {static_cast<float>(flyaway_pieces(growth, camera.pixel_mm)), 0, growth.length_mm[0],
+               growth.length_mm[1]};
   return data;
 }
 
@@ -252,12 +253,12 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   Method method = drawn_method(drawn.look.method);
   if (method_facts(method).threads && !cloth.has_threads()) method = Method::kCell;
   const int taps = drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps;
-  const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.rungs & kYarnRung));
-  const ClothProgram& with = cloth_program(method, taps, drawn.rungs, drawn.light.lights.size() > 1,
+  const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.methods & kYarnMethod));
+  const ClothProgram& with = cloth_program(method, taps, drawn.methods, drawn.light.lights.size() > 1,
                                            software && of_threads ? cloth.thread_kind() : ThreadKind{});
   stats.problem = with.problem;
   if (!with.problem.empty()) return;
-  glUseProgram(with.program.peek());
+  glUseProgram(with.program.preview_bake());
   drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   take_queries(queried);
   const auto start = clock_here(drawn.frame);
@@ -278,28 +279,28 @@ bool has_hairs(const DrawnFrame& drawn) {
   const Method method = drawn_method(drawn.look.method);
   const bool ours = method == Method::kAuto || method == Method::kYarn || method == Method::kCell ||
                     method == Method::kRepeat || method == Method::kCloth;
-  return ours && drawn.frame.cloth && drawn.frame.render_scale >= 1 && !drawn.frame.false_color_rungs;
+  return ours && drawn.frame.cloth && drawn.frame.render_scale >= 1 && !drawn.frame.false_color_methods;
 }
 
 /// Over everything else, since what is behind shows between them.
 void Renderer::Parts::draw_hairs(const DrawnFrame& drawn, const Camera& camera) {
-  stats.hairs = 0;
+  stats.flyaways = 0;
   if (cloth.empty() || !has_hairs(drawn)) {
-    stats.hair_ms = 0;
+    stats.flyaway_ms = 0;
     return;
   }
   const auto start = clock_here(drawn.frame);
-  const HairGrowth growth = hair_growth(cloth.data(), drawn.frame.front);
-  hairs.sow(mesh, growth,
-            {camera.world_to_clip, camera.eye, static_cast<float>(drawn.frame.width),
-             static_cast<float>(drawn.frame.height)});
-  stats.hairs = hairs.count();
+  const FlyawayGrowth growth = flyaway_growth(cloth.data(), drawn.frame.front);
+  flyaways.sow(mesh, growth,
+               {camera.world_to_clip, camera.eye, static_cast<float>(drawn.frame.width),
+                static_cast<float>(drawn.frame.height)});
+  stats.flyaways = flyaways.count();
   cloth.bind();
   sun.bind();
   glBeginQuery(GL_TIME_ELAPSED, hair_timer.get());
-  hairs.draw(hair_pieces(growth, camera.pixel_mm));
+  flyaways.draw(flyaway_pieces(growth, camera.pixel_mm));
   glEndQuery(GL_TIME_ELAPSED);
-  hairs_queried = true;
+  flyaways_queried = true;
   if (software && drawn.frame.timed) {
     software_hair_ms = std::chrono::duration<double, std::milli>(clock_here(drawn.frame) - start).count();
   }
@@ -307,14 +308,14 @@ void Renderer::Parts::draw_hairs(const DrawnFrame& drawn, const Camera& camera) 
 
 /// Backdrop, ground and what the cloth hangs on.
 void Renderer::Parts::draw_around(const DrawnFrame& drawn, const Camera& camera) {
-  glUseProgram(body.peek());
+  glUseProgram(body.preview_bake());
   glDisable(GL_BLEND);
   mesh.draw_body();
   glBindVertexArray(nothing.get());
   if (!drawn.frame.transparent) {
-    glUseProgram(backdrop.peek());
+    glUseProgram(backdrop.preview_bake());
     glActiveTexture(GL_TEXTURE0 + kEnvironmentSlot);
-    glBindTexture(GL_TEXTURE_2D, environment.peek());
+    glBindTexture(GL_TEXTURE_2D, environment.preview_bake());
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
@@ -327,7 +328,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
   stats.method = drawn_method(drawn.look.method);
   stats.exposure_ev = exposure_stops(drawn.look, cloth.data(), rig);
   DrawnFrame chosen = drawn;
-  chosen.rungs = rungs_of(drawn, mesh, camera);
+  chosen.methods = methods_of(drawn, mesh, camera);
   chosen.gaps = has_gaps();
   chosen.light = scene_light(rig, drawn.scene);
   mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack,
@@ -367,33 +368,33 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, Target& target, bool l
 bool Renderer::Parts::has_gaps() const {
   constexpr float kFew = 0.01f;
   if (cloth.data().open > 0.5f) return true;
-  return method_facts(stats.method).threads || (stats.method == Method::kAuto && stats.rung_shares[0] > kFew);
+  return method_facts(stats.method).threads || (stats.method == Method::kAuto && stats.method_weights[0] > kFew);
 }
 
 /// Which rungs the program of auto must hold. Without a graphics card both sides of a branch are run, so it holds what
 /// this picture needs; a card has one program, so that no view waits for another.
-int Renderer::Parts::rungs_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
+int Renderer::Parts::methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
   const float scale = drawn.frame.render_scale;
   const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };
   const Plan plan = plan_for(drawn);
-  shares = rung_shares(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
-                       cloth.mean_spacing_mm(), plan.rungs);
-  tell_rungs(drawn);
-  if (stats.method != Method::kAuto || shares.yarns_per_pixel <= 0) return kAllRungs;
+  shares = method_weights(on.prepared(), camera, pixels(drawn.frame.width), pixels(drawn.frame.height),
+                          cloth.mean_spacing_mm(), plan.methods);
+  tell_methods(drawn);
+  if (stats.method != Method::kAuto || shares.yarns_per_pixel <= 0) return kAllMethods;
   if (scale < 1) {
     // While the view moves: one rung for the whole picture, the finest that a fair part of it needs.
     constexpr float kFairPart = 0.05f;
-    return shares.of[0] > kFairPart ? kYarnRung : shares.of[1] > kFairPart ? kCellRung : kRepeatRung;
+    return shares.of[0] > kFairPart ? kYarnMethod : shares.of[1] > kFairPart ? kCellMethod : kRepeatMethod;
   }
-  if (!software) return plan.rungs[0] < plan.rungs[1] ? kAllRungs : kAllRungs & ~kCellRung;
+  if (!software) return plan.methods[0] < plan.methods[1] ? kAllMethods : kAllMethods & ~kCellMethod;
   int needed = 0;
   for (size_t k = 0; k < shares.needed.size(); ++k) needed |= shares.needed[k] ? 1 << k : 0;
   return needed;
 }
 
 /// Shares of the rungs and the error to expect; of several passes when all are drawn.
-void Renderer::Parts::tell_rungs(const DrawnFrame& drawn) {
-  stats.rung_shares = shares.of;
+void Renderer::Parts::tell_methods(const DrawnFrame& drawn) {
+  stats.method_weights = shares.of;
   stats.estimated_error = 0;
   const float yarns = shares.yarns_per_pixel;
   if (yarns <= 0) return;
@@ -401,7 +402,7 @@ void Renderer::Parts::tell_rungs(const DrawnFrame& drawn) {
   if (drawn.frame.pass >= 0) plan.samples = drawn.frame.all_samples;
   constexpr std::array<Method, 4> kDrawn{Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth};
   const auto error_of = [&](Method m) {
-    const float error = expected_error(ladder, m, yarns, m == Method::kYarn ? samples_at(plan, yarns) : 1);
+    const float error = expected_error(lod_table, m, yarns, m == Method::kYarn ? samples_at(plan, yarns) : 1);
     return std::isfinite(error) ? error : 0.0f;
   };
   if (stats.method != Method::kAuto) {
@@ -440,7 +441,7 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
   stats.method = drawn_method(look.method);
-  drawn.rungs = rungs_of(drawn, patch, camera);
+  drawn.methods = methods_of(drawn, patch, camera);
   draw_cloth(drawn, patch);
   glBindVertexArray(0);
   linear.end();
@@ -459,11 +460,11 @@ void Renderer::Parts::take_queries(bool wait) {
   stats.gpu_ms = software ? software_ms : static_cast<double>(ns) * 1e-6;
   stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
   queried = false;
-  if (!hairs_queried) return;
+  if (!flyaways_queried) return;
   GLuint64 hair_ns = 0;
   glGetQueryObjectui64v(hair_timer.get(), GL_QUERY_RESULT, &hair_ns);
-  stats.hair_ms = software ? software_hair_ms : static_cast<double>(hair_ns) * 1e-6;
-  hairs_queried = false;
+  stats.flyaway_ms = software ? software_hair_ms : static_cast<double>(hair_ns) * 1e-6;
+  flyaways_queried = false;
 }
 
 Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
@@ -481,26 +482,26 @@ std::unique_ptr<Renderer> Renderer::create(std::string& error) {
 void Renderer::set_mesh(PreparedMesh mesh) {
   parts_->mesh.upload(std::move(mesh));
   parts_->sun.forget();
-  parts_->hairs.forget();
+  parts_->flyaways.forget();
 }
 void Renderer::set_lights(LightRig lights) { parts_->set_lights(std::move(lights)); }
 const std::vector<std::string>& Renderer::light_remarks() const { return parts_->rig.remarks; }
 void Renderer::upload(const PackedCloth& cloth) {
   parts_->cloth.upload(cloth);
-  parts_->fit_ladder();
+  parts_->fit_lod_table();
 }
 void Renderer::upload(PackedCloth&& cloth) {
   parts_->cloth.upload(std::move(cloth));
-  parts_->fit_ladder();
+  parts_->fit_lod_table();
 }
 void Renderer::upload(const ClothPatches& patches) { parts_->cloth.upload(patches); }
 void Renderer::upload_lobes(const ClothLobes& lobes) {
   parts_->cloth.upload_lobes(lobes);
-  parts_->fit_ladder();
+  parts_->fit_lod_table();
 }
 
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
-  parts_->last = {scene, look, frame, kAllRungs, false, {}};
+  parts_->last = {scene, look, frame, kAllMethods, false, {}};
   Target& screen = parts_->screen;
   parts_->draw_scene(parts_->last, screen, false);
   if (frame.pass >= 0)
@@ -528,16 +529,16 @@ float Renderer::tolerance_within(float budget_ms) {
   const FrameStats& s = measure();
   const float pixels = static_cast<float>(s.shaded_pixels);
   const DrawnFrame& drawn = parts_->last;
-  const LadderDemand demand{drawn.look.tolerance, drawn.frame.all_samples};
-  const float expected = expected_ms(parts_->ladder, parts_->shares, pixels, demand);
+  const LodDemand demand{drawn.look.tolerance, drawn.frame.all_samples};
+  const float expected = expected_ms(parts_->lod_table, parts_->shares, pixels, demand);
   if (s.gpu_ms <= 0 || expected <= 0) return 0;
-  return upload::tolerance_within(parts_->ladder, parts_->shares, pixels, static_cast<float>(s.gpu_ms) / expected,
-                                  budget_ms);
+  return render_data::tolerance_within(parts_->lod_table, parts_->shares, pixels,
+                                       static_cast<float>(s.gpu_ms) / expected, budget_ms);
 }
 
-void Renderer::set_ladder(const Ladder& ladder) {
-  parts_->asked = ladder;
-  parts_->fit_ladder();
+void Renderer::set_lod_table(const LodTable& lod_table) {
+  parts_->asked = lod_table;
+  parts_->fit_lod_table();
 }
 SeenPart Renderer::seen() const {
   SeenPart seen = seen_part(parts_->shares, parts_->cloth.mean_spacing_mm());
@@ -546,7 +547,7 @@ SeenPart Renderer::seen() const {
 }
 
 bool Renderer::is_software() const { return parts_->software; }
-const std::string& Renderer::ladder_problem() const { return parts_->shipped.problem; }
+const std::string& Renderer::lod_table_problem() const { return parts_->shipped.problem; }
 
 std::string Renderer::device() const {
   return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +

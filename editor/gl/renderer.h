@@ -12,12 +12,12 @@
 #include "files/files.h"
 #include "gl/names.h"
 #include "light/formulas.h"
-#include "light/ladder.h"
-#include "upload/ambient.h"
-#include "upload/light_rig.h"
-#include "upload/packed_maps.h"
-#include "upload/patch.h"
-#include "upload/rung_shares.h"
+#include "light/lod_table.h"
+#include "render_data/ambient.h"
+#include "render_data/light_rig.h"
+#include "render_data/map_patch.h"
+#include "render_data/method_weights.h"
+#include "render_data/packed_maps.h"
 
 namespace weftlight::gl {
 
@@ -30,13 +30,13 @@ struct Frame {
   bool ground = true;         // ground with the cloth's shadow
   bool cloth = true;          // false: everything but the cloth (the ray-traced one is laid over it)
   bool transparent = false;   // leave the background out (alpha 0)
-  bool false_color_rungs = false;
+  bool false_color_methods = false;
   // Samples a pixel of rung yarn: as many as the tolerance asks for, and no more than these. A picture may be the mean
   // of several passes, each with so many (pass < 0: this one alone); `share`: of this pass in the mean of those so far;
   // `all_samples`: of all of them.
-  int samples = formulas::kMostYarnSamples, pass = -1;
+  int samples = formulas::kMaxYarnSamples, pass = -1;
   float share = 1;
-  int all_samples = formulas::kMostYarnSamples;
+  int all_samples = formulas::kMaxYarnSamples;
   bool exact_samples = false;  // not by tolerance: the largest lattice of no more than `samples`
   bool timed = false;          // wait for the cloth on a software renderer, so that gpu_ms is measured there too
 };
@@ -47,12 +47,12 @@ struct FrameStats {
   float yarns_per_pixel = 0;      // footprint at the middle of the picture
   Method method = Method::kAuto;  // what was drawn
   size_t texture_bytes = 0;
-  std::array<float, 4> rung_shares{};  // of the cloth on screen under auto: yarn, cell, repeat, cloth
-  double hair_ms = 0;                  // stray fibres, beside gpu_ms
-  size_t hairs = 0;                    // of them drawn
-  float estimated_error = 0;           // by the ladder, of what was drawn, at the mean footprint
-  float exposure_ev = 0;               // that the picture is shown at; a scene-linear one has the look's alone
-  std::string problem;                 // why the cloth is not there; empty: it is
+  std::array<float, 4> method_weights{};  // of the cloth on screen under auto: yarn, cell, repeat, cloth
+  double flyaway_ms = 0;                  // stray fibres, beside gpu_ms
+  size_t flyaways = 0;                    // of them drawn
+  float estimated_error = 0;              // by the ladder, of what was drawn, at the mean footprint
+  float exposure_ev = 0;                  // that the picture is shown at; a scene-linear one has the look's alone
+  std::string problem;                    // why the cloth is not there; empty: it is
 };
 
 class Renderer {
@@ -90,13 +90,13 @@ class Renderer {
   /// what its own pass took; 0 where that was not measured. Waits for it.
   float tolerance_within(float budget_ms);
   /// What rung auto chooses by; the shipped ladder until then.
-  void set_ladder(const Ladder& ladder);
+  void set_lod_table(const LodTable& lod_table);
   /// What the last picture showed of the cloth, at all its pixels.
   SeenPart seen() const;
   /// Drawn by the processor (Mesa's llvmpipe).
   bool is_software() const;
   /// What is wrong with the shipped ladder; the built-in one then chooses the methods.
-  const std::string& ladder_problem() const;
+  const std::string& lod_table_problem() const;
   /// Graphics card and driver.
   std::string device() const;
 

@@ -60,18 +60,19 @@ bool SunShadow::update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_b
 }
 
 void SunShadow::update_more(GpuMesh& mesh, std::span<const DistantLight> lights, GlBuffer& frame_block) {
-  if (lights.size() > 1 && !more_depth_.peek()) {
+  if (lights.size() > 1 && !more_depth_.preview_bake()) {
     glBindTexture(GL_TEXTURE_2D_ARRAY, more_depth_.get());
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, kMoreSize, kMoreSize, static_cast<GLsizei>(more_.size()),
                  0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
     read_as_shadow(GL_TEXTURE_2D_ARRAY);
     for (size_t i = 0; i < more_.size(); ++i) {
       glBindFramebuffer(GL_FRAMEBUFFER, more_framebuffers_[i].get());
-      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, more_depth_.peek(), 0, static_cast<GLint>(i));
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, more_depth_.preview_bake(), 0,
+                                static_cast<GLint>(i));
       depth_only();
     }
   }
-  for (size_t i = 1; i < lights.size() && i < kMostLights; ++i) {
+  for (size_t i = 1; i < lights.size() && i < kMaxLights; ++i) {
     ShadowView& view = more_[i - 1];
     if (view.drawn && view.towards == lights[i].towards) continue;
     view.towards = lights[i].towards;
@@ -105,7 +106,7 @@ void SunShadow::draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int si
   glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5f, 2.0f);
-  glUseProgram(program_.peek());
+  glUseProgram(program_.preview_bake());
   mesh.draw_cloth();
   mesh.draw_body();
   glDisable(GL_POLYGON_OFFSET_FILL);
@@ -113,10 +114,10 @@ void SunShadow::draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int si
 
 void SunShadow::bind() const {
   glActiveTexture(GL_TEXTURE0 + kSunShadowSlot);
-  glBindTexture(GL_TEXTURE_2D, depth_.peek());
-  if (!more_depth_.peek()) return;
+  glBindTexture(GL_TEXTURE_2D, depth_.preview_bake());
+  if (!more_depth_.preview_bake()) return;
   glActiveTexture(GL_TEXTURE0 + kMoreShadowSlot);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, more_depth_.peek());
+  glBindTexture(GL_TEXTURE_2D_ARRAY, more_depth_.preview_bake());
 }
 
 }  // namespace weftlight::gl

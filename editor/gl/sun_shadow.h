@@ -10,7 +10,7 @@
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
 #include "gl/names.h"
-#include "upload/environment.h"
+#include "render_data/environment_light.h"
 
 namespace weftlight::gl {
 
@@ -28,13 +28,13 @@ class SunShadow {
   void forget();
   /// Draws the map if it is not that of this light, and says whether it did. Changes framebuffer and viewport.
   bool update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);
-  /// The same of the lights after the first, kMostLights in all.
+  /// The same of the lights after the first, kMaxLights in all.
   void update_more(GpuMesh& mesh, std::span<const DistantLight> lights, GlBuffer& frame_block);
   void bind() const;
 
   int size() const { return kSize; }
   float texel_mm() const { return key_.texel_mm; }
-  GLuint depth() const { return depth_.peek(); }
+  GLuint depth() const { return depth_.preview_bake(); }
   const glm::mat4& world_to_shadow() const { return key_.world_to_shadow; }
   /// Of light i, 1 and on.
   const ShadowView& more(size_t i) const { return more_[i - 1]; }
@@ -46,9 +46,9 @@ class SunShadow {
   GlProgram program_;
   GlTexture depth_, more_depth_;
   GlFramebuffer framebuffer_;
-  std::array<GlFramebuffer, kMostLights - 1> more_framebuffers_;
+  std::array<GlFramebuffer, kMaxLights - 1> more_framebuffers_;
   ShadowView key_;
-  std::array<ShadowView, kMostLights - 1> more_;
+  std::array<ShadowView, kMaxLights - 1> more_;
 };
 
 }  // namespace weftlight::gl

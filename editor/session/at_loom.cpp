@@ -75,7 +75,7 @@ LoomStep keep_to_section(AtLoom& at, const Design& design, loom::Section section
 
 std::vector<int> to_press(const Draft& draft, int pick) {
   std::vector<int> out;
-  const BitMatrix& rows = draft.drive == Drive::kLiftplan ? draft.liftplan : draft.treadling;
+  const BitMatrix& rows = draft.drive == ShedControl::kLiftplan ? draft.liftplan : draft.treadling;
   if (pick >= 0 && pick < rows.rows()) for_each_bit(rows.row(pick), [&out](int mark) { out.push_back(mark); });
   return out;
 }

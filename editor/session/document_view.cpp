@@ -5,7 +5,7 @@
 
 #include "session/document.h"
 #include "session/mirror.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "session/typing.h"
 
 namespace weftlight::session {

@@ -12,7 +12,7 @@
 #include "session/names.h"
 #include "session/orbit.h"
 #include "session/other_draft.h"
-#include "session/refusal.h"
+#include "session/rejected_edit.h"
 #include "session/select_state.h"
 #include "session/thread_choice.h"
 #include "wif/wif.h"
@@ -41,7 +41,7 @@ struct Stroke {
 };
 
 /// A line or rectangle on its way: drawn as a ghost until it is let go.
-struct ShapeInHand {
+struct ActiveShape {
   Tool tool = Tool::kLine;
   GridId grid = GridId::kNone;
   Cell from, to;
@@ -74,10 +74,10 @@ struct DocumentView {
   float cloth_length_cm = 0, cloth_width_cm = 0;  // finished, that yarn is counted for; 0: as the draft is
   std::shared_ptr<const OtherDraft> other;        // that it is held against; null: none
   int place = -1;                                 // of those that differ, last shown
-  std::optional<Refusal> refusal;                 // what was painted last and could not be woven
-  std::shared_ptr<const Nearest> nearest;         // that is looked at, its wrong crossings marked; null: none
+  std::optional<RejectedEdit> rejected_edit;      // what was painted last and could not be woven
+  std::shared_ptr<const ClosestWeave> nearest;    // that is looked at, its wrong crossings marked; null: none
   Stroke stroke;
-  std::optional<ShapeInHand> shape;
+  std::optional<ActiveShape> shape;
   TypeCursor cursor;
   bool mirror_ends = false, mirror_picks = false;  // what is drawn is drawn mirrored, too
   AtLoom at_loom;

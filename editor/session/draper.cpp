@@ -12,9 +12,9 @@ constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of 
 
 }  // namespace
 
-Edit own_drape_edit(bool own) {
-  return {own ? "Drape this cloth" : "Hang it like its kind", [own](Design d) {
-            d.scene.own_drape = own;
+Edit simulated_drape_edit(bool own) {
+  return {own ? "Drape this cloth" : "DrapeStiffness it like its kind", [own](Design d) {
+            d.scene.simulated_drape = own;
             return d;
           }};
 }
@@ -22,7 +22,7 @@ Edit own_drape_edit(bool own) {
 Draper::Draper(std::function<void()> wake) : wake_(std::move(wake)) {}
 
 void Draper::follow(const std::shared_ptr<const Design>& design) {
-  std::string wanted = design->scene.own_drape ? files::kept_drape_path(*design) : std::string();
+  std::string wanted = design->scene.simulated_drape ? files::kept_drape_path(*design) : std::string();
   {
     const std::lock_guard lock(mutex_);
     if (wanted == wanted_) return;

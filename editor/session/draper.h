@@ -28,7 +28,7 @@ struct DrapeState {
 };
 
 /// As an edit: whether the cloth hangs by its own stiffness.
-Edit own_drape_edit(bool own);
+Edit simulated_drape_edit(bool own);
 
 class Draper {
  public:

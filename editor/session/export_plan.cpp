@@ -42,8 +42,8 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
   }
   out.texels_a_thread = std::min(static_cast<float>(s.size.width) / static_cast<float>(s.ends),
                                  static_cast<float>(s.size.height) / static_cast<float>(s.picks));
-  constexpr float kLeastTexels = 2;
-  if (out.texels_a_thread < kLeastTexels)
+  constexpr float kMinTexels = 2;
+  if (out.texels_a_thread < kMinTexels)
     out.why.emplace_back("Threads have less than two texels and blur; take more texels or a smaller tile.");
   return out;
 }

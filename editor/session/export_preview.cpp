@@ -10,8 +10,8 @@
 namespace weftlight::session {
 namespace {
 
-constexpr int kMostSide = 256;  // texels of the images that thumbnails are cut from
-constexpr int kColumns = 8;     // of thumbnails in the picture
+constexpr int kMaxSide = 256;  // texels of the images that thumbnails are cut from
+constexpr int kColumns = 8;    // of thumbnails in the picture
 constexpr double kSheetBytes = 6e5;
 constexpr double kGrowth = 0.7;  // of a file's bytes with its texels, as powers: finer images are smoother
 
@@ -108,7 +108,7 @@ ShownImage lay(Sheet& sheet, const PreviewImage& image, int side) {
 ExportPreview export_preview(const Design& design, Face face, const TextureSetOptions& options,
                              const PreviewSizes& sizes, const std::stop_token& stop) {
   const SetPreview made =
-      preview_set(design, face, options, kMostSide, sizes.swatch_width, sizes.swatch_height, sizes.swatch_mm, stop);
+      preview_set(design, face, options, kMaxSide, sizes.swatch_width, sizes.swatch_height, sizes.swatch_mm, stop);
   Sheet sheet(std::max(sizes.swatch_width, kColumns * sizes.side));
   if (!made.images.empty() && !stop.stop_requested()) {
     const PictureRect at = sheet.room(sheet.made().width, sizes.swatch_height);
@@ -140,7 +140,7 @@ ExportPreviewer::ExportPreviewer(std::shared_ptr<const Design> design, std::func
 
 void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const PreviewSizes& sizes) {
   TextureSetOptions small = options;
-  small.size = std::min(options.size, kMostSide);
+  small.size = std::min(options.size, kMaxSide);
   std::string now = key_of(small) + (face == Face::kFront ? " front" : " back");
   for (const int n : {sizes.swatch_width, sizes.swatch_height, sizes.side}) now.append(" ").append(std::to_string(n));
   if (now == asked_) return;

@@ -70,7 +70,7 @@ void Exporter::tell(size_t set, size_t sets, float share) {
   wake_();
 }
 
-bool Exporter::take_mesh(const std::vector<ExportJob>& jobs, const Design& design) {
+bool Exporter::use_mesh(const std::vector<ExportJob>& jobs, const Design& design) {
   const bool wanted =
       std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return needs_mesh(j.options.target); });
   if (!wanted || mesh_name_ == drape_key(design)) return true;
@@ -85,7 +85,7 @@ bool Exporter::take_mesh(const std::vector<ExportJob>& jobs, const Design& desig
 }
 
 void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, const std::stop_token& stop) {
-  const bool ready = take_mesh(jobs, design);
+  const bool ready = use_mesh(jobs, design);
   for (size_t i = 0; ready && i < jobs.size() && !stop.stop_requested(); ++i) {
     tell(i, jobs.size(), 0);
     const Progress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};

@@ -42,7 +42,7 @@ class Exporter {
  private:
   void run(const std::vector<ExportJob>& jobs, const Design& design, const std::stop_token& stop);
   /// False: there is none, told as a problem.
-  bool take_mesh(const std::vector<ExportJob>& jobs, const Design& design);
+  bool use_mesh(const std::vector<ExportJob>& jobs, const Design& design);
   void tell(size_t set, size_t sets, float share);
   void end();
 

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 constexpr auto kPause = 100ms;  // between two entries: a drag makes sixty states a second
 constexpr auto kRetry = 1s;
 /// A journal is begun anew when it has grown so far: reading goes through all of it.
-constexpr size_t kMostEntries = 500, kMostAppended = size_t{4} << 20;
+constexpr size_t kMaxEntries = 500, kMaxAppended = size_t{4} << 20;
 
 /// Appends to a file that is there, or (`how`: O_CREAT | O_EXCL) that is not; what went wrong, or empty.
 std::string append(const std::string& path, std::string_view bytes, int how = 0) {
@@ -193,8 +193,7 @@ std::string Journal::write(uint64_t document, const State& state) {
     for (auto& [other, journal] : written_) journal.whole = false;
   lock.unlock();
   bool done = false;
-  if (written.whole && written.note == state.note && written.entries < kMostEntries &&
-      written.appended < kMostAppended) {
+  if (written.whole && written.note == state.note && written.entries < kMaxEntries && written.appended < kMaxAppended) {
     const std::string entry = journal_entry(written.text, text);
     done = append(path, entry).empty();
     ++written.entries;

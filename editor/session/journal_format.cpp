@@ -87,7 +87,7 @@ DocumentNote note_of(std::string_view text) {
 bool apply_difference(std::string_view payload, std::string& text) {
   const uint64_t front = take_number(payload), back = take_number(payload), hash = take_number(payload);
   if (front > text.size() || back > text.size() - front) return false;
-  if (front + back + payload.size() > kMostJournalText) return false;
+  if (front + back + payload.size() > kMaxJournalText) return false;
   std::string now = text;
   now.replace(front, text.size() - front - back, payload);
   if (content_hash(now) != hash) return false;

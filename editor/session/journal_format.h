@@ -30,7 +30,7 @@ struct JournalEntry {
 };
 
 /// Of a text, and of the memory that reading a journal may take; far above any draft (draft.h).
-inline constexpr size_t kMostJournalText = size_t{256} << 20;
+inline constexpr size_t kMaxJournalText = size_t{256} << 20;
 
 /// The beginning of a journal: a whole entry.
 std::string journal_start(const JournalEntry& entry);

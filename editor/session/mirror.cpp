@@ -1,6 +1,6 @@
 #include "session/mirror.h"
 
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::session {
 

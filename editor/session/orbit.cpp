@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upload/views.h"
+#include "render_data/named_views.h"
 
 namespace weftlight::session {
 namespace {
@@ -18,7 +18,7 @@ Orbit orbit_of(const Scene& s) { return {s.view_azimuth, s.view_elevation, s.vie
 
 Orbit flat_orbit(const Design& design, float width_px, float height_px) {
   constexpr float kPixelsAYarn = 9;
-  return {0, 0, upload::flat_distance(design, width_px, height_px, kPixelsAYarn), 0, 0};
+  return {0, 0, render_data::flat_distance(design, width_px, height_px, kPixelsAYarn), 0, 0};
 }
 
 Scene with_orbit(Scene s, const Orbit& camera) {

@@ -2,8 +2,8 @@
 // The camera around the cloth, as the weaver turns it; not part of the design until it is kept.
 
 #include "draft/design.h"
+#include "render_data/named_views.h"
 #include "session/names.h"
-#include "upload/views.h"
 
 namespace weftlight::session {
 

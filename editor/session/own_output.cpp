@@ -43,7 +43,7 @@ LiveExport::LiveExport(std::string path, const std::string& state_folder) : path
   record_ = (fs::path(state_folder) / "live_exports" / name.str()).string();
 }
 
-std::string LiveExport::refusal(const std::string& draft) const {
+std::string LiveExport::rejected_edit(const std::string& draft) const {
   if (same_file(path_, draft)) return kIsTheDraft;
   if (is_free(path_)) return {};
   std::error_code error;

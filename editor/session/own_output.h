@@ -16,7 +16,7 @@ class LiveExport {
   LiveExport(std::string path, const std::string& state_folder);
   const std::string& path() const { return path_; }
   /// Why it may not be written while `draft` is open (empty: none is): what is wrong and what to do; empty: it may.
-  std::string refusal(const std::string& draft) const;
+  std::string rejected_edit(const std::string& draft) const;
   /// Writes it; what went wrong, or empty.
   std::string write(std::string_view bytes);
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "draft/crossings.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::session {
 namespace {
@@ -33,7 +33,7 @@ std::string shafts_of_end(const Draft& d, int end) {
 }
 
 std::string lift_of_pick(const Draft& d, int pick) {
-  const bool plan = d.drive == Drive::kLiftplan;
+  const bool plan = d.drive == ShedControl::kLiftplan;
   const std::string list = listed(plan ? d.liftplan : d.treadling, pick);
   const char* verb = !plan ? "" : d.rising ? "lifts " : "lowers ";
   const char* nothing = plan ? (d.rising ? "lifts no shaft" : "lowers no shaft") : "no treadle";

@@ -55,7 +55,7 @@ struct ReadEntry {
 };
 
 ReadEntry read_entry(const std::string& journal) {
-  if (facts_of(journal).size > 2 * kMostJournalText) return {{}, "it is larger than any journal"};
+  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, "it is larger than any journal"};
   const FileBytes file = read_file(journal);
   if (!file.error.empty()) return {{}, file.error};
   ReadEntry read{read_journal(file.bytes), {}};

@@ -9,7 +9,7 @@
 namespace weftlight::session {
 namespace {
 
-constexpr int kMostSamples = 256;          // of a pixel: noise is then below what is seen
+constexpr int kMaxSamples = 256;           // of a pixel: noise is then below what is seen
 constexpr int kCoarse = 4;                 // the first picture has a pixel for so many, each way
 constexpr int64_t kTriangles = 3'000'000;  // 400 MB: the window must leave room for others
 
@@ -101,7 +101,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   TracedImage mean{view.width, view.height, {}};
   mean.pixels.resize(static_cast<size_t>(view.width) * static_cast<size_t>(view.height));
   // 1, 1, 2, 4, 8: each pass doubles what there is.
-  for (int done = 0; done < kMostSamples && !stop.stop_requested();) {
+  for (int done = 0; done < kMaxSamples && !stop.stop_requested();) {
     view.first_sample = done;
     view.spp = std::max(1, done);
     add(mean, scene_.trace(view, {}), done, view.spp);
@@ -109,7 +109,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
     if (stop.stop_requested()) return;
     PictureComparison made = compare(job.around, job.preview, mean, job.exposure_ev);
     made.samples = done;
-    made.finished = done >= kMostSamples;
+    made.finished = done >= kMaxSamples;
     publish(std::move(made), stop);
   }
 }

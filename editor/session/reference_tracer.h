@@ -12,8 +12,8 @@
 
 #include "base/worker.h"
 #include "files/files.h"
+#include "render_data/reference_scene.h"
 #include "session/names.h"
-#include "upload/reference_scene.h"
 
 namespace weftlight::session {
 

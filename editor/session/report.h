@@ -9,8 +9,8 @@
 
 #include "analysis/difference.h"
 #include "analysis/floats.h"
-#include "analysis/layers.h"
 #include "analysis/threads.h"
+#include "analysis/weave_layers.h"
 #include "draft/repeat.h"
 #include "session/names.h"
 #include "session/other_draft.h"

@@ -32,7 +32,7 @@ struct MarksOnTheMove {
 };
 
 /// A block to be pasted, its first cell over cell `at`.
-struct BlockInHand {
+struct ActiveBlock {
   CellBlock block;
   BitGrid grid = BitGrid::kThreading;
   Cell at{0, 0};
@@ -41,13 +41,13 @@ struct BlockInHand {
 
 struct SelectState {
   Tool tool = Tool::kPaint;
-  Selection selected;      // empty: nothing
-  Cell anchor;             // where it began
-  bool with_looks = true;  // whole threads take their colours along
+  Selection selected;           // empty: nothing
+  Cell anchor;                  // where it began
+  bool with_properties = true;  // whole threads take their colours along
   SelectDrag drag = SelectDrag::kNone;
   Cell grip;  // of a move: the cell under the pointer, counted from the selection's first
   std::optional<MarksOnTheMove> move;
-  std::optional<BlockInHand> held;
+  std::optional<ActiveBlock> held;
   std::string notice;     // to be said once in the status line
   uint64_t revision = 0;  // of the design last looked at
   uint64_t moves = 0;     // so far

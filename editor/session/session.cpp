@@ -99,7 +99,7 @@ void Session::close(uint64_t id, Document (*instead)()) {
 
 bool Session::followed(bool changed) {
   if (!changed) return false;
-  active().view.refusal.reset();
+  active().view.rejected_edit.reset();
   follow_document(active().view, active().document);
   keep_unsaved(active());
   return true;
@@ -109,9 +109,10 @@ bool Session::commit(const Edit& edit, uint64_t stroke) {
   OpenDocument& open = active();
   const std::shared_ptr<const Design> before = open.document.snapshot();
   const bool changed = open.document.commit(edit, stroke);
-  std::optional<Refusal> refusal = refusal_after(std::move(open.view.refusal), *before, edit, stroke, changed);
+  std::optional<RejectedEdit> rejected_edit =
+      refusal_after(std::move(open.view.rejected_edit), *before, edit, stroke, changed);
   followed(changed);
-  open.view.refusal = std::move(refusal);
+  open.view.rejected_edit = std::move(rejected_edit);
   return changed;
 }
 bool Session::undo() { return followed(active().document.undo()); }

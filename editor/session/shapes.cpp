@@ -9,7 +9,7 @@
 
 #include "draft/crossings.h"
 #include "session/paint.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::session {
 namespace {
@@ -148,7 +148,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   if (*bits == BitGrid::kDrawdown && may_paint(design, *bits))
     for (const CellMask& m : masks) missed += missed_by(next.draft, m, what.on);
   // Where crossings change alone, only the loom refuses: then nothing is drawn rather than a part.
-  if (missed > 0 && design.loom.authority == Authority::kDrawdown) next = design;
+  if (missed > 0 && design.loom.leading == Leading::kDrawdown) next = design;
   else if (missed > 0) view.select.notice = what.name + missed_text(missed);
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.anew = drawn_on;
@@ -181,14 +181,14 @@ CellMask cells_of_shape(Tool tool, GridId grid, Cell from, Cell to) {
   return mask;
 }
 
-std::vector<CellMask> cells_of_shapes(const ShapeInHand& s, const Mirror& mirror) {
+std::vector<CellMask> cells_of_shapes(const ActiveShape& s, const Mirror& mirror) {
   const std::vector<Cell> from = images_of(mirror, s.grid, s.from), to = images_of(mirror, s.grid, s.to);
   std::vector<CellMask> all;
   for (size_t i = 0; i < from.size(); ++i) all.push_back(cells_of_shape(s.tool, s.grid, from[i], to[i]));
   return all;
 }
 
-bool leaves_others(const ShapeInHand& s) {
+bool leaves_others(const ActiveShape& s) {
   return s.on && s.tool == Tool::kLine && (by_end(s.grid) || by_pick(s.grid));
 }
 
@@ -207,7 +207,7 @@ std::pair<int, int> threads_about(const Threads& t, BarPaint what, int thread) {
 
 MaybeEdit finish_shape(DocumentView& view, const Design& design) {
   if (!view.shape) return {};
-  const ShapeInHand s = *std::exchange(view.shape, {});
+  const ActiveShape s = *std::exchange(view.shape, {});
   const Write write = !s.on ? Write::kErase : leaves_others(s) ? Write::kThreads : Write::kAdd;
   return drawn(view, design, {shape_name(s.tool), s.grid, s.on, write},
                cells_of_shapes(s, mirror_of(view, design.draft)));
@@ -225,7 +225,7 @@ Edit fill_bar_edit(const Draft& draft, GridId grid, Cell at, BarPaint what, int 
   return bar_edit(grid, cell(first), cell(end - 1), what, index);
 }
 
-std::string shape_text(const ShapeInHand& s) {
+std::string shape_text(const ActiveShape& s) {
   const auto bits = bit_grid_of(s.grid);
   if (!bits) return {};
   const std::string size = size_text(*bits, std::abs(s.to.a - s.from.a) + 1, std::abs(s.to.b - s.from.b) + 1);

@@ -30,9 +30,9 @@ Cell constrained(Tool tool, Cell from, Cell to, int columns, int rows);
 /// pick; elsewhere it has no gaps.
 CellMask cells_of_shape(Tool tool, GridId grid, Cell from, Cell to);
 /// A shape and its images.
-std::vector<CellMask> cells_of_shapes(const ShapeInHand& shape, const Mirror& mirror);
+std::vector<CellMask> cells_of_shapes(const ActiveShape& shape, const Mirror& mirror);
 /// A line there leaves each end or pick on one shaft or treadle.
-bool leaves_others(const ShapeInHand& shape);
+bool leaves_others(const ActiveShape& shape);
 
 /// All cells like the one at `at` that can be reached from it sideways, up and down. `cells`: the drawdown.
 CellMask region_about(const Draft& draft, const BitMatrix& cells, GridId grid, Cell at);
@@ -47,6 +47,6 @@ MaybeEdit fill_region(DocumentView& view, const Design& design, GridId grid, con
 Edit fill_bar_edit(const Draft& draft, GridId grid, Cell at, BarPaint what, int index);
 
 /// "Line: 12 ends x 4 shafts" and what keys do meanwhile.
-std::string shape_text(const ShapeInHand& shape);
+std::string shape_text(const ActiveShape& shape);
 
 }  // namespace weftlight::session

@@ -11,7 +11,7 @@
 namespace weftlight::session {
 namespace {
 
-constexpr size_t kMostOthers = 7;
+constexpr size_t kMaxOthers = 7;
 
 std::vector<int> range(int a, int b) {
   std::vector<int> out;
@@ -93,7 +93,7 @@ std::string plain(std::string_view words) {
 
 void add(SharedIndex& shared, int value, bool first) {
   if (first) shared.value = value;
-  if (value == shared.value || shared.others.size() >= kMostOthers) return;
+  if (value == shared.value || shared.others.size() >= kMaxOthers) return;
   if (std::find(shared.others.begin(), shared.others.end(), value) == shared.others.end())
     shared.others.push_back(value);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The ends or picks that a weaver has chosen: what the Threads panel shows and edits. Pure values; the
-// gestures that choose are in thread_heads.h.
+// gestures that choose are in thread_labels.h.
 
 #include <optional>
 #include <string>

@@ -8,10 +8,10 @@
 namespace weftlight::session {
 namespace {
 
-constexpr int kLeastAcross = 48;  // ends that a picture shows at least: of smaller drafts several repeats
-constexpr int kMostSamples = 4;   // along each side of a pixel that covers several crossings
-constexpr float kRound = 0.34f;   // how much darker a thread is at its edges
-constexpr float kDip = 0.30f;     // and where it goes under the next
+constexpr int kMinAcross = 48;   // ends that a picture shows at least: of smaller drafts several repeats
+constexpr int kMaxSamples = 4;   // along each side of a pixel that covers several crossings
+constexpr float kRound = 0.34f;  // how much darker a thread is at its edges
+constexpr float kDip = 0.30f;    // and where it goes under the next
 
 constexpr float kAlike = 0.12f;  // colours that differ by less in each channel, of the mean warp and weft,
 constexpr float kTone = 0.84f;   // are told apart by a darker weft, as white damask is by its gloss
@@ -43,7 +43,7 @@ struct Side {
 
 Side side_of(int pixels, float cell, int count) {
   Side side;
-  side.samples = std::clamp(static_cast<int>(std::ceil(1 / cell)), 1, kMostSamples);
+  side.samples = std::clamp(static_cast<int>(std::ceil(1 / cell)), 1, kMaxSamples);
   std::vector<int> seen;
   for (int i = 0; i < pixels * side.samples; ++i) {
     const float cells = (static_cast<float>(i) + 0.5f) / (static_cast<float>(side.samples) * cell);
@@ -129,7 +129,7 @@ Thumbnail thumbnail_of(const Draft& draft, int width, int height) {
   if (draft.ends() == 0 || draft.picks() == 0 || width <= 0 || height <= 0) return {};
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   const float fits = std::min(static_cast<float>(draft.ends()), static_cast<float>(draft.picks()) * w / h);
-  float cell = w / std::max(fits, static_cast<float>(kLeastAcross));
+  float cell = w / std::max(fits, static_cast<float>(kMinAcross));
   if (cell >= 2) cell = std::floor(cell);
   const Side across = side_of(width, cell, draft.ends()), down = side_of(height, cell, draft.picks());
   constexpr float kFlat = 2, kShaded = 6;  // pixels of a cell

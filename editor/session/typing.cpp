@@ -6,7 +6,7 @@
 #include "draft/crossings.h"
 #include "session/mirror.h"
 #include "session/paint.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::session {
 namespace {

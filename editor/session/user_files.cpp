@@ -14,10 +14,10 @@ namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMostRecent = 40;
-constexpr size_t kMostPrices = 2000;
-constexpr size_t kMostKeys = 1000, kLongestKey = 64;
-constexpr uint64_t kMostBytes = uint64_t{1} << 20;
+constexpr size_t kMaxRecent = 40;
+constexpr size_t kMaxPrices = 2000;
+constexpr size_t kMaxKeys = 1000, kLongestKey = 64;
+constexpr uint64_t kMaxBytes = uint64_t{1} << 20;
 
 fs::path settings_path() { return fs::path(config_folder()) / "settings.json"; }
 
@@ -54,7 +54,7 @@ void take_prices(const nlohmann::json& json, std::map<std::string, float>& price
   const auto found = json.find("yarn_prices");
   if (found == json.end() || !found->is_object()) return;
   for (const auto& [yarn, price] : found->items())
-    if (price.is_number() && price.get<double>() >= 0 && price.get<double>() <= 1e6 && prices.size() < kMostPrices)
+    if (price.is_number() && price.get<double>() >= 0 && price.get<double>() <= 1e6 && prices.size() < kMaxPrices)
       prices[yarn] = price.get<float>();
 }
 
@@ -68,7 +68,7 @@ std::map<std::string, float> writable(const std::map<std::string, float>& prices
 
 }  // namespace
 
-Settings load_settings() { return settings_from(read_file(settings_path().string(), kMostBytes).bytes); }
+Settings load_settings() { return settings_from(read_file(settings_path().string(), kMaxBytes).bytes); }
 
 Settings settings_from(std::string_view text) {
   Settings s;
@@ -92,26 +92,26 @@ Settings settings_from(std::string_view text) {
   take(json, "start_page", s.start_page);
   take(json, "by_time", s.by_time);
   take(json, "picture_ms", s.picture_ms);
-  if (!(s.picture_ms >= kLeastPictureMs && s.picture_ms <= kMostPictureMs)) s.picture_ms = Settings{}.picture_ms;
+  if (!(s.picture_ms >= kMinPictureMs && s.picture_ms <= kMaxPictureMs)) s.picture_ms = Settings{}.picture_ms;
   take(json, "loom_waste_cm", s.loom_waste_cm);
   take(json, "shrinkage", s.shrinkage);
   take(json, "spare_yarn", s.spare_yarn);
   take_prices(json, s.yarn_prices);
   const Settings usual;
-  if (!(s.loom_waste_cm >= 0 && s.loom_waste_cm <= kMostLoomWasteCm)) s.loom_waste_cm = usual.loom_waste_cm;
-  if (!(s.shrinkage >= 0 && s.shrinkage <= kMostShare)) s.shrinkage = usual.shrinkage;
-  if (!(s.spare_yarn >= 0 && s.spare_yarn <= kMostShare)) s.spare_yarn = usual.spare_yarn;
+  if (!(s.loom_waste_cm >= 0 && s.loom_waste_cm <= kMaxLoomWasteCm)) s.loom_waste_cm = usual.loom_waste_cm;
+  if (!(s.shrinkage >= 0 && s.shrinkage <= kMaxShare)) s.shrinkage = usual.shrinkage;
+  if (!(s.spare_yarn >= 0 && s.spare_yarn <= kMaxShare)) s.spare_yarn = usual.spare_yarn;
   take(json, "split", s.split);
   take(json, "width", s.width);
   take(json, "height", s.height);
   if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
     for (const auto& path : *recent)
-      if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMostRecent)
+      if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMaxRecent)
         s.recent.push_back(std::move(one));
   if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
   if (const auto keys = json.find("keys"); keys != json.end() && keys->is_object())
     for (const auto& [action, key] : keys->items())
-      if (key.is_string() && key.get_ref<const std::string&>().size() <= kLongestKey && s.keys.size() < kMostKeys)
+      if (key.is_string() && key.get_ref<const std::string&>().size() <= kLongestKey && s.keys.size() < kMaxKeys)
         s.keys[action] = key.get<std::string>();
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
@@ -162,7 +162,7 @@ void remember(Settings& settings, const std::string& path) {
   const std::string text = error ? path : full.string();
   std::erase(settings.recent, text);
   settings.recent.insert(settings.recent.begin(), text);
-  if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
+  if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
 }
 
 void forget(Settings& settings, const std::string& path) { std::erase(settings.recent, path); }

@@ -15,8 +15,8 @@ enum class DrawdownStyle { kThreads, kColor, kStructure };
 /// What stands beside the preview: the ray-traced picture behind a slider, or how far the two are apart.
 enum class Compare { kOff, kSplit, kDifference };
 
-inline constexpr float kMostLoomWasteCm = 1000, kMostShare = 0.6f;
-inline constexpr float kLeastPictureMs = 5, kMostPictureMs = 5000;
+inline constexpr float kMaxLoomWasteCm = 1000, kMaxShare = 0.6f;
+inline constexpr float kMinPictureMs = 5, kMaxPictureMs = 5000;
 
 struct Settings {
   bool dark = false, end1_right = true;
@@ -44,7 +44,7 @@ struct Settings {
   int tour = -1;  // its step; -1: it is not shown
   int inspector_tab = 0;
   bool show_history = false;
-  bool show_rungs = false;  // false colours: which method shades which pixel
+  bool show_methods = false;  // false colours: which method shades which pixel
   Compare compare = Compare::kOff;
   float compare_split = 0.5f;  // of the pane's width
   float lobe_light_deg = 35;   // of the light in the plot of the lobes, from the normal

@@ -25,7 +25,7 @@ void add(std::vector<Area>& areas, Area next) {
     const float growth = size_of(joined(areas[i], next)) - size_of(areas[i]) - size_of(next);
     if (growth < least) least = growth, best = i;
   }
-  if (best < areas.size() && (least <= kFreeGrowth || areas.size() == Damage::kMostAreas))
+  if (best < areas.size() && (least <= kFreeGrowth || areas.size() == Damage::kMaxAreas))
     areas[best] = joined(areas[best], next);
   else areas.push_back(next);
 }

@@ -18,7 +18,7 @@ struct Area {
 
 class Damage {
  public:
-  static constexpr size_t kMostAreas = 6;
+  static constexpr size_t kMaxAreas = 6;
 
   /// Areas, on whole units, that hold all that is drawn otherwise than in the frame before; none where nothing is. The
   /// first frame, and one of another size, is drawn whole. A texture whose pixels change must change its name.

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "analysis/floats.h"
-#include "analysis/layers.h"
+#include "analysis/weave_layers.h"
 #include "draft/drawdown.h"
 #include "draft/edits.h"
 #include "draft/factor.h"
@@ -21,7 +21,7 @@ using namespace weftlight::analysis;
 constexpr int kLarge = 10000;
 constexpr int kShafts = 32;
 
-Draft large_draft(Drive drive) {
+Draft large_draft(ShedControl drive) {
   std::mt19937 random(1);
   Draft d = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {kLarge, kLarge}).draft;
   for (int p = 0; p < d.picks(); ++p) {
@@ -32,7 +32,7 @@ Draft large_draft(Drive drive) {
 }
 
 void copy_of_drawdown(benchmark::State& state) {
-  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
   BitMatrix to = cells;
   for (auto _ : state) {
     for (int r = 0; r < cells.rows(); ++r)
@@ -45,14 +45,14 @@ void copy_of_drawdown(benchmark::State& state) {
 BENCHMARK(copy_of_drawdown)->Unit(benchmark::kMillisecond);
 
 void drawdown_10000_treadled(benchmark::State& state) {
-  const Draft d = large_draft(Drive::kTreadling);
+  const Draft d = large_draft(ShedControl::kTreadling);
   if (d.shafts != kShafts) state.SkipWithError("the draft should have 32 shafts");
   for (auto _ : state) benchmark::DoNotOptimize(drawdown(d));
 }
 BENCHMARK(drawdown_10000_treadled)->Unit(benchmark::kMillisecond);
 
 void drawdown_10000_random_liftplan(benchmark::State& state) {
-  const Draft d = large_draft(Drive::kLiftplan);
+  const Draft d = large_draft(ShedControl::kLiftplan);
   for (auto _ : state) benchmark::DoNotOptimize(drawdown(d));
 }
 BENCHMARK(drawdown_10000_random_liftplan)->Unit(benchmark::kMillisecond);
@@ -92,31 +92,31 @@ void edit_and_commit_copy_1285_x_3058(benchmark::State& state) {
 BENCHMARK(edit_and_commit_copy_1285_x_3058)->Unit(benchmark::kMicrosecond);
 
 void floats_10000(benchmark::State& state) {
-  const BitMatrix cells = drawdown(large_draft(Drive::kLiftplan));
+  const BitMatrix cells = drawdown(large_draft(ShedControl::kLiftplan));
   for (auto _ : state) benchmark::DoNotOptimize(longest_floats(cells));
 }
 BENCHMARK(floats_10000)->Unit(benchmark::kMillisecond);
 
 void repeat_10000(benchmark::State& state) {
-  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
   for (auto _ : state) benchmark::DoNotOptimize(structure_repeat(cells));
 }
 BENCHMARK(repeat_10000)->Unit(benchmark::kMillisecond);
 
 void long_floats_10000(benchmark::State& state) {
-  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
   for (auto _ : state) benchmark::DoNotOptimize(long_floats(cells, 4));
 }
 BENCHMARK(long_floats_10000)->Unit(benchmark::kMillisecond);
 
 void float_overlay_10000(benchmark::State& state) {
-  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
   for (auto _ : state) benchmark::DoNotOptimize(crossings_in_floats(cells, 4, Face::kFront));
 }
 BENCHMARK(float_overlay_10000)->Unit(benchmark::kMillisecond);
 
 void layers_10000(benchmark::State& state) {
-  const BitMatrix cells = drawdown(large_draft(Drive::kTreadling));
+  const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
   for (auto _ : state) benchmark::DoNotOptimize(layers(cells));
 }
 BENCHMARK(layers_10000)->Unit(benchmark::kMillisecond);

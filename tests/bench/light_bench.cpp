@@ -27,7 +27,7 @@ void brdf_tables_of_a_cloth(benchmark::State& state) {
 BENCHMARK(brdf_tables_of_a_cloth)->Unit(benchmark::kMillisecond);
 
 /// What rungs `cloth` and `repeat` read, of one face of a 2/2 twill.
-void answer_from_afar(benchmark::State& state) {
+void far_field_of(benchmark::State& state) {
   Design design;
   design.draft = blank_draft(4, 4, 4, 4);
   BitMatrix cells(4, 4);
@@ -37,7 +37,7 @@ void answer_from_afar(benchmark::State& state) {
   const Maps maps = bake(cloth, {256, 256, 16, 0});
   for (auto _ : state) benchmark::DoNotOptimize(cloth_response(cloth, maps));
 }
-BENCHMARK(answer_from_afar)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(far_field_of)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void separable_cube_maps(benchmark::State& state) {
   const ClothBrdf brdf = preset_cloth_brdf("satin", {1, 0.2f, 0.1f}, {0.1f, 0.2f, 1});

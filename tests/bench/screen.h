@@ -27,9 +27,9 @@ struct Size {
 inline constexpr Size kJacquard{1285, 3058}, kLarge{10000, 10000};
 
 /// 32 shafts; treadled, or by a liftplan in no order.
-inline Design design_of(Size size, Drive drive) {
+inline Design design_of(Size size, ShedControl drive) {
   Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {size.ends, size.picks});
-  if (drive == Drive::kTreadling) return design;
+  if (drive == ShedControl::kTreadling) return design;
   design = to_liftplan(std::move(design));
   std::mt19937 random(1);
   for (int p = 0; p < size.picks; ++p)

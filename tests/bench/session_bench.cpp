@@ -27,13 +27,13 @@ Edit to_shaft(int shaft) {
 }
 
 /// A cell painted in the threading, and the drawdown after it; each a step of its own.
-void stroke(benchmark::State& state, Size size, Drive drive) {
+void stroke(benchmark::State& state, Size size, ShedControl drive) {
   Document document(design_of(size, drive));
   int shaft = 0;
   for (auto _ : state) benchmark::DoNotOptimize(document.commit(to_shaft(shaft = (shaft + 1) % 32), 0));
 }
 
-void undo(benchmark::State& state, Size size, Drive drive) {
+void undo(benchmark::State& state, Size size, ShedControl drive) {
   Document document(design_of(size, drive));
   document.commit(to_shaft(5), 0);
   for (auto _ : state) {
@@ -42,7 +42,7 @@ void undo(benchmark::State& state, Size size, Drive drive) {
   }
 }
 
-void invert(benchmark::State& state, BitGrid grid, Drive drive) {
+void invert(benchmark::State& state, BitGrid grid, ShedControl drive) {
   Document document(design_of(kLarge, drive));
   const Edit edit{"Invert", [grid](Design d) {
                     const Selection all = whole_grid(d.draft, grid);
@@ -51,7 +51,7 @@ void invert(benchmark::State& state, BitGrid grid, Drive drive) {
   for (auto _ : state) benchmark::DoNotOptimize(document.commit(edit, 0));
 }
 
-void open(benchmark::State& state, Size size, Drive drive) {
+void open(benchmark::State& state, Size size, ShedControl drive) {
   const std::string bytes = write_new_wif(design_of(size, drive));
   for (auto _ : state) {
     WifRead read = read_draft(bytes);
@@ -60,7 +60,7 @@ void open(benchmark::State& state, Size size, Drive drive) {
   state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(bytes.size()));
 }
 
-void save(benchmark::State& state, Size size, Drive drive) {
+void save(benchmark::State& state, Size size, ShedControl drive) {
   WifRead read = read_draft(write_new_wif(design_of(size, drive)));
   Document document(std::move(*read.file), {}, {});
   document.commit(to_shaft(5), 0);
@@ -79,7 +79,7 @@ void draw_grids(PanelContext& c, DraftPictures& pictures) {
 void pan(benchmark::State& state, Size size, float pitch) {
   Screen screen;
   if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());
-  const Document document(design_of(size, Drive::kTreadling));
+  const Document document(design_of(size, ShedControl::kTreadling));
   DocumentView view = view_of(document, false);
   DraftPictures pictures;
   screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, pictures); });
@@ -91,19 +91,19 @@ void pan(benchmark::State& state, Size size, float pitch) {
   }
 }
 
-BENCHMARK_CAPTURE(stroke, 1285_x_3058, kJacquard, Drive::kTreadling)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(stroke, 10000_random_liftplan, kLarge, Drive::kLiftplan)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(undo, 1285_x_3058, kJacquard, Drive::kTreadling)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(undo, 10000_random_liftplan, kLarge, Drive::kLiftplan)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(invert, drawdown_10000_treadled, BitGrid::kDrawdown, Drive::kTreadling)
+BENCHMARK_CAPTURE(stroke, 1285_x_3058, kJacquard, ShedControl::kTreadling)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stroke, 10000_random_liftplan, kLarge, ShedControl::kLiftplan)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(undo, 1285_x_3058, kJacquard, ShedControl::kTreadling)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(undo, 10000_random_liftplan, kLarge, ShedControl::kLiftplan)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(invert, drawdown_10000_treadled, BitGrid::kDrawdown, ShedControl::kTreadling)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(invert, drawdown_10000_random_liftplan, BitGrid::kDrawdown, Drive::kLiftplan)
+BENCHMARK_CAPTURE(invert, drawdown_10000_random_liftplan, BitGrid::kDrawdown, ShedControl::kLiftplan)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(invert, liftplan_10000, BitGrid::kLiftplan, Drive::kLiftplan)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(open, 1285_x_3058, kJacquard, Drive::kTreadling)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(open, 10000_random_liftplan, kLarge, Drive::kLiftplan)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(save, 1285_x_3058, kJacquard, Drive::kTreadling)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(save, 10000_random_liftplan, kLarge, Drive::kLiftplan)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(invert, liftplan_10000, BitGrid::kLiftplan, ShedControl::kLiftplan)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(open, 1285_x_3058, kJacquard, ShedControl::kTreadling)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(open, 10000_random_liftplan, kLarge, ShedControl::kLiftplan)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(save, 1285_x_3058, kJacquard, ShedControl::kTreadling)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(save, 10000_random_liftplan, kLarge, ShedControl::kLiftplan)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pan, 1285_x_3058_near, kJacquard, 12.0f)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pan, 1285_x_3058_far, kJacquard, 0.5f)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pan, 10000_near, kLarge, 12.0f)->Unit(benchmark::kMillisecond);

@@ -10,13 +10,13 @@
 #include "draft/edits.h"
 #include "draft/generators.h"
 #include "files/files.h"
-#include "upload/stages.h"
+#include "render_data/stages.h"
 
 namespace {
 
 using namespace weftlight::draft;
-using weftlight::upload::Effort;
-using weftlight::upload::Stages;
+using weftlight::render_data::Effort;
+using weftlight::render_data::Stages;
 
 constexpr int kLarge = 10000;
 
@@ -26,11 +26,11 @@ std::shared_ptr<const Design> kept(Design design) {
 }
 
 /// 32 shafts, picks in no order: what repeats nowhere.
-Design large_design(int ends, int picks, Drive drive) {
+Design large_design(int ends, int picks, ShedControl drive) {
   std::mt19937 random(1);
   Design design = twill({3, 2, 1, 2, 5, 3, 4, 3, 2, 3, 1, 3}, Lean::kRight, {ends, picks});
   Draft& d = design.draft;
-  if (drive == Drive::kLiftplan) {
+  if (drive == ShedControl::kLiftplan) {
     d = to_liftplan(design).draft;
     for (int p = 0; p < d.picks(); ++p)
       for (int s = 0; s < d.shafts; ++s) d.liftplan.set(p, s, random() % 2 == 0);
@@ -73,20 +73,20 @@ void first_cloth_of_starter(benchmark::State& state) {
   cloth_from(state, starter, Effort::kQuick);
 }
 void first_cloth_1285_x_3058(benchmark::State& state) {
-  cloth_from(state, large_design(1285, 3058, Drive::kTreadling), Effort::kQuick);
+  cloth_from(state, large_design(1285, 3058, ShedControl::kTreadling), Effort::kQuick);
 }
 void first_cloth_10000_treadled(benchmark::State& state) {
-  cloth_from(state, large_design(kLarge, kLarge, Drive::kTreadling), Effort::kQuick);
+  cloth_from(state, large_design(kLarge, kLarge, ShedControl::kTreadling), Effort::kQuick);
 }
 void first_cloth_10000_random_liftplan(benchmark::State& state) {
-  cloth_from(state, large_design(kLarge, kLarge, Drive::kLiftplan), Effort::kQuick);
+  cloth_from(state, large_design(kLarge, kLarge, ShedControl::kLiftplan), Effort::kQuick);
 }
 void whole_cloth_10000_random_liftplan(benchmark::State& state) {
-  cloth_from(state, large_design(kLarge, kLarge, Drive::kLiftplan), Effort::kFull);
+  cloth_from(state, large_design(kLarge, kLarge, ShedControl::kLiftplan), Effort::kFull);
 }
 void cloth_after_a_tieup_cell_1285_x_3058(benchmark::State& state) {
   edited(
-      state, large_design(1285, 3058, Drive::kTreadling), [](Draft& d) { flip(d.tieup, 3, 5); }, Effort::kQuick);
+      state, large_design(1285, 3058, ShedControl::kTreadling), [](Draft& d) { flip(d.tieup, 3, 5); }, Effort::kQuick);
 }
 
 BENCHMARK(first_cloth_of_starter)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();

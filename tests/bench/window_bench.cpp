@@ -103,8 +103,8 @@ class WholeWindow {
 };
 
 Design starter() { return twill({2, 2}, Lean::kRight, {70, 70}); }
-Design jacquard() { return design_of(kJacquard, Drive::kTreadling); }
-Design large() { return design_of(kLarge, Drive::kTreadling); }
+Design jacquard() { return design_of(kJacquard, ShedControl::kTreadling); }
+Design large() { return design_of(kLarge, ShedControl::kTreadling); }
 
 /// A frame in which the draft is moved on by a few threads; `pitch` 0: it fits, and nothing moves.
 void whole_frame(benchmark::State& state, Design (*design)(), float pitch, Tab tab) {

@@ -10,7 +10,7 @@ const { spawn, spawnSync } = require('child_process');
 // 200 were measured: 175 MB after 40, 176 MB at the end; WEFTLIGHT_DRAFTS=200 does it again.
 const kDrafts = { parallel: 6, memory: Number(process.env.WEFTLIGHT_DRAFTS || 40) };
 const kEarly = 20;        // sets after which memory is taken as that of any number
-const kMostGrowth = 1.1;
+const kMaxGrowth = 1.1;
 const kArguments = ['--target', 'gltf', '--size', '16', '-o'];
 
 /// The most memory that a process has held so far, kB; 0: it is gone.
@@ -41,7 +41,7 @@ async function memory(weftlight, drafts, folder) {
   const seen = await peaks_of_run(weftlight, drafts, sets);
   const count = fs.readdirSync(sets).filter((name) => fs.existsSync(path.join(sets, name, 'texture_set.json'))).length;
   console.log(`${count} sets; ${(seen.early / 1024).toFixed(0)} MB after ${kEarly}, ${(seen.last / 1024).toFixed(0)} MB at the end`);
-  return count === kDrafts.memory && seen.early > 0 && seen.last < kMostGrowth * seen.early ? 0 : 1;
+  return count === kDrafts.memory && seen.early > 0 && seen.last < kMaxGrowth * seen.early ? 0 : 1;
 }
 
 /// Every file below a folder, with its bytes.

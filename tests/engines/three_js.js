@@ -14,8 +14,8 @@ const kEngineTolerance = 0.08;  // of the prediction, mean over azimuths: highli
 const of_cloth = (angle, open) => angle <= 60 && !open ? 0.1 : 0.25;  // open: gaps close at a slant, an engine's do not
 const kClothError = 0.25;       // RMS of the difference over the RMS of the cloth, to 60 degrees
 const kOpenError = 0.3;         // of open cloth
-const kRungTolerance = 0.05;    // of the rung, mean over planes and lights, to 60 degrees
-const kRungViews = [0, 43, 59], kRungLights = [-43, 43];
+const kMethodTolerance = 0.05;    // of the rung, mean over planes and lights, to 60 degrees
+const kMethodViews = [0, 43, 59], kMethodLights = [-43, 43];
 const kWindowM = 0.12;          // of the plane that is seen
 const kNearPixels = 192, kFarPixels = 20;  // across it: 0.6 mm, and 6 mm as for the rung
 const kCoverTolerance = 0.05;   // of coverage, at every distance and view
@@ -73,10 +73,10 @@ const unit = (plane, angle) => {
 };
 
 /// What rung `engine` sends from afar; none where there is no graphics.
-function of_rung(weftlight, draft, folder) {
+function of_method(weftlight, draft, folder) {
   const table = path.join(folder, 'rung.csv');
-  const asked = spawnSync(weftlight, ['response', draft, '--method', 'engine', '--plane', 'both', `--views=${kRungViews}`,
-    `--lights=${kRungLights}`, '-o', table], { stdio: ['ignore', 'ignore', 'inherit'] });
+  const asked = spawnSync(weftlight, ['response', draft, '--method', 'engine', '--plane', 'both', `--views=${kMethodViews}`,
+    `--lights=${kMethodLights}`, '-o', table], { stdio: ['ignore', 'ignore', 'inherit'] });
   if (asked.status === 4) return [];
   if (asked.status !== 0) throw new Error('weftlight response failed');
   return fs.readFileSync(table, 'utf8').trim().split('\n').slice(1).map((row) => {
@@ -90,7 +90,7 @@ async function measure(weftlight, three, chromium, draft, folder) {
   execFileSync(weftlight, ['export', draft, '--mesh', 'plane', '--size', '512', '-o', folder], { stdio: ['ignore', 'ignore', 'inherit'] });
   const set = path.join(folder, name);
   const list = JSON.parse(fs.readFileSync(path.join(set, 'texture_set.json')));
-  const pairs = list.fit.front.radiance.map((p) => ({ ...p, pixels: kNearPixels })), far = of_rung(weftlight, draft, folder);
+  const pairs = list.fit.front.radiance.map((p) => ({ ...p, pixels: kNearPixels })), far = of_method(weftlight, draft, folder);
   const cover = kCoverViews.flatMap((deg) => kCoverPixels.map((pixels) => ({ view: unit('weft', deg), light: [0, 0, 1], pixels, deg })));
   fs.writeFileSync(path.join(folder, 'query.json'), JSON.stringify({ window_m: kWindowM, pairs: [...pairs, ...far, ...cover] }));
   const folders = (url) => url.startsWith('/three/') ? path.join(three, path.normalize(url.slice(7)))
@@ -111,12 +111,12 @@ function judge(result) {
     console.log(`${result.name}: ${angle} degrees: three.js sends ${cloth.toFixed(3)} of the cloth, ${foretold.toFixed(3)} of what was foretold`);
     if (Math.abs(foretold - 1) > kEngineTolerance || Math.abs(cloth - 1) > of_cloth(+angle, open)) ++far;
   }
-  for (const angle of kRungViews) {
+  for (const angle of kMethodViews) {
     const rows = result.far.filter((r) => Math.abs(r.angle - angle) < 0.5);
     if (!rows.length) continue;
     const ratio = rows.reduce((s, r) => s + r.three, 0) / rows.reduce((s, r) => s + r.rung, 0);
     console.log(`${result.name}: ${angle} degrees: three.js sends ${ratio.toFixed(3)} of rung engine`);
-    if (Math.abs(ratio - 1) > kRungTolerance) ++far;
+    if (Math.abs(ratio - 1) > kMethodTolerance) ++far;
   }
   const dense = result.rows.filter((r) => r.angle <= 60);
   const error = Math.sqrt(dense.reduce((s, r) => s + (r.three - r.cloth) ** 2, 0) / dense.reduce((s, r) => s + r.cloth ** 2, 0));

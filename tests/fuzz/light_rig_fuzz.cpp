@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "render_data/light_rig.h"
 #include "require.h"
-#include "upload/light_rig.h"
 
-using namespace weftlight::upload;
+using namespace weftlight::render_data;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::string error;

@@ -76,10 +76,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   require(is_consistent(design), "a design is consistent");
   require(write_wif(*read.file, design) == bytes, "an unedited file keeps its bytes");
   // Huge drafts are allowed, but slow to write a thousand times.
-  constexpr int kMost = 600;
+  constexpr int kMax = 600;
   const Draft& d = design.draft;
-  if (d.ends() > kMost || d.picks() > kMost || d.shafts > kMost || d.treadles > kMost || d.palette.size() > kMost ||
-      design.notes.size() > kMost)
+  if (d.ends() > kMax || d.picks() > kMax || d.shafts > kMax || d.treadles > kMax || d.palette.size() > kMax ||
+      design.notes.size() > kMax)
     return 0;
   require(read_again(write_new_wif(design), "a new file is read") == design, "a new file holds the design");
   const Design now = edited(design, size * 31 + (size > 9 ? data[size / 2] : 0));

@@ -27,7 +27,7 @@ class DrapeTest : public OnDisplay {
     ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control << " is not there";
     display_.click(w.middle_of(control));
   }
-  bool is_own(const Window& w) const { return design_of(w.live()).scene.own_drape; }
+  bool is_own(const Window& w) const { return design_of(w.live()).scene.simulated_drape; }
 
   draft::Design design_;
   fs::path kept_;
@@ -56,7 +56,7 @@ TEST_F(DrapeTest, WhatWasDrapedIsThereWhenTheDraftIsOpenedAgain) {
   fs::create_directories(kept_.parent_path());
   fs::copy_file(fs::path(base::presets_dir()) / "meshes/sphere_stiff.glb", kept_);
   const auto before = fs::last_write_time(kept_);
-  design_.scene.own_drape = true;
+  design_.scene.simulated_drape = true;
   put(draft_, wif::write_new_wif(design_));
   Window w(display_, folder_, draft_);
   ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Cloth"));

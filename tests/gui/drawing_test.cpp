@@ -104,7 +104,7 @@ TEST_F(DrawingTest, WhatTheLoomCannotWeaveIsOfferedAsTheNearest) {
   }
   for (int t = 0; t < 4; ++t)
     for (int s = 0; s < 4; ++s) blank_.draft.tieup.set(t, s, (t + s) % 4 < 2);
-  blank_.loom.authority = draft::Authority::kDrawdown;
+  blank_.loom.leading = draft::Leading::kDrawdown;
   blank_.loom.shafts = blank_.loom.treadles = 4;
   put(draft_, wif::write_new_wif(blank_));
   Window w(display_, folder_, draft_, without_dialogs());

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr int kEnds = 24, kShafts = 8;
-constexpr auto kMostLost = 500ms;
+constexpr auto kMaxLost = 500ms;
 constexpr unsigned kSeed = 1;
 
 /// One xdotool that is told what to do as it goes along, so that the time of each event is known.
@@ -104,7 +104,7 @@ void KillTest::paint(const Window& w, Painted& painted, Clock::time_point until)
 void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point killed, Painted& painted) {
   // Nothing that was painted half a second before the end may be missing.
   size_t least = 0;
-  while (least + 1 < before.states.size() && before.when[least] + kMostLost < killed) ++least;
+  while (least + 1 < before.states.size() && before.when[least] + kMaxLost < killed) ++least;
   if (least == 0 && before.states.front() == design_of(bytes_of(draft_))) {
     // Too short to be sure of an offer.
     std::this_thread::sleep_for(1s);

@@ -139,7 +139,7 @@ class LookTest : public OnDisplay {
   void shoot_dialogs(const Window& w);
   void shoot_menus(const Window& w);
   void shoot_comparison(const Window& w);
-  void shoot_nearest(const Window& w);
+  void shoot_closest_weave(const Window& w);
   void open(const Window& w, const fs::path& file) const {
     ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
     display_.key("ctrl+a");
@@ -214,14 +214,14 @@ void LookTest::shoot_comparison(const Window& w) {
   ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
 }
 
-void LookTest::shoot_nearest(const Window& w) {
+void LookTest::shoot_closest_weave(const Window& w) {
   const std::string before = w.live();
   ASSERT_NO_FATAL_FAILURE(command(w, "drawdown rules"));
   ASSERT_TRUE(comes_true([&] { return w.live() != before; }));
   display_.key("shift+u");
   display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 14, 12), w.cell("drawdown", 70, 120)});
   ASSERT_TRUE(comes_true([&] { return w.has("nearest.see"); }));
-  shoot("nearest_notice");
+  shoot("closest_weave_notice");
   display_.click(w.middle_of("nearest.see"));
   ASSERT_TRUE(comes_true([&] { return w.has("nearest.place:1"); }));
   shoot("nearest");
@@ -256,7 +256,7 @@ void LookTest::shoot_all(const Window& w) {
   ASSERT_TRUE(comes_true([&] { return w.has("threading") || w.has("view"); }));
   ASSERT_NO_FATAL_FAILURE(shoot_menus(w));
   ASSERT_NO_FATAL_FAILURE(shoot_comparison(w));
-  ASSERT_NO_FATAL_FAILURE(shoot_nearest(w));
+  ASSERT_NO_FATAL_FAILURE(shoot_closest_weave(w));
 }
 
 TEST_F(LookTest, EveryViewIsAsItWasInBothThemes) {

@@ -10,7 +10,7 @@ fail() { echo "failed: $*" >&2; exit 1; }
 
 DESTDIR=$root "$cmake" --install "$build" --prefix /usr >"$root/log" || { cat "$root/log"; fail "cmake --install"; }
 share=$root/usr/share
-for file in usr/bin/weftlight usr/share/weftlight/presets/ladder.csv usr/share/weftlight/presets/drafts/starter.wif \
+for file in usr/bin/weftlight usr/share/weftlight/presets/lod_table.csv usr/share/weftlight/presets/drafts/starter.wif \
   usr/share/weftlight/shaders/cloth.frag usr/share/applications/weftlight.desktop \
   usr/share/mime/packages/weftlight.xml usr/share/icons/hicolor/scalable/apps/weftlight.svg; do
   [[ -s $root/$file ]] || fail "$file is not installed"
@@ -37,8 +37,8 @@ fi
 [[ -s $root/picture.png ]] || fail "there is no picture"
 
 # What is broken there is what it stumbles over.
-echo broken >"$share/weftlight/presets/ladder.csv"
+echo broken >"$share/weftlight/presets/lod_table.csv"
 render 2>"$root/said" || fail "render with a broken ladder"
-grep -q "$share/weftlight/presets/ladder.csv" "$root/said" || fail "the ladder is not the installed one: $(cat "$root/said")"
+grep -q "$share/weftlight/presets/lod_table.csv" "$root/said" || fail "the ladder is not the installed one: $(cat "$root/said")"
 echo "#error installed" >"$share/weftlight/shaders/cloth.frag"
 ! render 2>"$root/said" || fail "the shaders are not the installed ones"

@@ -108,7 +108,8 @@ void expect_other_forms(const std::string& name, const Design& design) {
   ASSERT_TRUE(made.file) << name;
   EXPECT_TRUE(made.file->design == design) << name;
   const BitMatrix cells = drawdown(design.draft);
-  for (const PlainDrive drive : {PlainDrive::kAsIs, PlainDrive::kLiftplan, PlainDrive::kTreadling}) {
+  for (const PlainShedControl drive :
+       {PlainShedControl::kAsIs, PlainShedControl::kLiftplan, PlainShedControl::kTreadling}) {
     const WifRead plain = read_wif(write_plain_wif(design, drive));
     ASSERT_TRUE(plain.file) << name;
     EXPECT_TRUE(drawdown(plain.file->design.draft) == cells) << name;

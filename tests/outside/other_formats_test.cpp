@@ -43,7 +43,7 @@ void expect_same_draft(const Draft& got, const Draft& wanted, const std::string&
   EXPECT_EQ(got.drive, wanted.drive) << name;
   EXPECT_EQ(got.shafts, wanted.shafts) << name;
   EXPECT_TRUE(got.threading == wanted.threading) << name;
-  if (wanted.drive == Drive::kTreadling) {
+  if (wanted.drive == ShedControl::kTreadling) {
     EXPECT_TRUE(got.tieup == wanted.tieup) << name;
     EXPECT_TRUE(got.treadling == wanted.treadling) << name;
   } else {

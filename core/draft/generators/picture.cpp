@@ -262,8 +262,8 @@ std::optional<Design> jacquard_design(const BitMatrix& cells) {
   design.draft = blank_draft(cells.cols(), cells.rows(), cells.cols(), 1);
   for (int e = 0; e < cells.cols(); ++e) design.draft.threading.set(e, e, true);
   design.draft.liftplan = cells;
-  design.draft.drive = Drive::kLiftplan;
-  design.loom.authority = Authority::kLiftplan;
+  design.draft.drive = ShedControl::kLiftplan;
+  design.loom.leading = Leading::kLiftplan;
   return with_sett(std::move(design));
 }
 

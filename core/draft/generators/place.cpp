@@ -32,11 +32,11 @@ void take_structure(Draft& d, Draft made) {
   if (!d.rising)
     for (int t = 0; t < d.treadles; ++t)
       for (int s = 0; s < d.shafts; ++s) d.tieup.set(t, s, !d.tieup.get(t, s));
-  const bool plan = d.drive == Drive::kLiftplan;
-  d.drive = Drive::kTreadling;
+  const bool plan = d.drive == ShedControl::kLiftplan;
+  d.drive = ShedControl::kTreadling;
   if (!plan) return;
   d.liftplan = lifts(d);
-  d.drive = Drive::kLiftplan;
+  d.drive = ShedControl::kLiftplan;
 }
 
 }  // namespace

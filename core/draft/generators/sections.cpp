@@ -83,7 +83,7 @@ struct OrderReader {
       } else {
         items.push_back(group(depth));
       }
-      if (++read > kMostOrderItems) fail("too many sections are written", begin);
+      if (++read > kMaxOrderItems) fail("too many sections are written", begin);
       if (!why.empty()) return items;
       may_take = before == 0;
       if (before != 0) set_times(items.back(), std::exchange(before, 0), before_at);
@@ -176,9 +176,9 @@ std::string why_not(const Design& design, System system, const std::vector<const
   for (const ThreadSection* section : order)
     if (section->drive != d.drive)
       return "section " + section->name +
-             (d.drive == Drive::kLiftplan ? " holds treadles, and the draft has a liftplan; take it again"
-                                          : " holds lifts, and the draft has treadles; take it again");
-  return why_locked(design, d.drive == Drive::kLiftplan ? BitGrid::kLiftplan : BitGrid::kTreadling);
+             (d.drive == ShedControl::kLiftplan ? " holds treadles, and the draft has a liftplan; take it again"
+                                                : " holds lifts, and the draft has treadles; take it again");
+  return why_locked(design, d.drive == ShedControl::kLiftplan ? BitGrid::kLiftplan : BitGrid::kTreadling);
 }
 
 Design woven(Design design, System system, const std::vector<const ThreadSection*>& order, int count) {
@@ -186,7 +186,7 @@ Design woven(Design design, System system, const std::vector<const ThreadSection
   const bool warp = system == System::kWarp;
   Threads threads;
   threads.resize(count);
-  BitMatrix rows(count, warp || d.drive == Drive::kLiftplan ? d.shafts : d.treadles);
+  BitMatrix rows(count, warp || d.drive == ShedControl::kLiftplan ? d.shafts : d.treadles);
   int at = 0;
   for (const ThreadSection* section : order) {
     append_threads(threads, at, section->threads, static_cast<int>(d.palette.size()),
@@ -198,7 +198,7 @@ Design woven(Design design, System system, const std::vector<const ThreadSection
   if (warp) {
     d.threading = std::move(rows);
   } else {
-    const bool lifted = d.drive == Drive::kLiftplan;
+    const bool lifted = d.drive == ShedControl::kLiftplan;
     d.treadling = lifted ? BitMatrix(count, d.treadles) : rows;
     d.liftplan = lifted ? std::move(rows) : BitMatrix(count, d.shafts);
     design.loom.next_pick = std::min(design.loom.next_pick, count);
@@ -265,9 +265,9 @@ const Assembly& assembly_of(const Design& design, System system) {
 ThreadSection section_of(const Design& design, const ThreadRange& range, std::string name) {
   const Draft& d = design.draft;
   const bool warp = range.system == System::kWarp;
-  const BitMatrix& rows = warp ? d.threading : d.drive == Drive::kLiftplan ? d.liftplan : d.treadling;
+  const BitMatrix& rows = warp ? d.threading : d.drive == ShedControl::kLiftplan ? d.liftplan : d.treadling;
   const int first = std::clamp(range.first, 0, rows.rows()), end = std::clamp(range.end, first, rows.rows());
-  ThreadSection out{std::move(name), BitMatrix(end - first, rows.cols()), {}, warp ? Drive::kTreadling : d.drive};
+  ThreadSection out{std::move(name), BitMatrix(end - first, rows.cols()), {}, warp ? ShedControl::kTreadling : d.drive};
   out.threads.resize(end - first);
   const Threads& from = d.threads(range.system);
   for (int i = first; i < end; ++i) {
@@ -284,7 +284,7 @@ ThreadSection section_of(const Design& design, const ThreadRange& range, std::st
 Assembly with_section(Assembly assembly, ThreadSection section) {
   const auto same = std::ranges::find(assembly.sections, section.name, &ThreadSection::name);
   if (same != assembly.sections.end()) *same = std::move(section);
-  else if (assembly.sections.size() < kMostSections) assembly.sections.push_back(std::move(section));
+  else if (assembly.sections.size() < kMaxSections) assembly.sections.push_back(std::move(section));
   return assembly;
 }
 

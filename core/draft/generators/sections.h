@@ -12,9 +12,9 @@
 
 namespace weftlight::draft {
 
-inline constexpr int kDeepestOrder = 32;       // groups in groups
-inline constexpr int kMostOrderItems = 10000;  // sections and groups of an order as it is written
-inline constexpr size_t kMostSections = 500, kLongestSectionName = 40;
+inline constexpr int kDeepestOrder = 32;      // groups in groups
+inline constexpr int kMaxOrderItems = 10000;  // sections and groups of an order as it is written
+inline constexpr size_t kMaxSections = 500, kLongestSectionName = 40;
 
 /// A section, or a group of them, some times over.
 struct OrderItem {

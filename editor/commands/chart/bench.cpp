@@ -18,10 +18,10 @@
 #include "files/files.h"
 #include "gl/shader_program.h"
 #include "light/formulas.h"
-#include "upload/light_rig.h"
-#include "upload/rung_shares.h"
-#include "upload/shipped_ladder.h"
-#include "upload/stages.h"
+#include "render_data/light_rig.h"
+#include "render_data/method_weights.h"
+#include "render_data/shipped_lod_table.h"
+#include "render_data/stages.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::chart {
@@ -118,13 +118,13 @@ std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, std::u
     error = "no graphics: " + error;
     return nullptr;
   }
-  bench->use_ladder(shipped_ladder().ladder);
+  bench->use_lod_table(shipped_lod_table().lod_table);
   return bench;
 }
 
-void ChartBench::use_ladder(const Ladder& ladder) {
-  ladder_ = ladder;
-  renderer_->set_ladder(ladder);
+void ChartBench::use_lod_table(const LodTable& lod_table) {
+  lod_table_ = lod_table;
+  renderer_->set_lod_table(lod_table);
 }
 
 std::string ChartBench::fingerprint() const {
@@ -209,10 +209,10 @@ PixelSteps ChartBench::pixel_of(const ChartRow& cell) const {
   return pixel_steps(cell.view_deg, cell.yarns_per_pixel * spacing);
 }
 
-bool ChartBench::draw_counted(const CountedDraw& what, const Ladder& ladder, int pixels) {
+bool ChartBench::draw_counted(const CountedDraw& what, const LodTable& lod_table, int pixels) {
   std::string error;
   if (!show(what.scene, error)) return false;
-  renderer_->set_ladder(ladder);
+  renderer_->set_lod_table(lod_table);
   ChartRow cell;
   cell.scene = kChartScenes[what.scene].name, cell.view_deg = what.view_deg;
   cell.yarns_per_pixel = what.yarns_per_pixel;
@@ -374,7 +374,7 @@ double ChartBench::instructions(const ChartRow& cell) {
     what.samples = samples;
     const auto [at, fresh] =
         counted_.try_emplace({what.scene, what.view_deg, what.yarns_per_pixel, what.method, samples}, 0.0);
-    if (fresh) at->second = counter_->per_pixel(what, ladder_).value_or(0);
+    if (fresh) at->second = counter_->per_pixel(what, lod_table_).value_or(0);
     return at->second;
   };
   if (cell.samples <= kFew) return count(cell.samples);

@@ -17,7 +17,7 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
-#include "upload/packed_maps.h"
+#include "render_data/packed_maps.h"
 
 namespace weftlight::chart {
 
@@ -54,12 +54,12 @@ class ChartBench {
   std::optional<DrapeRow> draped(const DrapeRow& cell, std::string& error);
   double truth_noise(const ChartRow& cell, std::string& error);
   /// What auto chooses by from now on.
-  void use_ladder(const Ladder& ladder);
+  void use_lod_table(const LodTable& lod_table);
   /// Graphics, formulas and figures: rows of another fingerprint are measured anew.
   std::string fingerprint() const;
   std::string device() const { return renderer_->device(); }
   /// Draws a patch and waits for it; false where the preset cannot be read.
-  bool draw_counted(const CountedDraw& what, const Ladder& ladder, int pixels);
+  bool draw_counted(const CountedDraw& what, const LodTable& lod_table, int pixels);
 
  private:
   struct Loaded {
@@ -99,7 +99,7 @@ class ChartBench {
   std::unique_ptr<Renderer> renderer_;
   std::array<std::unique_ptr<Loaded>, kChartScenes.size()> loaded_;
   std::optional<size_t> shown_, hung_;
-  Ladder ladder_;
+  LodTable lod_table_;
   std::unique_ptr<DrawCounter> counter_;
   std::map<std::tuple<size_t, Method, float, double>, double> frame_ns_;
   std::map<std::tuple<size_t, int, double, Method, int>, double> counted_;

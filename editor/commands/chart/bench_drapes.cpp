@@ -5,8 +5,8 @@
 
 #include "commands/chart/bench.h"
 #include "commands/chart/flip.h"
-#include "upload/camera.h"
-#include "upload/light_rig.h"
+#include "render_data/camera.h"
+#include "render_data/light_rig.h"
 
 namespace weftlight::chart {
 namespace {

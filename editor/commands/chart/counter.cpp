@@ -15,7 +15,7 @@ namespace {
 constexpr int kSmall = 4, kLarge = 12;  // pixels along the sides of both patches
 constexpr unsigned kPatienceS = 600;
 
-static_assert(std::is_trivially_copyable_v<CountedDraw> && std::is_trivially_copyable_v<LadderPoint>);
+static_assert(std::is_trivially_copyable_v<CountedDraw> && std::is_trivially_copyable_v<LodPoint>);
 
 // The processor's trap flag: a signal after every instruction.
 volatile long steps_taken = 0;
@@ -57,17 +57,17 @@ bool write_all(int to, const void* from, size_t bytes) {
   CountedDraw what;
   size_t points = 0;
   while (read_all(line, &what, sizeof what) && read_all(line, &points, sizeof points)) {
-    Ladder ladder(points);
-    if (!read_all(line, ladder.data(), points * sizeof(LadderPoint))) break;
+    LodTable lod_table(points);
+    if (!read_all(line, lod_table.data(), points * sizeof(LodPoint))) break;
     alarm(kPatienceS);  // what hangs is given up
     std::array<long, 2> steps{};
     for (size_t k = 0; k < steps.size(); ++k) {
       const int pixels = k == 0 ? kSmall : kLarge;
       for (int warm = 0; warm < 2; ++warm)
-        if (!draw(what, ladder, pixels)) _exit(1);
+        if (!draw(what, lod_table, pixels)) _exit(1);
       steps_taken = 0;
       trap_each();
-      draw(what, ladder, pixels);
+      draw(what, lod_table, pixels);
       trap_no_more();
       steps[k] = steps_taken;
     }
@@ -100,11 +100,11 @@ DrawCounter::~DrawCounter() {
   waitpid(child_, nullptr, 0);
 }
 
-std::optional<double> DrawCounter::per_pixel(const CountedDraw& what, const Ladder& ladder) {
-  const size_t points = ladder.size();
+std::optional<double> DrawCounter::per_pixel(const CountedDraw& what, const LodTable& lod_table) {
+  const size_t points = lod_table.size();
   std::array<long, 2> steps{};
   const bool counted = write_all(line_, &what, sizeof what) && write_all(line_, &points, sizeof points) &&
-                       write_all(line_, ladder.data(), points * sizeof(LadderPoint)) &&
+                       write_all(line_, lod_table.data(), points * sizeof(LodPoint)) &&
                        read_all(line_, steps.data(), sizeof steps);
   if (!counted) return std::nullopt;
   return static_cast<double>(steps[1] - steps[0]) / (kLarge * kLarge - kSmall * kSmall);

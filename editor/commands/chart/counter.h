@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "commands/chart/names.h"
-#include "light/ladder.h"
+#include "light/lod_table.h"
 
 namespace weftlight::chart {
 
@@ -25,14 +25,14 @@ struct CountedDraw {
 class DrawCounter {
  public:
   /// Draws a patch of pixels x pixels and waits for it; false where that cannot be.
-  using Draw = std::function<bool(const CountedDraw&, const Ladder&, int pixels)>;
+  using Draw = std::function<bool(const CountedDraw&, const LodTable&, int pixels)>;
   /// Before this process has made any context of OpenGL; `draw` is called in the other one. Null where this
   /// kind of processor is not known.
   static std::unique_ptr<DrawCounter> start(const Draw& draw);
   ~DrawCounter();
 
   /// Instructions a pixel: the difference of two patches, so that what is done once a draw is not in it.
-  std::optional<double> per_pixel(const CountedDraw& what, const Ladder& ladder);
+  std::optional<double> per_pixel(const CountedDraw& what, const LodTable& lod_table);
 
  private:
   DrawCounter() = default;

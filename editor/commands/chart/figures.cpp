@@ -17,7 +17,7 @@ namespace {
 using namespace plot;
 
 constexpr double kModelGoal = 0.15, kFilteringGoal = 0.05;
-constexpr double kLeastError = 1e-4;  // shown for less
+constexpr double kMinError = 1e-4;  // shown for less
 
 constexpr std::array<Ink, 6> kFootprintInks{{{0.60, 0.15, 0.35},
                                              {0.75, 0.22, 0.17},
@@ -52,7 +52,7 @@ int scenes_in(const std::vector<ChartRow>& rows) {
 }
 
 /// Of rung yarn with all samples.
-bool whole(const ChartRow& r) { return r.method != Method::kYarn || r.samples == formulas::kMostYarnSamples; }
+bool whole(const ChartRow& r) { return r.method != Method::kYarn || r.samples == formulas::kMaxYarnSamples; }
 
 std::vector<KeyEntry> method_key(const std::vector<ChartRow>& rows, bool coloured, bool line) {
   std::vector<KeyEntry> key;
@@ -66,7 +66,7 @@ std::vector<KeyEntry> method_key(const std::vector<ChartRow>& rows, bool coloure
 
 std::vector<double> values_of(const std::vector<ChartRow>& rows, double ChartRow::*field) {
   std::vector<double> values;
-  for (const ChartRow& r : rows) values.push_back(std::max(r.*field, kLeastError));
+  for (const ChartRow& r : rows) values.push_back(std::max(r.*field, kMinError));
   return values;
 }
 
@@ -90,7 +90,7 @@ std::vector<Curve> cost_curves(const std::vector<ChartRow>& rows, size_t footpri
   front.label = kFootprintNames[footprint];
   for (const ChartRow& r : here) {
     const PlotPoint p{
-        r.ns_per_pixel, std::max(r.model_error, kLeastError), chart_method(r.method).marker, r.on_front, {}};
+        r.ns_per_pixel, std::max(r.model_error, kMinError), chart_method(r.method).marker, r.on_front, {}};
     all.points.push_back(p);
     if (r.on_front) front.points.push_back({p.x, p.y, Marker::kNone, false, {}});
   }
@@ -144,7 +144,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
                     {}};
         for (const ChartRow& r : here) {
           if (r.method == s.method && whole(r))
-            curve.points.push_back({r.yarns_per_pixel, std::max(r.*error, kLeastError), s.marker, false, {}});
+            curve.points.push_back({r.yarns_per_pixel, std::max(r.*error, kMinError), s.marker, false, {}});
         }
         std::sort(curve.points.begin(), curve.points.end(),
                   [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
@@ -204,7 +204,7 @@ std::vector<Memory> memory_points(const std::vector<ChartRow>& rows) {
       double count = 0, bytes = 0, error = 0;
       for (const ChartRow& r : rows) {
         if (r.method != s.method || r.yarns_per_pixel != footprint || !whole(r)) continue;
-        count += 1, bytes += std::log(std::max(r.bytes, 1.0)), error += std::log(std::max(r.model_error, kLeastError));
+        count += 1, bytes += std::log(std::max(r.bytes, 1.0)), error += std::log(std::max(r.model_error, kMinError));
       }
       if (count > 0) points.push_back({s.method, footprint, std::exp(bytes / count), std::exp(error / count)});
     }

@@ -6,7 +6,7 @@
 
 #include "commands/chart/plot.h"
 #include "draft/methods.h"
-#include "upload/packed_maps.h"
+#include "render_data/packed_maps.h"
 
 namespace weftlight::chart {
 

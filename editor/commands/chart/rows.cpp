@@ -66,51 +66,52 @@ bool read_row(std::string_view line, ChartRow& row) {
 double cosine(int view_deg) { return std::cos(view_deg * std::numbers::pi / 180); }
 
 /// A rung with so many samples.
-struct Rung {
+struct SampledMethod {
   Method method;
   int samples;
 };
 
-std::vector<Rung> rungs() {
-  std::vector<Rung> all;
+std::vector<SampledMethod> methods() {
+  std::vector<SampledMethod> all;
   for (int i = 0; i < formulas::kLattices; ++i) all.push_back({Method::kYarn, formulas::lattice_of(i).x});
   for (const Method m : {Method::kCell, Method::kRepeat, Method::kCloth}) all.push_back({m, 1});
   return all;
 }
 
 /// The rows of one rung on one scene and view, at the footprints that the shaders measure.
-Ladder place_ladder(const std::vector<ChartRow>& rows, const ChartRow& place, const Rung& rung) {
-  Ladder ladder;
+LodTable place_lod_table(const std::vector<ChartRow>& rows, const ChartRow& place, const SampledMethod& sampled) {
+  LodTable lod_table;
   for (const ChartRow& r : rows) {
-    if (r.method != rung.method || r.samples != rung.samples) continue;
+    if (r.method != sampled.method || r.samples != sampled.samples) continue;
     if (r.scene != place.scene || r.view_deg != place.view_deg) continue;
-    ladder.push_back({r.method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))),
-                      static_cast<float>(r.ns_per_pixel), static_cast<float>(r.filtering_error),
-                      static_cast<float>(r.model_error), r.samples});
+    lod_table.push_back({r.method, static_cast<float>(r.yarns_per_pixel / std::sqrt(cosine(r.view_deg))),
+                         static_cast<float>(r.ns_per_pixel), static_cast<float>(r.filtering_error),
+                         static_cast<float>(r.model_error), r.samples});
   }
-  return ladder;
+  return lod_table;
 }
 
-float error_at(Ladder ladder, const Rung& rung, float yarns, float LadderPoint::*error) {
-  for (LadderPoint& p : ladder) p.filtering_error = p.model_error = p.*error;
-  return expected_error(ladder, rung.method, yarns, rung.samples);
+float error_at(LodTable lod_table, const SampledMethod& sampled, float yarns, float LodPoint::*error) {
+  for (LodPoint& p : lod_table) p.filtering_error = p.model_error = p.*error;
+  return expected_error(lod_table, sampled.method, yarns, sampled.samples);
 }
 
 /// Cost as the mean over places. Of samples the error of the worst place: more of them mend it. Of the others the root
 /// mean square: the one cloth that shines most would have all the others traced at thirty times the cost.
-LadderPoint point_of(const std::vector<Ladder>& places, const Rung& rung, float yarns) {
-  LadderPoint p{rung.method, yarns, 0, 0, 0, rung.samples};
+LodPoint point_of(const std::vector<LodTable>& places, const SampledMethod& sampled, float yarns) {
+  LodPoint p{sampled.method, yarns, 0, 0, 0, sampled.samples};
   const float share = 1.0f / static_cast<float>(places.size());
-  const auto gathered = [&](float LadderPoint::*error) {
+  const auto gathered = [&](float LodPoint::*error) {
     float worst = 0, squares = 0;
-    for (const Ladder& place : places) {
-      const float e = error_at(place, rung, yarns, error);
+    for (const LodTable& place : places) {
+      const float e = error_at(place, sampled, yarns, error);
       worst = std::max(worst, e), squares += e * e * share;
     }
-    return rung.method == Method::kYarn ? worst : std::sqrt(squares);
+    return sampled.method == Method::kYarn ? worst : std::sqrt(squares);
   };
-  for (const Ladder& place : places) p.cost_ns += expected_cost(place, rung.method, yarns, rung.samples) * share;
-  p.filtering_error = gathered(&LadderPoint::filtering_error), p.model_error = gathered(&LadderPoint::model_error);
+  for (const LodTable& place : places)
+    p.cost_ns += expected_cost(place, sampled.method, yarns, sampled.samples) * share;
+  p.filtering_error = gathered(&LodPoint::filtering_error), p.model_error = gathered(&LodPoint::model_error);
   return p;
 }
 
@@ -197,7 +198,7 @@ void mark_front(std::vector<ChartRow>& rows) {
   }
 }
 
-Ladder ladder_of(const std::vector<ChartRow>& rows) {
+LodTable lod_table_of(const std::vector<ChartRow>& rows) {
   std::set<float> footprints;
   std::vector<ChartRow> places;
   for (const ChartRow& row : rows) {
@@ -208,22 +209,22 @@ Ladder ladder_of(const std::vector<ChartRow>& rows) {
     });
     if (!seen) places.push_back(row);
   }
-  Ladder ladder;
-  for (const Rung& rung : rungs()) {
-    std::vector<Ladder> measured;
+  LodTable lod_table;
+  for (const SampledMethod& sampled : methods()) {
+    std::vector<LodTable> measured;
     for (const ChartRow& place : places) {
-      if (Ladder one = place_ladder(rows, place, rung); !one.empty()) measured.push_back(std::move(one));
+      if (LodTable one = place_lod_table(rows, place, sampled); !one.empty()) measured.push_back(std::move(one));
     }
     for (const float yarns : footprints) {
-      if (!measured.empty()) ladder.push_back(point_of(measured, rung, yarns));
+      if (!measured.empty()) lod_table.push_back(point_of(measured, sampled, yarns));
     }
   }
-  return ladder;
+  return lod_table;
 }
 
-std::string ladder_csv(const Ladder& ladder) {
+std::string lod_table_csv(const LodTable& lod_table) {
   std::string text = "method,samples,yarns_per_pixel,ns_per_pixel,rel_rmse_filtering,rel_rmse_model\n";
-  for (const LadderPoint& p : ladder) {
+  for (const LodPoint& p : lod_table) {
     text += std::string(method_name(p.method)) + ',' + std::to_string(p.samples);
     for (const float v : {p.yarns_per_pixel, p.cost_ns, p.filtering_error, p.model_error})
       text += ',' + number(static_cast<double>(v));

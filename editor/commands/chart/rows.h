@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands/chart/names.h"
-#include "light/ladder.h"
+#include "light/lod_table.h"
 
 namespace weftlight::chart {
 
@@ -59,8 +59,8 @@ void mark_front(std::vector<ChartRow>& rows);
 
 /// Errors (of the worst scene and view) and mean cost of each rung at each footprint. The footprint
 /// of the ladder is that of the shaders, the root of the pixel's area, so rows of a tilted view move along.
-Ladder ladder_of(const std::vector<ChartRow>& rows);
-/// In the form of presets/ladder.csv (core/light/ladder.h, read_ladder).
-std::string ladder_csv(const Ladder& ladder);
+LodTable lod_table_of(const std::vector<ChartRow>& rows);
+/// In the form of presets/lod_table.csv (core/light/lod_table.h, read_lod_table).
+std::string lod_table_csv(const LodTable& lod_table);
 
 }  // namespace weftlight::chart

@@ -51,13 +51,13 @@ int patch_pixels(double yarns_per_pixel, const ChartEffort& effort) {
 }
 
 FineGrid fine_grid(double view_deg, double yarns_per_pixel, const ChartEffort& effort) {
-  constexpr int kLeast = 32, kFewestPixels = 4;
+  constexpr int kMin = 32, kMinPixels = 4;
   FineGrid grid;
   const double across = yarns_per_pixel * effort.samples_a_yarn;
-  grid.nx = std::max(kLeast, static_cast<int>(std::ceil(across)));
-  grid.ny = std::max(kLeast, static_cast<int>(std::ceil(across / std::cos(radians(view_deg)))));
+  grid.nx = std::max(kMin, static_cast<int>(std::ceil(across)));
+  grid.ny = std::max(kMin, static_cast<int>(std::ceil(across / std::cos(radians(view_deg)))));
   const double fits = std::sqrt(static_cast<double>(effort.fine_budget) / (static_cast<double>(grid.nx) * grid.ny));
-  grid.pixels = std::clamp(static_cast<int>(fits), kFewestPixels, patch_pixels(yarns_per_pixel, effort));
+  grid.pixels = std::clamp(static_cast<int>(fits), kMinPixels, patch_pixels(yarns_per_pixel, effort));
   return grid;
 }
 

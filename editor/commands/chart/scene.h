@@ -7,7 +7,7 @@
 
 #include "commands/chart/names.h"
 #include "draft/design.h"
-#include "light/ladder.h"
+#include "light/lod_table.h"
 
 namespace weftlight::chart {
 

@@ -35,10 +35,10 @@ void draw_layers(const PanelContext& c, const AnalysisState& s) {
   for (const Layer& layer : s.layers) loose += layer.loose();
   fact(c, "Comes apart", "into " + std::to_string(s.layers.size()) + " layers",
        "Layers and loose threads that nothing binds to the rest, front to back");
-  constexpr int kMost = 6;
+  constexpr int kMax = 6;
   int shown = 0;
   for (const Layer& layer : s.layers) {
-    if (++shown > kMost) return fact(c, "", "and more");
+    if (++shown > kMax) return fact(c, "", "and more");
     std::string text;
     if (!layer.ends.empty()) text += "ends " + listed(layer.ends);
     if (!layer.picks.empty()) text.append(text.empty() ? "" : "; ").append("picks ").append(listed(layer.picks));

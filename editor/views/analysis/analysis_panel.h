@@ -1,8 +1,8 @@
 #pragma once
 // What the draft is as a weave and on a loom: layers, fewest shafts and treadles, sett, yarn.
 
-#include "analysis/layers.h"
 #include "analysis/threads.h"
+#include "analysis/weave_layers.h"
 #include "draft/factor.h"
 #include "views/common/panel.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 

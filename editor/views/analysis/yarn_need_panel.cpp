@@ -13,7 +13,7 @@ namespace {
 
 using namespace analysis;
 
-constexpr float kMostPrice = 1000;  // of a kilogram, on the track
+constexpr float kMaxPrice = 1000;  // of a kilogram, on the track
 
 std::string text_of(const char* format, double value) {
   char text[48];
@@ -35,7 +35,7 @@ void draw_plan(PanelContext& c) {
     c.wanted.change_view([width](DocumentView& v) { v.cloth_width_cm = width; });
   float waste = c.settings.loom_waste_cm, shrinkage = 100 * c.settings.shrinkage, spare = 100 * c.settings.spare_yarn;
   if (slider(c,
-             {"plan.waste", "Loom waste", 0, 200, "%.0f cm", "Warp that stays on the loom", false, 0, kMostLoomWasteCm},
+             {"plan.waste", "Loom waste", 0, 200, "%.0f cm", "Warp that stays on the loom", false, 0, kMaxLoomWasteCm},
              waste))
     c.wanted.change_settings([waste](Settings& s) { s.loom_waste_cm = waste; });
   if (slider(
@@ -77,8 +77,8 @@ void draw_prices(PanelContext& c, const YarnReport& r) {
     const std::string tip = "What a kilogram of " + name + " costs, in your own money; 0: not known";
     ImGui::PushID(yarn);
     if (slider(c,
-               {id.c_str(), used.size() == 1 ? "Price" : fitted(name, c.style.px(92)).c_str(), 0, kMostPrice / 10,
-                price > 0 ? "%.2f /kg" : "not known", tip.c_str(), false, 0, kMostPrice * 10},
+               {id.c_str(), used.size() == 1 ? "Price" : fitted(name, c.style.px(92)).c_str(), 0, kMaxPrice / 10,
+                price > 0 ? "%.2f /kg" : "not known", tip.c_str(), false, 0, kMaxPrice * 10},
                price))
       c.wanted.change_settings([name, price](Settings& s) {
         if (price > 0) s.yarn_prices[name] = price;

@@ -6,10 +6,10 @@
 #include "cloth/cloth.h"
 #include "draft/methods.h"
 #include "light/formulas.h"
+#include "render_data/named_views.h"
 #include "session/reference_tracer.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "upload/views.h"
 
 namespace weftlight::views {
 namespace {
@@ -71,7 +71,7 @@ std::string shares_text(const std::array<float, 4>& shares) {
   for (size_t i = 0; i < shares.size(); ++i) {
     if (shares[i] < 0.005f) continue;
     text.append(text.empty() ? "" : ", ")
-        .append(method_name(kRungs[i]))
+        .append(method_name(kShadedMethods[i]))
         .append(" ")
         .append(fixed(100 * shares[i], 0))
         .append("%");
@@ -82,7 +82,7 @@ std::string shares_text(const std::array<float, 4>& shares) {
 std::string stats_line(const PreviewPicture& p) {
   std::string line = method_facts(p.stats.method).label;
   const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
-  if (p.stats.method == Method::kAuto) say(shares_text(p.stats.rung_shares));
+  if (p.stats.method == Method::kAuto) say(shares_text(p.stats.method_weights));
   if (p.stats.gpu_ms > 0) say(fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0) + " ms");
   if (p.stats.yarns_per_pixel > 0) {
     const bool near_by = p.stats.yarns_per_pixel < 1;
@@ -100,8 +100,8 @@ std::string stats_line(const PreviewPicture& p) {
   return line;
 }
 
-/// Which colour is which rung, under each other.
-void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
+/// Which colour is which row, under each other.
+void draw_method_legend(const PanelContext& c, ImVec2 at, Method method) {
   if (method != Method::kAuto) return draw_note(c, at, "Only the automatic method mixes others");
   ImFont* font = c.style.font.small;
   ImDrawList* dl = ImGui::GetWindowDrawList();
@@ -109,12 +109,12 @@ void draw_rung_legend(const PanelContext& c, ImVec2 at, Method method) {
   const float width = box + c.style.px(6) + font->CalcTextSizeA(font_size(font), FLT_MAX, 0, "repeat").x;
   dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
                     with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
-  for (size_t rung = 0; rung < kRungs.size(); ++rung) {
+  for (size_t row = 0; row < kShadedMethods.size(); ++row) {
     const float y = at.y + (line - box) / 2;
-    const glm::vec3 k = formulas::rung_color(static_cast<int>(rung));
+    const glm::vec3 k = formulas::method_color(static_cast<int>(row));
     dl->AddRectFilled({at.x, y}, {at.x + box, y + box}, to_u32(srgb_from_linear({k.r, k.g, k.b})), 2);
     dl->AddText(font, font_size(font), {at.x + box + c.style.px(6), at.y + c.style.px(2)}, c.style.color.text,
-                method_facts(kRungs[rung]).label);
+                method_facts(kShadedMethods[row]).label);
     at.y += line;
   }
 }
@@ -224,14 +224,14 @@ void draw_grazing_button(PanelContext& c, ImVec2 at, float width) {
 /// Drape or flat swatch, over the picture's corner; before the view below it, so that it takes the pointer first.
 void draw_hanging(PanelContext& c, ImVec2 a, ImVec2 pane) {
   constexpr const char* kWays[] = {"Drape", "Flat"};
-  constexpr float kWidth = 120, kLeastPane = 330;  // pixels at 96 dpi
-  if (pane.x < c.style.px(kLeastPane)) return;
+  constexpr float kWidth = 120, kMinPane = 330;  // pixels at 96 dpi
+  if (pane.x < c.style.px(kMinPane)) return;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSetCurrent(1);
   ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
   draw_views_button(c, {a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
-  constexpr float kViews = 72, kGrazing = 72, kLeastForGrazing = 330;  // the button of the views with its gap
-  if (c.view.flat && pane.x >= c.style.px(kLeastForGrazing))
+  constexpr float kViews = 72, kGrazing = 72, kMinForGrazing = 330;  // the button of the views with its gap
+  if (c.view.flat && pane.x >= c.style.px(kMinForGrazing))
     draw_grazing_button(c, {a.x + pane.x - c.style.px(kWidth + 14 + kViews + 8 + kGrazing), a.y + c.style.px(12)},
                         c.style.px(kGrazing));
   ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
@@ -266,7 +266,8 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
   if (picture.texture != 0) {
     dl->AddImage(texture_of(picture.texture), a, b, {0, 1}, {1, 0});
     if (comparing) draw_comparison(c, picture.reference, a, b);
-    if (c.settings.show_rungs) draw_rung_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
+    if (c.settings.show_methods)
+      draw_method_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
     draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, note_that_fits(c, stats_line(picture), pane.x));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {

@@ -47,10 +47,10 @@ DialogAnswer draw(PanelContext& c, NamePrompt& p) {
 }
 
 DialogAnswer draw(PanelContext& c, NamesPrompt& p) {
-  constexpr int kMostRows = 10;
+  constexpr int kMaxRows = 10;
   heading(c, p.title);
   const float row = ImGui::GetFrameHeightWithSpacing(), width = c.style.px(380);
-  const auto rows = static_cast<float>(std::min(static_cast<int>(p.names.size()), kMostRows));
+  const auto rows = static_cast<float>(std::min(static_cast<int>(p.names.size()), kMaxRows));
   ImGui::BeginChild("##names", {width, rows * row});
   for (size_t i = 0; i < p.names.size(); ++i) {
     const std::string number = std::to_string(i + 1);
@@ -114,7 +114,7 @@ DialogAnswer draw(PanelContext& c, ThreadPrompt& p) {
 
 DialogAnswer draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(c, p); }
 
-DialogAnswer draw(PanelContext& c, NearestPrompt& p) { return draw_nearest(c, p); }
+DialogAnswer draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_weave(c, p); }
 
 DialogAnswer draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
@@ -127,13 +127,13 @@ DialogAnswer draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, 
 DialogAnswer draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
 
 DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
-  constexpr int kMostRows = 8;
+  constexpr int kMaxRows = 8;
   heading(c, "Bring back unsaved work?");
   muted_text(c, p.rows.size() == 1 ? "Weftlight ended before this was saved."
                                    : "Weftlight ended before these were saved; the newest first.");
   const float width = c.style.px(480), when = c.style.px(230);
   const float line = 2 * ImGui::GetTextLineHeightWithSpacing() + c.style.px(4);
-  const int shown = std::min(static_cast<int>(p.rows.size()), kMostRows);
+  const int shown = std::min(static_cast<int>(p.rows.size()), kMaxRows);
   ImGui::BeginChild("##left", {width, static_cast<float>(shown) * (line + ImGui::GetStyle().ItemSpacing.y)});
   for (int i = 0; i < static_cast<int>(p.rows.size()); ++i) {
     const RecoveryPrompt::Row& row = p.rows[static_cast<size_t>(i)];
@@ -162,13 +162,13 @@ DialogAnswer draw(PanelContext& c, RecoveryPrompt& p) {
 MaybeEdit as_it_was(const Dialog& dialog) {
   if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return given_back(*over);
   if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return given_back(*sections);
-  if (const auto* nearest = std::get_if<NearestPrompt>(&dialog)) return given_back(*nearest);
+  if (const auto* nearest = std::get_if<ClosestWeavePrompt>(&dialog)) return given_back(*nearest);
   return {};
 }
 
 }  // namespace
 
-bool take_dialog_news(Dialog& dialog, bool& busy) {
+bool update_dialog(Dialog& dialog, bool& busy) {
   if (const auto* gallery = std::get_if<GalleryPrompt>(&dialog)) {
     busy = gallery->pictures->busy();
     return gallery->pictures->poll();
@@ -195,7 +195,7 @@ DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   // One that the draft follows stands beside it.
   const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
-                    std::holds_alternative<NearestPrompt>(dialog);
+                    std::holds_alternative<ClosestWeavePrompt>(dialog);
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
                            view->WorkPos.y + view->WorkSize.y * (tall ? 0.5f : 0.4f)},

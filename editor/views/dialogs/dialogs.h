@@ -63,8 +63,8 @@ struct SectionsPrompt {
   std::string why{};  // what could not be made
 };
 /// The nearest that the loom weaves to what was painted; the draft shows it while the dialog is open.
-struct NearestPrompt {
-  std::shared_ptr<const Nearest> nearest;
+struct ClosestWeavePrompt {
+  std::shared_ptr<const ClosestWeave> nearest;
   std::shared_ptr<const Design> base;  // as the dialog found it
   uint64_t stroke = 0;
 };
@@ -93,7 +93,7 @@ struct RecoveryPrompt {
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
                             ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
-                            RecoveryPrompt, GalleryPrompt, NearestPrompt>;
+                            RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt>;
 
 /// kNone while it stands open; kDone with `button` when answered; kLeft when dismissed.
 enum class Answer { kNone, kDone, kLeft };
@@ -105,6 +105,6 @@ struct DialogAnswer {
 /// Draws the open dialog, whose fields hold what was typed.
 DialogAnswer draw_dialog(PanelContext& c, Dialog& dialog);
 /// What is worked out beside the window: `busy` while it is, true when there is something new to show.
-bool take_dialog_news(Dialog& dialog, bool& busy);
+bool update_dialog(Dialog& dialog, bool& busy);
 
 }  // namespace weftlight::views

@@ -29,7 +29,7 @@ bool GalleryPictures::poll() {
     Seen& seen = seen_[path];
     seen.known = true;
     seen.state = look.state;
-    if (look.state != FileLook::State::kMissing) seen.when = time_in_words(look.modified_ns, now_ns_);
+    if (look.state != DraftThumbnail::State::kMissing) seen.when = time_in_words(look.modified_ns, now_ns_);
     if (!look.picture.pixels.empty())
       seen.texture.set(look.picture.width, look.picture.height, look.picture.pixels, true);
   }
@@ -41,7 +41,7 @@ namespace {
 // Pixels at 96 dpi.
 constexpr float kPictureWidth = kThumbnailWidth / 2.0f, kPictureHeight = kThumbnailHeight / 2.0f;
 constexpr float kAround = 8, kGap = 10, kWords = 60, kName = 30, kRound = 7, kCross = 22;
-constexpr int kMostColumns = 5;
+constexpr int kMaxColumns = 5;
 constexpr float kRowsShown = 2.6f;  // a row that is cut says that there are more
 
 /// Of a recent draft, or of one of the library, which has a name alone.
@@ -72,7 +72,7 @@ void draw_picture(const PanelContext& c, const GalleryPictures::Seen& seen, ImVe
   }
   dl->AddRectFilled(a, b, blend(k.raised, k.text, 0.05f), r);
   if (!seen.known) return;
-  const char* words = seen.state == FileLook::State::kMissing ? "No longer there" : "No draft that can be read";
+  const char* words = seen.state == DraftThumbnail::State::kMissing ? "No longer there" : "No draft that can be read";
   ImFont* font = c.style.font.small;
   const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, words);
   dl->AddText(font, font_size(font), {std::floor((a.x + b.x - size.x) / 2), std::floor((a.y + b.y - size.y) / 2)},
@@ -82,7 +82,7 @@ void draw_picture(const PanelContext& c, const GalleryPictures::Seen& seen, ImVe
 void draw_words(const PanelContext& c, const GalleryCard& card, const GalleryPictures::Seen& seen, ImVec2 at,
                 float width) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
-  const bool gone = seen.known && seen.state == FileLook::State::kMissing;
+  const bool gone = seen.known && seen.state == DraftThumbnail::State::kMissing;
   const auto line = [&](ImFont* font, ImU32 color, const std::string& text, bool keep_end) {
     push_font(font);
     const std::string shown = keep_end ? fitted_end(text, width) : fitted(text, width);
@@ -114,17 +114,17 @@ bool draw_cross(const PanelContext& c, const std::string& number, ImVec2 middle)
   return pressed;
 }
 
-enum class CardWish { kNone, kOpen, kRemove };
+enum class CardRequest { kNone, kOpen, kRemove };
 
-CardWish draw_card(const PanelContext& c, GalleryPrompt& p, const GalleryCard& card, int place, ImVec2 at) {
+CardRequest draw_card(const PanelContext& c, GalleryPrompt& p, const GalleryCard& card, int place, ImVec2 at) {
   const ImVec2 size = card_size(c, p.page), end{at.x + size.x, at.y + size.y};
   const GalleryPictures::Seen& seen = p.pictures->of(card.path);
   const std::string number = std::to_string(place + 1);
   const float around = c.style.px(kAround);
   const ImVec2 a{at.x + around, at.y + around}, b{end.x - around, a.y + c.style.px(kPictureHeight)};
-  const bool gone = seen.known && seen.state == FileLook::State::kMissing;
+  const bool gone = seen.known && seen.state == DraftThumbnail::State::kMissing;
   const bool over = ImGui::IsMouseHoveringRect(at, end), chosen = p.chosen == place;
-  CardWish wish = CardWish::kNone;
+  CardRequest requested = CardRequest::kNone;
   ImGui::PushID(place);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const Colors& k = c.style.color;
@@ -135,19 +135,19 @@ CardWish draw_card(const PanelContext& c, GalleryPrompt& p, const GalleryCard& c
   // Before the card below it, so that it takes the pointer first.
   const float half = c.style.px(kCross) / 2;
   if (!card.copy && (over || gone) && draw_cross(c, number, {b.x - half - c.style.px(2), a.y + half + c.style.px(2)}))
-    wish = CardWish::kRemove;
+    requested = CardRequest::kRemove;
   ImGui::SetCursorScreenPos(at);
-  if (hit_area("card", size) && wish == CardWish::kNone) p.chosen = place, wish = CardWish::kOpen;
+  if (hit_area("card", size) && requested == CardRequest::kNone) p.chosen = place, requested = CardRequest::kOpen;
   c.map.add_item("gallery:" + number);
   if (gone) c.map.add_item("gallery.missing:" + number);
   if (!seen.texture.empty()) c.map.add("gallery.picture:" + number, a.x, a.y, b.x - a.x, b.y - a.y);
   tooltip(c, card.copy ? nullptr : card.path.c_str());
   ImGui::PopID();
-  return wish;
+  return requested;
 }
 
 struct Wanted {
-  CardWish wish = CardWish::kNone;
+  CardRequest requested = CardRequest::kNone;
   int card = -1;  // of the page
 };
 
@@ -180,8 +180,8 @@ Wanted draw_cards(PanelContext& c, GalleryPrompt& p, const std::vector<GalleryCa
       p.follow = false;
     }
     if (at.y + size.y < top || at.y > bottom) continue;
-    const CardWish wish = draw_card(c, p, card, static_cast<int>(i), at);
-    if (wish != CardWish::kNone) wanted = {wish, found[i]};
+    const CardRequest requested = draw_card(c, p, card, static_cast<int>(i), at);
+    if (requested != CardRequest::kNone) wanted = {requested, found[i]};
   }
   ImGui::SetCursorScreenPos({first.x, at.y + (found.empty() ? 0 : size.y)});
   ImGui::Dummy({1, 1});
@@ -226,7 +226,7 @@ DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p) {
   const ImVec2 size = card_size(c, p.page);
   const float gap = c.style.px(kGap), bar = ImGui::GetStyle().ScrollbarSize + c.style.px(4);
   const float room_x = view->WorkSize.x - c.style.px(88) - bar, room_y = view->WorkSize.y - c.style.px(220);
-  const int columns = std::clamp(static_cast<int>((room_x + gap) / (size.x + gap)), 1, kMostColumns);
+  const int columns = std::clamp(static_cast<int>((room_x + gap) / (size.x + gap)), 1, kMaxColumns);
   const float width = static_cast<float>(columns) * (size.x + gap) - gap + bar;
   const float height = std::max(c.style.px(80), std::min(room_y, std::floor(kRowsShown * (card_size(c, 0).y + gap))));
   draw_head(c, p, width);
@@ -247,12 +247,12 @@ DialogAnswer draw_gallery(PanelContext& c, GalleryPrompt& p) {
   ImGui::SetCursorPos(below);
   const bool can_open = p.chosen >= 0;
   int button = draw_buttons(c, {"Open", "Close", "Other file\xE2\x80\xA6", "New draft\xE2\x80\xA6"}, can_open);
-  if (button == GalleryPrompt::kOpen && can_open) wanted = {CardWish::kOpen, found[static_cast<size_t>(p.chosen)]};
+  if (button == GalleryPrompt::kOpen && can_open) wanted = {CardRequest::kOpen, found[static_cast<size_t>(p.chosen)]};
   if (button == GalleryPrompt::kOpen) button = -1;
-  if (wanted.wish == CardWish::kOpen) {
+  if (wanted.requested == CardRequest::kOpen) {
     p.open = cards[static_cast<size_t>(wanted.card)];
     button = GalleryPrompt::kOpen;
-  } else if (wanted.wish == CardWish::kRemove) {
+  } else if (wanted.requested == CardRequest::kRemove) {
     c.wanted.change_settings([path = cards[static_cast<size_t>(wanted.card)].path](Settings& s) { forget(s, path); });
     p.recent.erase(p.recent.begin() + wanted.card);
     p.focus = true;

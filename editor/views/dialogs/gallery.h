@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "session/file_looks.h"
+#include "session/draft_thumbnails.h"
 #include "session/gallery.h"
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
@@ -23,7 +23,7 @@ class GalleryPictures {
   GalleryPictures(std::string cache_folder, std::function<void()> wake, int64_t now_ns);
   struct Seen {
     bool known = false;
-    FileLook::State state = FileLook::State::kMissing;
+    DraftThumbnail::State state = DraftThumbnail::State::kMissing;
     std::string when;
     PixelTexture texture;
   };
@@ -35,7 +35,7 @@ class GalleryPictures {
  private:
   int64_t now_ns_;
   std::map<std::string, Seen> seen_;
-  FileLooks looks_;
+  DraftThumbnails looks_;
 };
 
 struct GalleryPrompt {

@@ -16,7 +16,7 @@ namespace {
 constexpr float kWidth = 300;  // pixels at 96 dpi
 constexpr int kShownPlaces = 9;
 
-void draw_places(PanelContext& c, const Nearest& n) {
+void draw_places(PanelContext& c, const ClosestWeave& n) {
   const int places = static_cast<int>(n.places.size());
   const float line = ImGui::GetTextLineHeightWithSpacing();
   ImGui::BeginChild("places",
@@ -34,8 +34,8 @@ void draw_places(PanelContext& c, const Nearest& n) {
 
 }  // namespace
 
-DialogAnswer draw_nearest(PanelContext& c, NearestPrompt& p) {
-  const Nearest& n = *p.nearest;
+DialogAnswer draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
+  const ClosestWeave& n = *p.nearest;
   heading(c, "The nearest that the loom weaves");
   ImGui::PushTextWrapPos(c.style.px(kWidth));
   muted_text(c, "What was painted is too much for it: " + n.why + ".");
@@ -50,8 +50,8 @@ DialogAnswer draw_nearest(PanelContext& c, NearestPrompt& p) {
   return answered(draw_buttons(c, {"Take the nearest", "Keep what was"}, true));
 }
 
-MaybeEdit given_back(const NearestPrompt& p) {
-  return Edit{"Nearest", [base = p.base](const Design&) { return *base; }, p.stroke};
+MaybeEdit given_back(const ClosestWeavePrompt& p) {
+  return Edit{"ClosestWeave", [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

@@ -121,11 +121,11 @@ void draw_sections(PanelContext& c, Page& page) {
   page.changed = true;
 }
 
-enum class RowWish { kNone, kUp, kDown, kDrop, kGroup, kLoose };
+enum class RowRequest { kNone, kUp, kDown, kDrop, kGroup, kLoose };
 
-RowWish draw_row(PanelContext& c, const OrderRow& row, int index, int& times) {
+RowRequest draw_row(PanelContext& c, const OrderRow& row, int index, int& times) {
   const std::string number = std::to_string(index + 1);
-  RowWish wish = RowWish::kNone;
+  RowRequest requested = RowRequest::kNone;
   ImGui::PushID(index);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + c.style.px(kIndent) * static_cast<float>(row.path.size() - 1));
   ImGui::AlignTextToFramePadding();
@@ -136,26 +136,26 @@ RowWish draw_row(PanelContext& c, const OrderRow& row, int index, int& times) {
   ImGui::InputInt("##times", &times);
   c.map.add_item("sections.times:" + number);
   times = std::clamp(times, 1, kMaxThreads);
-  const auto button = [&](const char* id, const char* label, const char* tip, RowWish to) {
+  const auto button = [&](const char* id, const char* label, const char* tip, RowRequest to) {
     ImGui::SameLine(0, c.style.px(4));
-    if (text_button(c, (std::string(id) + ":" + number).c_str(), label, tip)) wish = to;
+    if (text_button(c, (std::string(id) + ":" + number).c_str(), label, tip)) requested = to;
   };
-  button("sections.up", "\xE2\x86\x91", "Earlier", RowWish::kUp);
-  button("sections.down", "\xE2\x86\x93", "Later", RowWish::kDown);
-  if (row.section.empty()) button("sections.loose", "( )", "Its sections one by one", RowWish::kLoose);
-  else button("sections.group", "( )", "Together with the next, to be repeated as one", RowWish::kGroup);
-  button("sections.out", "x", "Out of the order", RowWish::kDrop);
+  button("sections.up", "\xE2\x86\x91", "Earlier", RowRequest::kUp);
+  button("sections.down", "\xE2\x86\x93", "Later", RowRequest::kDown);
+  if (row.section.empty()) button("sections.loose", "( )", "Its sections one by one", RowRequest::kLoose);
+  else button("sections.group", "( )", "Together with the next, to be repeated as one", RowRequest::kGroup);
+  button("sections.out", "x", "Out of the order", RowRequest::kDrop);
   ImGui::PopID();
-  return wish;
+  return requested;
 }
 
-void carry_out(std::vector<OrderItem>& items, const OrderRow& row, RowWish wish) {
+void carry_out(std::vector<OrderItem>& items, const OrderRow& row, RowRequest requested) {
   std::vector<OrderItem>& list = list_of(items, row.path);
   const auto at = static_cast<size_t>(row.path.back());
-  if (wish == RowWish::kUp && at > 0) std::swap(list[at], list[at - 1]);
-  if (wish == RowWish::kDown && at + 1 < list.size()) std::swap(list[at], list[at + 1]);
-  if (wish == RowWish::kDrop) list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
-  if (wish == RowWish::kGroup) {
+  if (requested == RowRequest::kUp && at > 0) std::swap(list[at], list[at - 1]);
+  if (requested == RowRequest::kDown && at + 1 < list.size()) std::swap(list[at], list[at + 1]);
+  if (requested == RowRequest::kDrop) list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
+  if (requested == RowRequest::kGroup) {
     const size_t many = std::min<size_t>(2, list.size() - at);
     OrderItem group;
     group.items.assign(list.begin() + static_cast<std::ptrdiff_t>(at),
@@ -163,7 +163,7 @@ void carry_out(std::vector<OrderItem>& items, const OrderRow& row, RowWish wish)
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(at), list.begin() + static_cast<std::ptrdiff_t>(at + many));
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), std::move(group));
   }
-  if (wish == RowWish::kLoose) {
+  if (requested == RowRequest::kLoose) {
     const std::vector<OrderItem> inside = std::move(list[at].items);
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), inside.begin(), inside.end());
@@ -171,7 +171,7 @@ void carry_out(std::vector<OrderItem>& items, const OrderRow& row, RowWish wish)
 }
 
 void draw_order(PanelContext& c, Page& page) {
-  constexpr size_t kMostRows = 200;  // the text holds more
+  constexpr size_t kMaxRows = 200;  // the text holds more
   row_label(c, "Order",
             "A 4x, (B C) 3x, A: each section by its name, how often behind it, brackets for what is repeated");
   ImGui::SetNextItemWidth(c.style.px(kWidth - 112));
@@ -181,19 +181,19 @@ void draw_order(PanelContext& c, Page& page) {
   ImGui::BeginChild("order", {c.style.px(kWidth), c.style.px(kRows)});
   if (order.why.empty()) {
     const std::vector<OrderRow> rows = order_rows(order.items);
-    RowWish wish = RowWish::kNone;
+    RowRequest requested = RowRequest::kNone;
     size_t of = 0;
     bool other = false;
-    for (size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+    for (size_t i = 0; i < std::min(rows.size(), kMaxRows); ++i) {
       int times = rows[i].times;
-      const RowWish own = draw_row(c, rows[i], static_cast<int>(i), times);
-      if (own != RowWish::kNone) wish = own, of = i;
+      const RowRequest own = draw_row(c, rows[i], static_cast<int>(i), times);
+      if (own != RowRequest::kNone) requested = own, of = i;
       if (times == rows[i].times) continue;
       item_at(order.items, rows[i].path).times = times;
       other = true;
     }
-    if (wish != RowWish::kNone) carry_out(order.items, rows[of], wish);
-    if (other || wish != RowWish::kNone) page.assembly.order = order_text(order.items), page.changed = true;
+    if (requested != RowRequest::kNone) carry_out(order.items, rows[of], requested);
+    if (other || requested != RowRequest::kNone) page.assembly.order = order_text(order.items), page.changed = true;
   }
   ImGui::EndChild();
 }

@@ -12,7 +12,7 @@ namespace {
 
 // Pixels at 96 dpi.
 constexpr float kMargin = 14, kGap = 10, kIconCell = 28, kIcon = 14, kLooks = 214, kToolList = 92, kLookList = 96,
-                kLeastTitle = 60;
+                kMinTitle = 60;
 constexpr std::array<const char*, 3> kLookWords = {"Threads", "Colour", "Structure"};
 
 struct ToolButton {
@@ -91,7 +91,7 @@ void draw_tool_list(PanelContext& c, std::span<const ActionItem> items) {
 }
 
 /// Side by side, or in a list where there is no room for that.
-void draw_looks(PanelContext& c, bool listed) {
+void draw_properties(PanelContext& c, bool listed) {
   int look = static_cast<int>(c.settings.drawdown_style);
   if (!listed) {
     segmented(c, "look", kLookWords, look, c.style.px(kLooks));
@@ -125,19 +125,19 @@ void draw_draft_header(PanelContext& c, const std::string& name, std::span<const
   const Style& s = c.style;
   const ImVec2 at = ImGui::GetCursorPos();
   const float gap = s.px(kGap), margin = s.px(kMargin), room = ImGui::GetWindowWidth() - 2 * margin;
-  const float buttons = s.px(kIconCell) * (kTools.size() + kMirrors.size()) + gap, title = s.px(kLeastTitle) + gap;
-  const bool list_looks = room < title + buttons + gap + s.px(kLooks);
+  const float buttons = s.px(kIconCell) * (kTools.size() + kMirrors.size()) + gap, title = s.px(kMinTitle) + gap;
+  const bool list_properties = room < title + buttons + gap + s.px(kLooks);
   const bool list_tools = room < buttons + gap + s.px(kLookList);
-  const float tools = list_tools ? s.px(kToolList) : buttons, looks = s.px(list_looks ? kLookList : kLooks);
+  const float tools = list_tools ? s.px(kToolList) : buttons, looks = s.px(list_properties ? kLookList : kLooks);
   const float tools_x = std::max(margin, margin + room - looks - tools - gap);
   const float title_room = tools_x - margin - gap;
   ImGui::SetCursorPos({at.x + margin, at.y + gap});
-  if (title_room >= s.px(kLeastTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
+  if (title_room >= s.px(kMinTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
   ImGui::SetCursorPos({at.x + tools_x, at.y + gap});
   if (list_tools) draw_tool_list(c, items);
   else draw_tool_buttons(c, items);
   ImGui::SetCursorPos({at.x + tools_x + tools + gap, at.y + gap});
-  draw_looks(c, list_looks);
+  draw_properties(c, list_properties);
   ImGui::SetCursorPos({at.x, at.y + gap + ImGui::GetFrameHeight() + s.px(8)});
 }
 

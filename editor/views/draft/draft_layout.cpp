@@ -26,7 +26,7 @@ float loom_pitch(const Style& s, float pitch) {
   return std::clamp(std::round(pitch), s.px(kSmallestLoomPitch), s.px(kLargestLoomPitch));
 }
 
-int lift_columns(const Draft& d) { return d.drive == Drive::kLiftplan ? d.shafts : d.treadles; }
+int lift_columns(const Draft& d) { return d.drive == ShedControl::kLiftplan ? d.shafts : d.treadles; }
 
 /// What the draft takes of a room at a pitch, where the shafts and treadles have all the room they want.
 Room taken(const Draft& d, const Style& s, float pitch, Room room) {
@@ -124,7 +124,7 @@ DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings&
   const Axis treadles = axis(lift_x, lift_width, loom, v.scroll_treadle, lift_columns(d), false);
   const float weft_x = lift_x + treadles.length + s.px(kGap);
 
-  const bool plan = d.drive == Drive::kLiftplan;
+  const bool plan = d.drive == ShedControl::kLiftplan;
   l.warp_bar = {GridId::kWarpColors, ends, single(y.bar, s.px(kBar))};
   l.threading = {GridId::kThreading, ends, shafts};
   l.tieup = {GridId::kTieup, treadles, shafts};
@@ -132,8 +132,8 @@ DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings&
   l.beyond = {GridId::kDrawdown, widened(ends, x0, wide), widened(picks, y.drawdown, high)};
   l.lift = {plan ? GridId::kLiftplan : GridId::kTreadling, treadles, picks};
   l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
-  l.warp_heads = {GridId::kWarpColors, ends, single(y.heads, s.px(kEndRuler))};
-  l.weft_heads = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
+  l.warp_labels = {GridId::kWarpColors, ends, single(y.heads, s.px(kEndRuler))};
+  l.weft_labels = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
   l.scroll_shafts = shafts.extent() > shafts.length + 1;
   l.scroll_treadles = treadles.extent() > treadles.length + 1;
   l.scroll_ends = ends.extent() > ends.length + 1;

@@ -23,7 +23,7 @@ struct GridPane {
 
 struct DraftLayout {
   GridPane warp_bar, threading, tieup, drawdown, lift, weft_bar;  // lift: treadling or liftplan
-  GridPane warp_heads, weft_heads;                                // the numbers of ends and picks, beside their bars
+  GridPane warp_labels, weft_labels;                              // the numbers of ends and picks, beside their bars
   ImVec2 min, max;                                                // of the whole pane
   GridPane beyond;  // the drawdown's room, where it goes on over its edges
   float pitch = 0;  // pixels a thread

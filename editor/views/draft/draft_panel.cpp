@@ -6,14 +6,14 @@
 #include "session/paint.h"
 #include "session/typing.h"
 #include "ui/widgets.h"
-#include "views/draft/beyond_draw.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/drag_scroll.h"
 #include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
 #include "views/draft/select_input.h"
 #include "views/draft/selection_draw.h"
-#include "views/draft/thread_heads.h"
+#include "views/draft/thread_labels.h"
+#include "views/draft/tiled_draw.h"
 
 namespace weftlight::views {
 namespace {
@@ -197,8 +197,8 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const bool on_shaft = g == GridId::kThreading || g == GridId::kTieup;
   const bool on_lift = g == GridId::kTieup || g == l.lift.id;
   const Cell h = c.frame.hover.cell;
-  draw_ruler_above(dl, c, l.drawdown.x, l.warp_heads.min().y, l.warp_heads.y.length, on_end ? h.a : -1);
-  draw_ruler_beside(dl, c, l.drawdown.y, l.weft_heads.min().x + c.style.px(6), on_pick ? h.b : -1);
+  draw_ruler_above(dl, c, l.drawdown.x, l.warp_labels.min().y, l.warp_labels.y.length, on_end ? h.a : -1);
+  draw_ruler_beside(dl, c, l.drawdown.y, l.weft_labels.min().x + c.style.px(6), on_pick ? h.b : -1);
   draw_ruler_beside(dl, c, l.threading.y, l.threading.max().x + c.style.px(6), on_shaft ? h.b : -1);
   const float treadles_y =
       l.threading_below ? l.threading.max().y + c.style.px(2) : l.threading.min().y - c.style.px(18);
@@ -206,7 +206,7 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
 }
 
 void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, DraftPictures& pictures) {
-  if (c.settings.tiled) draw_beyond(dl, c, l, pictures.beyond);
+  if (c.settings.tiled) draw_tiled(dl, c, l, pictures.beyond);
   draw_color_bar(dl, c, l.warp_bar, System::kWarp);
   draw_color_bar(dl, c, l.weft_bar, System::kWeft);
   draw_bits(dl, c, l.threading);
@@ -226,12 +226,12 @@ void draw_draft(PanelContext& c, DraftPictures& pictures) {
   const DraftLayout l =
       lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y});
   if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v, l); });
-  pictures.minimap.take_input(c, l);
+  pictures.minimap.apply_input(c, l);
   for (const GridPane* pane : l.panes()) {
     grid_input(c, *pane);
     c.map.grids.push_back(map_of(*pane));
   }
-  choose_by_heads(c, l);
+  choose_by_labels(c, l);
   scrollbars(c, l);
   navigate(c, l);
   scroll_with_drag(c, l);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "session/mirror.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::views {
 namespace {

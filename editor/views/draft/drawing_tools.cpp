@@ -5,7 +5,7 @@
 
 #include "session/mirror.h"
 #include "session/paint.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "session/shapes.h"
 #include "ui/imgui_compat.h"
 
@@ -20,11 +20,11 @@ bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeft
 void begin_shape(PanelContext& c, GridId grid, Cell at) {
   if (!at.valid()) return;
   const bool on = !ImGui::IsMouseDown(ImGuiMouseButton_Right) && !is_on(c.design.draft, c.cells, grid, at);
-  c.wanted.change_view([s = ShapeInHand{c.view.select.tool, grid, at, at, on}](DocumentView& v) { v.shape = s; });
+  c.wanted.change_view([s = ActiveShape{c.view.select.tool, grid, at, at, on}](DocumentView& v) { v.shape = s; });
 }
 
 void go_on_with_shape(PanelContext& c, const GridPane& pane) {
-  const ShapeInHand& s = *c.view.shape;
+  const ActiveShape& s = *c.view.shape;
   Cell to = pane.nearest(ImGui::GetIO().MousePos);
   if (!to.valid()) return;
   if (ImGui::GetIO().KeyShift) to = constrained(s.tool, s.from, to, pane.x.count, pane.y.count);
@@ -68,7 +68,7 @@ struct Ghost {
   ImU32 mark, edge, leaves;  // cells of the shape and their border; what a line takes its threads off
 };
 
-Ghost ghost_of(const PanelContext& c, const ShapeInHand& s) {
+Ghost ghost_of(const PanelContext& c, const ActiveShape& s) {
   const Colors& k = c.style.color;
   const bool turned = s.grid == GridId::kDrawdown && c.view.face == Face::kBack;  // the back shows the other threads
   const bool filled = s.on != turned;
@@ -93,7 +93,7 @@ void draw_cells(ImDrawList* dl, const GridPane& p, const CellMask& mask, const G
 }
 
 /// From afar: the outline of what it takes.
-void draw_far(ImDrawList* dl, const GridPane& p, const ShapeInHand& s, Cell from, Cell to, ImU32 color) {
+void draw_far(ImDrawList* dl, const GridPane& p, const ActiveShape& s, Cell from, Cell to, ImU32 color) {
   const Box box = box_between(p, from, to);
   const ImVec2 b{std::max(box.max.x, box.min.x + 1), std::max(box.max.y, box.min.y + 1)};
   if (s.tool == Tool::kFilledRectangle) return dl->AddRectFilled(box.min, b, with_alpha(color, 0.8f));
@@ -188,7 +188,7 @@ const char* tool_hint(Tool tool) {
 void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const GridPane* pane = c.view.shape ? pane_of(l, c.view.shape->grid) : nullptr;
   if (pane == nullptr) return;
-  const ShapeInHand& s = *c.view.shape;
+  const ActiveShape& s = *c.view.shape;
   const Mirror mirror = mirror_of(c.view, c.design.draft);
   const Ghost ghost = ghost_of(c, s);
   const float from_pitch = s.tool == Tool::kFilledRectangle ? kFilledFrom : kCellsFrom;

@@ -101,7 +101,7 @@ void draw_thread(ImDrawList* dl, Box box, ImU32 color, bool upright) {
 /// The first, then every step-th, but none crowding the first.
 bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4 >= step * 3); }
 
-struct ThreadLook {
+struct ThreadStyle {
   std::vector<ImU32> warp, weft;
   float gap;                                  // pixels between threads
   std::vector<float> warp_inset, weft_inset;  // pixels that a thinner thread leaves free at each side; none: 0
@@ -131,7 +131,7 @@ std::vector<float> insets(const Design& d, System system, float pitch) {
   return out;
 }
 
-ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
+ThreadStyle thread_look(const PanelContext& c, const GridPane& p) {
   const Draft& d = c.design.draft;
   if (c.settings.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
@@ -146,7 +146,7 @@ ThreadLook thread_look(const PanelContext& c, const GridPane& p) {
 }
 
 /// Each end's warp floats, drawn as one piece each over the picks.
-void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadLook& look, int end) {
+void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadStyle& look, int end) {
   const int last = p.y.end_visible();
   const float inset = look.inset(System::kWarp, end);
   for (int pick = p.y.first_visible(); pick < last;) {
@@ -245,8 +245,8 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
 void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   if (!c.view.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
   const BitMatrix& marks = c.view.face == Face::kFront ? c.report->front : c.report->back;
-  constexpr float kLeastPitch = 1;  // pixels a cell; from further away they would cover everything
-  if (p.x.pitch < kLeastPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
+  constexpr float kMinPitch = 1;  // pixels a cell; from further away they would cover everything
+  if (p.x.pitch < kMinPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.error, 0.55f);
   for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
     for (int pick = p.y.first_visible(); pick < p.y.end_visible();) {
@@ -266,9 +266,9 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
                 std::span<const CellRect> places) {
   if (differing.cols() != p.x.count || differing.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.warn, 0.6f);
-  constexpr float kLeastPitch = 1;  // pixels a cell; from further away the places are shown, not each crossing
+  constexpr float kMinPitch = 1;  // pixels a cell; from further away the places are shown, not each crossing
   dl->PushClipRect(p.min(), p.max(), true);
-  for (int pick = p.y.first_visible(); pick < p.y.end_visible() && p.x.pitch >= kLeastPitch; ++pick)
+  for (int pick = p.y.first_visible(); pick < p.y.end_visible() && p.x.pitch >= kMinPitch; ++pick)
     for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
       if (!differing.get(pick, end)) continue;
       dl->AddRectFilled({p.x.low(end), p.y.low(pick)}, {p.x.high(end), p.y.high(pick)}, tint);
@@ -276,7 +276,7 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
   for (size_t i = 0; i < places.size(); ++i) {
     const CellRect& at = places[i];
     const bool shown = static_cast<int>(i) == c.view.place;
-    if (!shown && p.x.pitch >= kLeastPitch) continue;
+    if (!shown && p.x.pitch >= kMinPitch) continue;
     const ImVec2 a{low_of(p.x, at.end0, at.end1), low_of(p.y, at.pick0, at.pick1)};
     const ImVec2 b{high_of(p.x, at.end0, at.end1) + 1, high_of(p.y, at.pick0, at.pick1) + 1};
     dl->AddRect(a, b, c.style.color.warn, 0, 0, shown ? 2.0f : 1.0f);
@@ -287,7 +287,7 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
 }  // namespace
 
 void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
-  if (const Nearest* n = c.view.nearest.get()) return draw_marks(dl, c, p, n->differing, n->places);
+  if (const ClosestWeave* n = c.view.nearest.get()) return draw_marks(dl, c, p, n->differing, n->places);
   const Report* r = c.report;
   if (!c.view.other || r == nullptr || r->other != c.view.other || r->revision != c.revision) return;
   draw_marks(dl, c, p, r->differing, r->places);
@@ -297,7 +297,7 @@ bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >=
 
 void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   const ImVec2 a = p.min(), b = p.max();
-  const ThreadLook look = thread_look(c, p);
+  const ThreadStyle look = thread_look(c, p);
   dl->PushClipRect(a, b, true);
   dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
   for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {

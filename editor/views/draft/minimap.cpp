@@ -10,8 +10,8 @@ namespace weftlight::views {
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kLongest = 150, kShortest = 26, kMargin = 10, kPad = 4, kLeastPane = 150;
-constexpr float kMostOfPane = 0.42f;  // along each side
+constexpr float kLongest = 150, kShortest = 26, kMargin = 10, kPad = 4, kMinPane = 150;
+constexpr float kMaxOfPane = 0.42f;  // along each side
 
 struct Place {
   ImVec2 min, max;
@@ -22,15 +22,15 @@ struct Place {
 /// Of its picture; none where the draft is in sight, or the pane too small. In the corner far from end 1 and pick 1.
 std::optional<Place> place_of(const PanelContext& c, const DraftLayout& l) {
   const GridPane& pane = l.drawdown;
-  const float least = c.style.px(kLeastPane);
+  const float least = c.style.px(kMinPane);
   if (!c.settings.minimap || !(l.scroll_ends || l.scroll_picks)) return {};
   if (pane.x.length < least || pane.y.length < least) return {};
   const float ends = static_cast<float>(pane.x.count), picks = static_cast<float>(pane.y.count);
-  const float scale = std::min({c.style.px(kLongest) / std::max(ends, picks), kMostOfPane * pane.x.length / ends,
-                                kMostOfPane * pane.y.length / picks});
+  const float scale = std::min({c.style.px(kLongest) / std::max(ends, picks), kMaxOfPane * pane.x.length / ends,
+                                kMaxOfPane * pane.y.length / picks});
   const float short_side = c.style.px(kShortest);
-  const float w = std::round(std::clamp(ends * scale, short_side, kMostOfPane * pane.x.length));
-  const float h = std::round(std::clamp(picks * scale, short_side, kMostOfPane * pane.y.length));
+  const float w = std::round(std::clamp(ends * scale, short_side, kMaxOfPane * pane.x.length));
+  const float h = std::round(std::clamp(picks * scale, short_side, kMaxOfPane * pane.y.length));
   const float margin = c.style.px(kMargin + kPad);
   const float y = pane.y.reversed ? pane.min().y + margin : std::floor(pane.max().y - margin - h);
   const float x = pane.x.reversed ? pane.min().x + margin : std::floor(pane.max().x - margin - w);
@@ -53,7 +53,7 @@ float scroll_at(const Axis& axis, float share) {
 
 }  // namespace
 
-void Minimap::take_input(PanelContext& c, const DraftLayout& l) {
+void Minimap::apply_input(PanelContext& c, const DraftLayout& l) {
   const std::optional<Place> at = place_of(c, l);
   if (!at) return;
   const float pad = c.style.px(kPad);

@@ -13,7 +13,7 @@ namespace weftlight::views {
 class Minimap {
  public:
   /// To be called before the grids take the mouse: it lies above them.
-  void take_input(PanelContext& c, const DraftLayout& layout);
+  void apply_input(PanelContext& c, const DraftLayout& layout);
   /// To be called after the grids are drawn.
   void draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
 

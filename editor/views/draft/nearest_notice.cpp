@@ -1,10 +1,9 @@
-#include "views/draft/nearest_notice.h"
-
 #include <cctype>
 #include <string>
 
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/draft/closest_weave_notice.h"
 
 namespace weftlight::views {
 namespace {
@@ -14,7 +13,7 @@ std::string sentence(std::string words) {
   return words + ".";
 }
 
-std::string offer(const Nearest& n) {
+std::string offer(const ClosestWeave& n) {
   if (n.is_there) return "Nothing that it weaves comes nearer than what is there.";
   if (n.wrong == 0) return "It weaves it all with other numbers of shafts and treadles.";
   const std::string crossings = std::to_string(n.wrong) + (n.wrong == 1 ? " crossing" : " crossings");
@@ -23,13 +22,13 @@ std::string offer(const Nearest& n) {
 
 /// "Take 9 shafts"; empty where no loom is larger in one thing alone.
 std::string larger(const PanelContext& c) {
-  const Draft &wish = c.view.refusal->wish->draft, &d = c.design.draft;
+  const Draft &requested = c.view.rejected_edit->requested->draft, &d = c.design.draft;
   const auto take = [](int n, const char* what) { return "Take " + std::to_string(n) + " " + what; };
-  if (wish.shafts > d.shafts) return take(wish.shafts, "shafts");
-  return wish.treadles > d.treadles ? take(wish.treadles, "treadles") : std::string();
+  if (requested.shafts > d.shafts) return take(requested.shafts, "shafts");
+  return requested.treadles > d.treadles ? take(requested.treadles, "treadles") : std::string();
 }
 
-void draw_card(PanelContext& c, const Nearest& n) {
+void draw_card(PanelContext& c, const ClosestWeave& n) {
   push_font(c.style.font.bold);
   ImGui::TextUnformatted(sentence(n.why).c_str());
   ImGui::PopFont();
@@ -47,24 +46,24 @@ void draw_card(PanelContext& c, const Nearest& n) {
   }
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   if (text_button(c, "nearest.leave", "Leave it", "The draft stays as it is"))
-    c.wanted.change_view([](DocumentView& v) { v.refusal.reset(); });
+    c.wanted.change_view([](DocumentView& v) { v.rejected_edit.reset(); });
   ImGui::PopStyleColor();
 }
 
 }  // namespace
 
-void draw_nearest_notice(PanelContext& c, ImVec2 min, ImVec2 max) {
-  if (!c.view.refusal || !c.view.refusal->nearest) return;
+void draw_closest_weave_notice(PanelContext& c, ImVec2 min, ImVec2 max) {
+  if (!c.view.rejected_edit || !c.view.rejected_edit->nearest) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(16), c.style.px(12)});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
   ImGui::PushStyleColor(ImGuiCol_Border, c.style.color.warn);
   ImGui::SetNextWindowPos({(min.x + max.x) / 2, max.y - c.style.px(18)}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::Begin("Nearest", nullptr,
+  ImGui::Begin("ClosestWeave", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  draw_card(c, *c.view.refusal->nearest);
+  draw_card(c, *c.view.rejected_edit->nearest);
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(3);

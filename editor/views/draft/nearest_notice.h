@@ -7,6 +7,6 @@
 namespace weftlight::views {
 
 /// Below the middle of a pane, while something is refused; drawn after the pane.
-void draw_nearest_notice(PanelContext& c, ImVec2 min, ImVec2 max);
+void draw_closest_weave_notice(PanelContext& c, ImVec2 min, ImVec2 max);
 
 }  // namespace weftlight::views

@@ -1,6 +1,6 @@
 #include "views/draft/select_input.h"
 
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::views {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::views {
 namespace {
@@ -64,7 +64,7 @@ void push_clip(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   dl->PushClipRect({a.x - room, a.y - room}, {b.x + 1 + room, b.y + 1 + room}, true);
 }
 
-void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BlockInHand& held,
+void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ActiveBlock& held,
                 const BitMatrix& cells) {
   const bool crossings = held.grid == BitGrid::kDrawdown;
   const bool turned = crossings && c.view.face == Face::kBack;  // the back shows the other threads
@@ -96,7 +96,7 @@ void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& l)
 
 void draw_block_in_hand(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   if (!c.view.select.held) return;
-  const BlockInHand& held = *c.view.select.held;
+  const ActiveBlock& held = *c.view.select.held;
   const GridPane* pane = pane_of(l, held.grid);
   if (pane == nullptr) return;
   const BitMatrix cells = turned_for(held.block, held.grid);

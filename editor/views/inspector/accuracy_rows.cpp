@@ -14,13 +14,13 @@ MaybeEdit draw_accuracy(PanelContext& c) {
     constexpr SliderSpec kTime{
         "look.budget_ms",
         "Milliseconds",
-        kLeastPictureMs,
+        kMinPictureMs,
         1000,
         "%.0f ms",
         "What the cloth of a picture at rest may take; the error is the least that can be had for it",
         true,
-        kLeastPictureMs,
-        kMostPictureMs};
+        kMinPictureMs,
+        kMaxPictureMs};
     float ms = c.settings.picture_ms;
     if (slider(c, kTime, ms)) c.wanted.change_settings([ms](Settings& s) { s.picture_ms = ms; });
     return {};

@@ -20,8 +20,8 @@ using formulas::YarnLobes;
 
 constexpr float kDegree = 0.017453293f;
 constexpr float kPi = 3.14159265f;
-constexpr float kMargin = 7, kMostRadius = 128;  // pixels at 96 dpi
-constexpr float kBelow = 0.42f;                  // height of the lower half, in radii
+constexpr float kMargin = 7, kMaxRadius = 128;  // pixels at 96 dpi
+constexpr float kBelow = 0.42f;                 // height of the lower half, in radii
 // Nearer to the horizon the formulas divide by next to nothing.
 constexpr float kLastDegree = 89.5f;
 
@@ -53,7 +53,7 @@ struct Plot {
 };
 
 float radius_for(const PanelContext& c, float width) {
-  return std::min(width / 2 - c.style.px(kMargin), c.style.px(kMostRadius));
+  return std::min(width / 2 - c.style.px(kMargin), c.style.px(kMaxRadius));
 }
 
 float legend_height(const PanelContext& c) { return font_size(c.style.font.small) + c.style.px(4); }

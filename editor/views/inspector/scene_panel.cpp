@@ -8,7 +8,7 @@
 #include "draft/methods.h"
 #include "drape/mesh.h"
 #include "ui/widgets.h"
-#include "views/inspector/hang_rows.h"
+#include "views/inspector/drape_stiffness_rows.h"
 
 namespace weftlight::views {
 namespace {
@@ -56,7 +56,7 @@ ImU32 mixed(Rgb a, Rgb b, float t) {
 }
 
 /// A white ball in the set-up's light, before its background.
-void draw_ball(const PanelContext& c, const LightSetup& setup, ImVec2 a, ImVec2 b) {
+void draw_ball(const PanelContext& c, const LightingPreset& setup, ImVec2 a, ImVec2 b) {
   constexpr float kDegree = 3.14159265f / 180;
   constexpr int kRings = 10;
   ImDrawList* dl = ImGui::GetWindowDrawList();
@@ -79,7 +79,7 @@ MaybeEdit draw_setups(PanelContext& c) {
   MaybeEdit edit;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   for (size_t i = 0; i < kLightSetups.size(); ++i) {
-    const LightSetup& setup = kLightSetups[i];
+    const LightingPreset& setup = kLightSetups[i];
     const ImVec2 a{at.x + static_cast<float>(i % kColumns) * (width + gap),
                    at.y + static_cast<float>(i / kColumns) * (height + line + row_gap)},
         b{a.x + width, a.y + height};
@@ -157,7 +157,7 @@ MaybeEdit draw_method(PanelContext& c) {
 MaybeEdit draw_scene(PanelContext& c) {
   if (!section(c, "section.scene", "Cloth in the light")) return {};
   MaybeEdit edit = draw_mesh(c);
-  if (MaybeEdit own = draw_hang(c)) edit = std::move(own);
+  if (MaybeEdit own = draw_drape_stiffness(c)) edit = std::move(own);
   if (MaybeEdit lights = draw_setups(c)) edit = std::move(lights);
   if (MaybeEdit picture = draw_picture(c)) edit = std::move(picture);
   if (MaybeEdit method = draw_method(c)) edit = std::move(method);

@@ -16,8 +16,8 @@ namespace weftlight::views {
 
 std::string press_text(const Draft& draft, int pick) {
   const std::vector<int> marks = to_press(draft, pick);
-  const char* one = draft.drive == Drive::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
-  if (marks.empty()) return draft.drive == Drive::kLiftplan ? "Lift nothing" : "No treadle";
+  const char* one = draft.drive == ShedControl::kLiftplan ? (draft.rising ? "Lift " : "Lower ") : "Treadle ";
+  if (marks.empty()) return draft.drive == ShedControl::kLiftplan ? "Lift nothing" : "No treadle";
   std::string text = one;
   for (size_t i = 0; i < marks.size(); ++i) text.append(i == 0 ? "" : " + ").append(std::to_string(marks[i] + 1));
   return text;
@@ -26,7 +26,7 @@ std::string press_text(const Draft& draft, int pick) {
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kMargin = 28, kFoot = 150, kLargestShaft = 64, kLeastForStrip = 900;
+constexpr float kMargin = 28, kFoot = 150, kLargestShaft = 64, kMinForStrip = 900;
 constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // of the strip, before the pick
 
 struct Box {
@@ -241,7 +241,7 @@ void draw_loom(PanelContext& c, const LoomLine& line, std::string& address) {
   const float margin = c.style.px(kMargin), foot = c.style.px(kFoot);
   Box room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
   const loom::Place place = place_of(c.view.at_loom, c.design);
-  const bool strip = size.x >= c.style.px(kLeastForStrip);
+  const bool strip = size.x >= c.style.px(kMinForStrip);
   if (place.next_pick < c.design.draft.picks() && room.height() > 40) {
     const float right = room.max.x;
     if (strip) room.max.x = at.x + size.x * 0.56f;

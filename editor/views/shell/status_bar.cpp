@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "session/paint.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "session/shapes.h"
 #include "session/typing.h"
 #include "ui/icons.h"
@@ -80,7 +80,7 @@ void draw_trouble(const PanelContext& c, const std::string& trouble, float room)
 std::string summary(const Draft& d) {
   std::string text = count(d.ends(), "end", "ends") + " \xC3\x97 " + count(d.picks(), "pick", "picks") + "   " +
                      count(d.shafts, "shaft", "shafts") + "   ";
-  text += d.drive == Drive::kLiftplan ? "liftplan" : count(d.treadles, "treadle", "treadles");
+  text += d.drive == ShedControl::kLiftplan ? "liftplan" : count(d.treadles, "treadle", "treadles");
   return text + "   " + (d.rising ? "rising" : "sinking") + " shed";
 }
 

@@ -14,11 +14,11 @@ namespace weftlight::views {
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kHeight = 34, kLead = 14, kCross = 22, kLeast = 84, kMost = 230, kRound = 7, kNew = 34, kAbove = 4;
+constexpr float kHeight = 34, kLead = 14, kCross = 22, kMin = 84, kMax = 230, kRound = 7, kNew = 34, kAbove = 4;
 
 float wanted_width(const PanelContext& c, const Tab& tab) {
   const float text = ImGui::CalcTextSize(tab.name.c_str()).x;
-  return std::clamp(text + c.style.px(2 * kLead + kCross), c.style.px(kLeast), c.style.px(kMost));
+  return std::clamp(text + c.style.px(2 * kLead + kCross), c.style.px(kMin), c.style.px(kMax));
 }
 
 /// A cross, or a dot while there is something to save and the pointer is elsewhere.
@@ -55,24 +55,25 @@ struct Place {
 };
 
 /// Its neighbour's place, once it would lie under the pointer there.
-TabWish dragged(const Tab& tab, const Place& p, std::span<const float> edges, float left) {
+TabRequest dragged(const Tab& tab, const Place& p, std::span<const float> edges, float left) {
   const float x = ImGui::GetIO().MousePos.x - left, width = p.b.x - p.a.x;
   const size_t n = p.number;
-  if (n + 2 < edges.size() && x > edges[n] + edges[n + 2] - edges[n + 1]) return {TabWish::Kind::kMove, tab.id, n + 1};
-  if (n > 0 && x < edges[n - 1] + width) return {TabWish::Kind::kMove, tab.id, n - 1};
+  if (n + 2 < edges.size() && x > edges[n] + edges[n + 2] - edges[n + 1])
+    return {TabRequest::Kind::kMove, tab.id, n + 1};
+  if (n > 0 && x < edges[n - 1] + width) return {TabRequest::Kind::kMove, tab.id, n - 1};
   return {};
 }
 
-TabWish draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown, std::span<const float> edges,
-                 float left) {
+TabRequest draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown, std::span<const float> edges,
+                    float left) {
   const std::string number = std::to_string(p.number + 1);
   const float cross = c.style.px(kCross), height = p.b.y - p.a.y;
   const ImVec2 mark{p.b.x - cross / 2 - c.style.px(6), (p.a.y + p.b.y) / 2};
-  TabWish wish;
+  TabRequest requested;
   ImGui::PushID(static_cast<int>(tab.id));
   // Before the tab below it, so that it takes the pointer first.
   ImGui::SetCursorScreenPos({mark.x - cross / 2, mark.y - cross / 2});
-  if (hit_area("close", {cross, cross})) wish = {TabWish::Kind::kClose, tab.id, 0};
+  if (hit_area("close", {cross, cross})) requested = {TabRequest::Kind::kClose, tab.id, 0};
   c.map.add_item("tab.close:" + number);
   const bool on_cross = ImGui::IsItemHovered();
   tooltip(c, tab.unsaved ? "Close; it asks what is to become of the changes   Ctrl+W" : "Close   Ctrl+W");
@@ -81,12 +82,14 @@ TabWish draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown, st
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
   c.map.add_item("tab:" + number);
   const bool hovered = ImGui::IsItemHovered() || on_cross;
-  if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) wish = {TabWish::Kind::kShow, tab.id, 0};
-  else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) wish = dragged(tab, p, edges, left);
+  if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+    requested = {TabRequest::Kind::kShow, tab.id, 0};
+  else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left))
+    requested = dragged(tab, p, edges, left);
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Middle))
-    wish = {TabWish::Kind::kClose, tab.id, 0};
+    requested = {TabRequest::Kind::kClose, tab.id, 0};
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
-    wish = {TabWish::Kind::kMenu, tab.id, 0};
+    requested = {TabRequest::Kind::kMenu, tab.id, 0};
   tooltip(c, tab.tip.c_str());
   ImGui::PopID();
   draw_ground(c, p.a, p.b, shown, hovered);
@@ -97,7 +100,7 @@ TabWish draw_tab(PanelContext& c, const Tab& tab, const Place& p, bool shown, st
   if (shown) c.map.add("tab.shown:" + number, p.a.x, p.a.y, p.b.x - p.a.x, height);
   if (tab.unsaved) c.map.add("tab.unsaved:" + number, mark.x - 1, mark.y - 1, 2, 2);
   if (tab.unsaved || hovered || shown) draw_mark(c, mark, tab.unsaved && !hovered, on_cross);
-  return wish;
+  return requested;
 }
 
 /// The tab that is shown is brought into sight once; the wheel then leads where it will.
@@ -131,23 +134,23 @@ std::vector<float> tab_edges(std::span<const float> wanted, float room, float le
   return edges;
 }
 
-TabWish draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t shown, TabStrip& strip) {
+TabRequest draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t shown, TabStrip& strip) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->AddRectFilled(at, {at.x + size.x, at.y + size.y}, c.style.color.window);
   std::vector<float> wanted;
   for (const Tab& tab : tabs) wanted.push_back(wanted_width(c, tab));
   const float room = std::max(1.0f, size.x - c.style.px(kNew + kLead)), start = at.x + c.style.px(6);
-  const std::vector<float> edges = tab_edges(wanted, room, c.style.px(kLeast));
+  const std::vector<float> edges = tab_edges(wanted, room, c.style.px(kMin));
   follow(strip, tabs, shown, edges, room);
   const float left = start - strip.scroll, top = at.y + c.style.px(kAbove);
-  TabWish wish;
+  TabRequest requested;
   ImGui::PushClipRect({start, at.y}, {start + room, at.y + size.y}, true);
   for (size_t i = 0; i < tabs.size(); ++i) {
     const Place place{{left + edges[i], top}, {left + edges[i + 1], at.y + size.y}, i};
     if (place.b.x < start || place.a.x > start + room) continue;
-    const TabWish own = draw_tab(c, tabs[i], place, tabs[i].id == shown, edges, left);
-    if (own.kind != TabWish::Kind::kNone) wish = own;
+    const TabRequest own = draw_tab(c, tabs[i], place, tabs[i].id == shown, edges, left);
+    if (own.kind != TabRequest::Kind::kNone) requested = own;
   }
   ImGui::PopClipRect();
   const float side = ImGui::GetFrameHeight();
@@ -155,7 +158,7 @@ TabWish draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t show
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   if (icon_button(c, "tab.new", icon::kPlus, "+", "New draft   Ctrl+N")) c.wanted.add_action("new");
   ImGui::PopStyleColor();
-  return wish;
+  return requested;
 }
 
 std::string draw_tab_menu(const PanelContext& c, std::span<const ActionItem> items, TabStrip& strip) {

@@ -18,7 +18,7 @@ struct Tab {
   bool unsaved = false;
 };
 
-struct TabWish {
+struct TabRequest {
   enum class Kind { kNone, kShow, kClose, kMove, kMenu };  // kMenu: it is shown, then its menu
   Kind kind = Kind::kNone;
   uint64_t id = 0;
@@ -37,7 +37,7 @@ struct TabStrip {
 float tab_strip_height(const Style& style, size_t tabs);
 /// Fills the current window. A click shows a tab, a drag moves it, its cross or a middle click closes it; the plus
 /// behind the last one asks for a new draft.
-TabWish draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t shown, TabStrip& strip);
+TabRequest draw_tab_strip(PanelContext& c, std::span<const Tab> tabs, uint64_t shown, TabStrip& strip);
 /// What a right click on a tab offers, of the draft that is then shown; id of the action that was chosen, or empty.
 std::string draw_tab_menu(const PanelContext& c, std::span<const ActionItem> items, TabStrip& strip);
 

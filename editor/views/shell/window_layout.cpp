@@ -8,9 +8,9 @@ namespace {
 
 // Pixels at 96 dpi.
 constexpr float kInspector = 316, kStatusBar = 28, kSplitter = 6;
-constexpr float kLeastWithInspector = 760;  // of the window; a narrower one has no room for it
+constexpr float kMinWithInspector = 760;  // of the window; a narrower one has no room for it
 
-bool has_room(const Style& style, float width) { return width >= style.px(kLeastWithInspector); }
+bool has_room(const Style& style, float width) { return width >= style.px(kMinWithInspector); }
 
 }  // namespace
 

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "actions/actions.h"
-#include "session/views.h"
+#include "session/scene_views.h"
 
 namespace weftlight::actions {
 
 /// A desk without a window: what needs one does nothing.
-class BareDesk : public Desk {
+class BareDesk : public ActionHost {
  public:
   explicit BareDesk(Design design) : document_(std::move(design)) {}
   const Document& document() const override { return document_; }
@@ -25,7 +25,7 @@ class BareDesk : public Desk {
   void ask_thread() override {}
   void ask_weave() override {}
   void ask_sections() override {}
-  void ask_nearest() override {}
+  void ask_closest_weave() override {}
   Settings& settings() override { return settings_; }
   const Settings& settings() const override { return settings_; }
   void open() override {}

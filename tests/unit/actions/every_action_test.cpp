@@ -12,8 +12,8 @@
 #include "draft/crossings.h"
 #include "draft/edits.h"
 #include "draft/factor.h"
-#include "draft/look_text.h"
-#include "session/selection.h"
+#include "draft/thread_text.h"
+#include "session/selection_state.h"
 
 namespace weftlight::actions {
 namespace {
@@ -33,7 +33,7 @@ Design rich_design() {
   for (const int end : {2, 3, 11}) d = with_thread_thickness(std::move(d), System::kWarp, end, 0.1f * (end + 3));
   for (const int pick : {1, 8}) d = with_thread_spacing(std::move(d), System::kWeft, pick, 1.25f);
   d.title = "All of it";
-  d.loom = {Authority::kThreading, false, 8, 10, 3};
+  d.loom = {Leading::kThreading, false, 8, 10, 3};
   return d;
 }
 
@@ -42,12 +42,12 @@ Design two_footed() {
   Design d = rich_design();
   d.draft = blank_draft(16, 12, 4, 6);
   for (int i = 0; i < 16; ++i) d.draft.threading.set(i, i % 4, true);
-  d.draft.drive = Drive::kLiftplan;
+  d.draft.drive = ShedControl::kLiftplan;
   d.draft.liftplan = BitMatrix(12, 4);
   constexpr unsigned kLifts[] = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 1, 2};
   for (int pick = 0; pick < 12; ++pick)
     for (int s = 0; s < 4; ++s) d.draft.liftplan.set(pick, s, (kLifts[pick] >> s & 1) != 0);
-  d.loom = {Authority::kLiftplan, false, 4, 12, 0};
+  d.loom = {Leading::kLiftplan, false, 4, 12, 0};
   return d;
 }
 
@@ -72,13 +72,13 @@ CellBlock small_block() {
 
 /// A crossing that the loom cannot weave without another shaft.
 void refuse(BareDesk& desk) {
-  Design wish = desk.document().now();
-  wish.loom.shafts = wish.loom.treadles = kMaxShafts;
-  BitMatrix cells = drawdown(wish.draft);
+  Design requested = desk.document().now();
+  requested.loom.shafts = requested.loom.treadles = kMaxShafts;
+  BitMatrix cells = drawdown(requested.draft);
   for (int i = 0; i < std::min({10, cells.rows(), cells.cols()}); ++i) cells.set(i, i, !cells.get(i, i));
-  wish.draft = nearest_drawdown(wish.draft, cells, loom_size(wish)).draft;
-  desk.view().refusal = Refusal{0, std::make_shared<const Design>(wish)};
-  desk.view().refusal->nearest = nearest_to(desk.document().now(), wish);
+  requested.draft = closest_drawdown(requested.draft, cells, loom_size(requested)).draft;
+  desk.view().rejected_edit = RejectedEdit{0, std::make_shared<const Design>(requested)};
+  desk.view().rejected_edit->nearest = nearest_to(desk.document().now(), requested);
 }
 
 std::vector<std::pair<std::string, Prepare>> preparations() {
@@ -134,17 +134,17 @@ std::vector<std::pair<std::string, Prepare>> preparations() {
 }
 
 std::vector<Stage> stages() {
-  const auto ruled_by = [](Authority authority) {
-    return [authority] {
+  const auto ruled_by = [](Leading leading) {
+    return [leading] {
       Design d = rich_design();
       d.loom.shafts = d.loom.treadles = 20;
-      return with_authority(std::move(d), authority);
+      return with_leading(std::move(d), leading);
     };
   };
   const std::vector<std::pair<std::string, std::function<Design()>>> designs = {
       {"threading rules", rich_design},
-      {"liftplan rules", ruled_by(Authority::kLiftplan)},
-      {"drawdown rules", ruled_by(Authority::kDrawdown)},
+      {"liftplan rules", ruled_by(Leading::kLiftplan)},
+      {"drawdown rules", ruled_by(Leading::kDrawdown)},
       {"locked, sinking", [] { return with_lock(with_rising(rich_design(), false), true); }},
       {"for two feet", two_footed},
       {"one end, one pick",
@@ -202,7 +202,7 @@ const std::set<std::string> kEdits = {"advance_down",
                                       "sinking",
                                       "skeleton",
                                       "threads.from_yarn",
-                                      "threads.paste_looks",
+                                      "threads.paste_properties",
                                       "threads.warp_as_weft",
                                       "threads.warp_thick_as_weft",
                                       "threads.weft_as_warp",

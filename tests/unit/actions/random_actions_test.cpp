@@ -11,13 +11,13 @@
 #include "draft/edits.h"
 #include "session/journal_format.h"
 #include "session/paint.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 #include "session/shapes.h"
 
 namespace weftlight::actions {
 namespace {
 
-constexpr int kActions = 100'000, kMostThreadsHere = 160;
+constexpr int kActions = 100'000, kMaxThreadsHere = 160;
 constexpr unsigned kSeed = 20260;
 
 Design first_design() {
@@ -65,7 +65,7 @@ void RandomActions::paint() {
   const Mirror mirror = mirror_of(desk_.view(), draft());
   if (roll(3) == 0 && from.valid() && to.valid()) {
     constexpr Tool kShapes[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
-    desk_.view().shape = ShapeInHand{kShapes[roll(3)], grid, from, to, roll(2) == 0};
+    desk_.view().shape = ActiveShape{kShapes[roll(3)], grid, from, to, roll(2) == 0};
     if (const MaybeEdit edit = finish_shape(desk_.view(), desk_.document().now())) desk_.commit(*edit);
     return;
   }
@@ -110,7 +110,7 @@ void RandomActions::edit_threads() {
 void RandomActions::act() {
   joins_none_ = false;
   // What grows without end is cut back, as a step like the others.
-  if (std::max(draft().ends(), draft().picks()) > kMostThreadsHere || draft().shafts > 40 || draft().treadles > 40)
+  if (std::max(draft().ends(), draft().picks()) > kMaxThreadsHere || draft().shafts > 40 || draft().treadles > 40)
     return desk_.commit({"cut", [](Design d) { return with_size(std::move(d), 24, 24, 6, 6); }});
   const int kind = roll(100);
   if (kind < 25) return paint();
@@ -208,7 +208,7 @@ TEST(ThreadActions, ColoursAndThicknessesAreCopiedAlone) {
   desk.view().chosen = {System::kWarp, {0, 2}, 0, {}, false, false};
   run("threads.copy_colors");
   desk.view().chosen = {System::kWeft, {1, 2, 3}, 1, {}, false, false};
-  run("threads.paste_looks");
+  run("threads.paste_properties");
   EXPECT_EQ(desk.document().now().draft.weft.color, (std::vector<int>{1, 2, 1, 2, 1}));
   EXPECT_EQ(desk.document().now().draft.weft.thickness_mm, d.draft.weft.thickness_mm);
   desk.undo();

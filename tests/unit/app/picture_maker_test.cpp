@@ -50,10 +50,10 @@ TEST(PictureMakerTest, AtRestItIsTheSameWhenMadeAgain) {
   request.scene.view_distance = 0.1f;
   double now_s = 0;
   const std::vector<uint32_t> first = at_rest(maker, request, now_s);
-  ASSERT_GT(maker.stats().rung_shares[0], 0.9f) << "of threads";
-  request.show_rungs = true;
+  ASSERT_GT(maker.stats().method_weights[0], 0.9f) << "of threads";
+  request.show_methods = true;
   at_rest(maker, request, now_s);
-  request.show_rungs = false;
+  request.show_methods = false;
   const std::vector<uint32_t> again = at_rest(maker, request, now_s);
   ASSERT_EQ(first.size(), again.size());
   EXPECT_LT(apart(first, again), 0.04);  // 0.011 to 0.027: how many samples a pass takes goes by the clock

@@ -98,7 +98,7 @@ TEST(chart_rows, go_to_text_and_back) {
   EXPECT_EQ(read_chart(text + "plain,0,half a li").size(), 1u);
 }
 
-TEST(chart_rows, make_a_ladder_that_can_be_read_again) {
+TEST(chart_rows, make_a_lod_table_that_can_be_read_again) {
   std::vector<ChartRow> rows;
   for (const double footprint : {0.5, 2.0}) {
     rows.push_back(row(Method::kYarn, 40, 0.1 * footprint, footprint));
@@ -106,11 +106,11 @@ TEST(chart_rows, make_a_ladder_that_can_be_read_again) {
   }
   rows.push_back(row(Method::kYarn, 60, 0.3, 2));  // another cloth, worse
   rows.back().scene = "satin";
-  const Ladder ladder = ladder_of(rows);
+  const LodTable lod_table = lod_table_of(rows);
   std::string problem;
-  const Ladder again = read_ladder(ladder_csv(ladder), problem);
+  const LodTable again = read_lod_table(lod_table_csv(lod_table), problem);
   EXPECT_EQ(problem, "");
-  EXPECT_EQ(again.size(), ladder.size());
+  EXPECT_EQ(again.size(), lod_table.size());
   EXPECT_NEAR(expected_error(again, Method::kYarn, 2), 0.3f, 1e-5f);  // the worst place
   EXPECT_NEAR(expected_cost(again, Method::kYarn, 2), 50, 1e-3f);
   EXPECT_EQ(choose(again, 0.5f, {0.06f}).method, Method::kYarn);  // none holds it: the nearest
@@ -143,7 +143,7 @@ TEST(chart_scene, one_is_of_black_and_white_threads_alone) {
 
 TEST(draw_counter, counts_the_same_twice_and_more_where_more_is_done) {
   volatile double sum = 0;
-  const auto counter = DrawCounter::start([&sum](const CountedDraw& what, const Ladder&, int pixels) {
+  const auto counter = DrawCounter::start([&sum](const CountedDraw& what, const LodTable&, int pixels) {
     for (int i = 0; i < pixels * pixels * what.samples; ++i) sum = sum + 1.5;
     return true;
   });
@@ -152,13 +152,13 @@ TEST(draw_counter, counts_the_same_twice_and_more_where_more_is_done) {
   const auto one = counter->per_pixel(what, {});
   EXPECT_EQ(counter->per_pixel(what, {}), one);
   what.samples = 4;
-  const auto four = counter->per_pixel(what, {LadderPoint{}});
+  const auto four = counter->per_pixel(what, {LodPoint{}});
   ASSERT_TRUE(one && four);
   EXPECT_NEAR(*four / *one, 4, 0.01);
 }
 
 TEST(draw_counter, has_no_figure_where_nothing_can_be_drawn) {
-  const auto counter = DrawCounter::start([](const CountedDraw&, const Ladder&, int) { return false; });
+  const auto counter = DrawCounter::start([](const CountedDraw&, const LodTable&, int) { return false; });
   if (!counter) GTEST_SKIP() << "another kind of processor";
   EXPECT_FALSE(counter->per_pixel({}, {}));
   EXPECT_FALSE(counter->per_pixel({}, {}));

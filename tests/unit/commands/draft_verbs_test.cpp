@@ -98,8 +98,8 @@ TEST_F(DraftVerbs, info_as_json_of_any_text) {
 TEST_F(DraftVerbs, convert_is_byte_true_also_onto_itself) {
   for (const char* name : {"mixed_ends.wif", "latin1.wif", "untidy.wif", "no_last_end.wif"}) {
     const std::string bytes = read_file(fixture_path(name)).bytes;
-    EXPECT_EQ(convert_command({fixture_path(name), path("copy.wif"), false, ConvertDrive::kAsIs}), kDone);
-    EXPECT_EQ(convert_command({path("copy.wif"), path("copy.wif"), false, ConvertDrive::kAsIs}), kDone);
+    EXPECT_EQ(convert_command({fixture_path(name), path("copy.wif"), false, ConvertShedControl::kAsIs}), kDone);
+    EXPECT_EQ(convert_command({path("copy.wif"), path("copy.wif"), false, ConvertShedControl::kAsIs}), kDone);
     EXPECT_EQ(read_file(path("copy.wif")).bytes, bytes) << name;
   }
 }
@@ -107,12 +107,13 @@ TEST_F(DraftVerbs, convert_is_byte_true_also_onto_itself) {
 TEST_F(DraftVerbs, convert_changes_the_drive_and_keeps_the_cloth) {
   const BitMatrix cells = drawdown(open_design(fixture_path("heddles.wif")).design.draft);
   for (const bool plain : {false, true}) {
-    EXPECT_EQ(convert_command({fixture_path("heddles.wif"), path("lifts.wif"), plain, ConvertDrive::kLiftplan}), kDone);
-    EXPECT_EQ(convert_command({path("lifts.wif"), path("treadles.wif"), plain, ConvertDrive::kTreadling}), kDone);
+    EXPECT_EQ(convert_command({fixture_path("heddles.wif"), path("lifts.wif"), plain, ConvertShedControl::kLiftplan}),
+              kDone);
+    EXPECT_EQ(convert_command({path("lifts.wif"), path("treadles.wif"), plain, ConvertShedControl::kTreadling}), kDone);
     const Draft lifts = open_design(path("lifts.wif")).design.draft,
                 treadles = open_design(path("treadles.wif")).design.draft;
-    EXPECT_EQ(lifts.drive, Drive::kLiftplan);
-    EXPECT_EQ(treadles.drive, Drive::kTreadling);
+    EXPECT_EQ(lifts.drive, ShedControl::kLiftplan);
+    EXPECT_EQ(treadles.drive, ShedControl::kTreadling);
     EXPECT_TRUE(drawdown(lifts) == cells && drawdown(treadles) == cells);
   }
 }
@@ -122,12 +123,13 @@ TEST_F(DraftVerbs, exit_codes_say_what_went_wrong) {
   EXPECT_EQ(info_command({path("none.wif"), false}), kBadInput);
   const std::string bad = written("bad.wif", "[WARP]\nThreads=4\n[WEFT]\nThreads=200000\n");
   EXPECT_EQ(drawdown_command({bad, "", Face::kFront}), kBadInput);
-  EXPECT_EQ(convert_command({bad, path("out.wif"), false, ConvertDrive::kAsIs}), kBadInput);
+  EXPECT_EQ(convert_command({bad, path("out.wif"), false, ConvertShedControl::kAsIs}), kBadInput);
   EXPECT_FALSE(std::filesystem::exists(path("out.wif")));
   const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find(bad + ":4: "), std::string::npos) << said;
   ::testing::internal::CaptureStderr();
-  EXPECT_EQ(convert_command({fixture_path("twill.wif"), path("no/out.wif"), false, ConvertDrive::kAsIs}), kNotWritten);
+  EXPECT_EQ(convert_command({fixture_path("twill.wif"), path("no/out.wif"), false, ConvertShedControl::kAsIs}),
+            kNotWritten);
   EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path("no/out.png"), Face::kFront}), kNotWritten);
   ::testing::internal::GetCapturedStderr();
 }

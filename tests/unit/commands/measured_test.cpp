@@ -149,7 +149,7 @@ class Measured : public ScratchFolder {
   }
 };
 
-TEST_F(Measured, cloths_are_sent_back_as_measured_by_the_rung_for_afar) { compare("cloth"); }
+TEST_F(Measured, far_field_of_cloths_is_as_measured) { compare("cloth"); }
 
 TEST_F(Measured, cloths_are_sent_back_as_measured_by_the_traced_threads) { compare("reference"); }
 

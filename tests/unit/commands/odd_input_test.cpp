@@ -148,7 +148,7 @@ TEST_F(OddInput, a_drawdown_is_what_its_name_says) {
   EXPECT_EQ(files().size(), heads.size());
 }
 
-TEST_F(OddInput, a_broken_ladder_is_told_of_and_replaced) {
+TEST_F(OddInput, a_broken_lod_table_is_reported_and_replaced) {
   const std::string presets = path("presets");
   std::filesystem::create_directories(presets);
   std::filesystem::copy(WEFTLIGHT_SOURCE_DIR "/presets/lights", presets + "/lights",
@@ -157,13 +157,13 @@ TEST_F(OddInput, a_broken_ladder_is_told_of_and_replaced) {
       "render '" + draft() + "' --size 32x24 --mesh plane --method flat -o '" + path("a.png") + "'";
   const std::string env = "WEFTLIGHT_PRESETS='" + presets + "'", said = ">/dev/null 2>'" + path("said") + "'";
   for (const char* what : {"folder", "broken", "missing"}) {
-    if (what == std::string("folder")) std::filesystem::create_directory(presets + "/ladder.csv");
-    if (what == std::string("broken")) std::ofstream(presets + "/ladder.csv") << "not,a\nladder";
+    if (what == std::string("folder")) std::filesystem::create_directory(presets + "/lod_table.csv");
+    if (what == std::string("broken")) std::ofstream(presets + "/lod_table.csv") << "not,a\nladder";
     const int code = shell(env, line, said);
     if (code == kNoGraphics) GTEST_SKIP() << "no graphics here";
     EXPECT_EQ(code, kDone) << what;
-    EXPECT_NE(read_file(path("said")).bytes.find("ladder.csv"), std::string::npos) << what;
-    std::filesystem::remove(presets + "/ladder.csv");
+    EXPECT_NE(read_file(path("said")).bytes.find("lod_table.csv"), std::string::npos) << what;
+    std::filesystem::remove(presets + "/lod_table.csv");
   }
 }
 

@@ -36,7 +36,7 @@ TEST_F(OwnDrape, is_drawn_kept_and_written) {
   ASSERT_EQ(drawn.code, kDone) << drawn.said;
   EXPECT_EQ(drawn.said.find("warning"), std::string::npos) << drawn.said;
   Design design = open_design(draft_).design;
-  design.scene.mesh = "cushion", design.scene.own_drape = true;
+  design.scene.mesh = "cushion", design.scene.simulated_drape = true;
   ASSERT_TRUE(is_draped(design)) << "it is kept for the next picture";
 
   const Ran written = run({"drape", draft_, "-o", path("own.glb"), "--mesh", "cushion"});

@@ -11,8 +11,8 @@
 #include "commands/picture_setup.h"
 #include "draft/edits.h"
 #include "draft/lights.h"
+#include "render_data/reference_scene.h"
 #include "scratch_folder.h"
-#include "upload/reference_scene.h"
 
 namespace weftlight::commands {
 namespace {
@@ -108,7 +108,7 @@ TEST_F(Pictures, the_preview_is_the_traced_cloth_under_every_light) {
       for (size_t k = 0; k < 3; ++k) hall.texels[3 * static_cast<size_t>(y * 128 + x) + k] = 9;
   ASSERT_EQ(write_image(path("hall.exr"), hall, PixelType::kHalf), "");
   std::vector<std::string> lights{path("hall.exr")};
-  for (const LightSetup& setup : kLightSetups) lights.emplace_back(setup.id);
+  for (const LightingPreset& setup : kLightSetups) lights.emplace_back(setup.id);
   for (const auto& [draft, most] : {std::pair("twill_2_2", 0.22), std::pair("satin_8", 0.45)}) {
     PictureOptions o;
     o.file = corner_of(draft), o.out = path("drawn.exr");
@@ -143,7 +143,7 @@ TEST_F(Pictures, each_set_up_of_lights_lights_the_cloth_another_way) {
   else ASSERT_EQ(code, kDone);
   const Scene given = setup.design.scene;
   std::vector<std::array<double, 2>> shown;
-  for (const LightSetup& lights : kLightSetups) {
+  for (const LightingPreset& lights : kLightSetups) {
     const Scene scene = lit_by(given, lights);
     std::string problem;
     setup.renderer->set_lights(load_light_rig(scene.lights, problem));

@@ -107,7 +107,7 @@ TEST_F(Response, the_back_is_the_complement) {
   }
 }
 
-TEST_F(Response, rungs_agree_on_a_cloth_from_afar) {
+TEST_F(Response, methods_agree_on_a_cloth_from_afar) {
   const std::vector<std::string> asked{"--views", "0,45", "--lights", "-60:60:20", "--spp", "64", "--method"};
   std::vector<std::vector<Row>> tables;
   for (const char* method : {"reference", "cloth", "repeat", "auto"}) {

@@ -145,7 +145,7 @@ TEST_F(WeaverVerbs, another_programs_draft_becomes_a_wif) {
       "@@StartDTX\n@@Info\n%%shafts 2\n@@Threading\n1 2 1 2\n@@Tieup\n01\n10\n@@Treadling\n1 2\n@@EndDTX\n";
   ASSERT_EQ(write_file_atomically(path("plain.dtx"), dtx), "");
   EXPECT_EQ(drawdown_of(path("plain.dtx")), "1010\n0101\n");
-  EXPECT_EQ(convert_command({path("plain.dtx"), path("plain.wif"), false, ConvertDrive::kAsIs}), kDone);
+  EXPECT_EQ(convert_command({path("plain.dtx"), path("plain.wif"), false, ConvertShedControl::kAsIs}), kDone);
   EXPECT_TRUE(read_file(path("plain.wif")).bytes.starts_with("[WIF]"));
   EXPECT_EQ(drawdown_of(path("plain.wif")), "1010\n0101\n");
 }

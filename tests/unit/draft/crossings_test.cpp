@@ -16,7 +16,7 @@ namespace {
 Design liftplan_design(std::mt19937& random, bool rising) {
   Design d;
   d.draft = blank_draft(23, 9, 5, 1);
-  d.draft.drive = Drive::kLiftplan;
+  d.draft.drive = ShedControl::kLiftplan;
   d.draft.rising = rising;
   for (int e = 0; e < 23; ++e) d.draft.threading.set(e, static_cast<int>(random() % 5), true);
   for (int p = 0; p < 9; ++p)

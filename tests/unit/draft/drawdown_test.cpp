@@ -56,7 +56,7 @@ TEST(Drawdown, LiftplanDrivesWhenChosen) {
   Draft d = treadled(kStraight4, {"1111"}, {"1", "1"});
   d.liftplan = matrix_of({"1010", "0101"});
   EXPECT_EQ(text_of(drawdown(d)), (Rows{"1111", "1111"}));
-  d.drive = Drive::kLiftplan;
+  d.drive = ShedControl::kLiftplan;
   EXPECT_EQ(text_of(drawdown(d)), (Rows{"1010", "0101"}));
 }
 
@@ -88,7 +88,7 @@ TEST(Drawdown, TablesAgreeWithTheDefinition) {
   for (const bool rising : {true, false}) {
     for (const int shafts : {9, 32, 65}) {
       Draft d = random_draft(random, 2600, 1100, shafts, 1);
-      d.drive = Drive::kLiftplan;
+      d.drive = ShedControl::kLiftplan;
       d.rising = rising;
       ASSERT_EQ(drawdown(d), slow_drawdown(d)) << shafts << " shafts";
     }

@@ -75,7 +75,7 @@ TEST(Edits, OutOfRangeChangesNothing) {
 
 TEST(Edits, LiftplanPaintKeepsTheRestOfTheCloth) {
   const Design next = with_liftplan(straight_twill(4, 4), 2, 0, true);
-  EXPECT_EQ(next.draft.drive, Drive::kLiftplan);
+  EXPECT_EQ(next.draft.drive, ShedControl::kLiftplan);
   EXPECT_EQ(cloth(next), (Rows{"1100", "0110", "1011", "1001"}));
 }
 
@@ -143,7 +143,7 @@ TEST(Edits, YarnsStayInTheirRanges) {
   EXPECT_EQ(clamped(Yarn{}), Yarn{});
 }
 
-TEST(Drive, EitherWayKeepsTheDrawdown) {
+TEST(ShedControl, EitherWayKeepsTheDrawdown) {
   std::mt19937 random(23);
   for (int round = 0; round < 200; ++round) {
     Design d;
@@ -154,14 +154,14 @@ TEST(Drive, EitherWayKeepsTheDrawdown) {
     ASSERT_EQ(drawdown(lifted.draft), cells);
     ASSERT_EQ(drawdown(trodden.draft), cells);
     ASSERT_EQ(drawdown(to_treadling(lifted).draft), cells);
-    ASSERT_EQ(trodden.draft.drive, Drive::kTreadling);
+    ASSERT_EQ(trodden.draft.drive, ShedControl::kTreadling);
   }
 }
 
-TEST(Drive, TreadlesAreTheFewestInOrderOfUse) {
+TEST(ShedControl, TreadlesAreTheFewestInOrderOfUse) {
   Design d;
   d.draft = treadled({"100", "010", "001"}, {"000"}, {"0", "0", "0", "0", "0"});
-  d.draft.drive = Drive::kLiftplan;
+  d.draft.drive = ShedControl::kLiftplan;
   d.draft.liftplan = matrix_of({"011", "100", "000", "011", "100"});
   const Design next = to_treadling(d);
   EXPECT_EQ(text_of(next.draft.tieup), (Rows{"011", "100"}));

@@ -99,7 +99,7 @@ TEST(Factor, SaysWhatIsWantingAndOffersTheNearest) {
   const Factored f = with_drawdown(bare_loom(cells), cells, {4, 8});
   EXPECT_FALSE(f.done());
   EXPECT_EQ(f.why, "this takes 8 shafts, and the loom has 4");
-  const Factored near = nearest_drawdown(bare_loom(cells), cells, {4, 8});
+  const Factored near = closest_drawdown(bare_loom(cells), cells, {4, 8});
   EXPECT_LE(near.draft.shafts, 4);
   EXPECT_LE(near.draft.treadles, 8);
   int64_t wrong = 0;
@@ -137,9 +137,9 @@ TEST(Factor, TheNearestOfAnyDrawdownFitsTheLoom) {
     Draft d = random_draft(random, 30, 24, 9, 9);
     BitMatrix cells(24, 30);
     fill_randomly(cells, random, 0.5);
-    const Factored near = nearest_drawdown(d, cells, {9, 9});
+    const Factored near = closest_drawdown(d, cells, {9, 9});
     ASSERT_LE(near.draft.shafts, 9);
-    ASSERT_TRUE(near.draft.drive == Drive::kLiftplan || near.draft.treadles <= 9);
+    ASSERT_TRUE(near.draft.drive == ShedControl::kLiftplan || near.draft.treadles <= 9);
     Design made;
     made.draft = near.draft;
     ASSERT_TRUE(is_consistent(made));
@@ -170,7 +170,7 @@ TEST(PaintedDrawdown, WholeRowsAreAsTheirCellsOneByOne) {
 TEST(PaintedDrawdown, KeepsTheTieUp) {
   const Design d = two_two_twill(16, 16);
   const Design next = with_drawdown_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
-  EXPECT_EQ(next.draft.drive, Drive::kTreadling);
+  EXPECT_EQ(next.draft.drive, ShedControl::kTreadling);
   EXPECT_EQ(next.draft.treadles, 5) << "one treadle more, for that pick";
   for (int t = 0; t < 4; ++t) EXPECT_EQ(text_of(next.draft.tieup)[t], text_of(d.draft.tieup)[t]);
   for (int p = 0; p < 16; ++p) EXPECT_EQ(next.draft.treadling.first(p), p == 5 ? 4 : p % 4);
@@ -197,13 +197,13 @@ TEST(PaintedDrawdown, SaysWhatTheLoomCannot) {
 }
 
 TEST(PaintedDrawdown, WhereTheDrawdownRulesOneCrossingChangesAlone) {
-  const Design d = with_authority(two_two_twill(16, 16), Authority::kDrawdown);
+  const Design d = with_leading(two_two_twill(16, 16), Leading::kDrawdown);
   BitMatrix cells = drawdown(d.draft);
   cells.set(5, 2, !cells.get(5, 2));
   const Design next = with_drawdown_cell(d, 2, 5, cells.get(5, 2));
   EXPECT_EQ(drawdown(next.draft), cells);
   EXPECT_EQ(next.draft.shafts, 5);
-  EXPECT_EQ(next.draft.drive, Drive::kTreadling);
+  EXPECT_EQ(next.draft.drive, ShedControl::kTreadling);
   for (int e = 0; e < 16; ++e) EXPECT_EQ(next.draft.threading.first(e), e == 2 ? 4 : e % 4);
 }
 
@@ -212,11 +212,11 @@ TEST(PaintedDrawdown, ALockKeepsWhatFollows) {
   EXPECT_EQ(with_drawdown_cell(d, 0, 0, false), d);
   EXPECT_FALSE(painted_cell(d, 0, 0, false).why.empty());
   EXPECT_NE(with_tieup(d, 0, 3, true), d);
-  const Design free = with_lock(with_authority(two_two_twill(8, 8), Authority::kDrawdown), true);
+  const Design free = with_lock(with_leading(two_two_twill(8, 8), Leading::kDrawdown), true);
   EXPECT_EQ(with_threading(free, 0, 3, true), free);
   EXPECT_EQ(with_tieup(free, 0, 3, true), free);
   EXPECT_NE(with_drawdown_cell(free, 0, 0, false), free);
-  const Design plan = with_lock(with_authority(two_two_twill(8, 8), Authority::kLiftplan), true);
+  const Design plan = with_lock(with_leading(two_two_twill(8, 8), Leading::kLiftplan), true);
   EXPECT_EQ(with_drawdown_cell(plan, 0, 0, false), plan);
   EXPECT_NE(with_liftplan(plan, 0, 3, true), plan);
 }
@@ -226,13 +226,13 @@ TEST(PaintedDrawdown, OfAnyDraftShowsWhatWasPainted) {
   for (int round = 0; round < 400; ++round) {
     Design d;
     d.draft = random_draft(random, 12, 9, 5, 4);
-    d.loom.authority = random() % 2 ? Authority::kDrawdown : Authority::kThreading;
+    d.loom.leading = random() % 2 ? Leading::kDrawdown : Leading::kThreading;
     const int end = static_cast<int>(random() % 12), pick = static_cast<int>(random() % 9);
     const bool up = random() % 2 == 0;
     const Painted painted = painted_cell(d, end, pick, up);
     ASSERT_TRUE(is_consistent(painted.design));
     ASSERT_EQ(painted.design.draft.drive, d.draft.drive);
-    if (d.loom.authority == Authority::kDrawdown) {
+    if (d.loom.leading == Leading::kDrawdown) {
       BitMatrix cells = drawdown(d.draft);
       cells.set(pick, end, up);
       ASSERT_EQ(drawdown(painted.design.draft), cells);
@@ -242,7 +242,7 @@ TEST(PaintedDrawdown, OfAnyDraftShowsWhatWasPainted) {
   }
 }
 
-TEST(Drive, GoingToTheLiftplanAndBackKeepsTheTreadles) {
+TEST(ShedControl, GoingToTheLiftplanAndBackKeepsTheTreadles) {
   Design d = two_two_twill(8, 8);
   // The weaver's own order: tabby on treadles 1 and 2, the twill on 3 to 6.
   d.draft = treadled({"1000", "0100", "0010", "0001"}, {"1010", "0101", "1100", "0110", "0011", "1001"},
@@ -261,11 +261,11 @@ TEST(Drive, GoingToTheLiftplanAndBackKeepsTheTreadles) {
   for (int p = 0; p < 5; ++p) EXPECT_EQ(back.draft.treadling.first(p), d.draft.treadling.first(p));
 }
 
-TEST(Drive, MoreTreadlesThanAskedForChangesNothing) {
+TEST(ShedControl, MoreTreadlesThanAskedForChangesNothing) {
   Design d;
   std::mt19937 random(2);
   d.draft = random_draft(random, 10, 60, 8, 2);
-  d.draft.drive = Drive::kLiftplan;
+  d.draft.drive = ShedControl::kLiftplan;
   EXPECT_GT(treadles_needed(d.draft), 40);
   EXPECT_EQ(to_treadling(d, 40), d);
   EXPECT_EQ(to_treadling(d).draft.treadles, treadles_needed(d.draft));

@@ -97,9 +97,9 @@ TEST(Fibre, SlidersReadBackWhatTheySet) {
       EXPECT_NEAR(lustre(yarn), bright, 1e-3f) << ready.name;
       EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name, ready.name) << bright;
     }
-    for (const float hairs : {0.0f, 0.3f, 1.0f}) {
-      const Yarn yarn = with_hairiness(ready, hairs);
-      EXPECT_EQ(yarn.hairiness, hairs);
+    for (const float flyaways : {0.0f, 0.3f, 1.0f}) {
+      const Yarn yarn = with_hairiness(ready, flyaways);
+      EXPECT_EQ(yarn.hairiness, flyaways);
       EXPECT_EQ(yarn, clamped(yarn));
     }
   }

@@ -57,8 +57,8 @@ inline BitMatrix slow_drawdown(const Draft& d) {
   for (int p = 0; p < d.picks(); ++p) {
     std::vector<bool> named(static_cast<size_t>(d.shafts), false);
     for (int s = 0; s < d.shafts; ++s) {
-      if (d.drive == Drive::kLiftplan) named[s] = d.liftplan.get(p, s);
-      for (int t = 0; d.drive == Drive::kTreadling && t < d.treadles; ++t) {
+      if (d.drive == ShedControl::kLiftplan) named[s] = d.liftplan.get(p, s);
+      for (int t = 0; d.drive == ShedControl::kTreadling && t < d.treadles; ++t) {
         if (d.treadling.get(p, t) && d.tieup.get(t, s)) named[s] = true;
       }
     }
@@ -89,7 +89,7 @@ inline Draft random_draft(std::mt19937& random, int ends, int picks, int shafts,
   fill_randomly(d.treadling, random, 1.5 / treadles);
   fill_randomly(d.liftplan, random, 0.5);
   d.rising = random() % 2 == 0;
-  d.drive = random() % 2 == 0 ? Drive::kTreadling : Drive::kLiftplan;
+  d.drive = random() % 2 == 0 ? ShedControl::kTreadling : ShedControl::kLiftplan;
   return d;
 }
 

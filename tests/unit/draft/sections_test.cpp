@@ -120,7 +120,7 @@ TEST(Sections, PicksFollowTheirDrive) {
   EXPECT_EQ(made.design.draft.picks(), 6);
   EXPECT_TRUE(made.design.draft.treadling.get(5, 1));
   EXPECT_TRUE(is_consistent(made.design));
-  d.draft.drive = Drive::kLiftplan;
+  d.draft.drive = ShedControl::kLiftplan;
   d.draft.treadling = BitMatrix(4, 4);
   EXPECT_NE(assembled(d, System::kWeft, a).why, "") << "sections of treadles make no liftplan";
 }

@@ -63,7 +63,7 @@ TEST(Selection, CrossingsFollowTheLoomAndSayWhatTheyCannot) {
   Design d = twill_design();
   // Ends 1 and 5 share shaft 1.
   const Design up = with_block(d, BitGrid::kDrawdown, 0, 2, matrix_of({"1"}), Write::kInside);
-  EXPECT_EQ(up.draft.drive, Drive::kTreadling);
+  EXPECT_EQ(up.draft.drive, ShedControl::kTreadling);
   Rows expected = cloth(d);
   EXPECT_EQ(expected[2][0], '0');
   expected[2][0] = expected[2][4] = '1';
@@ -162,7 +162,7 @@ TEST(SelectionEdits, RepeatsFillTheRestOrAll) {
   EXPECT_EQ(text_of(with_repeated(twill_design(), {BitGrid::kTieup, 0, 2, 0, 2}, Reach::kAll).draft.tieup),
             (Rows{"1111", "0101", "1111", "0101"}));
   const Design plain = with_repeated(twill_design(), {BitGrid::kDrawdown, 0, 2, 0, 2}, Reach::kToEnd);
-  EXPECT_EQ(plain.draft.drive, Drive::kTreadling);
+  EXPECT_EQ(plain.draft.drive, ShedControl::kTreadling);
 }
 
 TEST(SelectionEdits, APlainWeaveTiledOverTheDrawdown) {
@@ -193,7 +193,7 @@ TEST(SelectionEdits, EveryEditKeepsADraftConsistentAndTwiceIsWhereItBegan) {
     Design d;
     d.draft = random_draft(random, 1 + static_cast<int>(random() % 90), 1 + static_cast<int>(random() % 20), 7, 5);
     const BitGrid grid = static_cast<BitGrid>(random() % 4);
-    if (grid == BitGrid::kLiftplan) d.draft.drive = Drive::kLiftplan;
+    if (grid == BitGrid::kLiftplan) d.draft.drive = ShedControl::kLiftplan;
     const int columns = columns_of(d.draft, grid), rows = rows_of(d.draft, grid);
     Selection s{grid, static_cast<int>(random() % static_cast<unsigned>(columns)), columns,
                 static_cast<int>(random() % static_cast<unsigned>(rows)), rows};

@@ -104,7 +104,7 @@ TEST(ThreadOrder, AdvancingPicksMovesWhatDrivesTheLoom) {
   const Design treadles = with_advancing_repeat(d, {System::kWeft, 0, 1}, 2);
   EXPECT_EQ(text_of(treadles.draft.treadling), (Rows{"1000", "0010", "1000", "0010"}));
   EXPECT_EQ(treadles.draft.liftplan, plan);
-  d.draft.drive = Drive::kLiftplan;
+  d.draft.drive = ShedControl::kLiftplan;
   d.draft.liftplan = matrix_of({"1100", "0000", "0000", "0000"});
   EXPECT_EQ(text_of(with_advancing_repeat(d, {System::kWeft, 0, 1}, 1).draft.liftplan),
             (Rows{"1100", "0110", "0011", "1001"}));

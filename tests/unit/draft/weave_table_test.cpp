@@ -332,7 +332,7 @@ TEST(Place, OnASinkingShedAndByLiftplan) {
   d = to_liftplan(d);
   const Design plan = with_weave(d, use_of("twill", {{"ratio", "3/1"}}, 0, 12, 0, 12)).design;
   EXPECT_EQ(drawdown(plan.draft), wanted);
-  EXPECT_EQ(plan.draft.drive, Drive::kLiftplan);
+  EXPECT_EQ(plan.draft.drive, ShedControl::kLiftplan);
 }
 
 // Found by the fuzzer: two layers of 3,290 shafts each are no loom's.

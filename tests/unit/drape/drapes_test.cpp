@@ -9,8 +9,8 @@
 
 #include "drape/bodies.h"
 #include "drape/garments.h"
-#include "drape/hang.h"
 #include "drape/mesh.h"
+#include "drape/stiffness.h"
 #include "files/files.h"
 
 namespace weftlight::drape {
@@ -241,7 +241,7 @@ TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
 
 TEST(Drapes, LimpAndStiffOnesAreThePatternsToo) {
   for (const std::string& name : drape_names()) {
-    for (const Hang hang : {Hang::kLimp, Hang::kStiff}) {
+    for (const DrapeStiffness hang : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {
       if (name == "plane") continue;
       const Mesh mesh = shipped(drape_file(name, hang)), medium = shipped(name);
       EXPECT_EQ(mesh.index, medium.index) << drape_file(name, hang);
@@ -255,7 +255,7 @@ TEST(Drapes, TheStifferTheClothTheMoreItCovers) {
   // Cusick's drape coefficient, of what is round.
   const auto covers = [](const char* name, double support_mm, double side_mm) {
     std::array<double, 3> out{};
-    for (const Hang hang : kHangs)
+    for (const DrapeStiffness hang : kHangs)
       out[static_cast<size_t>(hang)] =
           drape_coefficient(shipped(drape_file(name, hang)), support_mm, side_mm * side_mm);
     return out;
@@ -267,17 +267,17 @@ TEST(Drapes, TheStifferTheClothTheMoreItCovers) {
 }
 
 TEST(Drapes, ABendingLengthChoosesHowItHangs) {
-  EXPECT_EQ(hang_of(12), Hang::kLimp);
-  EXPECT_EQ(hang_of(19), Hang::kMedium);
-  EXPECT_EQ(hang_of(30), Hang::kStiff);
-  EXPECT_EQ(hang_of(0), Hang::kMedium) << "not known";
-  EXPECT_EQ(drape_file("skirt", Hang::kMedium), "skirt");
-  EXPECT_EQ(drape_file("skirt", Hang::kStiff), "skirt_stiff");
-  EXPECT_EQ(drape_file("plane", Hang::kStiff), "plane");
+  EXPECT_EQ(drape_stiffness_of(12), DrapeStiffness::kLimp);
+  EXPECT_EQ(drape_stiffness_of(19), DrapeStiffness::kMedium);
+  EXPECT_EQ(drape_stiffness_of(30), DrapeStiffness::kStiff);
+  EXPECT_EQ(drape_stiffness_of(0), DrapeStiffness::kMedium) << "not known";
+  EXPECT_EQ(drape_file("skirt", DrapeStiffness::kMedium), "skirt");
+  EXPECT_EQ(drape_file("skirt", DrapeStiffness::kStiff), "skirt_stiff");
+  EXPECT_EQ(drape_file("plane", DrapeStiffness::kStiff), "plane");
 }
 
 TEST(Drapes, ACushionIsFilled) {
-  for (const Hang hang : kHangs) {
+  for (const DrapeStiffness hang : kHangs) {
     const Mesh mesh = shipped(drape_file("cushion", hang));
     double six_volumes = 0;
     for (size_t t = 0; t < mesh.index.size(); t += 3)
@@ -289,18 +289,18 @@ TEST(Drapes, ACushionIsFilled) {
 }
 
 TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
-  const OwnHang shirting = own_hang(19.2, 0.33);
+  const DrapeHandle shirting = drape_handle(19.2, 0.33);
   EXPECT_EQ(shirting.half_mm, 38);
   EXPECT_EQ(drape_file("skirt", shirting), "skirt_19.0mm_0.35mm_v2");
-  EXPECT_EQ(own_hang(19.1, 0.34), shirting) << "nobody sees that";
-  EXPECT_EQ(own_hang(0, 0), own_hang(19, 0.5)) << "not known";
-  EXPECT_EQ(own_hang(1e9, 1e9).half_mm, 120);
-  EXPECT_EQ(own_hang(std::nan(""), std::nan("")), own_hang(19, 0.5));
+  EXPECT_EQ(drape_handle(19.1, 0.34), shirting) << "nobody sees that";
+  EXPECT_EQ(drape_handle(0, 0), drape_handle(19, 0.5)) << "not known";
+  EXPECT_EQ(drape_handle(1e9, 1e9).half_mm, 120);
+  EXPECT_EQ(drape_handle(std::nan(""), std::nan("")), drape_handle(19, 0.5));
   // Of the tablecloth, whose shipped hangs are of 12, 19 and 30 mm.
   Fabric limp, stiff;
   Fall how, thick;
-  hang_itself(limp, how, own_hang(12, 0.2));
-  hang_itself(stiff, thick, own_hang(30, 1.2));
+  apply_handle(limp, how, drape_handle(12, 0.2));
+  apply_handle(stiff, thick, drape_handle(30, 1.2));
   EXPECT_NEAR(std::cbrt(limp.bending_n_m / (limp.kg_per_m2 * 9.81)), 0.012, 1e-4);
   EXPECT_NEAR(std::cbrt(stiff.bending_n_m / (stiff.kg_per_m2 * 9.81)), 0.030, 1e-4);
   EXPECT_GT(stiff.bias_n_per_m, 4 * limp.bias_n_per_m);
@@ -310,11 +310,11 @@ TEST(Drapes, AClothsOwnIsBetweenTheShippedOnes) {
 TEST(Drapes, AFallThatIsLeftGivesNothing) {
   int asked = 0;
   EXPECT_TRUE(simulate_drape(
-                  "sphere", own_hang(15, 0.4), [&](double) { return ++asked < 3; }, kQuick)
+                  "sphere", drape_handle(15, 0.4), [&](double) { return ++asked < 3; }, kQuick)
                   .index.empty());
   EXPECT_EQ(asked, 3);
-  EXPECT_FALSE(simulate_drape("sphere", own_hang(15, 0.4), {}, kQuick).index.empty());
-  EXPECT_TRUE(simulate_drape("plane", own_hang(15, 0.4)).index.empty());
+  EXPECT_FALSE(simulate_drape("sphere", drape_handle(15, 0.4), {}, kQuick).index.empty());
+  EXPECT_TRUE(simulate_drape("plane", drape_handle(15, 0.4)).index.empty());
 }
 
 TEST(Drapes, AFlatDiscHasTheCoefficientOfItsArea) {

@@ -9,7 +9,7 @@
 #include "../scratch_fixture.h"
 #include "base/files.h"
 #include "draft/edits.h"
-#include "drape/hang.h"
+#include "drape/stiffness.h"
 
 namespace weftlight::files {
 namespace {
@@ -21,7 +21,7 @@ Design sheeting() {
   d.draft = blank_draft(16, 16, 2, 2);
   d.yarns.resize(1);
   d.scene.mesh = "sphere";
-  d.scene.own_drape = true;
+  d.scene.simulated_drape = true;
   return d;
 }
 
@@ -47,7 +47,7 @@ TEST_F(DesignDrape, KeptIsShownWhereTheSceneAsks) {
   EXPECT_NE(drape_key(d), shipped);
   const Mesh limp = load_design_drape(d).mesh.value_or(Mesh{});
   EXPECT_EQ(limp.name, "sphere");
-  d.scene.own_drape = false;
+  d.scene.simulated_drape = false;
   EXPECT_EQ(drape_key(d), shipped);
   EXPECT_NE(load_design_drape(d).mesh.value_or(Mesh{}).position_mm, limp.position_mm);
 }

@@ -58,10 +58,10 @@ TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
   Average average;
   ASSERT_TRUE(average.build(error)) << error;
   Picture picture;
-  average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, 1);
+  average.add(picture.texture.preview_bake(), picture.framebuffer.preview_bake(), kSize, kSize, 1);
   ASSERT_EQ(poison(), 1);
   for (const float share : {1.0f, 0.5f, 0.3f}) {
-    average.add(picture.texture.peek(), picture.framebuffer.peek(), kSize, kSize, share);
+    average.add(picture.texture.preview_bake(), picture.framebuffer.preview_bake(), kSize, kSize, share);
     EXPECT_NEAR(picture.middle(), 128, 2) << share;
   }
 }

@@ -1,9 +1,10 @@
 // Light from a picture: a white one gives the furnace's answer, a bright texel that of a light far off, several their
 // sum.
 
+#include "render_data/environment_light.h"
+
 #include "picture.h"
-#include "upload/environment.h"
-#include "upload/light_rig.h"
+#include "render_data/light_rig.h"
 
 namespace weftlight::gl {
 namespace {

@@ -8,8 +8,8 @@
 namespace weftlight::gl {
 namespace {
 
-constexpr std::array kRungs{Method::kFlat, Method::kVrst03, Method::kCloth,  Method::kRepeat,
-                            Method::kCell, Method::kYarn,   Method::kEngine, Method::kAuto};
+constexpr std::array kShadedMethods{Method::kFlat, Method::kVrst03, Method::kCloth,  Method::kRepeat,
+                                    Method::kCell, Method::kYarn,   Method::kEngine, Method::kAuto};
 
 /// Warp up on `up` of four picks, so that the two faces differ.
 Design faced(int up, Twist twist) {
@@ -43,7 +43,7 @@ TEST_F(Gate, BackIsTheFrontOfTheComplement) {
   constexpr std::array kFootprints{0.125f, 1.5f};
   std::vector<Image> back, front;
   upload_maps(ours, Effort::kQuick);
-  for (const Method method : kRungs) {
+  for (const Method method : kShadedMethods) {
     for (const float yarns : kFootprints) {
       back.push_back(drawn(Face::kBack, method, yarns));
       front.push_back(drawn(Face::kFront, method, yarns));
@@ -54,7 +54,7 @@ TEST_F(Gate, BackIsTheFrontOfTheComplement) {
   look.tolerance = Look{}.tolerance;
   upload_maps(turned, Effort::kQuick);
   size_t at = 0;
-  for (const Method method : kRungs) {
+  for (const Method method : kShadedMethods) {
     for (const float yarns : kFootprints) {
       const double off = relative_rms(drawn(Face::kFront, method, yarns), back[at]);
       const double ignored = relative_rms(front[at], back[at]);
@@ -106,7 +106,7 @@ class ManyThreads : public Gate {
     const bool warp = system == System::kWarp;
     design.draft = blank_draft(warp ? count : 4, warp ? 4 : count, 4, 4);
     Draft& d = design.draft;
-    d.drive = Drive::kLiftplan;
+    d.drive = ShedControl::kLiftplan;
     d.palette = {{0.8f, 0.8f, 0.75f}, {0.7f, 0.75f, 0.8f}, {0.9f, 0.05f, 0.05f}};
     for (int e = 0; e < d.ends(); ++e) d.threading.set(e, e % 4, true);
     for (int p = 0; p < d.picks(); ++p) {
@@ -183,7 +183,7 @@ TEST_F(Gate, TexturesHoldFarFromTheOriginWhereFloatUvDoesNot) {
   }
 }
 
-TEST_F(Gate, OddDraftsAreClothInEveryRung) {
+TEST_F(Gate, OddDraftsAreClothInEveryMethod) {
   struct Odd {
     const char* name;
     int ends, picks;
@@ -195,7 +195,7 @@ TEST_F(Gate, OddDraftsAreClothInEveryRung) {
                             Odd{"enormous threads", 4, 4, 1, 1e9f}};
   for (const Odd& odd : kOdd) {
     design.draft = blank_draft(odd.ends, odd.picks, 2, 2);
-    design.draft.drive = Drive::kLiftplan;
+    design.draft.drive = ShedControl::kLiftplan;
     design.draft.palette = {{0.85f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.8f}};
     for (int e = 0; e < odd.ends; ++e) design.draft.threading.set(e, e % 2, true);
     for (int p = 0; p < odd.picks; ++p) {
@@ -206,7 +206,7 @@ TEST_F(Gate, OddDraftsAreClothInEveryRung) {
       t->thickness_mm.assign(t->color.size(), odd.thickness);
     }
     upload_maps(design, Effort::kQuick);
-    for (const Method method : kRungs) {
+    for (const Method method : kShadedMethods) {
       if (method == Method::kVrst03) continue;  // its colours mix over the whole cloth
       for (const float yarns : {0.1f, 1.0f, 12.0f}) {
         const Image image = patch(method, yarns, 16);

@@ -60,7 +60,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   constexpr std::array kSlants{0.0f, 60.0f, 80.0f};
   // Goal: 0.02 for repeat and auto too.
   constexpr double kRepeatHolds = 0.2, kAutoHolds = 0.08;
-  std::array<Held, 3> rungs{
+  std::array<Held, 3> methods{
       Held{Method::kCloth, 0.02, 0}, {Method::kRepeat, kRepeatHolds, 0}, {Method::kAuto, kAutoHolds, 0}};
   Held averaged{Method::kEngine, 0, 0};  // one averaged normal, as engines have it
   for (const auto& [repeat, up] : {std::pair{4, 2}, {8, 7}}) {
@@ -70,24 +70,24 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
     for (const size_t view : {0u, 1u, 2u}) {
       const float degrees = kSlants[view];
       for (const glm::vec3 light : {towards(0.8f, 0.9f), towards(2.0f, 0.4f)}) {
-        for (Held* rung : {&rungs[0], &rungs[1], &rungs[2], &averaged}) {
+        for (Held* held : {&methods[0], &methods[1], &methods[2], &averaged}) {
           const auto at = [&, weave = repeat](float yarns) {
             const int pixels = std::max(8, static_cast<int>(std::lround(static_cast<float>(weave) / yarns)));
-            return mean(patch(rung->method, yarns, pixels, {0, 0}, light, towards(0.4f, (90 - degrees) * kPi / 180)));
+            return mean(patch(held->method, yarns, pixels, {0, 0}, light, towards(0.4f, (90 - degrees) * kPi / 180)));
           };
           const double far = at(32);
           for (float yarns = 0.125f; yarns < 32; yarns *= 2)
-            rung->by_view[view] = std::max(rung->by_view[view], std::abs(at(yarns) / far - 1));
-          rung->worst = std::max(rung->worst, rung->by_view[view]);
+            held->by_view[view] = std::max(held->by_view[view], std::abs(at(yarns) / far - 1));
+          held->worst = std::max(held->worst, held->by_view[view]);
         }
       }
     }
   }
-  for (const Held& rung : rungs) {
-    figure("energy from 1/8 to 32 yarns a pixel, slanted views and lights, " + std::string(method_name(rung.method)),
-           averaged.worst, rung.worst);
-    for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], rung.by_view[v]);
-    EXPECT_LT(rung.worst, rung.holds) << method_name(rung.method);
+  for (const Held& held : methods) {
+    figure("energy from 1/8 to 32 yarns a pixel, slanted views and lights, " + std::string(method_name(held.method)),
+           averaged.worst, held.worst);
+    for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], method.by_view[v]);
+    EXPECT_LT(held.worst, held.holds) << method_name(held.method);
   }
   EXPECT_GT(averaged.worst, 0.205);  // 0.216 was measured
 }
@@ -233,11 +233,11 @@ TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
     return profile(draw());
   };
   const std::vector<double> ours = rows_of(Method::kAuto);
-  std::array<std::vector<double>, 4> rungs;
-  for (size_t k = 0; k < 4; ++k) rungs[k] = rows_of(kDrawn[k]);
+  std::array<std::vector<double>, 4> methods;
+  for (size_t k = 0; k < 4; ++k) methods[k] = rows_of(kDrawn[k]);
 
   // Threads up to two yarns a pixel, their filtered colour beyond.
-  std::vector<double> hard = rungs[0];
+  std::vector<double> hard = methods[0];
   const std::vector<double> flat = rows_of(Method::kFlat);
   std::copy(flat.begin() + kRows * 6 / 10, flat.end(), hard.begin() + kRows * 6 / 10);
   // A step is what a row changes by beyond what it changes by in any one rung.
@@ -245,7 +245,7 @@ TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
     double most = 0;
     for (size_t row = 1; row < rows.size(); ++row) {
       double natural = 0;
-      for (const auto& rung : rungs) natural = std::max(natural, std::abs(rung[row] - rung[row - 1]));
+      for (const auto& one : methods) natural = std::max(natural, std::abs(one[row] - one[row - 1]));
       most = std::max(most, std::abs(rows[row] - rows[row - 1]) - natural);
     }
     return most / mean(rows);

@@ -10,8 +10,8 @@
 namespace weftlight::gl {
 namespace {
 
-constexpr std::array kRungs{Method::kFlat, Method::kCloth,  Method::kRepeat, Method::kCell,
-                            Method::kYarn, Method::kEngine, Method::kAuto};
+constexpr std::array kShadedMethods{Method::kFlat, Method::kCloth,  Method::kRepeat, Method::kCell,
+                                    Method::kYarn, Method::kEngine, Method::kAuto};
 
 TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
   design.look.method = Method::kVrst03;  // bakes its maps too
@@ -42,7 +42,7 @@ TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
 
 TEST_F(Gate, GrazingLightAndViewStayNumbers) {
   lay(1);
-  for (const Method method : kRungs) {
+  for (const Method method : kShadedMethods) {
     for (const float view : {89.9f, 80.0f, 0.0f}) {
       for (const float light : {89.9f, 80.0f, 0.0f}) {
         const Image image = patch(method, 0.7f, 8, {0, 0}, towards(1.1f, kPi / 2 - light * kPi / 180),
@@ -61,7 +61,7 @@ TEST_F(Gate, AnyRoughnessStaysANumberAndIsNotBlack) {
   for (const float width : {0.0f, 1e-3f, 30.0f, 1e6f}) {
     design.yarns[0].lobes.along_width = design.yarns[0].lobes.across_width = width;
     renderer->upload_lobes(*stages.update(std::make_shared<const Design>(design)).lobes);
-    for (const Method method : kRungs) {
+    for (const Method method : kShadedMethods) {
       const Image image = patch(method, 0.7f, 8);
       for (const float v : image.texels) ASSERT_TRUE(std::isfinite(v) && v >= 0) << method_name(method) << " " << width;
       EXPECT_GT(mean(image), 0.01) << method_name(method) << " " << width;

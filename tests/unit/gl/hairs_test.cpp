@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "picture.h"
-#include "upload/stray_hairs.h"
+#include "render_data/flyaways.h"
 
 namespace weftlight::gl {
 namespace {
@@ -45,7 +45,7 @@ double alpha_sum(const Image& image) {
   return sum;
 }
 
-class HairsTest : public PictureTest {
+class FlyawaysTest : public PictureTest {
  protected:
   void SetUp() override {
     PictureTest::SetUp();
@@ -60,11 +60,11 @@ class HairsTest : public PictureTest {
   }
 };
 
-TEST_F(HairsTest, WoolStandsOffItsSilhouetteAndFilamentDoesNot) {
+TEST_F(FlyawaysTest, WoolStandsOffItsSilhouetteAndFilamentDoesNot) {
   const Image bare = picture(cloth_of(0)), wool = picture(cloth_of(0.35f));
-  EXPECT_GT(renderer->measure().hairs, 100u);
+  EXPECT_GT(renderer->measure().flyaways, 100u);
   const Image filament = picture(cloth_of(0.02f));
-  EXPECT_EQ(renderer->measure().hairs, 0u);
+  EXPECT_EQ(renderer->measure().flyaways, 0u);
   int beyond = 0;
   for (size_t i = 3; i < bare.texels.size(); i += 4) {
     beyond += bare.texels[i] == 0 && wool.texels[i] > 0.02f;
@@ -73,7 +73,7 @@ TEST_F(HairsTest, WoolStandsOffItsSilhouetteAndFilamentDoesNot) {
   EXPECT_GT(beyond, 256);  // the tube has two sides, 256 pixels high
 }
 
-TEST_F(HairsTest, ZoomingInKeepsWhatTheyCover) {
+TEST_F(FlyawaysTest, ZoomingInKeepsWhatTheyCover) {
   // The same millimetres with ever more pixels, from fibres of two pixels to those of fifteen. Tolerance 12 %
   // for each step: bends are cut short where they are a pixel small, and fibres at the very edge are widened
   // under the cloth.
@@ -94,7 +94,7 @@ TEST_F(HairsTest, ZoomingInKeepsWhatTheyCover) {
   }
 }
 
-TEST_F(HairsTest, ThePictureIsOpaqueAtMostAndFinite) {
+TEST_F(FlyawaysTest, ThePictureIsOpaqueAtMostAndFinite) {
   for (const float width : {0.05f, 1.0f}) {
     upload(cloth_of(1, width), tube(8, 60));
     for (const float yarns : {0.01f, 0.3f, 3.0f}) {
@@ -112,7 +112,7 @@ TEST_F(HairsTest, ThePictureIsOpaqueAtMostAndFinite) {
   }
 }
 
-TEST_F(HairsTest, TheSameViewGivesTheSamePicture) {
+TEST_F(FlyawaysTest, TheSameViewGivesTheSamePicture) {
   frame.width = frame.height = 128;
   const Image first = picture(cloth_of(0.35f));
   scene.view_azimuth = 40;
@@ -121,15 +121,15 @@ TEST_F(HairsTest, TheSameViewGivesTheSamePicture) {
   EXPECT_EQ(draw().texels, first.texels);
 }
 
-TEST_F(HairsTest, MovingViewsAndTheBaselinesHaveNone) {
+TEST_F(FlyawaysTest, MovingViewsAndTheBaselinesHaveNone) {
   upload(cloth_of(0.35f), tube(8, 60));
   look.method = Method::kFlat;
   draw(false);
-  EXPECT_EQ(renderer->measure().hairs, 0u);
+  EXPECT_EQ(renderer->measure().flyaways, 0u);
   look.method = Method::kAuto;
   frame.render_scale = 0.5f;
   draw(false);
-  EXPECT_EQ(renderer->measure().hairs, 0u);
+  EXPECT_EQ(renderer->measure().flyaways, 0u);
 }
 
 TEST(Hems, AreWhereTheClothEndsAndNotAtItsSeams) {
@@ -145,11 +145,11 @@ TEST(Hems, AreWhereTheClothEndsAndNotAtItsSeams) {
 }
 
 /// A tube 300 mm high from 1 m away, `pixel_mm` at the tube.
-std::vector<Hair> sown(const HairGrowth& growth, float pixel_mm) {
+std::vector<Flyaway> sown(const FlyawayGrowth& growth, float pixel_mm) {
   PreparedMesh prepared;
   prepared.mesh = tube(40, 300);
   prepared.fine = prepared.mesh.index;
-  HairView view;
+  FlyawayView view;
   view.eye = {0, 150, 1000};
   view.width = view.height = 1000;
   const float scale = 2 / (view.height * pixel_mm / 1000);
@@ -160,43 +160,43 @@ std::vector<Hair> sown(const HairGrowth& growth, float pixel_mm) {
   return sow_hairs(prepared, {}, {}, growth, view);
 }
 
-TEST(StrayHairs, StandAtTheEdgeAndStandForAsManyFromAfar) {
-  const HairGrowth wool{{20, 0}, {0.6f, 0}, 0.2f};
-  const auto fibres = [](const std::vector<Hair>& hairs) {
-    return std::accumulate(hairs.begin(), hairs.end(), 0.0,
-                           [](double sum, const Hair& h) { return sum + static_cast<double>(h.stands_for); });
+TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {
+  const FlyawayGrowth wool{{20, 0}, {0.6f, 0}, 0.2f};
+  const auto fibres = [](const std::vector<Flyaway>& flyaways) {
+    return std::accumulate(flyaways.begin(), flyaways.end(), 0.0,
+                           [](double sum, const Flyaway& h) { return sum + static_cast<double>(h.stands_for); });
   };
-  const std::vector<Hair> near = sown(wool, 0.3f), far = sown(wool, 0.6f);
+  const std::vector<Flyaway> near = sown(wool, 0.3f), far = sown(wool, 0.6f);
   ASSERT_GT(far.size(), 100u);
   EXPECT_GT(near.size(), far.size());
   EXPECT_NEAR(fibres(near) / fibres(far), 1, 0.1);
   float farthest = 0;
-  for (const Hair& hair : near) {
+  for (const Flyaway& hair : near) {
     ASSERT_EQ(hair.side, 1);
     farthest = std::max(farthest, std::abs(glm::dot(hair.normal, glm::normalize(glm::vec3(0, 150, 1000) - hair.root))));
   }
   EXPECT_LT(farthest, 0.6f);  // sqrt(2 h / R) of the longest fibres, 4.6 means
 }
 
-TEST(StrayHairs, AreNoMoreThanCanBeSeenOrDrawn) {
+TEST(Flyaways, AreNoMoreThanCanBeSeenOrDrawn) {
   EXPECT_TRUE(sown({{20, 20}, {0.6f, 0.6f}, 0.2f}, 2.0f).empty());
   EXPECT_TRUE(sown({}, 0.1f).empty());
-  const std::vector<Hair> many = sown({{5000, 5000}, {3, 3}, 0.2f}, 0.3f);
-  EXPECT_LT(static_cast<float>(many.size()), 1.2f * kMostHairs);
-  EXPECT_GT(static_cast<float>(many.size()), 0.2f * kMostHairs);
+  const std::vector<Flyaway> many = sown({{5000, 5000}, {3, 3}, 0.2f}, 0.3f);
+  EXPECT_LT(static_cast<float>(many.size()), 1.2f * kMaxFlyaways);
+  EXPECT_GT(static_cast<float>(many.size()), 0.2f * kMaxFlyaways);
 }
 
-TEST(StrayHairs, GrowByTheFuzzThatShows) {
+TEST(Flyaways, GrowByTheFuzzThatShows) {
   interop::ClothData cloth{};
   for (interop::SystemData& s : cloth.systems) s.coverage = 0.5f, s.yarn.fuzz_depth = 0.4f, s.yarn.fuzz = 0.02f;
-  EXPECT_EQ(hair_growth(cloth, Face::kFront).per_mm2[0], 0);
+  EXPECT_EQ(flyaway_growth(cloth, Face::kFront).per_mm2[0], 0);
   cloth.systems[1].yarn.fuzz = 0.35f;  // the front's weft
-  const HairGrowth front = hair_growth(cloth, Face::kFront), turned = hair_growth(cloth, Face::kBack);
+  const FlyawayGrowth front = flyaway_growth(cloth, Face::kFront), turned = flyaway_growth(cloth, Face::kBack);
   EXPECT_GT(front.per_mm2[0], 0);
   EXPECT_EQ(front.per_mm2[1], 0);
   EXPECT_EQ(turned.per_mm2[1], front.per_mm2[0]);
   cloth.systems[0].yarn.fuzz = 0.35f;
-  EXPECT_FLOAT_EQ(hair_growth(cloth, Face::kFront).per_mm2[0], 2 * front.per_mm2[0]);
+  EXPECT_FLOAT_EQ(flyaway_growth(cloth, Face::kFront).per_mm2[0], 2 * front.per_mm2[0]);
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "../upload/designs.h"
+#include "../render_data/designs.h"
 #include "gl/context.h"
 #include "gl/names.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
-#include "upload/stages.h"
+#include "render_data/stages.h"
 
 namespace weftlight::gl {
 

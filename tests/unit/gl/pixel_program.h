@@ -88,7 +88,7 @@ std::vector<glm::vec4> run_pixels(const GlProgram& program, const std::vector<Ca
   glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output.get(), 0);
   EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-  glUseProgram(program.peek());
+  glUseProgram(program.preview_bake());
   GlVertexArray array;
   glBindVertexArray(array.get());
   glViewport(0, 0, width, questions);

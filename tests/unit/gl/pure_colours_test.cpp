@@ -1,7 +1,7 @@
 // A channel of a thread's colour at exactly 0 is a dark colour like any other, in the picture of every method: it goes
 // evenly to it, and is that of the threads traced as bodies.
 
-#include "../upload/pure_colours.h"
+#include "../render_data/pure_colours.h"
 
 #include "draft/drawdown.h"
 #include "draft/methods.h"

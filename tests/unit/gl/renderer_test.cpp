@@ -7,8 +7,8 @@
 #include "../relative_rms.h"
 #include "gl/shader_program.h"
 #include "picture.h"
-#include "upload/camera.h"
-#include "upload/rung_shares.h"
+#include "render_data/camera.h"
+#include "render_data/method_weights.h"
 #include "wif/wif.h"
 
 namespace weftlight::gl {
@@ -87,13 +87,13 @@ TEST_F(PictureTest, AClothWithoutThreadsOnTheCardIsDrawnFromItsMaps) {
   }
 }
 
-TEST_F(PictureTest, OnlyTheRungsThatShowAreNeeded) {
+TEST_F(PictureTest, OnlyTheMethodsThatShowAreNeeded) {
   const PreparedMesh mesh = prepare_mesh(square(100));
   constexpr float kSpacing = 1, kYarnToRepeat = 1, kRepeatToCloth = 8;
   constexpr std::array<float, 3> edges{kYarnToRepeat, kYarnToRepeat, kRepeatToCloth};
   const auto needed = [&](float yarns) {
     const Camera camera = place_camera(scene, mesh.mesh, mesh.bounds, 64, 64, yarns, kSpacing);
-    return rung_shares(mesh, camera, 64, 64, kSpacing, edges).needed;
+    return method_weights(mesh, camera, 64, 64, kSpacing, edges).needed;
   };
   using Rungs = std::array<bool, 4>;  // yarn, cell, repeat, cloth
   EXPECT_EQ(needed(0.25f), (Rungs{true, false, false, false}));
@@ -278,7 +278,7 @@ TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
   fresh->set_mesh(square(30));
   look.method = Method::kFlat;
   {
-    const SpoiltShader spoilt("rung_flat.glsl");
+    const SpoiltShader spoilt("method_flat.glsl");
     const std::string problem = fresh->draw(scene, look, frame).problem;
     EXPECT_NE(problem.find("flat: cloth.frag does not compile"), std::string::npos) << problem;
     EXPECT_NE(problem.find("no_such_thing"), std::string::npos) << problem;

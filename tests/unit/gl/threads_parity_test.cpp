@@ -13,21 +13,21 @@
 #include <glm/gtc/packing.hpp>
 #include <random>
 
-#include "../upload/designs.h"
-#include "cloth/swell.h"
+#include "../render_data/designs.h"
+#include "cloth/thickness.h"
 #include "cloth/thread_scene.h"
 #include "gl/gpu_cloth.h"
 #include "light/yarn_lobes.h"
 #include "pixel_program.h"
-#include "upload/cloth_block.h"
-#include "upload/thread_block.h"
+#include "render_data/cloth_block.h"
+#include "render_data/thread_block.h"
 
 namespace weftlight::cloth::thread_formulas {
 
 /// The threads as the GPU fetches them (shaders/thread_fetch.glsl), from what is uploaded.
 class PackedThreads {
  public:
-  PackedThreads(const upload::PackedCloth& cloth, float side) : cloth_(cloth), head_(head_at(0)), side_(side) {}
+  PackedThreads(const render_data::PackedCloth& cloth, float side) : cloth_(cloth), head_(head_at(0)), side_(side) {}
 
   uvec4 texel(int i) const { return cloth_.lobes.threads[static_cast<size_t>(i)]; }
   ThreadHead head_at(int i) const {
@@ -41,7 +41,7 @@ class PackedThreads {
   }
   int thread_bin(int system, int bin) const { return static_cast<int>(texel(head_.bins[system] + bin / 4)[bin & 3]); }
   vec4 crossing_at(int end, int pick) const {
-    const upload::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * cloth_.ends + end)];
+    const render_data::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * cloth_.ends + end)];
     return {glm::unpackHalf1x16(h[0]), glm::unpackHalf1x16(h[1]), glm::unpackHalf1x16(h[2]), glm::unpackHalf1x16(h[3])};
   }
 #define FORMULA
@@ -61,7 +61,7 @@ class PackedThreads {
   }
 
  private:
-  const upload::PackedCloth& cloth_;
+  const render_data::PackedCloth& cloth_;
   ThreadHead head_;
   float side_;
 };
@@ -108,11 +108,11 @@ Cloth pockets() {
 
 PackedCloth packed(const Cloth& cloth) {
   PackedCloth p;
-  p.width_mm = cloth.width_mm, p.depth_mm = cloth.depth_mm, p.mean_spacing_mm = upload::mean_spacing_mm(cloth);
+  p.width_mm = cloth.width_mm, p.depth_mm = cloth.depth_mm, p.mean_spacing_mm = render_data::mean_spacing_mm(cloth);
   p.ends = static_cast<int>(cloth.ends.size()), p.picks = static_cast<int>(cloth.picks.size());
   const std::vector<vec4> crossings = thread_crossings(cloth, {0, p.ends, 0, p.picks});
-  p.crossings = upload::packed_crossings(crossings);
-  p.lobes.threads = upload::thread_records(cloth, cloth.layers.empty() ? highest_thread(cloth, crossings) : 0);
+  p.crossings = render_data::packed_crossings(crossings);
+  p.lobes.threads = render_data::thread_records(cloth, cloth.layers.empty() ? highest_thread(cloth, crossings) : 0);
   return p;
 }
 
@@ -276,7 +276,7 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
     gpu_cloth.bind();
     const std::vector<RayCase> cases = ray_cases(p, 2000, 7, [](int, float u) { return 0.3f * u; });
     const std::vector<vec4> all =
-        run_pixels(pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_fetch.glsl"}, kRayMain, defines),
+        run_pixels(pixel_program({"tables.glsl", "lobes.glsl", "methods.glsl", "thread_fetch.glsl"}, kRayMain, defines),
                    cases, kRayRows);
     PackedThreads front(p, 1), back(p, -1);
     for (int row = 0; row < kRayRows; ++row) {
@@ -310,8 +310,8 @@ TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
   gpu_cloth.bind();
   const std::vector<RayCase> cases = ray_cases(p, 4000, 9, [](int k, float u) { return k % 3 == 0 ? 0 : u - 0.5f; });
   const std::vector<vec4> all = run_pixels(
-      pixel_program({"tables.glsl", "lobes.glsl", "rungs.glsl", "thread_fetch.glsl", "irawan.glsl"}, kFloatMain), cases,
-      3);
+      pixel_program({"tables.glsl", "lobes.glsl", "methods.glsl", "thread_fetch.glsl", "irawan.glsl"}, kFloatMain),
+      cases, 3);
   PackedThreads front(p, 1), back(p, -1);
   for (int row = 0; row < 3; ++row) {
     std::vector<vec4> cpu;
@@ -332,9 +332,9 @@ TEST_F(ThreadsParity, FloatsOfThePeerShineAlike) {
   }
 }
 
-using RungCase = std::array<vec4, 8>;
+using MethodCase = std::array<vec4, 8>;
 
-constexpr const char* kRungMain = R"(
+constexpr const char* kMethodMain = R"(
   vec3 l = given(0).xyz;
   vec3 v = given(1).xyz;
   vec4 a = given(2);
@@ -357,12 +357,12 @@ constexpr const char* kRungMain = R"(
   if (row == 6) answer = vec4(hair_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), hair_share(e.w));
   if (row == 7) answer = vec4(hair_soft(color, color * e.x), 0.0);
 )";
-constexpr int kRungRows = 8;
-constexpr std::array<const char*, kRungRows> kRungNames{
+constexpr int kMethodRows = 8;
+constexpr std::array<const char*, kMethodRows> kMethodNames{
     "facet_answer, key", "facet_answer, soft",  "system_answer", "response_coord, half_slopes",
     "engine_answer",     "lean, region, slope", "hair_key",      "hair_soft"};
 
-vec4 rung_on_cpu(const RungCase& given, int row) {
+vec4 method_on_cpu(const MethodCase& given, int row) {
   using namespace formulas;
   const vec3 l(given[0]), v(given[1]), color(given[6]);
   const vec4 e = given[7];
@@ -396,7 +396,7 @@ vec4 rung_on_cpu(const RungCase& given, int row) {
   }
 }
 
-TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
+TEST_F(ThreadsParity, MethodsAndFlyawaysAgree) {
   constexpr float kTolerance = 6e-3f;  // tables read by texture units (parity_test.cpp)
   GpuCloth tables;
   tables.upload(PackedCloth{});
@@ -404,7 +404,7 @@ TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
   std::mt19937 rng(3);
   std::uniform_real_distribution<float> u(0, 1);
   const auto four = [&] { return vec4(u(rng), u(rng), u(rng), u(rng)); };
-  std::vector<RungCase> cases;
+  std::vector<MethodCase> cases;
   for (int k = 0; k < 1500; ++k) {
     vec4 widths = four() + vec4(0.05f, 0.05f, 0, 0), tint = four();
     tint.w = k % 5 == 0 ? 1.0f : 0.0f;
@@ -413,17 +413,17 @@ TEST_F(ThreadsParity, RungsAndStrayFibresAnswerAlike) {
                      four() + vec4(0, 0.05f, 0.05f, 0), tint,
                      vec4(0.02f + 0.1f * u(rng), 1 + 5 * u(rng), 3 * u(rng) - 1, 0), four(), four()});
   }
-  const std::vector<vec4> all = run_pixels(pixel_program({"tables.glsl", "lobes.glsl", "lattice.glsl", "rungs.glsl",
-                                                          "engine.glsl", "thread_records.glsl", "hair.glsl"},
-                                                         kRungMain),
-                                           cases, kRungRows);
-  for (int row = 0; row < kRungRows; ++row) {
+  const std::vector<vec4> all = run_pixels(pixel_program({"tables.glsl", "lobes.glsl", "lattice.glsl", "methods.glsl",
+                                                          "engine.glsl", "thread_records.glsl", "flyaway.glsl"},
+                                                         kMethodMain),
+                                           cases, kMethodRows);
+  for (int row = 0; row < kMethodRows; ++row) {
     std::vector<vec4> cpu;
-    for (const RungCase& c : cases) cpu.push_back(rung_on_cpu(c, row));
+    for (const MethodCase& c : cases) cpu.push_back(method_on_cpu(c, row));
     const auto from = all.begin() + row * static_cast<std::ptrdiff_t>(cases.size());
     const double off = share_off({from, from + static_cast<std::ptrdiff_t>(cases.size())}, cpu, kTolerance);
     // A whole number of samples turns over at a bit.
-    EXPECT_LE(off, row == 5 ? 2e-3 : 0.0) << kRungNames[static_cast<size_t>(row)];
+    EXPECT_LE(off, row == 5 ? 2e-3 : 0.0) << kMethodNames[static_cast<size_t>(row)];
     EXPECT_GT(std::count_if(cpu.begin(), cpu.end(), [](const vec4& c) { return c.x != 0; }), 1000);
   }
 }

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "light/ladder.h"
+#include "light/lod_table.h"
 #include "paths.h"
 #include "sampling.h"
 
@@ -95,23 +95,23 @@ TEST(Rungs, WeightsSumToOneAndFollowTheFootprint) {
   const glm::vec3 edges(0.25f, 2, 8);
   for (int i = 0; i < 123; ++i) {
     const float yarns = std::pow(1.07f, static_cast<float>(i)) / 64;  // to 64
-    const glm::vec4 w = formulas::rung_weights(yarns, edges);
+    const glm::vec4 w = formulas::lod_weights(yarns, edges);
     EXPECT_NEAR(w.x + w.y + w.z + w.w, 1, 1e-5f);
     EXPECT_GE(std::min(std::min(w.x, w.y), std::min(w.z, w.w)), 0);
   }
-  EXPECT_EQ(formulas::rung_weights(0.1f, edges).x, 1);
-  EXPECT_EQ(formulas::rung_weights(0.7f, edges).y, 1);
-  EXPECT_EQ(formulas::rung_weights(4, edges).z, 1);
-  EXPECT_EQ(formulas::rung_weights(20, edges).w, 1);
-  EXPECT_EQ(formulas::rung_weights(0, edges).x, 1);
+  EXPECT_EQ(formulas::lod_weights(0.1f, edges).x, 1);
+  EXPECT_EQ(formulas::lod_weights(0.7f, edges).y, 1);
+  EXPECT_EQ(formulas::lod_weights(4, edges).z, 1);
+  EXPECT_EQ(formulas::lod_weights(20, edges).w, 1);
+  EXPECT_EQ(formulas::lod_weights(0, edges).x, 1);
   // At its edge the coarser one stands alone.
-  EXPECT_EQ(formulas::rung_weights(2, edges).z, 1);
-  EXPECT_EQ(formulas::rung_weights(8, edges).w, 1);
-  EXPECT_GT(formulas::rung_weights(1.9f, edges).y, 0);
+  EXPECT_EQ(formulas::lod_weights(2, edges).z, 1);
+  EXPECT_EQ(formulas::lod_weights(8, edges).w, 1);
+  EXPECT_GT(formulas::lod_weights(1.9f, edges).y, 0);
   EXPECT_FLOAT_EQ(formulas::footprint_yarns({0.3f, 0.4f}, {0, 0.1f}, 0.25f), 2);
 }
 
-TEST(Ladder, NamesComeBack) {
+TEST(LodTable, NamesComeBack) {
   for (const MethodFacts& m : kMethods) {
     EXPECT_EQ(method_from_name(m.name), m.method);
     EXPECT_EQ(method_name(m.method), m.name);
@@ -120,23 +120,23 @@ TEST(Ladder, NamesComeBack) {
   EXPECT_FALSE(method_from_name(""));
 }
 
-TEST(Ladder, DefaultBandsAreTheModels) {
-  const Ladder ladder = default_ladder();
-  EXPECT_EQ(choose(ladder, 0.1f, {0.05f}).method, Method::kYarn);
-  EXPECT_EQ(choose(ladder, 1, {0.05f}).method, Method::kCell);
-  EXPECT_EQ(choose(ladder, 4, {0.05f}).method, Method::kRepeat);
-  EXPECT_EQ(choose(ladder, 20, {0.05f}).method, Method::kCloth);
-  const auto edges = plan_of(ladder, {0.05f}).rungs;
+TEST(LodTable, DefaultBandsAreTheModels) {
+  const LodTable lod_table = default_lod_table();
+  EXPECT_EQ(choose(lod_table, 0.1f, {0.05f}).method, Method::kYarn);
+  EXPECT_EQ(choose(lod_table, 1, {0.05f}).method, Method::kCell);
+  EXPECT_EQ(choose(lod_table, 4, {0.05f}).method, Method::kRepeat);
+  EXPECT_EQ(choose(lod_table, 20, {0.05f}).method, Method::kCloth);
+  const auto edges = plan_of(lod_table, {0.05f}).methods;
   EXPECT_NEAR(std::log2(edges[0]), -2, 0.51f);
   EXPECT_NEAR(std::log2(edges[1]), 1, 0.51f);
   EXPECT_NEAR(std::log2(edges[2]), 3, 0.51f);
 }
 
-TEST(Ladder, MoreToleranceNeverAsksForMore) {
-  const Ladder ladder = default_ladder();
-  auto last = plan_of(ladder, {0.01f}).rungs;
+TEST(LodTable, MoreToleranceNeverAsksForMore) {
+  const LodTable lod_table = default_lod_table();
+  auto last = plan_of(lod_table, {0.01f}).methods;
   for (const float tolerance : {0.05f, 0.1f, 0.5f}) {
-    const auto edges = plan_of(ladder, {tolerance}).rungs;
+    const auto edges = plan_of(lod_table, {tolerance}).methods;
     EXPECT_LE(edges[0], edges[1]);
     EXPECT_LE(edges[1], edges[2]);
     for (size_t k = 0; k < 3 && tolerance > 0.05f; ++k) EXPECT_LE(edges[k], last[k]);
@@ -144,37 +144,37 @@ TEST(Ladder, MoreToleranceNeverAsksForMore) {
   }
 }
 
-TEST(Ladder, SamplesFollowToleranceAndFootprint) {
+TEST(LodTable, SamplesFollowToleranceAndFootprint) {
   // Half the error at four times the samples, as much again every octave.
-  Ladder ladder;
+  LodTable lod_table;
   for (int i = 0; i < formulas::kLattices; ++i) {
     for (const float yarns : {0.0625f, 0.25f, 1.0f}) {
       const int samples = formulas::lattice_of(i).x;
       const float error = 0.3f * yarns / std::sqrt(static_cast<float>(samples));
-      ladder.push_back({Method::kYarn, yarns, 10.0f * static_cast<float>(samples), error, error, samples});
+      lod_table.push_back({Method::kYarn, yarns, 10.0f * static_cast<float>(samples), error, error, samples});
     }
   }
-  const Plan loose = plan_of(ladder, {0.15f}), tight = plan_of(ladder, {0.05f});
+  const Plan loose = plan_of(lod_table, {0.15f}), tight = plan_of(lod_table, {0.05f});
   EXPECT_EQ(samples_at(loose, 0.06f), 1);
   EXPECT_EQ(samples_at(loose, 1), 5);  // 4 hold it
-  EXPECT_EQ(samples_at(tight, 1), formulas::kMostYarnSamples);
+  EXPECT_EQ(samples_at(tight, 1), formulas::kMaxYarnSamples);
   for (int i = 0; i < 46; ++i) {
     const float yarns = 0.05f * std::pow(1.1f, static_cast<float>(i));  // to 4
     EXPECT_GE(samples_at(tight, yarns), samples_at(loose, yarns)) << yarns;
     EXPECT_GE(samples_at(loose, yarns * 1.1f), samples_at(loose, yarns)) << yarns;
   }
-  EXPECT_LE(samples_at(plan_of(ladder, {0.01f, 2}), 1), 2);
-  EXPECT_GT(expected(ladder, tight, 1).cost_ns, expected(ladder, loose, 1).cost_ns);
-  EXPECT_LT(expected(ladder, tight, 1).error, expected(ladder, loose, 1).error);
+  EXPECT_LE(samples_at(plan_of(lod_table, {0.01f, 2}), 1), 2);
+  EXPECT_GT(expected(lod_table, tight, 1).cost_ns, expected(lod_table, loose, 1).cost_ns);
+  EXPECT_LT(expected(lod_table, tight, 1).error, expected(lod_table, loose, 1).error);
 }
 
-TEST(Ladder, CellIsNotKeptWhereItNoLongerHolds) {
+TEST(LodTable, CellIsNotKeptWhereItNoLongerHolds) {
   // As measured of a twill: `cell` is cheaper than `repeat`, and from one yarn a pixel down the worse of the two.
-  Ladder ladder;
-  const auto add = [&ladder](Method method, int samples, float cost, std::array<float, 3> errors) {
+  LodTable lod_table;
+  const auto add = [&lod_table](Method method, int samples, float cost, std::array<float, 3> errors) {
     for (size_t i = 0; i < 3; ++i) {
       const float yarns = std::exp2(static_cast<float>(i) - 1.5f);
-      ladder.push_back({method, yarns, cost, errors[i], errors[i], samples});
+      lod_table.push_back({method, yarns, cost, errors[i], errors[i], samples});
     }
   };
   add(Method::kYarn, 2, 540, {0.38f, 0.46f, 0.47f});
@@ -184,7 +184,7 @@ TEST(Ladder, CellIsNotKeptWhereItNoLongerHolds) {
   add(Method::kCloth, 1, 102, {0.56f, 0.43f, 0.33f});
   float last = 0;
   for (const float tolerance : {0.34f, 0.38f, 0.42f, 0.46f, 0.5f}) {
-    const float error = expected(ladder, plan_of(ladder, {tolerance}), 0.5f).error;
+    const float error = expected(lod_table, plan_of(lod_table, {tolerance}), 0.5f).error;
     EXPECT_LE(error, tolerance) << tolerance;
     EXPECT_GE(error, last - 1e-4f) << tolerance;
     last = error;
@@ -193,7 +193,7 @@ TEST(Ladder, CellIsNotKeptWhereItNoLongerHolds) {
 
 TEST(Lattice, PointsSpreadOverThePixelAndPassesFillIn) {
   using namespace formulas;
-  EXPECT_EQ(lattice_of(kLattices - 1).x, kMostYarnSamples);
+  EXPECT_EQ(lattice_of(kLattices - 1).x, kMaxYarnSamples);
   for (int k = 0; k < kLattices; ++k) {
     const ivec2 lattice = lattice_of(k);
     double x = 0, least = 1;
@@ -227,7 +227,7 @@ TEST(Lattice, PointsSpreadOverThePixelAndPassesFillIn) {
   EXPECT_GT(least, 0.25 * std::sqrt(1.155 / 80));
 }
 
-TEST(Ladder, ReadsWhatTheChartWrote) {
+TEST(LodTable, ReadsWhatTheChartWrote) {
   const std::string csv =
       "scene,view_deg,yarns_per_pixel,method,samples,ns_per_pixel,instructions_per_pixel,rel_rmse_model,"
       "rel_rmse_filtering,energy_ratio,flicker,bytes,on_front\r\n"
@@ -236,20 +236,20 @@ TEST(Ladder, ReadsWhatTheChartWrote) {
       "satin,80,4,cell,1,30,100,0.3,0.12,1,0,10,0\r\n"
       "satin,80,4,yarn,8,90,100,0.03,0.02,1,0,10,0\r\n";
   std::string problem;
-  const Ladder ladder = read_ladder(csv, problem);
+  const LodTable lod_table = read_lod_table(csv, problem);
   EXPECT_EQ(problem, "");
-  ASSERT_EQ(ladder.size(), 3u);
-  EXPECT_FLOAT_EQ(expected_error(ladder, Method::kCell, 1), 0.12f);
-  EXPECT_FLOAT_EQ(expected_error(ladder, Method::kCell, 2), 0.21f);
-  EXPECT_FLOAT_EQ(expected_cost(ladder, Method::kCell, 1), 25);
-  EXPECT_FLOAT_EQ(expected_error(ladder, Method::kYarn, 1, 8), 0.03f);
-  EXPECT_TRUE(std::isinf(expected_error(ladder, Method::kYarn, 1, 5)));
-  EXPECT_TRUE(read_ladder("scene,method,samples\n", problem).empty());
+  ASSERT_EQ(lod_table.size(), 3u);
+  EXPECT_FLOAT_EQ(expected_error(lod_table, Method::kCell, 1), 0.12f);
+  EXPECT_FLOAT_EQ(expected_error(lod_table, Method::kCell, 2), 0.21f);
+  EXPECT_FLOAT_EQ(expected_cost(lod_table, Method::kCell, 1), 25);
+  EXPECT_FLOAT_EQ(expected_error(lod_table, Method::kYarn, 1, 8), 0.03f);
+  EXPECT_TRUE(std::isinf(expected_error(lod_table, Method::kYarn, 1, 5)));
+  EXPECT_TRUE(read_lod_table("scene,method,samples\n", problem).empty());
   EXPECT_NE(problem.find("yarns_per_pixel"), std::string::npos);
   for (const char* bad : {"plain,0,nan,cell,1,1,1,1,1,1,0,1,1\n", "plain,0,1,yarn,0,1,1,1,1,1,0,1,1\n",
                           "plain,0,1,yarn,1e9,1,1,1,1,1,0,1,1\n"}) {
     problem.clear();
-    EXPECT_TRUE(read_ladder(csv + bad, problem).empty());
+    EXPECT_TRUE(read_lod_table(csv + bad, problem).empty());
     EXPECT_NE(problem.find("line 6"), std::string::npos) << problem;
   }
 }

@@ -7,7 +7,7 @@
 namespace weftlight::light {
 namespace {
 
-TEST(Hair, ScattersNoMoreThanItMeets) {
+TEST(Flyaway, ScattersNoMoreThanItMeets) {
   constexpr int kSteps = 20000;
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {
@@ -17,14 +17,14 @@ TEST(Hair, ScattersNoMoreThanItMeets) {
   EXPECT_NEAR(sum, 1, 1e-4);
 }
 
-TEST(Hair, IsAsBrightAsAWhiteSkyAtMost) {
+TEST(Flyaway, IsAsBrightAsAWhiteSkyAtMost) {
   const glm::vec3 white(1), half(0.5f);
   EXPECT_NEAR(formulas::hair_soft(white, white).x, 1, 1e-6);
   EXPECT_LT(formulas::hair_soft(half, half).x, 0.5f);
   EXPECT_GT(formulas::hair_soft(half, half).x, 0);
 }
 
-TEST(Hair, GlowsAgainstTheLight) {
+TEST(Flyaway, GlowsAgainstTheLight) {
   const glm::vec3 fibre(0, 1, 0), n(1, 0, 0), l(0, 0, -1), colour(0.5f), body(0.3f);
   const float against = formulas::hair_key(colour, body, fibre, n, l, {0, 0, 1}).x;
   const float aside = formulas::hair_key(colour, body, fibre, n, l, {1, 0, 0}).x;

@@ -15,7 +15,7 @@ inline Cloth plain_cloth(int threads, float spacing_mm, float thickness_mm, cons
   design.draft = blank_draft(threads, threads, 2, 2);
   design.yarns[0] = yarn;
   Draft& d = design.draft;
-  d.drive = Drive::kLiftplan;
+  d.drive = ShedControl::kLiftplan;
   for (int i = 0; i < threads; ++i) {
     d.threading.set(i, i % 2, true);
     d.liftplan.set(i, i % 2, true);

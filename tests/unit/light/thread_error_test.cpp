@@ -14,17 +14,17 @@ namespace {
 Cloth plain() { return plain_cloth(16, 0.5f, 0.45f); }
 
 /// Errors as large as the worst cloths' are, of so many samples and at any footprint.
-Ladder of_the_worst() {
-  Ladder ladder;
+LodTable of_the_worst() {
+  LodTable lod_table;
   for (int i = 0; i < formulas::kLattices; ++i) {
     for (const float yarns : kErrorFootprints) {
       const int samples = formulas::lattice_of(i).x;
       const float error = 1.2f * std::sqrt(yarns / static_cast<float>(samples));
-      ladder.push_back({Method::kYarn, yarns, 10.0f * static_cast<float>(samples), error, error, samples});
+      lod_table.push_back({Method::kYarn, yarns, 10.0f * static_cast<float>(samples), error, error, samples});
     }
   }
-  ladder.push_back({Method::kRepeat, 1, 1, 0.1f, 0.1f, 1});
-  return ladder;
+  lod_table.push_back({Method::kRepeat, 1, 1, 0.1f, 0.1f, 1});
+  return lod_table;
 }
 
 TEST(ThreadErrors, FallWithSamplesAndAreTheSameEveryTime) {
@@ -56,8 +56,8 @@ TEST(ThreadErrors, OfAPureColourAreThoseOfTheOthers) {
     for (size_t i = 0; i < kErrorLattices; ++i) EXPECT_NEAR(red.rel_rmse[f][i], green.rel_rmse[f][i], 1e-3f);
 }
 
-TEST(ThreadErrors, FitTheLadderToTheCloth) {
-  const Ladder any = of_the_worst();
+TEST(ThreadErrors, FitTheLodTableToTheCloth) {
+  const LodTable any = of_the_worst();
   const Plan plan = plan_of(any, {0.15f}), own = plan_of(fitted(any, thread_errors(plain())), {0.15f});
   EXPECT_LT(samples_at(own, 0.5f), samples_at(plan, 0.5f));
   EXPECT_GE(samples_at(own, 1), samples_at(own, 0.25f));
@@ -69,7 +69,7 @@ TEST(ThreadErrors, FitTheLadderToTheCloth) {
 TEST(ThreadErrors, OfNoThreadsAreNotMeasured) {
   EXPECT_FALSE(thread_errors({}).measured);
   // A ladder without rows of rung yarn stays as it is.
-  const Ladder none{{Method::kRepeat, 1, 1, 0.1f, 0.1f, 1}};
+  const LodTable none{{Method::kRepeat, 1, 1, 0.1f, 0.1f, 1}};
   EXPECT_EQ(expected_error(fitted(none, thread_errors(plain())), Method::kRepeat, 1), 0.1f);
 }
 

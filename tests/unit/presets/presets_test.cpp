@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "analysis/floats.h"
-#include "analysis/hand.h"
-#include "analysis/layers.h"
+#include "analysis/handle.h"
+#include "analysis/weave_layers.h"
 #include "draft/fibre.h"
 #include "draft/repeat.h"
 #include "draft/yarn_presets.h"
-#include "drape/hang.h"
+#include "drape/stiffness.h"
 #include "paths.h"
 #include "recipes.h"
 #include "wif/wif.h"
@@ -44,9 +44,9 @@ TEST(Presets, FilesAreWhatTheRecipesGive) {
   }
 }
 
-analysis::ClothHand hand_of(const std::string& cloth) {
+analysis::ClothHandle hand_of(const std::string& cloth) {
   const WifRead read = read_wif(read_file(presets_path("cloths/" + cloth + ".wif")).bytes);
-  return analysis::cloth_hand(read.file.value().design);
+  return analysis::cloth_handle(read.file.value().design);
 }
 
 struct UsualCloth {
@@ -101,12 +101,13 @@ TEST(Presets, ClothsWeighAndHangAsSuchClothsDo) {
   std::stringstream docs;
   docs << file.rdbuf();
   for (const UsualCloth& usual : kUsual) {
-    const analysis::ClothHand hand = hand_of(usual.name);
+    const analysis::ClothHandle hand = hand_of(usual.name);
     const double g_per_m2 = 1000 * hand.kg_per_m2;
     EXPECT_GE(g_per_m2, usual.least) << usual.name;
     EXPECT_LE(g_per_m2, usual.most) << usual.name;
     const double c = hand.bending_length_mm;
-    EXPECT_STREQ(drape::kHangNames[static_cast<size_t>(drape::hang_of(c))], usual.hang) << usual.name << " " << c;
+    EXPECT_STREQ(drape::kHangNames[static_cast<size_t>(drape::drape_stiffness_of(c))], usual.hang)
+        << usual.name << " " << c;
     char row[160];
     std::snprintf(row, sizeof row, "| %s | %.0f | %d to %d (%s) | %.1f | %s |\n", usual.name, g_per_m2, usual.least,
                   usual.most, usual.said, c, usual.hang);

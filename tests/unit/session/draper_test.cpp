@@ -22,7 +22,7 @@ std::shared_ptr<const Design> cloth(bool own) {
   Design d;
   d.draft = blank_draft(16, 16, 2, 2);
   d.yarns.resize(1);
-  d.scene.mesh = "sphere", d.scene.own_drape = own;
+  d.scene.mesh = "sphere", d.scene.simulated_drape = own;
   return std::make_shared<const Design>(std::move(d));
 }
 
@@ -99,10 +99,10 @@ TEST_F(DraperTest, AFolderThatCannotBeMadeIsToldInWords) {
 
 TEST(OwnDrape, IsAStepOfUndo) {
   Document document{*cloth(false)};
-  document.commit(own_drape_edit(true), 0);
-  EXPECT_TRUE(document.now().scene.own_drape);
+  document.commit(simulated_drape_edit(true), 0);
+  EXPECT_TRUE(document.now().scene.simulated_drape);
   document.undo();
-  EXPECT_FALSE(document.now().scene.own_drape);
+  EXPECT_FALSE(document.now().scene.simulated_drape);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "../scratch_fixture.h"
 #include "draft/edits.h"
-#include "session/file_looks.h"
+#include "session/draft_thumbnails.h"
 #include "session/user_files.h"
 #include "wif/wif.h"
 
@@ -133,8 +133,8 @@ class FileLooksTest : public ScratchTest {
 
 TEST_F(FileLooksTest, APictureIsMadeOnceAndAgainWhenTheFileChanges) {
   const std::string cache = path("cache/drafts"), file = written("a.wif", wif::write_new_wif(plain()));
-  const FileLook first = look_of_file(file, cache);
-  EXPECT_EQ(first.state, FileLook::State::kThere);
+  const DraftThumbnail first = look_of_file(file, cache);
+  EXPECT_EQ(first.state, DraftThumbnail::State::kThere);
   EXPECT_EQ(files_in(cache), 1u);
   EXPECT_GT(first.modified_ns, 0);
   EXPECT_EQ(look_of_file(file, cache).picture, first.picture) << "the kept one is the same to the bit";
@@ -147,15 +147,15 @@ TEST_F(FileLooksTest, APictureIsMadeOnceAndAgainWhenTheFileChanges) {
 }
 
 TEST_F(FileLooksTest, WhatIsGoneOrNoDraftIsSaid) {
-  EXPECT_EQ(look_of_file(path("nowhere.wif"), path("cache")).state, FileLook::State::kMissing);
-  EXPECT_EQ(look_of_file(written("b.wif", "no draft"), path("cache")).state, FileLook::State::kUnreadable);
+  EXPECT_EQ(look_of_file(path("nowhere.wif"), path("cache")).state, DraftThumbnail::State::kMissing);
+  EXPECT_EQ(look_of_file(written("b.wif", "no draft"), path("cache")).state, DraftThumbnail::State::kUnreadable);
   EXPECT_EQ(files_in(path("cache")), 0u);
 }
 
 TEST_F(FileLooksTest, ACacheThatCannotBeOrIsBrokenIsMadeUpFor) {
   const std::string file = written("a.wif", wif::write_new_wif(plain()));
-  const FileLook there = look_of_file(file, written("in_the_way", "x") + "/drafts");
-  EXPECT_EQ(there.state, FileLook::State::kThere);
+  const DraftThumbnail there = look_of_file(file, written("in_the_way", "x") + "/drafts");
+  EXPECT_EQ(there.state, DraftThumbnail::State::kThere);
   const std::string cache = path("cache");
   look_of_file(file, cache);
   for (const auto& entry : std::filesystem::directory_iterator(cache))
@@ -165,18 +165,18 @@ TEST_F(FileLooksTest, ACacheThatCannotBeOrIsBrokenIsMadeUpFor) {
 
 TEST_F(FileLooksTest, AreLookedForBesideTheWindow) {
   const std::string file = written("a.wif", wif::write_new_wif(plain()));
-  FileLooks looks("", [] {});
+  DraftThumbnails looks("", [] {});
   looks.ask(file);
   looks.ask(path("gone.wif"));
-  std::vector<std::pair<std::string, FileLook>> news;
+  std::vector<std::pair<std::string, DraftThumbnail>> news;
   for (int i = 0; i < 2000 && news.size() < 2; ++i) {
     for (auto& one : looks.take()) news.push_back(std::move(one));
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   ASSERT_EQ(news.size(), 2u);
   EXPECT_EQ(news[0].first, file);
-  EXPECT_EQ(news[0].second.state, FileLook::State::kThere);
-  EXPECT_EQ(news[1].second.state, FileLook::State::kMissing);
+  EXPECT_EQ(news[0].second.state, DraftThumbnail::State::kThere);
+  EXPECT_EQ(news[1].second.state, DraftThumbnail::State::kMissing);
 }
 
 }  // namespace

@@ -16,40 +16,40 @@ class OwnOutput : public ScratchTest {
 
 TEST_F(OwnOutput, LiveExportGoesWhereNothingIsAndToWhatItWrote) {
   const std::string draft = written("draft.wif", "a draft");
-  EXPECT_EQ(live().refusal(draft), "");
+  EXPECT_EQ(live().rejected_edit(draft), "");
   for (const char* bytes : {"one", "two", "three"}) {
     LiveExport again = live();
-    EXPECT_EQ(again.refusal(draft), "") << bytes;
+    EXPECT_EQ(again.rejected_edit(draft), "") << bytes;
     EXPECT_EQ(again.write(bytes), "");
     EXPECT_EQ(again.write(std::string(bytes) + " more"), "");
   }
-  EXPECT_EQ(live().refusal(""), "");
+  EXPECT_EQ(live().rejected_edit(""), "");
 }
 
 TEST_F(OwnOutput, LiveExportRefusesAnothersFile) {
   written("live.wif", "somebody's draft");
-  EXPECT_NE(live().refusal(""), "");
+  EXPECT_NE(live().rejected_edit(""), "");
   fs::remove(path("live.wif"));
   EXPECT_EQ(live().write("mine"), "");
-  EXPECT_EQ(live().refusal(""), "");
+  EXPECT_EQ(live().rejected_edit(""), "");
   written("live.wif", "edited by another program since");
-  EXPECT_NE(live().refusal(""), "");
+  EXPECT_NE(live().rejected_edit(""), "");
 }
 
 TEST_F(OwnOutput, LiveExportRefusesTheDraftByAnyName) {
   const std::string draft = written("draft.wif", "a draft");
   fs::create_symlink(draft, path("live.wif"));
-  EXPECT_NE(live().refusal(draft), "");
-  EXPECT_NE(LiveExport(path("./draft.wif"), path("state")).refusal(draft), "");
-  EXPECT_NE(LiveExport(dir_.string(), path("state")).refusal(draft), "") << "a folder";
+  EXPECT_NE(live().rejected_edit(draft), "");
+  EXPECT_NE(LiveExport(path("./draft.wif"), path("state")).rejected_edit(draft), "");
+  EXPECT_NE(LiveExport(dir_.string(), path("state")).rejected_edit(draft), "") << "a folder";
 }
 
 TEST_F(OwnOutput, LiveExportTakesAnEmptyFileAndACopyOfTheDraft) {
   const std::string draft = written("draft.wif", "a draft");
   written("live.wif", "");
-  EXPECT_EQ(live().refusal(draft), "");
+  EXPECT_EQ(live().rejected_edit(draft), "");
   written("live.wif", "a draft");
-  EXPECT_EQ(live().refusal(draft), "");
+  EXPECT_EQ(live().rejected_edit(draft), "");
 }
 
 TEST_F(OwnOutput, LiveExportIsKnownWheneverItsProcessEnded) {
@@ -61,7 +61,7 @@ TEST_F(OwnOutput, LiveExportIsKnownWheneverItsProcessEnded) {
   EXPECT_NE(one.write("second"), "");
   fs::remove(path("live.wif"));
   fs::rename(path("kept.wif"), path("live.wif"));
-  EXPECT_EQ(live().refusal(""), "");
+  EXPECT_EQ(live().rejected_edit(""), "");
 }
 
 TEST_F(OwnOutput, UiMapIsToldByWhatItSays) {

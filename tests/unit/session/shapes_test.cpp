@@ -7,7 +7,7 @@
 #include "../draft/hand_drafts.h"
 #include "session/document.h"
 #include "session/paint.h"
-#include "session/selection.h"
+#include "session/selection_state.h"
 
 namespace weftlight::session {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 std::vector<std::string> rows_of_mask(const CellMask& mask) { return text_of(mask.cells); }
 using Rows = std::vector<std::string>;
 
-DocumentView view_with(ShapeInHand shape) {
+DocumentView view_with(ActiveShape shape) {
   DocumentView v;
   v.shape = shape;
   return v;
@@ -56,7 +56,7 @@ TEST(Shapes, RectanglesAreOutlinesOrFilledAndClearWhatTheyBeginOn) {
   d.draft = blank_draft(6, 6, 6, 6);
   DocumentView v = view_with({Tool::kFilledRectangle, GridId::kTieup, {0, 0}, {5, 5}, true});
   d = drawn(d, v);
-  v.shape = ShapeInHand{Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, false};
+  v.shape = ActiveShape{Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, false};
   d = drawn(d, v);
   EXPECT_EQ(text_of(d.draft.tieup), (Rows{"111111", "100001", "101101", "101101", "100001", "111111"}));
 }
@@ -73,23 +73,23 @@ TEST(Shapes, ShiftHoldsLinesToEightDirectionsAndRectanglesToSquaresInsideTheGrid
 
 TEST(Shapes, CrossingsAreDrawnAndWhatTheLoomCannotFollowIsTold) {
   Design d = straight_twill(8, 8);
-  d.loom.authority = Authority::kDrawdown;
+  d.loom.leading = Leading::kDrawdown;
   DocumentView v = view_with({Tool::kLine, GridId::kDrawdown, {0, 0}, {7, 7}, true});
   const Design line = drawn(d, v);
   const BitMatrix cells = drawdown(line.draft);
   for (int i = 0; i < 8; ++i) EXPECT_TRUE(cells.get(i, i));
   EXPECT_EQ(v.select.notice, "");
   // Threading rules: ends 1 and 5 share a shaft, and one cannot go where the other is.
-  d.loom.authority = Authority::kThreading;
+  d.loom.leading = Leading::kThreading;
   d.draft.threading.set(0, 0, false);  // end 1 is on no shaft
-  v.shape = ShapeInHand{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
+  v.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
   drawn(d, v);
   EXPECT_EQ(v.select.notice, "Filled rectangle; 2 crossings could not follow: ends on the same shafts rise together");
 }
 
 TEST(Shapes, ALockedGridStaysAndSaysWhy) {
   Design d = straight_twill(6, 5);
-  d.loom.authority = Authority::kDrawdown;
+  d.loom.leading = Leading::kDrawdown;
   d.loom.locked = true;
   DocumentView v = view_with({Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true});
   const MaybeEdit edit = finish_shape(v, d);
@@ -210,7 +210,7 @@ TEST(Mirrors, ThePenAndShapesAreDrawnOnBothSides) {
   v.mirror_ends = true;
   const Design painted = paint_edit(GridId::kThreading, {0, 0}, {1, 1}, true, true, mirror_of(v, d.draft)).apply(d);
   EXPECT_EQ(text_of(painted.draft.threading), (Rows{"1000", "0100", "0000", "0000", "0000", "0000", "0100", "1000"}));
-  v.shape = ShapeInHand{Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true};
+  v.shape = ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true};
   const Design point = drawn(d, v);
   EXPECT_EQ(text_of(point.draft.threading), (Rows{"1000", "0100", "0010", "0001", "0001", "0010", "0100", "1000"}));
 }

@@ -161,7 +161,7 @@ TEST(Typing, WhatCannotBeIsSaid) {
 
 TEST(Typing, ALockedGridIsLeftAndTheCursorStays) {
   Design d = blank(6, 4);
-  d.loom.authority = Authority::kDrawdown;
+  d.loom.leading = Leading::kDrawdown;
   d.loom.locked = true;
   Typist t(d);
   t.type("2");
@@ -175,7 +175,7 @@ TEST(Typing, TheCursorFollowsADraftThatShrinksOrChangesItsDrive) {
   Draft d = blank_draft(4, 4, 2, 2);
   follow_draft(c, d);
   EXPECT_EQ(c.at, (Cell{1, 3}));
-  d.drive = Drive::kLiftplan;
+  d.drive = ShedControl::kLiftplan;
   follow_draft(c, d);
   EXPECT_EQ(c.grid, GridId::kLiftplan);
 }

@@ -111,7 +111,7 @@ TEST_F(DamageTest, HoldsEveryPixelThatDiffers) {
     else if (kind == 1) boxes.insert(at, box());
     else if (boxes.size() > 4) boxes.erase(at);
     const std::vector<Area> areas = frame(boxes);
-    ASSERT_LE(areas.size(), Damage::kMostAreas);
+    ASSERT_LE(areas.size(), Damage::kMaxAreas);
     const std::vector<ImU32> after = painted(boxes);
     for (int y = 0; y < kSide; ++y) {
       for (int x = 0; x < kSide; ++x) {

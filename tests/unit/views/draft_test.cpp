@@ -67,15 +67,15 @@ TEST(Layout, ThreadingBelowEnd1LeftAndPick1AtTheBottomTurnAllThatFollows) {
         const DraftLayout l = lay_out_draft(d.draft, {}, settings, Style{}, {0, 0}, {800, 600});
         EXPECT_EQ(l.threading.min().y > l.drawdown.max().y - 1, below);
         EXPECT_EQ(l.warp_bar.min().y > l.threading.max().y - 1, below) << "bar and numbers lie outermost";
-        EXPECT_EQ(l.warp_heads.min().y > l.warp_bar.max().y - 1, below);
+        EXPECT_EQ(l.warp_labels.min().y > l.warp_bar.max().y - 1, below);
         EXPECT_EQ(l.tieup.y.start, l.threading.y.start);
-        EXPECT_LE(std::max(l.warp_heads.max().y, l.drawdown.max().y), 600);
-        EXPECT_LE(l.weft_heads.max().x, 800);
+        EXPECT_LE(std::max(l.warp_labels.max().y, l.drawdown.max().y), 600);
+        EXPECT_LE(l.weft_labels.max().x, 800);
         // Shaft 1 lies next to the drawdown, end 1 next to the treadling or at the left.
         const UiGrid grid = map_of(l.threading);
         EXPECT_EQ(grid.step_b[1] > 0, below);
         EXPECT_EQ(grid.step_a[0] < 0, right);
-        for (const GridPane* pane : {&l.drawdown, &l.lift, &l.weft_bar, &l.weft_heads})
+        for (const GridPane* pane : {&l.drawdown, &l.lift, &l.weft_bar, &l.weft_labels})
           EXPECT_EQ(map_of(*pane).step_b[1] < 0, upwards) << map_of(*pane).name;
         for (const GridPane* pane : l.panes()) {
           const UiGrid map = map_of(*pane);

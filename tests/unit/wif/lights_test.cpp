@@ -12,7 +12,7 @@ namespace {
 TEST(Lights, AreKeptByName) {
   Design design;
   design.draft = blank_draft(4, 4, 2, 2);
-  for (const LightSetup& setup : kLightSetups) {
+  for (const LightingPreset& setup : kLightSetups) {
     design.scene = lit_by(design.scene, setup);
     const WifRead read = read_wif(write_new_wif(design));
     ASSERT_TRUE(read.file);
@@ -24,7 +24,7 @@ TEST(Lights, ThePathOfAPictureAndTheExposureAreKept) {
   Design design;
   design.draft = blank_draft(4, 4, 2, 2);
   design.scene = lit_by_environment(design.scene, "/pictures/old hall;1.EXR");
-  design.scene.surroundings = design.scene.own_drape = true;
+  design.scene.surroundings = design.scene.simulated_drape = true;
   design.look.automatic_exposure = false;
   const WifRead read = read_wif(write_new_wif(design));
   ASSERT_TRUE(read.file);

@@ -90,7 +90,7 @@ TEST(Wpo, OfEveryKind) {
     const WifRead read = read_draft(wpo(kind));
     ASSERT_TRUE(read.file) << error_of(read);
     const Draft& d = read.file->design.draft;
-    EXPECT_EQ(d.drive, kind == 100 ? Drive::kLiftplan : Drive::kTreadling);
+    EXPECT_EQ(d.drive, kind == 100 ? ShedControl::kLiftplan : ShedControl::kTreadling);
     EXPECT_EQ(d.ends(), 2);
     EXPECT_EQ(d.picks(), 3);
     EXPECT_EQ(d.palette[1], (Rgb{0, 0, 1}));

@@ -74,11 +74,11 @@ TEST(read, both_drives) {
   EXPECT_FALSE(says(read_wif(fixture("both_agree.wif")), 92, "liftplan differs"));
   const WifRead differ = read_wif(fixture("both_differ.wif"));
   ASSERT_TRUE(differ.file);
-  EXPECT_EQ(differ.file->design.draft.drive, Drive::kTreadling);
+  EXPECT_EQ(differ.file->design.draft.drive, ShedControl::kTreadling);
   bool named = false;
   for (const Diagnostic& d : differ.diagnostics) named = named || d.text.find("first at pick 2") != std::string::npos;
   EXPECT_TRUE(named);
-  EXPECT_EQ(opened(fixture("liftplan.wif")).design.draft.drive, Drive::kLiftplan);
+  EXPECT_EQ(opened(fixture("liftplan.wif")).design.draft.drive, ShedControl::kLiftplan);
 }
 
 TEST(read, luminescence) {
@@ -217,12 +217,12 @@ TEST(read, fifty_thousand_sections_are_kept_as_they_were) {
 }
 
 TEST(read, yarns_are_as_many_as_are_stated_and_no_more_than_4096) {
-  constexpr int kMost = 4096;
-  for (const int stated : {kMost, 2'000'000'000}) {
+  constexpr int kMax = 4096;
+  for (const int stated : {kMax, 2'000'000'000}) {
     std::string bytes = fixture("twill.wif") + "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=" + std::to_string(stated) + "\r\n";
-    for (int i = 1; i <= kMost; ++i) bytes += std::to_string(i) + " Name=Y" + std::to_string(i) + "\r\n";
+    for (int i = 1; i <= kMax; ++i) bytes += std::to_string(i) + " Name=Y" + std::to_string(i) + "\r\n";
     const WifFile file = opened(bytes);
-    ASSERT_EQ(file.design.yarns.size(), static_cast<size_t>(kMost)) << stated;
+    ASSERT_EQ(file.design.yarns.size(), static_cast<size_t>(kMax)) << stated;
     EXPECT_EQ(file.design.yarns.back().name, "Y4096");
     EXPECT_EQ(write_wif(file, file.design), bytes) << stated;
   }

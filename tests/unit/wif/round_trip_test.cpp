@@ -87,7 +87,7 @@ Design random_design(unsigned seed) {
                                         : Rgb{dice.between(-1, 2), dice.between(0, 1), 0.5f});
   }
   draft.rising = dice.coin();
-  draft.drive = dice.coin() ? Drive::kTreadling : Drive::kLiftplan;
+  draft.drive = dice.coin() ? ShedControl::kTreadling : ShedControl::kLiftplan;
   draft.threading = random_bits(dice, ends, draft.shafts);
   draft.tieup = random_bits(dice, draft.treadles, draft.shafts);
   draft.treadling = random_bits(dice, picks, draft.treadles);
@@ -105,7 +105,7 @@ Design random_design(unsigned seed) {
   }
   if (dice.coin()) {
     if (dice.coin()) design.finish = {dice.between(0, 1), dice.between(0, 1), dice.between(0, 1)};
-    design.loom = {static_cast<Authority>(dice.upto(2)), dice.coin(), dice.upto(8), dice.upto(8), dice.upto(99)};
+    design.loom = {static_cast<Leading>(dice.upto(2)), dice.coin(), dice.upto(8), dice.upto(8), dice.upto(99)};
     for (int i = dice.upto(2); i > 0; --i)
       design.weaves.push_back({"twill", {{"lean", random_text(dice)}, {"ratio", "2/2"}}, dice.upto(9), 4, 0, 7});
   }
@@ -116,7 +116,7 @@ Design random_design(unsigned seed) {
       const int threads = dice.upto(3);
       section.rows = random_bits(dice, threads, 1 + dice.upto(5));
       section.threads = random_threads(dice, threads, 3, 2);
-      section.drive = dice.coin() ? Drive::kTreadling : Drive::kLiftplan;
+      section.drive = dice.coin() ? ShedControl::kTreadling : ShedControl::kLiftplan;
     }
     if (dice.coin()) assembly->order = random_text(dice) + "A 3x, (B)";
   }
@@ -160,7 +160,8 @@ TEST(round_trip, undo_across_a_save_gives_the_first_design_back) {
 TEST(plain, keeps_the_cloth_and_is_plain) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const Design design = random_design(seed);
-    for (const PlainDrive drive : {PlainDrive::kAsIs, PlainDrive::kLiftplan, PlainDrive::kTreadling}) {
+    for (const PlainShedControl drive :
+         {PlainShedControl::kAsIs, PlainShedControl::kLiftplan, PlainShedControl::kTreadling}) {
       const std::string bytes = write_plain_wif(design, drive);
       const WifFile file = opened(bytes);
       EXPECT_TRUE(drawdown(file.design.draft) == drawdown(design.draft)) << "seed " << seed;
@@ -169,8 +170,8 @@ TEST(plain, keeps_the_cloth_and_is_plain) {
       EXPECT_NE(bytes.find("[LIFTPLAN]"), std::string::npos) << "seed " << seed;
       EXPECT_TRUE(std::all_of(bytes.begin(), bytes.end(),
                               [](char c) { return c == '\r' || c == '\n' || (c >= ' ' && c < 127); }));
-      if (drive == PlainDrive::kLiftplan) {
-        EXPECT_EQ(file.design.draft.drive, Drive::kLiftplan);
+      if (drive == PlainShedControl::kLiftplan) {
+        EXPECT_EQ(file.design.draft.drive, ShedControl::kLiftplan);
       }
     }
   }

@@ -1,0 +1,146 @@
+#include "render_data/far_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "light/formulas.h"
+#include "render_data/cloth_block.h"
+
+namespace weftlight::render_data {
+namespace {
+
+// Means need no fine maps: texels across a thread, and along a side at the most.
+constexpr size_t kTexelsPerThread = 16;
+constexpr size_t kMaxTexels = 768;
+constexpr size_t kMinTexels = 128;
+
+int texels_for(size_t threads) {
+  return static_cast<int>(std::clamp(threads * kTexelsPerThread, kMinTexels, kMaxTexels));
+}
+
+/// Nodes before and after a direction on one axis of the grid, and the share of the second.
+struct Nodes {
+  size_t low, high;
+  float share;
+};
+
+Nodes on_circle(float at, int count) {
+  const float x = at * static_cast<float>(count), whole = std::floor(x);
+  const int low = static_cast<int>(whole) % count;
+  return {static_cast<size_t>(low), static_cast<size_t>((low + 1) % count), x - whole};
+}
+
+Nodes on_line(float at, int count) {
+  const int low = std::clamp(static_cast<int>(at), 0, count - 2);
+  return {static_cast<size_t>(low), static_cast<size_t>(low + 1), at - static_cast<float>(low)};
+}
+
+/// The four nodes about a direction of the eye, each with its weight.
+struct ViewNodes {
+  std::array<size_t, 4> at;
+  std::array<float, 4> weight;
+};
+
+ViewNodes around(const glm::vec3& view) {
+  const formulas::vec2 o = formulas::response_coord(view);
+  const Nodes turn = on_circle(o.x, kViewAzimuths), tilt = on_line(o.y, kResponseElevations);
+  const size_t low = tilt.low * kViewAzimuths, high = tilt.high * kViewAzimuths;
+  const float a = turn.share, e = tilt.share;
+  return {{low + turn.low, low + turn.high, high + turn.low, high + turn.high},
+          {(1 - e) * (1 - a), (1 - e) * a, e * (1 - a), e * a}};
+}
+
+/// As response_at() of shaders/method_repeat.glsl reads it: between the nodes of light and view.
+glm::vec4 broad_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view) {
+  const bool before = light.z > 0;
+  const formulas::vec2 i = before ? formulas::response_coord(light) : formulas::transmission_coord(light);
+  const int azimuths = before ? kLightAzimuths : kBehindAzimuths, lights = before ? kResponseLights : kBehindLights;
+  const Nodes turn = on_circle(i.x, azimuths), tilt = on_line(i.y, before ? kResponseElevations : kBehindElevations);
+  const ViewNodes views = around(view);
+  glm::vec4 sum(0);
+  for (size_t corner = 0; corner < 16; ++corner) {
+    const bool turned = corner >> 2 & 1, tilted = corner >> 3 & 1;
+    const float weight =
+        views.weight[corner & 3] * (turned ? turn.share : 1 - turn.share) * (tilted ? tilt.share : 1 - tilt.share);
+    const size_t node = views.at[corner & 3] * static_cast<size_t>(lights) +
+                        (tilted ? tilt.high : tilt.low) * static_cast<size_t>(azimuths) +
+                        (turned ? turn.high : turn.low);
+    sum += weight * glm::make_vec4(&(before ? system.broad : system.behind)[4 * node]);
+  }
+  return sum;
+}
+
+float density_at(const std::array<float, kSlopeBins>& bins, float slope) {
+  const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.0f);
+  const Nodes n = on_line(at, kSlopeBins);
+  return bins[n.low] + (bins[n.high] - bins[n.low]) * n.share;
+}
+
+}  // namespace
+
+FarField far_field(const Cloth& cloth, int samples) {
+  FarField answer;
+  if (cloth.ends.empty() || cloth.picks.empty()) return answer;
+  const Maps maps = bake(cloth, {texels_for(cloth.ends.size()), texels_for(cloth.picks.size()), 0});
+  const FaceInput face{cloth, maps};
+  answer.numbers = cloth_block(face, face);
+  answer.response = cloth_response(cloth, maps, samples);
+  for (size_t s = 0; s < 2; ++s) {
+    const Linear& c = answer.response.systems[s].colour;
+    answer.numbers.systems[s].color = {c.r, c.g, c.b, 0};
+    answer.numbers.systems[s].share = answer.response.systems[s].share;
+  }
+  return answer;
+}
+
+namespace {
+
+formulas::YarnLobes yarn_of(const interop::SystemData& data) {
+  return formulas::yarn_of(data.yarn, glm::vec3(data.color));
+}
+
+float cover_along(const interop::ClothData& numbers, const glm::vec3& view) {
+  if (numbers.open < 0.5f) return 1;
+  const float cover = std::min(numbers.systems[0].coverage + numbers.systems[1].coverage, 1.0f);
+  return formulas::coverage_by_view(cover, {numbers.gap_u_mm, numbers.gap_v_mm}, numbers.rim_mm, view);
+}
+
+}  // namespace
+
+glm::vec3 radiance_from_afar(const FarField& answer, const glm::vec3& light, const glm::vec3& view) {
+  if (answer.response.systems[0].broad.empty() || view.z <= 0) return glm::vec3(0);
+  const formulas::vec2 h = formulas::half_slopes(light, view);
+  glm::vec3 sum(0);
+  for (size_t s = 0; s < 2; ++s) {
+    const interop::SystemData& data = answer.numbers.systems[s];
+    const SystemResponse& system = answer.response.systems[s];
+    const formulas::vec2 slopes(density_at(system.slopes[0], h.x), density_at(system.slopes[1], h.y));
+    sum += formulas::system_answer(yarn_of(data), broad_at(system, light, view), slopes, data.share, glm::vec4(0),
+                                   light, view)
+               .key;
+  }
+  return sum * cover_along(answer.numbers, view);
+}
+
+glm::vec3 sky_from_afar(const FarField& answer, const glm::vec3& view, float even, const glm::vec3& rise) {
+  if (answer.response.systems[0].sky.empty() || view.z <= 0) return glm::vec3(0);
+  const ViewNodes views = around(view);
+  glm::vec3 soft(0), glossy(0), from_soft(0), from_glossy(0);
+  for (size_t k = 0; k < 4; ++k) {
+    from_soft += views.weight[k] * answer.response.sky_from[views.at[k]][0];
+    from_glossy += views.weight[k] * answer.response.sky_from[views.at[k]][1];
+  }
+  for (size_t s = 0; s < 2; ++s) {
+    glm::vec4 sky(0);
+    for (size_t k = 0; k < 4; ++k)
+      sky += views.weight[k] * glm::make_vec4(&answer.response.systems[s].sky[4 * views.at[k]]);
+    const auto sent =
+        formulas::system_answer(yarn_of(answer.numbers.systems[s]), glm::vec4(0), {0, 0}, 0, sky, {0, 0, 1}, view);
+    soft += sent.soft, glossy += sent.glossy;
+  }
+  return (soft * (even + glm::dot(rise, from_soft)) + glossy * (even + glm::dot(rise, from_glossy))) *
+         cover_along(answer.numbers, view);
+}
+
+}  // namespace weftlight::render_data

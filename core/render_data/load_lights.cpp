@@ -1,0 +1,37 @@
+// Light from files: the shipped set-ups, and pictures from all around.
+
+#include "base/files.h"
+#include "base/resources.h"
+#include "draft/lights.h"
+#include "files/environment.h"
+#include "render_data/light_rig.h"
+
+namespace weftlight::render_data {
+namespace {
+
+LightRig load_environment(const std::string& path, std::string& error) {
+  LightRig rig;
+  ReadEnvironment read = read_environment(path);
+  error = read.error;
+  rig.remarks = std::move(read.remarks);
+  if (read.picture) rig.environment = std::make_shared<const Environment>(std::move(*read.picture));
+  return rig;
+}
+
+}  // namespace
+
+LightRig load_light_rig(const std::string& name, std::string& error) {
+  constexpr uint64_t kMaxBytes = uint64_t{1} << 20;
+  if (is_environment(name)) return load_environment(name, error);
+  const std::string path = presets_dir() + "/lights/" + name + ".json";
+  const FileBytes file = read_file(path, kMaxBytes);
+  if (!file.error.empty()) {
+    error = path + ": " + file.error + "; set WEFTLIGHT_PRESETS to the folder of presets";
+    return {};
+  }
+  LightRig rig = light_rig_from(file.bytes, error);
+  if (!error.empty()) error = path + ":" + error + "; mend it, or bring back the shipped file";
+  return rig;
+}
+
+}  // namespace weftlight::render_data

@@ -1,0 +1,128 @@
+#pragma once
+// Maps as the GPU reads them: packed texels with prefiltered mips, made on the CPU by the worker, so that
+// the thread with the GL context only uploads.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "cloth/maps.h"
+#include "draft/drawdown.h"
+#include "light/thread_error.h"
+#include "render_data/names.h"
+#include "shaders/interop.h"
+
+namespace weftlight::render_data {
+
+/// What a texture holds, and so how its mips average.
+enum class PackedKind : uint8_t {
+  kColor,    // RGBA8 sRGB, layers warp, weft: colour times groove, premultiplied by the system's coverage (alpha)
+  kRelief,   // RGBA8 snorm, layers warp, weft: means of the unit normal's x, y and of their squares, times coverage
+  kHorizon,  // RG8, a layer an azimuth and one for the sky: mean and twice the spread of the horizon's sine; the
+             // last layer holds the occlusion. Half the size of the others.
+  kShadow,   // R8, a layer a light direction (rung vrst03): 1 lit
+};
+inline constexpr int kPackedKinds = 4;
+
+/// One texture array: `levels[0]` is the finest; layer by layer, rows tightly packed.
+struct PackedTexture {
+  PackedKind kind = PackedKind::kColor;
+  int width = 0, height = 0, layers = 0, channels = 4;
+  std::vector<std::vector<uint8_t>> levels;
+
+  int level_width(int level) const { return std::max(1, width >> level); }
+  int level_height(int level) const { return std::max(1, height >> level); }
+  uint8_t* texel(int level, int layer, int x, int y) {
+    return levels[static_cast<size_t>(level)].data() + offset(level, layer, x, y);
+  }
+  const uint8_t* texel(int level, int layer, int x, int y) const {
+    return levels[static_cast<size_t>(level)].data() + offset(level, layer, x, y);
+  }
+
+ private:
+  size_t offset(int level, int layer, int x, int y) const {
+    const size_t row = static_cast<size_t>(layer) * level_height(level) + y;
+    return (row * level_width(level) + x) * static_cast<size_t>(channels);
+  }
+};
+
+/// Height and slope of the warp, of the weft, as half floats.
+using HalfCrossing = std::array<uint16_t, 4>;
+
+struct PackedFace {
+  std::array<PackedTexture, kPackedKinds> textures;  // by PackedKind; kShadow is empty unless asked for
+  // SampledMethod vrst03: the two cube maps of its BRDF, RGB floats, faces in OpenGL's order; empty unless asked for.
+  int cube_size = 0;
+  std::vector<float> half_cube, difference_cube;
+};
+
+/// The answer to light from afar, as textures (response_block.h); empty until it was measured.
+struct ResponseTables {
+  // [view]: [face * 2 + system][elevation][answer, lean][azimuth of the light], then to light from behind
+  // [face * 2 + system][elevation][azimuth]
+  std::vector<glm::vec4> broad;
+  std::vector<float> slopes;  // [face * 2 + system][axis][slope]: density of the facets' slope angles
+  // [face][table][elevation][azimuth]: share of the warp, its rise, mean heights of both; what each system sends of an
+  // even sky; where from (response_block.cpp)
+  std::vector<glm::vec4> seen;
+  bool empty() const { return broad.empty(); }
+  size_t bytes() const { return (broad.size() + seen.size()) * sizeof(glm::vec4) + slopes.size() * sizeof(float); }
+  bool operator==(const ResponseTables&) const = default;
+};
+
+/// What an edit of the yarns' light changes.
+struct ClothLobes {
+  interop::ClothData data{};
+  ResponseTables response;
+  // The threads one by one (thread_block.h), whole rows of THREAD_MAP_WIDTH texels; empty where there are too many.
+  std::vector<glm::uvec4> threads;
+  ThreadErrors errors;  // by which the ladder is fitted to the cloth
+  bool operator==(const ClothLobes&) const = default;
+};
+
+/// Everything of a design that the renderer needs beside mesh, scene and look.
+struct PackedCloth {
+  float width_mm = 0, depth_mm = 0;
+  float mean_spacing_mm = 0;  // of a yarn, both systems: what "yarns a pixel" counts
+  PackedFace front, back;
+  // Where the threads of the front cross (thread_block.h); empty where there are too many.
+  int ends = 0, picks = 0;
+  std::vector<HalfCrossing> crossings;
+  ClothLobes lobes;
+};
+
+/// A rectangle of one level of one texture of one face.
+struct PackedPatch {
+  Face face = Face::kFront;
+  PackedKind kind = PackedKind::kColor;
+  int level = 0;
+  int x = 0, y = 0, width = 0, height = 0;
+  std::vector<uint8_t> texels;  // all layers, layer by layer
+};
+
+/// Crossings of a rectangle of cells, a row a pick.
+struct CrossingPatch {
+  CellRect cells;
+  std::vector<HalfCrossing> texels;
+};
+
+struct ClothPatches {
+  std::vector<PackedPatch> maps;
+  std::vector<CrossingPatch> crossings;
+  bool empty() const { return maps.empty() && crossings.empty(); }
+};
+
+/// The directions of vrst03's boolean shadow maps: kShadowAzimuths around, at each of these elevations.
+inline constexpr int kShadowAzimuths = 8;
+inline constexpr std::array<float, 3> kShadowElevations{0.35f, 0.75f, 1.15f};  // radians
+
+/// Packs one face with all its mips. `shadows`: also the boolean maps of vrst03.
+PackedFace pack(const Maps& maps, bool shadows);
+
+/// Brings `face` to the maps changed inside `rects` through all levels, and returns what changed, ready to
+/// upload. The result is that of pack(maps) bit for bit.
+std::vector<PackedPatch> repack(PackedFace& face, Face which, const Maps& maps, const std::vector<TexelRect>& rects);
+
+}  // namespace weftlight::render_data

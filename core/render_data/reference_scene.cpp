@@ -1,0 +1,127 @@
+#include "render_data/reference_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/cloth.h"
+#include "draft/drawdown.h"
+#include "files/design_drape.h"
+#include "light/formulas.h"
+#include "render_data/ambient.h"
+#include "render_data/cloth_block.h"
+#include "render_data/stages.h"
+
+namespace weftlight::render_data {
+namespace {
+
+glm::vec3 texel(const Image& image, size_t pixel) {
+  const float* t = &image.texels[pixel * static_cast<size_t>(image.channels)];
+  return {t[0], t[1], t[2]};
+}
+
+float encode(float linear) { return srgb_from_linear({linear, linear, linear}).r; }
+float decode(float srgb) { return linear_from_srgb({srgb, srgb, srgb}).r; }
+
+/// The traced pixel that covers pixel (x, y) of the picture.
+glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int y) {
+  const int64_t column = int64_t{x} * traced.width / picture.width, row = int64_t{y} * traced.height / picture.height;
+  return traced.pixels[static_cast<size_t>(row * traced.width + column)];
+}
+
+}  // namespace
+
+std::string ReferenceScene::update(const Design& design, const TubeOptions& options) {
+  if (std::string error = update_threads(design, options); !error.empty()) return error;
+  if (std::string error = update_lights(design.scene.lights); !error.empty()) return error;
+  return update_drape(design);
+}
+
+std::string ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
+  if (tubes_ && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
+  std::string error;
+  tubes_ = nullptr;  // two at once could take twice the memory
+  const BitMatrix cells = drawdown(design.draft);
+  // As the preview lays it out, so that each thread has the same fibres; but not at the cost of its roundness.
+  const int64_t kFineCrossings = is_uneven(design) ? 20'000 : 3000;
+  const bool fine = int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
+  tubes_ = TubeScene::build(lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat),
+                            options, error);
+  draft_ = design.draft;
+  yarns_ = design.yarns, finish_ = design.finish;
+  return tubes_ ? std::string() : error;
+}
+
+std::string ReferenceScene::update_drape(const Design& design) {
+  const std::string key = drape_key(design);
+  if (drape_ && mesh_name_ == key) return {};
+  drape_ = nullptr;
+  ReadMesh read = load_design_drape(design);
+  if (!read.mesh) return read.error;
+  std::string error;
+  mesh_ = std::move(*read.mesh);
+  bounds_ = bounds_of(mesh_);
+  const Mesh form = form_under(design.scene.mesh, bounds_);
+  body_ = form.index.empty() ? nullptr : MeshScene::build(form, error);
+  drape_ = MeshScene::build(mesh_, error);
+  mesh_name_ = key;
+  return drape_ ? std::string() : error;
+}
+
+std::string ReferenceScene::update_lights(const std::string& name) {
+  if (lights_name_ == name) return {};
+  std::string error;
+  rig_ = load_light_rig(name, error);
+  if (error.empty()) lights_name_ = name;
+  return error;
+}
+
+TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& progress) const {
+  const Scene& scene = view.scene;
+  const Camera camera = place_camera(scene, mesh_, bounds_, view.width, view.height, view.yarns_per_pixel,
+                                     mean_spacing_mm(tubes_->cloth()));
+  DrapePicture picture;
+  picture.width = view.width, picture.height = view.height;
+  picture.spp = view.spp, picture.bounces = view.bounces;
+  picture.first_sample = view.first_sample;
+  picture.threads = view.threads;
+  picture.stop = view.stop;
+  picture.eye = camera.eye;
+  picture.clip_to_world = glm::inverse(camera.world_to_clip);
+  if (const Environment* around = rig_.environment.get()) {
+    picture.light = [around, turn = scene.light_azimuth, strength = scene.light_strength](RandomStream& random) {
+      const float u = random.next();
+      const DistantLight light = around->sample(u, random.next());
+      return LightSample{turned(light.towards, turn), light.irradiance * strength, light.radius};
+    };
+    picture.sky = [around, turn = scene.light_azimuth, strength = scene.sky_strength](glm::vec3 d) {
+      return around->soft(turned(d, -turn)) * strength;
+    };
+  } else {
+    const SceneLight light = scene_light(rig_, scene);
+    picture.light_towards = light.lights[0].towards;
+    picture.light_radius_rad = std::asin(light.lights[0].radius);
+    picture.light_irradiance = light.lights[0].irradiance;
+    picture.sky = [sky = light.sky](glm::vec3 d) { return sky_radiance(sky, d); };
+  }
+  picture.front = view.front == Face::kFront;
+  return trace_drape(*tubes_, *drape_, body_.get(), picture, progress);
+}
+
+void lay_over(Image& picture, const TracedImage& traced, float exposure_ev, bool linear) {
+  const float exposure = std::exp2(exposure_ev);
+  size_t i = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x, ++i) {
+      const glm::vec4 p = traced_at(traced, picture, x, y);
+      if (p.a <= 0) continue;
+      const glm::vec3 scene = glm::vec3(p) * exposure, behind = texel(picture, i);
+      const glm::vec3 shown = formulas::tone_map(scene / p.a) * p.a;
+      float* out = &picture.texels[i * static_cast<size_t>(picture.channels)];
+      for (int k = 0; k < 3; ++k) {
+        out[k] = linear ? scene[k] + behind[k] * (1 - p.a) : encode(shown[k] + decode(behind[k]) * (1 - p.a));
+      }
+      if (picture.channels == 4) out[3] = std::max(out[3], p.a);
+    }
+}
+
+}  // namespace weftlight::render_data

@@ -1,0 +1,58 @@
+#pragma once
+// The ray-traced cloth in the preview's scene: the same camera, lights, drape and form, so that only the
+// cloth differs. For `weftlight reference` and for the comparison in the window.
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "draft/design.h"
+#include "files/files.h"
+#include "reference/picture.h"
+#include "render_data/camera.h"
+#include "render_data/light_rig.h"
+#include "render_data/names.h"
+
+namespace weftlight::render_data {
+
+/// What is to be traced, from where.
+struct ReferenceView {
+  Scene scene;
+  int width = 0, height = 0;
+  float yarns_per_pixel = 0;  // > 0: overrides the scene's distance
+  Face front = Face::kFront;
+  int spp = 64, bounces = 0;
+  int first_sample = 0;  // see DrapePicture
+  int threads = 0;       // 0: all cores
+  std::stop_token stop;
+};
+
+class ReferenceScene {
+ public:
+  /// Follows the design: what it shares with the last one is kept. Empty: done; else what went wrong.
+  std::string update(const Design& design, const TubeOptions& options = {});
+  /// After an update that went well.
+  TracedImage trace(const ReferenceView& view, const Progress& progress) const;
+
+ private:
+  std::string update_threads(const Design& design, const TubeOptions& options);
+  std::string update_drape(const Design& design);
+  std::string update_lights(const std::string& name);
+
+  Draft draft_;
+  std::vector<Yarn> yarns_;
+  Finish finish_;
+  std::string mesh_name_, lights_name_;
+  std::unique_ptr<TubeScene> tubes_;
+  Mesh mesh_;
+  Bounds bounds_;
+  std::unique_ptr<MeshScene> drape_, body_;
+  LightRig rig_;
+};
+
+/// Lays the traced cloth over the preview's picture of all else (Frame::cloth false), as the preview shows
+/// or, linear, as it computes. A smaller traced picture is enlarged.
+void lay_over(Image& picture, const TracedImage& traced, float exposure_ev, bool linear);
+
+}  // namespace weftlight::render_data

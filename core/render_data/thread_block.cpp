@@ -1,0 +1,122 @@
+#include "render_data/thread_block.h"
+
+#include <algorithm>
+#include <bit>
+#include <glm/gtc/packing.hpp>
+
+#include "cloth/centre_line.h"
+#include "cloth/thread_scene.h"
+#include "light/yarn_lobes.h"
+#include "shaders/interop.h"
+
+namespace weftlight::render_data {
+namespace {
+
+/// A record as the texels that it fills.
+template <class Record>
+void append(std::vector<glm::uvec4>& to, const Record& record) {
+  const auto texels = std::bit_cast<std::array<glm::uvec4, sizeof(Record) / sizeof(glm::uvec4)>>(record);
+  to.insert(to.end(), texels.begin(), texels.end());
+}
+
+void append_threads(std::vector<glm::uvec4>& to, const Cloth& cloth, System system,
+                    const std::vector<glm::uvec4>& bodies) {
+  const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
+  const float length_mm = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
+  for (size_t i = 0; i < threads.size(); ++i) {
+    const ThreadBody& body = threads[i];
+    ThreadRecord record{};
+    record.body = bodies[i];
+    record.color = {body.colour.r, body.colour.g, body.colour.b};
+    record.yarn = body.yarn;
+    record.pattern =
+        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, static_cast<int>(i), length_mm);
+    append(to, record);
+  }
+}
+
+void append_bins(std::vector<glm::uvec4>& to, const std::vector<int>& first) {
+  for (size_t i = 0; i < first.size(); i += 4) {
+    glm::uvec4 four(0);
+    for (size_t k = 0; k < 4 && i + k < first.size(); ++k)
+      four[static_cast<int>(k)] = static_cast<uint32_t>(first[i + k]);
+    to.push_back(four);
+  }
+}
+
+}  // namespace
+
+std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
+  ThreadTables t = thread_tables(cloth, top_mm);
+  std::vector<glm::uvec4> to(THREAD_HEAD_TEXELS * t.layers.size());
+  ThreadHead head{};
+  for (const System s : {System::kWarp, System::kWeft}) {
+    const int k = s == System::kWarp ? 0 : 1;
+    head.threads[k] = static_cast<int>(to.size());
+    append_threads(to, cloth, s, t.bodies[static_cast<size_t>(k)]);
+    head.bins[k] = static_cast<int>(to.size());
+    append_bins(to, t.first[static_cast<size_t>(k)]);
+  }
+  head.yarns = static_cast<int>(to.size());
+  for (const Yarn& yarn : cloth.yarns) append(to, yarn_data(yarn.lobes));
+  const int ends = static_cast<int>(cloth.ends.size());
+  std::vector<glm::uvec4> heads;
+  for (ThreadHead& layer : t.layers) {
+    layer.threads = head.threads, layer.bins = head.bins, layer.yarns = head.yarns;
+    layer.crossing_blocks = (ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
+    append(heads, layer);
+  }
+  std::copy(heads.begin(), heads.end(), to.begin());
+  to.resize((to.size() + THREAD_MAP_WIDTH - 1) / THREAD_MAP_WIDTH * THREAD_MAP_WIDTH, glm::uvec4(0));
+  return to;
+}
+
+namespace {
+
+/// Records of ends, and of picks, lie between where theirs begin and where their bins do.
+bool all_even(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head) {
+  for (int system = 0; system < 2; ++system) {
+    for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
+      const size_t body = static_cast<size_t>(at + THREAD_BODY);
+      if (body >= records.size() || thread_formulas::record_body(records[body]).swell > 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
+  using Texels = std::array<glm::uvec4, THREAD_HEAD_TEXELS>;
+  ThreadKind kind;
+  for (size_t i = 0, layers = 1; i < layers && records.size() >= (i + 1) * THREAD_HEAD_TEXELS; ++i) {
+    Texels texels;
+    std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * THREAD_HEAD_TEXELS), texels.size(), texels.begin());
+    const auto head = std::bit_cast<thread_formulas::ThreadHead>(texels);
+    layers = static_cast<size_t>(std::max(head.layers, 1));
+    kind.one_layer = layers == 1;
+    kind.even = (i == 0 || kind.even) && head.even.x > 0 && head.even.y > 0;
+    if (i == 0) kind.smooth = all_even(records, head);
+  }
+  return kind;
+}
+
+std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossings) {
+  std::vector<HalfCrossing> out;
+  out.reserve(crossings.size());
+  for (const glm::vec4& c : crossings)
+    out.push_back({glm::packHalf1x16(c.x), glm::packHalf1x16(c.y), glm::packHalf1x16(c.z), glm::packHalf1x16(c.w)});
+  return out;
+}
+
+CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty) {
+  constexpr int kMargin = kFloatReach + 1;  // of heights, and one more for their slopes
+  const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
+  CellRect r{dirty.end0 - kMargin, dirty.end1 + kMargin, dirty.pick0 - kMargin, dirty.pick1 + kMargin};
+  // What leaves the period comes in on its other side: then all of that axis.
+  if (r.end0 < 0 || r.end1 > ends) r.end0 = 0, r.end1 = ends;
+  if (r.pick0 < 0 || r.pick1 > picks) r.pick0 = 0, r.pick1 = picks;
+  return r;
+}
+
+}  // namespace weftlight::render_data

@@ -1,0 +1,237 @@
+// Based on: Olano, Baker, LEAN Mapping, 2010 (moments of slopes); Kaplanyan, Hill, Patney, Lefohn, Filtering
+//   Distributions of Normals for Shading Antialiasing, 2016 (alpha^2 grows by twice the variance lost).
+// Differs: normals are averaged as unit vectors and their slopes are taken about that mean, since slopes at
+//   the rim of a round thread grow without bound.
+
+#include "texture_set/surface_texels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/loops.h"
+#include "light/engine_fit.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+// A gap has no colour of its own, but engines filter across its rim: a trace of what lies there is kept.
+constexpr float kGapWeight = 1e-4f;
+// Steepest slope of a normal about the mean that counts (76 degrees): one grazing texel is not a wide lobe.
+constexpr float kMaxSlope = 4.0f;
+
+glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 1e-9f ? v / length : otherwise;
+}
+
+void add(Linear& sum, const Linear& v, float w) {
+  sum.r += v.r * w;
+  sum.g += v.g * w;
+  sum.b += v.b * w;
+}
+
+Linear scaled(const Linear& c, float s) { return {c.r * s, c.g * s, c.b * s}; }
+
+/// Directions of the surface over the texture's axes.
+struct Axes {
+  glm::vec3 t, b;
+};
+
+Axes axes_over(const glm::vec3& n) {
+  const glm::vec3 t = unit({1 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2]}, {0, 0, -1});
+  return {t, glm::cross(n, t)};
+}
+
+/// A yarn's lobes, with what is the same for all its texels worked out (light's yarn_lobes() says why).
+struct YarnFacts {
+  Lobes lobes;
+  Linear tint;
+};
+
+std::vector<YarnFacts> facts_of(const std::vector<Yarn>& yarns) {
+  std::vector<YarnFacts> out;
+  for (const Yarn& yarn : yarns) {
+    out.push_back({yarn.lobes, scaled(linear_from_srgb(yarn.lobes.specular_tint), yarn.lobes.specular)});
+  }
+  return out;
+}
+
+SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, const Maps& maps, int x, int y) {
+  const uint8_t system = maps.system.at(x, y);
+  const uint32_t thread = maps.thread.at(x, y);
+  const ThreadBody& body = (system == 0 ? cloth.ends : cloth.picks)[thread];
+  const auto& [lobes, tint] = yarns[static_cast<size_t>(body.yarn)];
+  const Linear dye = maps.colour.at(x, y);
+  const Linear colour = scaled(dye, maps.groove.at(x, y));
+  SurfaceTexel out;
+  out.base =
+      lobes.metallic ? Linear{colour.r * tint.r, colour.g * tint.g, colour.b * tint.b} : scaled(colour, lobes.body);
+  // Light leaves a lone fibre after fewer meetings with the dye: the root of its colour.
+  out.sheen = scaled({std::sqrt(dye.r), std::sqrt(dye.g), std::sqrt(dye.b)}, lobes.fuzz);
+  out.through = lobes.metallic ? Linear{} : scaled(out.base, lobes.transmission);
+  out.coverage = maps.coverage.at(x, y);
+  out.height_mm = maps.height_mm.at(x, y);
+  out.occlusion = maps.occlusion.at(x, y);
+  out.metal = lobes.metallic ? 1.0f : 0.0f;
+  out.sheen_roughness = lobes.fuzz_width;
+  const Slope slope = maps.slope.at(x, y);
+  const Direction fibre = maps.tangent.at(x, y);
+  out.normal = unit({slope.x, slope.y, 1}, {0, 0, 1});
+  out.fibre = {fibre.x, fibre.y, fibre.z};
+  out.slope_cov = facet_covariance(out.normal, out.fibre, lobes);
+  out.thread = thread;
+  out.system = system;
+  return out;
+}
+
+void reduce_horizon(Surface& out, const Maps& maps, int block_x, int block_y) {
+  const int width = out.texels.width, height = out.texels.height;
+  const float share = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
+  for (const Plane<uint8_t>& sharp : maps.horizon) {
+    Plane<float> mean(width, height), spread(width, height);
+    for_each_job(height, [&](int y) {
+      for (int x = 0; x < width; ++x) {
+        int64_t sum = 0, squares = 0;
+        for (int j = 0; j < block_y; ++j) {
+          const uint8_t* row = sharp.row(y * block_y + j) + static_cast<ptrdiff_t>(x) * block_x;
+          for (int i = 0; i < block_x; ++i) sum += row[i], squares += row[i] * row[i];
+        }
+        const float m = static_cast<float>(sum) * share;
+        mean.at(x, y) = m;
+        spread.at(x, y) = std::sqrt(std::max(static_cast<float>(squares) * share / 255.0f - m * m, 0.0f));
+      }
+    });
+    out.horizon_mean.push_back(std::move(mean));
+    out.horizon_spread.push_back(std::move(spread));
+  }
+}
+
+void halve_horizon(Surface& out, const Surface& fine) {
+  const int width = out.texels.width, height = out.texels.height;
+  const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
+  const float share = 1.0f / static_cast<float>(step_x * step_y);
+  for (size_t k = 0; k < fine.horizon_mean.size(); ++k) {
+    Plane<float> mean(width, height), spread(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        float sum = 0, squares = 0;
+        for (int j = 0; j < step_y; ++j) {
+          for (int i = 0; i < step_x; ++i) {
+            const float m = fine.horizon_mean[k].at(x * step_x + i, y * step_y + j);
+            const float s = fine.horizon_spread[k].at(x * step_x + i, y * step_y + j);
+            sum += m * share;
+            squares += (m * m + s * s) * share;
+          }
+        }
+        mean.at(x, y) = sum;
+        spread.at(x, y) = std::sqrt(std::max(squares - sum * sum, 0.0f));
+      }
+    }
+    out.horizon_mean.push_back(std::move(mean));
+    out.horizon_spread.push_back(std::move(spread));
+  }
+}
+
+float alpha_of(float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); }
+
+}  // namespace
+
+SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
+  SurfaceTexel out = parts.front();
+  if (parts.size() == 1) return out;
+  out.base = out.sheen = out.through = {};
+  out.coverage = out.height_mm = out.occlusion = out.metal = out.sheen_roughness = 0;
+  out.slope_cov = {};
+  glm::vec3 normal{}, fibre{};
+  float total = 0, most = -1;
+  for (const SurfaceTexel& p : parts) total += p.coverage + kGapWeight;
+  const float share = 1.0f / static_cast<float>(parts.size());
+  for (const SurfaceTexel& p : parts) {
+    const float w = (p.coverage + kGapWeight) / total;
+    add(out.base, p.base, w);
+    add(out.sheen, p.sheen, w);
+    add(out.through, p.through, w);
+    out.coverage += p.coverage * share;
+    out.height_mm += p.height_mm * share;
+    out.occlusion += p.occlusion * w;
+    out.metal += p.metal * w;
+    out.sheen_roughness += p.sheen_roughness * w;
+    normal += p.normal * w;
+    fibre += p.fibre * (dot(p.fibre, parts.front().fibre) < 0 ? -w : w);  // a fibre has no sense, only a line
+    if (w > most) most = w, out.thread = p.thread, out.system = p.system;
+  }
+  out.normal = unit(normal, {0, 0, 1});
+  out.fibre = unit(fibre, parts.front().fibre);
+  const Axes axes = axes_over(out.normal);
+  for (const SurfaceTexel& p : parts) {
+    const float w = (p.coverage + kGapWeight) / total;
+    const float up = std::max(dot(p.normal, out.normal), 1.0f / kMaxSlope);
+    const float x = std::clamp(dot(p.normal, axes.t) / up, -kMaxSlope, kMaxSlope);
+    const float y = std::clamp(dot(p.normal, axes.b) / up, -kMaxSlope, kMaxSlope);
+    out.slope_cov += (p.slope_cov + glm::vec3(x * x, x * y, y * y)) * w;
+  }
+  return out;
+}
+
+Surface make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads) {
+  const int block_x = maps.colour.width / width, block_y = maps.colour.height / height;
+  assert(block_x * width == maps.colour.width && block_y * height == maps.colour.height);
+  Surface out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
+  const std::vector<YarnFacts> yarns = facts_of(cloth.yarns);
+  for_each_job(height, threads, [&](int y) {
+    std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
+    for (int x = 0; x < width; ++x) {
+      if (parts.size() == 1) {
+        out.texels.at(x, y) = sample(cloth, yarns, maps, x, y);
+        continue;
+      }
+      size_t n = 0;
+      for (int j = 0; j < block_y; ++j) {
+        for (int i = 0; i < block_x; ++i) parts[n++] = sample(cloth, yarns, maps, x * block_x + i, y * block_y + j);
+      }
+      out.texels.at(x, y) = merged(parts);
+    }
+  });
+  reduce_horizon(out, maps, block_x, block_y);
+  return out;
+}
+
+Surface half_of(const Surface& fine, int threads) {
+  const int width = std::max(fine.texels.width / 2, 1), height = std::max(fine.texels.height / 2, 1);
+  const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
+  Surface out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
+  out.low_mm = fine.low_mm, out.high_mm = fine.high_mm, out.smoothness = fine.smoothness;
+  for_each_job(height, threads, [&](int y) {
+    std::array<SurfaceTexel, 4> parts;
+    for (int x = 0; x < width; ++x) {
+      size_t n = 0;
+      for (int j = 0; j < step_y; ++j) {
+        for (int i = 0; i < step_x; ++i) parts[n++] = fine.texels.at(x * step_x + i, y * step_y + j);
+      }
+      out.texels.at(x, y) = merged({parts.data(), n});
+    }
+  });
+  halve_horizon(out, fine);
+  return out;
+}
+
+GgxAlphas ggx_alphas(const SurfaceTexel& texel) {
+  const FacetAlphas a = facet_alphas(texel.slope_cov);
+  GgxAlphas out{a.alpha.x, a.alpha.y, {a.axis.x, a.axis.y}};
+  // Both senses mean the same. Across a warp it is +u, across a weft +v, so that neighbours agree and
+  // engines can filter, however strong the twist.
+  if (out.wide_axis[texel.system] < 0) out.wide_axis = {-out.wide_axis[0], -out.wide_axis[1]};
+  return out;
+}
+
+std::array<float, 2> ggx_along_across(const SurfaceTexel& texel) {
+  const Axes axes = axes_over(texel.normal);
+  const float x = dot(texel.fibre, axes.t), y = dot(texel.fibre, axes.b);
+  const float length2 = std::max(x * x + y * y, 1e-12f);
+  const float xx = texel.slope_cov[0], xy = texel.slope_cov[1], yy = texel.slope_cov[2];
+  return {alpha_of((xx * x * x + 2 * xy * x * y + yy * y * y) / length2),
+          alpha_of((xx * y * y - 2 * xy * x * y + yy * x * x) / length2)};
+}
+
+}  // namespace weftlight::texture_set

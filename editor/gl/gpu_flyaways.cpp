@@ -1,0 +1,62 @@
+#include "gl/gpu_flyaways.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gl/shader_program.h"
+
+namespace weftlight::gl {
+namespace {
+
+void attribute(Attribute slot, int size, size_t offset) {
+  glEnableVertexAttribArray(slot);
+  glVertexAttribPointer(slot, size, GL_FLOAT, GL_FALSE, sizeof(Flyaway), reinterpret_cast<const void*>(offset));
+  glVertexAttribDivisor(slot, 1);
+}
+
+}  // namespace
+
+int flyaway_pieces(const FlyawayGrowth& growth, float pixel_mm) {
+  constexpr int kMin = 4, kMax = 12;  // fewer cut the bends short, and so what the fibres cover
+  const float pixels = 2 * std::max(growth.length_mm[0], growth.length_mm[1]) / std::max(pixel_mm, 1e-6f);
+  // An arc of one radian in k pieces is off by its length over 8 k^2; these have up to three radians and a
+  // wave.
+  return std::clamp(static_cast<int>(std::ceil(1.5f * std::sqrt(pixels))), kMin, kMax);
+}
+
+bool GpuFlyaways::build(std::string& error) {
+  program_ = build_program("flyaway.vert", "flyaway.frag", {"SHADOW_TAPS 4"}, error);
+  if (!error.empty()) return false;
+  glBindVertexArray(array_.get());
+  glBindBuffer(GL_ARRAY_BUFFER, roots_.get());
+  attribute(kPosition, 3, offsetof(Flyaway, root));
+  attribute(kNormal, 3, offsetof(Flyaway, normal));
+  attribute(kUv, 2, offsetof(Flyaway, uv_mm));
+  attribute(kSky, 2, offsetof(Flyaway, sky));
+  attribute(kFlyaway, 4, offsetof(Flyaway, seed));
+  glBindVertexArray(0);
+  return true;
+}
+
+void GpuFlyaways::sow(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view) {
+  if (known_mesh_ && growth == growth_ && view == view_) return;
+  if (!known_mesh_) hems_ = hems_of(mesh.prepared().mesh, mesh.prepared().fine);
+  known_mesh_ = true, growth_ = growth, view_ = view;
+  const std::vector<Flyaway> flyaways = sow_hairs(mesh.prepared(), hems_, mesh.uv_origin_mm(), growth, view);
+  count_ = flyaways.size();
+  glBindBuffer(GL_ARRAY_BUFFER, roots_.get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(flyaways.size() * sizeof(Flyaway)), flyaways.data(),
+               GL_STREAM_DRAW);
+}
+
+void GpuFlyaways::draw(int pieces) {
+  if (!count_) return;
+  glUseProgram(program_.preview_bake());
+  glEnable(GL_BLEND);
+  glDepthMask(GL_FALSE);
+  glBindVertexArray(array_.get());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (pieces + 1), static_cast<GLsizei>(count_));
+  glDepthMask(GL_TRUE);
+}
+
+}  // namespace weftlight::gl

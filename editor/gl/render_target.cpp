@@ -1,0 +1,101 @@
+#include "gl/render_target.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weftlight::gl {
+namespace {
+
+constexpr int kSamples = 4;
+
+void blit(GLuint from, int from_width, int from_height, GLuint to, int width, int height, GLenum filter) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+  glBlitFramebuffer(0, 0, from_width, from_height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, filter);
+}
+
+}  // namespace
+
+void Target::make(Resolved& to, int width, int height) {
+  if (to.width == width && to.height == height) return;
+  to.width = width, to.height = height;
+  glBindTexture(GL_TEXTURE_2D, to.texture.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, half_ ? GL_RGBA16F : GL_SRGB8_ALPHA8, width, height, 0, GL_RGBA,
+               half_ ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  // Whoever shows the texture wants the encoded values.
+  if (!half_) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+  glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.get());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, to.texture.get(), 0);
+}
+
+bool Target::begin(int width, int height, float scale) {
+  const int w = std::max(1, static_cast<int>(std::lround(static_cast<float>(width) * scale)));
+  const int h = std::max(1, static_cast<int>(std::lround(static_cast<float>(height) * scale)));
+  if (w != drawn_width_ || h != drawn_height_) {
+    drawn_width_ = w, drawn_height_ = h;
+    glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, half_ ? GL_RGBA16F : GL_SRGB8_ALPHA8, w, h);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT24, w, h);
+    glBindFramebuffer(GL_FRAMEBUFFER, samples_.get());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
+  }
+  width_ = width, height_ = height;
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_.get());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
+  glViewport(0, 0, w, h);
+  glEnable(GL_MULTISAMPLE);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  return true;
+}
+
+void Target::end() {
+  make(picture_, width_, height_);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  if (drawn_width_ == width_ && drawn_height_ == height_) {
+    blit(samples_.get(), width_, height_, picture_.framebuffer.get(), width_, height_, GL_NEAREST);
+  } else {
+    make(small_, drawn_width_, drawn_height_);
+    blit(samples_.get(), drawn_width_, drawn_height_, small_.framebuffer.get(), drawn_width_, drawn_height_,
+         GL_NEAREST);
+    blit(small_.framebuffer.get(), drawn_width_, drawn_height_, picture_.framebuffer.get(), width_, height_, GL_LINEAR);
+  }
+  glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+Image Target::read() const {
+  Image image{width_, height_, 4, std::vector<float>(static_cast<size_t>(width_) * static_cast<size_t>(height_) * 4)};
+  if (!picture_.framebuffer.preview_bake()) return image;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.preview_bake());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  if (half_) {
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, image.texels.data());
+  } else {
+    std::vector<uint8_t> bytes(image.texels.size());
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    std::transform(bytes.begin(), bytes.end(), image.texels.begin(),
+                   [](uint8_t b) { return static_cast<float>(b) / 255.0f; });
+  }
+  const size_t row = static_cast<size_t>(width_) * 4;
+  for (int y = 0; y < height_ / 2; ++y) {
+    std::swap_ranges(image.texels.begin() + static_cast<long>(row * static_cast<size_t>(y)),
+                     image.texels.begin() + static_cast<long>(row * static_cast<size_t>(y + 1)),
+                     image.texels.begin() + static_cast<long>(row * static_cast<size_t>(height_ - 1 - y)));
+  }
+  return image;
+}
+
+void Target::read(std::vector<uint32_t>& pixels) const {
+  pixels.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+  if (!picture_.framebuffer.preview_bake()) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.preview_bake());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+}
+
+}  // namespace weftlight::gl

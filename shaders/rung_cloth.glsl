@@ -1,2 +1,0 @@
-// Rung `cloth`: the answer of the whole period; it stands beside that of `repeat`, whose tables it reads.
-#include "rung_repeat.glsl"

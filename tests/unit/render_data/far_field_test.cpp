@@ -1,0 +1,167 @@
+// The answer from afar against the threads traced as bodies, wherever the light is.
+
+#include "render_data/far_field.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "base/resources.h"
+#include "draft/drawdown.h"
+#include "reference/picture.h"
+#include "wif/wif.h"
+
+namespace weftlight::render_data {
+namespace {
+
+constexpr std::array kDrafts{"plain", "twill_2_2", "satin_8", "twill_damask", "denim", "gauze"};
+constexpr float kViewAzimuth = -73;  // degrees, no thread's
+
+glm::vec3 tilted(float azimuth_deg, float degrees) {
+  const float a = glm::radians(azimuth_deg), t = glm::radians(degrees);
+  return {std::cos(a) * std::sin(t), std::sin(a) * std::sin(t), std::cos(t)};
+}
+
+double grey(const glm::vec3& c) { return static_cast<double>(c.r + c.g + c.b) / 3; }
+
+struct Shipped {
+  std::string name;
+  Cloth cloth;
+  FarField answer;
+  std::unique_ptr<TubeScene> tubes;
+};
+
+class FarFields : public ::testing::Test {
+ protected:
+  static std::vector<Shipped> cloths;
+  static void SetUpTestSuite() {
+    for (const char* name : kDrafts) {
+      const FileBytes file = read_file(presets_dir() + "/drafts/" + name + ".wif");
+      const wif::WifRead read = wif::read_wif(file.bytes);
+      ASSERT_TRUE(read.file) << name;
+      const Design& design = read.file->design;
+      Shipped made;
+      made.name = name;
+      made.cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
+      made.answer = far_field(made.cloth);
+      std::string error;
+      made.tubes = TubeScene::build(made.cloth, {}, error);
+      ASSERT_TRUE(made.tubes) << error;
+      cloths.push_back(std::move(made));
+    }
+  }
+  static void TearDownTestSuite() { cloths.clear(); }
+
+  /// Mean over a period.
+  static glm::vec3 traced_colour(const Shipped& of, const glm::vec3& view, const Surroundings& around) {
+    constexpr int kSide = 48, kRays = 36;
+    FlatPicture p;
+    p.width = p.height = kSide, p.spp = kRays;
+    p.step_x_mm = {of.cloth.width_mm / kSide, 0}, p.step_y_mm = {0, of.cloth.depth_mm / kSide};
+    p.view = view, p.around = around;
+    glm::vec3 sum(0);
+    for (const glm::vec4& c : trace_flat(*of.tubes, p, {}).pixels) sum += glm::vec3(c);
+    return sum / static_cast<float>(kSide * kSide);
+  }
+  static glm::vec3 traced_colour(const Shipped& of, const glm::vec3& view, const glm::vec3& light) {
+    Surroundings around;
+    around.light_towards = light, around.light_irradiance = glm::vec3(1);
+    return traced_colour(of, view, around);
+  }
+  template <class Light>
+  static double traced(const Shipped& of, const glm::vec3& view, const Light& light) {
+    return grey(traced_colour(of, view, light));
+  }
+};
+std::vector<Shipped> FarFields::cloths;
+
+// Texels that hold the edge of a thread are of one system all the same: of satin the maps gave the weft a quarter more.
+TEST_F(FarFields, SharesAreWhatRaysSeeOfEachSystem) {
+  constexpr int kRays = 40'000;
+  for (const Shipped& cloth : cloths) {
+    int warp = 0, all = 0;
+    for (int k = 1; k <= kRays; ++k) {
+      const glm::vec2 at(std::fmod(0.7548776662466927 * k, 1.0) * static_cast<double>(cloth.cloth.width_mm),
+                         std::fmod(0.5698402909980532 * k, 1.0) * static_cast<double>(cloth.cloth.depth_mm));
+      TubeHit hit;
+      if (!cloth.tubes->intersect({at.x, at.y, cloth.tubes->z_max()}, {0, 0, -1}, 0, hit)) continue;
+      ++all, warp += hit.system == System::kWarp;
+    }
+    EXPECT_NEAR(cloth.answer.response.systems[0].share, static_cast<float>(warp) / static_cast<float>(all), 0.006f)
+        << cloth.name;
+  }
+}
+
+// Other threads stop nearly all of it: what is left is a fiftieth of what the same light sends from before the cloth.
+TEST_F(FarFields, LightFromBehindComesThroughThePlacesThatNoThreadHides) {
+  for (const Shipped& cloth : cloths) {
+    for (const float tilt : {0.0f, 60.0f}) {
+      const glm::vec3 view = tilted(kViewAzimuth, tilt), before = tilted(35, 40), behind = tilted(35, 140);
+      const double truth = traced(cloth, view, behind), bright = traced(cloth, view, before);
+      EXPECT_NEAR(grey(radiance_from_afar(cloth.answer, behind, view)), truth, 0.1 * truth + 0.0015 * bright)
+          << cloth.name << " at " << tilt << " degrees";
+    }
+  }
+}
+
+// Pinholes are narrow: lights between the nodes, each by what it sends. Satin lets all but nothing through; what it
+// sends is mirrored by few sides.
+TEST_F(FarFields, LightFromBehindHoldsBetweenTheNodesToo) {
+  const std::array lights{tilted(100, 140), tilted(-73, 140), tilted(0, 180), tilted(35, 155), tilted(160, 130)};
+  for (const Shipped& cloth : cloths) {
+    double missed = 0, all = 0;
+    for (const float tilt : {0.0f, 60.0f}) {
+      const glm::vec3 view = tilted(kViewAzimuth, tilt);
+      for (const glm::vec3& light : lights) {
+        const double truth = traced(cloth, view, light);
+        all += truth, missed += std::abs(grey(radiance_from_afar(cloth.answer, light, view)) - truth);
+      }
+    }
+    EXPECT_LT(missed / all, cloth.name == "satin_8" ? 0.4 : 0.15) << cloth.name;
+  }
+}
+
+TEST_F(FarFields, TheSkyIsSeenAsFarAsOtherThreadsLeaveIt) {
+  Surroundings around;
+  around.light_irradiance = glm::vec3(0);
+  around.sky = [](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * d.z); };
+  for (const Shipped& cloth : cloths) {
+    for (const float tilt : {0.0f, 60.0f, 80.0f}) {
+      const glm::vec3 view = tilted(kViewAzimuth, tilt);
+      const double ours = grey(sky_from_afar(cloth.answer, view, 0.5f, {0, 0, 0.5f}));
+      EXPECT_NEAR(ours / traced(cloth, view, around), 1, 0.1) << cloth.name << " at " << tilt << " degrees";
+    }
+  }
+}
+
+// Highlights are narrow: few of the places that are measured hold them.
+TEST_F(FarFields, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
+  for (const Shipped& cloth : cloths) {
+    for (const float tilt : {0.0f, 60.0f, 80.0f}) {
+      const glm::vec3 view = tilted(kViewAzimuth, tilt), light = tilted(35, 40);
+      const glm::vec3 ours = radiance_from_afar(cloth.answer, light, view), truth = traced_colour(cloth, view, light);
+      // Beside satin's highlight light falls by more, from node to node, than a line between them tells: a tenth too
+      // bright here, in every channel. While green alone was measured, red and blue were too dark, and the mean held
+      // 0.06.
+      const double holds = cloth.name == "satin_8" && tilt <= 0 ? 0.11 : tilt < 70 ? 0.06 : 0.13;
+      EXPECT_NEAR(grey(ours) / grey(truth), 1, holds) << cloth.name << " at " << tilt << " degrees";
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(ours[c] / truth[c], 1, static_cast<float>(holds) + 0.04f)
+            << cloth.name << " at " << tilt << " degrees, channel " << c;
+    }
+  }
+}
+
+TEST_F(FarFields, OnTheNodesEveryChannelIsThatOfTheTracedThreads) {
+  const glm::vec3 light = response_views()[6 * kViewAzimuths + kViewAzimuths / 8];
+  for (const Shipped& cloth : cloths) {
+    const glm::vec3 view(0, 0, 1), truth = traced_colour(cloth, view, light),
+                                   ours = radiance_from_afar(cloth.answer, light, view);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ours[c] / truth[c], 1, 0.1f) << cloth.name << ", channel " << c;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::render_data

@@ -1,0 +1,164 @@
+#include "render_data/stages.h"
+
+#include <gtest/gtest.h>
+
+#include "../scratch.h"
+#include "base/files.h"
+#include "draft/edits.h"
+
+namespace weftlight::render_data {
+namespace {
+
+/// 80 x 80 threads in an 8-shaft satin: too many for the whole draft to be shown in fine maps.
+Design satin() {
+  Design d;
+  d.draft = blank_draft(80, 80, 8, 8);
+  d.scene.mesh.clear();
+  for (int i = 0; i < 80; ++i) d.draft.threading.set(i, i % 8, true), d.draft.treadling.set(i, i % 8, true);
+  for (int t = 0; t < 8; ++t)
+    for (int s = 0; s < 8; ++s) d.draft.tieup.set(t, s, s * 5 % 8 != t);
+  return d;
+}
+
+bool same_textures(const PackedCloth& a, const PackedCloth& b) {
+  for (size_t k = 0; k < kPackedKinds; ++k) {
+    if (a.front.textures[k].levels != b.front.textures[k].levels) return false;
+    if (a.back.textures[k].levels != b.back.textures[k].levels) return false;
+  }
+  return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && a.lobes == b.lobes;
+}
+
+TEST(Stages, ARepeatIsPatchedWhileItLastsAndMadeAnewWhenItGrows) {
+  Stages stages;
+  Design d = satin();
+  EXPECT_TRUE(stages.update(std::make_shared<const Design>(d)).all_maps);
+  d = with_tieup(d, 3, 5, !d.draft.tieup.get(3, 5));
+  const StageResult patched = stages.update(std::make_shared<const Design>(d));
+  EXPECT_FALSE(patched.all_maps);
+  EXPECT_FALSE(patched.patches.empty());
+  Stages fresh;
+  fresh.update(std::make_shared<const Design>(d));
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+
+  d = with_threading(d, 40, 3, true);
+  EXPECT_TRUE(stages.update(std::make_shared<const Design>(d)).all_maps);
+  Stages anew;
+  anew.update(std::make_shared<const Design>(d));
+  EXPECT_TRUE(same_textures(stages.packed(), anew.packed()));
+}
+
+TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
+  Stages stages;
+  Design d = satin();
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  const auto expect_caught_up = [&] {
+    stages.update(keep(d), Effort::kFull);
+    Stages fresh;
+    fresh.update(keep(d));
+    EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+  };
+  EXPECT_TRUE(stages.update(keep(d), Effort::kQuick).all_maps);
+  expect_caught_up();
+
+  d = with_tieup(d, 3, 5, !d.draft.tieup.get(3, 5));
+  EXPECT_FALSE(stages.update(keep(d), Effort::kQuick).all_maps) << "painted cells are patched, not baked small";
+  d = with_tieup(d, 4, 5, !d.draft.tieup.get(4, 5));
+  stages.update(keep(d), Effort::kQuick);
+  expect_caught_up();
+
+  d.yarns[0].lobes.along_width = 0.6f;
+  EXPECT_TRUE(stages.update(keep(d), Effort::kQuick).lobes.has_value());
+  expect_caught_up();
+  d.yarns[0].turns_per_m = 900;
+  stages.update(keep(d), Effort::kQuick);
+  d = with_tieup(d, 4, 6, !d.draft.tieup.get(4, 6));
+  stages.update(keep(d), Effort::kQuick);
+  expect_caught_up();
+}
+
+/// 199 x 199 threads, picks in no order: what repeats nowhere, and a tie-up cell that changes some 2,500 crossings.
+Design unordered() {
+  Design d;
+  d.draft = blank_draft(199, 199, 4, 4);
+  d.scene.mesh.clear();
+  uint32_t random = 1;
+  for (int i = 0; i < 199; ++i) {
+    random = random * 1664525u + 1013904223u;
+    d.draft.threading.set(i, i % 4, true), d.draft.treadling.set(i, static_cast<int>(random >> 30), true);
+  }
+  for (int t = 0; t < 4; ++t)
+    for (int s = 0; s < 4; ++s) d.draft.tieup.set(t, s, (s + t) % 4 < 2);
+  return d;
+}
+
+TEST(Stages, OfManyCellsWhatIsSeenComesFirst) {
+  Stages stages;
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2));
+  stages.update(keep(before));
+  const PackedTexture& color = stages.packed().front.textures[0];
+  // Shown whole, four texels a pixel.
+  const float texel_mm = stages.packed().width_mm / static_cast<float>(color.width);
+  stages.look({0, 0, 1e6f, 1e6f, 4 * texel_mm});
+  const StageResult seen = stages.update(keep(after), Effort::kQuick);
+  EXPECT_FALSE(seen.all_maps);
+  ASSERT_FALSE(seen.patches.maps.empty());
+  for (const PackedPatch& p : seen.patches.maps) {
+    EXPECT_GE(p.level, 2) << "as fine as the pixels, and no finer";
+    const PackedTexture& whole = stages.packed().front.textures[static_cast<size_t>(p.kind)];
+    EXPECT_EQ(p.width, whole.level_width(p.level)) << "all of it is seen";
+    EXPECT_EQ(p.texels.size(),
+              static_cast<size_t>(p.width) * static_cast<size_t>(p.height * whole.layers * whole.channels));
+  }
+
+  const StageResult full = stages.update(keep(after));
+  EXPECT_TRUE(full.all_maps) << "over what was sent in the meantime";
+  Stages fresh;
+  fresh.update(keep(after));
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
+TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
+  Stages stages;
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2));
+  stages.update(keep(before));
+  Stages fresh;
+  fresh.update(keep(before));
+  // Near: a corner of the cloth, two threads a pixel of which are seen one by one.
+  const float mm = stages.packed().width_mm / 199;
+  stages.look({10 * mm, 20 * mm, 40 * mm, 50 * mm, 0.05f * mm});
+  const StageResult near = stages.update(keep(after), Effort::kQuick);
+  ASSERT_EQ(near.patches.crossings.size(), 1u);
+  EXPECT_LT(near.patches.crossings[0].texels.size(), 2000u);
+  for (const PackedPatch& p : near.patches.maps) EXPECT_LT(p.width, 512);
+  EXPECT_FALSE(stages.update(keep(before), Effort::kQuick).patches.empty()) << "as it was before";
+  EXPECT_TRUE(stages.update(keep(before)).all_maps);
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
+// What the window draws by: the preview keeps the light that it has.
+TEST(Stages, APictureOfLightThatCannotBeReadIsToldAndTheOldLightStays) {
+  const Scratch scratch;
+  Stages stages;
+  Design d = satin();
+  const auto update = [&] { return stages.update(std::make_shared<const Design>(d)); };
+  const StageResult first = update();
+  EXPECT_TRUE(first.lights && first.problem.empty()) << first.problem;
+  for (const char* size : {"-Y 64 +X 64", "-Y 30000 +X 60000", "-Y 64 +X 128"}) {  // square, huge, empty
+    const std::string path = scratch / "light.hdr";
+    ASSERT_EQ(base::write_file_atomically(path, std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + size + "\n"),
+              "");
+    d.scene.lights = path;
+    const StageResult broken = update();
+    EXPECT_FALSE(broken.lights) << size;
+    EXPECT_NE(broken.problem.find(path), std::string::npos) << broken.problem;
+    EXPECT_EQ(update().problem, broken.problem) << "told as long as the design asks for it";
+    d.scene.lights = "window";
+    const StageResult mended = update();
+    EXPECT_TRUE(mended.lights && mended.problem.empty()) << mended.problem;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::render_data

@@ -36,7 +36,8 @@ vec4 shade_vrst03(Side side, Lights x, Footprint f) {
   SystemData a = cloth.systems[side.face * 2];
   SystemData b = cloth.systems[side.face * 2 + 1];
   vec3 mean = (a.color.rgb * a.coverage + b.color.rgb * b.coverage) / max(a.coverage + b.coverage, 1e-3);
-  vec3 brdf = separable_brdf(side.face, x.l, x.v) * (color / max(mean, vec3(0.02)));
+  // What is dark in all threads is as dark as its mean: few steps of the maps' eight bits tell how dark.
+  vec3 brdf = separable_brdf(side.face, x.l, x.v) * ((color + 0.002) / (mean + 0.002));
   vec3 light = x.key * brdf * (max(x.l.z, 0.0) * thread_shadow(side.face, x.l)) + color * sky_diffuse(side.n) * side.sky;
   return vec4(light, cover_of(side, x, f));
 }

@@ -114,8 +114,9 @@ FORMULA float facet_density(vec2 slopes, vec2 h) {
 // finite.
 const float kFacetDensityFloor = 0.01f;
 
-// Colour of fuzz and multiple scattering.
-FORMULA vec3 fuzz_tint(YarnLobes y) { return y.fuzz > 0.0f ? y.fuzz_colour : y.f0 / max(y.f90, 1.0e-3f); }
+// Schlick's (1 - cosine)^5 averaged over a hemisphere, and the Fresnel term with it: the colour of multiple scattering.
+const float kMeanGrazing = 1.0f / 21.0f;
+FORMULA vec3 mean_fresnel(YarnLobes y) { return y.f0 + (y.f90 - y.f0) * kMeanGrazing; }
 
 // The key light in system_radiance(); mirrors: density of the facets that mirror it, 1 for light from behind.
 FORMULA vec3 key_far_field(YarnLobes y, vec4 reflected, float mirrors, vec3 l, vec3 v) {
@@ -124,7 +125,7 @@ FORMULA vec3 key_far_field(YarnLobes y, vec4 reflected, float mirrors, vec3 l, v
   float k = max(1.0f - 0.5f * sqrt(length2), 0.0f);
   vec3 fresnel = y.f0 + (y.f90 - y.f0) * layered_grazing(y.fibre_layers, k);
   vec3 body = l.z > 0.0f ? y.body : y.body + y.through;
-  return body * reflected.x + fresnel * (mirrors * reflected.y) + fuzz_tint(y) * reflected.z;
+  return body * reflected.x + fresnel * (mirrors * reflected.y) + y.fuzz_colour * reflected.z + mean_fresnel(y) * reflected.w;
 }
 
 // One thread system in the far field. reflected: its response (core/light/cloth_response.h), `transmitted` there for
@@ -134,7 +135,7 @@ FORMULA Reflected system_radiance(YarnLobes y, vec4 reflected, vec2 slopes, floa
   float mirrors = l.z > 0.0f ? facet_density(slopes, half_slopes(l, v)) * fraction + kFacetDensityFloor : 1.0f;
   Reflected a;
   a.key = key_far_field(y, reflected, mirrors, l, v);
-  a.diffuse = y.body * sky.x + fuzz_tint(y) * sky.y;
+  a.diffuse = y.body * sky.x + y.fuzz_colour * sky.y;
   a.glossy = y.f0 * (sky.z - sky.w) + y.f90 * sky.w;
   return a;
 }

@@ -51,17 +51,24 @@ struct Point {
   glm::vec3 inverse{1, 0, 1};  // of the covariance of the facets' slopes
   float peak = 0;              // density of the slopes at their mean
   float body_scale = 0, multiple = 0, fuzz = 0, again = 0, groove = 1;
-  float f0 = 0, f90 = 0, fibre_layers = 1, fuzz_colour = 0;  // green
+  // Means of the channels.
+  float f0 = 0, f90 = 0, fibre_layers = 1, fuzz_colour = 0;
   // Colours that the table leaves out, as the renderer applies them.
-  float tone = 0, rendered_f0 = 0, rendered_fuzz = 0;
+  float tone = 0, rendered_f0 = 0, rendered_fuzz = 0, rendered_multiple = 0;
 };
 
-/// Light from the front; cosine: times the visible fraction.
-void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine) {
-  from.cosine[i] = cosine, from.lit[i] = cosine * side.enters.g;
+/// Light from the front; cosine: times the visible fraction. weights: of the channels, of sum 1.
+void add_light(LightOnSample& from, size_t i, const formulas::LobeSide& side, const glm::vec3& local, float cosine,
+               const glm::vec3& weights) {
+  from.cosine[i] = cosine, from.lit[i] = cosine * glm::dot(side.enters, weights);
   from.loss[i] = cosine * side.loss, from.veil[i] = cosine * side.fuzz.y;
   from.clear[i] = side.clear, from.shadow[i] = side.area;
   from.along[i] = local.x, from.across[i] = local.y, from.mu[i] = side.mu;
+}
+
+/// Light that fuzz scatters on its way in and out of the body, over the body's colour. It is dyed by both.
+float again_of(const formulas::YarnLobes& lobes, const formulas::LobeShared& shared) {
+  return channel_mean(lobes.fuzz_colour * lobes.body * shared.mean_enters) / std::max(channel_mean(lobes.body), 1e-6f);
 }
 
 /// Evaluates a sample with one of its normals: the normal between plies for the views that it faces, else that of the
@@ -72,16 +79,20 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   const formulas::LobeShared shared = formulas::lobe_shared(lobes);
   p.system = sample.system, p.area = sample.area;
   p.above = sample.area * std::max(sample.side.z, 0.0f) * sample.open[kV - 1];
-  p.fuzz = lobes.fuzz, p.body_scale = shared.body_scale.g, p.multiple = shared.multiple.g;
+  const glm::vec3 shares = body_weights(lobes);
+  p.fuzz = lobes.fuzz, p.body_scale = glm::dot(shared.body_scale, shares), p.multiple = channel_mean(shared.multiple);
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = sample.groove;
-  p.tone = lobes.body.g, p.f0 = lobes.f0.g, p.f90 = lobes.f90, p.fibre_layers = lobes.fibre_layers;
-  p.fuzz_colour = lobes.fuzz_colour.g, p.rendered_f0 = sample.rendered.f0.g;
-  p.rendered_fuzz = lobes.fuzz > 0 ? sample.rendered.fuzz_colour.g : p.rendered_f0 / std::max(p.f90, 1e-3f);
-  p.again = lobes.fuzz * lobes.body.g * shared.mean_enters.g /
+  p.tone = channel_mean(lobes.body), p.f0 = channel_mean(lobes.f0), p.f90 = lobes.f90,
+  p.fibre_layers = lobes.fibre_layers;
+  p.fuzz_colour = channel_mean(lobes.fuzz_colour), p.rendered_f0 = channel_mean(sample.rendered.f0);
+  p.rendered_fuzz = channel_mean(sample.rendered.fuzz_colour);
+  p.rendered_multiple = channel_mean(formulas::mean_fresnel(sample.rendered));
+  p.again = lobes.fuzz * again_of(lobes, shared) /
             (kPi * std::max(formulas::lobe_side(lobes, shared, {0, 0, 1}).fuzz.w, 1e-4f));
   p.height_mm = sample.height_mm, p.around = sample.around, p.facets = facet_moments(normal);
   const bool plain = sample.normal == sample.side, own = normal == sample.normal;
   const formulas::LobeFrame frame = formulas::lobe_frame(normal, sample.fibre);
+  const float through = channel_mean(lobes.through);
   std::array<formulas::LobeSide, kV> sides;
   for (size_t v = 0; v < kV; ++v) {
     const float facing = glm::dot(sample.side, w[v]);
@@ -90,7 +101,7 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     const formulas::LobeSide& side = sides[v] = formulas::lobe_side(lobes, shared, local);
     if (plain || own == (glm::dot(sample.normal, w[v]) > 0)) p.seen[v] = facing;
-    p.enters[v] = side.enters.g, p.loss[v] = side.loss, p.veil[v] = side.fuzz.y;
+    p.enters[v] = glm::dot(side.enters, weights), p.loss[v] = side.loss, p.veil[v] = side.fuzz.y;
     p.clear[v] = side.clear, p.shadow[v] = side.area;
     p.along[v] = local.x, p.across[v] = local.y, p.mu[v] = side.mu;
   }
@@ -98,18 +109,18 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
     const size_t v = view_of_light(i);
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     if (glm::dot(sample.side, w[v]) > 0 && sample.open[v] > 0)
-      add_light(p.front, i, sides[v], local, std::max(local.z, 0.0f));
-    if (local.z >= 0 || sample.open[v] <= 0 || lobes.body.g <= 0 || lobes.through.g <= 0) continue;
-    const float entering = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters.g;
-    p.front.lit[i] = -local.z * entering * lobes.through.g / lobes.body.g;
+      add_light(p.front, i, sides[v], local, std::max(local.z, 0.0f), shares);
+    if (local.z >= 0 || sample.open[v] <= 0 || p.tone <= 0 || through <= 0) continue;
+    const glm::vec3 entering = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters;
+    p.front.lit[i] = -local.z * glm::dot(entering, shares) * through / p.tone;
   }
   return p;
 }
 
-/// Sums over points, [view][light]: body, mirrored light, fuzz and multiple scattering.
+/// Sums over points, [view][light]: body, mirrored light, fuzz, multiple scattering of facets.
 struct RadianceSums {
-  std::vector<float> body, mirror, fuzz;
-  RadianceSums() : body(kV * kL), mirror(kV * kL), fuzz(kV * kL) {}
+  std::vector<float> body, mirror, fuzz, multiple;
+  RadianceSums() : body(kV * kL), mirror(kV * kL), fuzz(kV * kL), multiple(kV * kL) {}
 };
 
 struct Sums {
@@ -128,7 +139,7 @@ struct Sums {
         std::copy_n(of.begin() + kTop * width, width, of.begin() + static_cast<ptrdiff_t>(v * width));
     };
     const auto one = [](PerView& of) { std::fill(of.begin() + kTop, of.end(), of[kTop]); };
-    rows(front.body, kL), rows(front.mirror, kL), rows(front.fuzz, kL);
+    rows(front.body, kL), rows(front.mirror, kL), rows(front.fuzz, kL), rows(front.multiple, kL);
     rows(all, kL);
     for (auto& of : all_moments) rows(of, kL);
     for (auto* of : {&seen, &height, &visible_around}) one(*of);
@@ -155,7 +166,7 @@ void set_fresnel_weights(PerLight& rising, float fibre_layers, const float* graz
 
 /// Radiance of one point towards one view, by light.
 struct ViewRadiance {
-  PerLight scattered, mirrored, fuzz;
+  PerLight scattered, mirrored, fuzz, multiple;
 };
 
 /// rising: Fresnel weights of this view's row.
@@ -163,10 +174,9 @@ void evaluate_lights(ViewRadiance& radiance, const Point& p, const LightOnSample
                      size_t view) {
   const float seen = p.area * p.seen[view], grooved = seen * p.groove;
   const float body = seen * p.enters[view] * p.body_scale,
-              over_rendered_fuzz = grooved / std::max(p.rendered_fuzz, 1e-4f);
-  const float veil = over_rendered_fuzz * p.fuzz_colour * p.veil[view] * p.again,
-              once = over_rendered_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
-  const float loss = over_rendered_fuzz * p.loss[view] * p.multiple;
+              over_rendered_fuzz = grooved / std::max(p.rendered_fuzz, 1e-6f);
+  const float again = seen * p.veil[view] * p.again, once = over_rendered_fuzz * p.fuzz_colour * p.fuzz / (4 * kPi);
+  const float loss = grooved / std::max(p.rendered_multiple, 1e-6f) * p.loss[view] * p.multiple;
   const float glance = 0.25f * grooved * p.peak;
   // Local copies: the compiler then knows that the output does not alias them, and vectorises the loop.
   const float fuzz = p.fuzz, clear = p.clear[view], shadow = p.shadow[view], along = p.along[view],
@@ -182,8 +192,9 @@ void evaluate_lights(ViewRadiance& radiance, const Point& p, const LightOnSample
     const float d = secant2 * secant2 * formulas::exp(xx * x * x + xy * x * y + yy * y * y);
     const float fresnel = (f0 + (f90 - f0) * rising[i]) / (rendered_f0 + (f90 - rendered_f0) * rising[i] + 1e-6f);
     radiance.mirrored[i] = glance * d * cosine * unveiled * fresnel / (from.shadow[i] * mu + shadow * mu_i - mu * mu_i);
-    radiance.scattered[i] = body * from.lit[i] * unveiled;
-    radiance.fuzz[i] = once * cosine * veiled * over + veil * from.veil[i] + loss * from.loss[i];
+    radiance.scattered[i] = body * from.lit[i] * unveiled + again * from.veil[i];
+    radiance.fuzz[i] = once * cosine * veiled * over;
+    radiance.multiple[i] = loss * from.loss[i];
   }
 }
 
@@ -196,6 +207,7 @@ void accumulate(RadianceSums& to, size_t view, const ViewRadiance& radiance) {
   accumulate(to.body, view, radiance.scattered);
   accumulate(to.mirror, view, radiance.mirrored);
   accumulate(to.fuzz, view, radiance.fuzz);
+  accumulate(to.multiple, view, radiance.multiple);
 }
 
 using Grazing = std::vector<float>;
@@ -211,10 +223,11 @@ void add(Sums& sums, const Point& p, const Grazing& grazing, size_t view) {
   set_fresnel_weights(rising, p.fibre_layers, &grazing[view * kL]);
   evaluate_lights(radiance, p, p.front, rising, view);
   accumulate(sums.front, view, radiance);
-  const float tone = p.tone, f0 = p.rendered_f0, more = p.f90 - f0, rendered_fuzz = p.rendered_fuzz;
+  const float tone = p.tone, f0 = p.rendered_f0, more = p.f90 - f0, rendered_fuzz = p.rendered_fuzz,
+              multiple = p.rendered_multiple;
   for (size_t i = 0; i < kL; ++i)
     all[i] = radiance.scattered[i] * tone + radiance.mirrored[i] * (f0 + more * rising[i]) +
-             radiance.fuzz[i] * rendered_fuzz;
+             radiance.fuzz[i] * rendered_fuzz + radiance.multiple[i] * multiple;
   accumulate(sums.all, view, all);
   for (size_t k = 0; k < kFacetMoments; ++k) accumulate(sums.all_moments[k], view, all, p.facets[k]);
 }
@@ -370,7 +383,8 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
       for (size_t k = 0; k < kFacetMoments; ++k)
         out.gradient[kFacetMoments * at + k] = std::clamp(rise[k] / std::max(all, least), -kMaxGradient, kMaxGradient);
       const float correction = scale * cover.correction(all, cover.rise(all, products), above);
-      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.fuzz}) (*of)[at] *= correction;
+      for (std::vector<float>* of : {&sums.front.body, &sums.front.mirror, &sums.front.fuzz, &sums.front.multiple})
+        (*of)[at] *= correction;
     }
   }
   return scale;
@@ -422,8 +436,9 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
         system.reflected[4 * at] = radiance.body[at] / seen;
         system.reflected[4 * at + 1] = radiance.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
         system.reflected[4 * at + 2] = radiance.fuzz[at] / seen;
-        system.reflected[4 * at + 3] = sums[s].seen[v] / seen;
+        system.reflected[4 * at + 3] = radiance.multiple[at] / seen;
       }
+      system.seen[v] = sums[s].seen[v] / seen;
     }
   }
 }
@@ -445,7 +460,7 @@ ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples) 
   out.sky = 0;
   for (SystemResponse& s : out.systems) {
     s.reflected.assign(4 * kV * kL, 0.0f), s.gradient.assign(kFacetMoments * kV * kL, 0.0f);
-    s.height_mm.assign(kV, 0.0f), s.transmitted.assign(4 * kV * kTransmissionLights, 0.0f);
+    s.seen.assign(kV, 0.0f), s.height_mm.assign(kV, 0.0f), s.transmitted.assign(4 * kV * kTransmissionLights, 0.0f);
     s.transmission_gradient = s.transmitted, s.sky.assign(4 * kV, 0.0f);
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});

@@ -20,21 +20,22 @@ using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
 
 struct SystemResponse {
   // RGBA of [view][light]: body (to be multiplied by the thread's colour); mirrored light over its closed form
-  // (facet_density() of shaders/methods.glsl times the fraction, plus kFacetDensityFloor); fuzz and multiple
-  // scattering; visible fraction. Directions: light/thread_samples.h. Relative to all visible cloth.
+  // (facet_density() of shaders/methods.glsl times the fraction, plus kFacetDensityFloor); fuzz (to be multiplied by
+  // its colour); multiple scattering of facets (by mean_fresnel() there). Directions: light/thread_samples.h. Relative
+  // to all visible cloth.
   std::vector<float> reflected;
   // The same for [view][light from behind] (thread_samples.h), through the threads or onto their sides: body includes
-  // transmission, mirrored light is not divided by a closed form, the visible fraction is left out. Most of this light
-  // is stopped by other threads.
+  // transmission, mirrored light is not divided by a closed form. Most of this light is stopped by other threads.
   std::vector<float> transmitted;
   std::vector<float> transmission_gradient;  // as `gradient`, of body and transmission
   // [view][light][moment]: relative change of the reflected light with each moment of the local facets, against the
   // mean facets of the cloth (`facets`). Least squares over the visible samples.
   std::vector<float> gradient;
-  // RGBA of [view] under a uniform sky of radiance 1: body (to be multiplied by the thread's colour), fuzz and
-  // multiple scattering, mirrored light without the Fresnel term, that times its rise towards grazing.
+  // RGBA of [view] under a uniform sky of radiance 1: body (to be multiplied by the thread's colour), fuzz (by its
+  // own), mirrored light without the Fresnel term plus multiple scattering, that times its rise towards grazing.
   std::vector<float> sky;
   FacetMoments facets{};         // from the maps, visible from above
+  std::vector<float> seen;       // [view]: its fraction of the visible cloth
   std::vector<float> height_mm;  // [view]: mean height of the visible surface
   FacetSlopes slopes{};
   float fraction = 0;  // of the coverage at normal view, by rays; both systems sum to 1

@@ -73,14 +73,15 @@ float open_towards(const ThreadSample& p, const glm::vec3& l) {
 struct Facets {
   const ThreadSample* sample;
   formulas::LobeShared shared;
-  glm::vec3 root{0};  // of the slope covariance: lower triangle xx, xy, yy
+  float f0 = 0, rendered_f0 = 0;  // means of the channels
+  glm::vec3 root{0};              // of the slope covariance: lower triangle xx, xy, yy
 };
 
 std::vector<Facets> facets_of(const std::vector<ThreadSample>& samples) {
   std::vector<Facets> out;
   out.reserve(samples.size());
   for (const ThreadSample& p : samples) {
-    Facets f{&p, formulas::lobe_shared(p.lobes)};
+    Facets f{&p, formulas::lobe_shared(p.lobes), channel_mean(p.lobes.f0), channel_mean(p.rendered.f0)};
     f.root.x = std::sqrt(f.shared.cov.x), f.root.y = f.shared.cov.y / f.root.x;
     f.root.z = std::sqrt(std::max(f.shared.cov.z - f.root.y * f.root.y, 0.0f));
     out.push_back(f);
@@ -118,10 +119,10 @@ void add_mirrored(Mirrored& sum, const Facets& facets, const formulas::LobeFrame
     const float area = formulas::gaussian_area(mu, std::sqrt(formulas::variance_along(facets.shared.cov, wi.x, wi.y)));
     const float masked = mu / (area * side.mu + side.area * mu - mu * side.mu);  // over side.area: projected
     const float rising = formulas::layered_grazing(y.fibre_layers, std::max(1 - facing, 0.0f));
-    const float fresnel = y.f0.g + (y.f90 - y.f0.g) * rising;
+    const float fresnel = facets.f0 + (y.f90 - facets.f0) * rising;
     const float clear = y.fuzz > 0 ? std::exp(-std::min(y.fuzz_depth / mu, 80.0f)) : 1.0f;
     const float radiance = weight * open * towards * masked * (1 - y.fuzz * (1 - side.clear * clear)) / kFacets;
-    const float drawn = p.rendered.f0.g + (y.f90 - p.rendered.f0.g) * rising;
+    const float drawn = facets.rendered_f0 + (y.f90 - facets.rendered_f0) * rising;
     const float weighted = radiance * fresnel / (drawn + 1e-6f);
     sum.all += weighted, sum.rising += weighted * rising;
     sum.light += radiance * fresnel, sum.from += radiance * fresnel * l;
@@ -138,8 +139,8 @@ void add_sample(Mirrored& mirrored, YarnMethodSky& drawn, const Facets& facets, 
   const formulas::LobeSide side = formulas::lobe_side(p.lobes, facets.shared, wo);
   const formulas::Reflected sky = formulas::facet_sky(p.lobes, facets.shared, side);
   const glm::vec3 reflected = glm::reflect(-v, n);
-  const float glossy = weight * sky.glossy.g * formulas::mirrored_sky_visibility(reflected);
-  drawn.all += weight * sky.diffuse.g * formulas::facet_sky_visibility(n) + glossy;
+  const float glossy = weight * channel_mean(sky.glossy) * formulas::mirrored_sky_visibility(reflected);
+  drawn.all += weight * channel_mean(sky.diffuse) * formulas::facet_sky_visibility(n) + glossy;
   drawn.glossy += glossy, drawn.from += glossy * formulas::mirrored_sky_direction(reflected);
   add_mirrored(mirrored, facets, frame, side, wo, slopes, weight);
 }
@@ -163,7 +164,7 @@ class SkyMeasurer {
   void measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
 
  private:
-  glm::vec2 scattered(size_t system, size_t view, SkyRadiance& radiance) const;
+  glm::vec3 scattered(size_t system, size_t view, SkyRadiance& radiance) const;
 
   ClothResponse& response_;
   std::vector<glm::vec4> parts_;
@@ -172,15 +173,16 @@ class SkyMeasurer {
   std::array<formulas::YarnLobes, 2> yarns_;
 };
 
-/// Body; fuzz and multiple scattering.
-glm::vec2 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& radiance) const {
+/// Body; fuzz; multiple scattering of facets.
+glm::vec3 SkyMeasurer::scattered(size_t system, size_t view, SkyRadiance& radiance) const {
   const float* row = &response_.systems[system].reflected[4 * view * kResponseLights];
-  const float body = yarns_[system].body.g, fuzz = formulas::fuzz_tint(yarns_[system]).g;
-  glm::vec2 sum(0);
+  const glm::vec3 tones(channel_mean(yarns_[system].body), channel_mean(yarns_[system].fuzz_colour),
+                        channel_mean(formulas::mean_fresnel(yarns_[system])));
+  glm::vec3 sum(0);
   for (size_t i = 0; i < kResponseLights; ++i) {
-    const glm::vec2 reflected(row[4 * i], row[4 * i + 2]);
+    const glm::vec3 reflected(row[4 * i], row[4 * i + 2], row[4 * i + 3]);
     sum += reflected * parts_[i].w;
-    radiance.diffuse += (reflected.x * body + reflected.y * fuzz) * parts_[i];
+    radiance.diffuse += glm::dot(reflected, tones) * parts_[i];
   }
   return sum;
 }
@@ -198,11 +200,13 @@ void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<floa
   glm::vec4& near_sky = response_.near_sky[view];
   for (size_t s = 0; s < 2; ++s) {
     const float part = scale[s] / std::max(seen, 1e-9f);
-    const glm::vec2 diffuse = scattered(s, view, radiance);
-    const glm::vec4 sky(diffuse, mirrored[s].all * part, mirrored[s].rising * part);
+    const glm::vec3 diffuse = scattered(s, view, radiance);
+    const glm::vec4 sky(diffuse.x, diffuse.y, mirrored[s].all * part + diffuse.z,
+                        mirrored[s].rising * part + diffuse.z * formulas::kMeanGrazing);
     std::copy_n(glm::value_ptr(sky), 4, &response_.systems[s].sky[4 * view]);
     const formulas::YarnLobes& y = yarns_[s];
-    const float all = y.body.g * sky.x + formulas::fuzz_tint(y).g * sky.y + y.f0.g * (sky.z - sky.w) + y.f90 * sky.w;
+    const float all = channel_mean(y.body) * sky.x + channel_mean(y.fuzz_colour) * sky.y +
+                      channel_mean(y.f0) * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
     near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
     radiance.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);

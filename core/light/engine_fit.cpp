@@ -197,10 +197,11 @@ struct Normal {
     for (int round = 0; round < 200; ++round) {
       const double mean = static_cast<double>(x[0] + x[1] + x[2]) / 3;
       for (size_t i = 0; i < kUnknowns; ++i) {
-        if (a[i][i] <= 1e-12) continue;
         double rest = b[i], own = a[i][i];
-        for (size_t j = 0; j < kUnknowns; ++j) rest -= j == i ? 0.0 : a[i][j] * static_cast<double>(x[j]);
+        // A channel that the threads have nothing of tells nothing at all, and is pulled all the same.
         if (i < 3) rest += pull * mean, own += pull;
+        if (own <= 1e-12) continue;
+        for (size_t j = 0; j < kUnknowns; ++j) rest -= j == i ? 0.0 : a[i][j] * static_cast<double>(x[j]);
         x[i] = std::clamp(static_cast<float>(rest / own), least[i], most[i]);
         if (i == kF90)
           x[i] = std::max(x[i], std::min(x[kF0], most[i]));  // Fresnel reflectance does not fall towards grazing

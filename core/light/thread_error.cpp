@@ -78,7 +78,7 @@ class Sampler {
   std::array<std::vector<formulas::YarnLobes>, 2> lobes_;
 };
 
-/// Green channel, direct light only: add_sample() of method_yarn.glsl without the tones of fibres.
+/// Mean of the channels, direct light only: add_sample() of method_yarn.glsl without the tones of fibres.
 float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, const glm::vec3& v) {
   const auto hit = scene_.first_thread(grid_, at, v, kViewCells);
   if (hit.system < 0) return 0;
@@ -99,8 +99,8 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   if (glm::dot(n, v) <= 0) n = p.normal;
   const formulas::YarnLobes lobes =
       formulas::yarn_widen(lobes_[system][thread], scene_.slope_spread(p, pattern.fibre_tan, v, side.x, side.y));
-  const float radiance =
-      formulas::facet_radiance(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key.g;
+  const float radiance = channel_mean(
+      formulas::facet_radiance(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key);
   if (radiance <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
   return radiance * texel.groove;
 }

@@ -168,7 +168,8 @@ void ThreadSampler::set_shading(ThreadSample& p, int thread, const thread_formul
   p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
-  const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  const glm::vec3 colour =
+      glm::max(thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b}), kDarkestChannel);
   const Lobes& lobes = cloth_.yarns[static_cast<size_t>(body.yarn)].lobes;
   p.lobes = yarn_lobes(lobes, {colour.r, colour.g, colour.b});
   p.lobes.slope_cov +=
@@ -199,7 +200,9 @@ void ThreadSampler::add_top_samples(int first, int count, ThreadSamples& out) {
 }
 
 void ThreadSampler::find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
-  const auto can_see = [&](size_t view) { return glm::dot(p.side, views_[view]) > 0 || p.lobes.through.g > 0; };
+  const auto can_see = [&](size_t view) {
+    return glm::dot(p.side, views_[view]) > 0 || channel_mean(p.lobes.through) > 0;
+  };
   Directions open;
   open.reserve(high_views_.size());
   for (size_t k = from == ViewSet::kTopAlone ? high_views_.size() - 1 : 0; k < high_views_.size(); ++k)
@@ -231,7 +234,7 @@ void ThreadSampler::find_transmission(ThreadSample& p, glm::vec3 at, int thread)
   for (size_t k = 0; k < lights_.size(); ++k) {
     const bool faces = p.side.x * lights_.x[k] + p.side.y * lights_.y[k] + p.side.z * lights_.z[k] > 0;
     if (faces) side.add_from(lights_, k);
-    else if (p.lobes.through.g > 0) through.add_from(lights_, k);
+    else if (channel_mean(p.lobes.through) > 0) through.add_from(lights_, k);
   }
   shadows_.cast(through, at, p.system, thread);
   shadows_.cast(side, at, p.system, thread);

@@ -37,6 +37,10 @@ constexpr size_t view_of_light(size_t i) {
 std::array<glm::vec3, kResponseViews> response_views();
 std::array<glm::vec3, kTransmissionLights> transmission_lights();
 
+/// The darkest that a channel of a place is taken for, linear: 1 of 255. What is measured are ratios, which no colour
+/// at all would not tell; pictures take them times the colour itself, and so send nothing of what is black.
+inline constexpr float kDarkestChannel = 1 / (255 * 12.92f);
+
 struct ThreadSample {
   int system = 0;  // 0 warp, 1 weft
   float area = 0;  // of the thread's surface that the sample represents, over that of the cloth's plane

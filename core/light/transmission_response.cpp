@@ -52,7 +52,7 @@ struct TransmissionSample {
 /// [view][light].
 struct Sums {
   std::vector<float> body;
-  std::vector<glm::vec2> side;                                   // mirrored; fuzz and multiple scattering
+  std::vector<glm::vec3> side;                                   // mirrored; fuzz; multiple scattering
   std::array<std::vector<float>, kFacetMoments> body_moments{};  // body, times each of the sample's moments
 };
 
@@ -62,13 +62,14 @@ using Lights = std::array<glm::vec3, kTransmissionLights>;
 void find_views(TransmissionSample& p, const formulas::LobeFrame& frame, bool own, const Views& views) {
   const ThreadSample& sample = *p.sample;
   const bool plain = sample.normal == sample.side;
+  const glm::vec3 shares = body_weights(sample.lobes);
   for (size_t v = kLowViews; v <= kTop; ++v) {
     const float facing = glm::dot(sample.side, views[v]);
     if (facing <= 0 || sample.open[v] <= 0 || (!plain && own != (glm::dot(sample.normal, views[v]) > 0))) continue;
     const glm::vec3 local = formulas::lobe_local(frame, views[v]);
     const formulas::LobeSide side = formulas::lobe_side(sample.lobes, p.shared, local);
     const float seen = sample.area * facing;
-    p.out.push_back({v, views[v], local, seen, seen * p.shared.body_scale.g * side.enters.g, side});
+    p.out.push_back({v, views[v], local, seen, seen * glm::dot(p.shared.body_scale * side.enters, shares), side});
   }
 }
 
@@ -80,7 +81,9 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
   find_views(p, frame, normal == sample.normal, views);
   if (sample.lights.empty()) p.out.clear();
   if (p.out.empty()) return p;
-  const float both = std::max(lobes.body.g + lobes.through.g, 1e-6f);
+  const glm::vec3 shares = body_weights(lobes);
+  const float body = channel_mean(lobes.body), through = channel_mean(lobes.through),
+              both = std::max(body + through, 1e-6f);
   const auto [low, high] = std::minmax_element(sample.lights.begin(), sample.lights.end());
   p.first = *low;
   p.bare.assign(*high - *low + 1u, 0.0f);
@@ -89,7 +92,7 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
     const glm::vec3 local = formulas::lobe_local(frame, lights[i]);
     const bool faces = local.z > 0;
     const formulas::LobeSide side = formulas::lobe_side(lobes, p.shared, {local.x, local.y, std::abs(local.z)});
-    const float bare = std::abs(local.z) * side.enters.g * (faces ? lobes.body.g : lobes.through.g) / both;
+    const float bare = std::abs(local.z) * glm::dot(side.enters, shares) * (faces ? body : through) / both;
     p.bare[i - p.first] = bare, p.cleared[i - p.first] = bare * side.clear;
     if (faces) p.in.push_back({i, lights[i], local, side});
   }
@@ -99,28 +102,29 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
 /// Fresnel term of mirrored light, over the one that the renderer applies.
 float fresnel_over_rendered(const ThreadSample& p, float grazing) {
   const float rising = formulas::layered_grazing(p.lobes.fibre_layers, grazing), f90 = p.lobes.f90;
-  return (p.lobes.f0.g + (f90 - p.lobes.f0.g) * rising) / (p.rendered.f0.g + (f90 - p.rendered.f0.g) * rising + 1e-6f);
+  const float f0 = channel_mean(p.lobes.f0), drawn = channel_mean(p.rendered.f0);
+  return (f0 + (f90 - f0) * rising) / (drawn + (f90 - drawn) * rising + 1e-6f);
 }
 
 /// Mirrored light and fuzz of a side, without the body.
-glm::vec2 side_radiance(const TransmissionSample& p, const SideLight& in, const VisibleView& out) {
+glm::vec3 side_radiance(const TransmissionSample& p, const SideLight& in, const VisibleView& out) {
   const formulas::YarnLobes& lobes = p.sample->lobes;
   const float veiled = 1 - in.side.clear * out.side.clear;
   formulas::YarnLobes mirror = lobes;
   mirror.f0 = glm::vec3(1), mirror.f90 = 1;
   const float mirrored = formulas::lobe_specular(mirror, p.shared, in.side, out.side, in.local, out.local).g;
   const float grazing = std::max(1 - 0.5f * glm::length(in.towards + out.towards), 0.0f);
-  float fuzz = p.shared.multiple.g * in.side.loss * out.side.loss;
+  glm::vec3 fuzz(0);
   if (lobes.fuzz > 0) {
-    const float again = lobes.body.g * p.shared.mean_enters.g * in.side.fuzz.y * out.side.fuzz.y /
-                        (kPi * std::max(out.side.fuzz.w, 1e-4f));
-    fuzz += lobes.fuzz_colour.g * lobes.fuzz * (veiled / (4 * kPi * (in.side.mu + out.side.mu)) + again);
+    const glm::vec3 again = lobes.body * p.shared.mean_enters *
+                            (in.side.fuzz.y * out.side.fuzz.y / (kPi * std::max(out.side.fuzz.w, 1e-4f)));
+    fuzz = lobes.fuzz_colour * lobes.fuzz * (veiled / (4 * kPi * (in.side.mu + out.side.mu)) + again);
   }
   const ThreadSample& sample = *p.sample;
-  const float rendered_fuzz =
-      lobes.fuzz > 0 ? sample.rendered.fuzz_colour.g : sample.rendered.f0.g / std::max(lobes.f90, 1e-3f);
-  return glm::vec2(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_rendered(sample, grazing),
-                   fuzz / std::max(rendered_fuzz, 1e-4f)) *
+  const float recurring = channel_mean(p.shared.multiple) * in.side.loss * out.side.loss;
+  return glm::vec3(mirrored * (1 - lobes.fuzz * veiled) * fresnel_over_rendered(sample, grazing),
+                   channel_mean(fuzz) / std::max(channel_mean(sample.rendered.fuzz_colour), 1e-6f),
+                   recurring / std::max(channel_mean(formulas::mean_fresnel(sample.rendered)), 1e-6f)) *
          (in.local.z * out.seen * sample.groove);
 }
 
@@ -147,7 +151,8 @@ std::array<float, 2> tones_of(const ClothResponse& response, const Cloth& cloth)
   std::array<float, 2> out;
   for (size_t s = 0; s < 2; ++s) {
     const Linear& c = response.systems[s].colour;
-    out[s] = tone_of(formulas::yarn_of(mean_yarn(cloth, s == 0 ? cloth.ends : cloth.picks), {c.r, c.g, c.b}));
+    const glm::vec3 colour = glm::max(glm::vec3(c.r, c.g, c.b), kDarkestChannel);
+    out[s] = tone_of(formulas::yarn_of(mean_yarn(cloth, s == 0 ? cloth.ends : cloth.picks), colour));
   }
   return out;
 }
@@ -220,7 +225,7 @@ void write_system(SystemResponse& out, const Sums& sums, const std::vector<Facet
       const size_t from = counted_view(v), at = from * kTransmissionLights + i, to = 4 * (v * kTransmissionLights + i);
       const float part = scale / std::max(seen[from], 1e-9f);
       out.transmitted[to] = sums.body[at] * part;
-      out.transmitted[to + 1] = sums.side[at].x * part, out.transmitted[to + 2] = sums.side[at].y * part;
+      for (size_t k = 0; k < 3; ++k) out.transmitted[to + 1 + k] = sums.side[at][static_cast<int>(k)] * part;
       std::ranges::copy(gradient_of(sums, facets[from], at),
                         out.transmission_gradient.begin() + static_cast<ptrdiff_t>(to));
     }

@@ -48,6 +48,12 @@ interop::YarnData mean_yarn(const Cloth& cloth, const std::vector<ThreadBody>& t
   return std::bit_cast<interop::YarnData>(sum);
 }
 
+glm::vec3 body_weights(const formulas::YarnLobes& lobes) {
+  constexpr float kNone = 1e-6f;  // of a metal: all alike
+  const glm::vec3 sent = lobes.body + lobes.through + kNone;
+  return sent / (sent.r + sent.g + sent.b);
+}
+
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour) {
   return formulas::yarn_of(yarn_data(lobes), unit_colour(thread_colour));
 }

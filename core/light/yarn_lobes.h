@@ -29,6 +29,13 @@ interop::YarnData mean_yarn(const Cloth& cloth, const std::vector<ThreadBody>& t
 /// Lobes of a thread of this colour. Values are clamped to their ranges; never NaN.
 formulas::YarnLobes yarn_lobes(const Lobes& lobes, Linear thread_colour);
 
+/// Mean of the channels, where one number stands for a colour. No single channel will do: a pure colour has 0 in the
+/// others.
+inline float channel_mean(const glm::vec3& c) { return (c.r + c.g + c.b) / 3; }
+
+/// Weights of the channels, of sum 1, in the light of a yarn's body: for means of what only that light meets.
+glm::vec3 body_weights(const formulas::YarnLobes& lobes);
+
 /// Vector instructions of a batch: the compiler's baseline, or AVX2 with FMA where available.
 enum class Vectors { kBaseline, kAvx2 };
 Vectors widest_vectors();

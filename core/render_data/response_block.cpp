@@ -81,8 +81,8 @@ std::vector<glm::vec4> views_of(const Faces& faces) {
         for (size_t a = 0; a < kViewTableWidth; ++a) {
           const size_t view = e * kViewAzimuths + a % kViewAzimuths;
           if (table == 0)
-            out.push_back({face.systems[0].reflected[4 * view * kResponseLights + 3], face.visible_rise[view],
-                           face.systems[0].height_mm[view], face.systems[1].height_mm[view]});
+            out.push_back({face.systems[0].seen[view], face.visible_rise[view], face.systems[0].height_mm[view],
+                           face.systems[1].height_mm[view]});
           else if (table == 3) out.push_back(sky_from(face, view, views[view]));
           else if (table == 4) out.push_back(face.near_sky[view]);
           else out.push_back(glm::make_vec4(&face.systems[static_cast<size_t>(table - 1)].sky[4 * view]));

@@ -102,7 +102,8 @@ void add_light_options(CLI::App& verb, PictureVerb& p) {
       ->excludes(preset);
   verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
   verb.add_option("--exposure", p.exposure,
-                  tr("Exposure in stops, or auto: from the reflectance of the cloth; an .exr uses the stops only"))
+                  tr("Exposure in stops, or auto: the less a cloth reflects, the more it is brightened; an .exr uses "
+                     "the stops only"))
       ->check(exposure_form());
 }
 

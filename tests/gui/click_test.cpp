@@ -56,7 +56,7 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     const draft::Draft d = design_of(w.live()).draft;
     EXPECT_TRUE(comes_true([&] {
       return w.size_of("threading").second == d.shafts &&
-             (d.drive == draft::ShedControl::kLiftplan || w.size_of("tieup").first == d.treadles);
+             (d.shed_control == draft::ShedControl::kLiftplan || w.size_of("tieup").first == d.treadles);
     }));
     return w.cell(grid, a, b);
   }

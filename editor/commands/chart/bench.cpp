@@ -159,7 +159,7 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
     return nullptr;
   }
   auto made = std::make_unique<Loaded>();
-  Design design = read.file->design;
+  Design design = in_scene_colours(read.file->design, kChartScenes[scene]);
   design.look.method = Method::kVrst03;  // the only method with maps of its own
   design.scene = drape_scene(ChartLight::kKey);
   Stages stages;

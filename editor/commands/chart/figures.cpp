@@ -31,6 +31,7 @@ std::string scene_title(const std::string& scene, int view_deg) {
   const std::map<std::string, std::string> titles{{"plain", "Plain weave"},
                                                   {"twill", "2/2 twill"},
                                                   {"satin", "Satin on 8 shafts"},
+                                                  {"black_white", "Taffeta, black and white"},
                                                   {"damask", "Twill damask, two colours"}};
   const auto found = titles.find(scene);
   return (found == titles.end() ? scene : found->second) + ", " + std::to_string(view_deg) + "°";
@@ -41,6 +42,13 @@ std::vector<ChartRow> rows_at(const std::vector<ChartRow>& rows, const std::stri
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(picked),
                [&](const ChartRow& r) { return r.scene == scene && r.view_deg == view; });
   return picked;
+}
+
+/// One column for each scene that has rows, so that its views stand one above the other.
+int scenes_in(const std::vector<ChartRow>& rows) {
+  return static_cast<int>(std::count_if(kChartScenes.begin(), kChartScenes.end(), [&rows](const ChartScene& scene) {
+    return std::any_of(rows.begin(), rows.end(), [&scene](const ChartRow& r) { return r.scene == scene.name; });
+  }));
 }
 
 /// False for method yarn with fewer than all samples.
@@ -97,6 +105,7 @@ Figure cost_figure(const std::vector<ChartRow>& rows, const std::string& device)
       "Pareto front. " +
       device;
   figure.key = method_key(rows, false, false);
+  figure.columns = scenes_in(rows);
   const Axis x = log_axis("nanoseconds per pixel", values_of(rows, &ChartRow::ns_per_pixel));
   const Axis y = log_axis("error", values_of(rows, &ChartRow::model_error));
   for (const int view : kChartViews) {
@@ -117,6 +126,7 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
                         const std::string& subtitle, double goal) {
   Figure figure;
   figure.title = title, figure.subtitle = subtitle;
+  figure.columns = scenes_in(rows);
   Axis x{"yarns per pixel", 0.05, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
   const Axis y = log_axis("error", values_of(rows, error));
   for (const int view : kChartViews) {
@@ -177,6 +187,7 @@ Figure albedo_figure(const std::vector<Brightness>& values) {
     for (const ChartMethod& s : kChartMethods) curve_of(std::string(method_name(s.method)), s.ink, s.marker, 1.4);
     if (!panel.curves.empty()) figure.panels.push_back(std::move(panel));
   }
+  figure.columns = static_cast<int>(figure.panels.size());
   return figure;
 }
 

@@ -18,6 +18,13 @@ glm::vec3 tilted(double azimuth_deg, double degrees) {
 
 }  // namespace
 
+Design in_scene_colours(Design design, const ChartScene& scene) {
+  if (!scene.black_white) return design;
+  std::fill(design.draft.palette.begin(), design.draft.palette.end(), Rgb{1, 1, 1});
+  if (!design.draft.palette.empty()) design.draft.palette.front() = {0, 0, 0};
+  return design;
+}
+
 glm::vec3 chart_view(double degrees) { return tilted(kViewAzimuth, degrees); }
 glm::vec3 chart_light() { return tilted(kLightAzimuth, kLightTilt); }
 

@@ -1,21 +1,29 @@
 #pragma once
-// The conditions of the chart: four cloths, two views, six footprints, one light; and the pixels of each.
+// The conditions of the chart: five cloths, two views, six footprints, one light; and the pixels of each.
 
 #include <array>
 #include <glm/glm.hpp>
 #include <string>
 
 #include "commands/chart/names.h"
+#include "draft/design.h"
 #include "light/lod_table.h"
 
 namespace weftlight::chart {
 
 struct ChartScene {
   const char* name;
-  const char* preset;  // presets/drafts
+  const char* preset;        // presets/drafts
+  bool black_white = false;  // the first colour of its palette black, the others white
 };
-inline constexpr std::array<ChartScene, 4> kChartScenes{
-    {{"plain", "plain.wif"}, {"twill", "twill_2_2.wif"}, {"satin", "satin_8.wif"}, {"damask", "twill_damask.wif"}}};
+inline constexpr std::array<ChartScene, 5> kChartScenes{{{"plain", "plain.wif"},
+                                                         {"twill", "twill_2_2.wif"},
+                                                         {"satin", "satin_8.wif"},
+                                                         {"black_white", "shot_taffeta.wif", true},
+                                                         {"damask", "twill_damask.wif"}}};
+/// The scene's draft in its colours.
+Design in_scene_colours(Design design, const ChartScene& scene);
+
 inline constexpr std::array<int, 2> kChartViews{0, 80};                                // degrees from the normal
 inline constexpr std::array<double, 6> kChartFootprints{0.0625, 0.125, 0.5, 1, 2, 8};  // yarns per pixel
 

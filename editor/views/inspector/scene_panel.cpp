@@ -135,9 +135,8 @@ MaybeEdit draw_exposure(PanelContext& c) {
       "look.exposure_ev", tr("Exposure"), -3, 3, "%+.1f EV", tr("Brightness of the picture, in stops")};
   if (slider(c, spec, exposure))
     edit = scene_edit(tr("Exposure"), [exposure](Design& d) { d.look.exposure_ev = exposure; });
-  row_label(
-      c, tr("Auto exposure"),
-      tr("On: the exposure also follows what the cloth reflects, which brightens dark cloths and darkens white ones"));
+  row_label(c, tr("Auto exposure"),
+            tr("On: the less light a cloth reflects, the more it is brightened. No cloth is darkened"));
   constexpr const char* kBy[] = {mark("On"), mark("Off")};
   int by = c.design.look.automatic_exposure ? 0 : 1;
   if (segmented(c, "look.automatic_exposure", kBy, by))

@@ -129,6 +129,18 @@ TEST(chart_scene, pixels_are_stretched_by_the_tilt) {
   EXPECT_LE(8 / std::cos(80 * 0.0174532925) / grid.ny, 1.0 / 16 + 1e-9);
 }
 
+TEST(chart_scene, one_has_black_and_white_threads_only) {
+  Design design = plain({4, 4});
+  design.draft.palette = {{0.2f, 0.4f, 0.6f}, {0.5f, 0.5f, 0.5f}};
+  for (const ChartScene& scene : kChartScenes) {
+    const std::vector<Rgb> palette = in_scene_colours(design, scene).draft.palette;
+    if (scene.black_white) EXPECT_EQ(palette, (std::vector<Rgb>{{0, 0, 0}, {1, 1, 1}}));
+    else EXPECT_EQ(palette, design.draft.palette);
+  }
+  EXPECT_EQ(std::count_if(kChartScenes.begin(), kChartScenes.end(), [](const ChartScene& s) { return s.black_white; }),
+            1);
+}
+
 TEST(draw_counter, is_reproducible_and_proportional_to_the_work) {
   volatile double sum = 0;
   const auto counter = DrawCounter::start([&sum](const CountedDraw& what, const LodTable&, int pixels) {

@@ -40,6 +40,22 @@ TEST(ThreadErrors, FallWithSamplesAndAreTheSameEveryTime) {
   EXPECT_LT(errors.rel_rmse.back().back(), 0.125f);
 }
 
+// A metal sends nothing in the channels that it has not.
+TEST(ThreadErrors, OfAPureColourAreThoseOfTheOthers) {
+  Yarn metal;
+  metal.lobes.metallic = true;
+  metal.lobes.fuzz = 0;
+  Cloth cloth = plain_cloth(16, 0.5f, 0.45f, metal);
+  const auto in = [&cloth](const Linear& colour) {
+    for (auto* threads : {&cloth.ends, &cloth.picks})
+      for (ThreadBody& thread : *threads) thread.colour = colour;
+    return thread_errors(cloth);
+  };
+  const ThreadErrors red = in({1, 0, 0}), green = in({0, 1, 0});
+  for (size_t f = 0; f < kErrorFootprints.size(); ++f)
+    for (size_t i = 0; i < kErrorLattices; ++i) EXPECT_NEAR(red.rel_rmse[f][i], green.rel_rmse[f][i], 1e-3f);
+}
+
 TEST(ThreadErrors, FitTheLodTableToTheCloth) {
   const LodTable any = of_the_worst();
   const Plan plan = plan_of(any, {0.15f}), own = plan_of(fitted(any, thread_errors(plain())), {0.15f});

@@ -29,7 +29,7 @@ inline Design marked_design() {
   Design design;
   Draft& d = design.draft;
   d = blank_draft(kEnds, kPicks, kEnds, kEnds);
-  d.drive = ShedControl::kLiftplan;
+  d.shed_control = ShedControl::kLiftplan;
   d.palette = {{0.08f, 0.08f, 0.08f}, {0.9f, 0.1f, 0.1f}, {0.1f, 0.8f, 0.1f}, {0.15f, 0.2f, 0.95f}};
   for (int e = 0; e < kEnds; ++e) d.threading.set(e, e, true);
   for (Threads* threads : {&d.warp, &d.weft}) {

@@ -187,7 +187,7 @@ std::array<double, 3> swatch_shares(const Design& design) {
 TEST(Print, TheSwatchOfADoubleWeaveShowsItsFace) {
   // Two layers of plain weave, thread by thread in turn: the upper one red over green, the lower one blue.
   Design d = with_size(Design{}, 8, 8, 8, 8);
-  d.draft.drive = ShedControl::kLiftplan;
+  d.draft.shed_control = ShedControl::kLiftplan;
   d.draft.threading = BitMatrix(8, 8), d.draft.liftplan = BitMatrix(8, 8);
   d.draft.palette = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int i = 0; i < 8; ++i) {

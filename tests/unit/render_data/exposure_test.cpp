@@ -15,6 +15,7 @@ TEST(Exposure, DarkClothsStayDarkerThanBrightOnes) {
     const float reflectance = 0.005f * std::pow(1.1f, static_cast<float>(step));
     const float now = reflectance * std::exp2(exposure_for(reflectance));
     EXPECT_GT(now, shown);
+    EXPECT_GE(now, reflectance) << "no cloth is lowered";
     shown = now;
   }
   EXPECT_GT(exposure_for(0.03f), 1);

@@ -31,7 +31,7 @@ Design twill(Leading leading) {
 /// Where painting has left something that nothing needs, or nothing where something is needed; empty: nowhere.
 std::string fault_of(const Draft& d, LoomSize given) {
   const BitMatrix lift = lifts(d), by_shaft = transposed(d.threading), by_treadle = transposed(d.treadling);
-  for (int p = 0; d.drive == ShedControl::kTreadling && p < d.picks(); ++p)
+  for (int p = 0; d.shed_control == ShedControl::kTreadling && p < d.picks(); ++p)
     if (lift.first(p) >= 0 && d.treadling.first(p) < 0) return "pick " + std::to_string(p + 1) + " has no treadle";
   for (int t = given.treadles; t < d.treadles; ++t)
     if (d.tieup.first(t) < 0 && by_treadle.first(t) < 0) return "treadle " + std::to_string(t + 1) + " is of no use";

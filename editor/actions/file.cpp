@@ -12,7 +12,7 @@ namespace weftlight::actions {
 namespace {
 
 void add_recent(Actions& all, const std::vector<std::string>& recent) {
-  const char* const menu = tr("Open recent");
+  const char* const menu = mark("Open recent");
   constexpr size_t kMax = 10;  // of a menu; the page with pictures shows all
   add(all, "File", "recent", tr("Browse with pictures\xE2\x80\xA6"), "Ctrl+Shift+O", [](ActionHost& e) {
     e.show_gallery(false);
@@ -92,7 +92,7 @@ void add_library_actions(Actions& all) {
   for (const LibraryFile& file : library_files()) {
     Action& a = add(all, "Library", ("library." + file.id).c_str(), file.name.c_str(), "",
                     [path = file.path](ActionHost& e) { e.open_copy(path); });
-    a.item.submenu = file.cloth ? tr("Cloths") : "";
+    a.item.submenu = file.cloth ? mark("Cloths") : "";
     a.item.group = std::exchange(first, false);
   }
 }

@@ -8,7 +8,7 @@ void add_loom_actions(Actions& all) {
   const auto at_loom = [](const ActionHost& e) { return e.view().at_loom.open; };
   const auto one = [&all](const char* id, const char* label, const char* key, std::function<void(ActionHost&)> run) {
     Action& a = add(all, "Draft", id, label, key, std::move(run));
-    a.item.submenu = tr("At the loom");
+    a.item.submenu = mark("At the loom");
     return &a;
   };
   one("loom", tr("Weave at the loom"), "F9", [](ActionHost& e) { e.toggle_loom(); })->checked = at_loom;

@@ -23,7 +23,7 @@ bool has_threads(const ActionHost& e) { return threads_of(selected(e)).has_value
 bool has_block(const ActionHost& e) { return e.view().select.held.has_value(); }
 
 Action& on_selection(Action& a, const char* submenu = "") {
-  a.item.submenu = tr(submenu);
+  a.item.submenu = submenu;
   a.item.on_selection = true;
   a.enabled = has_selection;
   return a;
@@ -328,7 +328,7 @@ void add_tools(Actions& all) {
       e.view().cursor.typed = 0;
     });
     a.checked = [to](const ActionHost& e) { return e.view().select.tool == to; };
-    a.item.submenu = tr("Tools");
+    a.item.submenu = mark("Tools");
     return &a;
   };
   tool("tool_paint", tr("Paint tool"), "P", Tool::kPaint)->item.group = true;
@@ -343,7 +343,7 @@ void add_tools(Actions& all) {
   const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
     Action& a = add(all, "Edit", id, label, key, [on](ActionHost& e) { e.view().*on = !(e.view().*on); });
     a.checked = [on](const ActionHost& e) { return e.view().*on; };
-    a.item.submenu = tr("Mirrored drawing");
+    a.item.submenu = mark("Mirrored drawing");
   };
   mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DocumentView::mirror_ends);
   mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DocumentView::mirror_picks);

@@ -13,7 +13,7 @@ namespace {
 Action& add_one(Actions& all, const char* id, const char* label, const char* key,
                 std::function<void(ActionHost&)> run) {
   Action& a = add(all, "Draft", id, label, key, std::move(run));
-  a.item.submenu = tr("Threads");
+  a.item.submenu = mark("Threads");
   return a;
 }
 

@@ -38,7 +38,7 @@ void add_moves(Actions& all) {
   new_group(add(all, "View", "go_to", tr("Go to an end or pick\xE2\x80\xA6"), "Ctrl+G",
                 [](ActionHost& e) { e.ask_thread(); }));
   const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(DocumentView&)) {
-    add(all, "View", id, label, key, [how](ActionHost& e) { how(e.view()); }).item.submenu = tr("Go to");
+    add(all, "View", id, label, key, [how](ActionHost& e) { how(e.view()); }).item.submenu = mark("Go to");
   };
   // Beyond the edge; the layout brings it back to what there is.
   constexpr float kFar = 1e9f;
@@ -48,7 +48,7 @@ void add_moves(Actions& all) {
   const auto page = [&all](const char* id, const char* label, const char* key, int down) {
     add(all, "View", id, label, key, [down](ActionHost& e) {
       page_picks(e.view(), e.settings().pick1_bottom ? -down : down);
-    }).item.submenu = tr("Go to");
+    }).item.submenu = mark("Go to");
   };
   page("page_down", tr("Page down"), "PageDown", 1);
   page("page_up", tr("Page up"), "PageUp", -1);
@@ -71,7 +71,7 @@ void add_heavy_lines(Actions& all) {
     const std::string words = every == 0 ? tr("None") : fill(tr("Every {count} threads"), arg("count", every));
     Action& a = add(all, "View", ("heavy." + std::to_string(every)).c_str(), words.c_str(), "",
                     [every](ActionHost& e) { e.settings().heavy_lines = every; });
-    a.item.submenu = tr("Heavier lines");
+    a.item.submenu = mark("Heavy lines");
     a.checked = [every](const ActionHost& e) { return e.settings().heavy_lines == every; };
   }
 }
@@ -90,7 +90,7 @@ void add_comparison(Actions& all) {
 }
 
 void add_views(Actions& all, const std::vector<std::string>& kept) {
-  const char* const menu = tr("Views of the cloth");
+  const char* const menu = mark("Views of the cloth");
   new_group(add(all, "View", "reset_view", tr("Reset the cloth view"), "Ctrl+Shift+0",
                 [](ActionHost& e) { e.reset_view(); }));
   add(all, "View", "keep_view", tr("Open the draft with this view"), "", [](ActionHost& e) { e.keep_view(); });
@@ -108,8 +108,8 @@ void add_views(Actions& all, const std::vector<std::string>& kept) {
                      [](ActionHost& e) { e.keep_view_as(); });
   keep.item.group = true;
   in_menu(keep);
-  Action& change =
-      add(all, "View", "views_change", tr("Manage views\xE2\x80\xA6"), "", [](ActionHost& e) { e.change_views(); });
+  Action& change = add(all, "View", "views_change", tr("Rename or delete views\xE2\x80\xA6"), "",
+                       [](ActionHost& e) { e.change_views(); });
   change.enabled = [](const ActionHost& e) { return !e.document().now().views.empty(); };
   in_menu(change);
 }
@@ -141,7 +141,7 @@ void add_view_actions(Actions& all, const std::vector<std::string>& kept_views) 
   };
   tab("next_tab", tr("Next draft"), "Ctrl+Tab", 1);
   tab("previous_tab", tr("Previous draft"), "Ctrl+Shift+Tab", -1);
-  add(all, "View", "show_remarks", tr("Remarks on the file"), "", [](ActionHost& e) { e.show_remarks(); });
+  add(all, "View", "show_remarks", tr("Messages about the file"), "", [](ActionHost& e) { e.show_remarks(); });
   add(all, "View", "theme", tr("Switch light or dark theme"), "", [](ActionHost& e) { e.toggle_theme(); });
 }
 

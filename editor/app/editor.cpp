@@ -145,7 +145,7 @@ void Editor::save_to(const std::string& path, const std::function<void()>& then)
     return ask(
         Question{tr("The draft was not saved"),
                  fill(tr("{problem}\n\nYour work is still here. Choose another place."), arg("problem", problem)),
-                 {tr("Save as\xE2\x80\xA6"), tr("Cancel")}},
+                 {mark("Save as\xE2\x80\xA6"), mark("Cancel")}},
         [this](int button) {
           if (button == 0) save_as();
         });
@@ -174,7 +174,7 @@ void Editor::quit() {
                  arg("count", unsaved.size()));
   ask(Question{question,
                (one ? "" : names + "\n\n") + tr("Your changes since the last save would be lost."),
-               {one ? tr("Save") : tr("Save all"), tr("Do not save"), tr("Cancel")}},
+               {one ? mark("Save") : mark("Save all"), mark("Do not save"), mark("Cancel")}},
       [this, unsaved](int button) {
         if (button == 1) leaving_ = true;
         if (button == 0) save_each(unsaved, [this] { leaving_ = true; });
@@ -332,7 +332,7 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
         if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
         ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
                      fill(tr("{path} already exists. Its contents would be lost."), arg("path", path)),
-                     {tr("Replace"), tr("Cancel")}},
+                     {mark("Replace"), mark("Cancel")}},
             [chosen, path](int button) {
               if (button == 0) chosen(path);
             });
@@ -348,7 +348,7 @@ void Editor::with_ending(const std::string& typed, const std::string& ending,
   if (path == typed || !std::filesystem::exists(path, error)) return then(path);
   ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
                tr("A file of that name already exists. Saving would replace it."),
-               {tr("Replace"), tr("Cancel")}},
+               {mark("Replace"), mark("Cancel")}},
       [then, path](int button) {
         if (button == 0) then(path);
       });

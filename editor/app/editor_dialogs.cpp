@@ -16,6 +16,7 @@ namespace weftlight::app {
 
 using base::arg;
 using base::fill;
+using base::mark;
 using base::tr;
 
 namespace {
@@ -192,7 +193,7 @@ void Editor::start_print(const std::string& path, const PrintPrompt& p) {
     if (const std::string file = print::sheet_file(path, i, sheets); std::filesystem::exists(file, ignored))
       return ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(file).filename().string())),
                           tr("Sheets of that name already exist. Printing would replace them."),
-                          {tr("Replace"), tr("Cancel")}},
+                          {mark("Replace"), mark("Cancel")}},
                  [write](int button) {
                    if (button == 0) write();
                  });

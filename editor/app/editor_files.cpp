@@ -16,6 +16,7 @@ namespace weftlight::app {
 
 using base::arg;
 using base::fill;
+using base::mark;
 using base::tr;
 
 namespace {
@@ -92,7 +93,7 @@ void Editor::ask_about_change(bool saving, std::function<void()> then) {
                                    arg("path", document().path()));
   ask(Question{fill(tr("{file} was changed by another program"), arg("file", document().name())),
                text,
-               {tr("Save a copy\xE2\x80\xA6"), tr("Keep mine"), tr("Reload"), tr("Cancel")}},
+               {mark("Save a copy\xE2\x80\xA6"), mark("Keep mine"), mark("Reload"), mark("Cancel")}},
       [this, saving, then = std::move(then)](int button) {
         const std::string path = document().path();
         if (button == 0)

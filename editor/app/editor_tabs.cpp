@@ -12,6 +12,7 @@ namespace weftlight::app {
 
 using base::arg;
 using base::fill;
+using base::mark;
 using base::tr;
 
 void Editor::close(uint64_t id) { close(id, nullptr); }
@@ -27,7 +28,7 @@ void Editor::close(uint64_t id, const std::function<void()>& then) {
   session_.show(id);
   ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),
                tr("Your changes since the last save would be lost."),
-               {tr("Save"), tr("Do not save"), tr("Cancel")}},
+               {mark("Save"), mark("Do not save"), mark("Cancel")}},
       [this, closed](int button) {
         if (button == 1) closed();
         if (button == 0) save_shown(closed);
@@ -66,7 +67,7 @@ void Editor::reload() {
   if (document().is_saved()) return read_again();
   ask(Question{fill(tr("Reload {file}?"), arg("file", document().name())),
                tr("Your changes since the last save would be lost."),
-               {tr("Reload"), tr("Cancel")}},
+               {mark("Reload"), mark("Cancel")}},
       [this](int button) {
         if (button == 0) read_again();
       });

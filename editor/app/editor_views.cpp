@@ -9,6 +9,7 @@
 
 namespace weftlight::app {
 
+using base::mark;
 using base::tr;
 
 void Editor::reset_view() {
@@ -58,7 +59,7 @@ void Editor::go_to_view(const std::string& name) {
 
 void Editor::keep_view_as() {
   ask(NamePrompt{tr("Save this view"), tr("Drape, light and camera are saved with the draft."),
-                 free_view_name(document().now()), tr("Save")},
+                 free_view_name(document().now()), mark("Save")},
       [this](int) {
         commit(keep_view_edit(view(), std::get<NamePrompt>(dialog_).name));
         say(tr("Saved with the draft. Find it in View, Views of the cloth."));

@@ -99,7 +99,7 @@ std::string summary(const Draft& d) {
 bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
                      std::span<const Diagnostic> remarks) {
   push_font(c.style.font.small);
-  const float remark_room = remarks.empty() ? 0 : c.style.px(110), gap = c.style.px(16);
+  const float remark_room = remarks.empty() ? 0 : c.style.px(130), gap = c.style.px(16);
   const float right = content_right() - remark_room, room = std::max(0.0f, right - ImGui::GetCursorPosX());
   const std::string facts = summary(c.design.draft);
   // The message comes first; the size of the draft is shown if there is room left.

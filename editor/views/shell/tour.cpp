@@ -107,14 +107,19 @@ void draw_card(PanelContext& c, std::span<const ActionItem> items, int step) {
   ImGui::Dummy({c.style.px(kWidth - 32), c.style.px(2)});
   draw_dots(c, step);
   const bool last = step + 1 == kTourSteps;
-  ImGui::SetCursorPosX(c.style.px(last ? 226 : 166));
+  const char *skip = tr("Skip"), *next = last ? tr("Done") : tr("Next");
+  const auto width = [](const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  };
+  const float before = last ? 0 : width(skip) + ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SetCursorPosX(c.style.px(kWidth - 19) - width(next) - before);
   if (!last) {
     ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-    if (text_button(c, "tour.leave", tr("Skip"), nullptr)) go_to(c, kTourSteps);
+    if (text_button(c, "tour.leave", skip, nullptr)) go_to(c, kTourSteps);
     ImGui::PopStyleColor();
     ImGui::SameLine();
   }
-  if (text_button(c, "tour.next", last ? tr("Done") : tr("Next"), nullptr)) go_to(c, step + 1);
+  if (text_button(c, "tour.next", next, nullptr)) go_to(c, step + 1);
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ void Editor::commit(const Edit& edit) {
 void Editor::ask_size() {
   const Draft& d = document().now().draft;
   const Loom& loom = document().now().loom;
-  ask(SizePrompt{tr("Size of the draft"), tr("Change"), d.ends(), d.picks(), d.shafts, d.treadles, loom.shafts,
+  ask(SizePrompt{tr("Size of the draft"), mark("Change"), d.ends(), d.picks(), d.shafts, d.treadles, loom.shafts,
                  loom.treadles},
       [this](int) {
         const SizePrompt p = std::get<SizePrompt>(dialog_);
@@ -322,7 +322,7 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
     return file_dialog_.ask(what, title, start, ending, std::move(chosen));
   }
   constexpr const char* kButtons[] = {mark("Open"), mark("Save"), mark("Export")};
-  ask(PathPrompt{title, start, tr(kButtons[static_cast<int>(what)])},
+  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]},
       [this, what, ending, chosen = std::move(chosen)](int) {
         const std::string typed = std::get<PathPrompt>(dialog_).path;
         const std::string path = what == FileAsk::kSave ? with_file_ending(typed, ending) : typed;

@@ -163,7 +163,7 @@ void add_editor_options(CLI::App& app, EditorOptions& options) {
 RunVerb add_verb(CLI::App& app, const Verb& verb) {
   CLI::App& parser = *app.add_subcommand(verb.name, tr(verb.description))->group(tr("Commands"));
   parser.set_help_flag("-h,--help", tr("This help"));
-  const RunVerb run = verb.add_options(parser);
+  RunVerb run = verb.add_options(parser);
   add_language(parser);
   return run;
 }

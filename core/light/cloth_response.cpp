@@ -79,8 +79,8 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
   const formulas::LobeShared shared = formulas::lobe_shared(lobes);
   p.system = sample.system, p.area = sample.area;
   p.above = sample.area * std::max(sample.side.z, 0.0f) * sample.open[kV - 1];
-  const glm::vec3 shares = body_weights(lobes);
-  p.fuzz = lobes.fuzz, p.body_scale = glm::dot(shared.body_scale, shares), p.multiple = channel_mean(shared.multiple);
+  const glm::vec3 weights = body_weights(lobes);
+  p.fuzz = lobes.fuzz, p.body_scale = glm::dot(shared.body_scale, weights), p.multiple = channel_mean(shared.multiple);
   p.inverse = shared.inverse, p.peak = shared.peak, p.groove = sample.groove;
   p.tone = channel_mean(lobes.body), p.f0 = channel_mean(lobes.f0), p.f90 = lobes.f90,
   p.fibre_layers = lobes.fibre_layers;
@@ -109,10 +109,10 @@ Point measure(const ThreadSample& sample, const glm::vec3& normal, const std::ar
     const size_t v = view_of_light(i);
     const glm::vec3 local = formulas::lobe_local(frame, w[v]);
     if (glm::dot(sample.side, w[v]) > 0 && sample.open[v] > 0)
-      add_light(p.front, i, sides[v], local, std::max(local.z, 0.0f), shares);
+      add_light(p.front, i, sides[v], local, std::max(local.z, 0.0f), weights);
     if (local.z >= 0 || sample.open[v] <= 0 || p.tone <= 0 || through <= 0) continue;
     const glm::vec3 entering = formulas::lobe_side(lobes, shared, {local.x, local.y, -local.z}).enters;
-    p.front.lit[i] = -local.z * glm::dot(entering, shares) * through / p.tone;
+    p.front.lit[i] = -local.z * glm::dot(entering, weights) * through / p.tone;
   }
   return p;
 }

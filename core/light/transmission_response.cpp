@@ -62,14 +62,14 @@ using Lights = std::array<glm::vec3, kTransmissionLights>;
 void find_views(TransmissionSample& p, const formulas::LobeFrame& frame, bool own, const Views& views) {
   const ThreadSample& sample = *p.sample;
   const bool plain = sample.normal == sample.side;
-  const glm::vec3 shares = body_weights(sample.lobes);
+  const glm::vec3 weights = body_weights(sample.lobes);
   for (size_t v = kLowViews; v <= kTop; ++v) {
     const float facing = glm::dot(sample.side, views[v]);
     if (facing <= 0 || sample.open[v] <= 0 || (!plain && own != (glm::dot(sample.normal, views[v]) > 0))) continue;
     const glm::vec3 local = formulas::lobe_local(frame, views[v]);
     const formulas::LobeSide side = formulas::lobe_side(sample.lobes, p.shared, local);
     const float seen = sample.area * facing;
-    p.out.push_back({v, views[v], local, seen, seen * glm::dot(p.shared.body_scale * side.enters, shares), side});
+    p.out.push_back({v, views[v], local, seen, seen * glm::dot(p.shared.body_scale * side.enters, weights), side});
   }
 }
 
@@ -81,7 +81,7 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
   find_views(p, frame, normal == sample.normal, views);
   if (sample.lights.empty()) p.out.clear();
   if (p.out.empty()) return p;
-  const glm::vec3 shares = body_weights(lobes);
+  const glm::vec3 weights = body_weights(lobes);
   const float body = channel_mean(lobes.body), through = channel_mean(lobes.through),
               both = std::max(body + through, 1e-6f);
   const auto [low, high] = std::minmax_element(sample.lights.begin(), sample.lights.end());
@@ -92,7 +92,7 @@ TransmissionSample transmission_sample(const ThreadSample& sample, const glm::ve
     const glm::vec3 local = formulas::lobe_local(frame, lights[i]);
     const bool faces = local.z > 0;
     const formulas::LobeSide side = formulas::lobe_side(lobes, p.shared, {local.x, local.y, std::abs(local.z)});
-    const float bare = std::abs(local.z) * glm::dot(side.enters, shares) * (faces ? body : through) / both;
+    const float bare = std::abs(local.z) * glm::dot(side.enters, weights) * (faces ? body : through) / both;
     p.bare[i - p.first] = bare, p.cleared[i - p.first] = bare * side.clear;
     if (faces) p.in.push_back({i, lights[i], local, side});
   }

@@ -332,7 +332,7 @@ std::optional<WifFile> read_sections(const Dtx& dtx) {
     for (const DtxLine& line : s->data) file.design.notes.push_back(text_of_foreign(line.text));
   file.source_program = "Fiberworks";
   if (const DtxSection* s = dtx.find("IMPRINT"); s && !s->data.empty())
-    file.source_program += " " + text_of_foreign(s->data.front().text);
+    file.source_program.append(" ").append(text_of_foreign(s->data.front().text));
   note_unknown(dtx);
   return file;
 }

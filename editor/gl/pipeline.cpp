@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "base/text.h"
 #include "base/worker.h"
 #include "render_data/stages.h"
 

@@ -22,7 +22,7 @@ void put(GridPane& now, const GridPane& held) {
 constexpr GridPane DraftLayout::*kPanes[] = {
     &DraftLayout::warp_bar,    &DraftLayout::threading,   &DraftLayout::tieup,
     &DraftLayout::drawdown,    &DraftLayout::lift,        &DraftLayout::weft_bar,
-    &DraftLayout::warp_labels, &DraftLayout::weft_labels, &DraftLayout::beyond};
+    &DraftLayout::warp_labels, &DraftLayout::weft_labels, &DraftLayout::tiled_drawdown};
 
 /// Scrolled to where the view is, as far as there are cells.
 void scroll(DraftLayout& l, const DocumentView& v) {
@@ -32,8 +32,8 @@ void scroll(DraftLayout& l, const DocumentView& v) {
     for (GridPane DraftLayout::*const pane : {panes...}) ((l.*pane).*along).scroll += by;
   };
   using L = DraftLayout;
-  scrolled(ends, v.scroll_end, &GridPane::x, &L::warp_bar, &L::threading, &L::drawdown, &L::warp_labels, &L::beyond);
-  scrolled(picks, v.scroll_pick, &GridPane::y, &L::weft_bar, &L::lift, &L::drawdown, &L::weft_labels, &L::beyond);
+  scrolled(ends, v.scroll_end, &GridPane::x, &L::warp_bar, &L::threading, &L::drawdown, &L::warp_labels, &L::tiled_drawdown);
+  scrolled(picks, v.scroll_pick, &GridPane::y, &L::weft_bar, &L::lift, &L::drawdown, &L::weft_labels, &L::tiled_drawdown);
   scrolled(shafts, v.scroll_shaft, &GridPane::y, &L::threading, &L::tieup);
   scrolled(treadles, v.scroll_treadle, &GridPane::x, &L::lift, &L::tieup);
 }

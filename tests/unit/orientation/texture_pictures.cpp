@@ -41,7 +41,7 @@ std::optional<Shows> shown_by(const ImageRow& row) {
     case Channel::kThreadLow:
       return Shows::kThreads;
     case Channel::kHeightMm:
-    case Channel::kHeightShare:
+    case Channel::kHeightNormalized:
       return Shows::kHeights;
     default:
       return {};
@@ -73,9 +73,9 @@ Image finest_of_ktx2(const std::string& path) {
 std::vector<Seen> texture_images(const Workplace& at, std::string&) {
   std::vector<Seen> out;
   for (int t = 0; t < kTargetCount; ++t) {
-    const Target target = static_cast<Target>(t);
-    const bool mips = target == Target::kUnityHdrp || target == Target::kGodot;
-    const std::string container = target == Target::kGodot ? "ktx2" : "dds";
+    const ExportTarget target = static_cast<ExportTarget>(t);
+    const bool mips = target == ExportTarget::kUnityHdrp || target == ExportTarget::kGodot;
+    const std::string container = target == ExportTarget::kGodot ? "ktx2" : "dds";
     const std::string folder = exported(
         at, target_name(target), mips ? std::vector<std::string>{"--mips", container} : std::vector<std::string>{});
     for (const Face face : {Face::kFront, Face::kBack})

@@ -24,7 +24,7 @@ Design plain_in(const Rgb& warp, const Rgb& weft) {
   return design;
 }
 
-FaceSource source_of(const Design& design, Face face, Target target) {
+FaceSource source_of(const Design& design, Face face, ExportTarget target) {
   TextureSetOptions options;
   options.target = target, options.size = 64;
   return face_at(design, face, options, 64);
@@ -34,7 +34,7 @@ FaceSource source_of(const Design& design, Face face, Target target) {
 /// the last step is no more than those from 8 on together, or than a hundredth.
 template <class Make>
 void expect_even(const Make& make, const std::string& what) {
-  for (const Target target : {Target::kGltf, Target::kUnreal}) {
+  for (const ExportTarget target : {ExportTarget::kGltf, ExportTarget::kUnreal}) {
     for (const Face face : {Face::kFront, Face::kBack}) {
       const FaceSource eight = source_of(make(8), face, target), one = source_of(make(1), face, target),
                        none = source_of(make(0), face, target);

@@ -81,7 +81,7 @@ ImVec2 middle_of(const GridPane& pane, Cell at) {
 std::vector<float> places_of(const DraftLayout& l) {
   std::vector<float> all;
   for (const GridPane* p : {&l.warp_bar, &l.threading, &l.tieup, &l.drawdown, &l.lift, &l.weft_bar, &l.warp_labels,
-                            &l.weft_labels, &l.beyond})
+                            &l.weft_labels, &l.tiled_drawdown})
     for (const Axis* a : {&p->x, &p->y})
       for (const float value : {a->start, a->length, a->pitch, a->scroll}) all.push_back(value);
   return all;
@@ -144,7 +144,7 @@ TEST_F(HeldLayoutTest, TheHandItselfMayScroll) {
     }
     for (const GridPane* pane : {&l.lift, &l.weft_bar, &l.weft_labels}) EXPECT_EQ(pane->y.scroll, l.drawdown.y.scroll);
     // What goes on beyond the edges goes along.
-    EXPECT_EQ(cell_at(l.beyond.x, l.drawdown.x.low(12) + 1), 12);
+    EXPECT_EQ(cell_at(l.tiled_drawdown.x, l.drawdown.x.low(12) + 1), 12);
     EXPECT_EQ(places_of(frame(true)), places_of(l));
   }
 }

@@ -12,6 +12,7 @@ using base::arg;
 using base::fill;
 using base::mark;
 using base::tr;
+using base::tr_n;
 
 namespace {
 
@@ -160,12 +161,12 @@ std::vector<CellRect> differing_regions(const BitMatrix& differing, size_t most)
 }
 
 std::string region_text(const CellRect& region) {
-  const auto span = [](const char* one, const char* many, int first, int end) {
-    return fill(end - first == 1 ? one : many, arg("first", first + 1), arg("last", end));
-  };
-  const std::string ends = span(tr("end {first}"), tr("ends {first}\xE2\x80\x93{last}"), region.end0, region.end1);
-  const std::string picks = span(tr("pick {first}"), tr("picks {first}\xE2\x80\x93{last}"), region.pick0, region.pick1);
-  return region.end1 - region.end0 <= region.pick1 - region.pick0 ? ends + ", " + picks : picks + ", " + ends;
+  const int end_count = region.end1 - region.end0, pick_count = region.pick1 - region.pick0;
+  const std::string ends = fill(tr_n("end {first}", "ends {first}\xE2\x80\x93{last}", end_count),
+                                arg("first", region.end0 + 1), arg("last", region.end1));
+  const std::string picks = fill(tr_n("pick {first}", "picks {first}\xE2\x80\x93{last}", pick_count),
+                                 arg("first", region.pick0 + 1), arg("last", region.pick1));
+  return end_count <= pick_count ? ends + ", " + picks : picks + ", " + ends;
 }
 
 std::string thread_list(const std::vector<int>& threads) {

@@ -115,8 +115,7 @@ int put_in_place(const std::string& beside, const fs::path& target, std::optiona
 
 /// What a temporary's name begins and ends with.
 std::pair<std::string, std::string> around_mark(const fs::path& target) {
-  return {target.stem().string().substr(0, kMaxStem) + ".part-",
-          target.extension().string().substr(0, kMaxExtension)};
+  return {target.stem().string().substr(0, kMaxStem) + ".part-", target.extension().string().substr(0, kMaxExtension)};
 }
 
 /// An empty file beside `target` and its lock.

@@ -39,8 +39,9 @@ Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize mo
 /// The same cloth on a loom of that size. The weaver's numbering is kept if all of it fits.
 Factored within_loom(const Draft& base, LoomSize most);
 
-/// The draft without the treadles and shafts that went out of use since `before`: no pick (no end) uses them, and they tie
-/// and lift nothing. Only those beyond `given`, which painting added; later ones move up. The drawdown stays the same.
+/// The draft without the treadles and shafts that went out of use since `before`: no pick (no end) uses them, and they
+/// tie and lift nothing. Only those beyond `given`, which painting added; later ones move up. The drawdown stays the
+/// same.
 Draft without_spare(Draft draft, const Draft& before, LoomSize given);
 
 /// The fewest shafts and treadles (one per pick) for this drawdown: its distinct columns, and its distinct rows other

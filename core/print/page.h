@@ -46,8 +46,8 @@ std::vector<Sheet> draft_sheets(const Design& design, const PrintOptions& option
 /// Lists, heddles, yarn and swatch.
 std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options);
 
-/// The front of the cloth, seen perpendicularly, each thread shaded as a cylinder, end 1 and pick 1 where the options say:
-/// Cairo RGB24, `width` x `height` pixels.
+/// The front of the cloth, seen perpendicularly, each thread shaded as a cylinder, end 1 and pick 1 where the options
+/// say: Cairo RGB24, `width` x `height` pixels.
 std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells, const PrintOptions& options,
                                     int width, int height, double pixels_per_mm);
 

@@ -20,7 +20,7 @@ using Actions = std::vector<Action>;
 
 // Menus are known by their English names; the menu bar looks them up in the catalogue.
 inline constexpr const char* kMenus[] = {mark("File"),  mark("Edit"),    mark("Draft"), mark("View"),
-                                  mark("Cloth"), mark("Library"), mark("Help")};
+                                         mark("Cloth"), mark("Library"), mark("Help")};
 
 inline Action& add(Actions& all, const char* menu, const char* id, const char* label, const char* shortcut,
                    std::function<void(ActionHost&)> run) {

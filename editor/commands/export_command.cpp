@@ -208,7 +208,7 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
     const std::string thrown = caught([&] { run_job(job, run); });
     if (!thrown.empty())
       report(run, kNotWritten,
-           fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
+             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
   });
   if (jobs.size() > 1) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),

@@ -52,7 +52,8 @@ std::string layers_text(const std::vector<WeaveLayer>& layers) {
 std::string threads_text(const WeaveLayer& layer) {
   if (layer.picks.empty()) return fill(tr("ends {ends}"), arg("ends", thread_list(layer.ends)));
   if (layer.ends.empty()) return fill(tr("picks {picks}"), arg("picks", thread_list(layer.picks)));
-  return fill(tr("ends {ends}; picks {picks}"), arg("ends", thread_list(layer.ends)), arg("picks", thread_list(layer.picks)));
+  return fill(tr("ends {ends}; picks {picks}"), arg("ends", thread_list(layer.ends)),
+              arg("picks", thread_list(layer.picks)));
 }
 
 void draw_layers(const PanelContext& c, const AnalysisState& s) {

@@ -32,8 +32,10 @@ void scroll(DraftLayout& l, const DocumentView& v) {
     for (GridPane DraftLayout::*const pane : {panes...}) ((l.*pane).*along).scroll += by;
   };
   using L = DraftLayout;
-  scrolled(ends, v.scroll_end, &GridPane::x, &L::warp_bar, &L::threading, &L::drawdown, &L::warp_labels, &L::tiled_drawdown);
-  scrolled(picks, v.scroll_pick, &GridPane::y, &L::weft_bar, &L::lift, &L::drawdown, &L::weft_labels, &L::tiled_drawdown);
+  scrolled(ends, v.scroll_end, &GridPane::x, &L::warp_bar, &L::threading, &L::drawdown, &L::warp_labels,
+           &L::tiled_drawdown);
+  scrolled(picks, v.scroll_pick, &GridPane::y, &L::weft_bar, &L::lift, &L::drawdown, &L::weft_labels,
+           &L::tiled_drawdown);
   scrolled(shafts, v.scroll_shaft, &GridPane::y, &L::threading, &L::tieup);
   scrolled(treadles, v.scroll_treadle, &GridPane::x, &L::lift, &L::tieup);
 }

@@ -133,12 +133,12 @@ TEST_F(DrawingTest, AnEditBeyondTheLoomOffersTheClosestWeave) {
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Use closest weave") && w.live() != before; }));
   EXPECT_TRUE(w.has("nearest.place:1")) << "the crossings that differ are listed";
   display_.click(w.middle_of("nearest.place:1"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Keep what was"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
   EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "to the byte";
 
   ASSERT_NO_FATAL_FAILURE(refused());
   display_.click(w.middle_of("nearest.see"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Take the nearest"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Use closest weave"));
   const draft::Draft taken = draft_of(w);
   EXPECT_NE(taken, blank_.draft);
   EXPECT_LE(taken.shafts, 4);

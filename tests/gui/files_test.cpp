@@ -161,7 +161,7 @@ TEST_F(FilesTest, RecoveredUnsavedWorkDoesNotOverwriteAFile) {
   }
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Recover"));
   ASSERT_TRUE(comes_true([&] { return design_of(w.live()) == design_of(lost); }));
   display_.key("ctrl+s");
   ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); })) << "saved without asking where";
@@ -181,7 +181,7 @@ TEST_F(FilesTest, RecoveredWorkWhoseFileChangedAsksForAPath) {
   put(draft_, theirs);
   Window w(display_, folder_, {}, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Recover"));
   ASSERT_TRUE(comes_true([&] { return w.live() == lost; }));
   display_.key("ctrl+s");
   ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
@@ -197,7 +197,7 @@ TEST_F(FilesTest, UnreadableUnsavedWorkIsListedAndKept) {
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
     ASSERT_TRUE(comes_true([&] { return w.has("recovery:1"); })) << "no dialog at start " << start;
     EXPECT_FALSE(w.has("recovery:2"));
-    ASSERT_NO_FATAL_FAILURE(press(w, start == 0 ? "Bring back" : "Later"));
+    ASSERT_NO_FATAL_FAILURE(press(w, start == 0 ? "Recover" : "Later"));
     display_.key("ctrl+q");
     EXPECT_EQ(w.process().wait(), 0);
     EXPECT_EQ(bytes_of(journal), "damaged");
@@ -258,7 +258,7 @@ TEST_F(FilesTest, SavingToAReadOnlyFolderFailsWithAMessage) {
   locked.release();
   Window w(display_, folder_, {}, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Recover"));
   EXPECT_TRUE(comes_true([&] { return w.live() == lost; }));
 }
 
@@ -299,7 +299,7 @@ TEST_F(FilesTest, WhereNoFileMayGrowNothingIsLostAndItIsSaid) {
   w.process().wait();
   Window again(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return again.is_ready(); }));
-  ASSERT_NO_FATAL_FAILURE(press(again, "Bring back"));
+  ASSERT_NO_FATAL_FAILURE(press(again, "Recover"));
   EXPECT_TRUE(comes_true([&] { return again.live() == kept; })) << "the file from before the disk was full";
 }
 

@@ -130,7 +130,7 @@ TEST_F(TabsTest, AKilledWindowOffersAllOfThem) {
   }
   Window w(display_, folder_, {}, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Bring back all"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Recover all"));
   ASSERT_TRUE(comes_true([&] { return w.has("tab.unsaved:1") && w.has("tab.unsaved:2"); }));
   EXPECT_TRUE(comes_true([&] { return w.live() == one || w.live() == two; }));
   const std::string shown = w.live();

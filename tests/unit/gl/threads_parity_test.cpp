@@ -165,7 +165,7 @@ constexpr const char* kRayMain = R"(
     ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
     ThreadTexture x = thread_pattern(hit.system, thread, g.side);
     Texel t = texture_at(x, texture_point(x, fract(p.along / length_mm), p.turn, given(2).w, 1.0));
-    vec4 look = thread_look(hit.system, thread);
+    vec4 look = thread_dye(hit.system, thread);
     YarnLobes y = thread_lobes(int(look.w), look.rgb);
     if (row == 0) result = vec4(float(hit.system), float(thread), hit.at.z, 0.0);
     if (row == 1) result = vec4(threads_block(g, hit.at, l, 24, hit.system, thread) ? 1.0 : 0.0);

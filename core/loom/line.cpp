@@ -189,7 +189,8 @@ LineOpened open_line(const std::string& address, int wait_ms) {
     const bool has_baud = last > 6 && std::from_chars(address.data() + last + 1, end, baud).ptr == end && baud > 0;
     return open_serial(address.substr(7, has_baud ? last - 7 : std::string::npos), has_baud ? baud : kDefaultBaud);
   }
-  return {nullptr, tr("the address of a loom is tcp:HOST:PORT or serial:PORT[:BAUD]")};
+  return {nullptr, fill(tr("{address} is no address of a loom; give tcp:HOST:PORT or serial:PORT[:BAUD]"),
+                        arg("address", address))};
 }
 
 }  // namespace weftlight::loom

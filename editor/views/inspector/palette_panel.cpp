@@ -72,10 +72,10 @@ MaybeEdit paint_all(PanelContext& c) {
   const bool color = c.view.bar_paint == BarPaint::kColor;
   const int index = color ? c.view.color : c.view.yarn;
   const Draft& d = c.design.draft;
-  if (text_button(c, "paint.warp", tr("Whole warp"), tr("Give every end the active colour or yarn")))
+  if (text_button(c, "paint.warp", tr("All ends"), tr("Give every end the active colour or yarn")))
     return bar_edit(GridId::kWarpColors, {0, 0}, {d.ends() - 1, 0}, c.view.bar_paint, index);
   ImGui::SameLine();
-  if (text_button(c, "paint.weft", tr("Whole weft"), tr("Give every pick the active colour or yarn")))
+  if (text_button(c, "paint.weft", tr("All picks"), tr("Give every pick the active colour or yarn")))
     return bar_edit(GridId::kWeftColors, {0, 0}, {0, d.picks() - 1}, c.view.bar_paint, index);
   return {};
 }

@@ -55,7 +55,7 @@ TEST_F(FileDialogTest, BothAreAskedForTheSame) {
   const char* kinds =
       "Weaving drafts (*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO)|"
       "WIF drafts (*.wif *.WIF *.wifw *.WIFW)|"
-      "Pictures, a pixel a crossing (*.png *.PNG *.tif *.tiff *.TIF *.bmp)|All files (*)";
+      "Pictures, one pixel for each crossing (*.png *.PNG *.tif *.tiff *.TIF *.bmp)|All files (*)";
   EXPECT_EQ(asker_words(Asker::kKdialog, FileAsk::kOpen, "Open", "/drafts/", ".wif"),
             (Words{"kdialog", "--title", "Open", "--getopenfilename", "/drafts/", kinds}));
   EXPECT_EQ(asker_words(Asker::kKdialog, FileAsk::kFolder, "Folder", "", ""),

@@ -216,7 +216,7 @@ void LookTest::shoot_comparison(const Window& w) {
 
 void LookTest::shoot_closest_weave(const Window& w) {
   const std::string before = w.live();
-  ASSERT_NO_FATAL_FAILURE(command(w, "drawdown rules"));
+  ASSERT_NO_FATAL_FAILURE(command(w, "drawdown leads"));
   ASSERT_TRUE(comes_true([&] { return w.live() != before; }));
   display_.key("shift+u");
   display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 14, 12), w.cell("drawdown", 70, 120)});

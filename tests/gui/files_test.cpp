@@ -296,7 +296,7 @@ TEST_F(FilesTest, AFailedSaveIsReportedAndKeepsTheOldFile) {
   ASSERT_TRUE(comes_true([&] { return journal_bytes(folder_ / "state") > 0; }));
   // No file may grow past some bytes: writing fails as on a full disk. The map of the controls cannot be written
   // either, so the question is first seen in a screenshot, and read when the limit is gone.
-  const rlimit full{100, 100}, none{RLIM_INFINITY, RLIM_INFINITY};
+  const rlimit full{100, RLIM_INFINITY}, none{RLIM_INFINITY, RLIM_INFINITY};
   ASSERT_EQ(prlimit(w.process().id(), RLIMIT_FSIZE, &full, nullptr), 0);
   display_.move({640, 798});  // where nothing is highlighted
   const std::string before = display_.picture({0, 0}, {1280, 800});

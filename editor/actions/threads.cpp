@@ -41,7 +41,7 @@ void choose_every_other(ActionHost& e) {
 void leave_to_yarn(ActionHost& e) {
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  e.commit({thread_label("Thickness and spacing", choice.system, threads.size()),
+  e.commit({thread_label(tr("Thickness and spacing"), choice.system, threads.size()),
             [threads, system = choice.system](Design d) {
               return with_thread_spacing(with_thread_thickness(std::move(d), system, threads, kFromYarn), system,
                                          threads, kFromYarn);
@@ -79,7 +79,7 @@ void copy_properties(ActionHost& e, const char* what, ThreadText text) {
   const Draft& d = e.document().now().draft;
   const std::vector<int> threads = concerned(choice, d);
   e.set_clipboard(text(d, choice.system, threads));
-  e.say("Copied the " + thread_label(what, choice.system, threads.size()));
+  e.say(fill(tr("Copied {text}"), arg("text", thread_label(tr(what), choice.system, threads.size()))));
 }
 
 void paste_properties(ActionHost& e) {
@@ -87,7 +87,7 @@ void paste_properties(ActionHost& e) {
   if (!read.properties) return e.say(read.problem);
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  const char* what = read.properties->colors.empty() ? "Paste thickness" : "Paste colours";
+  const char* what = read.properties->colors.empty() ? tr("Paste thickness") : tr("Paste colours");
   e.commit({thread_label(what, choice.system, threads.size()),
             [threads, system = choice.system, properties = *read.properties](Design d) {
               return with_properties(std::move(d), system, threads, properties);
@@ -117,9 +117,9 @@ void add_thread_actions(Actions& all) {
   add_one(all, "threads.warp_thick_as_weft", tr("Copy weft thickness to warp"), "",
           [](ActionHost& e) { copy_bar(e, tr("Copy weft thickness to warp"), with_thickness_of, System::kWeft); });
   new_group(add_one(all, "threads.copy_colors", tr("Copy thread colours"), "Ctrl+Alt+C",
-                    [](ActionHost& e) { copy_properties(e, "colours", color_text); }));
+                    [](ActionHost& e) { copy_properties(e, mark("colours"), color_text); }));
   add_one(all, "threads.copy_thickness", tr("Copy thread thickness"), "",
-          [](ActionHost& e) { copy_properties(e, "thickness", thickness_text); });
+          [](ActionHost& e) { copy_properties(e, mark("thickness"), thickness_text); });
   add_one(all, "threads.paste_looks", tr("Paste colours or thickness"), "Ctrl+Alt+V", paste_properties);
   add_one(all, "threads.from_yarn", tr("Use the yarn's thickness and spacing"), "", leave_to_yarn);
 }

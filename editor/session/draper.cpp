@@ -87,7 +87,7 @@ void Draper::fail(const std::string& why) {
     const std::lock_guard lock(mutex_);
     return wanted_;
   }();
-  tell(wanted, {DrapeStage::kFailed, 0, why}, "Not draped: " + why);
+  tell(wanted, {DrapeStage::kFailed, 0, why}, fill(tr("Not simulated: {problem}"), arg("problem", why)));
 }
 
 void Draper::tell(const std::string& wanted, DrapeState state, std::string said) {

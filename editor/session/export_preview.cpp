@@ -4,10 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "cloth/srgb.h"
 #include "texture_set/set_preview.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int kMaxSide = 256;  // texels of the images that thumbnails are cut from
@@ -163,7 +169,7 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
 void ExportPreviewer::fail(const std::string& why) {
   {
     const std::lock_guard lock(mutex_);
-    made_.emplace().problem = "No preview: " + why;
+    made_.emplace().problem = fill(tr("No preview: {problem}"), arg("problem", why));
     busy_ = false;
   }
   wake_();

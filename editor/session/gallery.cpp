@@ -4,10 +4,14 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/text.h"
 #include "session/library.h"
 #include "session/user_files.h"
 
 namespace weftlight::session {
+
+using base::mark;
+
 namespace {
 
 std::string lower(std::string_view text) {
@@ -36,7 +40,7 @@ std::vector<GalleryCard> recent_cards(const std::vector<std::string>& paths, std
 std::vector<GalleryCard> library_cards() {
   std::vector<GalleryCard> cards;
   for (LibraryFile& file : library_files())
-    cards.push_back({std::move(file.path), std::move(file.name), file.cloth ? "Cloths" : "Drafts", true});
+    cards.push_back({std::move(file.path), std::move(file.name), file.cloth ? mark("Cloths") : mark("Drafts"), true});
   return cards;
 }
 

@@ -9,9 +9,16 @@
 #include <utility>
 
 #include "base/caught.h"
+#include "base/text.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -44,15 +51,17 @@ std::string flushed(const std::string& path) {
     const bool done = ::fsync(file) == 0 || errno == EINVAL;
     const int cause = errno;
     ::close(file);
-    if (!done) return "Recovery copy not on the disk (" + path + "): " + std::strerror(cause);
+    if (!done)
+      return fill(tr("The recovery copy may not be on the disk ({file}): {problem}"), arg("file", path),
+                  arg("problem", std::strerror(cause)));
   }
   return {};
 }
 
-/// What was thrown, with what that means where there is memory for as much.
-std::string told(const char* what, const std::string& thrown) {
+/// `text` with what was thrown as its {problem}. Short enough to need no allocation when memory is out.
+std::string failure_text(const char* text, const std::string& thrown) {
   std::string whole;
-  caught([&] { whole = what + thrown; });
+  caught([&] { whole = fill(tr(text), arg("problem", thrown)); });
   return whole.empty() ? "no memory" : whole;
 }
 
@@ -132,7 +141,7 @@ void Journal::flush() {
       for (const std::string& path : journals)
         if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
     });
-    if (!thrown.empty()) problem = told("Recovery copy not on the disk: ", thrown);
+    if (!thrown.empty()) problem = failure_text(mark("The recovery copy may not be on the disk: {problem}"), thrown);
     lock.lock();
     flushing_ = false;
     begin_anew_ |= !problem.empty();
@@ -157,7 +166,7 @@ void Journal::work() {
       lock.unlock();
       std::string problem;
       const std::string thrown = caught([&] { problem = perform(task.key(), task.mapped()); });
-      if (!thrown.empty()) problem = told("No recovery copy: ", thrown);
+      if (!thrown.empty()) problem = failure_text(mark("No recovery copy: {problem}"), thrown);
       lock.lock();
       if (problem.empty()) problems_.erase(task.key());
       else try_again(std::move(task), std::move(problem));
@@ -218,10 +227,13 @@ std::string Journal::write(uint64_t document, const State& state) {
     // The first, or what is there is torn, or has grown.
     written.whole = false;
     std::string problem = recovery_.open();
-    if (!problem.empty()) return "No recovery copy of " + state.note.name + ": " + problem;
+    if (!problem.empty())
+      return fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name), arg("problem", problem));
     const std::string start = journal_start({state.note, text});
     if (!append(path, start, O_CREAT | O_EXCL).empty()) problem = write_file_atomically(path, start);
-    if (!problem.empty()) return "No recovery copy of " + state.note.name + " (" + path + "): " + problem;
+    if (!problem.empty())
+      return fill(tr("No recovery copy of {draft} ({file}): {problem}"), arg("draft", state.note.name),
+                  arg("file", path), arg("problem", problem));
     written = {state.note, {}, 0, 0, true};
   }
   written.text = std::move(text);

@@ -5,10 +5,14 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "platform/unique_name.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::tr;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,11 +43,11 @@ struct ReadEntry {
 };
 
 ReadEntry read_entry(const std::string& journal) {
-  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, "it is larger than any journal"};
+  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, tr("it is larger than any journal")};
   const FileBytes file = read_file(journal);
   if (!file.error.empty()) return {{}, file.error};
   ReadEntry read{read_journal(file.bytes), {}};
-  if (!read.last) read.problem = "it is damaged before the end of its first entry";
+  if (!read.last) read.problem = tr("it is damaged before the end of its first entry");
   return read;
 }
 

@@ -4,8 +4,14 @@
 #include <utility>
 
 #include "base/caught.h"
+#include "base/text.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int kListedFloats = 500;
@@ -63,7 +69,7 @@ bool Reporter::poll() {
     report_ = work_.get();
   } catch (...) {  // of the thread
     failed_ = asked_;
-    problem_ = "The draft was not analysed: " + words_of_thrown();
+    problem_ = fill(tr("The draft was not analysed: {problem}"), arg("problem", words_of_thrown()));
   }
   return true;
 }

@@ -103,7 +103,7 @@ std::function<std::string()> Document::writer() const {
 }
 
 OpenResult open_document(const std::string& path) {
-  // Before the bytes: what is written in between is then noticed.
+  // Read before the bytes, so that a write in between is noticed.
   FileIdentity identity = facts_of(path);
   FileBytes file = read_file(path);
   if (!file.error.empty())
@@ -113,7 +113,7 @@ OpenResult open_document(const std::string& path) {
   identity.hash = content_hash(file.bytes);
   if (read.file->format == "wif")
     return {Document(std::move(*read.file), std::move(read.diagnostics), path, identity), {}};
-  // Another program's file stays as it is: saving asks for a name.
+  // A file of another format is not overwritten: saving asks for a name.
   Document document(std::move(*read.file), std::move(read.diagnostics), {});
   document.without_file(std::filesystem::path(path).stem().string() + ".wif");
   return {std::move(document), {}};

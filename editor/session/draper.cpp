@@ -14,7 +14,7 @@ using base::tr;
 
 namespace {
 
-constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of the window
+constexpr float kStep = 0.01f;  // progress that is worth redrawing the window
 
 }  // namespace
 
@@ -93,7 +93,7 @@ void Draper::fail(const std::string& why) {
 void Draper::tell(const std::string& wanted, DrapeState state, std::string said) {
   {
     const std::lock_guard lock(mutex_);
-    if (wanted != wanted_ || state_.stage != DrapeStage::kFalling) return;  // wanted no more, or stopped
+    if (wanted != wanted_ || state_.stage != DrapeStage::kFalling) return;  // no longer wanted, or stopped
     const bool falls_on = state.stage == DrapeStage::kFalling;
     if (falls_on && std::abs(state.share - state_.share) < kStep) return;
     state_ = std::move(state);

@@ -63,7 +63,7 @@ int stepped(int chosen, int count, int columns, Step step) {
   const int by = step == Step::kLeft ? -1 : step == Step::kRight ? 1 : step == Step::kUp ? -columns : columns;
   const int to = std::min(chosen, count - 1) + by;
   if (to < 0) return std::min(chosen, count - 1);
-  // Down from above a last row that is not full.
+  // A step down into a last row that is not full goes to its end.
   const bool row_below = step == Step::kDown && chosen / columns < (count - 1) / columns;
   return to < count ? to : row_below ? count - 1 : std::min(chosen, count - 1);
 }

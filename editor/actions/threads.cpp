@@ -1,4 +1,4 @@
-// What is done with chosen threads, by menu and keys: the way round the mouse for the Threads panel.
+// Actions on the chosen threads: the Threads panel by menu and keyboard.
 
 #include <numeric>
 #include <span>
@@ -48,7 +48,7 @@ void leave_to_yarn(ActionHost& e) {
             }});
 }
 
-/// The colours of one system for the threads of the other, over and over.
+/// Copies the colours of one system to the other, repeated as needed.
 Design with_colors_of(Design d, System from) {
   const System to = from == System::kWarp ? System::kWeft : System::kWarp;
   const std::vector<int> colors = d.draft.threads(from).color;
@@ -58,7 +58,7 @@ Design with_colors_of(Design d, System from) {
   return d;
 }
 
-/// The same of their thicknesses.
+/// The same for the thickness.
 Design with_thickness_of(Design d, System from) {
   const System to = from == System::kWarp ? System::kWeft : System::kWarp;
   const ThreadProperties properties{{}, d.draft.threads(from).thickness_mm};
@@ -73,7 +73,7 @@ void copy_bar(ActionHost& e, const char* label, Design (*with)(Design, System), 
 
 using ThreadText = std::string (*)(const Draft&, System, std::span<const int>);
 
-/// Of the chosen threads, or of all of the system.
+/// Copies a property of the chosen threads, or of all of the system.
 void copy_properties(ActionHost& e, const char* what, ThreadText text) {
   const ThreadChoice& choice = e.view().chosen;
   const Draft& d = e.document().now().draft;

@@ -159,22 +159,25 @@ std::string draft_from(const fs::path& folder, const std::string& draft_path) {
 std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
   std::error_code ec;
   if (!fs::exists(fs::symlink_status(folder, ec))) return {};
-  if (!fs::is_directory(folder, ec))
-    return fill(tr("{folder}: is a file; choose another folder"), arg("folder", folder.string()));
+  if (!fs::is_directory(folder, ec)) return fill(tr("{folder}: is a file"), arg("folder", folder.string()));
   if (fs::is_empty(folder, ec)) return {};
   const std::optional<Listed> there = listed_in(folder);
-  if (!there)
-    return fill(tr("{folder}: there are other files; choose another folder, or --force to write among them"),
-                arg("folder", folder.string()));
+  if (!there) return fill(tr("{folder}: there are other files"), arg("folder", folder.string()));
   if (same(there->identity, identity)) return {};
   const bool namesake = there->identity.source == identity.source && there->identity.target == identity.target;
-  const char* form = namesake
-                         ? tr("{folder}: holds a set of another {source} for {target}; choose another folder, or "
-                              "--force to write among them")
-                         : tr("{folder}: holds a set of {source} for {target}; choose another folder, or --force to "
-                              "write among them");
+  const char* form = namesake ? tr("{folder}: holds a set of another {source} for {target}")
+                              : tr("{folder}: holds a set of {source} for {target}");
   return fill(form, arg("folder", folder.string()), arg("source", there->identity.source),
               arg("target", there->identity.target));
+}
+
+std::string refusal(const fs::path& folder, const SetIdentity& identity) {
+  std::string problem = in_the_way(folder, identity);
+  if (problem.empty()) return problem;
+  std::error_code ec;
+  return fill(fs::is_directory(folder, ec) ? tr("{problem}; choose another folder, or --force to write among them")
+                                           : tr("{problem}; choose another folder"),
+              arg("problem", problem));
 }
 
 Staging make_staging(const fs::path& folder, std::string& problem) {
@@ -213,7 +216,7 @@ namespace {
 std::string put(const fs::path& made, const fs::path& folder, const SetIdentity& identity, bool force) {
   std::error_code ec;
   // Another's may have come since it was asked first.
-  if (std::string problem = force ? std::string{} : in_the_way(folder, identity); !problem.empty()) return problem;
+  if (std::string problem = force ? std::string{} : refusal(folder, identity); !problem.empty()) return problem;
   fs::remove(made / kStaged, ec);
   if (!fs::exists(folder, ec) || fs::is_empty(folder, ec)) return moved(made, folder);
   const std::optional<Listed> there = listed_in(folder);

@@ -17,9 +17,11 @@ struct SetIdentity {
 };
 std::string draft_from(const std::filesystem::path& folder, const std::string& draft_path);
 
-/// Empty if a set may be written here; otherwise what is in the way and what to do. A set may be written into a folder
-/// that does not exist, is empty, or holds a set of the same identity.
+/// Empty if a set may be written here; otherwise what is in the way. A set may be written into a folder that does not
+/// exist, is empty, or holds a set of the same identity.
 std::string in_the_way(const std::filesystem::path& folder, const SetIdentity& identity);
+/// The same with what to do about it on the command line.
+std::string refusal(const std::filesystem::path& folder, const SetIdentity& identity);
 
 /// A folder that is being filled. The lock is held while its owner lives.
 struct Staging {

@@ -383,7 +383,7 @@ std::string existing_files_problem(const std::string& folder, const TextureSetOp
 
 std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
                               const TextureSetOptions& options, const ExportProgress& progress) {
-  std::string problem = options.force ? std::string{} : existing_files_problem(folder, options);
+  std::string problem = options.force ? std::string{} : refusal(folder, identity_of(folder, options));
   if (!problem.empty()) return problem;
   Staging staging = make_staging(folder, problem);
   if (!problem.empty()) return problem;

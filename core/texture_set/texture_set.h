@@ -75,7 +75,7 @@ SetFigures figures_of(const Design& design, const TextureSetOptions& options);
 /// One face as it is exported, with at most `side` texels per side. The draft must have cloth.
 FaceSource face_at(const Design& design, Face face, const TextureSetOptions& options, int side);
 
-/// Empty if write_texture_set() can write without `force`; otherwise what is in the way and what to do.
+/// Empty if write_texture_set() can write without `force`; otherwise what is in the way.
 std::string existing_files_problem(const std::string& folder, const TextureSetOptions& options);
 
 }  // namespace weftlight::texture_set

@@ -1,6 +1,6 @@
 #pragma once
-// What the actions work on: the open document and its view, and what needs a window, a file dialog or the
-// clipboard. The editor is one; a test brings its own, without a window.
+// The interface that actions work on: the active document and its view, and services of the window, the file dialogs
+// and the clipboard. The editor implements it; tests have one without a window.
 
 #include <string>
 
@@ -18,72 +18,72 @@ class ActionHost {
   virtual ~ActionHost() = default;
 
   virtual const Document& document() const = 0;
-  /// Of the document; what all documents are seen with is in settings().
+  /// The view of the document; settings() are shared by all documents.
   virtual DocumentView& view() = 0;
   virtual const DocumentView& view() const = 0;
   virtual void commit(const Edit& edit) = 0;
   virtual void undo() = 0;
   virtual void redo() = 0;
-  /// To a step of the history.
+  /// Goes to a step of the history.
   virtual void go_to_step(size_t step) = 0;
 
   virtual void new_draft() = 0;
-  /// The same, beginning with a weave of weave_kinds().
+  /// The same, with a weave of weave_kinds() chosen.
   virtual void new_draft_of(int weave) = 0;
   virtual void open() = 0;
   virtual void open_path(const std::string& path) = 0;
   /// As a new, unnamed draft: a shipped one is never overwritten.
   virtual void open_copy(const std::string& path) = 0;
-  /// The drafts that were open lately, or the library, with pictures.
+  /// Shows recent drafts, or the library, with thumbnails.
   virtual void show_gallery(bool library) = 0;
   virtual void save() = 0;
   virtual void save_as() = 0;
   virtual void save_all() = 0;
   virtual void save_for_others() = 0;
   virtual void export_textures() = 0;
-  /// Unsaved work that crashed sessions left.
+  /// Offers unsaved work of crashed sessions.
   virtual void offer_recovery() = 0;
   virtual bool has_left_work() const = 0;
-  /// The next tab (1) or the one before (-1).
+  /// Shows the next tab (1) or the previous (-1).
   virtual void show_tab(int by) = 0;
   virtual void close_tab() = 0;
   virtual size_t tabs() const = 0;
-  /// Of the shown one among them, from 0.
+  /// Index of the active tab.
   virtual size_t tab_place() const = 0;
   virtual void close_other_tabs() = 0;
   virtual void close_tabs_to_right() = 0;
-  /// The draft as it is, unnamed, in a tab beside its own.
+  /// Opens a copy of the draft, unnamed, in a new tab.
   virtual void duplicate() = 0;
-  /// The file once more, as it is on the disk.
+  /// Reads the file again from disk.
   virtual void reload() = 0;
   virtual void show_in_folder() = 0;
   virtual bool any_unsaved() const = 0;
   virtual void quit() = 0;
 
   virtual void ask_print() = 0;
-  /// The window shows the loom, or no longer.
+  /// Shows or hides the loom view.
   virtual void toggle_loom() = 0;
   virtual void step_at_loom(bool forwards) = 0;
   virtual void connect_loom() = 0;
   virtual void disconnect_loom() = 0;
-  /// Which draft the open one is held against.
+  /// Asks for a draft to compare with.
   virtual void ask_other() = 0;
-  /// Which picture lights the cloth.
+  /// Asks for an environment picture.
   virtual void ask_environment() = 0;
-  /// The last that was worked out of the draft; null: none.
+  /// The last report on the draft; null if there is none.
   virtual const Report* last_report() const = 0;
   virtual void ask_size() = 0;
   virtual void ask_notes() = 0;
   virtual void ask_thread() = 0;
-  /// A weave over the selected threads, or over all.
+  /// Fills the selected threads, or all, with a weave.
   virtual void ask_weave() = 0;
   /// Threading and treadling from named sections.
   virtual void ask_sections() = 0;
-  /// What comes nearest to what was painted and could not be woven, to be taken or left.
+  /// Offers the closest weave to an edit that the loom cannot weave.
   virtual void ask_closest_weave() = 0;
-  /// The control gets the keyboard, by its name in the --ui-map.
+  /// Gives the keyboard to a control, by its name in the --ui-map.
   virtual void focus(std::string control) = 0;
-  /// What the pointer is over.
+  /// The cell under the pointer.
   virtual Hover hover() const = 0;
   virtual Settings& settings() = 0;
   virtual const Settings& settings() const = 0;
@@ -93,18 +93,18 @@ class ActionHost {
   virtual void toggle_theme() = 0;
   virtual void keep_view() = 0;
   virtual void reset_view() = 0;
-  /// A view of the cloth by its name (render_data/views.h).
+  /// Goes to a view of the cloth by name (render_data/views.h).
   virtual void go_to_view(const std::string& name) = 0;
   virtual void keep_view_as() = 0;
   virtual void change_views() = 0;
-  /// A flat swatch in the place of the drape, or the drape again.
+  /// Switches between drape and flat swatch.
   virtual void toggle_flat() = 0;
-  /// Of the cloth's own drape.
+  /// State of the simulated drape.
   virtual DrapeState drape_state() const = 0;
   virtual void stop_draping() = 0;
-  /// After it was stopped, or failed.
+  /// Restarts the simulation after a stop or an error.
   virtual void drape_again() = 0;
-  /// In the status line, for a while.
+  /// Shows a message in the status line for a while.
   virtual void say(std::string text) = 0;
 
   virtual std::string clipboard() const = 0;

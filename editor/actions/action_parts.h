@@ -1,5 +1,5 @@
 #pragma once
-// How the rows of the table of actions are written; for the files that fill it.
+// Helpers for the files that fill the table of actions.
 
 #include <functional>
 #include <utility>
@@ -38,17 +38,17 @@ inline Action& new_group(Action& a) {
   return a;
 }
 
-// One a file, in the order of the menus.
+// One function per file, in the order of the menus.
 void add_file_actions(Actions& all, const std::vector<std::string>& recent);
 void add_edit_actions(Actions& all);
-/// Clipboard, moves, turns, repeats, whole threads, and the tools; under Edit.
+/// Clipboard, moves, mirrors and rotations, repeats, threads, and tools; under Edit.
 void add_selection_actions(Actions& all);
 void add_draft_actions(Actions& all);
-/// Choosing ends and picks for the Threads panel, and its rows; under Draft.
+/// Actions on the chosen ends or picks of the Threads panel; under Draft.
 void add_thread_actions(Actions& all);
-/// Weaving it, pick by pick; under Draft.
+/// Weaving at the loom, pick by pick; under Draft.
 void add_loom_actions(Actions& all);
-/// `kept_views`: of the document that is shown.
+/// `kept_views`: names of the saved views of the active document.
 void add_view_actions(Actions& all, const std::vector<std::string>& kept_views);
 void add_cloth_actions(Actions& all);
 void add_library_actions(Actions& all);

@@ -1,5 +1,5 @@
 #pragma once
-// The one table of what can be done: it feeds the menus, the keys, the toolbar and the command palette.
+// The table of actions. It feeds the menus, the shortcuts, the toolbar and the command palette.
 
 #include <functional>
 #include <map>
@@ -17,15 +17,15 @@ struct Action {
   std::function<void(ActionHost&)> run;
   std::function<bool(const ActionHost&)> enabled = nullptr;       // null: always
   std::function<bool(const ActionHost&)> checked = nullptr;       // null: never
-  std::function<std::string(const ActionHost&)> label = nullptr;  // null: as it stands in the item
+  std::function<std::string(const ActionHost&)> label = nullptr;  // null: the label of the item
 };
 
-/// `recent`: files offered under File. `keys`: shortcuts that the weaver gave, by action (Settings::keys). `views`:
-/// names of those that the shown document keeps.
+/// `recent`: files offered under File. `keys`: shortcuts set by the user, by action id (Settings::keys). `views`: names
+/// of the saved views of the active document.
 std::vector<Action> make_actions(const std::vector<std::string>& recent,
                                  const std::map<std::string, std::string>& keys = {},
                                  const std::vector<std::string>& views = {});
-/// The table as the panels show it, with what holds now.
+/// The items for the panels, with their present state and labels.
 std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& host);
 
 }  // namespace weftlight::actions

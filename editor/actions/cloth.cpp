@@ -1,4 +1,4 @@
-// The cloth: what it hangs over, and what is laid beside its picture.
+// The Cloth menu: drape, light, picture quality and comparison.
 
 #include "actions/action_parts.h"
 #include "draft/lights.h"

@@ -1,4 +1,4 @@
-// The draft as a whole: its size, its shed, what drives it.
+// The Draft menu: size, shed, shed control, and what leads.
 
 #include <utility>
 
@@ -10,18 +10,18 @@ namespace weftlight::actions {
 
 namespace {
 
-/// What rules and what follows.
-void add_rules(Actions& all) {
-  const auto rule = [&all](const char* id, const char* label, Leading leading) {
+/// Which grid leads and which follow.
+void add_leading(Actions& all) {
+  const auto lead = [&all](const char* id, const char* label, Leading leading) {
     Action& a = add(all, "Draft", id, label, "", [label, leading](ActionHost& e) {
       e.commit({label, [leading](Design d) { return with_leading(std::move(d), leading); }});
     });
     a.checked = [leading](const ActionHost& e) { return e.document().now().loom.leading == leading; };
     return &a;
   };
-  rule("rules.threading", tr("Threading leads, drawdown follows"), Leading::kThreading)->item.group = true;
-  rule("rules.liftplan", tr("Liftplan leads, drawdown follows"), Leading::kLiftplan);
-  rule("rules.drawdown", tr("Drawdown leads, threading follows"), Leading::kDrawdown);
+  lead("rules.threading", tr("Threading leads, drawdown follows"), Leading::kThreading)->item.group = true;
+  lead("rules.liftplan", tr("Liftplan leads, drawdown follows"), Leading::kLiftplan);
+  lead("rules.drawdown", tr("Drawdown leads, threading follows"), Leading::kDrawdown);
   Action& lock = add(all, "Draft", "rules.lock", tr("Lock the grids that follow"), "", [](ActionHost& e) {
     const bool locked = !e.document().now().loom.locked;
     e.commit({locked ? tr("Lock the grids that follow") : tr("Unlock the grids that follow"),
@@ -59,12 +59,12 @@ void add_draft_actions(Actions& all) {
   };
   shed("rising", tr("Rising shed"), true)->item.group = true;
   shed("sinking", tr("Sinking shed"), false);
-  const auto drive = [&all](const char* id, const char* label, ShedControl to) {
+  const auto control = [&all](const char* id, const char* label, ShedControl to) {
     Action& a = add(all, "Draft", id, label, "", [to](ActionHost& e) {
       if (to == ShedControl::kLiftplan) return e.commit({tr("Use the liftplan"), to_liftplan});
       Edit edit{tr("Use tie-up and treadling"), [](Design d) {
-                  const int most = loom_size(d).treadles;
-                  return to_treadling(std::move(d), most);
+                  const int treadles = loom_size(d).treadles;
+                  return to_treadling(std::move(d), treadles);
                 }};
       edit.why = [](const Design& d) {
         return fill(tr("This needs {needed} treadles; the loom has {has}."), arg("needed", treadles_needed(d.draft)),
@@ -76,14 +76,14 @@ void add_draft_actions(Actions& all) {
     a.enabled = [to](const ActionHost& e) { return e.document().now().draft.shed_control != to; };
     return &a;
   };
-  drive("treadling", tr("Tie-up and treadling"), ShedControl::kTreadling)->item.group = true;
-  drive("liftplan", tr("Use the liftplan"), ShedControl::kLiftplan);
+  control("treadling", tr("Tie-up and treadling"), ShedControl::kTreadling)->item.group = true;
+  control("liftplan", tr("Use the liftplan"), ShedControl::kLiftplan);
   add(all, "Draft", "skeleton", tr("Skeleton tie-up, two treadles a pick"), "", [](ActionHost& e) {
     Edit edit{tr("Skeleton tie-up, two treadles a pick"), [](Design d) { return to_skeleton(std::move(d), 2); }};
     edit.why = [](const Design&) { return std::string(tr("No skeleton tie-up needs fewer treadles.")); };
     e.commit(edit);
   });
-  add_rules(all);
+  add_leading(all);
   add_thread_actions(all);
   add_loom_actions(all);
 }

@@ -1,4 +1,4 @@
-// Back and forth in the history, the selection, and the list of all commands.
+// The Edit menu: history, selection, and the command palette.
 
 #include "actions/action_parts.h"
 

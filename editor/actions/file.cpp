@@ -1,4 +1,4 @@
-// Files: new, open, save, export, the library of shipped drafts.
+// The File and Library menus: new, open, save, export, shipped drafts.
 
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace {
 
 void add_recent(Actions& all, const std::vector<std::string>& recent) {
   const char* const menu = mark("Open recent");
-  constexpr size_t kMax = 10;  // of a menu; the page with pictures shows all
+  constexpr size_t kMax = 10;  // in the menu; the gallery shows all
   add(all, "File", "recent", tr("Browse with pictures\xE2\x80\xA6"), "Ctrl+Shift+O", [](ActionHost& e) {
     e.show_gallery(false);
   }).item.submenu = menu;
@@ -36,7 +36,7 @@ void copy_path(ActionHost& e) {
   e.say(fill(tr("Copied {text}"), arg("text", e.document().path())));
 }
 
-/// What is done with the file of the draft that is shown.
+/// Actions on the file of the active draft.
 void add_file_of_draft(Actions& all) {
   const auto has_file = [](const ActionHost& e) { return !e.document().path().empty(); };
   new_group(on_tab(add(all, "File", "duplicate", tr("Duplicate"), "", [](ActionHost& e) { e.duplicate(); })));

@@ -11,7 +11,7 @@ bool runs_while_typing(const std::string& shortcut) {
   // F1 to F12.
   if (shortcut.size() > 1 && shortcut[0] == 'F' && std::isdigit(static_cast<unsigned char>(shortcut[1]))) return true;
   if (!shortcut.starts_with("Ctrl+")) return false;
-  // A text field's own: its clipboard, its undo, and walking by words.
+  // Used by text fields: clipboard, undo and cursor movement by words.
   constexpr std::array<std::string_view, 16> kOfText = {
       "Ctrl+A",     "Ctrl+C",  "Ctrl+V",    "Ctrl+X",      "Ctrl+Z",       "Ctrl+Shift+Z", "Ctrl+Y",   "Ctrl+Left",
       "Ctrl+Right", "Ctrl+Up", "Ctrl+Down", "Ctrl+Delete", "Ctrl+Shift+V", "Ctrl+Home",    "Ctrl+End", "Ctrl+Enter"};

@@ -1,5 +1,5 @@
 #pragma once
-// When a key runs an action: always, or only while nothing is being typed.
+// Which keys run actions while text is typed, and which at the loom.
 
 #include <string>
 
@@ -7,9 +7,9 @@
 
 namespace weftlight::actions {
 
-/// Whether a shortcut as menus write it ("Ctrl+S") is one that a text field has no use for.
+/// True if a text field has no use for the shortcut, written as in menus ("Ctrl+S").
 bool runs_while_typing(const std::string& shortcut);
-/// The action that a key means at the loom, where hands are busy and pedals send what they send; else empty.
+/// The action of a key at the loom, where large keys and foot pedals step the picks; else empty.
 std::string key_at_loom(const std::string& key);
 
 }  // namespace weftlight::actions

@@ -1,4 +1,4 @@
-// Weaving the draft, pick by pick, by hand or with a loom on a line.
+// Weaving the draft pick by pick, by hand or with a connected loom.
 
 #include "actions/action_parts.h"
 

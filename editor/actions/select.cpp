@@ -1,4 +1,4 @@
-// Everything that is done with a selection. What an edit makes of the design stands in core/draft.
+// Actions on the selection. The edits themselves are in core/draft.
 
 #include <algorithm>
 
@@ -31,22 +31,23 @@ Action& on_selection(Action& a, const char* submenu = "") {
 
 Action& add_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
                  SelectionEdit edit) {
-  return on_selection(
-      add(all, "Edit", id, label, key,
-          [=](ActionHost& e) {
-            const bool looks = e.view().select.with_properties;
-            e.commit({label, [s = selected(e), edit, looks](Design d) { return edit(std::move(d), s, looks); }});
-          }),
-      submenu);
+  return on_selection(add(all, "Edit", id, label, key,
+                          [=](ActionHost& e) {
+                            const bool properties = e.view().select.with_properties;
+                            e.commit({label, [s = selected(e), edit, properties](Design d) {
+                                        return edit(std::move(d), s, properties);
+                                      }});
+                          }),
+                      submenu);
 }
 
 Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
                         ThreadEdit edit) {
   Action& a = on_selection(add(all, "Edit", id, label, key,
                                [=](ActionHost& e) {
-                                 const bool looks = e.view().select.with_properties;
-                                 e.commit({label, [t = *threads_of(selected(e)), edit, looks](Design d) {
-                                             return edit(std::move(d), t, looks);
+                                 const bool properties = e.view().select.with_properties;
+                                 e.commit({label, [t = *threads_of(selected(e)), edit, properties](Design d) {
+                                             return edit(std::move(d), t, properties);
                                            }});
                                }),
                            submenu);
@@ -54,7 +55,7 @@ Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const
   return a;
 }
 
-/// False, and said why, when the cells are too many.
+/// False, with a message, if there are too many cells.
 bool copy_selection(ActionHost& e) {
   const Selection s = selected(e);
   const std::string size = size_text(s.grid, s.columns(), s.rows());
@@ -98,8 +99,8 @@ void select_whole_threads(ActionHost& e) {
 
 void insert_threads(ActionHost& e) {
   const ThreadRange t = *threads_of(selected(e));
-  e.commit({tr("Insert threads"), [t, looks = e.view().select.with_properties](Design d) {
-              return with_bare_threads(std::move(d), t.system, t.first, t.count(), looks);
+  e.commit({tr("Insert threads"), [t, properties = e.view().select.with_properties](Design d) {
+              return with_bare_threads(std::move(d), t.system, t.first, t.count(), properties);
             }});
 }
 
@@ -109,15 +110,14 @@ void delete_threads(ActionHost& e) {
   if (all)
     return e.say(t.system == System::kWarp ? tr("A draft keeps at least one end.")
                                            : tr("A draft keeps at least one pick."));
-  e.commit({tr("Delete threads"), [t, looks = e.view().select.with_properties](Design d) {
-              return without_threads(std::move(d), t, looks);
+  e.commit({tr("Delete threads"), [t, properties = e.view().select.with_properties](Design d) {
+              return without_threads(std::move(d), t, properties);
             }});
   select_cells(e.view().select, {});
 }
 
-/// One thing at a time: the shape being drawn, the drag, the block in hand, the selection; before them what could not
-/// be woven.
-void let_go(ActionHost& e) {
+/// Cancels one thing per call: the rejected edit, the shape being drawn, the drag or active block, the selection.
+void cancel_one(ActionHost& e) {
   if (e.view().rejected_edit) return e.view().rejected_edit.reset();
   if (e.view().shape) return e.view().shape.reset();
   SelectState& s = e.view().select;
@@ -141,21 +141,22 @@ void add_clipboard(Actions& all) {
   new_group(add(all, "Edit", "select_all", tr("Select the whole grid"), "Ctrl+A", select_all));
   on_selection(add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A", select_whole_threads))
       .enabled = has_threads;
-  add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", let_go).enabled = [](const ActionHost& e) {
+  add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", cancel_one).enabled = [](const ActionHost& e) {
     return has_selection(e) || has_block(e) || e.view().shape || e.view().rejected_edit;
   };
 }
 
 using BlockTurn = BitMatrix (*)(const BitMatrix&);
 
-/// Of the block in hand, else of what is selected.
+/// Mirrors or rotates the active block, else the selection.
 void turn(ActionHost& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
   if (has_block(e)) return turn_held_block(e.view().select, of_block);
   const Selection s = selected(e);
   const bool crossings = s.grid == BitGrid::kDrawdown;
   const BitMatrix wanted = crossings ? of_block(cells_of(e.document().now().draft, s)) : BitMatrix();
-  e.commit(
-      {label, [s, edit, looks = e.view().select.with_properties](Design d) { return edit(std::move(d), s, looks); }});
+  e.commit({label, [s, edit, properties = e.view().select.with_properties](Design d) {
+              return edit(std::move(d), s, properties);
+            }});
   const std::string missed = missed_text(e.document().now().draft, s.grid, s.a0, s.b0, wanted);
   if (!missed.empty()) e.say(label + missed);
 }
@@ -170,7 +171,7 @@ BitMatrix turned_on(const BitMatrix& cells) {
 
 BitMatrix turned_back(const BitMatrix& cells) { return half_turned(turned_on(cells)); }
 
-/// With the clock, as it is seen: a grid that is drawn mirrored turns the other way.
+/// Clockwise as seen on the screen: a grid that is drawn mirrored rotates the other way.
 void quarter_turn(ActionHost& e) {
   const SelectState& state = e.view().select;
   const BitGrid grid = state.held ? state.held->grid : selected(e).grid;
@@ -184,7 +185,7 @@ void quarter_turn(ActionHost& e) {
   const int columns = std::min(block.cols(), columns_of(draft, grid)),
             rows = std::min(block.rows(), rows_of(draft, grid));
   const int a = std::min(s.a0, columns_of(draft, grid) - columns), b = std::min(s.b0, rows_of(draft, grid) - rows);
-  // What it was and what it becomes are one block, so that crossings are found for both at once.
+  // Old and new position are one block, so that the crossings of both are solved together.
   const Selection both{grid, std::min(a, s.a0), std::max(a + columns, s.a1), std::min(b, s.b0),
                        std::max(b + rows, s.b1)};
   BitMatrix cells = cells_of(draft, both);
@@ -219,23 +220,26 @@ void add_turns(Actions& all) {
 }
 
 void add_repeats(Actions& all) {
-  add_edit(all, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R", [](Design d, const Selection& s, bool looks) {
-    return with_repeated(std::move(d), s, RepeatExtent::kToEnd, looks);
-  });
+  add_edit(all, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R",
+           [](Design d, const Selection& s, bool properties) {
+             return with_repeated(std::move(d), s, RepeatExtent::kToEnd, properties);
+           });
   add_edit(all, kRepeat, "repeat_all", tr("Repeat over everything"), "Ctrl+Shift+R",
-           [](Design d, const Selection& s, bool looks) {
-             return with_repeated(std::move(d), s, RepeatExtent::kAll, looks);
+           [](Design d, const Selection& s, bool properties) {
+             return with_repeated(std::move(d), s, RepeatExtent::kAll, properties);
            });
   add_thread_edit(all, kRepeat, "point_end", tr("Point repeat to the end"), "Ctrl+M",
-                  [](Design d, const ThreadRange& t, bool looks) {
-                    return with_point_repeat(std::move(d), t, RepeatExtent::kToEnd, looks);
+                  [](Design d, const ThreadRange& t, bool properties) {
+                    return with_point_repeat(std::move(d), t, RepeatExtent::kToEnd, properties);
                   });
-  add_thread_edit(
-      all, kRepeat, "advance_up", tr("Advancing repeat to the end, one up each time"), "Ctrl+.",
-      [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, 1, looks); });
-  add_thread_edit(
-      all, kRepeat, "advance_down", tr("Advancing repeat to the end, one down each time"), "Ctrl+,",
-      [](Design d, const ThreadRange& t, bool looks) { return with_advancing_repeat(std::move(d), t, -1, looks); });
+  add_thread_edit(all, kRepeat, "advance_up", tr("Advancing repeat to the end, one up each time"), "Ctrl+.",
+                  [](Design d, const ThreadRange& t, bool properties) {
+                    return with_advancing_repeat(std::move(d), t, 1, properties);
+                  });
+  add_thread_edit(all, kRepeat, "advance_down", tr("Advancing repeat to the end, one down each time"), "Ctrl+,",
+                  [](Design d, const ThreadRange& t, bool properties) {
+                    return with_advancing_repeat(std::move(d), t, -1, properties);
+                  });
 }
 
 void add_threads(Actions& all) {
@@ -245,21 +249,23 @@ void add_threads(Actions& all) {
   on_selection(add(all, "Edit", "delete_threads", tr("Delete threads"), "Ctrl+Delete", delete_threads), kThreads)
       .enabled = has_threads;
   add_thread_edit(all, kThreads, "reverse_threads", tr("Reverse the order"), "Ctrl+Shift+M", with_reversed_threads);
-  add_thread_edit(
-      all, kThreads, "double_threads", tr("Insert a copy after"), "Ctrl+D",
-      [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, false, looks); });
-  add_thread_edit(
-      all, kThreads, "double_mirrored", tr("Insert a mirrored copy after (shared point)"), "Ctrl+Shift+D",
-      [](Design d, const ThreadRange& t, bool looks) { return with_doubled_threads(std::move(d), t, true, looks); });
-  Action& looks =
+  add_thread_edit(all, kThreads, "double_threads", tr("Insert a copy after"), "Ctrl+D",
+                  [](Design d, const ThreadRange& t, bool properties) {
+                    return with_doubled_threads(std::move(d), t, false, properties);
+                  });
+  add_thread_edit(all, kThreads, "double_mirrored", tr("Insert a mirrored copy after (shared point)"), "Ctrl+Shift+D",
+                  [](Design d, const ThreadRange& t, bool properties) {
+                    return with_doubled_threads(std::move(d), t, true, properties);
+                  });
+  Action& properties =
       on_selection(add(all, "Edit", "with_looks", tr("Threads keep their colours and yarns"), "",
                        [](ActionHost& e) { e.view().select.with_properties = !e.view().select.with_properties; }),
                    kThreads);
-  looks.enabled = nullptr;
-  looks.checked = [](const ActionHost& e) { return e.view().select.with_properties; };
+  properties.enabled = nullptr;
+  properties.checked = [](const ActionHost& e) { return e.view().select.with_properties; };
 }
 
-/// What an arrow does: the block in hand, or the selected marks, go one cell that way.
+/// An arrow key moves the active block, or the selected marks, by one cell.
 void step(ActionHost& e, int dx, int dy) {
   SelectState& s = e.view().select;
   const Design& design = e.document().now();
@@ -276,9 +282,10 @@ void step(ActionHost& e, int dx, int dy) {
 
 void shift_by_one(ActionHost& e, const char* label, int dx, int dy) {
   const Cell by = screen_step(selected(e).grid, e.settings(), dx, dy);
-  const bool looks = e.view().select.with_properties;
-  e.commit(
-      {label, [s = selected(e), by, looks](Design d) { return with_shifted(std::move(d), s, by.a, by.b, looks); }});
+  const bool properties = e.view().select.with_properties;
+  e.commit({label, [s = selected(e), by, properties](Design d) {
+              return with_shifted(std::move(d), s, by.a, by.b, properties);
+            }});
 }
 
 struct Arrow {
@@ -303,7 +310,7 @@ void add_shifts(Actions& all) {
                  kShift);
 }
 
-/// Keys that need no place in a menu; the command palette lists them.
+/// Actions without a menu item; the command palette lists them.
 void add_keys(Actions& all) {
   for (const Arrow& way : kArrows) {
     const std::string name = way.name, key = way.key;

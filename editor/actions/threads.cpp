@@ -1,4 +1,4 @@
-// What is done with chosen threads, by menu and keys: the way round the mouse for the Threads panel.
+// Actions on the chosen threads: the Threads panel by menu and keyboard.
 
 #include <numeric>
 #include <span>
@@ -41,14 +41,14 @@ void choose_every_other(ActionHost& e) {
 void leave_to_yarn(ActionHost& e) {
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  e.commit({thread_label("Thickness and spacing", choice.system, threads.size()),
+  e.commit({thread_label(tr("Thickness and spacing"), choice.system, threads.size()),
             [threads, system = choice.system](Design d) {
               return with_thread_spacing(with_thread_thickness(std::move(d), system, threads, kFromYarn), system,
                                          threads, kFromYarn);
             }});
 }
 
-/// The colours of one system for the threads of the other, over and over.
+/// Copies the colours of one system to the other, repeated as needed.
 Design with_colors_of(Design d, System from) {
   const System to = from == System::kWarp ? System::kWeft : System::kWarp;
   const std::vector<int> colors = d.draft.threads(from).color;
@@ -58,7 +58,7 @@ Design with_colors_of(Design d, System from) {
   return d;
 }
 
-/// The same of their thicknesses.
+/// The same for the thickness.
 Design with_thickness_of(Design d, System from) {
   const System to = from == System::kWarp ? System::kWeft : System::kWarp;
   const ThreadProperties properties{{}, d.draft.threads(from).thickness_mm};
@@ -73,13 +73,13 @@ void copy_bar(ActionHost& e, const char* label, Design (*with)(Design, System), 
 
 using ThreadText = std::string (*)(const Draft&, System, std::span<const int>);
 
-/// Of the chosen threads, or of all of the system.
+/// Copies a property of the chosen threads, or of all of the system.
 void copy_properties(ActionHost& e, const char* what, ThreadText text) {
   const ThreadChoice& choice = e.view().chosen;
   const Draft& d = e.document().now().draft;
   const std::vector<int> threads = concerned(choice, d);
   e.set_clipboard(text(d, choice.system, threads));
-  e.say("Copied the " + thread_label(what, choice.system, threads.size()));
+  e.say(fill(tr("Copied {text}"), arg("text", thread_label(tr(what), choice.system, threads.size()))));
 }
 
 void paste_properties(ActionHost& e) {
@@ -87,7 +87,7 @@ void paste_properties(ActionHost& e) {
   if (!read.properties) return e.say(read.problem);
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  const char* what = read.properties->colors.empty() ? "Paste thickness" : "Paste colours";
+  const char* what = read.properties->colors.empty() ? tr("Paste thickness") : tr("Paste colours");
   e.commit({thread_label(what, choice.system, threads.size()),
             [threads, system = choice.system, properties = *read.properties](Design d) {
               return with_properties(std::move(d), system, threads, properties);
@@ -117,9 +117,9 @@ void add_thread_actions(Actions& all) {
   add_one(all, "threads.warp_thick_as_weft", tr("Copy weft thickness to warp"), "",
           [](ActionHost& e) { copy_bar(e, tr("Copy weft thickness to warp"), with_thickness_of, System::kWeft); });
   new_group(add_one(all, "threads.copy_colors", tr("Copy thread colours"), "Ctrl+Alt+C",
-                    [](ActionHost& e) { copy_properties(e, "colours", color_text); }));
+                    [](ActionHost& e) { copy_properties(e, mark("colours"), color_text); }));
   add_one(all, "threads.copy_thickness", tr("Copy thread thickness"), "",
-          [](ActionHost& e) { copy_properties(e, "thickness", thickness_text); });
+          [](ActionHost& e) { copy_properties(e, mark("thickness"), thickness_text); });
   add_one(all, "threads.paste_looks", tr("Paste colours or thickness"), "Ctrl+Alt+V", paste_properties);
   add_one(all, "threads.from_yarn", tr("Use the yarn's thickness and spacing"), "", leave_to_yarn);
 }

@@ -1,4 +1,4 @@
-// How the draft and the cloth are seen.
+// The View menu: zoom, drawdown styles, navigation, comparison, saved views.
 
 #include <utility>
 
@@ -8,15 +8,15 @@
 namespace weftlight::actions {
 namespace {
 
-void add_drawdown_looks(Actions& all) {
+void add_drawdown_styles(Actions& all) {
   constexpr std::pair<const char*, const char*> kStyles[] = {{"look.threads", mark("Drawdown as threads")},
                                                              {"look.color", mark("Drawdown in colour")},
                                                              {"look.structure", mark("Drawdown as structure")}};
   for (int i = 0; i < 3; ++i) {
-    const auto look = static_cast<DrawdownStyle>(i);
+    const auto style = static_cast<DrawdownStyle>(i);
     Action& a = add(all, "View", kStyles[i].first, tr(kStyles[i].second), "",
-                    [look](ActionHost& e) { e.settings().drawdown_style = look; });
-    a.checked = [look](const ActionHost& e) { return e.settings().drawdown_style == look; };
+                    [style](ActionHost& e) { e.settings().drawdown_style = style; });
+    a.checked = [style](const ActionHost& e) { return e.settings().drawdown_style == style; };
     a.item.group = i == 0;
   }
   Action& back = add(all, "View", "back", tr("Back of the cloth"), "Ctrl+B",
@@ -40,11 +40,11 @@ void add_moves(Actions& all) {
   const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(DocumentView&)) {
     add(all, "View", id, label, key, [how](ActionHost& e) { how(e.view()); }).item.submenu = mark("Go to");
   };
-  // Beyond the edge; the layout brings it back to what there is.
+  // Beyond the edge; the layout limits it.
   constexpr float kFar = 1e9f;
   move("go_first", tr("First end and pick"), "Home", [](DocumentView& w) { w.scroll_end = w.scroll_pick = 0; });
   move("go_last", tr("Last end and pick"), "End", [](DocumentView& w) { w.scroll_end = w.scroll_pick = kFar; });
-  // Down on the screen, whichever way the picks are read.
+  // Down on the screen, whichever way the picks run.
   const auto page = [&all](const char* id, const char* label, const char* key, int down) {
     add(all, "View", id, label, key, [down](ActionHost& e) {
       page_picks(e.view(), e.settings().pick1_bottom ? -down : down);
@@ -56,8 +56,8 @@ void add_moves(Actions& all) {
   move("page_ends_back", tr("Page back along the ends"), "Shift+PageUp", [](DocumentView& w) { page_ends(w, -1); });
 }
 
-/// To the next place that differs from the other draft, round and round.
-void step_place(ActionHost& e, int by) {
+/// Goes to the next difference from the other draft, wrapping around.
+void step_difference(ActionHost& e, int by) {
   const Report* r = e.last_report();
   if (r == nullptr || r->other != e.view().other || r->places.empty()) return e.say(tr("No crossing differs"));
   const int places = static_cast<int>(r->places.size());
@@ -80,10 +80,11 @@ void add_comparison(Actions& all) {
   const auto held = [](const ActionHost& e) { return e.view().other != nullptr; };
   new_group(add(all, "View", "compare_draft", tr("Compare with a draft\xE2\x80\xA6"), "",
                 [](ActionHost& e) { e.ask_other(); }));
-  add(all, "View", "next_difference", tr("Next difference"), "F3", [](ActionHost& e) { step_place(e, 1); }).enabled =
-      held;
+  add(all, "View", "next_difference", tr("Next difference"), "F3", [](ActionHost& e) {
+    step_difference(e, 1);
+  }).enabled = held;
   add(all, "View", "previous_difference", tr("Previous difference"), "Shift+F3", [](ActionHost& e) {
-    step_place(e, -1);
+    step_difference(e, -1);
   }).enabled = held;
   add(all, "View", "compare_done", tr("Stop comparing"), "", [](ActionHost& e) { e.view().other = nullptr; }).enabled =
       held;
@@ -124,7 +125,7 @@ void add_view_actions(Actions& all, const std::vector<std::string>& kept_views) 
   add(all, "View", "fit", tr("Fit the draft"), "Ctrl+0", [](ActionHost& e) { e.view().pitch = 0; });
   add_moves(all);
   add_heavy_lines(all);
-  add_drawdown_looks(all);
+  add_drawdown_styles(all);
   add_views(all, kept_views);
   Action& floats = add(all, "View", "show_floats", tr("Mark long floats"), "F5",
                        [](ActionHost& e) { e.view().show_floats = !e.view().show_floats; });

@@ -9,16 +9,16 @@ namespace weftlight::session {
 
 struct ActionItem {
   std::string id;        // "save"
-  std::string menu;      // "File"; empty: only in the command palette
-  std::string submenu;   // "Repeat": items that follow each other with the same one stand in it
+  std::string menu;      // "File"; empty if only the command palette lists it
+  std::string submenu;   // "Repeat": consecutive items with the same name share a submenu
   std::string label;     // "Save"
   std::string shortcut;  // "Ctrl+S"
-  std::string shipped;   // shortcut, before the weaver chose another
+  std::string shipped;   // default shortcut, before the user chose another
   bool enabled = true;
   bool checked = false;
-  bool group = false;         // a line above it in the menu
-  bool on_selection = false;  // also in the menu of a right click on the selection
-  bool on_tab = false;        // also in that of a right click on a draft's tab
+  bool group = false;         // a separator above it in the menu
+  bool on_selection = false;  // also in the context menu of the selection
+  bool on_tab = false;        // also in the context menu of a draft's tab
 };
 
 }  // namespace weftlight::session

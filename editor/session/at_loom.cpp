@@ -12,7 +12,7 @@ using base::tr;
 
 namespace {
 
-constexpr uint64_t kLoomStrokes = uint64_t{1} << 61;  // apart from those of the mouse
+constexpr uint64_t kLoomStrokes = uint64_t{1} << 61;  // distinct from mouse strokes
 
 LoomStep taken(AtLoom& at, const Design& design, loom::LoomReply reply) {
   at.place = reply.state;
@@ -29,7 +29,7 @@ LoomStep taken(AtLoom& at, const Design& design, loom::LoomReply reply) {
   return step;
 }
 
-/// Calls `what` with the draft as the loom sees it.
+/// Calls `what` with the draft and its lifted shafts.
 template <class What>
 LoomStep with_weaving(AtLoom& at, const Design& design, What what) {
   const BitMatrix lifted = lifts(design.draft);
@@ -54,7 +54,7 @@ LoomStep step_by_hand(AtLoom& at, const Design& design, bool forwards, bool conn
     place.weaving = forwards;
     place = loom::advanced(place, w.range, w.lifts.rows());
     place.weaving = true;
-    place.waiting = false;  // no loom was told: the first that comes is
+    place.waiting = false;  // no loom has received this pick yet; the next that connects does
     return loom::LoomReply{place, {}, {}};
   });
 }

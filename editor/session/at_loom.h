@@ -1,6 +1,6 @@
 #pragma once
-// Weaving the open draft at a loom, pick by pick. The next pick stands in the design, so that it is kept with the file;
-// what else is known of the place lasts as long as the window.
+// Weaving the open draft at a loom, pick by pick. The design holds the next pick, so that the file keeps it; the rest
+// of the weaving state lasts as long as the window.
 
 #include <cstdint>
 #include <string>
@@ -16,33 +16,33 @@ namespace weftlight::session {
 struct AtLoom {
   bool open = false;  // the window shows the loom
   loom::Protocol protocol = loom::Protocol::kPlain;
-  loom::PickRange section;   // woven over and over; empty: the whole draft
-  loom::WeavingState place;  // its next pick is the design's (place_of)
-  std::string remark;        // of the loom, to be looked into
-  uint64_t session = 0;      // joins the steps of one sitting to one step of undo
+  loom::PickRange section;   // woven repeatedly; the whole draft if empty
+  loom::WeavingState place;  // place_of() takes its next pick from the design
+  std::string remark;        // what the loom reported that the weaver should check
+  uint64_t session = 0;      // the picks of one session are one step of undo
 };
 
-/// What a step makes of the design, and the bytes that the loom is to get.
+/// The edit that a step makes, and the bytes to send to the loom.
 struct LoomStep {
   MaybeEdit edit{};
   std::string send{};
 };
 
-/// The place, with the next pick of the design, brought into the section.
+/// The weaving state with the design's next pick, moved into the section.
 loom::WeavingState place_of(const AtLoom& at, const Design& design);
-/// By key or click: on, or back. With a loom on the line (`connected`) the first step on raises the shafts of the pick
-/// that is shown, and each after it those of the next; without one, every step is a pick.
+/// A step forwards or back by key or click. With a loom (`connected`) the first step forwards raises the shafts of the
+/// pick that is shown, and later steps those of the next pick; without one every step is a pick.
 LoomStep step_by_hand(AtLoom& at, const Design& design, bool forwards, bool connected);
-/// Something that the loom said.
+/// Handles a report of the loom.
 LoomStep hear(AtLoom& at, const Design& design, const loom::LoomReport& report);
-/// The line to the loom stands (again).
+/// Called when the connection to the loom is made or restored.
 LoomStep greet(AtLoom& at, const Design& design);
-/// Goes on from this pick, from 0.
+/// Continues from this pick, counted from 0.
 LoomStep go_to_pick(AtLoom& at, const Design& design, int pick);
-/// Only these picks from now on, half-open from 0; all where there are none.
+/// Weaves only these picks from now on, half-open from 0; all picks if the range is empty.
 LoomStep keep_to_section(AtLoom& at, const Design& design, loom::PickRange section);
 
-/// Treadles to press in a pick, or shafts to lift by hand where there are none; from 0.
+/// Treadles to press in a pick, or the shafts to lift if the draft has a liftplan; from 0.
 std::vector<int> to_press(const Draft& draft, int pick);
 
 }  // namespace weftlight::session

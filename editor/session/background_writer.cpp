@@ -37,7 +37,7 @@ void BackgroundWriter::keep(const std::string& path, std::function<std::string()
 }
 
 void BackgroundWriter::drop(const std::string& path) {
-  post(path, {[] { return std::string(); }, false});  // in the place of what waits, and of what is refused meanwhile
+  post(path, {[] { return std::string(); }, false});  // replaces a waiting job and stops its retries
 }
 
 void BackgroundWriter::run(const std::string& path, std::string done, std::function<std::string()> job) {
@@ -104,9 +104,9 @@ void BackgroundWriter::work() {
       error_ = std::move(problem);
       continue;
     }
-    if (leaving_) continue;  // tried once more, and no longer
+    if (leaving_) continue;  // the last try at exit
     retry_ = Clock::now() + kRetry;
-    const auto placed = waiting_.insert(std::move(job));  // unless a newer one waits
+    const auto placed = waiting_.insert(std::move(job));  // does nothing if a newer job waits
     caught([&] { problems_[placed.position->first] = std::move(problem); });
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a crashed session left, as a document again.
+// Reopens the unsaved work of a crashed session as a document.
 
 #include "session/document.h"
 #include "session/names.h"
@@ -7,11 +7,11 @@
 
 namespace weftlight::session {
 
-/// On top of its file, as a step that undo takes back, where that is the file that the work began with. Otherwise, and
-/// where there never was one, a document of its own name without a file, which a save asks a place for.
+/// If the file is still the one that the work began with, it is opened and the work is one undoable step on top of it.
+/// Otherwise, or if there never was a file, the result is a document without a file, under its old name.
 OpenResult bring_back(const LeftWork& left);
 
-/// "today 14:03", "yesterday 9:30", "3 May 2026, 12:00": when a moment was, seen from `now_ns`; both since 1970.
+/// "today 14:03", "yesterday 9:30", "3 May 2026, 12:00": a time as seen from `now_ns`; both in ns since 1970.
 std::string time_in_words(int64_t then_ns, int64_t now_ns);
 
 }  // namespace weftlight::session

@@ -4,11 +4,21 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "draft/edits.h"
 #include "files/picture_draft.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::session {
+
+using base::mark;
+using base::tr;
+
+namespace {
+
+constexpr const char* kUntitled = mark("Untitled");  // journals hold the English name
+
+}  // namespace
 
 Document::Document(Design design) : history_(std::move(design)), cells_(drawdown(now().draft)) {}
 
@@ -22,11 +32,13 @@ Document::Document(WifFile file, std::vector<Diagnostic> remarks, std::string pa
 
 std::string Document::name() const {
   if (!path_.empty()) return std::filesystem::path(path_).filename().string();
-  return old_name_.empty() ? "Untitled" : old_name_;
+  return old_name_.empty() ? kUntitled : old_name_;
 }
 
 std::string Document::shown_name() const {
-  return path_.empty() && old_name_.empty() && !now().title.empty() ? now().title : name();
+  if (path_.empty() && old_name_.empty() && !now().title.empty()) return now().title;
+  std::string shown = name();
+  return shown == kUntitled ? tr(kUntitled) : shown;
 }
 
 WifUnit Document::unit(System system) const {
@@ -91,17 +103,17 @@ std::function<std::string()> Document::writer() const {
 }
 
 OpenResult open_document(const std::string& path) {
-  // Before the bytes: what is written in between is then noticed.
+  // Read before the bytes, so that a write in between is noticed.
   FileIdentity identity = facts_of(path);
   FileBytes file = read_file(path);
   if (!file.error.empty())
-    return {{}, {{Severity::kError, 0, file.error, "Check the path, and that the file may be read."}}};
+    return {{}, {{Severity::kError, 0, file.error, tr("Check the path, and that the file may be read.")}}};
   WifRead read = files::is_picture(path) ? files::read_picture_draft(path) : read_draft(file.bytes);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   identity.hash = content_hash(file.bytes);
   if (read.file->format == "wif")
     return {Document(std::move(*read.file), std::move(read.diagnostics), path, identity), {}};
-  // Another program's file stays as it is: saving asks for a name.
+  // A file of another format is not overwritten: saving asks for a name.
   Document document(std::move(*read.file), std::move(read.diagnostics), {});
   document.without_file(std::filesystem::path(path).stem().string() + ".wif");
   return {std::move(document), {}};

@@ -1,5 +1,5 @@
 #pragma once
-// The open draft: the file as it was opened, the history of the design, and the drawdown kept in step.
+// An open draft: the file as it was opened, the history of the design, and the current drawdown.
 
 #include <memory>
 #include <optional>
@@ -18,9 +18,9 @@ namespace weftlight::session {
 
 class Document {
  public:
-  /// A draft that never was a file.
+  /// A draft without a file.
   explicit Document(Design design);
-  /// An opened one; `path` empty: an unnamed copy (the starter). `identity`: of the file that was read.
+  /// An opened file. An empty `path` makes an unnamed copy (the starter draft). `identity` is that of the file as read.
   Document(WifFile file, std::vector<Diagnostic> remarks, std::string path, FileIdentity identity = {});
 
   const Design& now() const { return history_.now(); }
@@ -30,11 +30,11 @@ class Document {
   const History& history() const { return history_; }
   const std::vector<Diagnostic>& remarks() const { return remarks_; }
   const std::string& path() const { return path_; }
-  /// File name; without a file what it was once called, or "Untitled".
+  /// File name. Without a file the former name, or "Untitled", which is not translated: journals keep it.
   std::string name() const;
-  /// The same for the eye: without a file the draft's title, where it has one.
+  /// The name to show: without a file the title of the draft, if it has one.
   std::string shown_name() const;
-  /// What the opened file measures threads in.
+  /// The unit of length of the threads in the opened file.
   WifUnit unit(System system) const;
   bool is_saved() const { return history_.is_saved(); }
 
@@ -42,23 +42,23 @@ class Document {
   bool commit(const Edit& edit, uint64_t stroke);
   bool undo();
   bool redo();
-  /// To a step of the history.
+  /// Goes to a step of the history.
   bool go_to(size_t step);
-  /// `bytes`: what was written.
+  /// `bytes` are those that were written.
   void mark_saved(std::string path, std::string_view bytes);
-  /// Nothing on the disk is what is shown.
+  /// The disk no longer holds what is shown.
   void mark_unsaved() { history_.mark_unsaved(); }
-  /// It has no file (any more), and keeps its name.
+  /// Detaches the document from its file; it keeps the name.
   void without_file(std::string name);
 
-  /// What another program did to the file since it was read or written; cheap where nothing was done.
+  /// How another program changed the file since it was read or written. Cheap if nothing changed.
   FileChange look_at_file() { return path_.empty() ? FileChange::kNone : changed_since(path_, file_); }
-  /// The file may be replaced as it is now.
+  /// Accepts the file as it is now, so that a save may replace it.
   void accept_file() { file_ = identify(path_); }
-  /// For the journal.
+  /// The header of its journal.
   DocumentNote note() const;
 
-  /// What a save writes: a function of values only, so that another thread may call it.
+  /// Makes the text of a save. It holds values only, so that any thread may call it.
   std::function<std::string()> writer() const;
 
  private:

@@ -44,7 +44,8 @@ void follow_document(DocumentView& v, const Document& document) {
 }
 
 void follow_given(LoomSize& given, const Draft& before, const Draft& now, bool by_painting) {
-  // What painting adds is in use: something new that is not was asked for, also where it comes back by redo.
+  // Painting adds only what it uses. An unused new shaft or treadle was requested by the user, also when redo restores
+  // it.
   const auto follow = [by_painting](int& own, int was, int is, bool last_in_use) {
     const bool asked = is != was && !(by_painting && (last_in_use || is < was));
     own = asked ? is : std::min(own, is);

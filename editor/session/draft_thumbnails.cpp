@@ -16,10 +16,10 @@ namespace weftlight::session {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr uint64_t kMaxBytes = uint64_t{1} << 26;  // larger files have no picture
-constexpr int kVersion = 2;                        // of the pictures: another makes them anew
+constexpr uint64_t kMaxBytes = uint64_t{1} << 26;  // larger files have no thumbnail
+constexpr int kVersion = 2;                        // of the thumbnails; a new version makes them again
 
-/// One name for a path with a content of that size and time.
+/// A file name that depends on the path, its size and its time.
 std::string name_in_cache(const std::string& path, const FileIdentity& facts) {
   uint64_t hash = content_hash(path);
   for (const uint64_t number : {facts.size, static_cast<uint64_t>(facts.modified_ns), uint64_t{kVersion}})
@@ -46,13 +46,13 @@ Thumbnail kept_picture(const std::string& file) {
 }
 
 void keep_picture(const std::string& folder, const std::string& file, const Thumbnail& picture) {
-  std::error_code ignored;  // without a cache the picture is made again the next time
+  std::error_code ignored;  // without a cache the thumbnail is made again next time
   fs::create_directories(folder, ignored);
   files::Image image{picture.width, picture.height, 3, {}};
   for (const uint32_t pixel : picture.pixels)
     for (const int shift : {0, 8, 16}) image.texels.push_back(static_cast<float>((pixel >> shift) & 255) / 255);
   files::write_image(file, image, files::PixelType::kU8);
-  keep_newest(folder, ".png", kMaxThumbnails);  // the oldest make room
+  keep_newest(folder, ".png", kMaxThumbnails);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void DraftThumbnails::look(const std::stop_token&) {
       waiting_.pop_front();
     }
     DraftThumbnail made;
-    // One that takes more memory than there is keeps none of the others from being seen.
+    // A file that runs out of memory must not stop the others.
     if (!caught([&] { made = look_of_file(path, cache_folder_); }).empty())
       made.state = DraftThumbnail::State::kUnreadable;
     const std::lock_guard lock(mutex_);

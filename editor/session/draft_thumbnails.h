@@ -1,6 +1,6 @@
 #pragma once
-// How files of drafts look, for lists with pictures: worked out beside the window, and kept in the user's cache folder
-// by path, size and time, so that a file is read once and not again until it changes.
+// Thumbnails of draft files. They are made on a worker thread and cached in the user's cache folder by path, size and
+// time, so that a file is read again only after it changed.
 
 #include <cstdint>
 #include <deque>
@@ -16,26 +16,26 @@
 
 namespace weftlight::session {
 
-/// Of the kept pictures, pixels: twice what a card of the list shows at 96 dpi.
+/// Size of cached thumbnails in pixels: twice the size of a gallery card at 96 dpi.
 inline constexpr int kThumbnailWidth = 384, kThumbnailHeight = 248;
-inline constexpr size_t kMaxThumbnails = 400;  // kept; the oldest go
+inline constexpr size_t kMaxThumbnails = 400;  // in the cache; the oldest are removed
 
 struct DraftThumbnail {
   enum class State { kThere, kMissing, kUnreadable } state = State::kMissing;
   int64_t modified_ns = 0;  // since 1970
-  Thumbnail picture;        // empty unless it is there
+  Thumbnail picture;        // empty unless state is kThere
 };
 
-/// Reads the file, or its picture in `cache_folder` (empty: none is kept). Any thread.
+/// Reads the file, or its thumbnail in `cache_folder` (no cache if empty). Callable from any thread.
 DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder);
 
 class DraftThumbnails {
  public:
-  /// `wake`: called on the other thread when there is news.
+  /// `wake` is called on the worker thread when there is a result.
   DraftThumbnails(std::string cache_folder, std::function<void()> wake);
-  /// To be looked at, after those that were asked for before.
+  /// Queues a file.
   void ask(const std::string& path);
-  /// What became known since the last call.
+  /// The results since the last call.
   std::vector<std::pair<std::string, DraftThumbnail>> take();
   bool busy() const;
 
@@ -44,10 +44,10 @@ class DraftThumbnails {
 
   std::string cache_folder_;
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // of the next two
+  mutable std::mutex mutex_;  // guards the next two
   std::deque<std::string> waiting_;
   std::vector<std::pair<std::string, DraftThumbnail>> news_;
-  base::Worker worker_;  // gone before what it writes to
+  base::Worker worker_;  // destroyed first: it writes to the members above
 };
 
 }  // namespace weftlight::session

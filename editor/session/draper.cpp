@@ -14,7 +14,7 @@ using base::tr;
 
 namespace {
 
-constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of the window
+constexpr float kStep = 0.01f;  // progress that is worth redrawing the window
 
 }  // namespace
 
@@ -87,13 +87,13 @@ void Draper::fail(const std::string& why) {
     const std::lock_guard lock(mutex_);
     return wanted_;
   }();
-  tell(wanted, {DrapeStage::kFailed, 0, why}, "Not draped: " + why);
+  tell(wanted, {DrapeStage::kFailed, 0, why}, fill(tr("Not simulated: {problem}"), arg("problem", why)));
 }
 
 void Draper::tell(const std::string& wanted, DrapeState state, std::string said) {
   {
     const std::lock_guard lock(mutex_);
-    if (wanted != wanted_ || state_.stage != DrapeStage::kFalling) return;  // wanted no more, or stopped
+    if (wanted != wanted_ || state_.stage != DrapeStage::kFalling) return;  // no longer wanted, or stopped
     const bool falls_on = state.stage == DrapeStage::kFalling;
     if (falls_on && std::abs(state.share - state_.share) < kStep) return;
     state_ = std::move(state);

@@ -1,6 +1,6 @@
 #pragma once
-// Lets the shown cloth fall by its own stiffness, on a thread of its own: how far it is, stopped at any moment. What
-// was simulated is kept in the user's cache and found there again; the design only says that it is wanted.
+// Simulates the drape of the shown cloth from its own stiffness, on its own thread, with progress and a stop. Results
+// are kept in the user's cache; the design only says that a simulated drape is wanted.
 
 #include <functional>
 #include <memory>
@@ -15,34 +15,34 @@
 namespace weftlight::session {
 
 enum class DrapeStage {
-  kShipped,  // as cloths of its kind hang: what was simulated once for all
-  kFalling,  // is being simulated; the shipped one is shown
-  kOwn,      // hangs as it does itself
+  kShipped,  // the generic drape that is shipped
+  kFalling,  // the simulation runs; the generic drape is shown
+  kOwn,      // the simulated drape of this fabric
   kStopped,
   kFailed,
 };
 struct DrapeState {
   DrapeStage stage = DrapeStage::kShipped;
-  float share = 0;      // of kFalling, 0..1
+  float share = 0;      // progress of kFalling, 0..1
   std::string problem;  // of kFailed
 };
 
-/// As an edit: whether the cloth hangs by its own stiffness.
+/// The edit that switches the simulated drape on or off.
 Edit simulated_drape_edit(bool own);
 
 class Draper {
  public:
   struct News {
-    bool any = false;     // state() is another than at the last call
-    bool draped = false;  // there is a mesh to show that was not there
+    bool any = false;     // state() changed since the last call
+    bool draped = false;  // there is a new mesh to show
     std::string said;
   };
 
-  /// `wake`: called from the thread when there is news.
+  /// `wake` is called on the worker thread when there is an update.
   explicit Draper(std::function<void()> wake);
-  /// The design that is shown: what it asks for is looked for, and simulated where it is not kept.
+  /// Follows the shown design: loads its drape from the cache, or simulates it.
   void follow(const std::shared_ptr<const Design>& design);
-  /// Leaves it; the design is not asked again until it asks for another drape, or by again().
+  /// Stops the simulation until the design needs another drape or again() is called.
   void stop();
   void again(const std::shared_ptr<const Design>& design);
   DrapeState state() const;
@@ -52,15 +52,16 @@ class Draper {
  private:
   void run(const Design& design, const std::string& wanted, const std::stop_token& stop);
   void fail(const std::string& why);
-  /// From the thread, of what is still wanted.
+  /// Reports from the worker thread, if the drape is still wanted.
   void tell(const std::string& wanted, DrapeState state, std::string said = {});
 
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // of the next three
+  mutable std::mutex mutex_;  // guards the next three
   DrapeState state_;
   News news_;
-  std::string wanted_;  // where the drape is kept; empty: the shipped one
-  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
+  std::string wanted_;  // cache path of the drape; empty for the generic one
+  base::Worker worker_{
+      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
 };
 
 }  // namespace weftlight::session

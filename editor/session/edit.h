@@ -1,6 +1,6 @@
 #pragma once
-// What changes a design: a function of it and the words that undo shows. Panels and actions make edits; the
-// document alone commits them.
+// An edit: a function from design to design and the label of its undo step. Panels and actions make edits; only the
+// document commits them.
 
 #include <cstdint>
 #include <functional>
@@ -15,10 +15,10 @@ namespace weftlight::session {
 struct Edit {
   std::string label;
   std::function<Design(Design)> apply;
-  uint64_t stroke = 0;  // edits with the same one are one step of undo; 0: those of one drag are
-  std::function<std::string(const Design&)> why = {};  // why the design stays as it is, when it does
-  bool by_painting = false;  // in the drawdown: shafts and treadles that it adds go again once they are out of use
-  std::function<Design(Design)> anew = {};  // the same for another design, where `apply` is about one alone
+  uint64_t stroke = 0;  // edits with the same number are one undo step; 0: the number of the current drag
+  std::function<std::string(const Design&)> why = {};  // the reason if the design did not change
+  bool by_painting = false;                 // in the drawdown: shafts and treadles that it adds are removed when unused
+  std::function<Design(Design)> anew = {};  // the same for any design, if `apply` only fits one
 };
 using MaybeEdit = std::optional<Edit>;
 

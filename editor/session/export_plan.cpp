@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "base/text.h"
 #include "texture_set/set_folder.h"
@@ -54,8 +55,8 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
 std::vector<std::string> in_the_way(const std::vector<ExportJob>& jobs) {
   std::vector<std::string> out;
   for (const ExportJob& job : jobs) {
-    const std::string there = existing_files_problem(job.folder, job.options);
-    if (!there.empty()) out.push_back(there.substr(0, there.find("; choose")));
+    std::string there = existing_files_problem(job.folder, job.options);
+    if (!there.empty()) out.push_back(std::move(there));
   }
   return out;
 }

@@ -4,23 +4,29 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "cloth/srgb.h"
 #include "texture_set/set_preview.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
-constexpr int kMaxSide = 256;  // texels of the images that thumbnails are cut from
-constexpr int kColumns = 8;    // of thumbnails in the picture
+constexpr int kMaxSide = 256;  // texels, of the images that the thumbnails show
+constexpr int kColumns = 8;    // of thumbnails in the atlas
 constexpr double kSheetBytes = 6e5;
-constexpr double kGrowth = 0.7;  // of a file's bytes with its texels, as powers: finer images are smoother
+constexpr double kGrowth = 0.7;  // exponent of file size over texel count: finer images are smoother
 
 uint32_t packed(float r, float g, float b) {
   const auto byte = [](float v) { return static_cast<uint32_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f))); };
   return 0xFF000000u | byte(r) | byte(g) << 8 | byte(b) << 16;
 }
 
-/// The picture, filled from the top.
+/// The atlas, filled row by row from the top.
 class Sheet {
  public:
   explicit Sheet(int width) { made_.width = width; }
@@ -33,7 +39,7 @@ class Sheet {
     made_.pixels.resize(static_cast<size_t>(made_.width) * static_cast<size_t>(made_.height), 0xFF000000u);
     return at;
   }
-  /// colour(x, y): of a pixel of the rectangle.
+  /// colour(x, y) returns the colour of a pixel of the rectangle.
   template <class Colour>
   void fill(const PictureRect& at, const Colour& colour) {
     for (int y = 0; y < at.height; ++y)
@@ -47,7 +53,7 @@ class Sheet {
   int x_ = 0, y_ = 0, row_ = 0;
 };
 
-/// Mean of a channel over what a pixel of the rectangle covers.
+/// Mean of a channel over the footprint of a pixel of the rectangle.
 float mean_at(const Image& image, const PictureRect& at, int x, int y, int channel) {
   const int x0 = x * image.width / at.width, x1 = std::max((x + 1) * image.width / at.width, x0 + 1);
   const int y0 = y * image.height / at.height, y1 = std::max((y + 1) * image.height / at.height, y0 + 1);
@@ -58,7 +64,7 @@ float mean_at(const Image& image, const PictureRect& at, int x, int y, int chann
   return sum / static_cast<float>((x1 - x0) * (y1 - y0));
 }
 
-/// Of values outside 0..1, as heights in millimetres, the range that is shown.
+/// Maps values outside 0..1, such as heights in millimetres, to 0..1.
 struct Range {
   float low = 0, scale = 1;
   float of(float v) const { return (v - low) * scale; }
@@ -69,7 +75,7 @@ Range range_of(const Image& image) {
   return {*least, 1 / std::max(*most - *least, 1e-6f)};
 }
 
-/// Linear colours are shown as a screen shows them; all else as the file holds it.
+/// Linear colours are encoded as sRGB; all other values are shown as stored.
 float shown(const PreviewImage& image, const Range& range, float value) {
   const bool colour = image.channels.front().starts_with("base colour");
   return colour && !image.srgb ? cloth::srgb_encoded(std::clamp(value, 0.0f, 1.0f)) : range.of(value);
@@ -163,7 +169,7 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
 void ExportPreviewer::fail(const std::string& why) {
   {
     const std::lock_guard lock(mutex_);
-    made_.emplace().problem = "No preview: " + why;
+    made_.emplace().problem = fill(tr("No preview: {problem}"), arg("problem", why));
     busy_ = false;
   }
   wake_();

@@ -1,6 +1,6 @@
 #pragma once
-// A texture set as the window shows it before it is written: the lit tile, and every image whole and by its channels,
-// laid out in one picture. Made on a thread of its own.
+// Preview of a texture set before it is written: the lit tile, and every image as colour and by channel, laid out in
+// one atlas. Made on a worker thread.
 
 #include <cstdint>
 #include <functional>
@@ -16,14 +16,14 @@
 
 namespace weftlight::session {
 
-/// A rectangle of the picture.
+/// A rectangle of the atlas, in pixels.
 struct PictureRect {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
 struct ShownChannel {
   std::string words;
-  PictureRect at;  // in greys
+  PictureRect at;  // as greys
 };
 struct ShownImage {
   std::string file, about;  // "sRGB", "linear"
@@ -38,31 +38,31 @@ struct ExportPreview {
   std::vector<ShownImage> images;
   Alpha alpha = Alpha::kOpaque;
   float coverage = 1;
-  int64_t texels = 0;         // of its images
-  float bytes_per_texel = 0;  // on the disk, of one face
+  int64_t texels = 0;         // in each image
+  float bytes_per_texel = 0;  // on disk, for one face
   std::string problem;        // why there are no images
 };
-/// Of a whole set of images of this size, about.
+/// Estimate for a whole set with images of this size.
 int64_t bytes_on_disk(const ExportPreview& preview, const TextureSize& size);
 
 struct PreviewSizes {
   int swatch_width = 480, swatch_height = 200;  // pixels
-  int side = 96;                                // of a map
-  float swatch_mm = 30;                         // of cloth across the swatch
+  int side = 96;                                // of an image
+  float swatch_mm = 30;                         // of cloth over the width of the swatch
   bool operator==(const PreviewSizes&) const = default;
 };
 
-/// Without images where the draft has no cloth.
+/// Has no images if the draft has no cloth.
 ExportPreview export_preview(const Design& design, Face face, const TextureSetOptions& options,
                              const PreviewSizes& sizes, const std::stop_token& stop = {});
 
 class ExportPreviewer {
  public:
-  /// `wake`: called from the thread when there is news.
+  /// `wake` is called on the worker thread when a preview is ready.
   ExportPreviewer(std::shared_ptr<const Design> design, std::function<void()> wake);
-  /// Starts on what it was not asked for yet; leaves what it is at.
+  /// Starts a preview unless the same one was requested last; drops the one in progress.
   void ask(Face face, const TextureSetOptions& options, const PreviewSizes& sizes);
-  /// What is new since the last call.
+  /// The preview finished since the last call.
   std::optional<ExportPreview> take();
   bool busy() const;
 
@@ -71,11 +71,12 @@ class ExportPreviewer {
 
   std::shared_ptr<const Design> design_;
   std::function<void()> wake_;
-  std::string asked_;         // what for, as text
-  mutable std::mutex mutex_;  // of the next two
+  std::string asked_;         // key of the last request
+  mutable std::mutex mutex_;  // guards the next two
   std::optional<ExportPreview> made_;
   bool busy_ = false;
-  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
+  base::Worker worker_{
+      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
 };
 
 }  // namespace weftlight::session

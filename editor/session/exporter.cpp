@@ -17,7 +17,7 @@ using base::tr;
 
 namespace {
 
-constexpr float kStep = 0.01f;  // of the whole, that is worth a new picture of the window
+constexpr float kStep = 0.01f;  // progress that is worth redrawing the window
 
 }  // namespace
 
@@ -96,14 +96,14 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
     tell(i, jobs.size(), 0);
     const ExportProgress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
     std::string problem = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
-    if (problem == kStopped) return;  // who stopped it has told, or a newer run will
+    if (problem == kStopped) return;  // stop() has set the message, or a newer run will
     const std::lock_guard lock(mutex_);
     (problem.empty() ? state_.written : state_.problems).push_back(problem.empty() ? jobs[i].folder : problem);
   }
   if (!stop.stop_requested()) end();
 }
 
-/// What is thrown beside a set; of a set the set says it.
+/// Handles exceptions outside of write_texture_set(), which reports its own.
 void Exporter::fail(const std::string& why) {
   {
     const std::lock_guard lock(mutex_);

@@ -1,6 +1,6 @@
 #pragma once
-// Writes texture sets on a thread of its own: how far it is, stopped at any moment, begun anew when the draft changed
-// meanwhile. What stood there before stands until a set is whole.
+// Writes texture sets on a worker thread, with progress and a stop, and restarts when the draft changes. The earlier
+// files stay until a set is complete.
 
 #include <functional>
 #include <memory>
@@ -19,42 +19,43 @@ class Exporter {
  public:
   struct State {
     bool busy = false, stopped = false;
-    size_t set = 0, sets = 0;           // at work on, of so many
-    float share = 0;                    // of all of them, 0..1
+    size_t set = 0, sets = 0;           // the set in progress, and their number
+    float share = 0;                    // progress over all sets, 0..1
     std::vector<std::string> written;   // folders
-    std::vector<std::string> problems;  // what went wrong, a line each
+    std::vector<std::string> problems;  // one line each
   };
 
-  /// `wake`: called from the thread when there is news.
+  /// `wake` is called on the worker thread when there is an update.
   explicit Exporter(std::function<void()> wake);
-  /// Leaves what it is at.
+  /// Drops the export in progress.
   void start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> design);
   void stop();
   State state() const;
   bool busy() const;
-  /// Whether a set was ever begun.
+  /// True if a set was ever started.
   bool began() const;
-  /// True when state() is another than at the last call.
+  /// True if state() changed since the last call.
   bool take_news();
-  /// What to say of a run that ended since the last call; empty: none did.
+  /// The message of an export that ended since the last call; empty if none did.
   std::string take_message();
 
  private:
   void run(const std::vector<ExportJob>& jobs, const Design& design, const std::stop_token& stop);
-  /// False: there is none, told as a problem.
+  /// Loads the mesh if a target needs it. On failure adds a problem and returns false.
   bool use_mesh(const std::vector<ExportJob>& jobs, const Design& design);
   void tell(size_t set, size_t sets, float share);
   void fail(const std::string& why);
   void end();
 
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // of what is told
+  mutable std::mutex mutex_;  // guards state_, news_ and message_
   State state_;
   bool news_ = false;
   std::string message_;
-  std::string mesh_name_;  // the worker's
+  std::string mesh_name_;  // used by the worker only, as is mesh_
   Mesh mesh_;
-  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};  // gone before what it writes to
+  base::Worker worker_{
+      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
 };
 
 }  // namespace weftlight::session

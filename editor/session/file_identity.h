@@ -1,6 +1,6 @@
 #pragma once
-// Which content a file had when it was read or written, so that another program's changes are noticed before they
-// are overwritten.
+// Identifies the content of a file as it was read or written, so that changes by another program are noticed before
+// they are overwritten.
 
 #include <cstdint>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace weftlight::session {
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo 1991): tells contents apart, and keeps nobody out. Of several pieces: each
-/// `from` the hash of those before.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991); not cryptographic. To hash several pieces, pass the hash of the earlier
+/// ones as `from`.
 uint64_t content_hash(std::string_view bytes, uint64_t from = 0xcbf29ce484222325u);
 
 struct FileIdentity {
@@ -22,19 +22,19 @@ struct FileIdentity {
   bool operator==(const FileIdentity&) const = default;
 };
 
-/// All but the hash, without reading the file.
+/// Everything except the hash, without reading the file.
 FileIdentity facts_of(const std::string& path);
-/// Of the file at `path` as it is now, through symbolic links; reads all of it. Not `there`: none that can be read.
+/// Of the file at `path` as it is now, following symbolic links; reads all of it. `there` is false if it is unreadable.
 FileIdentity identify(const std::string& path);
-/// The same, of a file whose content is known to be `bytes`.
+/// The same for a file whose content is known to be `bytes`.
 FileIdentity identify(const std::string& path, std::string_view bytes);
 
 enum class FileChange { kNone, kContent, kGone };
-/// What happened to the file since it was `known`. Cheap as long as size, time and inode are as they were; else
-/// the content decides, and `known` takes up the new time when that is the same.
+/// How the file changed since it was `known`. Cheap while size, time and inode are the same; otherwise the content
+/// decides, and `known` gets the new time if the content is the same.
 FileChange changed_since(const std::string& path, FileIdentity& known);
 
-/// Whether both paths lead to one file, or would once it is there.
+/// True if both paths lead to one file, or would once it exists.
 bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace weftlight::session

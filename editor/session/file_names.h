@@ -1,5 +1,5 @@
 #pragma once
-// What a typed file name means.
+// File endings of typed names.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace weftlight::session {
 
-/// "name" as "name.wif"; a path that ends in it (".wif"; drafts also in ".wifw"), in any case, as it is.
+/// Appends `ending` unless the path already has it in any case: "name" becomes "name.wif". ".wifw" counts as ".wif".
 std::string with_file_ending(const std::string& path, const std::string& ending);
 
 }  // namespace weftlight::session

@@ -4,10 +4,14 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/text.h"
 #include "session/library.h"
 #include "session/user_files.h"
 
 namespace weftlight::session {
+
+using base::mark;
+
 namespace {
 
 std::string lower(std::string_view text) {
@@ -36,7 +40,7 @@ std::vector<GalleryCard> recent_cards(const std::vector<std::string>& paths, std
 std::vector<GalleryCard> library_cards() {
   std::vector<GalleryCard> cards;
   for (LibraryFile& file : library_files())
-    cards.push_back({std::move(file.path), std::move(file.name), file.cloth ? "Cloths" : "Drafts", true});
+    cards.push_back({std::move(file.path), std::move(file.name), file.cloth ? mark("Cloths") : mark("Drafts"), true});
   return cards;
 }
 
@@ -59,7 +63,7 @@ int stepped(int chosen, int count, int columns, Step step) {
   const int by = step == Step::kLeft ? -1 : step == Step::kRight ? 1 : step == Step::kUp ? -columns : columns;
   const int to = std::min(chosen, count - 1) + by;
   if (to < 0) return std::min(chosen, count - 1);
-  // Down from above a last row that is not full.
+  // A step down into a last row that is not full goes to its end.
   const bool row_below = step == Step::kDown && chosen / columns < (count - 1) / columns;
   return to < count ? to : row_below ? count - 1 : std::min(chosen, count - 1);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The page of drafts with pictures: what was open lately, and the library. Which cards stand on it and which of them
-// the keys lead to; how it looks is views/dialogs/gallery.
+// The gallery: recent drafts and the library as cards with thumbnails. Here are its cards and its keyboard navigation;
+// views/dialogs/gallery draws it.
 
 #include <string>
 #include <string_view>
@@ -12,23 +12,24 @@ namespace weftlight::session {
 
 struct GalleryCard {
   std::string path, name;
-  std::string where;  // its folder, the home as ~; of the library "Cloths" or "Drafts"
+  std::string where;  // its folder, with ~ for the home folder; in the library "Cloths" or "Drafts"
   bool copy = false;  // opened as a new, unnamed draft
 };
 
-/// Newest first, as they were open. `home`: the user's folder, or empty.
+/// Most recent first. `home` is the home folder of the user, or empty.
 std::vector<GalleryCard> recent_cards(const std::vector<std::string>& paths, std::string_view home);
 std::vector<GalleryCard> library_cards();
 
-/// Indices of the cards whose name or place holds every word that was typed, whatever the case.
+/// Indices of the cards whose name or folder contains every typed word, ignoring case.
 std::vector<int> found_cards(const std::vector<GalleryCard>& cards, std::string_view typed);
 
 enum class Step { kLeft, kRight, kUp, kDown };
-/// Where a step leads from card `chosen` (-1: none yet) of `count` in rows of `columns`; it ends at the edges.
+/// The card after a step from `chosen` (-1 if none) of `count` cards in rows of `columns`; stops at the edges.
 int stepped(int chosen, int count, int columns, Step step);
 
 struct Settings;
-/// Whether the page opens by itself: the weaver opened drafts before, named none now, and is no program (`driven`).
+/// True if the gallery opens at the start: the user has recent drafts, named no file, and no program drives the window
+/// (`driven`).
 bool opens_with_gallery(const Settings& settings, bool file_named, bool driven);
 
 }  // namespace weftlight::session

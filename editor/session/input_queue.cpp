@@ -8,10 +8,10 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-/// Frames until a field that a click or a command opened takes characters: it appears in one, has the keys in
-/// the next.
+/// Frames until a field that a click or a command opened takes characters: it appears in one frame and has the keyboard
+/// in the next.
 constexpr int kOpeningFrames = 2;
-/// Frames until a field that a click or a command closed no longer takes the keys.
+/// Frames until a field that a click or a command closed no longer has the keyboard.
 constexpr int kClosingFrames = 1;
 
 }  // namespace
@@ -22,7 +22,7 @@ struct InputQueue::Frame {
   std::vector<unsigned> released;  // keys
 };
 
-/// Whether the first event is a key that went down for a character: the window system says both at once.
+/// True if the first event is a key press that types a character: the window system reports both together.
 bool InputQueue::types() const {
   return waiting_[0].kind == Kind::kKey && waiting_[0].down && waiting_.size() > 1 &&
          waiting_[1].kind == Kind::kCharacter;
@@ -35,7 +35,7 @@ bool InputQueue::fits(const Frame& f) const {
   switch (e.kind) {
     case Kind::kMove:
       return !f.scrolled && !f.typed;
-    // A drag must see where it ended before it is let go.
+    // A drag must see its last position before the release.
     case Kind::kButton:
       return !f.scrolled && !f.typed && (e.down || !f.moved);
     case Kind::kScroll:
@@ -43,7 +43,7 @@ bool InputQueue::fits(const Frame& f) const {
     case Kind::kKey:
       if (!e.down) return true;
       if (types()) return frames_since_action_ > kOpeningFrames;
-      // Up and down again in one frame would be a key held.
+      // A release and a press in one frame would look like a held key.
       return !f.scrolled && frames_since_action_ > kClosingFrames &&
              std::find(f.released.begin(), f.released.end(), e.code) == f.released.end();
     case Kind::kCharacter:

@@ -1,6 +1,6 @@
 #pragma once
-// What the hand did, in its order, handed out frame by frame. However slow the frames are, nothing is lost and
-// nothing overtakes: what is typed after a click goes to what the click opened.
+// A queue of input events in their order, handed out frame by frame. However slow the frames are, no event is lost or
+// overtakes another: text typed after a click goes to what the click opened.
 
 #include <deque>
 #include <string>
@@ -18,11 +18,11 @@ struct Modifiers {
 struct InputEvent {
   enum class Kind { kMove, kButton, kScroll, kKey, kModifier, kCharacter };
   Kind kind;
-  double x = 0, y = 0;     // where the pointer was, in window units; of a scroll its steps
+  double x = 0, y = 0;     // pointer position in window units; scroll steps of a scroll
   unsigned code = 0;       // button, key, or Unicode character
-  bool down = false;       // of a button, key or modifier
+  bool down = false;       // for a button, key or modifier
   Modifiers held = {};     // with a button, scroll or key
-  std::string shortcut{};  // of a key that went down, as menus write it: "Ctrl+Shift+S"
+  std::string shortcut{};  // for a key press, as in menus: "Ctrl+Shift+S"
 };
 
 class InputQueue {
@@ -30,9 +30,9 @@ class InputQueue {
   void add(InputEvent event) { waiting_.push_back(std::move(event)); }
   bool empty() const { return waiting_.empty(); }
 
-  /// As many of the waiting events as one frame can tell apart: moves, scrolls and typed characters run
-  /// together; a button or a command (a key that types nothing) ends the frame; what ImGui would see in another
-  /// order, or not at all, waits. To be called once a frame.
+  /// As many waiting events as one frame can handle. Moves, scrolls and typed characters are combined; a button or a
+  /// command (a key that types nothing) ends the frame; events that ImGui would reorder or lose wait. Call once per
+  /// frame.
   std::vector<InputEvent> next_frame();
 
  private:
@@ -41,7 +41,7 @@ class InputQueue {
   bool types() const;
 
   std::deque<InputEvent> waiting_;
-  int frames_since_action_ = 1000;  // a button or command
+  int frames_since_action_ = 1000;  // since a button or command
 };
 
 }  // namespace weftlight::session

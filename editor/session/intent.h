@@ -1,6 +1,6 @@
 #pragma once
-// What the panels of a frame ask for, in the order in which they asked; the editor does it after all are drawn, so
-// that nothing that two of them want is lost.
+// Requests of the panels in a frame, in their order. The editor carries them out after all panels are drawn, so that no
+// request is lost if two panels make one.
 
 #include <functional>
 #include <string>
@@ -16,9 +16,9 @@
 namespace weftlight::session {
 
 struct RunAction {
-  std::string id;  // of the table of actions
+  std::string id;  // in the table of actions
 };
-/// What the hand does to the view of the document, and perhaps to the design: both as they are when its turn comes.
+/// A gesture changes the view, and perhaps the design; it gets both as they are when it runs.
 struct Gesture {
   std::function<MaybeEdit(DocumentView&, const Design&)> run;
 };
@@ -35,7 +35,7 @@ class Intents {
   void add(MaybeEdit edit) {
     if (edit) all_.emplace_back(std::move(*edit));
   }
-  /// Empty: none.
+  /// An empty id does nothing.
   void add_action(std::string id) {
     if (!id.empty()) all_.emplace_back(RunAction{std::move(id)});
   }

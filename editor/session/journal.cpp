@@ -9,20 +9,27 @@
 #include <utility>
 
 #include "base/caught.h"
+#include "base/text.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto kPause = 100ms;  // between two entries: a drag makes sixty states a second
+constexpr auto kPause = 100ms;  // between two entries: a drag makes sixty states per second
 constexpr auto kRetry = 1s;
-/// A journal is begun anew when it has grown so far: reading goes through all of it.
+/// A journal that has grown to this size is started again, because reading goes through all of it.
 constexpr size_t kMaxEntries = 500, kMaxAppended = size_t{4} << 20;
 
-/// Appends to a file that is there, or (`how`: O_CREAT | O_EXCL) that is not; what went wrong, or empty.
+/// Appends to an existing file, or to a new one with `how` = O_CREAT | O_EXCL. Returns the error, or empty.
 std::string append(const std::string& path, std::string_view bytes, int how = 0) {
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | how, 0600);
   if (file < 0) return path + ": " + std::strerror(errno);
@@ -36,7 +43,7 @@ std::string append(const std::string& path, std::string_view bytes, int how = 0)
   return problem;
 }
 
-/// The file and its name are on the disk; what went wrong, or empty. One that is not there any more is not wanted.
+/// Flushes the file and its folder to disk. Returns the error, or empty; a removed file is no error.
 std::string flushed(const std::string& path) {
   for (const std::string& what : {path, std::filesystem::path(path).parent_path().string()}) {
     const int file = ::open(what.c_str(), O_RDONLY | O_CLOEXEC);
@@ -44,15 +51,17 @@ std::string flushed(const std::string& path) {
     const bool done = ::fsync(file) == 0 || errno == EINVAL;
     const int cause = errno;
     ::close(file);
-    if (!done) return "Recovery copy not on the disk (" + path + "): " + std::strerror(cause);
+    if (!done)
+      return fill(tr("The recovery copy may not be on the disk ({file}): {problem}"), arg("file", path),
+                  arg("problem", std::strerror(cause)));
   }
   return {};
 }
 
-/// What was thrown, with what that means where there is memory for as much.
-std::string told(const char* what, const std::string& thrown) {
+/// `text` with what was thrown as its {problem}. Short enough to need no allocation when memory is out.
+std::string failure_text(const char* text, const std::string& thrown) {
   std::string whole;
-  caught([&] { whole = what + thrown; });
+  caught([&] { whole = fill(tr(text), arg("problem", thrown)); });
   return whole.empty() ? "no memory" : whole;
 }
 
@@ -76,7 +85,7 @@ Journal::~Journal() {
   flusher_.join();
 }
 
-/// The newest of what is asked of a document wins.
+/// The newest request for a document replaces the waiting one.
 void Journal::post(uint64_t document, Task task) {
   {
     const std::lock_guard lock(mutex_);
@@ -132,7 +141,7 @@ void Journal::flush() {
       for (const std::string& path : journals)
         if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
     });
-    if (!thrown.empty()) problem = told("Recovery copy not on the disk: ", thrown);
+    if (!thrown.empty()) problem = failure_text(mark("The recovery copy may not be on the disk: {problem}"), thrown);
     lock.lock();
     flushing_ = false;
     begin_anew_ |= !problem.empty();
@@ -142,11 +151,11 @@ void Journal::flush() {
 }
 
 void Journal::work() {
-  caught([this] { recovery_.open(); });  // ahead of the first entry, which says what is wrong
+  caught([this] { recovery_.open(); });  // early; the first entry reports an error
   std::unique_lock lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
-    // Only the time of the last entry is waited for, so that a single change is written at once.
+    // The pause counts from the last entry, so that a single change is written at once.
     wake_.wait_until(lock, next_, [this] { return leaving_; });
     const bool last = leaving_;
     auto tasks = std::exchange(waiting_, {});
@@ -157,7 +166,7 @@ void Journal::work() {
       lock.unlock();
       std::string problem;
       const std::string thrown = caught([&] { problem = perform(task.key(), task.mapped()); });
-      if (!thrown.empty()) problem = told("No recovery copy: ", thrown);
+      if (!thrown.empty()) problem = failure_text(mark("No recovery copy: {problem}"), thrown);
       lock.lock();
       if (problem.empty()) problems_.erase(task.key());
       else try_again(std::move(task), std::move(problem));
@@ -168,7 +177,7 @@ void Journal::work() {
   }
 }
 
-/// Takes no memory, which may be what was wanting, before the task waits again.
+/// Allocates nothing before the task is queued again, since the error may be a lack of memory.
 void Journal::try_again(std::map<uint64_t, Task>::node_type task, std::string problem) {
   next_ = Clock::now() + kRetry;
   const uint64_t document = task.key();
@@ -215,13 +224,16 @@ std::string Journal::write(uint64_t document, const State& state) {
     written.appended += entry.size();
   }
   if (!done) {
-    // The first, or what is there is torn, or has grown.
+    // The first entry, or the journal is torn or too long.
     written.whole = false;
     std::string problem = recovery_.open();
-    if (!problem.empty()) return "No recovery copy of " + state.note.name + ": " + problem;
+    if (!problem.empty())
+      return fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name), arg("problem", problem));
     const std::string start = journal_start({state.note, text});
     if (!append(path, start, O_CREAT | O_EXCL).empty()) problem = write_file_atomically(path, start);
-    if (!problem.empty()) return "No recovery copy of " + state.note.name + " (" + path + "): " + problem;
+    if (!problem.empty())
+      return fill(tr("No recovery copy of {draft} ({file}): {problem}"), arg("draft", state.note.name),
+                  arg("file", path), arg("problem", problem));
     written = {state.note, {}, 0, 0, true};
   }
   written.text = std::move(text);

@@ -1,7 +1,7 @@
 #pragma once
-// Keeps unsaved work on the disk, on threads of its own: what the hand did is in its file a tenth of a second later,
-// however busy the window is. Of several states that wait the newest wins. One thread writes, another flushes: a busy
-// disk takes half a second to flush, and nothing that is written meanwhile may wait for that.
+// Keeps unsaved work on disk, on its own threads: an edit is in the journal a tenth of a second later, however busy the
+// window is. Of several waiting states only the newest is written. One thread writes, another flushes, because a busy
+// disk takes half a second to flush and writes must not wait for that.
 
 #include <chrono>
 #include <condition_variable>
@@ -23,26 +23,26 @@ class Journal {
  public:
   /// `recovery` outlives it.
   explicit Journal(Recovery& recovery);
-  /// Finishes what waits; a disk that refuses is asked once more and no longer.
+  /// Finishes the waiting tasks; each failing one is tried once more.
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// A number for a document of this session, never given twice.
+  /// A unique number for a document of this session.
   uint64_t new_document() { return ++documents_; }
-  /// The document's newest state; `make_text` is called on the thread.
+  /// Writes the newest state of the document; `make_text` is called on the writing thread.
   void keep(uint64_t document, DocumentNote note, std::function<std::string()> make_text);
-  /// The document is saved, or its changes are not wanted.
+  /// Removes the journal: the document is saved or its changes are discarded.
   void forget(uint64_t document);
-  /// `left` goes once what was kept of `document` stands on the disk.
+  /// Removes `left` once the journal of `document` is on disk.
   void replace(const LeftWork& left, uint64_t document);
   void discard(const LeftWork& left);
 
-  /// What stands wrong, naming file and cause, until it succeeds (it is tried again every second); else empty.
+  /// The current error with file and cause, until a retry succeeds (one per second); else empty.
   std::string problem() const;
-  /// Something is not on the disk yet.
+  /// True while something is not on disk yet.
   bool busy() const;
-  /// Waits until everything is on the disk, or was refused.
+  /// Waits until everything is on disk or has failed.
   void settle();
 
  private:
@@ -50,16 +50,16 @@ class Journal {
     DocumentNote note;
     std::function<std::string()> make_text;
   };
-  struct Written {  // how the document's journal stands
+  struct Written {  // state of the journal of a document
     DocumentNote note;
     std::string text;
     size_t appended = 0, entries = 0;
-    bool whole = false;  // what is appended can be read
+    bool whole = false;  // the file is intact, so that entries can be appended
   };
-  struct Task {  // what a document waits for
+  struct Task {  // waiting work of a document
     std::optional<State> keep;
     bool forget = false;
-    std::list<LeftWork> then;  // discarded when it succeeded
+    std::list<LeftWork> then;  // discarded after success
   };
   void post(uint64_t document, Task task);
   void work();
@@ -70,16 +70,16 @@ class Journal {
 
   Recovery& recovery_;
   uint64_t documents_ = 0;
-  std::map<uint64_t, Written> written_;  // of the thread
+  std::map<uint64_t, Written> written_;  // used by the writing thread only
   mutable std::mutex mutex_;
   std::condition_variable wake_, flush_, settled_;
-  std::map<uint64_t, Task> waiting_;  // by document; of 0: what no document waits for
+  std::map<uint64_t, Task> waiting_;  // by document; 0 for tasks without a document
   std::map<uint64_t, std::string> problems_;
-  std::chrono::steady_clock::time_point next_{};  // no entry before
+  std::chrono::steady_clock::time_point next_{};  // earliest time of the next write
   std::set<std::string> unflushed_;               // journals
   std::string flush_problem_;
   bool leaving_ = false, working_ = false, written_all_ = false, flushing_ = false;
-  bool begin_anew_ = false;  // what was not flushed may be lost
+  bool begin_anew_ = false;  // start all journals again: unflushed entries may be lost
   std::thread thread_, flusher_;
 };
 

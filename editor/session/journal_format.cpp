@@ -20,7 +20,7 @@ void append_number(std::string& out, uint64_t value) {
   for (size_t i = 0; i < kNumber; ++i) out += static_cast<char>(value >> (8 * i) & 0xff);
 }
 
-/// The number at the front of `in`, taken off; 0 where there is none.
+/// Removes and returns the number at the front of `in`; 0 if there is none.
 uint64_t take_number(std::string_view& in) {
   if (in.size() < kNumber) return 0;
   uint64_t value = 0;
@@ -41,7 +41,7 @@ struct Record {
   std::string_view payload;
 };
 
-/// The record at the front of `in`, taken off; none where it is torn.
+/// Removes and returns the record at the front of `in`; none if it is torn.
 std::optional<Record> take_record(std::string_view& in) {
   if (in.size() < kHead) return {};
   std::string_view at = in.substr(1);
@@ -83,7 +83,7 @@ DocumentNote note_of(std::string_view text) {
   return note;
 }
 
-/// False when the difference does not belong to this text.
+/// False if the difference does not fit this text.
 bool apply_difference(std::string_view payload, std::string& text) {
   const uint64_t front = take_number(payload), back = take_number(payload), hash = take_number(payload);
   if (front > text.size() || back > text.size() - front) return false;

@@ -22,7 +22,7 @@ std::vector<LibraryFile> library_files() {
   std::vector<LibraryFile> all;
   for (const bool cloth : {true, false}) {
     const auto first = static_cast<std::ptrdiff_t>(all.size());
-    std::error_code missing;  // no presets, no library
+    std::error_code missing;  // the library is then empty
     for (const auto& entry :
          std::filesystem::directory_iterator(presets_dir() + (cloth ? "/cloths" : "/drafts"), missing)) {
       if (entry.path().extension() != ".wif") continue;

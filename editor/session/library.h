@@ -1,5 +1,5 @@
 #pragma once
-// The shipped drafts and cloths, as menus and pages name them.
+// The shipped drafts and cloths.
 
 #include <string>
 #include <vector>
@@ -10,9 +10,9 @@ namespace weftlight::session {
 
 struct LibraryFile {
   std::string path, id, name;  // "/.../denim.wif", "cloth.denim", "Denim"
-  bool cloth = false;          // a whole cloth with its yarns; else a draft
+  bool cloth = false;          // a cloth with its yarns; else a draft only
 };
-/// Cloths before drafts, each by name; empty where the presets are missing.
+/// Cloths before drafts, each sorted by name; empty if the presets are missing.
 std::vector<LibraryFile> library_files();
 
 }  // namespace weftlight::session

@@ -1,6 +1,6 @@
 #pragma once
-// The line to a loom, held by a thread of its own: what is to be said waits for it, what the loom says waits for the
-// window. A line that breaks off is made again, every two seconds, until nobody wants it any more.
+// The connection to a loom, on its own thread: bytes to send and reports received are queued. A lost connection is
+// retried every two seconds until disconnect().
 
 #include <condition_variable>
 #include <functional>
@@ -19,7 +19,7 @@ class LoomLink {
  public:
   enum class State { kOff, kConnecting, kConnected };
 
-  /// `wake`: called from the thread when there is news.
+  /// `wake` is called on the thread when there is an update.
   explicit LoomLink(std::function<void()> wake);
   ~LoomLink();
   LoomLink(const LoomLink&) = delete;
@@ -28,28 +28,28 @@ class LoomLink {
   /// "tcp:HOST:PORT" or "serial:PORT[:BAUD]".
   void connect(const std::string& address);
   void disconnect();
-  /// Lost where no line stands.
+  /// Does nothing without a connection.
   void send(const std::string& bytes);
 
   struct News {
-    bool connected = false;  // the line was made, perhaps again, since the last call
+    bool connected = false;  // connected or reconnected since the last call
     std::vector<loom::LoomReport> reports;
   };
   News take();
   State state() const;
-  /// Why there is no line although one is wanted; empty: there is, or nobody knows yet.
+  /// Why the connection failed; empty while it stands or is being tried.
   std::string why() const;
 
  private:
   void work();
-  /// Until the line breaks or is no longer wanted.
+  /// Sends and receives until the connection breaks or is no longer wanted.
   void talk(loom::Line& line, const std::string& address);
   bool wanted(const std::string& address) const;
 
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // guards all below
   std::condition_variable changed_;
-  std::string address_, to_send_, why_;  // no address: nobody wants a line
+  std::string address_, to_send_, why_;  // an empty address means disconnected
   State state_ = State::kOff;
   News news_;
   bool leaving_ = false;

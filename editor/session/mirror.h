@@ -1,6 +1,6 @@
 #pragma once
-// The symmetric pen: what is drawn appears mirrored across the ends, the picks or both, about the middle of what is
-// selected there, else of the draft.
+// Symmetric drawing: strokes are mirrored across the ends, the picks or both, about the middle of the selection or else
+// of the draft.
 
 #include <optional>
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace weftlight::session {
 
-/// Index of a thread plus that of its image: the axis, in half threads. None: not mirrored.
+/// The axis as the index of a thread plus that of its image. Not mirrored if empty.
 struct Mirror {
   std::optional<int> ends, picks;
 };
 Mirror mirror_of(const DocumentView& view, const Draft& draft);
 
-/// The grid's columns are ends; its rows are picks.
+/// True if the columns of the grid are ends, and if its rows are picks.
 bool has_ends(GridId grid);
 bool has_picks(GridId grid);
 
-/// The cell, and its images as far as the grid has them, always in the same order. Some may lie outside of the grid.
+/// The cell and its images, in a fixed order. Images may lie outside of the grid.
 std::vector<Cell> images_of(const Mirror& mirror, GridId grid, Cell at);
 
 }  // namespace weftlight::session

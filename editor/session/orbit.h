@@ -1,5 +1,5 @@
 #pragma once
-// The camera around the cloth, as the weaver turns it; not part of the design until it is kept.
+// The orbit camera of the cloth; not part of the design until it is saved.
 
 #include "draft/design.h"
 #include "render_data/named_views.h"
@@ -7,13 +7,13 @@
 
 namespace weftlight::session {
 
-/// Scene::view_* and pan_* as the weaver turned them, not yet part of the design.
+/// Scene::view_* and pan_* as the user changed them.
 struct Orbit {
   float azimuth = 0, elevation = 0, distance = 1, pan_x = 0, pan_y = 0;
   bool operator==(const Orbit&) const = default;
 };
 Orbit orbit_of(const Scene& scene);
-/// Straight on to a flat swatch that fills a picture of so many pixels, its threads a few pixels wide.
+/// Straight on to a flat swatch that fills a picture of this size in pixels, with threads a few pixels wide.
 Orbit flat_orbit(const Design& design, float width_px, float height_px);
 Scene with_orbit(Scene scene, const Orbit& camera);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The draft that the open one is held against.
+// The draft that the open one is compared with.
 
 #include <string>
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing, an empty file, or what is no file (/dev/null): nobody loses anything.
+/// True if nothing is lost: no file, an empty one, or a device such as /dev/null.
 bool is_free(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return true;
@@ -30,7 +30,7 @@ bool is_free(const std::string& path) {
 
 constexpr const char* kIsTheDraft = mark("it is the draft to open; give another file");
 
-/// The hashes that a record names; none where there is none.
+/// The hashes in a record; empty if there is no record.
 std::vector<uint64_t> hashes_in(const std::string& record) {
   std::vector<uint64_t> hashes;
   std::istringstream lines(read_file(record).bytes);
@@ -56,14 +56,14 @@ std::string LiveExport::rejected_edit(const std::string& draft) const {
   const std::vector<uint64_t> own = hashes_in(record_);
   const uint64_t there = identify(path_).hash;
   if (std::find(own.begin(), own.end(), there) != own.end()) return {};
-  // As the opened draft is: writing it again changes nothing.
+  // A copy of the opened draft: writing it again changes nothing.
   if (!draft.empty() && there == identify(draft).hash) return {};
   return tr("another program's file is there; remove it or give another name");
 }
 
 std::string LiveExport::write(std::string_view bytes) {
   const uint64_t now = content_hash(bytes);
-  // Before the file itself, and with what is there now: whenever the process ends, one of the two is right.
+  // Recorded before the write, together with the present hash: whenever the process ends, one of the two is right.
   std::error_code ignored;
   fs::create_directories(fs::path(record_).parent_path(), ignored);
   const std::string beside = record_ + ".new";

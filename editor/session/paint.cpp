@@ -84,7 +84,7 @@ std::vector<Cell> with_images(const std::vector<Cell>& cells, GridId grid, const
   return all;
 }
 
-/// Crossings, all of them or, where the loom cannot weave them, none.
+/// Paints all the crossings, or none if the loom cannot weave them.
 Painted painted_cells(const Design& design, const std::vector<Cell>& all, bool on, LoomSize given) {
   const auto [left, right] = std::ranges::minmax(all, {}, &Cell::a);
   const auto [top, bottom] = std::ranges::minmax(all, {}, &Cell::b);
@@ -98,8 +98,8 @@ Painted painted_cells(const Design& design, const std::vector<Cell>& all, bool o
   return painted;
 }
 
-/// All crossings of the stroke, painted on what was there before it. What the loom cannot weave is left out of it: then
-/// `step`, of the last crossings alone, says why, or changes what the stroke begins with anew.
+/// Paints all crossings of the stroke on the design before it. Crossings that the loom cannot weave are left out: then
+/// `step`, for the last crossings alone, gives the reason, or its result becomes the new start of the stroke.
 Edit crossings_edit(Stroke& s, const Design& design, LoomSize given, const std::vector<Cell>& cells, Edit step) {
   if (!s.reached || *s.reached != design) {
     s.base = s.reached = std::make_shared<const Design>(design);
@@ -214,7 +214,7 @@ MaybeEdit go_on_with_stroke(DocumentView& v, const Design& design, Cell to, bool
     return bar_edit(s.grid, from, to, v.bar_paint, v.bar_paint == BarPaint::kColor ? v.color : v.yarn, mirror);
   Edit step = paint_edit(s.grid, from, to, s.on, only, mirror, v.given);
   if (s.grid != GridId::kDrawdown) return step;
-  // Where it comes from is painted already, or was refused or taken back.
+  // The start cell was already painted, rejected or undone.
   std::vector<Cell> line = line_of_cells(from, to);
   if (line.size() > 1) line.erase(line.begin());
   return crossings_edit(s, design, v.given, with_images(line, s.grid, mirror), std::move(step));

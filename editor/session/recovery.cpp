@@ -5,10 +5,14 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "platform/unique_name.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::tr;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,31 +39,31 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
 
 struct ReadEntry {
   std::optional<JournalEntry> last;
-  std::string problem;  // where there is none
+  std::string problem;  // if there is no entry
 };
 
 ReadEntry read_entry(const std::string& journal) {
-  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, "it is larger than any journal"};
+  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, tr("it is larger than any journal")};
   const FileBytes file = read_file(journal);
   if (!file.error.empty()) return {{}, file.error};
   ReadEntry read{read_journal(file.bytes), {}};
-  if (!read.last) read.problem = "it is damaged before the end of its first entry";
+  if (!read.last) read.problem = tr("it is damaged before the end of its first entry");
   return read;
 }
 
-/// Made by a session that ended before it wrote into it.
+/// An empty journal: its session ended before it wrote to it.
 bool holds_nothing(const fs::path& journal) {
   std::error_code error;
   return fs::is_regular_file(journal, error) && fs::file_size(journal, error) == 0 && !error;
 }
 
-/// The session ended after its file was written and before its journal went.
+/// True if the session saved the file but ended before it removed the journal.
 bool stands_saved(const JournalEntry& last) {
   if (last.note.path.empty() || facts_of(last.note.path).size != last.text.size()) return false;
   return identify(last.note.path).hash == content_hash(last.text);
 }
 
-/// With all that a session writes into it, as long as there is no journal.
+/// Removes the folder and its contents unless it holds a journal.
 void remove_session(const fs::path& folder) {
   std::error_code ignored;
   if (journals_in(folder).empty()) fs::remove_all(folder, ignored);
@@ -80,7 +84,7 @@ std::string Recovery::open() {
   if (lock_.stands_at(path)) return {};
   std::error_code error;
   fs::create_directories(root_, error);
-  // Whoever looks for crashed sessions waits: a folder without its lock would be taken for one.
+  // Searches for crashed sessions wait for this lock: they would take a folder without its own lock for a crashed one.
   const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
   if (!error) fs::create_directories(folder_, error);
   if (error) return folder_ + ": " + error.message();
@@ -102,9 +106,9 @@ std::vector<LeftWork> Recovery::left_behind() {
     if (folder == folder_) continue;
     FileLock& lock = crashed_[folder.string()];
     if (!lock.held()) lock = FileLock::take((folder / kLock).string());
-    if (!lock.held()) continue;  // it lives
+    if (!lock.held()) continue;  // the session is running
     for (const fs::path& journal : journals_in(folder)) {
-      if (!fs::is_regular_file(journal, error)) continue;  // not ours
+      if (!fs::is_regular_file(journal, error)) continue;  // not a journal of ours
       ReadEntry read = read_entry(journal.string());
       if (holds_nothing(journal) || (read.last && stands_saved(*read.last))) {
         fs::remove(journal, error);

@@ -1,8 +1,7 @@
 #pragma once
-// The folder of unsaved work: a folder of its own for each session, with a journal of each document. The session's
-// folder holds a lock for as long as the session lives, so that a crashed one is told from one that runs by nothing
-// that could repeat, as the numbers of processes do. Where there are no locks no recovery copy is kept, which is said:
-// nobody could tell whose it is.
+// The folder of unsaved work: one folder per session, with a journal per document. A session locks its folder while it
+// runs, which tells crashed sessions from running ones; process ids would repeat. Without file locks no recovery copy
+// is kept, and this is reported, because its owner would be unknown.
 
 #include <cstdint>
 #include <map>
@@ -16,32 +15,32 @@
 
 namespace weftlight::session {
 
-/// A document with unsaved work whose session is no more.
+/// Unsaved work of a crashed session.
 struct LeftWork {
-  std::string journal;  // its file
+  std::string journal;  // path of the journal
   DocumentNote note;
-  int64_t written_ns = 0;  // when its last entry was, since 1970
-  std::string problem{};   // why it cannot be read, and then it says nothing of its document; empty: it can
+  int64_t written_ns = 0;  // time of its last entry, since 1970
+  std::string problem{};   // why it cannot be read; `note` is then empty
 };
 
-/// For any thread.
+/// Thread-safe.
 class Recovery {
  public:
-  /// In `root`, which is made when it is needed: state_folder()/recovery.
+  /// `root` is state_folder()/recovery; it is created when needed.
   explicit Recovery(std::string root);
-  /// Takes the session's folder with it when no journal is left in it.
+  /// Removes the folder of the session if no journal is left in it.
   ~Recovery();
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
-  /// Makes the session's folder and its lock, anew when somebody took them away; what went wrong, or empty.
+  /// Creates the folder of the session and its lock, again if they were removed. Returns the error, or empty.
   std::string open();
   std::string journal_path(uint64_t document) const;
 
-  /// What crashed sessions left, newest first, what cannot be read last. Their locks are held from now on, so that no
-  /// other window offers the same. Folders with nothing in them go.
+  /// Work of crashed sessions, newest first, unreadable work last. Their locks are held from now on, so that no other
+  /// window offers the same work. Empty folders are removed.
   std::vector<LeftWork> left_behind();
-  /// Removes the journal, and its session's folder with the last one.
+  /// Removes the journal, and the folder of its session after the last one.
   void discard(const LeftWork& left);
 
  private:
@@ -51,7 +50,7 @@ class Recovery {
   std::map<std::string, platform::FileLock> crashed_;  // by folder
 };
 
-/// The last whole entry of a journal that was left; none: it cannot be read.
+/// The last complete entry of the journal; none if it cannot be read.
 std::optional<JournalEntry> read_left(const LeftWork& left);
 
 }  // namespace weftlight::session

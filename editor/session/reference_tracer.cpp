@@ -15,9 +15,9 @@ using base::tr;
 
 namespace {
 
-constexpr int kMaxSamples = 256;           // of a pixel: noise is then below what is seen
-constexpr int kCoarse = 4;                 // the first picture has a pixel for so many, each way
-constexpr int64_t kTriangles = 3'000'000;  // 400 MB: the window must leave room for others
+constexpr int kMaxSamples = 256;           // per pixel: noise is then invisible
+constexpr int kCoarse = 4;                 // the first picture is smaller by this factor in each direction
+constexpr int64_t kTriangles = 3'000'000;  // 400 MB, to leave memory for other programs
 
 uint32_t packed(const float* rgb) {
   uint32_t out = 0xFF000000u;
@@ -30,14 +30,14 @@ float squared(float x) { return x * x; }
 
 Linear linear_of(const float* rgb) { return linear_from_srgb({rgb[0], rgb[1], rgb[2]}); }
 
-/// The running mean of pictures by their samples.
+/// Updates the running mean, weighted by sample counts.
 void add(TracedImage& mean, const TracedImage& more, int before, int samples) {
   const float share = static_cast<float>(samples) / static_cast<float>(before + samples);
   for (size_t i = 0; i < mean.pixels.size(); ++i) mean.pixels[i] += (more.pixels[i] - mean.pixels[i]) * share;
 }
 
 int threads_to_use() {
-  return std::max(1, core_count() - 1);  // one is left for the window
+  return std::max(1, core_count() - 1);  // one core is left for the window
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   view.width = job.around.width, view.height = job.around.height;
   TracedImage mean{view.width, view.height, {}};
   mean.pixels.resize(static_cast<size_t>(view.width) * static_cast<size_t>(view.height));
-  // 1, 1, 2, 4, 8: each pass doubles what there is.
+  // Passes of 1, 1, 2, 4, 8... samples: each doubles the total.
   for (int done = 0; done < kMaxSamples && !stop.stop_requested();) {
     view.first_sample = done;
     view.spp = std::max(1, done);
@@ -118,7 +118,7 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   }
 }
 
-/// What is traced next is made from the start: what was made may be half of one design and half of another.
+/// Resets the scene: after an exception it may be a mix of two designs.
 void ReferenceTracer::fail(const std::string& why, const std::stop_token& stop) {
   scene_ = ReferenceScene();
   PictureComparison failed;

@@ -1,6 +1,6 @@
 #pragma once
-// Traces the reference picture of a still view on a thread of its own, at rising samples, and lays it
-// beside the preview.
+// Path-traces the reference picture of a still view on a worker thread, with a growing sample count, and compares it
+// with the preview.
 
 #include <cstdint>
 #include <memory>
@@ -20,32 +20,32 @@ namespace weftlight::session {
 /// A view of the preview.
 struct TraceJob {
   std::shared_ptr<const Design> design;
-  Scene scene;  // with the camera as it is turned
+  Scene scene;  // with the current camera
   float exposure_ev = 0;
-  Image around;   // the preview without its cloth
-  Image preview;  // the whole preview; of the same size
+  Image around;   // the preview without the cloth
+  Image preview;  // the complete preview, of the same size
 };
 
-inline constexpr float kDifferenceScale = 4;  // the picture of the difference is this much brighter
+inline constexpr float kDifferenceScale = 4;  // brightness factor of the difference picture
 
 struct PictureComparison {
   int width = 0, height = 0;
-  int samples = 0;                              // a pixel; 0: a coarse first picture
-  std::vector<uint32_t> reference, difference;  // RGBA8, row 0 on top; the difference kDifferenceScale times
-  float relative_error = 0;  // RMSE of the preview over the reference's RMS, linear light, over the cloth
+  int samples = 0;                              // per pixel; 0 for the coarse first picture
+  std::vector<uint32_t> reference, difference;  // RGBA8, row 0 on top; the difference is scaled by kDifferenceScale
+  float relative_error = 0;  // RMSE of the preview / RMS of the reference; linear light, over the cloth
   bool finished = false;
   std::string problem;
 };
-/// What the window shows of a traced picture. `around` and `preview` as in TraceJob.
+/// Compares a traced picture with the preview. `around` and `preview` as in TraceJob.
 PictureComparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev);
 
 class ReferenceTracer {
  public:
-  /// Leaves what it is at.
+  /// Drops the trace in progress.
   void start(TraceJob job);
   void stop();
   bool busy() const;
-  /// What is new since the last call.
+  /// The newest result since the last call.
   std::optional<PictureComparison> take();
 
  private:
@@ -53,12 +53,12 @@ class ReferenceTracer {
   void fail(const std::string& why, const std::stop_token& stop);
   void publish(PictureComparison made, const std::stop_token& stop);
 
-  mutable std::mutex mutex_;  // of what is made
+  mutable std::mutex mutex_;  // guards made_
   std::optional<PictureComparison> made_;
-  ReferenceScene scene_;  // the worker's
+  ReferenceScene scene_;  // used by the worker only
   Worker worker_{[this](const std::string& why, const auto& stop) {
     fail(why, stop);
-  }};  // the first to go: its jobs use all of the above
+  }};  // destroyed first: its jobs use all members above
 };
 
 }  // namespace weftlight::session

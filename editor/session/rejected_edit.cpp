@@ -36,7 +36,7 @@ std::shared_ptr<const ClosestWeave> nearest_to(const Design& now, const Design& 
   Factored factored = closest_drawdown(now.draft, wanted, loom_size(now));
   ClosestWeave out;
   out.why = std::move(factored.why);
-  // What costs no fewer crossings is no reason to give up the weaver's numbers.
+  // Without fewer wrong crossings the weaver's own threading and treadling stay.
   int64_t stays_wrong = 0;
   for (int p = 0; p < shown.rows(); ++p) stays_wrong += differences(shown.row(p), wanted.row(p));
   out.is_there = stays_wrong <= factored.wrong;

@@ -1,5 +1,5 @@
 #pragma once
-// What was painted and the loom cannot weave, kept until something else is done, and what comes nearest to it.
+// An edit that the loom cannot weave, kept until the next edit, and the closest weave to it.
 
 #include <cstdint>
 #include <memory>
@@ -13,31 +13,31 @@
 
 namespace weftlight::session {
 
-/// The draft of the loom that is nearest to a wish.
+/// The weave that the loom can make and that is closest to the requested design.
 struct ClosestWeave {
   std::shared_ptr<const Design> design;
-  std::string why;               // why it is not the wish: "this takes 9 shafts, and the loom has 8"
-  bool is_there = false;         // nothing is nearer than the design as it is
-  int64_t wrong = 0;             // crossings that it shows otherwise
-  BitMatrix differing;           // picks x ends: those
-  std::vector<CellRect> places;  // where they are
+  std::string why;               // why it differs: "this takes 9 shafts, and the loom has 8"
+  bool is_there = false;         // the present design is already the closest
+  int64_t wrong = 0;             // crossings that differ from the request
+  BitMatrix differing;           // picks x ends: those crossings
+  std::vector<CellRect> places;  // their bounding rectangles
 };
 
 struct RejectedEdit {
-  uint64_t stroke = 0;                      // the gesture that was refused, in whole or in part; 0: one edit
-  std::shared_ptr<const Design> requested;  // all that it painted, as on a loom of any size
-  std::shared_ptr<const ClosestWeave> nearest = nullptr;  // null: not worked out yet
+  uint64_t stroke = 0;                      // the gesture that was rejected, in whole or part; 0: a single edit
+  std::shared_ptr<const Design> requested;  // everything it painted, as on a loom of any size
+  std::shared_ptr<const ClosestWeave> nearest = nullptr;  // null until computed
 };
 
-/// What is refused after an edit of `before`, which `changed` it or did nothing: what other edits of the same gesture
-/// had done is part of the wish. An edit that was taken ends what was refused before it.
+/// The rejected edit after `edit` of `before`, which `changed` it or did nothing. Earlier edits of the same gesture are
+/// part of the request. An accepted edit of another gesture clears the rejection.
 std::optional<RejectedEdit> refusal_after(std::optional<RejectedEdit> last, const Design& before, const Edit& edit,
                                           uint64_t stroke, bool changed);
 
-/// Null: the wish shows the same cloth as `now`.
+/// Null if the request shows the same cloth as `now`.
 std::shared_ptr<const ClosestWeave> nearest_to(const Design& now, const Design& requested);
 
-/// The wish itself, on a loom as large as it takes.
+/// The requested design on a loom that is large enough.
 Edit larger_loom_edit(const RejectedEdit& rejected_edit);
 
 }  // namespace weftlight::session

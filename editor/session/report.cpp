@@ -4,8 +4,14 @@
 #include <utility>
 
 #include "base/caught.h"
+#include "base/text.h"
 
 namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr int kListedFloats = 500;
@@ -44,7 +50,7 @@ const Report* Reporter::on(const std::shared_ptr<const Design>& design, const Bi
   poll();
   const bool fits = report_ && report_->revision == revision && report_->limit == limit && report_->other == other;
   const Asked now{revision, limit, other};
-  // What failed is not tried again before something else is asked for.
+  // A failed request is not retried until another is made.
   if (!fits && !busy() && failed_ != now) {
     asked_ = now;
     failed_.reset();
@@ -61,9 +67,9 @@ bool Reporter::poll() {
   if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   try {
     report_ = work_.get();
-  } catch (...) {  // of the thread
+  } catch (...) {  // thrown on the thread
     failed_ = asked_;
-    problem_ = "The draft was not analysed: " + words_of_thrown();
+    problem_ = fill(tr("The draft was not analysed: {problem}"), arg("problem", words_of_thrown()));
   }
   return true;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What the weaver wants to know of the draft while it is painted: floats, repeat, heddles, whether the cloth hangs
-// together. Worked out on a thread of its own; the window shows the last that is done.
+// Analysis of the draft while it is edited: floats, repeat, heddles, separate layers. Computed on its own thread; the
+// window shows the last finished report.
 
 #include <cstdint>
 #include <future>
@@ -22,41 +22,41 @@ namespace weftlight::session {
 
 struct Report {
   uint64_t revision = 0;  // of the design
-  int limit = 0;          // threads that a float may cross
+  int limit = 0;          // longest float allowed, in threads
   analysis::LongestFloats longest;
-  analysis::LongFloats floats;  // beyond the limit
-  BitMatrix front, back;        // picks x ends: crossings that lie in them
+  analysis::LongFloats floats;  // longer than the limit
+  BitMatrix front, back;        // picks x ends: crossings in those floats
   Repeat repeat;
   analysis::LoomUse loom;
-  size_t layers = 1;  // that the cloth comes apart into, loose threads not counted
+  size_t layers = 1;  // separate layers, without loose threads
   std::vector<int> loose_ends, loose_picks;
 
-  // Where it is held against another draft, which is `a` where they differ.
+  // Comparison with another draft, which is `a` in `comparison`. Unset without one.
   std::shared_ptr<const OtherDraft> other;
   analysis::Comparison comparison;
-  BitMatrix differing;  // picks x ends: crossings that are others there
+  BitMatrix differing;  // picks x ends: crossings that differ
   std::vector<CellRect> places;
 };
-/// Of `cells`, the design's drawdown. `other`: null: none.
+/// `cells` is the drawdown of the design; `other` may be null.
 Report report_on(const Design& design, const BitMatrix& cells, int limit,
                  const std::shared_ptr<const OtherDraft>& other = nullptr);
 
 class Reporter {
  public:
-  /// The newest report, perhaps of an earlier design; null: none yet. Starts on what it is not about.
+  /// The newest report, perhaps of an earlier design; null if there is none yet. Starts a new one if it is outdated.
   const Report* on(const std::shared_ptr<const Design>& design, const BitMatrix& cells, uint64_t revision, int limit,
                    const std::shared_ptr<const OtherDraft>& other = nullptr);
-  /// The same without starting anything.
+  /// The newest report, without starting one.
   const Report* last() const { return report_.get(); }
-  /// Why there is none of what was asked for last, once; empty: there is, or will be.
+  /// The error of the last request, returned once; empty if there is none.
   std::string take_problem() { return std::exchange(problem_, {}); }
   bool busy() const { return work_.valid(); }
-  /// True when a report has come.
+  /// True if a report was finished.
   bool poll();
 
  private:
   std::unique_ptr<Report> report_;
-  /// What a report was asked on.
+  /// The inputs of a requested report.
   struct Asked {
     uint64_t revision = 0;
     int limit = 0;
@@ -64,7 +64,7 @@ class Reporter {
     bool operator==(const Asked&) const = default;
   };
   std::optional<Asked> failed_;
-  Asked asked_;  // last
+  Asked asked_;  // the last request
   std::string problem_;
   std::future<std::unique_ptr<Report>> work_;
 };

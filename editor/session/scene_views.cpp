@@ -58,9 +58,9 @@ Edit keep_view_edit(const DocumentView& view, std::string name) {
 MaybeEdit go_to_view(DocumentView& view, const Design& design, const NamedView& to) {
   if (to.flat && !view.flat) view.draped = view.camera;
   view.flat = to.flat;
-  view.grazing = false;  // its own light is part of it
+  view.grazing = false;  // the saved scene includes its light
   view.camera = orbit_of(to.scene);
-  // Where a new window begins stays as it was kept.
+  // The camera that a draft opens with does not change.
   const Scene scene = with_orbit(to.scene, orbit_of(design.scene));
   if (scene == design.scene) return {};
   return Edit{fill(tr("View: {name}"), arg("name", to.name)), [scene](Design d) {

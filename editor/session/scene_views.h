@@ -1,5 +1,5 @@
 #pragma once
-// Views of the cloth by name, as edits: kept, gone to, renamed, dropped.
+// Named views of the cloth as edits: save, go to, rename, delete.
 
 #include <string>
 #include <vector>
@@ -12,16 +12,16 @@ namespace weftlight::session {
 
 inline constexpr size_t kMaxKeptViews = 200, kLongestViewName = 80;
 
-/// The scene as it is drawn: with the camera of the view, what hangs in it, and its light.
+/// The scene as it is drawn: with the camera of the view, and with the flat swatch and its light if the view is flat.
 Scene seen_scene(const DocumentView& view, const Design& design);
 
-/// "View 3", which none is called yet.
+/// "View 3", an unused name.
 std::string free_view_name(const Design& design);
-/// What the weaver sees now, under a name; one of that name is replaced.
+/// Saves the present view under a name; replaces a view of that name.
 Edit keep_view_edit(const DocumentView& view, std::string name);
-/// The camera goes there; the edit is the light and what hangs, where they are others.
+/// Moves the camera there. The edit sets the light and the drape if they differ.
 MaybeEdit go_to_view(DocumentView& view, const Design& design, const NamedView& to);
-/// A row a kept view: its name as it shall be, empty: dropped. Names that are there already get a number.
+/// `names` holds one new name per saved view; an empty name deletes it. Duplicate names get a number.
 Edit rename_views_edit(std::vector<std::string> names);
 
 }  // namespace weftlight::session

@@ -1,5 +1,5 @@
 #pragma once
-// The select tool's part of a document's view; what can be done with it is in selection.h.
+// The state of the select tool in a document's view; its operations are in selection_state.h.
 
 #include <cstdint>
 #include <memory>
@@ -23,34 +23,34 @@ struct Cell {
 enum class Tool { kPaint, kSelect, kLine, kRectangle, kFilledRectangle, kFill, kType };
 enum class SelectDrag { kNone, kBand, kMove };
 
-/// Marks on their way: the design that they left from, and from where.
+/// A move of marks in progress: the design before it, and their origin.
 struct MarksOnTheMove {
   std::shared_ptr<const Design> base;
   Selection from;
   bool copy = false;
-  uint64_t stroke = 0;  // joins the steps of the move
+  uint64_t stroke = 0;  // the steps of the move are one undo step
 };
 
-/// A block to be pasted, its first cell over cell `at`.
+/// A block being pasted, its first cell at `at`.
 struct ActiveBlock {
   CellBlock block;
   BitGrid grid = BitGrid::kThreading;
   Cell at{0, 0};
-  bool add = false;  // only its marks
+  bool add = false;  // adds its marks without clearing others
 };
 
 struct SelectState {
   Tool tool = Tool::kPaint;
-  Selection selected;           // empty: nothing
-  Cell anchor;                  // where it began
-  bool with_properties = true;  // whole threads take their colours along
+  Selection selected;           // empty if nothing is selected
+  Cell anchor;                  // first corner of the selection
+  bool with_properties = true;  // moving whole threads moves their colours and yarns
   SelectDrag drag = SelectDrag::kNone;
-  Cell grip;  // of a move: the cell under the pointer, counted from the selection's first
+  Cell grip;  // of a move: the cell under the pointer, relative to the first of the selection
   std::optional<MarksOnTheMove> move;
   std::optional<ActiveBlock> held;
-  std::string notice;     // to be said once in the status line
-  uint64_t revision = 0;  // of the design last looked at
-  uint64_t moves = 0;     // so far
+  std::string notice;     // shown once in the status line
+  uint64_t revision = 0;  // of the design last followed
+  uint64_t moves = 0;     // number of moves so far
 };
 
 }  // namespace weftlight::session

@@ -14,19 +14,19 @@ using base::tr_n;
 
 namespace {
 
-constexpr uint64_t kMoveStrokes = uint64_t{1} << 63;  // apart from the strokes of the mouse
+constexpr uint64_t kMoveStrokes = uint64_t{1} << 63;  // distinct from mouse strokes
 
 Design moved_from(const MarksOnTheMove& m, int a, int b) {
   const bool at_home = a == m.from.a0 && b == m.from.b0;
   return at_home ? *m.base : with_moved(*m.base, m.from, a, b, m.copy);
 }
 
-/// True while the design is what the move made of it, and nothing came after.
+/// True while the design is the result of the move, with no edit after it.
 bool goes_on(const SelectState& s, const Design& design) {
   return s.move && moved_from(*s.move, s.selected.a0, s.selected.b0) == design;
 }
 
-/// "3 ends", of the columns of a grid.
+/// "3 ends", for columns of a grid.
 std::string columns_text(BitGrid grid, int count) {
   const char* text = nullptr;
   switch (grid) {
@@ -181,7 +181,7 @@ MaybeEdit cancel_drag(SelectState& s, const Design& design) {
 void extend_selection(SelectState& s, const Draft& d, int da, int db) {
   if (s.selected.empty()) return;
   const Selection& now = s.selected;
-  // The far corner lies across from the one where the selection began.
+  // The far corner is opposite to the one where the selection began.
   const Cell near = holds(now, now.grid, s.anchor) ? s.anchor : Cell{now.a0, now.b0};
   const Cell far{near.a == now.a0 ? now.a1 - 1 : now.a0, near.b == now.b0 ? now.b1 - 1 : now.b0};
   const Cell to{std::clamp(far.a + da, 0, columns_of(d, now.grid) - 1),

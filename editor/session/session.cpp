@@ -93,7 +93,7 @@ void Session::close(uint64_t id, Document (*instead)()) {
     return;
   }
   all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(place));
-  // The tab that moves into its place is shown, or the last.
+  // Shows the tab that takes its position, or the last one.
   if (place < active_ || active_ == all_.size()) --active_;
 }
 

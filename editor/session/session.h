@@ -1,6 +1,6 @@
 #pragma once
-// The documents that are open, each with its view and its journal, and which of them is shown. No window and no
-// questions: who closes what is unsaved has asked before.
+// The open documents, each with its view and its journal, and the active one. No window and no dialogs: the caller has
+// asked before it closes an unsaved document.
 
 #include <cstdint>
 #include <memory>
@@ -16,21 +16,21 @@
 
 namespace weftlight::session {
 
-/// Where a document comes from, which says whom it gives way to while nothing was done in it: what the window began
-/// with to any other, a shipped draft to the next one, so that leafing through the library leaves no trail.
+/// Where a document comes from. An unedited document is replaced by the next: the initial one by any other, a shipped
+/// draft by the next shipped one, so that browsing the library does not pile up tabs.
 enum class Origin { kOwn, kFirst, kShipped };
 
 struct OpenDocument {
-  uint64_t id = 0;  // never given twice; also its number in the journal
+  uint64_t id = 0;  // unique; also its number in the journal
   Document document;
   DocumentView view;
-  std::vector<Diagnostic> remarks;  // on its file
+  std::vector<Diagnostic> remarks;  // about its file
   Origin origin = Origin::kOwn;
 };
 
 class Session {
  public:
-  /// Unsaved work is kept in the folder `recovery`; `first` is what is open.
+  /// Unsaved work is kept in the folder `recovery`; `first` is the initial document.
   Session(std::string recovery, Document first, bool per_inch);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -40,50 +40,50 @@ class Session {
   OpenDocument& active() { return *all_[active_]; }
   const OpenDocument& active() const { return *all_[active_]; }
   size_t active_place() const { return active_; }
-  /// Null: it is no longer open.
+  /// Null if it is no longer open.
   OpenDocument* find(uint64_t id);
-  /// The one on this file; null: none is.
+  /// The document of this file; null if none is open.
   OpenDocument* on_file(const std::string& path);
   std::vector<uint64_t> unsaved() const;
-  /// Tells every state of every document from every other; grows with the edits of one.
+  /// Unique for every state of every document; grows with the edits of a document.
   uint64_t revision() const { return (active().id << kRevisionBits) + active().document.revision(); }
-  /// Whether the state of that revision was one of the active document's.
+  /// True if that revision belongs to the active document.
   bool is_of_active(uint64_t revision) const { return revision >> kRevisionBits == active().id; }
 
-  /// Opens it beside the active one, or in its place where that gives way, and shows it.
+  /// Opens a tab beside the active one, or replaces it (see Origin), and shows it.
   OpenDocument& add(Document document, Origin origin, bool per_inch);
-  /// Another text in the same tab, its view begun anew: a file read again.
+  /// Replaces the document of a tab, with a new view: for a reload.
   void replace(uint64_t id, Document document, bool per_inch);
   void show(uint64_t id);
-  /// The next tab (1) or the one before (-1), round and round.
+  /// The next tab (1) or the previous (-1), wrapping around.
   void step(int by);
-  /// To the place in the row of tabs.
+  /// Moves the tab to a position in the tab strip.
   void move(uint64_t id, size_t place);
-  /// What was not saved in it is not wanted. Of the last one `instead` takes the place.
+  /// Discards unsaved changes. `instead` makes the document that replaces the last one.
   void close(uint64_t id, Document (*instead)());
 
-  // What is done in the active one. True when its design changed.
+  // Edits of the active document. True if its design changed.
   bool commit(const Edit& edit, uint64_t stroke);
   bool undo();
   bool redo();
-  /// To a step of the history.
+  /// Goes to a step of the history.
   bool go_to(size_t step);
-  /// What went wrong, or empty.
+  /// Returns the error, or empty.
   std::string save(uint64_t id, const std::string& path);
-  /// After something was done to `document` itself.
+  /// Updates the journal after a direct change of the document.
   void keep_unsaved(const OpenDocument& open);
-  /// Nothing of what is unsaved is wanted.
+  /// Discards all unsaved changes.
   void forget_all();
 
-  // What crashed sessions left.
-  /// Newest first; looked for when the session began.
+  // Work of crashed sessions.
+  /// Newest first, as found when the session started.
   const std::vector<LeftWork>& left() const { return left_; }
-  /// Opens it, in the place of its file where that is open and untouched; none: why it cannot be read, and it stays
-  /// where it is.
+  /// Opens the work, replacing the tab of its file if that has no unsaved changes. Null if it cannot be read: `why`
+  /// tells the reason, and the journal stays.
   OpenDocument* bring_back(size_t left, bool per_inch, std::vector<Diagnostic>& why);
   void discard(size_t left);
 
-  /// What could not be journalled, until it is.
+  /// The error of the journal until a retry succeeds.
   std::string problem() const { return journal_.problem(); }
   bool busy() const { return journal_.busy(); }
   void settle() { journal_.settle(); }
@@ -93,7 +93,7 @@ class Session {
   std::unique_ptr<OpenDocument> made(Document document, Origin origin, bool per_inch);
   bool gives_way(const OpenDocument& open, Origin to) const;
   bool followed(bool changed);
-  /// To another step of the history.
+  /// Goes to another step of the history by `go`.
   template <class Go>
   bool gone(Go go);
   size_t place_of(uint64_t id) const;

@@ -27,7 +27,7 @@ const char* shape_name(Tool tool) {
   return tool == Tool::kLine ? tr("Line") : tool == Tool::kRectangle ? tr("Rectangle") : tr("Filled rectangle");
 }
 
-/// From one index to another in so many equal steps.
+/// Index at `step` of `steps` equal steps between two indices.
 int between(int from, int to, int step, int steps) {
   const double t = steps == 0 ? 1 : static_cast<double>(step) / steps;
   return from + static_cast<int>(std::lround(t * (to - from)));
@@ -55,7 +55,7 @@ CellMask cells_of_rectangle(bool filled, Cell from, Cell to) {
   return mask;
 }
 
-/// How many of the cells are not what they should have become.
+/// Number of cells that did not get the wanted value.
 int64_t missed_by(const Draft& d, const CellMask& mask, bool on) {
   const Selection place{BitGrid::kDrawdown, mask.at.a, mask.at.a + mask.cells.cols(), mask.at.b,
                         mask.at.b + mask.cells.rows()};
@@ -78,7 +78,7 @@ int64_t missed_by(const Draft& d, const CellMask& mask, bool on) {
 
 uint64_t ones_between(int from, int to) { return (~uint64_t{0} >> (64 - (to - from))) << from; }
 
-/// The columns [first, end) of the ones about a set bit.
+/// The run of ones around a set bit, as columns [first, end).
 std::pair<int, int> run_about(std::span<const uint64_t> row, int at) {
   size_t low = static_cast<size_t>(at) / 64, high = low;
   const int bit = at % 64;
@@ -88,7 +88,7 @@ std::pair<int, int> run_about(std::span<const uint64_t> row, int at) {
   return {first, end};
 }
 
-/// The runs of equal cells that a flood has still to look at, word by word.
+/// A flood fill by runs of equal cells, word by word.
 class Flood {
  public:
   Flood(const Draft& d, const BitMatrix& cells, GridId grid, Cell at) {
@@ -105,7 +105,7 @@ class Flood {
   struct Run {
     int b, a0, a1;
   };
-  /// Of cells that are alike and were not seen before.
+  /// Moves the run at `at` from the unseen cells to the seen ones.
   Run take_run(Cell at) {
     const auto left = left_.row(at.b), seen = seen_.row(at.b);
     const auto [a0, a1] = run_about(left, at.a);
@@ -131,7 +131,7 @@ class Flood {
     }
   }
 
-  BitMatrix left_, seen_;  // alike and not seen; seen
+  BitMatrix left_, seen_;  // equal cells not seen yet; seen cells
   std::vector<Run> runs_;
 };
 
@@ -155,7 +155,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   int64_t missed = 0;
   if (*bits == BitGrid::kDrawdown && may_paint(design, *bits))
     for (const CellMask& m : masks) missed += missed_by(next.draft, m, what.on);
-  // Where crossings change alone, only the loom refuses: then nothing is drawn rather than a part.
+  // With the drawdown leading only the loom limits it: then nothing is drawn rather than a part.
   if (missed > 0 && design.loom.leading == Leading::kDrawdown) next = design;
   else if (missed > 0) view.select.notice = what.name + missed_text(missed);
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
@@ -172,7 +172,7 @@ bool is_shape(Tool tool) { return tool == Tool::kLine || tool == Tool::kRectangl
 Cell constrained(Tool tool, Cell from, Cell to, int columns, int rows) {
   const int da = to.a - from.a, db = to.b - from.b;
   const int wide = std::abs(da), high = std::abs(db);
-  // Half way between the directions, by the tangent of 22.5 degrees.
+  // Half way between two directions: the tangent of 22.5 degrees.
   constexpr double kHalfWay = 0.41421356;
   if (tool == Tool::kLine && high <= kHalfWay * wide) return {to.a, from.b};
   if (tool == Tool::kLine && wide <= kHalfWay * high) return {from.a, to.b};

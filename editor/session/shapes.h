@@ -1,6 +1,5 @@
 #pragma once
-// Lines, rectangles and fills on the grids: which cells they take, and the edits that they become. No drawing here:
-// shape_input.h sees to the screen.
+// Lines, rectangles and fills on the grids: their cells and their edits. shape_input.h handles input and drawing.
 
 #include <string>
 #include <utility>
@@ -19,34 +18,34 @@ struct CellMask {
   BitMatrix cells;
 };
 
-/// Drawn from one cell to another.
+/// True for tools that draw from one cell to another.
 bool is_shape(Tool tool);
 
-/// Where a shape ends while Shift is held, in a grid of that size: a line along one of eight directions, a rectangle
-/// with equal sides.
+/// The end of a shape while Shift is held, in a grid of that size: lines keep to eight directions, rectangles become
+/// squares.
 Cell constrained(Tool tool, Cell from, Cell to, int columns, int rows);
 
-/// The cells of a shape. A line in the threading is on one shaft of each end, in the treadling on one treadle of each
-/// pick; elsewhere it has no gaps.
+/// The cells of a shape. A line in the threading has one shaft per end, in the treadling one treadle per pick;
+/// elsewhere it has no gaps.
 CellMask cells_of_shape(Tool tool, GridId grid, Cell from, Cell to);
-/// A shape and its images.
+/// The cells of a shape and of its mirror images.
 std::vector<CellMask> cells_of_shapes(const ActiveShape& shape, const Mirror& mirror);
-/// A line there leaves each end or pick on one shaft or treadle.
+/// True for a line that removes the other shafts or treadles of its ends or picks.
 bool leaves_others(const ActiveShape& shape);
 
-/// All cells like the one at `at` that can be reached from it sideways, up and down. `cells`: the drawdown.
+/// Flood fill: the connected region (4 neighbours) of cells equal to the one at `at`. `cells` is the drawdown.
 CellMask region_about(const Draft& draft, const BitMatrix& cells, GridId grid, Cell at);
-/// The threads beside one that have its colour (or yarn): half-open.
+/// The run of threads around one with the same colour (or yarn), half-open.
 std::pair<int, int> threads_about(const Threads& threads, BarPaint what, int thread);
 
-/// What the hand lets go becomes an edit; `notice` says what could not follow.
+/// Turns the finished shape into an edit; `notice` reports crossings that could not follow.
 MaybeEdit finish_shape(DocumentView& view, const Design& design);
-/// A region set or cleared.
+/// Sets or clears a region.
 MaybeEdit fill_region(DocumentView& view, const Design& design, GridId grid, const CellMask& region, bool on);
-/// The threads about one on a colour bar.
+/// Fills the run of threads around one on a colour bar.
 Edit fill_bar_edit(const Draft& draft, GridId grid, Cell at, BarPaint what, int index);
 
-/// "Line: 12 ends x 4 shafts" and what keys do meanwhile.
+/// "Line: 12 ends x 4 shafts" and its keys.
 std::string shape_text(const ActiveShape& shape);
 
 }  // namespace weftlight::session

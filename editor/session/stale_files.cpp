@@ -20,7 +20,7 @@ void remove_stale_files(const std::string& path) {
       found.push_back(entry.path().string());
   for (const std::string& left : found) {
     const auto lock = platform::FileLock::take_existing(left);
-    // Not where it was finished and renamed meanwhile.
+    // Keeps a file that was finished and renamed meanwhile.
     if (lock.held() && lock.stands_at(left)) fs::remove(left, error);
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a killed program left beside the files that it was writing.
+// Temporary files that a killed program left beside the files it was writing.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace weftlight::session {
 
-/// Removes the temporary files of `path` (base::temporary_beside) whose owner is no more: those alone whose lock can be
-/// had. Where there are no locks all stay, however old: a slow owner on another machine is no dead one.
+/// Removes the temporary files of `path` (base::temporary_beside) whose owner has ended: those whose lock can be taken.
+/// Without file locks all stay, however old: a slow owner on another machine may still be alive.
 void remove_stale_files(const std::string& path);
 
 }  // namespace weftlight::session

@@ -3,7 +3,7 @@
 namespace weftlight::session {
 
 void Strokes::frame(bool pressed, bool held) {
-  // In a slow frame the next press may come before a frame in which nothing is held.
+  // With slow frames the next press may come before any frame without a held button.
   if (pressed || (held && !held_)) ++number_;
   held_ = held || pressed;
 }

@@ -1,6 +1,5 @@
 #pragma once
-// Which edits belong together: those of one gesture of the hand are one step of undo, those of two are two, however
-// soon the second follows the first.
+// Numbers the gestures: the edits of one gesture are one undo step, those of two are two, however close in time.
 
 #include <cstdint>
 
@@ -10,10 +9,10 @@ namespace weftlight::session {
 
 class Strokes {
  public:
-  /// Once a frame. `pressed`: a mouse button went down in it; `held`: one is down, or a control is being changed.
+  /// Call once per frame. `pressed`: a mouse button went down; `held`: one is down, or a control is being changed.
   void frame(bool pressed, bool held);
   bool going_on() const { return held_; }
-  /// For History::commit: the gesture's number, or 0 between gestures.
+  /// The number of the gesture for History::commit; 0 between gestures.
   uint64_t now() const { return held_ ? number_ : 0; }
 
  private:

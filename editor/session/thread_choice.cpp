@@ -38,14 +38,14 @@ std::vector<int> without(const std::vector<int>& a, const std::vector<int>& b) {
   return out;
 }
 
-/// How many threads from `at` on stand `step` apart.
+/// Length of the run from `at` with threads `step` apart.
 size_t run_length(const std::vector<int>& threads, size_t at, int step) {
   size_t end = at + 1;
   while (end < threads.size() && threads[end] - threads[end - 1] == step) ++end;
   return end - at;
 }
 
-/// A whole number at the front of `text`, which it is taken off.
+/// Removes and returns the integer at the front of `text`.
 std::optional<int> take_number(std::string_view& text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -73,7 +73,7 @@ std::optional<Span> span_of(std::string_view word, int count) {
   if (!first) return std::nullopt;
   s.first = s.last = *first;
   if (take_sign(word, '-')) {
-    // "20-" goes on to the last thread.
+    // "20-" ends at the last thread.
     s.last = word.empty() || word.front() == '/' ? count : take_number(word).value_or(-1);
     if (take_sign(word, '/')) s.step = take_number(word).value_or(-1);
   }
@@ -84,7 +84,7 @@ std::optional<Span> span_of(std::string_view word, int count) {
   return s;
 }
 
-/// In lower case, without blanks; an en dash is a hyphen.
+/// Lower case, without blanks, with en dashes as hyphens.
 std::string plain(std::string_view words) {
   std::string out;
   for (size_t i = 0; i < words.size(); ++i) {

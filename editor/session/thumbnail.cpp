@@ -8,13 +8,13 @@
 namespace weftlight::session {
 namespace {
 
-constexpr int kMinAcross = 48;   // ends that a picture shows at least: of smaller drafts several repeats
+constexpr int kMinAcross = 48;   // least number of ends shown; smaller drafts repeat
 constexpr int kMaxSamples = 4;   // along each side of a pixel that covers several crossings
-constexpr float kRound = 0.34f;  // how much darker a thread is at its edges
-constexpr float kDip = 0.30f;    // and where it goes under the next
+constexpr float kRound = 0.34f;  // darkening at the edges of a thread
+constexpr float kDip = 0.30f;    // darkening where it goes under the next thread
 
-constexpr float kAlike = 0.12f;  // colours that differ by less in each channel, of the mean warp and weft,
-constexpr float kTone = 0.84f;   // are told apart by a darker weft, as white damask is by its gloss
+constexpr float kAlike = 0.12f;  // if mean warp and weft colour differ by less in each channel,
+constexpr float kTone = 0.84f;   // the weft is darkened by this factor, so that white damask shows its figure
 
 Rgb mean_color(const Draft& draft, System system) {
   Rgb sum;
@@ -33,12 +33,12 @@ float weft_tone(const Draft& draft) {
   return apart < kAlike ? kTone : 1;
 }
 
-/// Which threads the pixels along one side look at.
+/// The threads sampled by the pixels along one side.
 struct Side {
-  int samples = 1;           // a pixel
-  std::vector<int> threads;  // of the draft, those that are looked at, ascending
+  int samples = 1;           // per pixel
+  std::vector<int> threads;  // of the draft, sampled ones only, ascending
   std::vector<int> at;       // by sample: index into `threads`
-  std::vector<float> place;  // by sample: where within its thread, -1..1
+  std::vector<float> place;  // by sample: position across its thread, -1..1
 };
 
 Side side_of(int pixels, float cell, int count) {
@@ -65,7 +65,7 @@ BitMatrix rows_of(const BitMatrix& all, const std::vector<int>& which) {
   return some;
 }
 
-/// The draft of those ends and picks alone, so that the crossings of a vast one are never worked out.
+/// The crossings of those ends and picks only, so that a huge draft is not computed in full.
 BitMatrix crossings_of(const Draft& draft, const std::vector<int>& ends, const std::vector<int>& picks) {
   Draft some;
   some.shafts = draft.shafts, some.treadles = draft.treadles;
@@ -90,8 +90,8 @@ struct Picture {
   const Draft& draft;
   const Side &across, &down;
   const BitMatrix cells;
-  float strength;  // of the shading: cells of a few pixels are flat
-  float tone;      // of the weft
+  float strength;  // of the shading: small cells are flat
+  float tone;      // factor on weft colours
 
   Rgb color(int x, int y) const {
     const int end = across.at[static_cast<size_t>(x)], pick = down.at[static_cast<size_t>(y)];
@@ -102,7 +102,7 @@ struct Picture {
     Rgb c = draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(thread)])];
     if (!warp) c = {c.r * tone, c.g * tone, c.b * tone};
     if (strength <= 0) return c;
-    // The neighbours are those of the picture: with cells of several pixels they lie side by side.
+    // Neighbours within the sampled threads: cells of several pixels have their true neighbours.
     const int ends = cells.cols(), picks = cells.rows();
     const bool under = warp ? !cells.get((pick + (py < 0 ? picks - 1 : 1)) % picks, end)
                             : cells.get(pick, (end + (px < 0 ? ends - 1 : 1)) % ends);
@@ -132,7 +132,7 @@ Thumbnail thumbnail_of(const Draft& draft, int width, int height) {
   float cell = w / std::max(fits, static_cast<float>(kMinAcross));
   if (cell >= 2) cell = std::floor(cell);
   const Side across = side_of(width, cell, draft.ends()), down = side_of(height, cell, draft.picks());
-  constexpr float kFlat = 2, kShaded = 6;  // pixels of a cell
+  constexpr float kFlat = 2, kShaded = 6;  // pixels per cell
   const Picture picture{draft,
                         across,
                         down,

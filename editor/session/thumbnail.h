@@ -1,5 +1,5 @@
 #pragma once
-// A draft as a small picture: its drawdown in the colours of its threads, as one would hold the cloth at arm's length.
+// A thumbnail of a draft: its drawdown in the colours of its threads.
 
 #include <cstdint>
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace weftlight::session {
 
-/// RGBA of 8 bits, red lowest, encoded as sRGB; row 0 on top.
+/// RGBA8, red in the lowest byte, sRGB; row 0 on top.
 struct Thumbnail {
   int width = 0, height = 0;
   std::vector<uint32_t> pixels;
   bool operator==(const Thumbnail&) const = default;
 };
 
-/// End 1 at the right, pick 1 on top. A small draft is repeated over the picture, of a large one all is seen that fits
-/// its shorter side. Empty where the draft has no crossing.
+/// End 1 at the right, pick 1 on top. A small draft is repeated; a large one is shown as far as it fits its shorter
+/// side. Empty if the draft has no crossing.
 Thumbnail thumbnail_of(const Draft& draft, int width, int height);
 
 }  // namespace weftlight::session

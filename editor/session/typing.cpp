@@ -19,7 +19,7 @@ namespace {
 
 bool along_ends(GridId grid) { return grid == GridId::kThreading || grid == GridId::kTieup; }
 
-/// An end or a pick is on one shaft, one treadle.
+/// True if each end or pick has one shaft or treadle.
 bool holds_one(GridId grid) { return grid == GridId::kThreading || grid == GridId::kTreadling; }
 
 struct Size {
@@ -37,7 +37,7 @@ int most(const Draft& d, GridId grid) {
   return along_ends(grid) ? size.rows : size.columns;
 }
 
-/// The cell of a number on the cursor's thread.
+/// The cell of a number on the thread of the cursor.
 Cell numbered(const TypeCursor& c, int number) {
   return along_ends(c.grid) ? Cell{c.at.a, number - 1} : Cell{number - 1, c.at.b};
 }
@@ -69,7 +69,7 @@ Edit number_edit(const TypeCursor& c, const Design& design, int number) {
                   c.grid);
 }
 
-/// The thread (or treadle) of the cursor loses all its marks.
+/// Clears all marks of the thread (or treadle) at the cursor.
 Edit clear_edit(const TypeCursor& c, const Draft& d) {
   const int cells = most(d, c.grid);
   return with_why({tr("Clear typed"),
@@ -137,7 +137,7 @@ MaybeEdit turn_cell(DocumentView& v, const Design& design) {
   return paint_edit(c.grid, c.at, c.at, !is_on(design.draft, cells, c.grid, c.at), true, {}, v.given);
 }
 
-/// To the next grid that is shown, its cursor on the same thread where it shares one.
+/// Moves to the next shown grid, on the same thread if both have it.
 void next_grid(DocumentView& v, const Draft& d) {
   constexpr GridId kRound[] = {GridId::kThreading, GridId::kTieup, GridId::kTreadling, GridId::kLiftplan,
                                GridId::kDrawdown};
@@ -155,7 +155,7 @@ struct Way {
 };
 constexpr Way kWays[] = {{"Left", -1, 0}, {"Right", 1, 0}, {"Up", 0, -1}, {"Down", 0, 1}};
 
-/// Whether the key moves the cursor; it does.
+/// Moves the cursor if the key is a cursor key; true if it is.
 bool move_by(DocumentView& v, const Draft& d, const Settings& settings, const std::string& key) {
   const TypeCursor& c = v.cursor;
   for (const Way& way : kWays)

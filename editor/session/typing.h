@@ -1,6 +1,6 @@
 #pragma once
-// Numbers typed into the grids by a cell cursor: shafts into the threading, treadles into the treadling, each entry one
-// step of undo, after which the cursor goes on to the next thread. No keys of a window here, only their names.
+// Number entry into the grids at a cell cursor: shafts into the threading, treadles into the treadling. Each entry is
+// one undo step, after which the cursor moves to the next thread. Keys are given by name.
 
 #include <optional>
 #include <string>
@@ -13,32 +13,32 @@
 
 namespace weftlight::session {
 
-/// Seconds that a number waits for another digit where one could follow: 1 of 12 shafts, but not 2.
+/// Seconds that a number waits for another digit if one could follow: with 12 shafts 1 waits, 2 does not.
 inline constexpr double kDigitWaitS = 1.0;
 
 struct TypedKey {
-  bool taken = false;            // it means something here
-  std::vector<Edit> edits = {};  // each a step of undo
+  bool taken = false;            // the key was used
+  std::vector<Edit> edits = {};  // each one undo step
 };
-/// A key, as menus write it, at a time in seconds. Digits make a number, which is taken once no further digit can
-/// follow, after a wait, or with Enter, a comma or a blank; a digit that would lead beyond the last shaft begins the
-/// next number. 0 clears the thread and goes on, Delete clears and stays. In tie-up and liftplan a number turns one
-/// mark over, and Enter goes on. A comma after a number that was taken already says nothing new. A blank turns the cell
-/// over; Tab goes to the next grid.
+/// Handles a key, named as in menus, at a time in seconds. Digits make a number, which is accepted once no further
+/// digit can follow, after a wait, or with Enter, comma or Space; a digit that would exceed the last shaft starts the
+/// next number. 0 clears the thread and moves on, Delete clears and stays. In tie-up and liftplan a number toggles one
+/// mark, and Enter moves on. A comma after an accepted number is ignored. Space toggles the cell; Tab goes to the next
+/// grid.
 TypedKey type_key(DocumentView& view, const Design& design, const Settings& settings, const std::string& key,
                   double now_s);
-/// The number that waited long enough.
+/// Accepts a number that has waited long enough.
 TypedKey type_after_wait(DocumentView& view, const Design& design, double now_s);
-/// Until when one waits.
+/// Time in seconds until which a number waits.
 std::optional<double> waits_until(const DocumentView& view);
 
-/// The tool in hand: at the selection, else at the cell under the pointer, else where the cursor was.
+/// Starts the tool at the selection, else at the cell under the pointer, else at the old cursor.
 void begin_typing(DocumentView& view, const Draft& draft, Hover hover);
 void put_cursor(DocumentView& view, GridId grid, Cell at);
-/// What is no longer there holds no cursor.
+/// Keeps the cursor inside the shown grids.
 void follow_draft(TypeCursor& cursor, const Draft& draft);
 
-/// What stands at the cursor, and what can be typed.
+/// Describes the cell at the cursor and the keys.
 std::string typing_text(const DocumentView& view, const Design& design, const BitMatrix& cells);
 
 }  // namespace weftlight::session

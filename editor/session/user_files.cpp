@@ -28,12 +28,12 @@ void take(const nlohmann::json& json, const char* key, T& value) {
   if constexpr (std::is_same_v<T, bool>) {
     if (at->is_boolean()) value = at->get<bool>();
   } else if (at->is_number()) {
-    constexpr double kLargest = 1e6;  // a number beyond the range of T may not be converted
+    constexpr double kLargest = 1e6;  // converting a number beyond the range of T is undefined
     value = static_cast<T>(std::clamp(at->get<double>(), -kLargest, kLargest));
   }
 }
 
-/// A path as a text, or as its bytes where they are no UTF-8.
+/// A path as text, or as an array of bytes if it is not UTF-8.
 nlohmann::json path_json(const std::string& path) {
   if (is_utf8(path)) return path;
   return std::vector<uint8_t>(path.begin(), path.end());
@@ -58,7 +58,7 @@ void take_prices(const nlohmann::json& json, std::map<std::string, float>& price
       prices[yarn] = price.get<float>();
 }
 
-/// Names that are text: JSON holds no other.
+/// Only names in UTF-8: JSON cannot hold others.
 std::map<std::string, float> writable(const std::map<std::string, float>& prices) {
   std::map<std::string, float> out;
   for (const auto& [yarn, price] : prices)
